@@ -1,0 +1,6 @@
+# Options of every target of ours: warnings as errors, bit-reproducible floating point, includes from the root.
+function(castaway_target name)
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_options(
+    ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off)
+endfunction()

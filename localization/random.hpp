@@ -1,0 +1,17 @@
+/// Random numbers: one engine, substreams by name.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+namespace castaway::localization {
+
+/// The engine of every draw. Its output is fixed by the C++ standard; distributions come from
+/// Boost.Random, whose algorithms do not depend on the standard library.
+using Rng = std::mt19937_64;
+
+/// The substream `name` of the run with `seed`: a new consumer never shifts the draws of another.
+Rng substream(std::uint64_t seed, std::string_view name);
+
+}  // namespace castaway::localization

@@ -1,0 +1,50 @@
+/// A world as plain data: what stands where. Frame map: z up, the floor is z = 0.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace castaway::sim {
+
+/// A cuboid centred on its frame.
+struct BoxShape {
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m] Full edge lengths.
+};
+
+/// An upright cylinder (axis z) centred on its frame.
+struct CylinderShape {
+  double radius = 0.5;  ///< [m]
+  double height = 1.0;  ///< [m]
+};
+
+/// A triangle mesh, loaded through assimp, static geometry: concave shapes are kept as they are.
+struct MeshShape {
+  std::string path;  ///< Absolute path of the file.
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+};
+
+/// The shape of a static object.
+using ObjectShape = std::variant<BoxShape, CylinderShape, MeshShape>;
+
+/// One static object of a world.
+struct WorldObject {
+  std::string name;  ///< Unique within the world; names it in errors.
+  ObjectShape shape;
+  Eigen::Isometry3d T_map_object = Eigen::Isometry3d::Identity();
+  Eigen::Vector3f color{0.7F, 0.7F, 0.7F};  ///< RGB in [0, 1].
+  bool in_map = true;                       ///< False: stands in the world, but not on the map.
+};
+
+/// A world.
+struct WorldSpec {
+  std::string name;
+  std::vector<WorldObject> objects;
+  Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the floor and of the rasterised map.
+  Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,45 @@
+/// What a source delivers: sensor data as the hardware would send it, and the truth beside it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "localization/localizer.hpp"
+
+namespace castaway::testbed {
+
+using localization::LaserScan;
+using localization::Odometry;
+using localization::SE2;
+using localization::Stamp;
+
+/// Something that happened to the robot and that no localizer is told.
+struct RunEvent {
+  Stamp stamp{};
+  std::string kind;               ///< "kidnap", later "fault", "collision"...
+  std::string detail;             ///< What exactly, e.g. "teleport".
+  std::optional<SE2> T_map_from;  ///< True pose of base before.
+  std::optional<SE2> T_map_to;    ///< True pose of base after.
+};
+
+/// A scan with the true pose of base at the scan's stamp, where it is known.
+struct ScanFrame {
+  LaserScan scan;
+  std::optional<SE2> T_map_base_true;
+};
+
+/// An odometry reading with the true pose of base at its stamp, where it is known.
+struct OdometryFrame {
+  Odometry odometry;
+  std::optional<SE2> T_map_base_true;
+};
+
+/// One delivery of a source. Deliveries come in order of `stamp`, which for a scan is the time of
+/// its last beam.
+struct Frame {
+  Stamp stamp{};
+  std::variant<OdometryFrame, ScanFrame, RunEvent> data;
+};
+
+}  // namespace castaway::testbed

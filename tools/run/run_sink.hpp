@@ -1,0 +1,63 @@
+/// The seam between a run and what it leaves behind: logs, metrics, pictures, reports.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/run/frame.hpp"
+
+namespace castaway::testbed {
+
+/// One localizer's answer to a scan.
+struct LocalizerRecord {
+  std::string name;                                ///< As in the scenario; names its files.
+  std::optional<localization::Estimate> estimate;  ///< At the scan's stamp; nothing if it has none.
+  localization::Diagnostics diagnostics;
+  std::chrono::nanoseconds
+      update_cpu{};  ///< CPU time of this scan and of the odometry since the one before.
+  std::map<std::string, std::chrono::nanoseconds>
+      stage_cpu;  ///< The same, by stage of the localizer.
+};
+
+/// All that is known after a scan.
+struct ScanRecord {
+  Stamp stamp{};                       ///< The scan's stamp.
+  std::optional<SE2> T_map_base_true;  ///< At the scan's stamp.
+  SE2 T_odom_base;                     ///< Newest odometry at delivery.
+  LaserScan scan;
+  std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.
+};
+
+/// What a run cost. The only wall-clock figures that a sink is given.
+struct RunTiming {
+  double wall_s = 0.0;
+  std::map<std::string, double> cpu_s;  ///< By stage: physics, lidar, people, localizers, sinks.
+};
+
+/// Fixed facts of a run, known before its first frame.
+struct RunInfo {
+  std::string scenario;  ///< Its name.
+  std::string world;     ///< World or map name.
+  std::string robot;     ///< Robot name, or "recorded".
+  std::uint64_t seed = 0;
+  bool known_start = true;              ///< False: the localizers start anywhere.
+  std::vector<std::string> localizers;  ///< In order of `ScanRecord::localizers`.
+};
+
+/// A consumer of a run. Calls come in order: `on_event` and `on_scan` by time, then `finish` once.
+class RunSink {
+ public:
+  virtual ~RunSink() = default;
+
+  virtual void on_event(const RunEvent& event) = 0;
+  virtual void on_odometry(const OdometryFrame& frame) = 0;
+  virtual void on_scan(const ScanRecord& record) = 0;
+  /// The run ended at `end`; write what is still to be written.
+  virtual void finish(Stamp end, const RunTiming& timing) = 0;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,31 @@
+/// The seam between a run and where its sensor data come from: the simulator or a recorded log.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "tools/run/frame.hpp"
+
+namespace castaway::testbed {
+
+/// A stream of frames.
+class SensorSource {
+ public:
+  virtual ~SensorSource() = default;
+
+  /// The next frame, `nullopt` at the end.
+  virtual std::optional<Frame> next() = 0;
+  /// Tells the source what the driving localizer believes; ignored unless it drives by that
+  /// localizer.
+  virtual void set_drive_pose(const std::optional<SE2>& T_map_base) = 0;
+  /// True pose of base at the start, for a known start; `nullopt` where nobody knows it.
+  [[nodiscard]] virtual std::optional<SE2> start_pose() const = 0;
+  /// Total simulated or recorded time, for progress. Zero if unknown.
+  [[nodiscard]] virtual Stamp duration() const = 0;
+  /// CPU time spent so far by stage ("physics", "lidar", "people"); empty where not measured.
+  [[nodiscard]] virtual std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const = 0;
+};
+
+}  // namespace castaway::testbed
