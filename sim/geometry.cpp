@@ -1,0 +1,53 @@
+#include "sim/geometry.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace castaway::sim {
+
+double wrap_angle(double angle) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const double wrapped = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
+  return wrapped >= std::numbers::pi ? wrapped - kTurn : wrapped;
+}
+
+Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
+  const Eigen::Vector2d p_a = T_a_b * T_b_c.position();
+  return {p_a.x(), p_a.y(), wrap_angle(T_a_b.yaw + T_b_c.yaw)};
+}
+
+Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b) {
+  const double c = std::cos(T_a_b.yaw);
+  const double s = std::sin(T_a_b.yaw);
+  return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+}
+
+Pose2 inverse(const Pose2& T_a_b) {
+  const double c = std::cos(T_a_b.yaw);
+  const double s = std::sin(T_a_b.yaw);
+  return {-c * T_a_b.x - s * T_a_b.y, s * T_a_b.x - c * T_a_b.y, wrap_angle(-T_a_b.yaw)};
+}
+
+Eigen::Isometry3d to_isometry(const Pose2& T_a_b) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = Eigen::AngleAxisd(T_a_b.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  T.translation() << T_a_b.x, T_a_b.y, 0.0;
+  return T;
+}
+
+Pose2 to_planar(const Eigen::Isometry3d& T_a_b) {
+  const auto R = T_a_b.linear();
+  return {T_a_b.translation().x(), T_a_b.translation().y(), std::atan2(R(1, 0), R(0, 0))};
+}
+
+Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
+                              double fraction) {
+  const Eigen::Quaterniond q_a(a.linear());
+  const Eigen::Quaterniond q_b(b.linear());
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = q_a.slerp(fraction, q_b).toRotationMatrix();
+  T.translation() = a.translation() + fraction * (b.translation() - a.translation());
+  return T;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,69 @@
+/// Wheel odometry: what a robot makes of its encoders, with the errors of a real one.
+///
+/// Physics lets wheels slip too little, so that the error is an explicit model: encoder ticks,
+/// radii and track that are not what the robot believes, and a random walk.
+#pragma once
+
+#include "sim/geometry.hpp"
+#include "sim/random.hpp"
+
+namespace castaway::sim {
+
+struct RobotModel;
+
+/// How odometry errs. Defaults: a well-kept indoor robot.
+struct OdometryConfig {
+  double rate_hz = 100.0;       ///< [Hz] Readings a second.
+  int ticks_per_turn = 4096;    ///< Encoder resolution; 0: continuous.
+  double radius_sigma = 0.005;  ///< Relative error of each wheel's radius, drawn once.
+  double track_sigma = 0.01;    ///< Relative error of the track, drawn once.
+  double drift_along = 0.012;   ///< [m/sqrt(m)] Random walk along the heading.
+  double drift_yaw_deg = 0.7;   ///< [deg/sqrt(m)] Random walk of the heading.
+};
+
+/// @throws std::invalid_argument naming the field and the remedy.
+void validate(const OdometryConfig& config);
+
+/// No error at all.
+OdometryConfig ideal_odometry();
+
+/// Angles of the drive wheels since the start, unwrapped. [rad]
+struct WheelAngles {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// Geometry of a differential drive.
+struct DriveGeometry {
+  double radius_left = 0.033;             ///< [m]
+  double radius_right = 0.033;            ///< [m]
+  double track = 0.3;                     ///< [m]
+  Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the axle.
+};
+
+/// The true geometry of a robot's drive.
+DriveGeometry drive_geometry(const RobotModel& robot);
+
+/// Integrates wheel angles into a pose. Starts at the identity.
+class WheelOdometry {
+ public:
+  /// Draws the calibration errors from `rng`.
+  WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng);
+
+  /// Takes the true wheel angles; draws the drift of the way since the last call.
+  void update(const WheelAngles& angles, Rng& rng);
+  /// The accumulated pose; continuous.
+  [[nodiscard]] Pose2 T_odom_base() const;
+  /// What the robot believes its drive to be.
+  [[nodiscard]] const DriveGeometry& believed() const { return believed_; }
+
+ private:
+  [[nodiscard]] double measured(double angle) const;
+
+  OdometryConfig config_;
+  DriveGeometry believed_;
+  WheelAngles last_;
+  Pose2 T_odom_axle_;
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,123 @@
+/// The simulator as one object: a robot in a world, and what its sensors deliver.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/events/kidnap.hpp"
+#include "sim/geometry.hpp"
+#include "sim/random.hpp"
+#include "sim/robot/robot_model.hpp"
+#include "sim/sensor/lidar_config.hpp"
+#include "sim/sensor/wheel_odometry.hpp"
+#include "sim/world/grid.hpp"
+#include "sim/world/world_spec.hpp"
+
+namespace castaway::sim {
+
+/// Where the robot drives and how fast.
+struct DriveConfig {
+  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: the robot stands still.
+  bool loop = true;                        ///< Starts again after the last waypoint.
+  bool by_estimate = false;                ///< Drives by `set_drive_pose`; false: by the true pose.
+  double max_speed = 0.5;                  ///< [m/s] The wheels' own limit applies too.
+  double max_turn_rate = 1.0;              ///< [rad/s]
+  double max_acceleration = 0.5;           ///< [m/s^2]
+  double max_turn_acceleration = 2.0;      ///< [rad/s^2]
+};
+
+/// All that a simulated run depends on, besides its random streams.
+struct SimulationConfig {
+  WorldSpec world;
+  Grid map;  ///< What the robot's planner knows; objects missing on it are avoided all the same.
+  RobotModel robot;
+  LidarConfig lidar;
+  OdometryConfig odometry;
+  DriveConfig drive;
+  std::vector<KidnapSpec> kidnaps;
+  Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
+  bool random_start = false;  ///< Draws a pose in reachable free space.
+  std::chrono::nanoseconds duration = std::chrono::seconds(120);
+  double physics_hz = 500.0;  ///< [Hz] Rounded to whole nanoseconds a step.
+};
+
+/// One stream of random numbers for each consumer.
+struct SimulationStreams {
+  Rng lidar;
+  Rng odometry;
+  Rng events;
+};
+
+/// One reading of wheel odometry, and the truth.
+struct OdometryReading {
+  std::chrono::nanoseconds stamp{};
+  Pose2 T_odom_base;
+  Pose2 T_map_base_true;
+};
+
+/// What a beam hit, besides the index of an object in `WorldSpec::objects`.
+inline constexpr int kHitNothing = -1;
+inline constexpr int kHitFloor = -2;
+
+/// One scan, and the truth.
+struct LidarReading {
+  std::chrono::nanoseconds stamp{};           ///< Of the first beam.
+  std::chrono::nanoseconds time_increment{};  ///< Between two beams; 0 without sweep.
+  std::vector<float> ranges;                  ///< [m] +inf: nothing within range, -inf: too close.
+  std::vector<int> hit_object;  ///< Same length: index of the object, or kHitNothing, kHitFloor.
+  Pose2 T_map_base_true;        ///< At the stamp.
+};
+
+/// One delivery. A scan is delivered at the time of its last beam.
+struct SimFrame {
+  std::chrono::nanoseconds stamp{};
+  std::variant<KidnapRecord, OdometryReading, LidarReading> data;
+};
+
+/// A run of the simulator. Same configuration, same streams: same frames, to the bit.
+class Simulation {
+ public:
+  /// Time spent by this thread, for `cpu_by_stage`; may be empty. Never influences a frame.
+  using CpuClock = std::function<std::chrono::nanoseconds()>;
+
+  /// @throws std::invalid_argument, std::runtime_error if the configuration cannot be run (start or
+  /// kidnap target in collision, no free space).
+  Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock = {});
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// The next delivery, in order of stamps; at the same time kidnap, odometry, scan. Nothing once
+  /// the run's duration is over.
+  /// @throws std::runtime_error if a kidnap is impossible where the robot is.
+  std::optional<SimFrame> next();
+  /// What the driving localizer believes; without a pose the robot stops. Ignored unless
+  /// `DriveConfig::by_estimate`.
+  void set_drive_pose(const std::optional<Pose2>& T_map_base);
+
+  /// True pose of base at the start of the run.
+  [[nodiscard]] Pose2 start_pose() const;
+  /// True pose of base now.
+  [[nodiscard]] Pose2 true_pose() const;
+  /// Contacts of the robot with the world begun so far, floor aside.
+  [[nodiscard]] std::int64_t collisions() const;
+  /// Way driven by the base so far, kidnaps aside. [m]
+  [[nodiscard]] double distance_driven() const;
+  /// CPU time by stage: "physics", "lidar", "drive"; empty without a clock.
+  [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace castaway::sim
