@@ -1,0 +1,49 @@
+/// YAML as a plain tree that remembers where every value was written.
+#pragma once
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace castaway::testbed {
+
+struct YamlEntry;
+
+/// A value. The lists keep references to their elements valid when they grow.
+struct YamlNode {
+  enum class Kind { kNull, kScalar, kList, kMap };
+
+  Kind kind = Kind::kNull;
+  std::string scalar;              ///< Text of a scalar, without quotes.
+  std::list<YamlNode> items;       ///< Elements of a list.
+  std::list<YamlEntry> entries;    ///< Keys and values of a map, in order of the file.
+  std::string where;               ///< "file:line" or "--set a.b=c"; empty for a default.
+  std::vector<std::string> known;  ///< Keys that a reader asked this map for.
+
+  /// The value of `key`, or nullptr.
+  [[nodiscard]] YamlNode* find(const std::string& key);
+  [[nodiscard]] const YamlNode* find(const std::string& key) const;
+};
+
+/// A key and its value.
+struct YamlEntry {
+  std::string key;
+  YamlNode value;
+};
+
+/// A scalar without a place.
+YamlNode yaml_scalar(std::string text);
+
+/// Parses one YAML document. `name` is the file's name in errors and in `where`. Throws
+/// std::runtime_error on malformed text and duplicate keys, naming file and line.
+YamlNode parse_yaml(const std::string& text, const std::string& name);
+
+/// Applies `path=value` (`events.0.kidnap.at_s=30`) to the tree. Keys that do not exist are made,
+/// so that a reader judges them like those of the file; a list takes indices up to its length.
+/// The value is YAML. Throws std::invalid_argument where the path does not fit.
+void apply_override(YamlNode& root, const std::string& assignment);
+
+/// The tree as block-style YAML text; parsing it gives the same tree.
+std::string emit_yaml(const YamlNode& root);
+
+}  // namespace castaway::testbed
