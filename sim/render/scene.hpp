@@ -23,6 +23,7 @@ struct SceneItem {
   TriangleMesh mesh;
   Eigen::Isometry3f T_map_mesh = Eigen::Isometry3f::Identity();
   Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< Multiplies the vertex colours.
+  bool shaded = true;                       ///< False: its plain colour, whatever the light.
 };
 
 /// Points drawn over the scene (lidar hits, particles), all of one colour.

@@ -1,0 +1,25 @@
+/// A colour picture, and its way into a PNG file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace castaway::sim {
+
+/// RGB, 8 bits a channel, row 0 at the top.
+struct Image {
+  int width = 0;                     ///< [px]
+  int height = 0;                    ///< [px]
+  std::vector<std::uint8_t> pixels;  ///< 3 * width * height: R, G, B of each pixel in rows.
+};
+
+/// The bytes of a PNG file; the same picture gives the same bytes. Throws std::invalid_argument if
+/// the pixels do not fit the size.
+std::string encode_png(const Image& image);
+
+/// Writes a PNG file. Throws std::runtime_error if `path` is not writable.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+}  // namespace castaway::sim

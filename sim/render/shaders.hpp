@@ -1,0 +1,73 @@
+/// GLSL sources of the renderer.
+#pragma once
+
+namespace castaway::sim {
+
+/// Meshes: `position`, `normal` and `color` a vertex.
+inline constexpr const char* kMeshVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 color;
+uniform mat4 clip_from_map;
+uniform mat4 map_from_mesh;
+out vec3 map_position;
+out vec3 map_normal;
+out vec3 vertex_color;
+void main() {
+  vec4 placed = map_from_mesh * vec4(position, 1.0);
+  map_position = placed.xyz;
+  map_normal = mat3(map_from_mesh) * normal;
+  vertex_color = color;
+  gl_Position = clip_from_map * placed;
+}
+)";
+
+/// Light from above left, a sky and a floor that shine a little. A face turned away from the viewer
+/// is lit as its other side would be: meshes with wrong normals stay readable.
+inline constexpr const char* kMeshFragmentShader = R"(#version 330 core
+in vec3 map_position;
+in vec3 map_normal;
+in vec3 vertex_color;
+uniform vec3 item_color;
+uniform vec4 viewpoint;
+uniform float shaded;
+out vec4 pixel;
+void main() {
+  vec3 to_viewer = viewpoint.w > 0.5 ? normalize(viewpoint.xyz - map_position) : viewpoint.xyz;
+  vec3 n = length(map_normal) > 0.0 ? normalize(map_normal) : to_viewer;
+  if (dot(n, to_viewer) < 0.0) n = -n;
+  vec3 to_sun = normalize(vec3(-0.45, -0.6, 1.2));
+  float sky = 0.5 + 0.5 * n.z;
+  vec3 light = mix(vec3(0.36, 0.35, 0.34), vec3(0.52, 0.54, 0.57), sky);
+  light += vec3(0.50, 0.48, 0.45) * max(dot(n, to_sun), 0.0);
+  light += vec3(0.08) * max(dot(n, to_viewer), 0.0);
+  pixel = vec4(item_color * vertex_color * mix(vec3(1.0), light, shaded), 1.0);
+}
+)";
+
+/// Points and lines: 5 cm nearer to the viewer than they are, so that a hit lies on its surface.
+inline constexpr const char* kOverlayVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+uniform mat4 clip_from_map;
+uniform vec4 viewpoint;
+uniform float point_size;
+void main() {
+  vec3 to_viewer = viewpoint.w > 0.5 ? normalize(viewpoint.xyz - position) : viewpoint.xyz;
+  gl_Position = clip_from_map * vec4(position + 0.05 * to_viewer, 1.0);
+  gl_PointSize = point_size;
+}
+)";
+
+/// `round_points` is 1 for points, 0 for lines.
+inline constexpr const char* kOverlayFragmentShader = R"(#version 330 core
+uniform vec3 item_color;
+uniform float round_points;
+out vec4 pixel;
+void main() {
+  vec2 from_center = gl_PointCoord - vec2(0.5);
+  if (round_points > 0.5 && dot(from_center, from_center) > 0.25) discard;
+  pixel = vec4(item_color, 1.0);
+}
+)";
+
+}  // namespace castaway::sim
