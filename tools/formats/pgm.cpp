@@ -1,0 +1,110 @@
+#include <cassert>
+#include <charconv>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/formats/gray_image.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr int kMaxSide = 32768;  // 1.6 km at 5 cm.
+
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Takes tokens off the front of a PGM.
+class PgmReader {
+ public:
+  PgmReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+
+  GrayImage read() {
+    const std::string_view magic = bytes_.substr(0, 2);
+    if (magic != "P2" && magic != "P5") fail("not a grey PGM; it must begin with P2 or P5");
+    at_ = 2;
+    GrayImage image;
+    image.width = number("width", 1, kMaxSide);
+    image.height = number("height", 1, kMaxSide);
+    image.max_value = number("largest value", 1, 65535);
+    const auto count =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (magic == "P5") {
+      read_binary(count, image);
+    } else {
+      read_text(count, image);
+    }
+    return image;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}: {}", name_, what));
+  }
+
+  void skip_blanks_and_comments() {
+    while (at_ < bytes_.size() && (is_space(bytes_[at_]) || bytes_[at_] == '#')) {
+      if (bytes_[at_] == '#') at_ = std::min(bytes_.find('\n', at_), bytes_.size() - 1);
+      ++at_;
+    }
+  }
+
+  int number(const char* what, int least, int most) {
+    skip_blanks_and_comments();
+    const char* begin = bytes_.data() + at_;
+    const char* end = bytes_.data() + bytes_.size();
+    if (begin == end) fail(fmt::format("cut short before its {}; copy the file again", what));
+    int value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || value < least || value > most) {
+      fail(fmt::format("its {} at byte {} is no number from {} to {}", what, at_, least, most));
+    }
+    at_ += static_cast<std::size_t>(stop - begin);
+    return value;
+  }
+
+  void read_binary(std::size_t count, GrayImage& image) {
+    ++at_;  // One white space after the largest value.
+    const std::size_t width = image.max_value > 255 ? 2 : 1;
+    if (at_ > bytes_.size() || (bytes_.size() - at_) / width < count) {
+      fail(fmt::format("cut short: {} of {} bytes of pixels; copy the file again",
+                       bytes_.size() - std::min(at_, bytes_.size()), count * width));
+    }
+    image.pixels.reserve(count);
+    for (std::size_t i = at_; image.pixels.size() < count; i += width) {
+      unsigned value = static_cast<std::uint8_t>(bytes_[i]);
+      if (width == 2) value = value << 8U | static_cast<std::uint8_t>(bytes_[i + 1]);
+      if (static_cast<int>(value) > image.max_value) fail("a pixel is above the largest value");
+      image.pixels.push_back(static_cast<std::uint16_t>(value));
+    }
+  }
+
+  void read_text(std::size_t count, GrayImage& image) {
+    if ((bytes_.size() - at_) / 2 < count) {
+      fail(fmt::format("cut short: it cannot hold {} pixels; copy the file again", count));
+    }
+    image.pixels.reserve(count);
+    while (image.pixels.size() < count) {
+      image.pixels.push_back(static_cast<std::uint16_t>(number("pixel", 0, image.max_value)));
+    }
+  }
+
+  std::string_view bytes_;
+  std::string name_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+GrayImage decode_pgm(std::string_view bytes, const std::string& name) {
+  return PgmReader(bytes, name).read();
+}
+
+std::string encode_pgm(const GrayImage& image) {
+  assert(image.max_value <= 255);
+  std::string bytes = fmt::format("P5\n{} {}\n{}\n", image.width, image.height, image.max_value);
+  bytes.reserve(bytes.size() + image.pixels.size());
+  for (const std::uint16_t pixel : image.pixels) bytes += static_cast<char>(pixel);
+  return bytes;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,123 @@
+#include <csetjmp>
+#include <cstring>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include "tools/formats/file.hpp"
+#include "tools/formats/gray_image.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr png_uint_32 kMaxSide = 32768;
+
+[[noreturn]] void fail(const std::string& name, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}: broken PNG: {}; copy the file again", name, what));
+}
+
+/// Rows of `channels` values of 8 or 16 bits, the last channel being alpha if `alpha`.
+template <typename Value>
+std::vector<std::uint16_t> mean_of_channels(const std::vector<Value>& values, std::size_t channels,
+                                            bool alpha) {
+  constexpr std::uint64_t kWhite = static_cast<Value>(-1);
+  const std::size_t colors = alpha ? channels - 1 : channels;
+  std::vector<std::uint16_t> pixels;
+  pixels.reserve(values.size() / channels);
+  for (std::size_t i = 0; i < values.size(); i += channels) {
+    std::uint64_t sum = 0;
+    for (std::size_t c = 0; c < colors; ++c) sum += values[i + c];
+    const std::uint64_t opacity = alpha ? values[i + colors] : kWhite;
+    const std::uint64_t total = sum * opacity + colors * kWhite * (kWhite - opacity);
+    const std::uint64_t divisor = colors * kWhite;
+    pixels.push_back(static_cast<std::uint16_t>((total + divisor / 2) / divisor));
+  }
+  return pixels;
+}
+
+/// A PNG being read by libpng's row interface, which hands out the file's values as they are.
+struct PngState {
+  explicit PngState(std::string_view data)
+      : bytes(data),
+        png(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning)) {
+    info = png_create_info_struct(png);
+    png_set_read_fn(png, this, on_read);
+    png_set_user_limits(png, kMaxSide, kMaxSide);
+  }
+  ~PngState() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngState(const PngState&) = delete;
+  PngState& operator=(const PngState&) = delete;
+
+  static void on_error(png_structp png, png_const_charp message) {
+    static_cast<PngState*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+  }
+  static void on_warning(png_structp, png_const_charp) {}
+  static void on_read(png_structp png, png_bytep data, std::size_t length) {
+    auto& state = *static_cast<PngState*>(png_get_io_ptr(png));
+    if (length > state.bytes.size()) png_error(png, "cut short");
+    std::memcpy(data, state.bytes.data(), length);
+    state.bytes.remove_prefix(length);
+  }
+
+  std::string_view bytes;  // What has not been read yet.
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string error;
+  std::vector<std::uint8_t> pixels;
+  std::vector<png_bytep> rows;
+};
+
+/// False where libpng jumped out; only what lives outside this frame changes after the setjmp.
+bool read_pixels(PngState& state) {
+  if (setjmp(png_jmpbuf(state.png)) != 0) return false;  // NOLINT: libpng's way of errors.
+  png_read_info(state.png, state.info);
+  png_set_expand(state.png);
+  png_set_interlace_handling(state.png);
+  png_read_update_info(state.png, state.info);
+  state.pixels.resize(png_get_rowbytes(state.png, state.info) *
+                      png_get_image_height(state.png, state.info));
+  for (std::size_t at = 0; at < state.pixels.size();
+       at += png_get_rowbytes(state.png, state.info)) {
+    state.rows.push_back(state.pixels.data() + at);
+  }
+  png_read_image(state.png, state.rows.data());
+  return true;
+}
+
+std::vector<std::uint16_t> wide_values(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint16_t> values;
+  values.reserve(bytes.size() / 2);
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    values.push_back(static_cast<std::uint16_t>(bytes[i] << 8U | bytes[i + 1]));
+  }
+  return values;
+}
+
+}  // namespace
+
+GrayImage decode_png_gray(std::string_view bytes, const std::string& name) {
+  PngState state(bytes);
+  if (!read_pixels(state)) fail(name, state.error);
+  GrayImage image;
+  image.width = static_cast<int>(png_get_image_width(state.png, state.info));
+  image.height = static_cast<int>(png_get_image_height(state.png, state.info));
+  const std::size_t channels = png_get_channels(state.png, state.info);
+  const bool alpha = (png_get_color_type(state.png, state.info) & PNG_COLOR_MASK_ALPHA) != 0;
+  const bool wide = png_get_bit_depth(state.png, state.info) == 16;
+  image.max_value = wide ? 65535 : 255;
+  image.pixels = wide ? mean_of_channels(wide_values(state.pixels), channels, alpha)
+                      : mean_of_channels(state.pixels, channels, alpha);
+  return image;
+}
+
+GrayImage load_gray_image(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  if (bytes.starts_with("\x89PNG")) return decode_png_gray(bytes, path.string());
+  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return decode_pgm(bytes, path.string());
+  throw std::runtime_error(path.string() +
+                           ": neither PGM (P2, P5) nor PNG; convert it, e.g. `convert in out.pgm`");
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,88 @@
+#include "tools/formats/ros_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "tools/formats/file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kOccupiedThresh = 0.65;
+constexpr double kFreeThresh = 0.196;
+
+std::int8_t raw_cell(double shade) {
+  const int value = static_cast<int>(std::lround(shade * 255.0));
+  return static_cast<std::int8_t>(value <= 100 ? value : -1);
+}
+
+std::int8_t cell_of(double shade, const RosMapHeader& header) {
+  if (header.mode == MapMode::kRaw) return raw_cell(shade);
+  const double occupancy = header.negate ? shade : 1.0 - shade;
+  if (occupancy >= header.occupied_thresh) return 100;
+  if (occupancy <= header.free_thresh) return 0;
+  if (header.mode == MapMode::kTrinary) return -1;
+  const double range = header.occupied_thresh - header.free_thresh;
+  return static_cast<std::int8_t>(std::lround(100.0 * (occupancy - header.free_thresh) / range));
+}
+
+std::uint16_t gray_of(std::int8_t cell) {
+  if (cell >= 100 * kOccupiedThresh) return 0;
+  return cell >= 0 && cell <= 100 * kFreeThresh ? 254 : 205;
+}
+
+/// Decimal with a point, whatever the value: "0.0", "-11.55".
+std::string yaml_number(double value) {
+  const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+}  // namespace
+
+Eigen::Vector2d RosMap::to_map(const Eigen::Vector2d& cells_from_corner) const {
+  return Eigen::Vector2d(origin_x, origin_y) +
+         Eigen::Rotation2Dd(origin_yaw) * (resolution * cells_from_corner);
+}
+
+RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::string name) {
+  std::vector<std::int8_t> cell_of_gray;
+  for (int gray = 0; gray <= image.max_value; ++gray) {
+    cell_of_gray.push_back(cell_of(static_cast<double>(gray) / image.max_value, header));
+  }
+  RosMap map{std::move(name), image.width,     image.height,      header.resolution,
+             header.origin_x, header.origin_y, header.origin_yaw, {}};
+  map.cells.reserve(image.pixels.size());
+  const auto width = static_cast<std::ptrdiff_t>(image.width);
+  for (auto row = image.pixels.end(); row != image.pixels.begin(); row -= width) {
+    std::transform(row - width, row, std::back_inserter(map.cells),
+                   [&](std::uint16_t gray) { return cell_of_gray[gray]; });
+  }
+  return map;
+}
+
+GrayImage map_image(const RosMap& map) {
+  GrayImage image{map.width, map.height, 255, {}};
+  image.pixels.reserve(map.cells.size());
+  const auto width = static_cast<std::ptrdiff_t>(map.width);
+  for (auto row = map.cells.end(); row != map.cells.begin(); row -= width) {
+    std::transform(row - width, row, std::back_inserter(image.pixels), gray_of);
+  }
+  return image;
+}
+
+void write_ros_map(const RosMap& map, const std::filesystem::path& yaml_path) {
+  std::filesystem::path image_path = yaml_path;
+  image_path.replace_extension(".pgm");
+  write_file(image_path, encode_pgm(map_image(map)));
+  write_file(yaml_path,
+             fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, {}]\n"
+                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
+                         image_path.filename().string(), yaml_number(map.resolution),
+                         yaml_number(map.origin_x), yaml_number(map.origin_y),
+                         yaml_number(map.origin_yaw), kOccupiedThresh, kFreeThresh));
+}
+
+}  // namespace castaway::testbed

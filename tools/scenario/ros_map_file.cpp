@@ -1,0 +1,66 @@
+#include "tools/scenario/ros_map_file.hpp"
+
+#include <string>
+
+#include "tools/scenario/yaml_reader.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+double share_of_one(YamlReader& root, const std::string& key, double fallback) {
+  const double value = root.get(key, fallback);
+  if (value < 0.0 || value > 1.0) root.find(key)->fail("must be from 0 to 1");
+  return value;
+}
+
+/// `negate` is written as 0 or 1, or as a truth value.
+bool read_negate(YamlReader& root) {
+  const auto negate = root.find("negate");
+  if (!negate) return false;
+  const auto text = negate->as<std::string>();
+  if (text != "0" && text != "1" && text != "true" && text != "false") {
+    negate->fail("expected 0 or 1, found '" + text + "'");
+  }
+  return text == "1" || text == "true";
+}
+
+MapMode read_mode(YamlReader& root) {
+  const std::string mode = root.choice("mode", "trinary", {"trinary", "scale", "raw"});
+  if (mode == "scale") return MapMode::kScale;
+  return mode == "raw" ? MapMode::kRaw : MapMode::kTrinary;
+}
+
+RosMapHeader read_header(YamlReader& root) {
+  RosMapHeader header;
+  header.resolution = root.require<double>("resolution");
+  if (header.resolution <= 0.0) root.find("resolution")->fail("must be above 0 (metres a cell)");
+  const auto origin = root.require<Eigen::Vector3d>("origin");
+  header.origin_x = origin.x();
+  header.origin_y = origin.y();
+  header.origin_yaw = origin.z();
+  header.mode = read_mode(root);
+  header.negate = read_negate(root);
+  header.occupied_thresh = share_of_one(root, "occupied_thresh", header.occupied_thresh);
+  header.free_thresh = share_of_one(root, "free_thresh", header.free_thresh);
+  if (header.free_thresh >= header.occupied_thresh) {
+    root.fail("free_thresh must be below occupied_thresh");
+  }
+  return header;
+}
+
+std::string name_of(const std::filesystem::path& yaml_path) {
+  const auto folder = std::filesystem::absolute(yaml_path).parent_path().filename();
+  return yaml_path.stem() == "map" && !folder.empty() ? folder.string() : yaml_path.stem().string();
+}
+
+}  // namespace
+
+RosMap load_ros_map(const std::filesystem::path& yaml_path) {
+  YamlDocument document = YamlDocument::load(yaml_path);
+  YamlReader root = document.root();
+  const std::filesystem::path image = root.require<std::string>("image");
+  const RosMapHeader header = read_header(root);
+  return make_ros_map(load_gray_image(yaml_path.parent_path() / image), header, name_of(yaml_path));
+}
+
+}  // namespace castaway::testbed
