@@ -14,11 +14,9 @@
 #include <Eigen/Geometry>
 
 #include "localization/geometry/se2.hpp"
+#include "localization/stamp.hpp"
 
 namespace castaway::localization {
-
-/// Time since the epoch of the run or of the log; never a wall clock.
-using Stamp = std::chrono::nanoseconds;
 
 /// One reading of wheel odometry.
 struct Odometry {

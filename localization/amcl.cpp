@@ -1,0 +1,157 @@
+#include "localization/amcl.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <boost/random/uniform_real_distribution.hpp>
+
+namespace castaway::localization {
+namespace {
+
+/// The beams that AMCL takes: every `step`-th by index, all as if taken at the scan's stamp.
+LaserScan thinned(const LaserScan& scan, int max_beams) {
+  LaserScan thin = scan;
+  const auto count = static_cast<int>(scan.ranges.size());
+  const int step = std::max(1, (count - 1) / std::max(1, max_beams - 1));
+  thin.ranges.clear();
+  for (int i = 0; i < count; i += step) {
+    thin.ranges.push_back(scan.ranges[static_cast<std::size_t>(i)]);
+  }
+  thin.angle_increment = scan.angle_increment * step;
+  thin.time_increment = Stamp::zero();
+  return thin;
+}
+
+}  // namespace
+
+Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t seed, StageClock clock)
+    : config_(config),
+      field_(config.sensor, (validate(map), map)),
+      free_space_(map),
+      rng_(substream(seed, "amcl")),
+      timer_(std::move(clock)),
+      T_odom_base_(config.buffer),
+      averages_(config.recovery) {
+  if (free_space_.empty()) throw std::invalid_argument("map has no free cell to start on");
+  if (config_.kld.min_particles < 1 || config_.kld.max_particles < config_.kld.min_particles) {
+    throw std::invalid_argument("particles: need 1 <= min_particles <= max_particles");
+  }
+  if (config_.max_beams < 2) throw std::invalid_argument("max_beams must be at least 2");
+  initialize(std::nullopt);
+}
+
+void Amcl::initialize(const std::optional<PoseWithCovariance>& start) {
+  const int count = config_.kld.max_particles;
+  if (start) {
+    particles_ = draw_particles(PoseGaussian(start->T_map_base, start->covariance), count, rng_);
+  } else {
+    particles_ = {};
+    for (int i = 0; i < count; ++i) particles_.poses.push_back(free_space_.sample(rng_));
+    particles_.log_weights.assign(particles_.poses.size(), 0.0);
+  }
+  averages_.reset();
+  updated_at_.reset();
+  estimate_.reset();
+}
+
+void Amcl::on_odometry(const Odometry& odometry) {
+  T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
+}
+
+void Amcl::on_scan(const LaserScan& scan) {
+  const bool late = last_scan_ && scan.stamp <= *last_scan_;
+  const std::optional<SE2> T_odom_base = T_odom_base_.at(scan.stamp);
+  if (late || !T_odom_base) {
+    ++dropped_scans_;
+    return;
+  }
+  last_scan_ = scan.stamp;
+  if (!updated_at_ || moved_enough(*T_odom_base)) {
+    const LaserScan thin = thinned(scan, config_.max_beams);
+    const BeamSelection all{static_cast<int>(thin.ranges.size()) + 1, config_.max_range};
+    const auto points = project_scan(thin, T_odom_base_, scan.stamp, all);
+    if (points && !points->empty()) update(scan, *points, *T_odom_base);
+  }
+  if (updated_at_) publish(scan.stamp, *T_odom_base);
+}
+
+bool Amcl::moved_enough(const SE2& T_odom_base) const {
+  return std::abs(T_odom_base.x - updated_at_->x) > config_.update_min_d ||
+         std::abs(T_odom_base.y - updated_at_->y) > config_.update_min_d ||
+         yaw_distance(T_odom_base, *updated_at_) > config_.update_min_a;
+}
+
+void Amcl::update(const LaserScan& scan, const ScanPoints& points, const SE2& T_odom_base) {
+  if (updated_at_) {
+    const DifferentialMotion motion(updated_at_->inverse() * T_odom_base, config_.motion);
+    timer_.measure("predict", [&] {
+      for (SE2& pose : particles_.poses) pose = motion.sample(pose, rng_);
+    });
+  }
+  updated_at_ = T_odom_base;
+  timer_.measure("correct", [&] { weigh(points, std::min(scan.range_max, config_.max_range)); });
+  timer_.measure("resample", [&] { resample(); });
+  timer_.measure("manage", [&] {
+    output_ = heaviest_cluster(config_.kld, particles_);
+    covariance_ = moments(particles_).covariance;
+    quality_ = field_.quality(points, output_.mean);
+    T_map_odom_ = output_.mean * T_odom_base.inverse();
+  });
+}
+
+void Amcl::weigh(const ScanPoints& points, double range_max) {
+  double total = 0.0;
+  const std::vector<double> before = normalized_weights(particles_);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const double weight = field_.weight(points, particles_.poses[i], range_max);
+    total += before[i] * weight;
+    particles_.log_weights[i] += std::log(weight);
+  }
+  averages_.add(total / static_cast<double>(particles_.size()));
+}
+
+/// KLD-sampling: draws until there are enough particles for the bins they cover.
+void Amcl::resample() {
+  std::vector<double> cumulated = normalized_weights(particles_);
+  for (std::size_t i = 1; i < cumulated.size(); ++i) cumulated[i] += cumulated[i - 1];
+  const double random_share = averages_.random_share();
+  if (random_share > 0.0) averages_.reset();
+  boost::random::uniform_real_distribution<double> unit(0.0, 1.0);
+  ParticleSet next;
+  std::set<PoseBin> bins;
+  while (static_cast<int>(next.size()) < config_.kld.max_particles) {
+    if (unit(rng_) < random_share) {
+      next.poses.push_back(free_space_.sample(rng_));
+    } else {
+      const auto drawn = std::upper_bound(cumulated.begin(), cumulated.end() - 1, unit(rng_));
+      next.poses.push_back(particles_.poses[static_cast<std::size_t>(drawn - cumulated.begin())]);
+    }
+    next.log_weights.push_back(0.0);
+    bins.insert(bin_of(config_.kld, next.poses.back()));
+    if (static_cast<int>(next.size()) > kld_limit(config_.kld, bins.size())) break;
+  }
+  particles_ = std::move(next);
+}
+
+void Amcl::publish(Stamp stamp, const SE2& T_odom_base) {
+  Estimate estimate;
+  estimate.stamp = stamp;
+  estimate.T_map_base = T_map_odom_ * T_odom_base;
+  estimate.covariance = covariance_;
+  estimate.quality = quality_;
+  estimate.probability = output_.weight;
+  estimate_ = estimate;
+}
+
+Diagnostics Amcl::diagnostics() const {
+  Diagnostics diagnostics;
+  const SE2 mean = estimate_ ? estimate_->T_map_base : SE2{};
+  diagnostics.populations.push_back({0, mean, quality_, output_.weight, true, particles_.poses});
+  diagnostics.dropped_scans = dropped_scans_;
+  diagnostics.cpu_by_stage = timer_.totals();
+  return diagnostics;
+}
+
+}  // namespace castaway::localization

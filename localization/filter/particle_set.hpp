@@ -1,0 +1,30 @@
+/// A population of weighted poses.
+#pragma once
+
+#include <vector>
+
+#include "localization/geometry/pose_statistics.hpp"
+
+namespace castaway::localization {
+
+/// Particles: poses of base in map with unnormalised log-weights, both of one length.
+struct ParticleSet {
+  std::vector<SE2> poses;
+  std::vector<double> log_weights;
+
+  [[nodiscard]] std::size_t size() const { return poses.size(); }
+};
+
+/// `count` particles drawn from a Gaussian, equally weighted.
+ParticleSet draw_particles(const PoseGaussian& gaussian, int count, Rng& rng);
+
+/// Weights that sum to 1. Equal weights if none is above zero.
+std::vector<double> normalized_weights(const ParticleSet& particles);
+
+/// Number of equally weighted particles that carry as much: `1 / sum w^2` of normalised weights.
+double effective_size(const std::vector<double>& weights);
+
+/// Weighted moments of the population.
+PoseMoments moments(const ParticleSet& particles);
+
+}  // namespace castaway::localization

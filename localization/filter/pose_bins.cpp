@@ -1,0 +1,70 @@
+#include "localization/filter/pose_bins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace castaway::localization {
+namespace {
+
+using BinMembers = std::map<PoseBin, std::vector<std::size_t>>;
+
+/// Takes the bins that hang together with `seed` out of `bins`.
+std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
+  std::vector<std::size_t> members;
+  std::vector<PoseBin> open = {seed};
+  while (!open.empty()) {
+    const PoseBin bin = open.back();
+    open.pop_back();
+    const auto found = bins.find(bin);
+    if (found == bins.end()) continue;
+    members.insert(members.end(), found->second.begin(), found->second.end());
+    bins.erase(found);
+    for (int k = 0; k < 27; ++k) {
+      open.push_back({bin[0] + k % 3 - 1, bin[1] + k / 3 % 3 - 1, bin[2] + k / 9 - 1});
+    }
+  }
+  return members;
+}
+
+}  // namespace
+
+PoseBin bin_of(const KldConfig& config, const SE2& pose) {
+  return {static_cast<int>(std::floor(pose.x / config.bin_m)),
+          static_cast<int>(std::floor(pose.y / config.bin_m)),
+          static_cast<int>(std::floor(pose.yaw / config.bin_rad))};
+}
+
+int kld_limit(const KldConfig& config, std::size_t bins) {
+  if (bins <= 1) return config.max_particles;
+  const auto k = static_cast<double>(bins - 1);
+  const double b = 2.0 / (9.0 * k);
+  const double x = 1.0 - b + std::sqrt(b) * config.z;
+  const int n = static_cast<int>(std::ceil(k / (2.0 * config.error) * x * x * x));
+  return std::clamp(n, config.min_particles, config.max_particles);
+}
+
+Cluster heaviest_cluster(const KldConfig& config, const ParticleSet& particles) {
+  BinMembers bins;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    bins[bin_of(config, particles.poses[i])].push_back(i);
+  }
+  const std::vector<double> weights = normalized_weights(particles);
+  Cluster best;
+  while (!bins.empty()) {
+    Cluster cluster;
+    cluster.particles = take_connected(bins, bins.begin()->first);
+    for (const std::size_t i : cluster.particles) cluster.weight += weights[i];
+    if (cluster.weight > best.weight) best = std::move(cluster);
+  }
+  std::vector<SE2> poses;
+  std::vector<double> shares;
+  for (const std::size_t i : best.particles) {
+    poses.push_back(particles.poses[i]);
+    shares.push_back(weights[i]);
+  }
+  best.mean = pose_moments(poses, shares).mean;
+  return best;
+}
+
+}  // namespace castaway::localization

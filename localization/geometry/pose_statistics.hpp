@@ -1,0 +1,35 @@
+/// Moments of weighted planar poses, and draws from a Gaussian over poses.
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "localization/geometry/se2.hpp"
+#include "localization/random.hpp"
+
+namespace castaway::localization {
+
+/// Mean and covariance of poses.
+struct PoseMoments {
+  SE2 mean;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw): m^2, m rad, rad^2.
+};
+
+/// Weighted moments; the yaw's mean is the direction of the mean heading, deviations are wrapped.
+/// `weights` are non-negative with a positive sum and as many as `poses`.
+PoseMoments pose_moments(std::span<const SE2> poses, std::span<const double> weights);
+
+/// Draws poses from N(mean, covariance). Conditioned once, sampled often. A covariance that is not
+/// positive semi-definite is clamped to the nearest one that is.
+class PoseGaussian {
+ public:
+  PoseGaussian(const SE2& mean, const Eigen::Matrix3d& covariance);
+  [[nodiscard]] SE2 sample(Rng& rng) const;
+
+ private:
+  SE2 mean_;
+  Eigen::Matrix3d root_;  ///< root_ * root_^T = covariance
+};
+
+}  // namespace castaway::localization

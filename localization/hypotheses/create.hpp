@@ -1,0 +1,55 @@
+/// Create: places where the newest scan fits become hypotheses (paper, section IV), weighed as if
+/// they had been listed.
+///
+/// A new place is followed backwards over the last scans by odometry and refinement. The robot may
+/// have been moved there (or have been there unlisted) before any of them: of all those times the
+/// one that explains the scans best counts.
+#pragma once
+
+#include <vector>
+
+#include "localization/hypotheses/merge.hpp"
+#include "localization/hypotheses/posterior.hpp"
+#include "localization/hypotheses/scan_history.hpp"
+#include "localization/matching/cascade_matcher.hpp"
+#include "localization/matching/refine.hpp"
+#include "localization/motion/odometry_noise.hpp"
+#include "localization/sensor/evidence_model.hpp"
+
+namespace castaway::localization {
+
+/// Parameters of creation.
+struct CreateConfig {
+  int keep = 30;        ///< Candidates weighed on older scans; the best by the newest one.
+  RefineConfig refine;  ///< From the coarse cell.
+  RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction in older scans.
+};
+
+/// What creation works with; all outlive it.
+struct CreateContext {
+  const CreateConfig& config;
+  const MergeConfig& merge;
+  const PosteriorConfig& posterior;
+  const OdometryNoiseConfig& noise;
+  const EndpointModel& model;
+  const EvidenceModel& evidence;
+};
+
+/// A place found, weighed on the scale of the hypotheses.
+struct WeighedPlace {
+  SE2 T_map_base;
+  Evidence newest;  ///< Of the newest scan.
+  double log_weight = 0.0;
+};
+
+/// Refines candidates on the newest scan of the history (not empty) and joins those that meet; best
+/// first, at most `keep`. Weights are not set.
+std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
+                                            const std::vector<Candidate>& candidates,
+                                            const ScanPoints& points);
+
+/// Log-weight of a place that fits the newest scan of the history (not empty).
+double weigh_backwards(const CreateContext& context, const ScanHistory& history,
+                       const WeighedPlace& place);
+
+}  // namespace castaway::localization

@@ -1,0 +1,49 @@
+#include "localization/hypotheses/posterior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace castaway::localization {
+
+double independence(const PosteriorConfig& config, double moved_m, double turned_rad) {
+  const double e = moved_m / config.independent_m + turned_rad / config.independent_rad;
+  return std::clamp(e, config.least_independence, 1.0);
+}
+
+double log_sum_exp(const std::vector<double>& values) {
+  if (values.empty()) return -std::numeric_limits<double>::infinity();
+  const double top = *std::max_element(values.begin(), values.end());
+  if (!std::isfinite(top)) return top;
+  double sum = 0.0;
+  for (const double value : values) sum += std::exp(value - top);
+  return top + std::log(sum);
+}
+
+double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& unlisted) {
+  return std::max(unlisted.usual - config.unlisted_drop, config.unlisted_minimum);
+}
+
+void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
+                      Unlisted& unlisted) {
+  const double l = unlisted_log_likelihood(config, unlisted);
+  unlisted.log_weight =
+      log_sum_exp({unlisted.log_weight + new_share * l, listed_before + config.kidnap + l});
+}
+
+double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
+  std::vector<double> weights;
+  for (const Hypothesis& hypothesis : hypotheses) weights.push_back(hypothesis.log_weight);
+  return log_sum_exp(weights);
+}
+
+std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const Unlisted& unlisted) {
+  const double all = log_sum_exp({listed_log_weight(hypotheses), unlisted.log_weight});
+  std::vector<double> result;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    result.push_back(std::exp(hypothesis.log_weight - all));
+  }
+  return result;
+}
+
+}  // namespace castaway::localization

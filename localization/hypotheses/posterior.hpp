@@ -1,0 +1,53 @@
+/// The posterior over hypotheses and "somewhere unlisted": confidence and the alarm come from here.
+///
+/// Scans of a robot that hardly moves repeat each other. Of each scan only the share `independence`
+/// counts as new; a sudden drop of the likelihood counts at once: `w += L_t - (1 - e) L_{t-1}`.
+#pragma once
+
+#include <vector>
+
+#include "localization/hypotheses/hypothesis.hpp"
+
+namespace castaway::localization {
+
+/// Parameters of the posterior. Log-likelihoods and weights are in nats.
+struct PosteriorConfig {
+  double independent_m = 0.3;        ///< [m] After so much way a scan is new.
+  double independent_rad = 0.3;      ///< [rad] After so much turning a scan is new.
+  double least_independence = 0.15;  ///< Of a scan at rest.
+  double unlisted_drop =
+      6.0;  ///< An unlisted place is worth this much less than a usual right one...
+  double unlisted_minimum = -22.0;  ///< ...but never less than this.
+  double kidnap = -6.0;       ///< Log-probability of leaving the listed places from scan to scan.
+  double usual_start = -3.0;  ///< Log-likelihood of a right pose, until experience tells.
+  double usual_rate = 0.05;   ///< Weight of a confident scan in the running average of it.
+  double wrong_start = -6.0;  ///< Log-probability that a start given by the user is wrong.
+  double place = -15.0;       ///< Log-probability of one place among all unlisted ones.
+};
+
+/// Share of a scan that counts as new after moving so far since the one before.
+double independence(const PosteriorConfig& config, double moved_m, double turned_rad);
+
+/// Log of the sum of exponentials; -infinity of nothing.
+double log_sum_exp(const std::vector<double>& values);
+
+/// Mass that lies outside of the listed hypotheses, and what a right pose usually scores.
+struct Unlisted {
+  double log_weight = 0.0;
+  double usual = -3.0;  ///< Running average of the log-likelihood while confident.
+};
+
+/// Log-likelihood that a scan has at an unlisted place, given what is usual.
+double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& unlisted);
+
+/// Takes one scan: `listed_before` is the log of the listed mass before it.
+void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
+                      Unlisted& unlisted);
+
+/// Log of the mass of all hypotheses.
+double listed_log_weight(const std::vector<Hypothesis>& hypotheses);
+
+/// Posterior probabilities of the hypotheses; what misses from 1 is unlisted.
+std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const Unlisted& unlisted);
+
+}  // namespace castaway::localization

@@ -1,0 +1,16 @@
+/// Select: which population is the output.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "localization/hypotheses/hypothesis.hpp"
+
+namespace castaway::localization {
+
+/// Index of the output: the one with id `current` while it is less than `margin` [nats] behind the
+/// best, else the best. Nothing if there is no hypothesis.
+std::optional<std::size_t> select(const std::vector<Hypothesis>& hypotheses, int current,
+                                  double margin);
+
+}  // namespace castaway::localization

@@ -1,0 +1,49 @@
+/// A coarse map of bytes for searching: how near a wall is, at its best in every coarse cell.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "localization/map/distance_field.hpp"
+
+namespace castaway::localization {
+
+/// How a byte field is made.
+struct ByteFieldConfig {
+  double resolution = 0.2;  ///< [m] Coarse cell; rounded to a multiple of the map's.
+  double sigma =
+      0.15;  ///< [m] Bytes are `255 exp(-d^2 / 2 sigma^2)` of the nearest distance in the cell.
+  double padding =
+      40.0;  ///< [m] Border of zeros all around, so that end points need no bounds check.
+};
+
+/// Bytes and free cells at coarse resolution.
+class ByteField {
+ public:
+  ByteField(const OccupancyGrid& grid, const DistanceField& distances,
+            const ByteFieldConfig& config);
+
+  /// The coarse cells without the padding; cell (0, 0) starts at the map's lower left corner.
+  [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  /// Padding in coarse cells, on every side.
+  [[nodiscard]] int padding() const { return padding_; }
+  /// Bytes from one row to the next.
+  [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
+  /// The byte of a coarse cell; valid within the padding.
+  [[nodiscard]] const std::uint8_t* cell(int column, int row) const {
+    return bytes_.data() + (row + padding_) * stride_ + (column + padding_);
+  }
+  /// Whether base may stand in a coarse cell: it holds a free cell of the map.
+  [[nodiscard]] bool is_free(int column, int row) const {
+    return free_[frame_.index({column, row})];
+  }
+
+ private:
+  GridFrame frame_;
+  int padding_ = 0;
+  std::ptrdiff_t stride_ = 0;
+  std::vector<std::uint8_t> bytes_;
+  std::vector<bool> free_;
+};
+
+}  // namespace castaway::localization

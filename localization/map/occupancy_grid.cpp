@@ -1,0 +1,65 @@
+#include "localization/map/occupancy_grid.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <boost/random/uniform_int_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+
+namespace castaway::localization {
+
+Eigen::Vector2i GridFrame::cell_of(const Eigen::Vector2d& p_grid) const {
+  return {static_cast<int>(std::floor(p_grid.x() / resolution)),
+          static_cast<int>(std::floor(p_grid.y() / resolution))};
+}
+
+Eigen::Vector2d GridFrame::centre_of(const Eigen::Vector2i& cell) const {
+  return (cell.cast<double>().array() + 0.5) * resolution;
+}
+
+CellState OccupancyGrid::at(const Eigen::Vector2d& p_map) const {
+  const Eigen::Vector2i cell = frame.cell_of(frame.T_map_grid.inverse() * p_map);
+  return frame.contains(cell) ? cells[frame.index(cell)] : CellState::kUnknown;
+}
+
+void validate(const OccupancyGrid& grid) {
+  const GridFrame& frame = grid.frame;
+  if (frame.width <= 0 || frame.height <= 0) {
+    throw std::invalid_argument("map has no cells: " + std::to_string(frame.width) + " x " +
+                                std::to_string(frame.height));
+  }
+  if (!(frame.resolution > 0.0) || !std::isfinite(frame.resolution)) {
+    throw std::invalid_argument("map resolution must be positive, got " +
+                                std::to_string(frame.resolution));
+  }
+  if (grid.cells.size() != frame.size()) {
+    throw std::invalid_argument("map has " + std::to_string(grid.cells.size()) + " cells, not " +
+                                std::to_string(frame.size()));
+  }
+}
+
+FreeSpace::FreeSpace(const OccupancyGrid& grid) : frame_(grid.frame) {
+  for (int row = 0; row < frame_.height; ++row) {
+    for (int column = 0; column < frame_.width; ++column) {
+      const Eigen::Vector2i cell(column, row);
+      if (grid.cells[frame_.index(cell)] == CellState::kFree) cells_.push_back(cell);
+    }
+  }
+}
+
+SE2 FreeSpace::sample(Rng& rng) const {
+  assert(!empty());
+  boost::random::uniform_int_distribution<std::size_t> pick(0, cells_.size() - 1);
+  boost::random::uniform_real_distribution<double> unit(0.0, 1.0);
+  const Eigen::Vector2d corner = cells_[pick(rng)].cast<double>();
+  const double u = unit(rng);
+  const double v = unit(rng);
+  const double yaw = (2.0 * unit(rng) - 1.0) * std::numbers::pi;
+  return frame_.T_map_grid *
+         SE2{(corner.x() + u) * frame_.resolution, (corner.y() + v) * frame_.resolution, yaw};
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,69 @@
+/// A planar map of cells, and the one convention between metres and cells.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "localization/geometry/se2.hpp"
+#include "localization/random.hpp"
+
+namespace castaway::localization {
+
+/// Where the cells of a grid lie. The grid's frame has its origin at the lower left corner of cell
+/// (0, 0), x along the columns, y along the rows: a point p_grid lies in cell `floor(p_grid /
+/// resolution)`, cell centres lie at
+/// `(index + 0.5) * resolution`.
+struct GridFrame {
+  int width = 0;             ///< [cells]
+  int height = 0;            ///< [cells]
+  double resolution = 0.05;  ///< [m] Edge of a cell.
+  SE2 T_map_grid;            ///< Origin of the ROS map, yaw included.
+
+  [[nodiscard]] bool contains(const Eigen::Vector2i& cell) const {
+    return cell.x() >= 0 && cell.y() >= 0 && cell.x() < width && cell.y() < height;
+  }
+  [[nodiscard]] std::size_t index(const Eigen::Vector2i& cell) const {
+    return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(cell.x());
+  }
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  /// The cell of a point given in the grid's frame; it may lie outside.
+  [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& p_grid) const;
+  /// Centre of a cell in the grid's frame. [m]
+  [[nodiscard]] Eigen::Vector2d centre_of(const Eigen::Vector2i& cell) const;
+};
+
+/// What is known of a cell.
+enum class CellState : std::uint8_t { kFree, kOccupied, kUnknown };
+
+/// A map: rows from the smallest y, `frame.size()` cells.
+struct OccupancyGrid {
+  GridFrame frame;
+  std::vector<CellState> cells;
+
+  /// State of the cell under a point in map; unknown off the map.
+  [[nodiscard]] CellState at(const Eigen::Vector2d& p_map) const;
+};
+
+/// Throws std::invalid_argument where the grid is not usable: no cells, a resolution that is not
+/// positive, a count of cells that does not fit.
+void validate(const OccupancyGrid& grid);
+
+/// Draws poses uniform over the free cells of a map and over all yaws.
+class FreeSpace {
+ public:
+  explicit FreeSpace(const OccupancyGrid& grid);
+  [[nodiscard]] bool empty() const { return cells_.empty(); }
+  /// A pose of base in map. Not to be asked of an empty space.
+  [[nodiscard]] SE2 sample(Rng& rng) const;
+
+ private:
+  GridFrame frame_;
+  std::vector<Eigen::Vector2i> cells_;
+};
+
+}  // namespace castaway::localization

@@ -1,0 +1,80 @@
+#include "localization/matching/refine.hpp"
+
+#include <array>
+
+#include <Eigen/Eigenvalues>
+
+namespace castaway::localization {
+namespace {
+
+SE2 moved(const SE2& pose, const Eigen::Vector3d& d) {
+  return {pose.x + d[0], pose.y + d[1], wrap_angle(pose.yaw + d[2])};
+}
+
+double prior_score(const std::optional<PosePrior>& prior, const SE2& pose) {
+  if (!prior) return 0.0;
+  const Eigen::Vector3d d(pose.x - prior->mean.x, pose.y - prior->mean.y,
+                          wrap_angle(pose.yaw - prior->mean.yaw));
+  return -0.5 * d.dot(prior->information * d);
+}
+
+/// Steps along the axes of base: forward, left, turn; both signs.
+std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad) {
+  const double c = step_m * std::cos(yaw);
+  const double s = step_m * std::sin(yaw);
+  return {Eigen::Vector3d{c, s, 0.0},          Eigen::Vector3d{-c, -s, 0.0},
+          Eigen::Vector3d{-s, c, 0.0},         Eigen::Vector3d{s, -c, 0.0},
+          Eigen::Vector3d{0.0, 0.0, step_rad}, Eigen::Vector3d{0.0, 0.0, -step_rad}};
+}
+
+}  // namespace
+
+SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2& start,
+                const std::optional<PosePrior>& prior, const RefineConfig& config) {
+  constexpr int kMovesPerLevel = 8;
+  const auto score = [&](const SE2& pose) {
+    return model.log_likelihood(points, pose) + prior_score(prior, pose);
+  };
+  SE2 best = start;
+  double best_score = score(best);
+  double scale = 1.0;
+  for (int level = 0; level <= config.halvings; ++level, scale *= 0.5) {
+    bool rising = true;
+    for (int move = 0; move < kMovesPerLevel && rising; ++move) {
+      rising = false;
+      for (const auto& step : steps(best.yaw, scale * config.step_m, scale * config.step_rad)) {
+        const SE2 pose = moved(best, step);
+        const double value = score(pose);
+        if (value <= best_score) continue;
+        best = pose;
+        best_score = value;
+        rising = true;
+      }
+    }
+  }
+  return best;
+}
+
+Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& points,
+                                 const SE2& T_map_base) {
+  const Eigen::Vector3d h(model.frame().resolution, model.frame().resolution, 0.02);
+  const auto f = [&](const Eigen::Vector3d& d) {
+    return model.log_likelihood(points, moved(T_map_base, d));
+  };
+  const double centre = f(Eigen::Vector3d::Zero());
+  Eigen::Matrix3d H;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a = h[i] * Eigen::Vector3d::Unit(i);
+    H(i, i) = (f(a) - 2.0 * centre + f(-a)) / (h[i] * h[i]);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Eigen::Vector3d b = h[j] * Eigen::Vector3d::Unit(j);
+      H(i, j) = (f(a + b) - f(a - b) - f(b - a) + f(-a - b)) / (4.0 * h[i] * h[j]);
+      H(j, i) = H(i, j);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(-H);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+}  // namespace castaway::localization

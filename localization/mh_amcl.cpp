@@ -1,0 +1,203 @@
+#include "localization/mh_amcl.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "localization/filter/correct.hpp"
+#include "localization/filter/predict.hpp"
+#include "localization/hypotheses/select.hpp"
+
+namespace castaway::localization {
+
+MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock)
+    : config_((validate(config), config)),
+      seed_(seed),
+      map_((validate(map), std::move(map))),
+      distances_(map_, config_.max_distance),
+      tracking_(config_.tracking, distances_),
+      endpoint_(config_.evidence.endpoint, distances_),
+      evidence_(config_.evidence, map_, distances_),
+      matcher_(config_.matcher, map_, distances_),
+      timer_(std::move(clock)),
+      T_odom_base_(config_.buffer) {
+  initialize(std::nullopt);
+}
+
+void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
+  hypotheses_.clear();
+  history_.clear();
+  estimate_.reset();
+  last_match_.reset();
+  pause_s_ = 0.0;
+  selected_id_ = -1;
+  probability_ = 0.0;
+  unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
+  if (!start) return;
+  spawn({start->T_map_base, start->covariance}, 0.0, {unlisted_.usual, 0.0});
+  choose();
+}
+
+void MhAmcl::on_odometry(const Odometry& odometry) {
+  if (!T_odom_base_.add(odometry.stamp, odometry.T_odom_base)) return;
+  if (!predicted_at_) predicted_at_ = odometry.T_odom_base;
+  if (!due(odometry.stamp, last_predict_, config_.predict_rate_hz)) return;
+  last_predict_ = odometry.stamp;
+  predict(odometry.T_odom_base);
+}
+
+void MhAmcl::on_scan(const LaserScan& scan) {
+  const bool late = last_scan_ && scan.stamp <= *last_scan_;
+  if (late || T_odom_base_.empty()) {
+    ++dropped_scans_;
+    return;
+  }
+  const Stamp now = T_odom_base_.newest();
+  const SE2 T_odom_base = *T_odom_base_.at(now);
+  const std::optional<ScanPoints> points = project_scan(scan, T_odom_base_, now, config_.beams);
+  if (!points) {
+    ++dropped_scans_;
+    return;
+  }
+  last_scan_ = scan.stamp;
+  predict(T_odom_base);
+  if (!points->empty() && (!last_correct_ || due(now, *last_correct_, config_.correct_rate_hz))) {
+    take_scan(*points, now, T_odom_base);
+  }
+  publish(scan.stamp);
+}
+
+/// One scan through the paper's phases.
+void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base) {
+  timer_.measure("correct", [&] {
+    for (Hypothesis& hypothesis : hypotheses_) correct(hypothesis, points);
+    rescue(points);
+    weigh(points, T_odom_base);
+  });
+  timer_.measure("manage", [&] {
+    merge(config_.merge, hypotheses_);
+    choose();
+  });
+  if (match_due(now, T_odom_base)) {
+    timer_.measure("match", [&] { create(now, T_odom_base); });
+  }
+  destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
+  if (due(now, last_reseed_, config_.reseed_rate_hz)) {
+    last_reseed_ = now;
+    timer_.measure("reseed", [&] {
+      for (Hypothesis& hypothesis : hypotheses_) reseed(hypothesis, std::nullopt);
+    });
+  }
+  last_correct_ = now;
+}
+
+bool MhAmcl::due(Stamp now, Stamp last, double rate_hz) const {
+  constexpr double kTolerance = 0.9;  // data come a little early at times
+  return seconds(now - last) >= kTolerance / rate_hz;
+}
+
+void MhAmcl::predict(const SE2& T_odom_base) {
+  const SE2 u = predicted_at_->inverse() * T_odom_base;
+  if (u == SE2{}) return;
+  const OdometryMotion motion(u, config_.motion);
+  timer_.measure("predict", [&] {
+    for (Hypothesis& hypothesis : hypotheses_) {
+      localization::predict(hypothesis.particles, motion, hypothesis.rng);
+      hypothesis.belief.mean = hypothesis.belief.mean * u;
+    }
+  });
+  predicted_at_ = T_odom_base;
+}
+
+/// Weighs the particles; where few of them still carry the weight, reseeds around the refined
+/// winner.
+void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
+  const PoseMoments predicted = moments(hypothesis.particles);
+  localization::correct(hypothesis.particles, tracking_, points);
+  const std::vector<double> weights = normalized_weights(hypothesis.particles);
+  const auto count = static_cast<double>(weights.size());
+  if (effective_size(weights) < config_.reseed.effective_share * count) {
+    const auto best = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
+    const Eigen::Matrix3d prior = (predicted.covariance + slack).inverse();
+    const SE2 winner =
+        refine_pose(tracking_, points, hypothesis.particles.poses[static_cast<std::size_t>(best)],
+                    PosePrior{predicted.mean, prior}, config_.refine);
+    const Eigen::Matrix3d information = scan_information(tracking_, points, winner) + prior;
+    reseed(hypothesis, PoseGaussian(winner, information.inverse()));
+  }
+  hypothesis.belief = moments(hypothesis.particles);
+}
+
+void MhAmcl::reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner) {
+  const int count = particle_count(config_.reseed, hypothesis.belief.covariance);
+  hypothesis.particles = localization::reseed(hypothesis.particles, count, winner, hypothesis.rng);
+}
+
+/// Adds the scan to the evidence of every place and remembers it.
+void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
+  double e = 1.0;
+  if (!history_.empty()) {
+    const SE2& before = history_.back().T_odom_base;
+    e = independence(config_.posterior, distance(before, T_odom_base),
+                     yaw_distance(before, T_odom_base));
+  }
+  const double listed = listed_log_weight(hypotheses_);
+  history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight});
+  if (history_.size() > static_cast<std::size_t>(config_.history)) history_.pop_front();
+  for (Hypothesis& hypothesis : hypotheses_) {
+    const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
+    hypothesis.log_weight += evidence.log_likelihood - (1.0 - e) * hypothesis.log_likelihood;
+    hypothesis.log_likelihood = evidence.log_likelihood;
+    hypothesis.quality = evidence.quality;
+  }
+  advance_unlisted(config_.posterior, e, listed, unlisted_);
+}
+
+bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
+  if (probability_ >= config_.match.confident) return false;
+  if (!last_match_) return true;
+  const double waited = seconds(now - *last_match_);
+  if (waited < pause_s_) return false;
+  return distance(matched_at_, T_odom_base) >= config_.match.moved_m ||
+         yaw_distance(matched_at_, T_odom_base) >= config_.match.turned_rad ||
+         waited >= config_.match.patience_s;
+}
+
+/// Asks the matcher; pauses longer and longer while it changes nothing.
+void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
+  const int before = selected_id_;
+  last_match_ = now;
+  matched_at_ = T_odom_base;
+  const bool grown = spawn_places(history_.back().points);
+  merge(config_.merge, hypotheses_);
+  choose();
+  const bool changed = grown && selected_id_ != before;
+  pause_s_ = changed ? config_.match.first_pause_s
+                     : std::clamp(2.0 * pause_s_, config_.match.first_pause_s,
+                                  config_.match.longest_pause_s);
+}
+
+/// Selects the output and learns what is usual while it is confident.
+void MhAmcl::choose() {
+  const auto output = select(hypotheses_, selected_id_, config_.select_margin);
+  if (!output) return;
+  const Hypothesis& hypothesis = hypotheses_[*output];
+  const bool was_confident = probability_ >= config_.match.confident;
+  selected_id_ = hypothesis.id;
+  probability_ = shares(hypotheses_, unlisted_)[*output];
+  const bool confident = probability_ >= config_.match.confident;
+  if (confident && !history_.empty()) {
+    unlisted_.usual += config_.posterior.usual_rate * (hypothesis.log_likelihood - unlisted_.usual);
+  }
+  if (was_confident && !confident) pause_s_ = 0.0;
+}
+
+Hypothesis* MhAmcl::selected() {
+  const auto found = std::find_if(hypotheses_.begin(), hypotheses_.end(),
+                                  [&](const Hypothesis& h) { return h.id == selected_id_; });
+  return found == hypotheses_.end() ? nullptr : &*found;
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,79 @@
+/// MH-AMCL, mode `improved`: several populations of particles, each a hypothesis about where the
+/// robot is.
+///
+/// A. Garcia, F. Martin, J. M. Guerrero, F. J. Rodriguez, V. Matellan, "Portable Multi-Hypothesis
+/// Monte Carlo Localization for Mobile Robots", 2022: predict, correct and reseed run at rates of
+/// their own; populations are created where a cascade matcher finds the scan, merged, destroyed,
+/// and one is selected. We differ in the parts: winners are refined below the grid, places are
+/// weighed by rays as well as end points, and a posterior over all places and "somewhere else"
+/// replaces the fixed gates of quality.
+#pragma once
+
+#include "localization/hypotheses/destroy.hpp"
+#include "localization/hypotheses/hypothesis.hpp"
+#include "localization/localizer.hpp"
+#include "localization/mh_amcl_config.hpp"
+#include "localization/stage_timer.hpp"
+
+namespace castaway::localization {
+
+/// The localizer. Deterministic: same calls, same seed, same results.
+class MhAmcl final : public Localizer {
+ public:
+  /// Throws std::invalid_argument for a map or settings that make no sense. Starts at an unknown
+  /// place.
+  MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock = {});
+
+  void initialize(const std::optional<PoseWithCovariance>& start) override;
+  void on_odometry(const Odometry& odometry) override;
+  void on_scan(const LaserScan& scan) override;
+  [[nodiscard]] std::optional<Estimate> estimate() const override { return estimate_; }
+  [[nodiscard]] Diagnostics diagnostics() const override;
+
+ private:
+  void predict(const SE2& T_odom_base);
+  [[nodiscard]] bool due(Stamp now, Stamp last, double rate_hz) const;
+  void take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base);
+  void correct(Hypothesis& hypothesis, const ScanPoints& points);
+  void rescue(const ScanPoints& points);
+  void weigh(const ScanPoints& points, const SE2& T_odom_base);
+  [[nodiscard]] bool match_due(Stamp now, const SE2& T_odom_base) const;
+  void create(Stamp now, const SE2& T_odom_base);
+  bool spawn_places(const ScanPoints& points);
+  void spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
+  void reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner);
+  void choose();
+  [[nodiscard]] Hypothesis* selected();
+  void publish(Stamp stamp);
+
+  MhAmclConfig config_;
+  std::uint64_t seed_;
+  OccupancyGrid map_;
+  DistanceField distances_;
+  EndpointModel tracking_;
+  EndpointModel endpoint_;
+  EvidenceModel evidence_;
+  CascadeMatcher matcher_;
+  StageTimer timer_;
+
+  TransformBuffer T_odom_base_;
+  std::vector<Hypothesis> hypotheses_;
+  Unlisted unlisted_;
+  ScanHistory history_;
+  std::optional<Estimate> estimate_;
+  int next_id_ = 0;
+  int selected_id_ = -1;
+  double probability_ = 0.0;  ///< Share of the output.
+  std::int64_t dropped_scans_ = 0;
+
+  std::optional<SE2> predicted_at_;  ///< Odometry up to which particles are moved.
+  Stamp last_predict_{};
+  std::optional<Stamp> last_scan_;
+  std::optional<Stamp> last_correct_;
+  Stamp last_reseed_{};
+  std::optional<Stamp> last_match_;
+  SE2 matched_at_;        ///< Odometry at the last match.
+  double pause_s_ = 0.0;  ///< Pause after the last match.
+};
+
+}  // namespace castaway::localization

@@ -1,0 +1,29 @@
+#include "localization/mh_amcl_config.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace castaway::localization {
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (!(value > 0.0)) throw std::invalid_argument(std::string(name) + " must be positive");
+}
+
+}  // namespace
+
+void validate(const MhAmclConfig& config) {
+  require_positive(config.predict_rate_hz, "predict_rate_hz");
+  require_positive(config.correct_rate_hz, "correct_rate_hz");
+  require_positive(config.reseed_rate_hz, "reseed_rate_hz");
+  require_positive(config.max_distance, "max_distance");
+  if (config.history < 1) throw std::invalid_argument("history must be at least 1");
+  validate(config.beams);
+  validate(config.motion);
+  validate(config.tracking);
+  validate(config.evidence.endpoint);
+  validate(config.reseed);
+  validate(config.matcher);
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,60 @@
+/// Settings of MH-AMCL.
+#pragma once
+
+#include "localization/filter/reseed.hpp"
+#include "localization/geometry/transform_buffer.hpp"
+#include "localization/hypotheses/create.hpp"
+#include "localization/hypotheses/destroy.hpp"
+
+namespace castaway::localization {
+
+/// When the matcher is asked.
+struct MatchScheduleConfig {
+  double confident = 0.9;        ///< Not while the output is at least so probable.
+  double moved_m = 0.1;          ///< [m] Not before the robot moved so far since the last match...
+  double turned_rad = 0.1;       ///< [rad] ...or turned so far...
+  double patience_s = 4.0;       ///< [s] ...or so much time passed.
+  double first_pause_s = 0.5;    ///< [s] Pause after a match that found nothing new; doubles...
+  double longest_pause_s = 8.0;  ///< [s] ...up to this, and starts anew when something changes.
+};
+
+/// The wide search around a pose that suddenly fits badly (wheel slip, a scan much later).
+struct RescueConfig {
+  double drop = 6.0;        ///< [nats] When the output's scan is so much less likely than usual.
+  double radius = 1.1;      ///< [m]
+  double yaw_radius = 0.6;  ///< [rad]
+  int candidates = 10;      ///< Refined at most.
+  double gain = 3.0;        ///< [nats] A place found must be so much better.
+  double cost = 2.0;        ///< [nats] Taken from the weight of a rescued hypothesis.
+};
+
+/// Everything that MH-AMCL can be told. Defaults are mode `improved`.
+struct MhAmclConfig {
+  double predict_rate_hz = 100.0;
+  double correct_rate_hz = 10.0;
+  double reseed_rate_hz = 0.3;
+  BeamSelection beams;
+  OdometryNoiseConfig motion;
+  EndpointConfig tracking{0.08, 0.05, 30.0};  ///< Weighs particles within a population: sharp.
+  EvidenceConfig evidence;                    ///< Weighs populations against each other: wide.
+  ReseedConfig reseed;
+  RefineConfig refine{0.04, 0.02, 3};  ///< Climb from the best particle to the winner of a reseed.
+  MatcherConfig matcher;
+  MatchScheduleConfig match;
+  RescueConfig rescue;
+  CreateConfig create;
+  MergeConfig merge;
+  DestroyConfig destroy;
+  PosteriorConfig posterior;
+  double select_margin = 2.0;     ///< [nats] The output stays while less behind than this.
+  double spawn_sigma = 0.05;      ///< [m] Least spread of a new population...
+  double spawn_sigma_yaw = 0.02;  ///< [rad] ...and of its yaw.
+  int history = 8;                ///< Scans that a new hypothesis is weighed on.
+  double max_distance = 5.0;      ///< [m] Cap of the distance field.
+  TransformBufferConfig buffer;
+};
+
+/// Throws std::invalid_argument naming the figure that is out of its range.
+void validate(const MhAmclConfig& config);
+
+}  // namespace castaway::localization

@@ -1,0 +1,72 @@
+// How populations of MH-AMCL come into being: rescue and creation.
+#include <algorithm>
+#include <string>
+
+#include "localization/mh_amcl.hpp"
+
+namespace castaway::localization {
+
+/// Looks around when the output suddenly fits badly, and moves its population where the scan fits
+/// better.
+void MhAmcl::rescue(const ScanPoints& points) {
+  Hypothesis* output = selected();
+  if (output == nullptr) return;
+  const double now = evidence_.evaluate(points, output->belief.mean).log_likelihood;
+  if (now > unlisted_.usual - config_.rescue.drop) return;
+  const MatchWindow window{output->belief.mean, config_.rescue.radius, config_.rescue.yaw_radius};
+  std::vector<Candidate> candidates = matcher_.match(points, window);
+  candidates.resize(
+      std::min(candidates.size(), static_cast<std::size_t>(config_.rescue.candidates)));
+  const CreateContext context{config_.create, config_.merge, config_.posterior,
+                              config_.motion, endpoint_,     evidence_};
+  const std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
+  if (places.empty() || places[0].newest.log_likelihood < now + config_.rescue.gain) return;
+  const SE2 pose = places[0].T_map_base;
+  const Eigen::Matrix3d information = scan_information(tracking_, points, pose);
+  const Eigen::Matrix3d slack = Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
+  output->particles = draw_particles(PoseGaussian(pose, (information + slack).inverse()),
+                                     config_.reseed.max_particles, output->rng);
+  output->belief = moments(output->particles);
+  output->log_weight -= config_.rescue.cost;
+}
+
+/// Lists the places where the newest scan fits, unless they are far behind those already listed.
+bool MhAmcl::spawn_places(const ScanPoints& points) {
+  const CreateContext context{config_.create, config_.merge, config_.posterior,
+                              config_.motion, endpoint_,     evidence_};
+  const std::size_t before = hypotheses_.size();
+  double best = listed_log_weight(hypotheses_);
+  for (WeighedPlace& place : refine_candidates(context, matcher_.match(points), points)) {
+    const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& h) {
+      return same_place(config_.merge, h.belief.mean, place.T_map_base) &&
+             h.log_likelihood > place.newest.log_likelihood - 1.0;
+    });
+    if (known) continue;
+    place.log_weight = weigh_backwards(context, history_, place);
+    if (place.log_weight < best - config_.destroy.behind) continue;
+    best = std::max(best, place.log_weight);
+    Eigen::Matrix3d information = scan_information(tracking_, points, place.T_map_base);
+    information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
+    spawn({place.T_map_base, information.inverse()}, place.log_weight, place.newest);
+  }
+  return hypotheses_.size() > before;
+}
+
+void MhAmcl::spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence) {
+  const double s = config_.spawn_sigma;
+  const double r = config_.spawn_sigma_yaw;
+  const Eigen::Matrix3d least = Eigen::Vector3d(s * s, s * s, r * r).asDiagonal();
+  Hypothesis hypothesis;
+  hypothesis.id = next_id_++;
+  hypothesis.rng = substream(seed_, "population/" + std::to_string(hypothesis.id));
+  hypothesis.belief = {belief.mean, belief.covariance + least};
+  hypothesis.particles =
+      draw_particles(PoseGaussian(belief.mean, hypothesis.belief.covariance),
+                     particle_count(config_.reseed, hypothesis.belief.covariance), hypothesis.rng);
+  hypothesis.log_weight = log_weight;
+  hypothesis.log_likelihood = evidence.log_likelihood;
+  hypothesis.quality = evidence.quality;
+  hypotheses_.push_back(std::move(hypothesis));
+}
+
+}  // namespace castaway::localization

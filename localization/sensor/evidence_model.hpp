@@ -1,0 +1,42 @@
+/// How much a scan speaks for a pose, on one scale for all places of a map: end points and rays
+/// together.
+#pragma once
+
+#include "localization/sensor/endpoint_model.hpp"
+#include "localization/sensor/ray_consistency.hpp"
+
+namespace castaway::localization {
+
+/// Parameters of the evidence.
+struct EvidenceConfig {
+  EndpointConfig endpoint;  ///< A beam that ends short (a person) costs at most log(floor).
+  RayConsistencyConfig rays;
+  double through_wall =
+      0.02;  ///< Likelihood of a beam through a mapped wall, relative to one on a wall.
+  double off_free_penalty =
+      0.5;                 ///< Taken from the mean log-likelihood where base is not on a free cell.
+  double minimum = -25.0;  ///< One bad scan must not overturn a long confident pose.
+};
+
+/// Log-likelihood of a scan and its quality.
+struct Evidence {
+  double log_likelihood = 0.0;  ///< 0 is perfect, `minimum` at worst.
+  double quality = 0.0;  ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
+};
+
+/// Evaluates scans against one map, which must outlive the model.
+class EvidenceModel {
+ public:
+  EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
+                const DistanceField& distances);
+  /// What the scan says of the pose. Without beams: neutral, quality 0.
+  [[nodiscard]] Evidence evaluate(const ScanPoints& points, const SE2& T_map_base) const;
+
+ private:
+  EvidenceConfig config_;
+  const OccupancyGrid& grid_;
+  const DistanceField& distances_;
+  EndpointModel endpoint_;
+};
+
+}  // namespace castaway::localization

@@ -1,0 +1,63 @@
+#include "localization/sensor/scan_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace castaway::localization {
+namespace {
+
+std::vector<std::size_t> select_beams(const LaserScan& scan, const BeamSelection& selection) {
+  std::vector<std::size_t> valid;
+  const double longest = std::min(scan.range_max, selection.max_range);
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const double r = scan.ranges[i];
+    if (std::isfinite(r) && r >= scan.range_min && r <= longest && r > 0.0) valid.push_back(i);
+  }
+  const auto count = static_cast<std::size_t>(selection.max_beams);
+  if (valid.size() <= count) return valid;
+  std::vector<std::size_t> even(count);
+  for (std::size_t k = 0; k < count; ++k) even[k] = valid[k * valid.size() / count];
+  return even;
+}
+
+void append(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
+            double range) {
+  const Eigen::Vector3d end(range * std::cos(angle), range * std::sin(angle), 0.0);
+  const Eigen::Vector2d p = (T_reference_laser * end).head<2>();
+  const Eigen::Vector2d origin = T_reference_laser.translation().head<2>();
+  points.x.push_back(static_cast<float>(p.x()));
+  points.y.push_back(static_cast<float>(p.y()));
+  points.origin_x.push_back(static_cast<float>(origin.x()));
+  points.origin_y.push_back(static_cast<float>(origin.y()));
+  points.range.push_back(static_cast<float>((p - origin).norm()));
+}
+
+}  // namespace
+
+void validate(const BeamSelection& selection) {
+  if (selection.max_beams < 1) throw std::invalid_argument("max_beams must be at least 1");
+  if (!(selection.max_range > 0.0)) throw std::invalid_argument("max_range must be positive");
+}
+
+std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
+                                       Stamp reference, const BeamSelection& selection) {
+  const std::optional<SE2> T_odom_reference = T_odom_base.at(reference);
+  const std::optional<SE2> T_odom_first = T_odom_base.at(scan.stamp);
+  if (!T_odom_reference || !T_odom_first) return std::nullopt;
+  const SE2 T_reference_odom = T_odom_reference->inverse();
+  Eigen::Isometry3d T_reference_laser =
+      to_se3(T_reference_odom * *T_odom_first) * scan.T_base_laser;
+  ScanPoints points;
+  for (const std::size_t i : select_beams(scan, selection)) {
+    if (scan.time_increment != Stamp::zero()) {
+      const std::optional<SE2> T_odom_beam = T_odom_base.at(scan.beam_stamp(i));
+      if (!T_odom_beam) return std::nullopt;
+      T_reference_laser = to_se3(T_reference_odom * *T_odom_beam) * scan.T_base_laser;
+    }
+    append(points, T_reference_laser, scan.beam_angle(i), scan.ranges[i]);
+  }
+  return points;
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,34 @@
+/// CPU time by stage, with a clock that the program hands in.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+#include "localization/localizer.hpp"
+
+namespace castaway::localization {
+
+/// Sums the time spent in named stages. Without a clock it does nothing.
+class StageTimer {
+ public:
+  explicit StageTimer(StageClock clock) : clock_(std::move(clock)) {}
+
+  /// Runs `body` and books its time under `stage`.
+  template <typename Body>
+  void measure(const char* stage, Body&& body) {
+    if (!clock_) return body();
+    const std::chrono::nanoseconds begin = clock_();
+    body();
+    totals_[stage] += clock_() - begin;
+  }
+  [[nodiscard]] const std::map<std::string, std::chrono::nanoseconds>& totals() const {
+    return totals_;
+  }
+
+ private:
+  StageClock clock_;
+  std::map<std::string, std::chrono::nanoseconds> totals_;
+};
+
+}  // namespace castaway::localization

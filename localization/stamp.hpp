@@ -1,0 +1,19 @@
+/// Time as the library knows it.
+#pragma once
+
+#include <chrono>
+
+namespace castaway::localization {
+
+/// Time since the epoch of the run or of the log; never a wall clock.
+using Stamp = std::chrono::nanoseconds;
+
+/// A stamp in seconds.
+inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp).count(); }
+
+/// The stamp nearest to `s` seconds.
+inline Stamp from_seconds(double s) {
+  return std::chrono::round<Stamp>(std::chrono::duration<double>(s));
+}
+
+}  // namespace castaway::localization
