@@ -18,6 +18,7 @@
 #include "sim/random.hpp"
 #include "sim/robot/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
+#include "sim/sensor/readings.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "sim/world/grid.hpp"
 #include "sim/world/world_spec.hpp"
@@ -55,26 +56,6 @@ struct SimulationStreams {
   Rng lidar;
   Rng odometry;
   Rng events;
-};
-
-/// One reading of wheel odometry, and the truth.
-struct OdometryReading {
-  std::chrono::nanoseconds stamp{};
-  Pose2 T_odom_base;
-  Pose2 T_map_base_true;
-};
-
-/// What a beam hit, besides the index of an object in `WorldSpec::objects`.
-inline constexpr int kHitNothing = -1;
-inline constexpr int kHitFloor = -2;
-
-/// One scan, and the truth.
-struct LidarReading {
-  std::chrono::nanoseconds stamp{};           ///< Of the first beam.
-  std::chrono::nanoseconds time_increment{};  ///< Between two beams; 0 without sweep.
-  std::vector<float> ranges;                  ///< [m] +inf: nothing within range, -inf: too close.
-  std::vector<int> hit_object;  ///< Same length: index of the object, or kHitNothing, kHitFloor.
-  Pose2 T_map_base_true;        ///< At the stamp.
 };
 
 /// One delivery. A scan is delivered at the time of its last beam.

@@ -1,0 +1,45 @@
+#include "sim/drive_space.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/world/rasterise.hpp"
+
+namespace castaway::sim {
+
+Grid drive_grid(const SimulationConfig& config) {
+  if (config.map.cells.empty()) {
+    throw std::invalid_argument("simulation: the map has no cells: rasterise the world first");
+  }
+  Grid grid = config.map;
+  const double height = config.robot.height;
+  mark_objects(grid, config.world, {0.02, 0.25 * height, 0.5 * height, 0.75 * height, height});
+  return grid;
+}
+
+Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng) {
+  const double radius = config.robot.footprint_radius;
+  if (config.random_start) {
+    const auto pose = FreeSpace(drive_grid, radius + kDriveMargin).sample(rng);
+    if (pose) return *pose;
+    throw std::runtime_error(fmt::format(
+        "start: no free place for a robot of radius {:.2f} m: check the map and its scale",
+        radius));
+  }
+  // Half a cell of erosion is caution, not contact.
+  const FreeSpace free(drive_grid, std::max(radius - drive_grid.resolution, 0.0));
+  if (free.contains(config.start.position())) return config.start;
+  throw std::runtime_error(fmt::format(
+      "start: at ({}, {}) a robot of radius {:.2f} m stands in an obstacle or outside of the free "
+      "space: move it",
+      config.start.x, config.start.y, radius));
+}
+
+FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Grid& drive_grid) {
+  return {drive_grid, robot.footprint_radius + spec.margin_m};
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,24 @@
+/// Where the robot can stand and drive in a simulated run.
+#pragma once
+
+#include "sim/simulation.hpp"
+#include "sim/world/free_space.hpp"
+#include "sim/world/grid.hpp"
+
+namespace castaway::sim {
+
+/// The run's map with every object of the world marked that the robot's body could meet.
+/// @throws std::invalid_argument if there is no map.
+Grid drive_grid(const SimulationConfig& config);
+
+/// The pose the run starts from: as given, or drawn.
+/// @throws std::runtime_error if the robot would stand in something, or nothing is free.
+Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng);
+
+/// Free space for a kidnap of this robot.
+FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Grid& drive_grid);
+
+/// Room that the planner keeps around the footprint. [m]
+inline constexpr double kDriveMargin = 0.04;
+
+}  // namespace castaway::sim

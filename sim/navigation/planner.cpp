@@ -1,0 +1,120 @@
+#include "sim/navigation/planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace castaway::sim {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr float kUnreached = std::numeric_limits<float>::infinity();
+
+/// A cell on the frontier; the least estimate comes first, ties by cell.
+struct Candidate {
+  float estimate = 0.0F;
+  std::size_t cell = 0;
+  bool operator>(const Candidate& other) const {
+    return estimate != other.estimate ? estimate > other.estimate : cell > other.cell;
+  }
+};
+
+class AStar {
+ public:
+  AStar(const FreeSpace& free, CellIndex goal, const PlannerConfig& config)
+      : free_(free),
+        grid_(free.grid()),
+        goal_(goal),
+        config_(config),
+        cost_(grid_.cells.size(), kUnreached),
+        parent_(grid_.cells.size(), kNone) {}
+
+  bool run(CellIndex start) {
+    reach(start, kNone, 0.0F);
+    while (!open_.empty()) {
+      const Candidate best = open_.top();
+      open_.pop();
+      const CellIndex cell = cell_at_index(best.cell);
+      if (cell == goal_) return true;
+      if (best.estimate > cost_[best.cell] + heuristic(cell)) continue;  // Reached better since.
+      expand(cell, best.cell);
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector2d> path() const {
+    std::vector<Eigen::Vector2d> points;
+    for (std::size_t i = flat_index(grid_, goal_); i != kNone; i = parent_[i]) {
+      points.push_back(center_of(grid_, cell_at_index(i)));
+    }
+    std::reverse(points.begin(), points.end());
+    return points;
+  }
+
+ private:
+  [[nodiscard]] CellIndex cell_at_index(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(grid_.width);
+    return {static_cast<int>(i % width), static_cast<int>(i / width)};
+  }
+  [[nodiscard]] bool is_free(CellIndex c) const {
+    return grid_.contains(c.column, c.row) && grid_.at(c.column, c.row) == Cell::kFree;
+  }
+  /// Octile distance: what an empty grid would cost.
+  [[nodiscard]] float heuristic(CellIndex c) const {
+    const double dx = std::abs(c.column - goal_.column);
+    const double dy = std::abs(c.row - goal_.row);
+    return static_cast<float>(grid_.resolution *
+                              (std::max(dx, dy) + (std::sqrt(2.0) - 1.0) * std::min(dx, dy)));
+  }
+  [[nodiscard]] double price(std::size_t cell) const {
+    const double room = free_.clearance()[cell] - free_.radius();
+    const double lack = std::clamp(1.0 - room / config_.comfort, 0.0, 1.0);
+    return 1.0 + config_.comfort_weight * lack * lack;
+  }
+  void expand(CellIndex from, std::size_t from_index) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const CellIndex to{from.column + dx, from.row + dy};
+        const bool side_free =
+            is_free({from.column + dx, from.row}) && is_free({from.column, from.row + dy});
+        if ((dx == 0 && dy == 0) || !is_free(to) || !side_free) continue;
+        const double length = grid_.resolution * std::hypot(dx, dy);
+        const double cost = cost_[from_index] + length * price(flat_index(grid_, to));
+        reach(to, from_index, static_cast<float>(cost));
+      }
+    }
+  }
+  void reach(CellIndex cell, std::size_t from, float cost) {
+    const std::size_t i = flat_index(grid_, cell);
+    if (cost >= cost_[i]) return;
+    cost_[i] = cost;
+    parent_[i] = from;
+    open_.push({cost + heuristic(cell), i});
+  }
+
+  const FreeSpace& free_;
+  const Grid& grid_;
+  CellIndex goal_;
+  PlannerConfig config_;
+  std::vector<float> cost_;
+  std::vector<std::size_t> parent_;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Eigen::Vector2d>> plan_path(const FreeSpace& free,
+                                                      const Eigen::Vector2d& start,
+                                                      const Eigen::Vector2d& goal,
+                                                      const PlannerConfig& config) {
+  const std::optional<CellIndex> from = free.nearest_free(start);
+  const std::optional<CellIndex> to = free.nearest_free(goal);
+  if (!from || !to) return std::nullopt;
+  AStar search(free, *to, config);
+  if (!search.run(*from)) return std::nullopt;
+  return search.path();
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,37 @@
+#include "sim/navigation/route_runner.hpp"
+
+#include <utility>
+
+#include "sim/navigation/planner.hpp"
+
+namespace castaway::sim {
+
+RouteRunner::RouteRunner(RouteConfig config, FreeSpace free)
+    : config_(std::move(config)), free_(std::move(free)) {}
+
+void RouteRunner::next_waypoint() {
+  follower_.reset();
+  ++waypoint_;
+  if (config_.loop && waypoint_ >= config_.waypoints.size()) waypoint_ = 0;
+}
+
+void RouteRunner::plan(const Pose2& T_map_base) {
+  auto path = plan_path(free_, T_map_base.position(), config_.waypoints[waypoint_]);
+  if (path) follower_.emplace(config_.follower, std::move(*path));
+}
+
+Twist2 RouteRunner::command(const std::optional<Pose2>& T_map_base) {
+  if (!T_map_base || waypoint_ >= config_.waypoints.size()) return {};
+  const bool off = follower_ && follower_->off_path(*T_map_base) > config_.replan_distance;
+  if (!follower_ || off) plan(*T_map_base);
+  if (!follower_) return {};
+  const Twist2 twist = follower_->command(*T_map_base, free_);
+  if (follower_->arrived(*T_map_base)) next_waypoint();
+  return twist;
+}
+
+std::vector<Eigen::Vector2d> RouteRunner::path() const {
+  return follower_ ? follower_->path() : std::vector<Eigen::Vector2d>{};
+}
+
+}  // namespace castaway::sim

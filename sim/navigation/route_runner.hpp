@@ -1,0 +1,45 @@
+/// Drives a route of waypoints, wherever the robot finds itself.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/geometry.hpp"
+#include "sim/navigation/path_follower.hpp"
+#include "sim/world/free_space.hpp"
+
+namespace castaway::sim {
+
+/// A route.
+struct RouteConfig {
+  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: stand still.
+  bool loop = true;                        ///< Starts again after the last.
+  double replan_distance = 0.4;            ///< [m] Further off the path, the robot plans anew.
+  FollowerConfig follower;
+};
+
+/// Plans from waypoint to waypoint. A waypoint that is not free stands for the nearest free place;
+/// one within tolerance is done with. After a jump of the pose it plans anew.
+class RouteRunner {
+ public:
+  /// `free`: where the robot's centre can be.
+  RouteRunner(RouteConfig config, FreeSpace free);
+
+  /// The velocity to command at a pose; zero without one and at the end of the route.
+  Twist2 command(const std::optional<Pose2>& T_map_base);
+  /// The path being driven; empty if none.
+  [[nodiscard]] std::vector<Eigen::Vector2d> path() const;
+
+ private:
+  void plan(const Pose2& T_map_base);
+  void next_waypoint();
+
+  RouteConfig config_;
+  FreeSpace free_;
+  std::size_t waypoint_ = 0;
+  std::optional<PathFollower> follower_;
+};
+
+}  // namespace castaway::sim

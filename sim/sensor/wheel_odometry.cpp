@@ -1,0 +1,86 @@
+#include "sim/sensor/wheel_odometry.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/random/normal_distribution.hpp>
+
+#include "sim/robot/robot_model.hpp"
+
+namespace castaway::sim {
+namespace {
+
+double gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
+
+void require(bool condition, const char* field, double value, const char* remedy) {
+  if (condition) return;
+  throw std::invalid_argument(fmt::format("odometry: {} is {}: {}", field, value, remedy));
+}
+
+/// Motion of the axle's middle along an arc of length `way` that turns by `turn`.
+Pose2 arc(double way, double turn) {
+  const double half = 0.5 * turn;
+  const double chord = std::abs(half) < 1e-9 ? way : way * std::sin(half) / half;
+  return {chord * std::cos(half), chord * std::sin(half), turn};
+}
+
+}  // namespace
+
+void validate(const OdometryConfig& c) {
+  require(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
+  require(c.ticks_per_turn >= 0, "ticks_per_turn", c.ticks_per_turn, "give 0 or more");
+  require(c.radius_sigma >= 0.0 && c.radius_sigma < 0.2, "radius_sigma", c.radius_sigma,
+          "give 0 to 0.2");
+  require(c.track_sigma >= 0.0 && c.track_sigma < 0.2, "track_sigma", c.track_sigma,
+          "give 0 to 0.2");
+  require(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
+  require(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
+}
+
+OdometryConfig ideal_odometry() {
+  OdometryConfig config;
+  config.ticks_per_turn = 0;
+  config.radius_sigma = config.track_sigma = 0.0;
+  config.drift_along = config.drift_yaw_deg = 0.0;
+  return config;
+}
+
+DriveGeometry drive_geometry(const RobotModel& robot) {
+  return {robot.wheel_radius, robot.wheel_radius, robot.track, robot.p_base_axle};
+}
+
+WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng)
+    : config_(config), believed_(truth) {
+  validate(config);
+  believed_.radius_left *= 1.0 + config.radius_sigma * gaussian(rng);
+  believed_.radius_right *= 1.0 + config.radius_sigma * gaussian(rng);
+  believed_.track *= 1.0 + config.track_sigma * gaussian(rng);
+  T_odom_axle_ = {truth.p_base_axle.x(), truth.p_base_axle.y(), 0.0};
+}
+
+double WheelOdometry::measured(double angle) const {
+  if (config_.ticks_per_turn == 0) return angle;
+  const double tick = 2.0 * std::numbers::pi / config_.ticks_per_turn;
+  return tick * std::floor(angle / tick);
+}
+
+void WheelOdometry::update(const WheelAngles& angles, Rng& rng) {
+  const WheelAngles now{measured(angles.left), measured(angles.right)};
+  const double left = (now.left - last_.left) * believed_.radius_left;
+  const double right = (now.right - last_.right) * believed_.radius_right;
+  last_ = now;
+  const double root = std::sqrt(0.5 * (std::abs(left) + std::abs(right)));
+  const double yaw_sigma = config_.drift_yaw_deg * std::numbers::pi / 180.0;
+  const double way = 0.5 * (left + right) + config_.drift_along * root * gaussian(rng);
+  const double turn = (right - left) / believed_.track + yaw_sigma * root * gaussian(rng);
+  T_odom_axle_ = T_odom_axle_ * arc(way, turn);
+}
+
+Pose2 WheelOdometry::T_odom_base() const {
+  const Pose2 T_axle_base{-believed_.p_base_axle.x(), -believed_.p_base_axle.y(), 0.0};
+  return T_odom_axle_ * T_axle_base;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,211 @@
+#include "sim/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/drive_space.hpp"
+#include "sim/navigation/route_runner.hpp"
+#include "sim/robot/robot_physics.hpp"
+#include "sim/sensor/lidar.hpp"
+#include "sim/world/free_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds kControlPeriod = std::chrono::milliseconds(50);
+
+nanoseconds period_of(double hz, const char* what) {
+  if (!(hz > 0.0) || hz > 1e5) {
+    throw std::invalid_argument(fmt::format("simulation: {} is {}: give 0 to 100000", what, hz));
+  }
+  return nanoseconds(std::llround(1e9 / hz));
+}
+
+TwistLimits limits_of(const DriveConfig& drive) {
+  return {drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
+          drive.max_turn_acceleration};
+}
+
+RouteConfig route_of(const DriveConfig& drive) {
+  RouteConfig route;
+  route.waypoints = drive.waypoints;
+  route.loop = drive.loop;
+  route.follower.limits = limits_of(drive);
+  return route;
+}
+
+/// Kidnaps by time; a target that is given must be free from the start.
+std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& grid) {
+  std::vector<KidnapSpec> kidnaps = config.kidnaps;
+  std::stable_sort(kidnaps.begin(), kidnaps.end(),
+                   [](const KidnapSpec& a, const KidnapSpec& b) { return a.at_s < b.at_s; });
+  Rng unused;
+  for (const KidnapSpec& spec : kidnaps) {
+    if (spec.kind != KidnapKind::kTeleportTo) continue;
+    kidnap_target(spec, config.start, kidnap_space(spec, config.robot, grid), unused);
+  }
+  return kidnaps;
+}
+
+WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fraction) {
+  return {a.left + fraction * (b.left - a.left), a.right + fraction * (b.right - a.right)};
+}
+
+/// Order of deliveries at the same time: kidnap, odometry, scan.
+bool earlier(const SimFrame& a, const SimFrame& b) {
+  return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
+}
+
+}  // namespace
+
+/// Time advances by physics steps [now, now + step). At the start of a step come kidnaps and
+/// control; then physics moves on, and the sensors read what they are due within the step.
+struct Simulation::State {
+  State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
+
+  void run_step();
+  void kidnap_if_due();
+  void control_if_due();
+  void read_odometry(const Motion& motion, const WheelAngles& before);
+  void read_lidar(const Motion& motion);
+  template <typename Work>
+  void measured(const char* stage, Work work);
+
+  SimulationConfig config;
+  SimulationStreams streams;
+  CpuClock cpu_clock;
+  std::map<std::string, nanoseconds> cpu;
+
+  nanoseconds step;
+  nanoseconds odometry_period;
+  nanoseconds now{};
+  nanoseconds next_control{};
+  nanoseconds next_odometry{};
+
+  Grid grid;
+  Pose2 start;
+  std::vector<KidnapSpec> kidnaps;
+  std::size_t next_kidnap = 0;
+  RobotPhysics robot;
+  RayScene scene;
+  LidarSweeper lidar;
+  WheelOdometry odometry;
+  RouteRunner route;
+  std::optional<Pose2> drive_pose;
+  double distance = 0.0;
+  std::deque<SimFrame> frames;
+};
+
+Simulation::State::State(SimulationConfig configuration, SimulationStreams random_streams,
+                         CpuClock clock)
+    : config(std::move(configuration)),
+      streams(random_streams),
+      cpu_clock(std::move(clock)),
+      step(period_of(config.physics_hz, "physics_hz")),
+      odometry_period(period_of(config.odometry.rate_hz, "odometry rate_hz")),
+      grid(drive_grid(config)),
+      start(castaway::sim::start_pose(config, grid, streams.events)),
+      kidnaps(checked_kidnaps(config, grid)),
+      robot(config.world, config.robot, start, limits_of(config.drive), step),
+      scene(ray_primitives(config.world)),
+      lidar(config.lidar),
+      odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
+      route(route_of(config.drive), FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)) {
+}
+
+template <typename Work>
+void Simulation::State::measured(const char* stage, Work work) {
+  if (!cpu_clock) return work();
+  const nanoseconds before = cpu_clock();
+  work();
+  cpu[stage] += cpu_clock() - before;
+}
+
+void Simulation::State::kidnap_if_due() {
+  while (next_kidnap < kidnaps.size() &&
+         std::chrono::duration<double>(now).count() >= kidnaps[next_kidnap].at_s) {
+    const KidnapSpec& spec = kidnaps[next_kidnap++];
+    const Pose2 from = to_planar(robot.state().T_map_base);
+    const FreeSpace free = kidnap_space(spec, config.robot, grid);
+    const Pose2 to = kidnap_target(spec, from, free, streams.events);
+    robot.teleport(to);
+    frames.push_back({now, KidnapRecord{now, spec.kind, from, to}});
+  }
+}
+
+void Simulation::State::control_if_due() {
+  if (now < next_control) return;
+  next_control += kControlPeriod;
+  const auto pose = config.drive.by_estimate
+                        ? drive_pose
+                        : std::optional<Pose2>(to_planar(robot.state().T_map_base));
+  robot.set_command(route.command(pose));
+}
+
+void Simulation::State::read_odometry(const Motion& motion, const WheelAngles& before) {
+  for (; next_odometry < motion.end; next_odometry += odometry_period) {
+    const double fraction = static_cast<double>((next_odometry - motion.begin).count()) /
+                            static_cast<double>(step.count());
+    odometry.update(interpolate(before, robot.state().wheels, fraction), streams.odometry);
+    frames.push_back({next_odometry, OdometryReading{next_odometry, odometry.T_odom_base(),
+                                                     to_planar(motion.at(next_odometry))}});
+  }
+}
+
+void Simulation::State::read_lidar(const Motion& motion) {
+  for (Sweep& sweep : lidar.advance(scene, motion, streams.lidar)) {
+    frames.push_back({sweep.last_beam, std::move(sweep.reading)});
+  }
+}
+
+void Simulation::State::run_step() {
+  kidnap_if_due();
+  measured("drive", [this] { control_if_due(); });
+  const RobotState before = robot.state();
+  measured("physics", [this] { robot.step(); });
+  const RobotState& after = robot.state();
+  const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
+  distance += (after.T_map_base.translation() - before.T_map_base.translation()).head<2>().norm();
+  read_odometry(motion, before.wheels);
+  measured("lidar", [&] { read_lidar(motion); });
+  std::stable_sort(frames.begin(), frames.end(), earlier);
+  now += step;
+}
+
+Simulation::Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock)
+    : state_(std::make_unique<State>(std::move(config), streams, std::move(cpu_clock))) {}
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+std::optional<SimFrame> Simulation::next() {
+  while (state_->frames.empty() && state_->now < state_->config.duration) state_->run_step();
+  if (state_->frames.empty()) return std::nullopt;
+  SimFrame frame = std::move(state_->frames.front());
+  state_->frames.pop_front();
+  return frame;
+}
+
+void Simulation::set_drive_pose(const std::optional<Pose2>& T_map_base) {
+  state_->drive_pose = T_map_base;
+}
+
+Pose2 Simulation::start_pose() const { return state_->start; }
+
+Pose2 Simulation::true_pose() const { return to_planar(state_->robot.state().T_map_base); }
+
+std::int64_t Simulation::collisions() const { return state_->robot.collisions(); }
+
+double Simulation::distance_driven() const { return state_->distance; }
+
+std::map<std::string, nanoseconds> Simulation::cpu_by_stage() const { return state_->cpu; }
+
+}  // namespace castaway::sim

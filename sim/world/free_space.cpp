@@ -1,0 +1,74 @@
+#include "sim/world/free_space.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <boost/random/uniform_int_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+
+namespace castaway::sim {
+
+FreeSpace::FreeSpace(const Grid& grid, double radius)
+    : radius_(radius),
+      clearance_(distance_to_obstacle(grid)),
+      grid_(largest_component(eroded(grid, radius))) {}
+
+bool FreeSpace::contains(const Eigen::Vector2d& p_map) const {
+  return cell_at(grid_, p_map) == Cell::kFree;
+}
+
+bool FreeSpace::contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
+  const double step = 0.5 * grid_.resolution;
+  const int steps = static_cast<int>(std::ceil((b - a).norm() / step));
+  for (int i = 0; i <= steps; ++i) {
+    if (!contains(a + (b - a) * (static_cast<double>(i) / std::max(steps, 1)))) return false;
+  }
+  return true;
+}
+
+std::optional<CellIndex> FreeSpace::nearest_free(const Eigen::Vector2d& p_map) const {
+  if (contains(p_map)) return cell_of(grid_, p_map);
+  std::optional<CellIndex> best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      if (grid_.at(column, row) != Cell::kFree) continue;
+      const double distance = (center_of(grid_, {column, row}) - p_map).squaredNorm();
+      if (distance >= best_distance) continue;
+      best_distance = distance;
+      best = CellIndex{column, row};
+    }
+  }
+  return best;
+}
+
+std::optional<Pose2> FreeSpace::sample(Rng& rng, const Eigen::Vector2d& from,
+                                       double min_distance) const {
+  std::vector<CellIndex> candidates;
+  const double reach = min_distance + grid_.resolution;  // The draw within the cell stays outside.
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      if (grid_.at(column, row) != Cell::kFree) continue;
+      const double distance = (center_of(grid_, {column, row}) - from).norm();
+      if (min_distance <= 0.0 || distance >= reach) candidates.push_back({column, row});
+    }
+  }
+  if (candidates.empty()) return std::nullopt;
+  const CellIndex cell = candidates[boost::random::uniform_int_distribution<std::size_t>(
+      0, candidates.size() - 1)(rng)];
+  boost::random::uniform_real_distribution<double> within(-0.499, 0.499);
+  const double dx = within(rng) * grid_.resolution;
+  const double dy = within(rng) * grid_.resolution;
+  const double yaw =
+      boost::random::uniform_real_distribution<double>(-std::numbers::pi, std::numbers::pi)(rng);
+  const Pose2 T_map_cell{center_of(grid_, cell).x(), center_of(grid_, cell).y(), grid_.origin_yaw};
+  const Eigen::Vector2d p = T_map_cell * Eigen::Vector2d(dx, dy);
+  return Pose2{p.x(), p.y(), yaw};
+}
+
+std::optional<Pose2> FreeSpace::sample(Rng& rng) const {
+  return sample(rng, Eigen::Vector2d::Zero(), 0.0);
+}
+
+}  // namespace castaway::sim

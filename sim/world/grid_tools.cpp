@@ -1,0 +1,174 @@
+#include "sim/world/grid_tools.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/geometry.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kFar = 1e12;  // Squared cells; finite, so that differences stay defined.
+
+/// Scratch of one pass of the distance transform.
+struct Envelope {
+  explicit Envelope(std::size_t n) : values(n), vertices(n), bounds(n + 1) {}
+  std::vector<double> values;
+  std::vector<std::size_t> vertices;
+  std::vector<double> bounds;
+};
+
+double crossing(const std::vector<double>& f, std::size_t a, std::size_t b) {
+  const auto x_a = static_cast<double>(a);
+  const auto x_b = static_cast<double>(b);
+  return ((f[b] + x_b * x_b) - (f[a] + x_a * x_a)) / (2.0 * (x_b - x_a));
+}
+
+/// Lower envelope of parabolas (Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled
+/// Functions", 2012, section 2): squared distances along one line, in place.
+void transform_line(Envelope& e, double* line, std::size_t n, std::size_t stride) {
+  for (std::size_t i = 0; i < n; ++i) e.values[i] = line[i * stride];
+  std::size_t top = 0;
+  e.vertices[0] = 0;
+  e.bounds[0] = -std::numeric_limits<double>::infinity();
+  for (std::size_t q = 1; q < n; ++q) {
+    double s = crossing(e.values, e.vertices[top], q);
+    while (s <= e.bounds[top]) s = crossing(e.values, e.vertices[--top], q);
+    e.vertices[++top] = q;
+    e.bounds[top] = s;
+  }
+  for (std::size_t q = 0, k = 0; q < n; ++q) {
+    while (k < top && e.bounds[k + 1] < static_cast<double>(q)) ++k;
+    const double offset = static_cast<double>(q) - static_cast<double>(e.vertices[k]);
+    line[q * stride] = offset * offset + e.values[e.vertices[k]];
+  }
+}
+
+/// Distance in cells to the nearest cell outside of the grid.
+int cells_to_border(const Grid& grid, CellIndex c) {
+  return std::min({c.column + 1, c.row + 1, grid.width - c.column, grid.height - c.row});
+}
+
+/// Sizes and labels of the 4-connected components of free cells.
+class Components {
+ public:
+  explicit Components(const Grid& grid) : grid_(grid), labels_(grid.cells.size(), -1) {
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      if (grid.cells[i] == Cell::kFree && labels_[i] < 0) flood(i);
+    }
+  }
+  [[nodiscard]] int largest() const {
+    return static_cast<int>(std::max_element(sizes_.begin(), sizes_.end()) - sizes_.begin());
+  }
+  [[nodiscard]] const std::vector<int>& labels() const { return labels_; }
+
+ private:
+  void flood(std::size_t seed) {
+    const int label = static_cast<int>(sizes_.size());
+    std::vector<std::size_t> open{seed};
+    labels_[seed] = label;
+    std::size_t size = 0;
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      ++size;
+      spread(i, label, open);
+    }
+    sizes_.push_back(size);
+  }
+  void spread(std::size_t i, int label, std::vector<std::size_t>& open) {
+    const auto width = static_cast<std::size_t>(grid_.width);
+    const int column = static_cast<int>(i % width);
+    const int row = static_cast<int>(i / width);
+    const std::array<CellIndex, 4> neighbours{
+        {{column - 1, row}, {column + 1, row}, {column, row - 1}, {column, row + 1}}};
+    for (const CellIndex n : neighbours) {
+      if (!grid_.contains(n.column, n.row)) continue;
+      const std::size_t j = flat_index(grid_, n);
+      if (grid_.cells[j] != Cell::kFree || labels_[j] >= 0) continue;
+      labels_[j] = label;
+      open.push_back(j);
+    }
+  }
+
+  const Grid& grid_;
+  std::vector<int> labels_;
+  std::vector<std::size_t> sizes_;
+};
+
+}  // namespace
+
+Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin,
+               Cell value) {
+  Grid grid;
+  grid.width = width;
+  grid.height = height;
+  grid.resolution = resolution;
+  grid.origin = origin;
+  grid.cells.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value);
+  return grid;
+}
+
+CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map) {
+  const Pose2 T_map_grid{grid.origin.x(), grid.origin.y(), grid.origin_yaw};
+  const Eigen::Vector2d p = (inverse(T_map_grid) * p_map) / grid.resolution;
+  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+}
+
+Eigen::Vector2d center_of(const Grid& grid, CellIndex cell) {
+  const Pose2 T_map_grid{grid.origin.x(), grid.origin.y(), grid.origin_yaw};
+  return T_map_grid *
+         Eigen::Vector2d((cell.column + 0.5) * grid.resolution, (cell.row + 0.5) * grid.resolution);
+}
+
+Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map) {
+  const CellIndex c = cell_of(grid, p_map);
+  return grid.contains(c.column, c.row) ? grid.at(c.column, c.row) : Cell::kUnknown;
+}
+
+std::vector<float> distance_to_obstacle(const Grid& grid) {
+  const auto width = static_cast<std::size_t>(grid.width);
+  const auto height = static_cast<std::size_t>(grid.height);
+  std::vector<double> squared(grid.cells.size());
+  for (std::size_t i = 0; i < squared.size(); ++i) {
+    squared[i] = grid.cells[i] == Cell::kFree ? kFar : 0.0;
+  }
+  Envelope envelope(std::max({width, height, std::size_t{1}}));
+  for (std::size_t c = 0; c < width; ++c) transform_line(envelope, &squared[c], height, width);
+  for (std::size_t r = 0; r < height; ++r) transform_line(envelope, &squared[r * width], width, 1);
+  std::vector<float> distance(squared.size());
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const std::size_t i = flat_index(grid, {column, row});
+      const double border = cells_to_border(grid, {column, row});
+      distance[i] = static_cast<float>(std::min(std::sqrt(squared[i]), border) * grid.resolution);
+    }
+  }
+  return distance;
+}
+
+Grid eroded(const Grid& grid, double radius) {
+  Grid result = grid;
+  const std::vector<float> distance = distance_to_obstacle(grid);
+  const double reach = radius + 0.5 * grid.resolution;
+  for (std::size_t i = 0; i < result.cells.size(); ++i) {
+    if (result.cells[i] == Cell::kFree && distance[i] < reach) result.cells[i] = Cell::kOccupied;
+  }
+  return result;
+}
+
+Grid largest_component(const Grid& grid) {
+  Grid result = grid;
+  const Components components(grid);
+  const int largest = components.largest();
+  for (std::size_t i = 0; i < result.cells.size(); ++i) {
+    if (result.cells[i] == Cell::kFree && components.labels()[i] != largest) {
+      result.cells[i] = Cell::kUnknown;
+    }
+  }
+  return result;
+}
+
+}  // namespace castaway::sim

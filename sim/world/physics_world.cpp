@@ -1,0 +1,87 @@
+#include "sim/world/physics_world.hpp"
+
+#include <algorithm>
+
+#include "sim/world/bullet_types.hpp"
+#include "sim/world/mesh.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kGravity = 9.81;        // [m/s^2]
+constexpr double kFloorThickness = 1.0;  // [m]
+constexpr double kFloorMargin = 20.0;    // [m] Floor beyond the world's extent.
+constexpr double kFloorFriction = 1.0;
+constexpr int kSolverIterations = 20;
+
+std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape) {
+  const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
+  auto triangles = std::make_unique<btTriangleMesh>();
+  const auto vertex = [&mesh](std::size_t i) {
+    return to_bullet(Eigen::Vector3d(mesh.vertices[mesh.indices[i]].cast<double>()));
+  };
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    triangles->addTriangle(vertex(i), vertex(i + 1), vertex(i + 2));
+  }
+  return triangles;
+}
+
+}  // namespace
+
+PhysicsWorld::PhysicsWorld(const WorldSpec& spec, double time_step)
+    : time_step_(time_step),
+      dispatcher_(&configuration_),
+      world_(std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_,
+                                                       &configuration_)) {
+  world_->setGravity(btVector3(0.0, 0.0, -kGravity));
+  world_->getSolverInfo().m_numIterations = kSolverIterations;
+  world_->getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  world_->setForceUpdateAllAabbs(false);  // Static objects stay where they are.
+  add_floor(spec);
+  for (std::size_t i = 0; i < spec.objects.size(); ++i) {
+    const WorldObject& object = spec.objects[i];
+    add_static(shape_of(object.shape), object.T_map_object, static_cast<int>(i), kObstacleGroup);
+  }
+}
+
+PhysicsWorld::~PhysicsWorld() {
+  for (const auto& body : bodies_) world_->removeRigidBody(body.get());
+}
+
+void PhysicsWorld::step() { world_->stepSimulation(time_step_, 0); }
+
+void PhysicsWorld::add_floor(const WorldSpec& spec) {
+  const Eigen::Vector2d half =
+      0.5 * (spec.max_corner - spec.min_corner) + Eigen::Vector2d::Constant(kFloorMargin);
+  const Eigen::Vector2d center = 0.5 * (spec.max_corner + spec.min_corner);
+  Eigen::Isometry3d T_map_floor = Eigen::Isometry3d::Identity();
+  T_map_floor.translation() << center.x(), center.y(), -0.5 * kFloorThickness;
+  add_static(std::make_unique<btBoxShape>(btVector3(half.x(), half.y(), 0.5 * kFloorThickness)),
+             T_map_floor, kFloorIndex, kGroundGroup);
+}
+
+void PhysicsWorld::add_static(std::unique_ptr<btCollisionShape> shape,
+                              const Eigen::Isometry3d& T_map_shape, int index, int group) {
+  btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, shape.get());
+  info.m_startWorldTransform = to_bullet(T_map_shape);
+  info.m_friction = kFloorFriction;
+  auto body = std::make_unique<btRigidBody>(info);
+  body->setUserIndex(index);
+  world_->addRigidBody(body.get(), group, kRobotGroup);
+  shapes_.push_back(std::move(shape));
+  bodies_.push_back(std::move(body));
+}
+
+std::unique_ptr<btCollisionShape> PhysicsWorld::shape_of(const ObjectShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) {
+    return std::make_unique<btBoxShape>(to_bullet(Eigen::Vector3d(0.5 * box->size)));
+  }
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
+    return std::make_unique<btCylinderShapeZ>(
+        btVector3(cylinder->radius, cylinder->radius, 0.5 * cylinder->height));
+  }
+  meshes_.push_back(triangles_of(std::get<MeshShape>(shape)));
+  return std::make_unique<btBvhTriangleMeshShape>(meshes_.back().get(), true);
+}
+
+}  // namespace castaway::sim

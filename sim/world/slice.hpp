@@ -1,0 +1,50 @@
+/// Cuts of a world's shapes at a height: what a level lidar sees of them.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "sim/world/world_spec.hpp"
+
+namespace castaway::sim {
+
+/// A filled convex outline, counter-clockwise. [m]
+struct ConvexOutline {
+  std::vector<Eigen::Vector2d> points;
+};
+/// A filled disc.
+struct Disc {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m]
+  double radius = 0.0;                               ///< [m]
+};
+/// A line: where a plane cuts a mesh's surface.
+struct Segment {
+  Eigen::Vector2d a = Eigen::Vector2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+};
+
+/// What a plane leaves of a shape.
+struct Slice {
+  std::vector<ConvexOutline> outlines;
+  std::vector<Disc> discs;
+  std::vector<Segment> segments;
+};
+
+/// Cuts an object at height `z` [m]. Exact for boxes, meshes and upright cylinders; tilted
+/// cylinders are cut as prisms of 64 sides. A face that lies in the plane counts as cut.
+/// @throws std::runtime_error if a mesh cannot be read.
+Slice slice(const WorldObject& object, double z);
+
+/// True if the closed rectangle [min, max] and the figure have a point in common.
+bool touches(const ConvexOutline& outline, const Eigen::AlignedBox2d& rectangle);
+bool touches(const Disc& disc, const Eigen::AlignedBox2d& rectangle);
+bool touches(const Segment& segment, const Eigen::AlignedBox2d& rectangle);
+
+/// Bounds of a figure. [m]
+Eigen::AlignedBox2d bounds(const ConvexOutline& outline);
+Eigen::AlignedBox2d bounds(const Disc& disc);
+Eigen::AlignedBox2d bounds(const Segment& segment);
+
+}  // namespace castaway::sim
