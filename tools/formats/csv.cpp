@@ -1,0 +1,121 @@
+#include "tools/formats/csv.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace castaway::testbed {
+namespace {
+
+/// Takes one row, with its quoted cells, off the front of `text`.
+std::vector<std::string> take_row(std::string_view& text) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  std::size_t i = 0;
+  for (; i < text.size() && (quoted || text[i] != '\n'); ++i) {
+    const char c = text[i];
+    if (c == '"') {
+      const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
+      if (doubled) cells.back() += text[++i];
+      quoted = doubled || !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else if (c != '\r' || quoted) {
+      cells.back() += c;
+    }
+  }
+  text.remove_prefix(std::min(i + 1, text.size()));
+  return cells;
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const std::filesystem::path& path, const std::vector<std::string>& header)
+    : file_(path), columns_(header.size()) {
+  for (const std::string& name : header) text(name);
+  end_row();
+}
+
+void CsvWriter::add(std::string_view cell) {
+  if (cells_++ > 0) row_ += ',';
+  row_ += cell;
+}
+
+CsvWriter& CsvWriter::text(std::string_view value) {
+  if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
+    add(value);
+    return *this;
+  }
+  std::string quoted = "\"";
+  for (const char c : value) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  add(quoted + '"');
+  return *this;
+}
+
+CsvWriter& CsvWriter::number(double value, int digits) {
+  std::string cell = fmt::format("{:.{}f}", value, digits);
+  if (cell[0] == '-' && cell.find_first_of("123456789in") == std::string::npos) cell.erase(0, 1);
+  add(cell);
+  return *this;
+}
+
+CsvWriter& CsvWriter::number(const std::optional<double>& value, int digits) {
+  return value ? number(*value, digits) : empty();
+}
+
+CsvWriter& CsvWriter::count(std::int64_t value) {
+  add(fmt::format("{}", value));
+  return *this;
+}
+
+CsvWriter& CsvWriter::empty() {
+  add("");
+  return *this;
+}
+
+void CsvWriter::end_row() {
+  assert(cells_ == columns_);
+  row_ += '\n';
+  file_.write(row_);
+  row_.clear();
+  cells_ = 0;
+}
+
+std::size_t CsvTable::column(const std::string& name) const {
+  const auto found = std::find(header.begin(), header.end(), name);
+  if (found == header.end()) {
+    throw std::runtime_error(fmt::format("the table has no column '{}'", name));
+  }
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  std::string_view text = bytes;
+  CsvTable table;
+  table.header = take_row(text);
+  while (!text.empty()) {
+    table.rows.push_back(take_row(text));
+    if (table.rows.back().size() != table.header.size()) {
+      throw std::runtime_error(fmt::format("{}:{}: {} cells where the header has {}", path.string(),
+                                           table.rows.size() + 1, table.rows.back().size(),
+                                           table.header.size()));
+    }
+  }
+  return table;
+}
+
+std::optional<double> csv_number(const std::string& cell) {
+  if (cell.empty()) return std::nullopt;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) {
+    throw std::runtime_error(fmt::format("'{}' is no number", cell));
+  }
+  return value;
+}
+
+}  // namespace castaway::testbed

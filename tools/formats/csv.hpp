@@ -1,0 +1,55 @@
+/// Comma-separated tables: written with fixed number formats, read by column name.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/formats/file.hpp"
+
+namespace castaway::testbed {
+
+/// Writes a table; it appears when `commit` is called. No locale has a say in its numbers.
+class CsvWriter {
+ public:
+  CsvWriter(const std::filesystem::path& path, const std::vector<std::string>& header);
+
+  /// Adds a cell to the current row. Texts are quoted where they must be.
+  CsvWriter& text(std::string_view value);
+  CsvWriter& number(double value, int digits = 6);  ///< Digits after the point.
+  CsvWriter& number(const std::optional<double>& value, int digits = 6);  ///< Nothing: empty.
+  CsvWriter& count(std::int64_t value);
+  CsvWriter& empty();
+  /// Ends the row, which must have as many cells as the header.
+  void end_row();
+  void commit() { file_.commit(); }
+
+ private:
+  void add(std::string_view cell);
+
+  AtomicFile file_;
+  std::size_t columns_;
+  std::size_t cells_ = 0;
+  std::string row_;
+};
+
+/// A table in memory.
+struct CsvTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  /// Index of a column. Throws std::runtime_error if there is none.
+  [[nodiscard]] std::size_t column(const std::string& name) const;
+};
+
+/// Reads a table. Throws std::runtime_error "file:line: ..." where a row has not as many cells as
+/// the header.
+CsvTable read_csv(const std::filesystem::path& path);
+
+/// The number in a cell, nothing if it is empty. Throws std::runtime_error if it is something else.
+std::optional<double> csv_number(const std::string& cell);
+
+}  // namespace castaway::testbed
