@@ -95,7 +95,7 @@ CarmenLaser read_robotlaser(Fields& fields) {
   fields.skip(1, "laser type");
   CarmenLaser::Device device;
   device.angle_min = fields.number("start angle");
-  fields.skip(1, "field of view");
+  device.field_of_view = fields.number("field of view");
   device.angle_increment = fields.number("angular resolution");
   device.range_max = fields.number("maximum range");
   laser.device = device;

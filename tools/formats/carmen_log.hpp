@@ -37,6 +37,7 @@ struct CarmenLaser {
   /// What only ROBOTLASER1 says of itself.
   struct Device {
     double angle_min = 0.0;        ///< [rad]
+    double field_of_view = 0.0;    ///< [rad]
     double angle_increment = 0.0;  ///< [rad]
     double range_max = 0.0;        ///< [m]
   };
