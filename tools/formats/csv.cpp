@@ -76,6 +76,11 @@ CsvWriter& CsvWriter::empty() {
   return *this;
 }
 
+CsvWriter& CsvWriter::pose(const std::optional<localization::SE2>& pose) {
+  if (!pose) return empty().empty().empty();
+  return number(pose->x).number(pose->y).number(pose->yaw);
+}
+
 void CsvWriter::end_row() {
   assert(cells_ == columns_);
   row_ += '\n';

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "localization/geometry/se2.hpp"
 #include "tools/formats/file.hpp"
 
 namespace castaway::testbed {
@@ -23,6 +24,8 @@ class CsvWriter {
   CsvWriter& number(const std::optional<double>& value, int digits = 6);  ///< Nothing: empty.
   CsvWriter& count(std::int64_t value);
   CsvWriter& empty();
+  /// Three cells: x, y [m], yaw [rad]; empty if there is none.
+  CsvWriter& pose(const std::optional<localization::SE2>& pose);
   /// Ends the row, which must have as many cells as the header.
   void end_row();
   void commit() { file_.commit(); }

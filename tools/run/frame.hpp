@@ -1,6 +1,7 @@
 /// What a source delivers: sensor data as the hardware would send it, and the truth beside it.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,6 +14,9 @@ using localization::LaserScan;
 using localization::Odometry;
 using localization::SE2;
 using localization::Stamp;
+
+/// [s] of a stamp or a duration.
+inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp).count(); }
 
 /// Something that happened to the robot and that no localizer is told.
 struct RunEvent {

@@ -1,0 +1,53 @@
+/// How well a localizer did in a run. This is the one place that says what the figures of
+/// summary.json mean.
+///
+/// Rows are scans. A row is scored if its truth is known; the truth of a scan is that at the stamp
+/// of its first beam, and so is the estimate's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tools/metrics/recovery.hpp"
+#include "tools/metrics/statistics.hpp"
+
+namespace castaway::testbed {
+
+/// Figures of one localizer; nothing where there is nothing to measure.
+struct LocalizerMetrics {
+  /// Over all rows with truth and estimate.
+  std::optional<Statistics> position_error_m;
+  std::optional<Statistics> yaw_error_rad;
+  /// Position error outside the times from a kidnap (or unknown start) to its recovery; where there
+  /// is none, to the next kidnap or the end.
+  std::optional<Statistics> tracking_error_m;
+
+  /// Over kidnaps and the unknown start that leave at least 5 s to the next kidnap or the end.
+  int events = 0;
+  /// Those after which the error stays below 0.5 m and 0.35 rad from some row on, at least 5 s
+  /// before the end of the window. A row without an estimate is wrong.
+  int recovered = 0;
+  std::optional<double> success;              ///< recovered / events.
+  std::optional<Statistics> recovery_time_s;  ///< From the event to that row, recovered ones only.
+  std::optional<Statistics> recovery_distance_m;  ///< Driven meanwhile, recovered ones only.
+
+  /// Share of the scored rows with an estimate whose output says it is right (lost == false) while
+  /// it is not: error from 0.5 m or from 0.35 rad on.
+  std::optional<double> wrong_lock_share;
+
+  /// From a kidnap to the first row that raises the alarm or is right; kidnaps that are counted in
+  /// `events` and are noticed before the next one.
+  std::optional<Statistics> detection_delay_s;
+  int undetected = 0;  ///< Kidnaps counted in `events` that are not noticed.
+  /// Alarms raised while the output was right, outside of the times that `tracking_error_m` leaves
+  /// out, per hour of the remaining time.
+  std::optional<double> false_alarms_per_h;
+
+  std::vector<RecoveryWindow> windows;  ///< What the recovery figures are made of.
+};
+
+/// All that is measured of one localizer. `end`: the end of the run.
+LocalizerMetrics measure(const std::vector<MetricRow>& rows, const std::vector<RunEvent>& events,
+                         bool known_start, Stamp end, const RecoveryConfig& config = {});
+
+}  // namespace castaway::testbed

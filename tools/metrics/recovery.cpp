@@ -1,0 +1,75 @@
+#include "tools/metrics/recovery.hpp"
+
+#include <algorithm>
+
+namespace castaway::testbed {
+namespace {
+
+/// Rows [first, last) of a window.
+struct RowRange {
+  std::size_t first;
+  std::size_t last;
+};
+
+RowRange rows_in(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
+                 bool to_the_end) {
+  const auto before = [](const MetricRow& row, Stamp stamp) { return row.stamp < stamp; };
+  const auto first = std::lower_bound(rows.begin(), rows.end(), window.begin, before);
+  const auto last =
+      to_the_end ? rows.end() : std::lower_bound(first, rows.end(), window.end, before);
+  return {static_cast<std::size_t>(first - rows.begin()),
+          static_cast<std::size_t>(last - rows.begin())};
+}
+
+/// Index of the first row of the right ones that last to the end of the range; nothing if the last
+/// scored row is wrong. Rows without truth say nothing.
+std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& rows, RowRange range,
+                                               const RecoveryConfig& config) {
+  std::optional<std::size_t> first;
+  for (std::size_t i = range.last; i > range.first; --i) {
+    const MetricRow& row = rows[i - 1];
+    if (!row.T_map_base_true) continue;
+    if (!is_right(row, config)) break;
+    first = i - 1;
+  }
+  return first;
+}
+
+void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
+           const RecoveryConfig& config, RecoveryWindow& window) {
+  const auto right = first_of_last_right(rows, range, config);
+  if (window.scored && right && window.end - rows[*right].stamp >= config.min_left) {
+    window.recovered = rows[*right].stamp;
+    window.distance_m = driven[*right] - driven[range.first];
+  }
+  for (std::size_t i = range.first; i < range.last && !window.noticed; ++i) {
+    const bool alarm = rows[i].T_map_base_estimate && rows[i].lost;
+    if (alarm || is_right(rows[i], config)) window.noticed = rows[i].stamp;
+  }
+}
+
+}  // namespace
+
+bool is_right(const MetricRow& row, const RecoveryConfig& config) {
+  const auto error = pose_error(row);
+  return error && error->position_m < config.position_m && error->yaw_rad < config.yaw_rad;
+}
+
+std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
+                                             const std::vector<RunEvent>& kidnaps, bool known_start,
+                                             Stamp end, const RecoveryConfig& config) {
+  std::vector<RecoveryWindow> windows;
+  if (rows.empty()) return windows;
+  if (!known_start) windows.push_back({.begin = rows.front().stamp, .unknown_start = true});
+  for (const RunEvent& kidnap : kidnaps) windows.push_back({.begin = kidnap.stamp});
+  const std::vector<double> driven = driven_distance(rows, kidnaps);
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const bool is_last = i + 1 == windows.size();
+    windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].begin;
+    windows[i].scored = windows[i].end - windows[i].begin >= config.min_left;
+    score(rows, driven, rows_in(rows, windows[i], is_last), config, windows[i]);
+  }
+  return windows;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,43 @@
+/// From being lost to being right again.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "tools/metrics/run_rows.hpp"
+
+namespace castaway::testbed {
+
+/// When an output is right and when it has recovered.
+struct RecoveryConfig {
+  double position_m = 0.5;                   ///< [m] Right: position error below this...
+  double yaw_rad = 0.35;                     ///< [rad] ...and yaw error below this.
+  Stamp min_left = std::chrono::seconds(5);  ///< A recovery leaves at least this of its window.
+};
+
+/// The time from a kidnap (or unknown start) to the next kidnap or the end of the run.
+struct RecoveryWindow {
+  Stamp begin{};
+  Stamp end{};
+  bool unknown_start = false;        ///< False: a kidnap.
+  bool scored = true;                ///< False: shorter than `min_left`; nobody could recover.
+  std::optional<Stamp> recovered{};  ///< First row after which every row to `end` is right.
+  std::optional<Stamp> noticed{};    ///< First row that raises the alarm or is right.
+  double distance_m = 0.0;           ///< Driven from `begin` to `recovered`. [m]
+
+  /// The part in which the localizer cannot be held to be tracking: up to its recovery.
+  [[nodiscard]] bool is_lost_at(Stamp stamp) const {
+    return stamp >= begin && stamp < recovered.value_or(end);
+  }
+};
+
+/// True if the row has truth and estimate and the error is small.
+bool is_right(const MetricRow& row, const RecoveryConfig& config);
+
+/// The windows of a run, in order. An unknown start's window begins at the first row.
+std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
+                                             const std::vector<RunEvent>& kidnaps, bool known_start,
+                                             Stamp end, const RecoveryConfig& config);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,37 @@
+/// What the metrics know of a run, and how far it went.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tools/run/frame.hpp"
+
+namespace castaway::testbed {
+
+/// One scan and one localizer's answer to it.
+struct MetricRow {
+  Stamp stamp{};                           ///< The scan's; rows come in its order.
+  SE2 T_odom_base;                         ///< Odometry, for distances where there is no truth.
+  std::optional<SE2> T_map_base_true;      ///< Nothing: the row is not scored.
+  std::optional<SE2> T_map_base_estimate;  ///< Nothing: the localizer has no answer.
+  bool lost = false;                       ///< The alarm.
+};
+
+/// True pose against estimate.
+struct PoseError {
+  double position_m = 0.0;
+  double yaw_rad = 0.0;  ///< In [0, pi].
+};
+
+/// Nothing without truth or estimate.
+std::optional<PoseError> pose_error(const MetricRow& row);
+
+/// When the robot was displaced.
+std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events);
+
+/// Distance driven up to each row, 0 at the first: along the true path, along odometry where the
+/// truth is not known. A kidnap's jump does not count. [m]
+std::vector<double> driven_distance(const std::vector<MetricRow>& rows,
+                                    const std::vector<RunEvent>& kidnaps);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,28 @@
+/// errors.csv: a row for every scan and localizer.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/formats/csv.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Columns: stamp_s; localizer; true_x_m, true_y_m, true_yaw_rad; x_m, y_m, yaw_rad (estimate);
+/// position_error_m; yaw_error_rad; quality; sigma_m (root of the mean variance of x and y:
+/// sqrt((var_x + var_y) / 2)); sigma_yaw_rad; probability; lost (0, 1); populations; particles (of
+/// all populations); selected (id of the population that is the output). Empty where unknown.
+class ErrorsSink final : public RunSink {
+ public:
+  explicit ErrorsSink(const std::filesystem::path& run_folder);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp, const RunTiming&) override { csv_.commit(); }
+
+ private:
+  CsvWriter csv_;
+};
+
+}  // namespace castaway::testbed

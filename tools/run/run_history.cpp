@@ -1,0 +1,31 @@
+#include "tools/run/run_history.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace castaway::testbed {
+
+void RunHistory::add(const RunEvent& event) {
+  first_stamp = std::min(first_stamp, event.stamp);
+  events.push_back(event);
+}
+
+void RunHistory::add(const OdometryFrame& frame) {
+  first_stamp = std::min(first_stamp, frame.odometry.stamp);
+}
+
+void RunHistory::add(const ScanRecord& record) {
+  assert(record.localizers.size() == rows.size());
+  first_stamp = std::min(first_stamp, record.stamp);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& estimate = record.localizers[i].estimate;
+    MetricRow row{record.stamp, record.T_odom_base, record.T_map_base_true, std::nullopt, false};
+    if (estimate) {
+      row.T_map_base_estimate = estimate->T_map_base;
+      row.lost = estimate->lost;
+    }
+    rows[i].push_back(row);
+  }
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,72 @@
+#include "tools/run/summary_sink.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/csv.hpp"
+#include "tools/metrics/metrics_json.hpp"
+#include "tools/run/event_log.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Whole run; nothing if there was no scan.
+std::optional<double> total_distance(const RunHistory& history) {
+  if (history.rows.empty() || history.rows.front().empty()) return std::nullopt;
+  return driven_distance(history.rows.front(), kidnaps_of(history.events)).back();
+}
+
+std::int64_t collisions(const RunHistory& history) {
+  return std::count_if(history.events.begin(), history.events.end(),
+                       [](const RunEvent& event) { return event.kind == "collision"; });
+}
+
+Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics, Stamp end) {
+  const RunInfo& info = history.info;
+  const std::optional<double> distance_m = total_distance(history);
+  Json root{{"castaway", CASTAWAY_VERSION},
+            {"scenario", info.scenario},
+            {"seed", info.seed},
+            {"duration_s", seconds(end - std::min(history.first_stamp, end))},
+            {"distance_m", distance_m ? Json(std::round(*distance_m * 1e9) / 1e9) : Json()},
+            {"world", info.world},
+            {"robot", info.robot},
+            {"known_start", info.known_start},
+            {"collisions", collisions(history)},
+            {"localizers", Json::object()}};
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    root["localizers"][info.localizers[i]] = to_json(metrics[i]);
+  }
+  return root;
+}
+
+void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::path& path) {
+  CsvWriter csv(path, {"stamp_s", "kind", "detail", "localizer", "from_x_m", "from_y_m",
+                       "from_yaw_rad", "to_x_m", "to_y_m", "to_yaw_rad", "time_s", "distance_m"});
+  for (const LoggedEvent& logged : log) {
+    csv.number(seconds(logged.event.stamp)).text(logged.event.kind).text(logged.event.detail);
+    csv.text(logged.localizer);
+    csv.pose(logged.event.T_map_from);
+    csv.pose(logged.event.T_map_to);
+    csv.number(logged.time_s).number(logged.distance_m);
+    csv.end_row();
+  }
+  csv.commit();
+}
+
+}  // namespace
+
+void SummarySink::finish(Stamp end, const RunTiming&) {
+  std::vector<LocalizerMetrics> metrics;
+  for (std::size_t i = 0; i < history_.rows.size(); ++i) {
+    metrics.push_back(history_.metrics(i, end));
+  }
+  write_events(log_events(history_, metrics), run_folder_ / "events.csv");
+  write_file(run_folder_ / "summary.json", summary(history_, metrics, end).dump(2) + "\n");
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,30 @@
+/// timing.csv and timing.json: all that a clock measured. The only files of a run that differ from
+/// one repetition to the next.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/formats/csv.hpp"
+#include "tools/run/run_history.hpp"
+
+namespace castaway::testbed {
+
+/// timing.csv: stamp_s, localizer, stage ("update": the whole CPU time of a scan and the odometry
+/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as in FORMATS.md.
+class TimingSink final : public RunSink {
+ public:
+  TimingSink(std::filesystem::path run_folder, RunInfo info);
+
+  void on_event(const RunEvent& event) override { history_.add(event); }
+  void on_odometry(const OdometryFrame& frame) override { history_.add(frame); }
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  std::filesystem::path run_folder_;
+  RunHistory history_;
+  CsvWriter csv_;
+  std::vector<std::vector<double>> update_ms_;  // By localizer.
+};
+
+}  // namespace castaway::testbed

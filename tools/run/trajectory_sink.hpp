@@ -1,0 +1,28 @@
+/// truth.tum and <localizer>.tum: trajectories at the stamps of the scans.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+
+#include "tools/formats/file.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Writes one trajectory for the truth and one a localizer; scans without a pose leave no line.
+/// A slash in a localizer's name becomes an underscore in its file's.
+class TrajectorySink final : public RunSink {
+ public:
+  TrajectorySink(const std::filesystem::path& run_folder, const RunInfo& info);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp, const RunTiming&) override;
+
+ private:
+  AtomicFile truth_;
+  std::deque<AtomicFile> localizers_;
+};
+
+}  // namespace castaway::testbed
