@@ -1,0 +1,76 @@
+#include "localization/hypotheses/create.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class CreateTest : public testing::Test {
+ protected:
+  ScanPoints scan_from(const SE2& pose) const {
+    TransformBuffer buffer;
+    buffer.add(Stamp(0), {});
+    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
+  }
+  CreateContext context() const {
+    return {config_, merge_, posterior_, noise_, endpoint_, evidence_};
+  }
+  /// Five scans 0.3 m apart along `heading`, the newest at `last`, nothing listed before.
+  ScanHistory drive_to(const SE2& last) const {
+    ScanHistory history;
+    for (int k = 0; k < 5; ++k) {
+      const SE2 pose = last * SE2{-0.3 * (4 - k), 0.0, 0.0};
+      history.push_back({scan_from(pose),
+                         {0.3 * k, 0.0, 0.0},
+                         1.0,
+                         -std::numeric_limits<double>::infinity(),
+                         -6.0 * k});
+    }
+    return history;
+  }
+
+  OccupancyGrid grid_ = test::office();
+  DistanceField distances_{grid_, 5.0};
+  CreateConfig config_;
+  MergeConfig merge_;
+  PosteriorConfig posterior_;
+  OdometryNoiseConfig noise_;
+  EndpointModel endpoint_{{}, distances_};
+  EvidenceModel evidence_{{}, grid_, distances_};
+};
+
+TEST_F(CreateTest, JoinsCandidatesThatClimbToOnePlace) {
+  const SE2 truth{3.0, 3.0, 0.4};
+  const std::vector<Candidate> candidates = {
+      {{3.1, 3.0, 0.42}, 0.9}, {{2.9, 3.05, 0.38}, 0.9}, {{8.0, 6.0, 0.0}, 0.5}};
+  const auto places = refine_candidates(context(), candidates, scan_from(truth));
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_LT(distance(places[0].T_map_base, truth), 0.05);
+  EXPECT_GT(places[0].newest.log_likelihood, places[1].newest.log_likelihood + 5.0);
+}
+
+TEST_F(CreateTest, CountsTheWholeHistoryOfARightPlace) {
+  const SE2 last{4.5, 3.0, 0.0};
+  const ScanHistory history = drive_to(last);
+  WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
+  // All five scans fit: listed since the first one, whose unlisted mass was 0.
+  const double weight = weigh_backwards(context(), history, place);
+  EXPECT_GT(weight, posterior_.place + 5 * -1.5);
+  EXPECT_LE(weight, posterior_.place);
+}
+
+TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
+  // The first three scans come from elsewhere: what was unlisted before the fourth counts.
+  ScanHistory history = drive_to({4.5, 3.0, 0.0});
+  for (std::size_t k = 0; k < 3; ++k) history[k].points = scan_from({8.0, 6.5, 2.0});
+  const SE2 last{4.5, 3.0, 0.0};
+  const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
+  const double weight = weigh_backwards(context(), history, place);
+  EXPECT_GT(weight, posterior_.place - 18.0 + 2 * -1.5);
+  EXPECT_LT(weight, posterior_.place - 6.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,57 @@
+#include "localization/hypotheses/posterior.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace castaway::localization {
+namespace {
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+std::vector<Hypothesis> weighing(std::initializer_list<double> log_weights) {
+  std::vector<Hypothesis> hypotheses;
+  for (const double w : log_weights) {
+    hypotheses.emplace_back();
+    hypotheses.back().log_weight = w;
+  }
+  return hypotheses;
+}
+
+TEST(LogSumExp, IsExactAndSurvivesExtremes) {
+  EXPECT_NEAR(log_sum_exp({std::log(2.0), std::log(3.0)}), std::log(5.0), 1e-12);
+  EXPECT_NEAR(log_sum_exp({-10000.0, -10000.0}), -10000.0 + std::log(2.0), 1e-9);
+  EXPECT_EQ(log_sum_exp({}), kNothing);
+  EXPECT_EQ(log_sum_exp({kNothing, kNothing}), kNothing);
+}
+
+TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
+  const PosteriorConfig config;
+  EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
+  EXPECT_DOUBLE_EQ(independence(config, 0.15, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(independence(config, 0.15, 0.09), 0.8);
+  EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
+}
+
+TEST(Shares, SumToOneWithWhatIsUnlisted) {
+  const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
+  EXPECT_NEAR(all[0], 0.6, 1e-12);
+  EXPECT_NEAR(all[1], 0.3, 1e-12);
+}
+
+TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
+  const PosteriorConfig config;
+  Unlisted unlisted{-4.0, -2.0};
+  advance_unlisted(config, 0.5, 3.0, unlisted);
+  // An unlisted place scores usual - 6 = -8.
+  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 6.0 - 8.0}), 1e-12);
+}
+
+TEST(UnlistedLogLikelihood, HasAFloor) {
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization

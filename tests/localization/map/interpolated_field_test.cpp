@@ -1,0 +1,34 @@
+#include "localization/map/interpolated_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/string_map.hpp"
+
+namespace castaway::localization {
+namespace {
+
+InterpolatedField identity_field(const OccupancyGrid& grid) {
+  return {DistanceField(grid, 3.0), [](double d) { return d; }};
+}
+
+TEST(InterpolatedField, HasTheCellsValueAtItsCentre) {
+  const InterpolatedField field = identity_field(test::string_map({"#....", "....."}, 1.0));
+  EXPECT_FLOAT_EQ(field.at_cells(0.5F, 1.5F), 0.0F);
+  EXPECT_FLOAT_EQ(field.at_cells(2.5F, 1.5F), 2.0F);
+}
+
+TEST(InterpolatedField, IsLinearBetweenCentres) {
+  const InterpolatedField field = identity_field(test::string_map({"#....", "#...."}, 1.0));
+  EXPECT_FLOAT_EQ(field.at_cells(1.0F, 1.0F), 0.5F);
+  EXPECT_FLOAT_EQ(field.at_cells(1.75F, 1.25F), 1.25F);
+}
+
+TEST(InterpolatedField, IsTheFarthestValueOffTheMap) {
+  const InterpolatedField field = identity_field(test::string_map({"#"}, 1.0));
+  EXPECT_FLOAT_EQ(field.at_cells(-50.0F, 0.5F), 3.0F);
+  EXPECT_FLOAT_EQ(field.at_cells(0.5F, 1e9F), 3.0F);
+  EXPECT_FLOAT_EQ(field.at_cells(2.5F, 0.5F), 3.0F);
+}
+
+}  // namespace
+}  // namespace castaway::localization

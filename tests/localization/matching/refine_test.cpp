@@ -1,0 +1,75 @@
+#include "localization/matching/refine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tests/support/grid_world.hpp"
+#include "tests/support/string_map.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class RefineTest : public testing::Test {
+ protected:
+  ScanPoints scan_from(const SE2& pose) const {
+    TransformBuffer buffer;
+    buffer.add(Stamp(0), {});
+    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
+  }
+  OccupancyGrid grid_ = test::office();
+  EndpointModel model_{{0.12, 0.08, 12.0}, DistanceField(grid_, 5.0)};
+};
+
+TEST_F(RefineTest, ClimbsToTheTruePose) {
+  const SE2 truth{3.02, 3.04, 0.4};
+  const SE2 start{3.12, 2.94, 0.43};
+  const SE2 found = refine_pose(model_, scan_from(truth), start, std::nullopt, {});
+  EXPECT_LT(distance(found, truth), 0.05);  // walls lie half a cell before the centres
+  EXPECT_LT(yaw_distance(found, truth), 0.01);
+}
+
+TEST_F(RefineTest, NeverEndsBelowItsStart) {
+  const ScanPoints points = scan_from({3.0, 3.0, 0.4});
+  Rng rng = substream(8, "refine");
+  const FreeSpace space(grid_);
+  for (int i = 0; i < 20; ++i) {
+    const SE2 start = space.sample(rng);
+    const SE2 found = refine_pose(model_, points, start, std::nullopt, {});
+    EXPECT_GE(model_.log_likelihood(points, found), model_.log_likelihood(points, start));
+  }
+}
+
+TEST_F(RefineTest, IsHeldByAStrongPrior) {
+  const SE2 start{3.12, 2.94, 0.43};
+  const PosePrior prior{start, 1e9 * Eigen::Matrix3d::Identity()};
+  EXPECT_EQ(refine_pose(model_, scan_from({3.0, 3.0, 0.4}), start, prior, {}), start);
+}
+
+TEST_F(RefineTest, KeepsTheStartWhereTheScoreIsFlat) {
+  EXPECT_EQ(refine_pose(model_, ScanPoints{}, {1.0, 2.0, 0.3}, std::nullopt, {}),
+            (SE2{1.0, 2.0, 0.3}));
+}
+
+TEST(ScanInformation, KnowsNothingAlongAWall) {
+  // A wall along x: the scan fixes y and yaw, but not x.
+  std::vector<std::string> rows(60, std::string(200, '.'));
+  rows[20] = std::string(200, '#');
+  const OccupancyGrid grid = test::string_map(rows, 0.05);
+  const EndpointModel model({}, DistanceField(grid, 5.0));
+  ScanPoints points;
+  const double wall_y = 0.05 * (59 - 20) + 0.025;
+  for (int i = -20; i <= 20; ++i) {
+    points.x.push_back(0.05F * static_cast<float>(i));
+    points.y.push_back(1.0F);
+    points.origin_x.push_back(0.0F);
+    points.origin_y.push_back(0.0F);
+    points.range.push_back(1.0F);
+  }
+  const Eigen::Matrix3d information = scan_information(model, points, {5.0, wall_y - 1.0, 0.0});
+  EXPECT_LT(information(0, 0), 1.0);
+  EXPECT_GT(information(1, 1), 100.0);
+  EXPECT_GT(information(2, 2), 10.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization

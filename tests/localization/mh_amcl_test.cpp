@@ -1,0 +1,152 @@
+#include "localization/mh_amcl.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_drive.hpp"
+
+namespace castaway::localization {
+namespace {
+
+const SE2 kStart{1.5, 3.0, 0.0};
+const SE2 kForward{0.04, 0.0, 0.02};
+
+PoseWithCovariance known(const SE2& pose) {
+  return {pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
+bool is_right(const Localizer& localizer, const SE2& truth) {
+  const auto estimate = localizer.estimate();
+  return estimate && distance(estimate->T_map_base, truth) < 0.15 &&
+         yaw_distance(estimate->T_map_base, truth) < 0.1;
+}
+
+TEST(MhAmcl, TracksFromAKnownStart) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  double worst = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    drive.step(localizer, kForward);
+    ASSERT_TRUE(localizer.estimate());
+    worst = std::max(worst, distance(localizer.estimate()->T_map_base, drive.truth()));
+  }
+  EXPECT_LT(worst, 0.06);
+  EXPECT_FALSE(localizer.estimate()->lost);
+  EXPECT_GT(localizer.estimate()->quality, 0.8);
+  EXPECT_EQ(localizer.estimate()->stamp, drive.now());
+}
+
+TEST(MhAmcl, FindsItselfFromAnUnknownStart) {
+  MhAmcl localizer({}, test::office(), 1);
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 40; ++i) drive.step(localizer, kForward);
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_FALSE(localizer.estimate()->lost);
+}
+
+TEST(MhAmcl, BecomesConfidentStandingStill) {
+  MhAmcl localizer({}, test::office(), 1);
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 60; ++i) drive.step(localizer, {});
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_FALSE(localizer.estimate()->lost);
+}
+
+TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
+  ASSERT_FALSE(localizer.estimate()->lost);
+  drive.kidnap({7.5, 6.5, 2.0});
+  drive.step(localizer, kForward);
+  EXPECT_TRUE(localizer.estimate()->lost || is_right(localizer, drive.truth()));
+  for (int i = 0; i < 30; ++i) drive.step(localizer, {0.02, 0.0, 0.03});
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_FALSE(localizer.estimate()->lost);
+}
+
+TEST(MhAmcl, NamesTheTwinOfAnAmbiguousPlace) {
+  // A room without furniture looks the same after half a turn.
+  OccupancyGrid room = test::office();
+  test::fill(room, 0.2, 0.2, 9.8, 7.8, CellState::kFree);
+  MhAmcl localizer({}, room, 1);
+  const SE2 truth{3.0, 3.0, 0.3};
+  test::GridDrive drive(room, truth);
+  for (int i = 0; i < 30; ++i) drive.step(localizer, {});
+  const Estimate estimate = *localizer.estimate();
+  EXPECT_TRUE(estimate.lost);
+  EXPECT_LT(estimate.probability, 0.8);
+  ASSERT_FALSE(estimate.alternatives.empty());
+  EXPECT_GT(estimate.alternatives[0].share, 0.2);
+  const SE2 twin = distance(estimate.T_map_base, truth) < 0.2 ? estimate.alternatives[0].T_map_base
+                                                              : estimate.T_map_base;
+  EXPECT_LT(distance(twin, {7.0, 5.0, 0.0}), 0.2);
+}
+
+TEST(MhAmcl, RepeatsItselfBitForBit) {
+  const auto run = [](std::uint64_t seed) {
+    MhAmcl localizer({}, test::office(), seed);
+    test::GridDrive drive(test::office(), kStart);
+    for (int i = 0; i < 15; ++i) drive.step(localizer, kForward);
+    return localizer.estimate()->T_map_base;
+  };
+  EXPECT_EQ(run(3), run(3));
+  EXPECT_NE(run(3), run(4));
+}
+
+TEST(MhAmcl, DropsWhatItCannotUseAndCountsIt) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.on_scan(test::scan_at(test::office(), kStart, Stamp(0)));  // no odometry yet
+  EXPECT_EQ(localizer.diagnostics().dropped_scans, 1);
+  test::GridDrive drive(test::office(), kStart);
+  drive.step(localizer, {});
+  drive.step(localizer, {});
+  localizer.on_scan(test::scan_at(test::office(), kStart, Stamp(std::chrono::milliseconds(50))));
+  EXPECT_EQ(localizer.diagnostics().dropped_scans, 2);
+  EXPECT_TRUE(localizer.estimate());
+}
+
+TEST(MhAmcl, SurvivesScansWithoutReturnsAndMapsWithoutWalls) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.initialize(known(kStart));
+  localizer.on_odometry({Stamp(1), {}});
+  LaserScan blind = test::scan_at(test::office(), kStart, Stamp(1));
+  blind.ranges.assign(blind.ranges.size(), std::numeric_limits<float>::quiet_NaN());
+  localizer.on_scan(blind);
+  ASSERT_TRUE(localizer.estimate());
+  EXPECT_LT(distance(localizer.estimate()->T_map_base, kStart), 0.2);
+
+  OccupancyGrid empty = test::office();
+  empty.cells.assign(empty.cells.size(), CellState::kFree);
+  MhAmcl nowhere({}, empty, 1);
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 5; ++i) drive.step(nowhere, kForward);
+  EXPECT_TRUE(!nowhere.estimate() || nowhere.estimate()->lost);
+}
+
+TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
+  std::chrono::nanoseconds time{};
+  MhAmcl localizer({}, test::office(), 1, [&time] { return time += std::chrono::nanoseconds(5); });
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 3; ++i) drive.step(localizer, kForward);
+  const Diagnostics diagnostics = localizer.diagnostics();
+  ASSERT_EQ(diagnostics.populations.size(), 1U);
+  EXPECT_TRUE(diagnostics.populations[0].selected);
+  EXPECT_GE(diagnostics.populations[0].particles.size(), 50U);
+  EXPECT_EQ(diagnostics.cpu_by_stage.at("correct").count(), 3 * 5);
+}
+
+TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
+  MhAmclConfig config;
+  config.correct_rate_hz = 0.0;
+  EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
+  EXPECT_THROW(MhAmcl({}, OccupancyGrid{}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::localization

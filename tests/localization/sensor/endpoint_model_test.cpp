@@ -1,0 +1,60 @@
+#include "localization/sensor/endpoint_model.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/string_map.hpp"
+
+namespace castaway::localization {
+namespace {
+
+/// One wall cell, its centre at (0.35, 0.05).
+OccupancyGrid one_wall() { return test::string_map({"...#...."}, 0.1); }
+
+ScanPoints points_at(std::initializer_list<float> xs) {
+  ScanPoints points;
+  for (const float x : xs) {
+    points.x.push_back(x);
+    points.y.push_back(0.0F);
+    points.origin_x.push_back(0.0F);
+    points.origin_y.push_back(0.0F);
+    points.range.push_back(x);
+  }
+  return points;
+}
+
+TEST(EndpointLogLikelihood, IsZeroOnAWallAndTheFloorFarAway) {
+  const EndpointConfig config{0.1, 0.05, 10.0};
+  EXPECT_NEAR(endpoint_log_likelihood(config, 0.0), 0.0, 1e-15);
+  EXPECT_NEAR(endpoint_log_likelihood(config, 0.1), std::log((std::exp(-0.5) + 0.05) / 1.05),
+              1e-12);
+  EXPECT_NEAR(endpoint_log_likelihood(config, 5.0), std::log(0.05 / 1.05), 1e-12);
+}
+
+TEST(EndpointModel, AveragesBeamsAndCountsThemAsIndependent) {
+  const EndpointConfig config{0.1, 0.05, 10.0};
+  const EndpointModel model(config, DistanceField(one_wall(), 5.0));
+  const SE2 pose{0.05, 0.05, 0.0};
+  const double near = std::log((std::exp(-0.5) + 0.05) / 1.05);  // 0.1 m short of the wall
+  EXPECT_NEAR(model.log_likelihood(points_at({0.3F}), pose), 0.0, 1e-5);
+  EXPECT_NEAR(model.log_likelihood(points_at({0.3F, 0.2F}), pose), 10.0 * near / 2.0, 1e-5);
+  EXPECT_EQ(model.log_likelihood(ScanPoints{}, pose), 0.0);
+}
+
+TEST(EndpointModel, TurnsPointsByTheYaw) {
+  const EndpointConfig config{0.1, 0.05, 10.0};
+  const EndpointModel model(config, DistanceField(one_wall(), 5.0));
+  const SE2 facing_back{0.65, 0.05, 3.141592653589793};
+  EXPECT_NEAR(model.log_likelihood(points_at({0.3F}), facing_back), 0.0, 1e-4);
+}
+
+TEST(EndpointConfig, RefusesFiguresOutOfRange) {
+  EXPECT_THROW(validate(EndpointConfig{0.0, 0.1, 1.0}), std::invalid_argument);
+  EXPECT_THROW(validate(EndpointConfig{0.1, 0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(validate(EndpointConfig{0.1, 0.1, 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::localization

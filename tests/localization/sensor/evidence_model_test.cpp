@@ -1,0 +1,69 @@
+#include "localization/sensor/evidence_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tests/support/grid_world.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class EvidenceModelTest : public testing::Test {
+ protected:
+  ScanPoints scan_from(const SE2& pose) const {
+    TransformBuffer buffer;
+    buffer.add(Stamp(0), {});
+    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
+  }
+  OccupancyGrid grid_ = test::office();
+  DistanceField distances_{grid_, 5.0};
+  EvidenceModel model_{{}, grid_, distances_};
+};
+
+TEST_F(EvidenceModelTest, IsNearPerfectAtTheTruePose) {
+  const SE2 pose{3.0, 3.0, 0.4};
+  const Evidence evidence = model_.evaluate(scan_from(pose), pose);
+  EXPECT_GT(evidence.log_likelihood, -1.0);
+  EXPECT_GT(evidence.quality, 0.9);
+}
+
+TEST_F(EvidenceModelTest, IsHopelessInAnotherRoom) {
+  const Evidence evidence = model_.evaluate(scan_from({3.0, 3.0, 0.4}), {8.0, 6.0, 1.9});
+  EXPECT_LT(evidence.log_likelihood, -12.0);
+  EXPECT_LT(evidence.quality, 0.5);
+}
+
+TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
+  const SE2 pose{3.0, 3.0, 0.4};
+  ScanPoints people = scan_from(pose);
+  ScanPoints holes = people;
+  for (std::size_t i = 0; i < people.size() / 4; ++i) {
+    for (auto [points, factor] : {std::pair{&people, 0.5F}, std::pair{&holes, 1.6F}}) {
+      points->x[i] *= factor;
+      points->y[i] *= factor;
+      points->range[i] *= factor;
+    }
+  }
+  const double short_beams = model_.evaluate(people, pose).log_likelihood;
+  const double long_beams = model_.evaluate(holes, pose).log_likelihood;
+  EXPECT_GT(short_beams, 12.0 * 0.26 * std::log(0.08 / 1.08) - 1.0);
+  EXPECT_LT(long_beams, short_beams - 2.0);
+}
+
+TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
+  const EvidenceConfig config;
+  ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
+  const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
+  EXPECT_NEAR(on_wall, -12.0 * config.off_free_penalty, 1e-5);
+}
+
+TEST_F(EvidenceModelTest, IsNeutralWithoutBeamsAndNeverBelowTheMinimum) {
+  EXPECT_EQ(model_.evaluate({}, {3.0, 3.0, 0.0}).log_likelihood, 0.0);
+  EXPECT_EQ(model_.evaluate(scan_from({3.0, 3.0, 0.0}), {-40.0, 3.0, 0.0}).log_likelihood, -25.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,48 @@
+#include "localization/sensor/ray_consistency.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/string_map.hpp"
+
+namespace castaway::localization {
+namespace {
+
+ScanPoints forward(float range) { return {{range}, {0.0F}, {0.0F}, {0.0F}, {range}}; }
+
+bool through(const OccupancyGrid& grid, const SE2& pose, float range) {
+  return beams_through_walls(forward(range), DistanceField(grid, 5.0), pose, {}).at(0);
+}
+
+// Walls at x = 2.0..2.1 and x = 5.0..5.1.
+OccupancyGrid corridor() {
+  std::string row(60, '.');
+  row[20] = '#';
+  row[50] = '#';
+  return test::string_map({row, row, row}, 0.1);
+}
+
+TEST(BeamsThroughWalls, FindsTheWallBeforeTheEndPoint) {
+  EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 4.45F));
+  EXPECT_TRUE(through(corridor(), {3.55, 0.15, 3.141592653589793}, 3.0F));
+}
+
+TEST(BeamsThroughWalls, AllowsBeamsThatEndAtTheWallOrBefore) {
+  EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.5F));
+  EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 0.7F));
+  EXPECT_FALSE(through(corridor(), {3.05, 0.15, 0.0}, 2.0F));
+}
+
+TEST(BeamsThroughWalls, AllowsAMarginBehindTheWall) {
+  EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.7F));  // 0.25 m behind its front
+  EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 1.9F));   // 0.45 m
+}
+
+TEST(BeamsThroughWalls, EndsQuietlyOffTheMap) {
+  EXPECT_FALSE(through(corridor(), {5.55, 0.15, 0.0}, 9.0F));
+  EXPECT_FALSE(through(corridor(), {-3.0, -3.0, 0.0}, 1.0F));
+}
+
+}  // namespace
+}  // namespace castaway::localization

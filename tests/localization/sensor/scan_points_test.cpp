@@ -1,0 +1,119 @@
+#include "localization/sensor/scan_points.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace castaway::localization {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Beams to the front and to the left, 2 m and 3 m long.
+LaserScan two_beams() {
+  LaserScan scan;
+  scan.stamp = Stamp(0);
+  scan.angle_increment = kPi / 2;
+  scan.range_min = 0.1;
+  scan.range_max = 10.0;
+  scan.ranges = {2.0F, 3.0F};
+  return scan;
+}
+
+TransformBuffer still() {
+  TransformBuffer buffer;
+  buffer.add(Stamp(0), {5.0, 6.0, 1.0});
+  return buffer;
+}
+
+void expect_point(const ScanPoints& points, std::size_t i, double x, double y) {
+  EXPECT_NEAR(points.x.at(i), x, 1e-6);
+  EXPECT_NEAR(points.y.at(i), y, 1e-6);
+}
+
+TEST(ProjectScan, PutsBeamsIntoBase) {
+  const auto points = project_scan(two_beams(), still(), Stamp(0), {});
+  ASSERT_TRUE(points);
+  ASSERT_EQ(points->size(), 2U);
+  expect_point(*points, 0, 2.0, 0.0);
+  expect_point(*points, 1, 0.0, 3.0);
+  EXPECT_FLOAT_EQ(points->range[1], 3.0F);
+}
+
+TEST(ProjectScan, HonoursAnOffCentreYawedMount) {
+  LaserScan scan = two_beams();
+  scan.T_base_laser.translation() = Eigen::Vector3d(0.2, -0.1, 0.5);
+  scan.T_base_laser.linear() =
+      Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto points = project_scan(scan, still(), Stamp(0), {});
+  expect_point(*points, 0, 0.2, 1.9);
+  expect_point(*points, 1, -2.8, -0.1);
+  EXPECT_FLOAT_EQ(points->origin_x[0], 0.2F);
+  EXPECT_FLOAT_EQ(points->origin_y[0], -0.1F);
+}
+
+TEST(ProjectScan, HonoursAnUpsideDownMount) {
+  LaserScan scan = two_beams();
+  scan.T_base_laser.linear() = Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const auto points = project_scan(scan, still(), Stamp(0), {});
+  expect_point(*points, 0, 2.0, 0.0);
+  expect_point(*points, 1, 0.0, -3.0);
+}
+
+TEST(ProjectScan, ShortensTheBeamsOfATiltedLidarInThePlane) {
+  LaserScan scan = two_beams();
+  scan.T_base_laser.linear() =
+      Eigen::AngleAxisd(kPi / 3, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const auto points = project_scan(scan, still(), Stamp(0), {});
+  expect_point(*points, 0, 1.0, 0.0);
+  EXPECT_FLOAT_EQ(points->range[0], 1.0F);
+}
+
+TEST(ProjectScan, LeavesOutWhatIsNoReturn) {
+  LaserScan scan = two_beams();
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  scan.ranges = {kInf, -kInf, std::nanf(""), 0.05F, 10.5F, 4.0F};
+  scan.angle_increment = 0.1;
+  const auto points = project_scan(scan, still(), Stamp(0), {});
+  ASSERT_EQ(points->size(), 1U);
+  expect_point(*points, 0, 4.0 * std::cos(0.5), 4.0 * std::sin(0.5));
+}
+
+TEST(ProjectScan, SpreadsASelectionEvenly) {
+  LaserScan scan = two_beams();
+  scan.angle_increment = 0.01;
+  scan.ranges.assign(100, 1.0F);
+  const auto points = project_scan(scan, still(), Stamp(0), {.max_beams = 10});
+  ASSERT_EQ(points->size(), 10U);
+  for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(points->y[k], std::sin(0.1 * double(k)), 1e-6);
+}
+
+TEST(ProjectScan, UndoesTheMotionDuringTheSweep) {
+  // Base moves 1 m forward and turns by 90 deg between the two beams; both see the point (2, 3) of
+  // odom.
+  TransformBuffer buffer;
+  buffer.add(Stamp(0), {0.0, 3.0, 0.0});
+  buffer.add(Stamp(100), {1.0, 3.0, kPi / 2});
+  LaserScan scan = two_beams();
+  scan.time_increment = Stamp(100);
+  scan.angle_increment = -kPi / 2;
+  scan.ranges = {2.0F, 1.0F};
+  const auto points = project_scan(scan, buffer, Stamp(100), {});
+  ASSERT_TRUE(points);
+  expect_point(*points, 0, 0.0, -1.0);
+  expect_point(*points, 1, 0.0, -1.0);
+  EXPECT_NEAR(points->origin_y[0], 1.0,
+              1e-6);  // where base was at the first beam, seen from its last pose
+}
+
+TEST(ProjectScan, GivesNothingWithoutOdometry) {
+  LaserScan scan = two_beams();
+  EXPECT_FALSE(project_scan(scan, TransformBuffer(), Stamp(0), {}));
+  scan.stamp = Stamp(-1);
+  EXPECT_FALSE(project_scan(scan, still(), Stamp(0), {}));
+}
+
+}  // namespace
+}  // namespace castaway::localization
