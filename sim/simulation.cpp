@@ -28,16 +28,24 @@ nanoseconds period_of(double hz, const char* what) {
   return nanoseconds(std::llround(1e9 / hz));
 }
 
-TwistLimits limits_of(const DriveConfig& drive) {
-  return {drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
-          drive.max_turn_acceleration};
+/// The limits asked for, or what the wheels can do if that is less.
+TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot) {
+  TwistLimits limits{drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
+                     drive.max_turn_acceleration};
+  for (const DriveWheel& wheel : robot.wheels) {
+    if (wheel.speed_max <= 0.0) continue;
+    const double rim = wheel.speed_max * wheel.radius;
+    limits.max_speed = std::min(limits.max_speed, rim);
+    limits.max_turn_rate = std::min(limits.max_turn_rate, 2.0 * rim / robot.track);
+  }
+  return limits;
 }
 
-RouteConfig route_of(const DriveConfig& drive) {
+RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
   RouteConfig route;
   route.waypoints = drive.waypoints;
   route.loop = drive.loop;
-  route.follower.limits = limits_of(drive);
+  route.follower.limits = limits_of(drive, robot);
   return route;
 }
 
@@ -113,12 +121,12 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       grid(drive_grid(config)),
       start(castaway::sim::start_pose(config, grid, streams.events)),
       kidnaps(checked_kidnaps(config, grid)),
-      robot(config.world, config.robot, start, limits_of(config.drive), step),
+      robot(config.world, config.robot, start, limits_of(config.drive, config.robot), step),
       scene(ray_primitives(config.world)),
       lidar(config.lidar),
       odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
-      route(route_of(config.drive), FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)) {
-}
+      route(route_of(config.drive, config.robot),
+            FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)) {}
 
 template <typename Work>
 void Simulation::State::measured(const char* stage, Work work) {
@@ -188,7 +196,9 @@ Simulation::~Simulation() = default;
 
 std::optional<SimFrame> Simulation::next() {
   while (state_->frames.empty() && state_->now < state_->config.duration) state_->run_step();
-  if (state_->frames.empty()) return std::nullopt;
+  const bool over =
+      state_->frames.empty() || state_->frames.front().stamp >= state_->config.duration;
+  if (over) return std::nullopt;
   SimFrame frame = std::move(state_->frames.front());
   state_->frames.pop_front();
   return frame;

@@ -56,6 +56,7 @@ struct RobotPhysics::Body {
   void add_wheel(const DriveWheel& wheel);
   void place(btRigidBody& body, const Eigen::Isometry3d& T_map_body);
   void place_all(const Eigen::Isometry3d& T_map_base);
+  [[nodiscard]] bool is_left(const Wheel& wheel) const;
   void drive();
   void read_state();
   void count_collisions();
@@ -83,7 +84,7 @@ RobotPhysics::Body::Body(const WorldSpec& spec, RobotModel model, const TwistLim
   world.bullet().addRigidBody(chassis.get(), kRobotGroup, everything_else);
   for (const DriveWheel& wheel : robot.wheels) add_wheel(wheel);
   for (Wheel& wheel : wheels) {
-    world.bullet().addRigidBody(wheel.body.get(), kRobotGroup, everything_else);
+    world.bullet().addRigidBody(wheel.body.get(), kRobotGroup, kGroundGroup);
     world.bullet().addConstraint(wheel.hinge.get(), true);
   }
 }
@@ -137,13 +138,23 @@ void RobotPhysics::Body::place_all(const Eigen::Isometry3d& T_map_base) {
   }
 }
 
+bool RobotPhysics::Body::is_left(const Wheel& wheel) const {
+  return wheel.model->p_base_wheel.y() > robot.p_base_axle.y();
+}
+
+/// Slows both sides alike where a wheel would turn too fast, so that the curve stays the same.
 void RobotPhysics::Body::drive() {
   twist = ramped(twist, command, limits, time_step);
+  const double left = twist.v - 0.5 * robot.track * twist.w;
+  const double right = twist.v + 0.5 * robot.track * twist.w;
+  double share = 1.0;
+  for (const Wheel& wheel : wheels) {
+    const double limit = wheel.model->speed_max * wheel.model->radius;
+    const double fastest = std::max(std::abs(left), std::abs(right));
+    if (limit > 0.0 && fastest > limit) share = std::min(share, limit / fastest);
+  }
   for (Wheel& wheel : wheels) {
-    const double lever = wheel.model->p_base_wheel.y() > robot.p_base_axle.y() ? -0.5 : 0.5;
-    double speed = (twist.v + lever * robot.track * twist.w) / wheel.model->radius;
-    const double limit = wheel.model->speed_max;
-    if (limit > 0.0) speed = std::clamp(speed, -limit, limit);
+    const double speed = share * (is_left(wheel) ? left : right) / wheel.model->radius;
     wheel.hinge->enableAngularMotor(true, -speed, effort_of(*wheel.model, robot) * time_step);
   }
 }
@@ -155,8 +166,7 @@ void RobotPhysics::Body::read_state() {
     const double now = angle_about_y(chassis->getWorldTransform(), wheel.body->getWorldTransform());
     wheel.angle += wrap_angle(now - wheel.angle);
     const double share = 2.0 / static_cast<double>(wheels.size());
-    const bool left = wheel.model->p_base_wheel.y() > robot.p_base_axle.y();
-    (left ? state.wheels.left : state.wheels.right) += share * wheel.angle;
+    (is_left(wheel) ? state.wheels.left : state.wheels.right) += share * wheel.angle;
   }
 }
 

@@ -22,7 +22,8 @@ struct RobotState {
 };
 
 /// Rigid bodies on hinges: the chassis and the driven wheels, which collide as balls of the wheel's
-/// radius; casters are balls without friction. 0.3 mm of odometry error on a 20 m square at 500 Hz.
+/// radius with the floor only (their true shape belongs to the chassis); casters are balls without
+/// friction. 0.3 mm of odometry error on a 20 m square at 500 Hz.
 class RobotPhysics {
  public:
   /// The robot stands at `start`, wheels at 0. `time_step` [s]. @throws std::runtime_error if a

@@ -104,7 +104,6 @@ std::size_t RayScene::split(std::vector<Item>& items, std::size_t first, std::si
     cost[cost.size() - k] += surface(right) * static_cast<double>(k);
   }
   const auto least = static_cast<std::ptrdiff_t>(std::max<std::size_t>(cost.size() / 8, 1));
-  const auto least = static_cast<std::ptrdiff_t>(std::max<std::size_t>(cost.size() / 8, 1));
   return first + static_cast<std::size_t>(
                      std::min_element(cost.begin() + least, cost.end() - least + 1) - cost.begin());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <LinearMath/btTransform.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -11,9 +12,9 @@ inline btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z
 
 inline btTransform to_bullet(const Eigen::Isometry3d& T) {
   const auto R = T.linear();
-  return {
-      btMatrix3x3(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-      to_bullet(Eigen::Vector3d(T.translation()))};
+  const btMatrix3x3 basis(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
+                          R(2, 2));
+  return btTransform(basis, to_bullet(Eigen::Vector3d(T.translation())));
 }
 
 inline Eigen::Isometry3d to_eigen(const btTransform& T) {

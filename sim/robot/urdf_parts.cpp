@@ -1,0 +1,139 @@
+#include "sim/robot/urdf_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sim/world/mesh.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kDefaultEdge = 0.05;  // [m] Of the box in place of a missing mesh.
+
+Eigen::Vector3d to_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+/// The solid box with the link's mass and inertia; a small cube where that makes no sense.
+BoxShape inertia_box(const urdf::Link& link) {
+  BoxShape box{Eigen::Vector3d::Constant(kDefaultEdge)};
+  if (!link.inertial || link.inertial->mass <= 0.0) return box;
+  const Eigen::Vector3d moments(link.inertial->ixx, link.inertial->iyy, link.inertial->izz);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double squared = 6.0 * (moments.sum() - 2.0 * moments[axis]) / link.inertial->mass;
+    if (squared > 0.0) box.size[axis] = std::clamp(std::sqrt(squared), 0.01, 1.0);
+  }
+  return box;
+}
+
+/// A shape and whether it stands in for a mesh.
+struct FoundShape {
+  RobotShape shape;
+  std::string problem;  ///< Empty: as the file says.
+};
+
+FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const MeshFinder& finder) {
+  const auto path = finder.find(mesh.filename);
+  if (!path) {
+    return {inertia_box(link),
+            fmt::format("link {}: no mesh {}: a box stands for it; add its folder to the search "
+                        "paths",
+                        link.name, mesh.filename)};
+  }
+  const MeshShape shape{*path, to_vector(mesh.scale)};
+  try {
+    load_mesh(shape.path, shape.scale);
+    return {shape, ""};
+  } catch (const std::runtime_error& error) {
+    return {inertia_box(link),
+            fmt::format("link {}: {}: a box stands for it", link.name, error.what())};
+  }
+}
+
+FoundShape to_shape(const urdf::Geometry& geometry, const urdf::Link& link,
+                    const MeshFinder& finder) {
+  switch (geometry.type) {
+    case urdf::Geometry::SPHERE:
+      return {SphereShape{static_cast<const urdf::Sphere&>(geometry).radius}, ""};
+    case urdf::Geometry::BOX:
+      return {BoxShape{to_vector(static_cast<const urdf::Box&>(geometry).dim)}, ""};
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+      return {CylinderShape{cylinder.radius, cylinder.length}, ""};
+    }
+    default:
+      return mesh_shape(static_cast<const urdf::Mesh&>(geometry), link, finder);
+  }
+}
+
+/// Collision or Visual.
+template <typename Element>
+std::optional<RobotPart> to_part(const Element& element, const urdf::Link& link,
+                                 const LinkFrames& frames, const MeshFinder& finder,
+                                 std::vector<std::string>& warnings) {
+  if (!element || !element->geometry) return std::nullopt;
+  FoundShape found = to_shape(*element->geometry, link, finder);
+  RobotPart part{link.name, std::move(found.shape),
+                 frames.at(link.name) * to_transform(element->origin), std::nullopt};
+  if (!found.problem.empty()) {
+    const Eigen::Isometry3d T_link_inertia =
+        link.inertial ? to_transform(link.inertial->origin) : Eigen::Isometry3d::Identity();
+    part.T_base_part = frames.at(link.name) * T_link_inertia;
+    warnings.push_back(found.problem);
+  }
+  return part;
+}
+
+}  // namespace
+
+Eigen::Isometry3d to_transform(const urdf::Pose& pose) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  const urdf::Rotation& q = pose.rotation;
+  T.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  T.translation() = to_vector(pose.position);
+  return T;
+}
+
+LinkFrames link_frames(const urdf::ModelInterface& model) {
+  LinkFrames frames{{model.getRoot()->name, Eigen::Isometry3d::Identity()}};
+  std::vector<urdf::LinkConstSharedPtr> open{model.getRoot()};
+  while (!open.empty()) {
+    const urdf::LinkConstSharedPtr link = open.back();
+    open.pop_back();
+    for (const auto& joint : link->child_joints) {
+      frames[joint->child_link_name] =
+          frames.at(link->name) * to_transform(joint->parent_to_joint_origin_transform);
+      open.push_back(model.getLink(joint->child_link_name));
+    }
+  }
+  return frames;
+}
+
+std::vector<RobotPart> collision_parts(const urdf::Link& link, const LinkFrames& frames,
+                                       const MeshFinder& finder,
+                                       std::vector<std::string>& warnings) {
+  std::vector<RobotPart> parts;
+  for (const auto& collision : link.collision_array) {
+    if (auto part = to_part(collision, link, frames, finder, warnings)) parts.push_back(*part);
+  }
+  return parts;
+}
+
+std::vector<RobotPart> visual_parts(const urdf::Link& link, const LinkFrames& frames,
+                                    const MeshFinder& finder, std::vector<std::string>& warnings) {
+  std::vector<RobotPart> parts;
+  for (const auto& visual : link.visual_array) {
+    auto part = to_part(visual, link, frames, finder, warnings);
+    if (!part) continue;
+    const bool coloured = visual->material && visual->material->texture_filename.empty();
+    if (coloured) {
+      const urdf::Color& c = visual->material->color;
+      part->color = Eigen::Vector3f(c.r, c.g, c.b);
+    }
+    parts.push_back(*part);
+  }
+  return parts;
+}
+
+}  // namespace castaway::sim
