@@ -1,0 +1,29 @@
+#include "sim/world/world_visuals.hpp"
+
+#include "sim/render/primitives.hpp"
+#include "sim/world/mesh.hpp"
+
+namespace castaway::sim {
+namespace {
+
+TriangleMesh mesh_of(const BoxShape& box) { return box_mesh(box.size.cast<float>()); }
+TriangleMesh mesh_of(const CylinderShape& c) {
+  return cylinder_mesh(static_cast<float>(c.radius), static_cast<float>(c.height));
+}
+TriangleMesh mesh_of(const MeshShape& shape) { return load_mesh(shape.path, shape.scale); }
+
+}  // namespace
+
+std::vector<SceneItem> world_visuals(const WorldSpec& world) {
+  std::vector<SceneItem> items;
+  for (const WorldObject& object : world.objects) {
+    SceneItem item;
+    item.mesh = std::visit([](const auto& shape) { return mesh_of(shape); }, object.shape);
+    item.T_map_mesh = object.T_map_object.cast<float>();
+    item.color = object.color;
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,16 @@
+/// What a world looks like.
+#pragma once
+
+#include <vector>
+
+#include "sim/render/scene.hpp"
+#include "sim/world/world_spec.hpp"
+
+namespace castaway::sim {
+
+/// One item for each object of a world, in their order, in the objects' colours; the floor is left
+/// out. A mesh's own material colours are multiplied with the object's.
+/// @throws std::runtime_error if a mesh cannot be read.
+std::vector<SceneItem> world_visuals(const WorldSpec& world);
+
+}  // namespace castaway::sim
