@@ -1,0 +1,38 @@
+/// Colours that colour-blind readers tell apart.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+#include <Eigen/Core>
+
+namespace castaway::testbed {
+
+/// Localizers, in their order. M. Okabe, K. Ito, "Color Universal Design", 2008.
+inline constexpr std::array<std::uint32_t, 6> kLocalizerColors{0x0072B2, 0xD55E00, 0x009E73,
+                                                               0xCC79A7, 0xE69F00, 0x56B4E9};
+
+/// Populations, by id. P. Tol, "Colour Schemes", 2021, "bright".
+inline constexpr std::array<std::uint32_t, 6> kPopulationColors{0x4477AA, 0xEE6677, 0x228833,
+                                                                0xCCBB44, 0x66CCEE, 0xAA3377};
+
+/// Colour `index` of a palette, from its beginning again behind its end.
+template <std::size_t N>
+constexpr std::uint32_t palette_color(const std::array<std::uint32_t, N>& palette,
+                                      std::size_t index) {
+  return palette[index % N];
+}
+
+/// "#rrggbb"
+inline std::string css_color(std::uint32_t rgb) { return fmt::format("#{:06x}", rgb); }
+
+/// RGB in [0, 1].
+inline Eigen::Vector3f scene_color(std::uint32_t rgb) {
+  return Eigen::Vector3f(static_cast<float>(rgb >> 16U & 255U),
+                         static_cast<float>(rgb >> 8U & 255U), static_cast<float>(rgb & 255U)) /
+         255.0F;
+}
+
+}  // namespace castaway::testbed

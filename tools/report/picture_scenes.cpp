@@ -1,0 +1,142 @@
+#include "tools/report/picture_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/render/primitives.hpp"
+#include "tools/report/palette.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Eigen::Vector3f;
+
+const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
+const Vector3f kTruthColor{0.0F, 0.0F, 0.0F};
+
+Vector3f lifted(const Eigen::Vector2d& p, double z) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
+}
+
+/// World, robot at its true pose, what moves, and lidar hits.
+sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record) {
+  sim::Scene scene;
+  scene.items = world.world;
+  if (world.moving) {
+    for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
+  }
+  if (!record.T_map_base_true) return scene;
+  const Eigen::Isometry3f T_map_base = localization::to_se3(*record.T_map_base_true).cast<float>();
+  for (sim::SceneItem item : world.robot) {
+    item.T_map_mesh = T_map_base * item.T_map_mesh;
+    scene.items.push_back(std::move(item));
+  }
+  scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
+  return scene;
+}
+
+/// A circle with an arrow in it, on the map.
+void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, double z,
+               sim::Scene& scene) {
+  constexpr int kSides = 32;
+  sim::SceneLines outline{{}, color, 2.5F};
+  for (int side = 0; side < kSides; ++side) {
+    for (const int end : {side, side + 1}) {
+      const double angle = 2.0 * std::numbers::pi * end / kSides;
+      const Eigen::Vector2d p_base = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      outline.points.push_back(lifted(T_map_base * p_base, z));
+    }
+  }
+  scene.lines.push_back(std::move(outline));
+  sim::SceneItem arrow;
+  arrow.mesh = sim::arrow_mesh(static_cast<float>(1.8 * radius), static_cast<float>(radius));
+  arrow.T_map_mesh = localization::to_se3(T_map_base).cast<float>();
+  arrow.T_map_mesh.translation().z() = static_cast<float>(z);
+  arrow.color = color;
+  arrow.shaded = false;
+  scene.items.push_back(std::move(arrow));
+}
+
+void add_particles(const localization::PopulationView& population, sim::Scene& scene) {
+  sim::ScenePoints points;
+  points.color =
+      scene_color(palette_color(kPopulationColors, static_cast<std::size_t>(population.id)));
+  points.size_px = population.selected ? 3.0F : 2.0F;
+  for (const SE2& particle : population.particles) {
+    points.points.push_back(lifted(particle.translation(), 0.1));
+  }
+  scene.points.push_back(std::move(points));
+}
+
+/// Looks straight down on the map, as large as the picture allows.
+sim::Camera camera_above(const RosMap& map, double aspect) {
+  Eigen::AlignedBox2d bounds;
+  for (const int column : {0, map.width}) {
+    for (const int row : {0, map.height}) bounds.extend(map.to_map(Eigen::Vector2d(column, row)));
+  }
+  sim::Camera camera;
+  camera.target = lifted(bounds.center(), 0.0);
+  camera.eye = lifted(bounds.center(), 50.0);
+  camera.up = Vector3f::UnitY();
+  camera.ortho_height =
+      static_cast<float>(1.02 * std::max(bounds.sizes().y(), bounds.sizes().x() / aspect));
+  return camera;
+}
+
+}  // namespace
+
+std::vector<Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base) {
+  const Eigen::Isometry3d T_map_laser = localization::to_se3(T_map_base) * scan.T_base_laser;
+  std::vector<Vector3f> hits;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (!std::isfinite(scan.ranges[i])) continue;
+    const double angle = scan.beam_angle(i);
+    const Eigen::Vector3d p_laser(std::cos(angle), std::sin(angle), 0.0);
+    hits.emplace_back((T_map_laser * (scan.ranges[i] * p_laser)).cast<float>());
+  }
+  return hits;
+}
+
+sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record) {
+  sim::Scene scene = base_scene(world, record);
+  const SE2 T_map_base = record.T_map_base_true.value_or(SE2{});
+  scene.camera.eye = lifted(T_map_base * Eigen::Vector2d(-1.9, 0.0), 1.7);
+  scene.camera.target = lifted(T_map_base * Eigen::Vector2d(0.9, 0.0), 0.1);
+  scene.camera.fov_y_deg = 60.0F;
+  return scene;
+}
+
+sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record) {
+  sim::Scene scene = base_scene(world, record);
+  const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
+  const double size = (world.max_corner - world.min_corner).maxCoeff();
+  scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
+  scene.camera.eye = lifted(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
+  scene.camera.fov_y_deg = 45.0F;
+  return scene;
+}
+
+sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
+                     const ScanRecord& record, double aspect) {
+  sim::Scene scene;
+  scene.background = Vector3f::Constant(0.80F);
+  scene.camera = camera_above(*world.map, aspect);
+  scene.items.push_back(map_item);
+  const double radius = std::max(world.robot_radius, 0.012 * scene.camera.ortho_height);
+  double z = 0.2;  // Later outlines lie over earlier ones.
+  for (const LocalizerRecord& localizer : record.localizers) {
+    for (const auto& population : localizer.diagnostics.populations) {
+      add_particles(population, scene);
+    }
+  }
+  if (record.T_map_base_true) add_robot(*record.T_map_base_true, radius, kTruthColor, z, scene);
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    const auto& estimate = record.localizers[i].estimate;
+    const Vector3f color = scene_color(palette_color(kLocalizerColors, i));
+    if (estimate) add_robot(estimate->T_map_base, radius, color, z += 0.1, scene);
+  }
+  return scene;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,44 @@
+/// What the pictures of a run show, as scenes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "sim/render/scene.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// What is there to be seen beside what a run tells. Anything may be missing.
+struct PictureWorld {
+  std::vector<sim::SceneItem> world;  ///< In map; none: no 3-D pictures (a recorded log).
+  std::vector<sim::SceneItem> robot;  ///< In base: `T_map_mesh` is the pose of the mesh in base.
+  /// What moves, now, in map: people, doors.
+  std::function<std::vector<sim::SceneItem>()> moving;
+  Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the world.
+  Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
+  double robot_radius = 0.2;             ///< [m] Of the outlines on the map.
+  std::optional<RosMap> map;             ///< None: no pictures from above.
+};
+
+/// The robot and its lidar hits from behind. Needs the truth.
+sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record);
+
+/// The whole world, the robot and its lidar hits from the south.
+sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record);
+
+/// The map (`map_item` of `world.map`) from above for a picture of `aspect` = width / height:
+/// particles in one colour a population, an arrow and outline for each localizer in its colour, the
+/// truth in black.
+sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
+                     const ScanRecord& record, double aspect);
+
+/// A map as coloured rectangles: white free, black occupied, grey unknown.
+sim::SceneItem map_item(const RosMap& map);
+
+/// Ends of the beams that hit something, in map. [m]
+std::vector<Eigen::Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base);
+
+}  // namespace castaway::testbed
