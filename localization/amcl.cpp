@@ -26,8 +26,27 @@ LaserScan thinned(const LaserScan& scan, int max_beams) {
 
 }  // namespace
 
+void validate(const AmclConfig& config) {
+  const auto require = [](bool condition, const char* text) {
+    if (!condition) throw std::invalid_argument(text);
+  };
+  for (const double alpha :
+       {config.motion.alpha1, config.motion.alpha2, config.motion.alpha3, config.motion.alpha4,
+        config.recovery.alpha_slow, config.recovery.alpha_fast, config.sensor.z_hit,
+        config.sensor.z_rand, config.update_min_d, config.update_min_a}) {
+    require(alpha >= 0.0, "alphas, z_hit, z_rand, update_min_d, update_min_a must not be negative");
+  }
+  require(config.sensor.sigma_hit > 0.0, "sigma_hit must be positive");
+  require(config.sensor.max_distance > 0.0, "max_distance must be positive");
+  require(config.kld.error > 0.0, "the error of KLD-sampling must be positive");
+  require(config.kld.min_particles >= 1 && config.kld.max_particles >= config.kld.min_particles,
+          "particles: need 1 <= min_particles <= max_particles");
+  require(config.max_beams >= 2, "max_beams must be at least 2");
+  require(config.max_range > 0.0, "max_range must be positive");
+}
+
 Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t seed, StageClock clock)
-    : config_(config),
+    : config_((validate(config), config)),
       field_(config.sensor, (validate(map), map)),
       free_space_(map),
       rng_(substream(seed, "amcl")),
@@ -35,10 +54,6 @@ Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t see
       T_odom_base_(config.buffer),
       averages_(config.recovery) {
   if (free_space_.empty()) throw std::invalid_argument("map has no free cell to start on");
-  if (config_.kld.min_particles < 1 || config_.kld.max_particles < config_.kld.min_particles) {
-    throw std::invalid_argument("particles: need 1 <= min_particles <= max_particles");
-  }
-  if (config_.max_beams < 2) throw std::invalid_argument("max_beams must be at least 2");
   initialize(std::nullopt);
 }
 

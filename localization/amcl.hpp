@@ -30,6 +30,9 @@ struct AmclConfig {
   TransformBufferConfig buffer;
 };
 
+/// Throws std::invalid_argument naming the figure that is out of its range.
+void validate(const AmclConfig& config);
+
 /// The localizer. Deterministic: same calls, same seed, same results.
 class Amcl final : public Localizer {
  public:

@@ -1,0 +1,30 @@
+/// What `run` and `replay` share: sinks, the loop with its progress, and what is printed at the
+/// end.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/run/loop.hpp"
+
+namespace castaway::testbed {
+
+/// A run ready to go.
+struct RunPlan {
+  RunInfo info;
+  std::filesystem::path folder;  ///< Where it leaves everything.
+  std::string scenario_yaml;     ///< Effective scenario.
+  LoopConfig loop;
+  std::vector<NamedLocalizer> localizers;
+  std::vector<std::unique_ptr<RunSink>> sinks;  ///< Besides the tables, which every run has.
+  bool json = false;                            ///< Prints summary.json instead of words.
+};
+
+/// Runs, writes the run folder, prints the result. Returns the exit code; throws std::exception if
+/// the folder cannot be written.
+int execute(RunPlan& plan, SensorSource& source);
+
+}  // namespace castaway::testbed

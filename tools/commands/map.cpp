@@ -1,0 +1,62 @@
+// castaway map: the ROS map of a world.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "sim/robot/load_robot.hpp"
+#include "sim/sensor/lidar_config.hpp"
+#include "sim/world/rasterise.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/run/simulator_source.hpp"
+#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/world_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct MapArguments {
+  std::string world;
+  std::string robot = "waffle";
+  std::optional<double> height;
+  double resolution = 0.05;
+  std::string out;
+};
+
+int make_map(const MapArguments& arguments) {
+  const std::filesystem::path file = find_world(arguments.world, ".");
+  const WorldFile world = load_world(file);
+  const double height =
+      arguments.height ? *arguments.height
+                       : sim::lidar_of(sim::load_robot(find_robot(arguments.robot, ".").string()))
+                             .T_base_laser.translation()
+                             .z();
+  const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
+  const std::filesystem::path out = arguments.out.empty()
+                                        ? std::filesystem::path(world.spec.name + ".yaml")
+                                        : std::filesystem::path(arguments.out);
+  write_ros_map(to_ros_map(grid, world.spec.name), out);
+  fmt::print("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), grid.width, grid.height,
+             grid.resolution, height);
+  return kDone;
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<MapArguments>();
+  CLI::App* command = app.add_subcommand("map", "Survey a world into a ROS map (.yaml and .pgm)");
+  command->add_option("world", a->world, "A world's name or path")->required();
+  command->add_option("--robot", a->robot, "Robot whose lidar's height is taken")
+      ->capture_default_str();
+  command->add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar");
+  command->add_option("--resolution", a->resolution, "Edge of a cell [m]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.005, 1.0));
+  command->add_option("--out", a->out,
+                      "YAML file to write (default: <world>.yaml); the picture goes beside it");
+  command->footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
+  command->callback([&chosen, a] { chosen = [a] { return make_map(*a); }; });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,113 @@
+// castaway replay: a recorded log, through the same loop.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "tools/commands/commands.hpp"
+#include "tools/commands/execute.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/carmen_source.hpp"
+#include "tools/run/map_conversion.hpp"
+#include "tools/scenario/ros_map_file.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct ReplayArguments {
+  std::string log;
+  std::string map;
+  std::string start = "unknown";
+  std::string scans_used = "all";
+  CarmenSourceConfig source;
+  std::vector<std::string> localizers;
+  std::uint64_t seed = 1;
+  std::string out;
+  bool json = false;
+};
+
+/// What reproduces a replay.
+std::string describe(const ReplayArguments& a) {
+  std::string text = "# castaway replay\n";
+  text += fmt::format(
+      "log: {}\nmap: {}\nstart: {}\nfrom_scan: {}\nscans: {}\nscans_used: {}\nseed: {}\n", a.log,
+      a.map, a.start, a.source.from_scan, a.source.scans ? std::to_string(*a.source.scans) : "~",
+      a.scans_used, a.seed);
+  text += "localizers: [";
+  for (const std::string& name : a.localizers) text += (text.back() == '[' ? "" : ", ") + name;
+  return text + "]\n";
+}
+
+localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
+                                             const CarmenSource& source) {
+  const std::optional<SE2> start = source.start_pose();
+  if (!start) {
+    throw std::runtime_error(
+        arguments.log +
+        ": no TRUEPOS at the first scan, so there is no true start; use --start unknown");
+  }
+  return {*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
+int replay_log(ReplayArguments arguments) {
+  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
+  std::vector<LocalizerSpec> specs;
+  for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
+  using Scans = CarmenSourceConfig::Scans;
+  if (arguments.scans_used != "all") {
+    arguments.source.selection = arguments.scans_used == "even" ? Scans::kEven : Scans::kOdd;
+  }
+  const RosMap map = load_ros_map(arguments.map);
+  CarmenSource source(arguments.log, arguments.source);
+  RunPlan plan;
+  plan.info.scenario = "replay-" + map.name;
+  plan.info.world = map.name;
+  plan.info.robot = "recorded";
+  plan.info.seed = arguments.seed;
+  plan.info.known_start = arguments.start == "truth";
+  for (const LocalizerSpec& spec : specs) plan.info.localizers.push_back(spec.name);
+  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / plan.info.scenario /
+                                            fmt::format("seed-{}", arguments.seed)
+                                      : std::filesystem::path(arguments.out);
+  plan.scenario_yaml = describe(arguments);
+  plan.json = arguments.json;
+  if (plan.info.known_start) plan.loop.start = known_start(arguments, source);
+  plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
+  return execute(plan, source);
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", "Localize a recorded CARMEN log");
+  command->add_option("log", a->log, "CARMEN log (.log, .carmen, .gz)")->required();
+  command->add_option("--map", a->map, "ROS map (.yaml)")->required();
+  command->add_option("--start", a->start, "truth or unknown")
+      ->check(CLI::IsMember({"truth", "unknown"}))
+      ->capture_default_str();
+  command->add_option("--from-scan", a->source.from_scan, "Index of the first scan played")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--scans", a->source.scans, "How many scans are played (default: all)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
+      ->check(CLI::IsMember({"all", "even", "odd"}))
+      ->capture_default_str();
+  command
+      ->add_option("--localizer", a->localizers,
+                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+      ->allow_extra_args(false);
+  command->add_option("--seed", a->seed, "Root seed")->capture_default_str();
+  command->add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
+  command->add_flag("--json", a->json, "Print summary.json instead of words");
+  command->footer(
+      "TRUEPOS lines are the truth of the metrics; no localizer sees them.\n"
+      "Example:\n"
+      "  castaway replay intel.log.gz --map intel.yaml --start unknown --localizer mh_amcl "
+      "--localizer amcl");
+  command->callback([&chosen, a] { chosen = [a] { return replay_log(*a); }; });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,105 @@
+// castaway run: a scenario, simulated.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "tools/commands/commands.hpp"
+#include "tools/commands/execute.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/build_simulation.hpp"
+#include "tools/run/cpu_clock.hpp"
+#include "tools/run/map_conversion.hpp"
+#include "tools/run/simulator_source.hpp"
+#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct RunArguments {
+  std::string scenario;
+  std::vector<std::string> overrides;
+  std::string out;
+  bool json = false;
+};
+
+std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
+  std::vector<std::string> names;
+  for (const LocalizerSpec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
+  LoopConfig config;
+  if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
+  if (!scenario.start.known) return config;
+  const double s = scenario.start.sigma_m;
+  const double r = scenario.start.sigma_yaw;
+  config.start = {start, Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
+  return config;
+}
+
+int run_scenario(const RunArguments& arguments) {
+  const std::filesystem::path file = arguments.scenario.empty()
+                                         ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
+                                         : std::filesystem::path(arguments.scenario);
+  const LoadedScenario loaded = load_scenario(file, arguments.overrides);
+  const Scenario& scenario = loaded.scenario;
+  PreparedSimulation prepared = build_simulation(scenario, file.parent_path());
+  for (const std::string& warning : prepared.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  RunPlan plan;
+  plan.info = {scenario.name, prepared.world_name,  prepared.config.robot.name,
+               scenario.seed, scenario.start.known, names_of(scenario.localizers)};
+  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
+                                            fmt::format("seed-{}", scenario.seed)
+                                      : std::filesystem::path(arguments.out);
+  plan.scenario_yaml = loaded.effective;
+  plan.json = arguments.json;
+  plan.localizers =
+      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  const sim::LidarConfig lidar = prepared.config.lidar;
+  const Stamp duration = prepared.config.duration;
+  SimulatorSource source(sim::Simulation(std::move(prepared.config),
+                                         simulation_streams(scenario.seed), thread_cpu_time),
+                         lidar, duration);
+  plan.loop = loop_config(scenario, *source.start_pose());
+  return execute(plan, source);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command =
+      app.add_subcommand("run", "Simulate a scenario; without one, the default kidnap");
+  command->add_option("scenario", arguments->scenario, "Scenario file (YAML)");
+  const auto shortcut = [&](const std::string& flag, const std::string& key,
+                            const std::string& text) {
+    command->add_option_function<std::string>(
+        flag,
+        [arguments, key](const std::string& value) {
+          arguments->overrides.push_back(key + "=" + value);
+        },
+        text);
+  };
+  shortcut("--seed", "seed", "Root seed of all random streams");
+  shortcut("--duration", "duration_s", "Simulated time [s]");
+  shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
+  shortcut("--robot", "robot", "A robot's name or a .urdf");
+  command->add_option("--set", arguments->overrides, "Override a key of the scenario: key=value")
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out, "Run folder (default: runs/<scenario>/seed-<n>)");
+  command->add_flag("--json", arguments->json, "Print summary.json instead of words");
+  command->footer(
+      "Examples:\n"
+      "  castaway run\n"
+      "  castaway run worlds/lab/scenarios/kidnap.yaml --seed 7 --out /tmp/kidnap\n"
+      "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return run_scenario(*arguments); }; });
+}
+
+}  // namespace castaway::testbed

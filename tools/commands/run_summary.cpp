@@ -1,0 +1,72 @@
+#include "tools/commands/run_summary.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A figure, or "-" where there was nothing to measure.
+std::string figure(const Json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
+}
+
+std::string localizer_line(const std::string& name, const Json& metrics, const Json& timing) {
+  const Json& recovery = metrics.at("recovery");
+  const Json& tracking = metrics.at("tracking_error_m");
+  const auto part = [](const Json& object, const char* key) {
+    return object.is_object() ? object.at(key) : Json();
+  };
+  const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
+  return fmt::format(
+      "  {:<16} {:>4} of {:<4} {:>9} {:>9}   {:>9} {:>9}   {:>7}   {:>9} {:>9}\n", name,
+      recovery.at("recovered").get<int>(), recovery.at("events").get<int>(),
+      figure(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
+      figure(part(recovery.at("time_s"), "max"), "{:.2f} s"),
+      figure(part(tracking, "mean"), "{:.3f} m"), figure(part(tracking, "p95"), "{:.3f} m"),
+      figure(metrics.at("wrong_lock_share").is_number()
+                 ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
+                 : Json(),
+             "{:.1f} %"),
+      figure(part(update, "mean"), "{:.2f} ms"), figure(part(update, "max"), "{:.2f} ms"));
+}
+
+std::string cost_line(const Json& timing) {
+  std::string text = fmt::format(
+      "\n{} x real time ({} wall). CPU:", figure(timing.at("realtime_factor"), "{:.0f}"),
+      figure(timing.at("wall_s"), "{:.2f} s"));
+  const char* separator = " ";
+  for (const auto& [stage, time] : timing.at("cpu_s").items()) {
+    text += fmt::format("{}{} {}", separator, stage, figure(time, "{:.2f} s"));
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string describe_run(const std::filesystem::path& run_folder) {
+  const Json summary = Json::parse(read_file(run_folder / "summary.json"));
+  const Json timing = Json::parse(read_file(run_folder / "timing.json"));
+  std::string text =
+      fmt::format("{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
+                  summary.at("scenario").get<std::string>(),
+                  summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
+                  summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
+  text += fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}   {:^19}\n", "", "recovered",
+                      "recovery mean, max", "tracking mean, p95", "wrong", "update mean, max");
+  for (const auto& [name, metrics] : summary.at("localizers").items()) {
+    text += localizer_line(name, metrics, timing.at("localizers"));
+  }
+  text += cost_line(timing);
+  text += fmt::format("\nRun folder: {}\n", run_folder.string());
+  const std::filesystem::path report = run_folder / "report.html";
+  if (std::filesystem::exists(report)) text += fmt::format("Report:     {}\n", report.string());
+  return text;
+}
+
+}  // namespace castaway::testbed

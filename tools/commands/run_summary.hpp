@@ -1,0 +1,13 @@
+/// A finished run in words, from the files that it left.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace castaway::testbed {
+
+/// Text for a terminal: one line a localizer, the cost, where the report is. Reads summary.json and
+/// timing.json.
+std::string describe_run(const std::filesystem::path& run_folder);
+
+}  // namespace castaway::testbed

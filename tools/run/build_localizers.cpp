@@ -1,0 +1,34 @@
+#include "tools/run/build_localizers.hpp"
+
+#include "localization/amcl.hpp"
+#include "localization/mh_amcl.hpp"
+#include "localization/random.hpp"
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+std::unique_ptr<localization::Localizer> build(const LocalizerSpec& spec,
+                                               const localization::OccupancyGrid& map,
+                                               std::uint64_t seed) {
+  if (const auto* mh_amcl = std::get_if<localization::MhAmclConfig>(&spec.config)) {
+    return std::make_unique<localization::MhAmcl>(*mh_amcl, map, seed, thread_cpu_time);
+  }
+  return std::make_unique<localization::Amcl>(std::get<localization::AmclConfig>(spec.config), map,
+                                              seed, thread_cpu_time);
+}
+
+}  // namespace
+
+std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
+                                             const localization::OccupancyGrid& map,
+                                             std::uint64_t seed) {
+  std::vector<NamedLocalizer> localizers;
+  for (const LocalizerSpec& spec : specs) {
+    localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
+    localizers.push_back({spec.name, build(spec, map, stream())});
+  }
+  return localizers;
+}
+
+}  // namespace castaway::testbed

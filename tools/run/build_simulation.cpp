@@ -1,0 +1,169 @@
+#include "tools/run/build_simulation.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "localization/random.hpp"
+#include "localization/stamp.hpp"
+#include "sim/robot/load_robot.hpp"
+#include "sim/world/extrude.hpp"
+#include "sim/world/free_space.hpp"
+#include "sim/world/rasterise.hpp"
+#include "tools/run/simulator_source.hpp"
+#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/nearest.hpp"
+#include "tools/scenario/ros_map_file.hpp"
+#include "tools/scenario/world_file.hpp"
+#include "tools/scenario/yaml_reader.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kMapResolution = 0.05;  // [m]
+constexpr int kRandomWaypoints = 30;
+constexpr double kRouteMargin = 0.1;  // [m] around the footprint
+
+/// A world with its map, routes and start, whatever it was made from.
+struct LoadedWorld {
+  WorldFile file;
+  sim::Grid grid;
+  RosMap map;
+  bool has_start = true;
+};
+
+bool is_ros_map(const std::filesystem::path& path) {
+  return YamlDocument::load(path).root().has("image");
+}
+
+LoadedWorld load_map_world(const std::filesystem::path& path, double wall_height) {
+  LoadedWorld world;
+  world.map = load_ros_map(path);
+  world.grid = to_sim_grid(world.map);
+  world.file.spec = sim::extrude(world.grid, wall_height, world.map.name);
+  world.has_start = false;
+  return world;
+}
+
+LoadedWorld load_any_world(const Scenario& scenario, const std::filesystem::path& base,
+                           double lidar_height) {
+  const std::filesystem::path path = find_world(scenario.world, base);
+  if (is_ros_map(path)) return load_map_world(path, scenario.wall_height);
+  LoadedWorld world;
+  world.file = load_world(path);
+  world.grid = sim::rasterise(world.file.spec, lidar_height, kMapResolution);
+  world.map = to_ros_map(world.grid, world.file.spec.name);
+  return world;
+}
+
+std::vector<Eigen::Vector2d> random_route(const sim::Grid& grid, double radius,
+                                          std::uint64_t seed) {
+  const sim::FreeSpace space(grid, radius);
+  localization::Rng rng = localization::substream(seed, "route");
+  std::vector<Eigen::Vector2d> route;
+  for (int i = 0; i < kRandomWaypoints; ++i) {
+    const auto pose = space.sample(rng);
+    if (!pose) throw std::runtime_error("the world has no place where the robot fits");
+    route.emplace_back(pose->x, pose->y);
+  }
+  return route;
+}
+
+std::vector<Eigen::Vector2d> route_of(const Scenario& scenario, const LoadedWorld& world,
+                                      const sim::RobotModel& robot) {
+  const auto& routes = world.file.routes;
+  const std::string& name = scenario.drive.route;
+  if (name == "none") return {};
+  if (name == "random" || (name.empty() && routes.empty())) {
+    return random_route(world.grid, robot.footprint_radius + kRouteMargin, scenario.seed);
+  }
+  if (name.empty()) return routes.begin()->second;
+  const auto found = routes.find(name);
+  if (found != routes.end()) return found->second;
+  std::vector<std::string> known = {"random", "none"};
+  for (const auto& [other, points] : routes) known.push_back(other);
+  throw std::runtime_error(fmt::format("drive.route: world '{}' has no route '{}'; {}",
+                                       world.file.spec.name, name, suggestion(name, known)));
+}
+
+sim::OdometryConfig build_odometry(const OdometrySpec& spec) {
+  sim::OdometryConfig config =
+      spec.profile == "ideal" ? sim::ideal_odometry() : sim::OdometryConfig{};
+  config.ticks_per_turn = spec.ticks_per_turn.value_or(config.ticks_per_turn);
+  config.radius_sigma = spec.radius_sigma.value_or(config.radius_sigma);
+  config.track_sigma = spec.track_sigma.value_or(config.track_sigma);
+  config.drift_along = spec.drift_along.value_or(config.drift_along);
+  config.drift_yaw_deg = spec.drift_yaw_deg.value_or(config.drift_yaw_deg);
+  sim::validate(config);
+  return config;
+}
+
+sim::KidnapSpec build_kidnap(const KidnapEvent& event) {
+  sim::KidnapSpec spec;
+  spec.at_s = event.at_s;
+  spec.min_distance_m = event.min_distance_m;
+  if (event.pose) {
+    spec.kind = sim::KidnapKind::kTeleportTo;
+    spec.target = sim::Pose2{event.pose->x(), event.pose->y(), event.pose->z()};
+  }
+  return spec;
+}
+
+void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
+  config.start = world.file.start;
+  if (start.place == StartSpec::Place::kPose) {
+    config.start = {start.pose.x(), start.pose.y(), start.pose.z()};
+  }
+  config.random_start = start.place == StartSpec::Place::kRandom ||
+                        (start.place == StartSpec::Place::kWorld && !world.has_start);
+}
+
+}  // namespace
+
+sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
+  sim::LidarConfig lidar = sim::lidar_of(robot);
+  if (spec.beams) {
+    lidar.angle_increment *= static_cast<double>(lidar.beams) / *spec.beams;
+    lidar.beams = *spec.beams;
+  }
+  lidar.range_min = spec.range_min.value_or(lidar.range_min);
+  lidar.range_max = spec.range_max.value_or(lidar.range_max);
+  lidar.rate_hz = spec.rate_hz.value_or(lidar.rate_hz);
+  lidar.noise.sigma = spec.range_sigma.value_or(lidar.noise.sigma);
+  lidar.sweep = spec.sweep;
+  if (spec.mount_xyz) lidar.T_base_laser.translation() = *spec.mount_xyz;
+  if (spec.mount_rpy) {
+    lidar.T_base_laser.linear() =
+        (Eigen::AngleAxisd(spec.mount_rpy->z(), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(spec.mount_rpy->y(), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(spec.mount_rpy->x(), Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+  }
+  sim::validate(lidar);
+  return lidar;
+}
+
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
+  PreparedSimulation prepared;
+  sim::SimulationConfig& config = prepared.config;
+  config.robot = sim::load_robot(find_robot(scenario.robot, base).string());
+  config.lidar = build_lidar(scenario.lidar, config.robot);
+  LoadedWorld world = load_any_world(scenario, base, config.lidar.T_base_laser.translation().z());
+  config.odometry = build_odometry(scenario.odometry);
+  config.drive.waypoints = route_of(scenario, world, config.robot);
+  config.drive.by_estimate = scenario.drive.by != "truth";
+  config.drive.max_speed = scenario.drive.max_speed;
+  config.drive.max_turn_rate = scenario.drive.max_turn_rate;
+  for (const KidnapEvent& event : scenario.kidnaps) config.kidnaps.push_back(build_kidnap(event));
+  config.duration = localization::from_seconds(scenario.duration_s);
+  config.physics_hz = scenario.physics_hz;
+  place_start(scenario.start, world, config);
+  prepared.world_name = world.file.spec.name;
+  prepared.warnings = config.robot.warnings;
+  prepared.map = std::move(world.map);
+  config.map = std::move(world.grid);
+  config.world = std::move(world.file.spec);
+  return prepared;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,31 @@
+/// A simulation from a scenario.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/simulation.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/scenario/scenario.hpp"
+
+namespace castaway::testbed {
+
+/// A simulation ready to start, and what pictures and localizers need to know of it.
+struct PreparedSimulation {
+  sim::SimulationConfig config;
+  RosMap map;  ///< What the localizers are given.
+  std::string world_name;
+  std::vector<std::string> warnings;  ///< Of the robot's description.
+};
+
+/// The robot's lidar with the scenario's changes. Throws std::invalid_argument where a figure is
+/// out of its range.
+sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot);
+
+/// Loads world and robot and puts everything together. `base` is the folder that relative paths of
+/// the scenario start from, besides the current one. A world made of objects is surveyed at the
+/// lidar's height; a ROS map is extruded and handed to the localizers as it is. Throws
+/// std::runtime_error or std::invalid_argument naming what is wrong.
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,113 @@
+#include "tools/run/loop.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+
+Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
+           std::vector<std::unique_ptr<RunSink>>& sinks)
+    : config_(std::move(config)),
+      localizers_(localizers),
+      sinks_(sinks),
+      costs_(localizers.size()) {
+  if (config_.drive_by.empty()) return;
+  const auto found = std::find_if(localizers.begin(), localizers.end(), [&](const auto& named) {
+    return named.name == config_.drive_by;
+  });
+  if (found == localizers.end()) {
+    throw std::invalid_argument("drive.by names no localizer of the run: " + config_.drive_by);
+  }
+  driver_ = static_cast<std::size_t>(found - localizers.begin());
+}
+
+void Loop::run(SensorSource& source) {
+  const std::chrono::nanoseconds begin = wall_time();
+  for (NamedLocalizer& named : localizers_) named.localizer->initialize(config_.start);
+  Stamp end{};
+  while (const std::optional<Frame> frame = source.next()) {
+    end = frame->stamp;
+    take(source, *frame);
+  }
+  RunTiming timing;
+  timing.wall_s = localization::seconds(wall_time() - begin);
+  for (const auto& [stage, time] : source.cpu_by_stage()) {
+    timing.cpu_s[stage] = localization::seconds(time);
+  }
+  timing.cpu_s["localizers"] = localization::seconds(localizers_cpu_);
+  timing.cpu_s["sinks"] = localization::seconds(sinks_cpu_);
+  for (auto& sink : sinks_) sink->finish(std::max(end, source.duration()), timing);
+}
+
+void Loop::take(SensorSource& source, const Frame& frame) {
+  if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
+    tell_sinks([&](RunSink& sink) { sink.on_event(*event); });
+  } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+    take(source, *odometry);
+  } else {
+    take(std::get<ScanFrame>(frame.data));
+    if (config_.on_progress) config_.on_progress(frame.stamp);
+  }
+}
+
+void Loop::take(SensorSource& source, const OdometryFrame& frame) {
+  T_odom_base_.add(frame.odometry.stamp, frame.odometry.T_odom_base);
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    const std::chrono::nanoseconds begin = thread_cpu_time();
+    localizers_[i].localizer->on_odometry(frame.odometry);
+    costs_[i].since_scan += thread_cpu_time() - begin;
+  }
+  drive(source, frame.odometry);
+  tell_sinks([&](RunSink& sink) { sink.on_odometry(frame); });
+}
+
+/// Hands the driving localizer's output to the source, carried on by odometry since its scan.
+void Loop::drive(SensorSource& source, const Odometry& odometry) const {
+  if (!driver_) return;
+  const auto estimate = localizers_[*driver_].localizer->estimate();
+  const auto T_odom_scan = estimate ? T_odom_base_.at(estimate->stamp) : std::nullopt;
+  if (!T_odom_scan) return source.set_drive_pose(std::nullopt);
+  source.set_drive_pose(estimate->T_map_base * T_odom_scan->inverse() * odometry.T_odom_base);
+}
+
+void Loop::take(const ScanFrame& frame) {
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    const std::chrono::nanoseconds begin = thread_cpu_time();
+    localizers_[i].localizer->on_scan(frame.scan);
+    costs_[i].since_scan += thread_cpu_time() - begin;
+  }
+  const ScanRecord record = record_of(frame);
+  tell_sinks([&](RunSink& sink) { sink.on_scan(record); });
+}
+
+ScanRecord Loop::record_of(const ScanFrame& frame) {
+  ScanRecord record;
+  record.stamp = frame.scan.stamp;
+  record.T_map_base_true = frame.T_map_base_true;
+  if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
+  record.scan = frame.scan;
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    LocalizerRecord localizer;
+    localizer.name = localizers_[i].name;
+    localizer.estimate = localizers_[i].localizer->estimate();
+    localizer.diagnostics = localizers_[i].localizer->diagnostics();
+    localizer.update_cpu = costs_[i].since_scan;
+    localizer.stage_cpu = localizer.diagnostics.cpu_by_stage;
+    for (auto& [stage, time] : localizer.stage_cpu) time -= costs_[i].stages[stage];
+    localizers_cpu_ += costs_[i].since_scan;
+    costs_[i] = {{}, localizer.diagnostics.cpu_by_stage};
+    record.localizers.push_back(std::move(localizer));
+  }
+  return record;
+}
+
+template <typename Body>
+void Loop::tell_sinks(Body&& body) {
+  const std::chrono::nanoseconds begin = thread_cpu_time();
+  for (auto& sink : sinks_) body(*sink);
+  sinks_cpu_ += thread_cpu_time() - begin;
+}
+
+}  // namespace castaway::testbed

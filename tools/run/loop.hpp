@@ -1,0 +1,66 @@
+/// The loop: pulls frames from one source, pushes them into every localizer, tells every sink.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tools/run/run_sink.hpp"
+#include "tools/run/sensor_source.hpp"
+
+namespace castaway::testbed {
+
+/// A localizer in a run.
+struct NamedLocalizer {
+  std::string name;  ///< Unique within the run.
+  std::unique_ptr<localization::Localizer> localizer;
+};
+
+/// How a run goes.
+struct LoopConfig {
+  /// Where the localizers start; nothing: anywhere on the map.
+  std::optional<localization::PoseWithCovariance> start;
+  std::string drive_by;  ///< Localizer whose output the source is told; empty: none.
+  /// Called after every scan with the time reached.
+  std::function<void(Stamp)> on_progress;
+};
+
+/// One run. Sees to the order of calls and measures the CPU time around them.
+class Loop {
+ public:
+  /// Localizers and sinks must outlive the loop. Throws std::invalid_argument if `drive_by` names
+  /// no localizer.
+  Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
+       std::vector<std::unique_ptr<RunSink>>& sinks);
+
+  /// Plays the source to its end, then finishes the sinks.
+  void run(SensorSource& source);
+
+ private:
+  void take(SensorSource& source, const Frame& frame);
+  void take(SensorSource& source, const OdometryFrame& frame);
+  void take(const ScanFrame& frame);
+  void drive(SensorSource& source, const Odometry& odometry) const;
+  ScanRecord record_of(const ScanFrame& frame);
+  template <typename Body>
+  void tell_sinks(Body&& body);
+
+  /// CPU time of a localizer and of its stages at its last record.
+  struct Cost {
+    std::chrono::nanoseconds since_scan{};
+    std::map<std::string, std::chrono::nanoseconds> stages;
+  };
+  LoopConfig config_;
+  std::vector<NamedLocalizer>& localizers_;
+  std::vector<std::unique_ptr<RunSink>>& sinks_;
+  std::vector<Cost> costs_;
+  localization::TransformBuffer T_odom_base_;
+  std::optional<std::size_t> driver_;
+  std::chrono::nanoseconds localizers_cpu_{};
+  std::chrono::nanoseconds sinks_cpu_{};
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,104 @@
+#include "tools/run/simulator_source.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "localization/random.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+sim::Cell to_cell(std::int8_t p) {
+  if (p >= 65) return sim::Cell::kOccupied;
+  return p >= 0 && p < 20 ? sim::Cell::kFree : sim::Cell::kUnknown;
+}
+
+std::int8_t to_percent(sim::Cell cell) {
+  if (cell == sim::Cell::kOccupied) return 100;
+  return cell == sim::Cell::kFree ? std::int8_t{0} : std::int8_t{-1};
+}
+
+}  // namespace
+
+SE2 to_se2(const sim::Pose2& pose) { return {pose.x, pose.y, pose.yaw}; }
+
+sim::Pose2 to_pose2(const SE2& pose) { return {pose.x, pose.y, pose.yaw}; }
+
+RosMap to_ros_map(const sim::Grid& grid, const std::string& name) {
+  RosMap map{name,
+             grid.width,
+             grid.height,
+             grid.resolution,
+             grid.origin.x(),
+             grid.origin.y(),
+             grid.origin_yaw,
+             {}};
+  map.cells.resize(grid.cells.size());
+  std::transform(grid.cells.begin(), grid.cells.end(), map.cells.begin(), to_percent);
+  return map;
+}
+
+sim::Grid to_sim_grid(const RosMap& map) {
+  sim::Grid grid{map.width,      map.height, map.resolution, {map.origin_x, map.origin_y},
+                 map.origin_yaw, {}};
+  grid.cells.resize(map.cells.size());
+  std::transform(map.cells.begin(), map.cells.end(), grid.cells.begin(), to_cell);
+  return grid;
+}
+
+sim::SimulationStreams simulation_streams(std::uint64_t seed) {
+  using localization::substream;
+  return {substream(seed, "lidar"), substream(seed, "odometry"), substream(seed, "events")};
+}
+
+SimulatorSource::SimulatorSource(sim::Simulation simulation, const sim::LidarConfig& lidar,
+                                 Stamp duration)
+    : simulation_(std::move(simulation)), lidar_(lidar), duration_(duration) {}
+
+std::optional<Frame> SimulatorSource::next() {
+  if (pending_) return std::exchange(pending_, std::nullopt);
+  const std::optional<sim::SimFrame> frame = simulation_.next();
+  if (!frame) return std::nullopt;
+  if (simulation_.collisions() == collisions_) return convert(*frame);
+  collisions_ = simulation_.collisions();
+  pending_ = convert(*frame);
+  const SE2 T_map_base = to_se2(simulation_.true_pose());
+  return Frame{frame->stamp, RunEvent{frame->stamp, "collision", "", T_map_base, T_map_base}};
+}
+
+Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
+  if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame.data)) {
+    return {frame.stamp, RunEvent{kidnap->stamp, "kidnap", sim::to_string(kidnap->kind),
+                                  to_se2(kidnap->T_map_from), to_se2(kidnap->T_map_to)}};
+  }
+  if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
+    return {frame.stamp, OdometryFrame{{odometry->stamp, to_se2(odometry->T_odom_base)},
+                                       to_se2(odometry->T_map_base_true)}};
+  }
+  return {frame.stamp, convert(std::get<sim::LidarReading>(frame.data))};
+}
+
+ScanFrame SimulatorSource::convert(const sim::LidarReading& reading) const {
+  LaserScan scan;
+  scan.stamp = reading.stamp;
+  scan.time_increment = reading.time_increment;
+  scan.angle_min = lidar_.angle_min;
+  scan.angle_increment = lidar_.angle_increment;
+  scan.range_min = lidar_.range_min;
+  scan.range_max = lidar_.range_max;
+  scan.ranges = reading.ranges;
+  scan.T_base_laser = lidar_.T_base_laser;
+  return {std::move(scan), to_se2(reading.T_map_base_true)};
+}
+
+void SimulatorSource::set_drive_pose(const std::optional<SE2>& T_map_base) {
+  simulation_.set_drive_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
+}
+
+std::optional<SE2> SimulatorSource::start_pose() const { return to_se2(simulation_.start_pose()); }
+
+std::map<std::string, std::chrono::nanoseconds> SimulatorSource::cpu_by_stage() const {
+  return simulation_.cpu_by_stage();
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,46 @@
+/// The simulator as a source of sensor data. The one place where poses, scans and maps of `sim` and
+/// `localization` are turned into each other.
+#pragma once
+
+#include "localization/map/occupancy_grid.hpp"
+#include "sim/simulation.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/run/sensor_source.hpp"
+
+namespace castaway::testbed {
+
+/// Planar pose of the simulator as a transform of the localizers, and back.
+SE2 to_se2(const sim::Pose2& pose);
+sim::Pose2 to_pose2(const SE2& pose);
+
+/// A grid of the simulator as a ROS map, and back.
+RosMap to_ros_map(const sim::Grid& grid, const std::string& name);
+sim::Grid to_sim_grid(const RosMap& map);
+
+/// The streams of a simulation, each by its own name.
+sim::SimulationStreams simulation_streams(std::uint64_t seed);
+
+/// Plays a simulation. Collisions become events.
+class SimulatorSource final : public SensorSource {
+ public:
+  /// `lidar` is the one that the simulation was configured with.
+  SimulatorSource(sim::Simulation simulation, const sim::LidarConfig& lidar, Stamp duration);
+
+  std::optional<Frame> next() override;
+  void set_drive_pose(const std::optional<SE2>& T_map_base) override;
+  [[nodiscard]] std::optional<SE2> start_pose() const override;
+  [[nodiscard]] Stamp duration() const override { return duration_; }
+  [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+
+ private:
+  [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;
+  [[nodiscard]] ScanFrame convert(const sim::LidarReading& reading) const;
+
+  sim::Simulation simulation_;
+  sim::LidarConfig lidar_;
+  Stamp duration_;
+  std::int64_t collisions_ = 0;
+  std::optional<Frame> pending_;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,121 @@
+// Localizers as YAML and as words of a command line.
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/scenario/nearest.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using localization::AmclConfig;
+using localization::MhAmclConfig;
+
+const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
+const std::vector<std::string> kAmclPresets = {"amcl", "amcl-recovery"};
+
+MhAmclConfig read_mh_amcl(YamlReader& body) {
+  MhAmclConfig config;
+  config.predict_rate_hz = body.get("predict_rate_hz", config.predict_rate_hz);
+  config.correct_rate_hz = body.get("correct_rate_hz", config.correct_rate_hz);
+  config.reseed_rate_hz = body.get("reseed_rate_hz", config.reseed_rate_hz);
+  config.beams.max_beams = body.get("max_beams", config.beams.max_beams);
+  config.beams.max_range = body.get("max_range", config.beams.max_range);
+  config.reseed.min_particles = body.get("min_particles", config.reseed.min_particles);
+  config.reseed.max_particles = body.get("max_particles", config.reseed.max_particles);
+  config.motion.trans_per_m = body.get("trans_per_m", config.motion.trans_per_m);
+  config.motion.trans_per_rad = body.get("trans_per_rad", config.motion.trans_per_rad);
+  config.motion.rot_per_m = body.get("rot_per_m", config.motion.rot_per_m);
+  config.motion.rot_per_rad = body.get("rot_per_rad", config.motion.rot_per_rad);
+  config.match.confident = body.get("confident", config.match.confident);
+  config.select_margin = body.get("select_margin", config.select_margin);
+  try {
+    validate(config);
+  } catch (const std::invalid_argument& error) {
+    body.fail(error.what());
+  }
+  return config;
+}
+
+AmclConfig amcl_preset(const std::string& preset) {
+  AmclConfig config;
+  if (preset == "amcl-recovery") config.recovery = {0.001, 0.1};
+  return config;
+}
+
+AmclConfig read_amcl(YamlReader& body, const std::string& preset) {
+  AmclConfig config = amcl_preset(preset);
+  config.motion.alpha1 = body.get("alpha1", config.motion.alpha1);
+  config.motion.alpha2 = body.get("alpha2", config.motion.alpha2);
+  config.motion.alpha3 = body.get("alpha3", config.motion.alpha3);
+  config.motion.alpha4 = body.get("alpha4", config.motion.alpha4);
+  config.sensor.z_hit = body.get("z_hit", config.sensor.z_hit);
+  config.sensor.z_rand = body.get("z_rand", config.sensor.z_rand);
+  config.sensor.sigma_hit = body.get("sigma_hit", config.sensor.sigma_hit);
+  config.sensor.max_distance = body.get("laser_likelihood_max_dist", config.sensor.max_distance);
+  config.kld.min_particles = body.get("min_particles", config.kld.min_particles);
+  config.kld.max_particles = body.get("max_particles", config.kld.max_particles);
+  config.kld.error = body.get("pf_err", config.kld.error);
+  config.kld.z = body.get("pf_z", config.kld.z);
+  config.recovery.alpha_slow = body.get("recovery_alpha_slow", config.recovery.alpha_slow);
+  config.recovery.alpha_fast = body.get("recovery_alpha_fast", config.recovery.alpha_fast);
+  config.update_min_d = body.get("update_min_d", config.update_min_d);
+  config.update_min_a = body.get("update_min_a", config.update_min_a);
+  config.max_beams = body.get("max_beams", config.max_beams);
+  config.max_range = body.get("laser_max_range", config.max_range);
+  try {
+    validate(config);
+  } catch (const std::invalid_argument& error) {
+    body.fail(error.what());
+  }
+  return config;
+}
+
+LocalizerSpec read_localizer(YamlReader item) {
+  auto [kind, body] = item.named();
+  LocalizerSpec spec;
+  if (kind == "mh_amcl") {
+    spec.config = read_mh_amcl(body);
+    spec.name = kind;
+  } else if (kind == "amcl") {
+    spec.name = body.choice("preset", "amcl", kAmclPresets);
+    spec.config = read_amcl(body, spec.name);
+  } else {
+    item.fail("unknown localizer '" + kind + "'; " + suggestion(kind, kKinds));
+  }
+  spec.name = body.get("name", spec.name);
+  return spec;
+}
+
+}  // namespace
+
+std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key) {
+  std::vector<LocalizerSpec> specs;
+  for (YamlReader item : root.list(key)) {
+    specs.push_back(read_localizer(item));
+    const auto same = std::count_if(specs.begin(), specs.end(), [&](const LocalizerSpec& other) {
+      return other.name == specs.back().name;
+    });
+    if (same > 1) item.fail("two localizers are called '" + specs.back().name + "'; give a 'name'");
+  }
+  if (specs.empty()) root.fail("'" + key + "' is empty: name at least one, e.g. [mh_amcl, amcl]");
+  return specs;
+}
+
+LocalizerSpec parse_localizer(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string preset = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (kind == "mh_amcl" && preset.empty()) return {kind, MhAmclConfig{}};
+  const std::string chosen = preset.empty() ? "amcl" : preset;
+  if (kind == "amcl") {
+    if (std::find(kAmclPresets.begin(), kAmclPresets.end(), chosen) != kAmclPresets.end()) {
+      return {chosen, amcl_preset(chosen)};
+    }
+    throw std::invalid_argument("unknown preset '" + preset + "' of amcl; " +
+                                suggestion(preset, kAmclPresets));
+  }
+  throw std::invalid_argument("unknown localizer '" + text + "'; " + suggestion(kind, kKinds));
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,100 @@
+/// A scenario: everything that a run depends on, as plain data with runnable defaults.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "localization/amcl.hpp"
+#include "localization/mh_amcl_config.hpp"
+
+namespace castaway::testbed {
+
+/// Where the robot starts, and what the localizers are told.
+struct StartSpec {
+  enum class Place { kWorld, kPose, kRandom };
+
+  Place place = Place::kWorld;          ///< The world's own start; random where it has none.
+  Eigen::Vector3d pose{0.0, 0.0, 0.0};  ///< x [m], y [m], yaw [rad] of base in map, for kPose.
+  bool known = true;                    ///< False: the localizers start anywhere on the map.
+  double sigma_m = 0.1;                 ///< [m] Uncertainty that a known start is given with...
+  double sigma_yaw = 0.05;              ///< [rad] ...and of its yaw.
+};
+
+/// Where the robot drives.
+struct DriveSpec {
+  std::string
+      route;  ///< A route of the world, "random" or "none"; empty: the first one, else random.
+  std::string by = "truth";    ///< "truth" or the name of a localizer.
+  double max_speed = 0.5;      ///< [m/s]
+  double max_turn_rate = 1.0;  ///< [rad/s]
+};
+
+/// What differs from the lidar of the robot's description.
+struct LidarSpec {
+  std::optional<int> beams;                  ///< Over the same field of view.
+  std::optional<double> range_min;           ///< [m]
+  std::optional<double> range_max;           ///< [m]
+  std::optional<double> rate_hz;             ///< [Hz]
+  std::optional<double> range_sigma;         ///< [m]
+  bool sweep = true;                         ///< Each beam at its own time.
+  std::optional<Eigen::Vector3d> mount_xyz;  ///< [m] In base.
+  std::optional<Eigen::Vector3d> mount_rpy;  ///< [rad] Roll, pitch, yaw in base.
+};
+
+/// Wheel odometry.
+struct OdometrySpec {
+  std::string profile = "default";      ///< "default" or "ideal"; the rest differs from it.
+  std::optional<int> ticks_per_turn;    ///< 0: continuous.
+  std::optional<double> radius_sigma;   ///< Relative.
+  std::optional<double> track_sigma;    ///< Relative.
+  std::optional<double> drift_along;    ///< [m/sqrt(m)]
+  std::optional<double> drift_yaw_deg;  ///< [deg/sqrt(m)]
+};
+
+/// A scheduled kidnap.
+struct KidnapEvent {
+  double at_s = 0.0;                    ///< [s] Since the start.
+  double min_distance_m = 3.0;          ///< [m] To a random pose at least so far away...
+  std::optional<Eigen::Vector3d> pose;  ///< ...or to this one: x [m], y [m], yaw [rad].
+};
+
+/// A localizer of the run.
+struct LocalizerSpec {
+  std::string name;  ///< Unique; names its files.
+  std::variant<localization::MhAmclConfig, localization::AmclConfig> config;
+};
+
+/// What the run leaves behind, besides its tables.
+struct OutputSpec {
+  bool snapshots = true;           ///< Pictures at all.
+  double snapshot_every_s = 0.0;   ///< [s] 0: not by time.
+  bool snapshot_on_events = true;  ///< At kidnaps and recoveries.
+  int snapshot_width = 960;        ///< [px]
+  int snapshot_height = 720;       ///< [px]
+  bool report = true;              ///< report.html
+};
+
+/// A run.
+struct Scenario {
+  std::string name;
+  std::string world = "lab";     ///< A world's name, its path, or a ROS map's YAML file.
+  std::string robot = "waffle";  ///< A robot's name or a URDF file.
+  std::uint64_t seed = 1;
+  double duration_s = 120.0;  ///< [s]
+  double physics_hz = 500.0;  ///< [Hz]
+  double wall_height = 2.0;   ///< [m] Of a world made from a map.
+  StartSpec start;
+  DriveSpec drive;
+  LidarSpec lidar;
+  OdometrySpec odometry;
+  std::vector<KidnapEvent> kidnaps;
+  std::vector<LocalizerSpec> localizers;
+  OutputSpec outputs;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,152 @@
+#include "tools/scenario/scenario_file.hpp"
+
+#include <stdexcept>
+
+namespace castaway::testbed {
+namespace {
+
+double positive(YamlReader& map, const std::string& key, double fallback) {
+  const double value = map.get(key, fallback);
+  if (!(value > 0.0)) map.fail("'" + key + "' must be positive");
+  return value;
+}
+
+double not_negative(YamlReader& map, const std::string& key, double fallback) {
+  const double value = map.get(key, fallback);
+  if (!(value >= 0.0)) map.fail("'" + key + "' must not be negative");
+  return value;
+}
+
+StartSpec read_start(YamlReader& root) {
+  StartSpec start;
+  const std::optional<YamlReader> scalar = root.find("start");
+  if (scalar && scalar->is_scalar()) {
+    if (scalar->as<std::string>() != "unknown") {
+      scalar->fail("'start' is 'unknown' or a map with 'pose', 'random', 'known'");
+    }
+    start.place = StartSpec::Place::kRandom;
+    start.known = false;
+    return start;
+  }
+  YamlReader map = root.child("start");
+  if (const auto pose = map.get_optional<Eigen::Vector3d>("pose")) {
+    start.place = StartSpec::Place::kPose;
+    start.pose = *pose;
+  }
+  if (map.get("random", false)) {
+    if (start.place == StartSpec::Place::kPose) map.fail("give 'pose' or 'random', not both");
+    start.place = StartSpec::Place::kRandom;
+  }
+  start.known = map.get("known", start.known);
+  start.sigma_m = positive(map, "sigma_m", start.sigma_m);
+  start.sigma_yaw = positive(map, "sigma_yaw", start.sigma_yaw);
+  return start;
+}
+
+DriveSpec read_drive(YamlReader& root) {
+  DriveSpec drive;
+  YamlReader map = root.child("drive");
+  drive.route = map.get("route", drive.route);
+  drive.by = map.get("by", drive.by);
+  drive.max_speed = positive(map, "max_speed", drive.max_speed);
+  drive.max_turn_rate = positive(map, "max_turn_rate", drive.max_turn_rate);
+  return drive;
+}
+
+LidarSpec read_lidar(YamlReader& root) {
+  LidarSpec lidar;
+  YamlReader map = root.child("lidar");
+  lidar.beams = map.get_optional<int>("beams");
+  lidar.range_min = map.get_optional<double>("range_min");
+  lidar.range_max = map.get_optional<double>("range_max");
+  lidar.rate_hz = map.get_optional<double>("rate_hz");
+  lidar.range_sigma = map.get_optional<double>("range_sigma");
+  lidar.sweep = map.get("sweep", lidar.sweep);
+  lidar.mount_xyz = map.get_optional<Eigen::Vector3d>("mount_xyz");
+  lidar.mount_rpy = map.get_optional<Eigen::Vector3d>("mount_rpy");
+  return lidar;
+}
+
+OdometrySpec read_odometry(YamlReader& root) {
+  OdometrySpec odometry;
+  YamlReader map = root.child("odometry");
+  odometry.profile = map.choice("profile", odometry.profile, {"default", "ideal"});
+  odometry.ticks_per_turn = map.get_optional<int>("ticks_per_turn");
+  odometry.radius_sigma = map.get_optional<double>("radius_sigma");
+  odometry.track_sigma = map.get_optional<double>("track_sigma");
+  odometry.drift_along = map.get_optional<double>("drift_along");
+  odometry.drift_yaw_deg = map.get_optional<double>("drift_yaw_deg");
+  return odometry;
+}
+
+KidnapEvent read_kidnap(YamlReader body) {
+  KidnapEvent kidnap;
+  (void)body.choice("kind", "teleport", {"teleport"});
+  kidnap.at_s = body.require<double>("at_s");
+  if (!(kidnap.at_s >= 0.0)) body.fail("'at_s' must not be negative");
+  kidnap.pose = body.get_optional<Eigen::Vector3d>("pose");
+  if (!kidnap.pose) {
+    kidnap.min_distance_m = not_negative(body, "min_distance_m", kidnap.min_distance_m);
+  } else if (body.has("min_distance_m")) {
+    body.fail("give 'pose' or 'min_distance_m', not both");
+  }
+  return kidnap;
+}
+
+std::vector<KidnapEvent> read_events(YamlReader& root) {
+  std::vector<KidnapEvent> kidnaps;
+  for (YamlReader event : root.list("events")) {
+    auto [kind, body] = event.named();
+    if (kind != "kidnap") event.fail("unknown event '" + kind + "'; known: kidnap");
+    kidnaps.push_back(read_kidnap(body));
+  }
+  return kidnaps;
+}
+
+OutputSpec read_outputs(YamlReader& root) {
+  OutputSpec outputs;
+  YamlReader map = root.child("outputs");
+  outputs.report = map.get("report", outputs.report);
+  const std::optional<YamlReader> scalar = map.find("snapshots");
+  if (scalar && scalar->is_scalar()) {
+    outputs.snapshots = scalar->as<bool>();
+    return outputs;
+  }
+  YamlReader snapshots = map.child("snapshots");
+  outputs.snapshot_every_s = not_negative(snapshots, "every_s", outputs.snapshot_every_s);
+  outputs.snapshot_on_events = snapshots.get("on_events", outputs.snapshot_on_events);
+  outputs.snapshot_width = snapshots.get("width", outputs.snapshot_width);
+  outputs.snapshot_height = snapshots.get("height", outputs.snapshot_height);
+  for (const int size : {outputs.snapshot_width, outputs.snapshot_height}) {
+    if (size < 16 || size > 4096) snapshots.fail("'width' and 'height' must be in 16..4096");
+  }
+  return outputs;
+}
+
+}  // namespace
+
+LoadedScenario load_scenario(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides) {
+  YamlDocument document = YamlDocument::load(file);
+  for (const std::string& assignment : overrides) document.set(assignment);
+  YamlReader root = document.root();
+  Scenario scenario;
+  scenario.name = root.get("name", file.stem().string());
+  scenario.world = root.get("world", scenario.world);
+  scenario.robot = root.get("robot", scenario.robot);
+  scenario.seed = root.get("seed", scenario.seed);
+  scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
+  scenario.physics_hz = positive(root, "physics_hz", scenario.physics_hz);
+  scenario.wall_height = positive(root, "wall_height", scenario.wall_height);
+  scenario.start = read_start(root);
+  scenario.drive = read_drive(root);
+  scenario.lidar = read_lidar(root);
+  scenario.odometry = read_odometry(root);
+  scenario.kidnaps = read_events(root);
+  scenario.localizers = read_localizers(root, "localizers");
+  scenario.outputs = read_outputs(root);
+  document.reject_unknown_keys();
+  return {std::move(scenario), document.effective()};
+}
+
+}  // namespace castaway::testbed

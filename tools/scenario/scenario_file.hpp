@@ -1,0 +1,33 @@
+/// Scenarios as YAML.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/scenario/scenario.hpp"
+#include "tools/scenario/yaml_reader.hpp"
+
+namespace castaway::testbed {
+
+/// A scenario and the text that reproduces it.
+struct LoadedScenario {
+  Scenario scenario;
+  std::string effective;  ///< YAML with every default filled in.
+};
+
+/// Reads a scenario file, with `key=value` overrides applied first. Throws std::runtime_error or
+/// std::invalid_argument naming file, line, key, value and remedy; a key that is not known is an
+/// error that names the nearest known one.
+LoadedScenario load_scenario(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides);
+
+/// Reads the list of localizers under `key`: names, or maps of one name to its settings. An empty
+/// list is an error.
+std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key);
+
+/// The localizer of a command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
+LocalizerSpec parse_localizer(const std::string& text);
+
+}  // namespace castaway::testbed
