@@ -1,0 +1,39 @@
+/// The style sheet of report.html.
+#pragma once
+
+namespace castaway::testbed {
+
+inline constexpr const char* kReportStyle = R"(
+:root { color-scheme: light dark; --page: #fbfbfa; --ink: #1d2328; --soft: #5c6670; --line: #d9dde0; --card: #ffffff;
+  --mark: #8a3ffc; --c0: #0072B2; --c1: #D55E00; --c2: #009E73; --c3: #CC79A7; --c4: #E69F00; --c5: #56B4E9; }
+@media (prefers-color-scheme: dark) { :root { --page: #14181b; --ink: #e6e9eb; --soft: #9aa5ae; --line: #343c43;
+  --card: #1c2226; --mark: #be95ff; --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 1080px; padding: 1.2rem; background: var(--page); color: var(--ink);
+  font: 16px/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.7rem; margin: 0.3rem 0; } h2 { font-size: 1.2rem; margin: 2rem 0 0.6rem; }
+p { margin: 0.4rem 0; } .soft { color: var(--soft); font-size: 0.9rem; }
+.lead p { font-size: 1.08rem; }
+.wide { overflow-x: auto; } table { border-collapse: collapse; min-width: 60%; }
+th, td { text-align: right; padding: 0.25rem 0.8rem; border-bottom: 1px solid var(--line); white-space: nowrap;
+  font-variant-numeric: tabular-nums; }
+th:first-child, td:first-child { text-align: left; } tr.group th { padding-top: 0.9rem; color: var(--soft); font-weight: 600; }
+svg { display: block; width: 100%; height: auto; background: var(--card); border: 1px solid var(--line); border-radius: 6px; }
+svg.map { max-height: 80vh; } svg text { fill: var(--soft); font: 11px system-ui, sans-serif; }
+.grid { stroke: var(--line); stroke-width: 1; } .mark { stroke: var(--mark); stroke-width: 1.2; stroke-dasharray: 4 3; }
+svg text.marked { fill: var(--mark); } .limit { stroke: var(--soft); stroke-width: 1; stroke-dasharray: 2 3; }
+.curve, .path { fill: none; stroke-linejoin: round; } .curve { stroke-width: 1.7; }
+.path.truth { stroke: #000; opacity: 0.45; }
+.c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); }
+.c3 { stroke: var(--c3); } .c4 { stroke: var(--c4); } .c5 { stroke: var(--c5); }
+.light.c0 { stroke: #0072B2; } .light.c1 { stroke: #D55E00; } .light.c2 { stroke: #009E73; }
+.light.c3 { stroke: #CC79A7; } .light.c4 { stroke: #E69F00; } .light.c5 { stroke: #56B4E9; }
+.legend { display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; margin: 0.4rem 0; font-size: 0.92rem; }
+.legend svg { display: inline-block; width: 26px; height: 10px; border: 0; background: none; vertical-align: middle; margin-right: 0.4rem; }
+.legend .truth { stroke: var(--ink); stroke-width: 4; opacity: 0.6; } .legend line { stroke-width: 3; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 0.8rem; }
+figure { margin: 0; } figure img { width: 100%; height: auto; border-radius: 6px; border: 1px solid var(--line); }
+figcaption { font-size: 0.85rem; color: var(--soft); }
+)";
+
+}  // namespace castaway::testbed

@@ -1,0 +1,128 @@
+#include "tools/report/report_tables.hpp"
+
+#include <array>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "tools/report/html.hpp"
+#include "tools/report/report_words.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kToDegrees = 180.0 / std::numbers::pi;
+
+/// A line of the table of metrics; without a pointer, a heading.
+struct MetricLine {
+  const char* label;
+  const char* pointer = "";
+  const char* unit = "";
+  double factor = 1.0;
+};
+
+constexpr std::array<MetricLine, 24> kMetricLines{{
+    {"Position error"},
+    {"mean", "/position_error_m/mean", "m"},
+    {"median", "/position_error_m/median", "m"},
+    {"95 % below", "/position_error_m/p95", "m"},
+    {"largest", "/position_error_m/max", "m"},
+    {"Yaw error"},
+    {"mean", "/yaw_error_rad/mean", "°", kToDegrees},
+    {"95 % below", "/yaw_error_rad/p95", "°", kToDegrees},
+    {"Position error while tracking"},
+    {"mean", "/tracking_error_m/mean", "m"},
+    {"95 % below", "/tracking_error_m/p95", "m"},
+    {"largest", "/tracking_error_m/max", "m"},
+    {"Recovery"},
+    {"recovered", "/recovery/recovered"},
+    {"of", "/recovery/events"},
+    {"time, median", "/recovery/time_s/median", "s"},
+    {"time, largest", "/recovery/time_s/max", "s"},
+    {"distance, median", "/recovery/distance_m/median", "m"},
+    {"Honesty"},
+    {"right claimed while wrong", "/wrong_lock_share", "%", 100.0},
+    {"kidnap noticed after, mean", "/alarm/detection_delay_s/mean", "s"},
+    {"kidnap noticed after, largest", "/alarm/detection_delay_s/max", "s"},
+    {"kidnaps not noticed", "/alarm/undetected"},
+    {"false alarms per hour", "/alarm/false_per_h"},
+}};
+
+std::string table(const std::string& head, const std::string& body) {
+  return fmt::format(
+      "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>{}</tbody></table></div>\n",
+      head, body);
+}
+
+std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+
+std::string heading(const std::string& text) { return "<th>" + escape_html(text) + "</th>"; }
+
+std::string localizer_headings(const Json& localizers) {
+  std::string head = "<th></th>";
+  for (const auto& [name, figures] : localizers.items()) head += heading(name);
+  return head;
+}
+
+}  // namespace
+
+std::string metric_table(const RunFolder& run) {
+  const Json& localizers = run.summary["localizers"];
+  std::string body;
+  for (const MetricLine& line : kMetricLines) {
+    if (line.pointer[0] == '\0') {
+      body += fmt::format("<tr class=\"group\"><th colspan=\"{}\">{}</th></tr>",
+                          localizers.size() + 1, line.label);
+      continue;
+    }
+    body += "<tr>" + cell(line.label);
+    for (const auto& [name, figures] : localizers.items()) {
+      auto value = figure_at(figures, line.pointer);
+      if (value) *value *= line.factor;
+      body += cell(readable(value, line.unit));
+    }
+    body += "</tr>";
+  }
+  return table(localizer_headings(localizers), body);
+}
+
+std::string event_table(const RunFolder& run) {
+  std::string body;
+  for (const ReportEvent& event : run.events) {
+    if (event.kind.starts_with("alarm")) continue;
+    body += "<tr>" + cell(readable(event.stamp_s, "s")) + cell(escape_html(event.kind)) +
+            cell(escape_html(event.detail)) + cell(escape_html(event.localizer)) +
+            cell(event.time_s ? readable(event.time_s, "s") : "") + "</tr>";
+  }
+  if (body.empty()) return "<p>Nothing happened to the robot.</p>\n";
+  return table("<th>time</th><th>what</th><th></th><th>localizer</th><th>took</th>", body);
+}
+
+std::string timing_tables(const RunFolder& run) {
+  const Json& timing = run.timing;
+  std::string html = fmt::format("<p>{} of wall-clock time, {} times real time.</p>\n",
+                                 readable(figure_at(timing, "/wall_s"), "s"),
+                                 readable(figure_at(timing, "/realtime_factor")));
+  std::string stages;
+  for (const auto& [stage, cpu_s] : timing.value("cpu_s", Json::object()).items()) {
+    stages +=
+        "<tr>" + cell(escape_html(stage)) + cell(readable(cpu_s.get<double>(), "s")) + "</tr>";
+  }
+  html += table("<th>stage</th><th>CPU time</th>", stages);
+  std::string updates;
+  for (const auto& [name, figures] : timing.value("localizers", Json::object()).items()) {
+    updates += "<tr>" + cell(escape_html(name));
+    for (const char* figure : {"mean", "median", "p99", "max"}) {
+      updates += cell(readable(figure_at(figures, std::string("/update_ms/") + figure), "ms"));
+    }
+    updates += "</tr>";
+  }
+  return html + table(
+                    "<th>CPU time of an update</th><th>mean</th><th>median</th><th>99 % below</th>"
+                    "<th>largest</th>",
+                    updates);
+}
+
+}  // namespace castaway::testbed

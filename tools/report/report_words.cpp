@@ -1,0 +1,83 @@
+#include "tools/report/report_words.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/report/html.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string plural(std::int64_t count, const std::string& noun) {
+  if (count == 0) return "no " + noun;
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::int64_t count_events(const RunFolder& run, const std::string& kind) {
+  return std::count_if(run.events.begin(), run.events.end(),
+                       [&](const ReportEvent& event) { return event.kind == kind; });
+}
+
+std::string recovery_words(const RunFolder& run, const Json& figures) {
+  const auto events = static_cast<int>(figure_at(figures, "/recovery/events").value_or(0));
+  if (events == 0) return "was never displaced";
+  const auto recovered = static_cast<int>(figure_at(figures, "/recovery/recovered").value_or(0));
+  const bool known_start = run.summary.value("known_start", true);
+  std::string what = events == 1 ? "kidnap" : "kidnaps";
+  if (!known_start) what = events == 1 ? "unknown start" : "losses (unknown start and kidnaps)";
+  std::string words = fmt::format("recovered from {} of {} {}", recovered, events, what);
+  const auto slowest = figure_at(figures, "/recovery/time_s/max");
+  if (recovered > 1) {
+    words += fmt::format(", slowest {}, median {}", readable(slowest, "s"),
+                         readable(figure_at(figures, "/recovery/time_s/median"), "s"));
+  } else if (recovered == 1) {
+    words += fmt::format(", after {}", readable(slowest, "s"));
+  }
+  return words;
+}
+
+std::string error_words(const Json& figures) {
+  const auto mean = figure_at(figures, "/tracking_error_m/mean");
+  if (!mean) return "";
+  return fmt::format(" While tracking, its position error was {} in the mean, 95 % below {}.",
+                     readable(mean, "m"),
+                     readable(figure_at(figures, "/tracking_error_m/p95"), "m"));
+}
+
+std::string lock_words(const Json& figures) {
+  const auto share = figure_at(figures, "/wrong_lock_share");
+  if (!share) return "";
+  if (*share == 0.0) return " It never claimed to be right while it was wrong.";
+  return fmt::format(" It claimed to be right while it was wrong in {} of the scans.",
+                     readable(100.0 * *share, "%"));
+}
+
+}  // namespace
+
+std::optional<double> figure_at(const Json& json, const std::string& pointer) {
+  const Json::json_pointer path(pointer);
+  if (!json.contains(path) || !json.at(path).is_number()) return std::nullopt;
+  return json.at(path).get<double>();
+}
+
+std::string describe_localizer(const RunFolder& run, const std::string& name) {
+  const Json& figures = run.summary["localizers"][name];
+  return fmt::format("<strong>{}</strong> {}.{}{}", escape_html(name), recovery_words(run, figures),
+                     error_words(figures), lock_words(figures));
+}
+
+std::string describe_run(const RunFolder& run) {
+  const Json& summary = run.summary;
+  return fmt::format(
+      "World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
+      escape_html(summary.value("world", "?")), escape_html(summary.value("robot", "?")),
+      summary.value("seed", std::uint64_t{0}), readable(figure_at(summary, "/distance_m"), "m"),
+      readable(figure_at(summary, "/duration_s"), "s"),
+      plural(count_events(run, "kidnap"), "kidnap"),
+      plural(summary.value("collisions", std::int64_t{0}), "collision"));
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,19 @@
+/// What a run showed, in words.
+#pragma once
+
+#include <string>
+
+#include "tools/report/run_folder.hpp"
+
+namespace castaway::testbed {
+
+/// A sentence or two on one localizer, as HTML. `name` is a key of `summary["localizers"]`.
+std::string describe_localizer(const RunFolder& run, const std::string& name);
+
+/// "Scenario lab-kidnap, world lab, robot waffle, seed 1: 120 s, 41.2 m, 3 kidnaps, no collision."
+std::string describe_run(const RunFolder& run);
+
+/// A number of the summary by its path; nothing where it is null or missing.
+std::optional<double> figure_at(const nlohmann::ordered_json& json, const std::string& pointer);
+
+}  // namespace castaway::testbed
