@@ -120,7 +120,8 @@ std::string caption(const std::string& name) {
 std::string pictures_section(const RunFolder& run) {
   if (run.pictures.empty()) {
     const std::string reason = run.pictures_missing.value_or("none was asked for");
-    return section("Pictures", "<p>There are no pictures: " + escape_html(reason) + "</p>\n");
+    return section("Pictures",
+                   fmt::format("<p>There are no pictures: {}</p>\n", escape_html(reason)));
   }
   std::string html =
       "<p class=\"soft\">On the map: the truth in black, each localizer in its colour, its "
@@ -153,12 +154,12 @@ std::string lead(const RunFolder& run) {
 
 std::string timing_section(const RunFolder& run) {
   if (run.timing.is_null()) return "";
-  return "<!-- timing: begin -->\n" +
-         section("Timing",
-                 "<p class=\"soft\">Measured by a clock: the only part that differs from one "
-                 "repetition to the next.</p>\n" +
-                     timing_tables(run)) +
-         "<!-- timing: end -->\n";
+  const std::string body = fmt::format(
+      "<p class=\"soft\">Measured by a clock: the only part that differs from one repetition to "
+      "the "
+      "next.</p>\n{}",
+      timing_tables(run));
+  return fmt::format("<!-- timing: begin -->\n{}<!-- timing: end -->\n", section("Timing", body));
 }
 
 }  // namespace
