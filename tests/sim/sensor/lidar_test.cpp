@@ -1,0 +1,208 @@
+#include "sim/sensor/lidar.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/support/test_world.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+using testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Walls at x = 2 and y = 1, each 4 m wide and 1 m high.
+RayScene two_walls() {
+  WorldSpec world;
+  world.objects = {box_on_floor("ahead", {0.2, 4.0, 1.0}, {2.1, 0.0}),
+                   box_on_floor("left", {4.0, 0.2, 1.0}, {0.0, 1.1})};
+  return RayScene(ray_primitives(world));
+}
+
+LidarConfig four_beams() {
+  LidarConfig config;
+  config.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);
+  config.beams = 4;
+  config.angle_min = 0.0;
+  config.angle_increment = kPi / 2;
+  config.noise.sigma = 0.0;
+  return config;
+}
+
+std::vector<float> scan(const LidarConfig& config, const Pose2& T_map_base = {}) {
+  const Lidar lidar(config);
+  const RayScene scene = two_walls();
+  Rng rng(1);
+  std::vector<float> ranges;
+  for (int i = 0; i < config.beams; ++i) {
+    ranges.push_back(lidar.cast(scene, to_isometry(T_map_base), i, rng).range);
+  }
+  return ranges;
+}
+
+TEST(Lidar, MeasuresByHand) {
+  EXPECT_EQ(scan(four_beams()), (std::vector<float>{2.0F, 1.0F, kInfinity, kInfinity}));
+}
+
+TEST(Lidar, SeesFromAMountOffTheCentre) {
+  LidarConfig config = four_beams();
+  config.T_base_laser = Eigen::Translation3d(0.5, -0.25, 0.3);
+  EXPECT_EQ(scan(config), (std::vector<float>{1.5F, 1.25F, kInfinity, kInfinity}));
+}
+
+TEST(Lidar, HungUpsideDownTurnsTheOtherWay) {
+  LidarConfig config = four_beams();
+  config.T_base_laser =
+      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX());
+  const auto ranges = scan(config);
+  EXPECT_NEAR(ranges[0], 2.0F, 1e-6F);
+  EXPECT_EQ(ranges[1], kInfinity);
+  EXPECT_NEAR(ranges[3], 1.0F, 1e-6F);
+}
+
+TEST(Lidar, TurnsWithTheRobotAndItsMount) {
+  LidarConfig config = four_beams();
+  config.T_base_laser.linear() =
+      Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto ranges = scan(config, {0.0, 0.0, -kPi});  // Laser's x is map's -y.
+  EXPECT_NEAR(ranges[1], 2.0F, 1e-6F);
+  EXPECT_NEAR(ranges[2], 1.0F, 1e-6F);
+}
+
+TEST(Lidar, TiltedDownSeesTheFloor) {
+  LidarConfig config = four_beams();
+  config.T_base_laser =
+      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitY());
+  Rng rng(1);
+  const Beam beam = Lidar(config).cast(two_walls(), Eigen::Isometry3d::Identity(), 0, rng);
+  EXPECT_NEAR(beam.range, 0.6, 1e-6);
+  EXPECT_EQ(beam.object, kHitFloor);
+}
+
+TEST(Lidar, SaysWhatItHit) {
+  const Lidar lidar(four_beams());
+  const RayScene scene = two_walls();
+  Rng rng(1);
+  EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 0, rng).object, 0);
+  EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 1, rng).object, 1);
+  EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 2, rng).object, kHitNothing);
+}
+
+TEST(Lidar, ReportsTooCloseAndTooFar) {
+  LidarConfig config = four_beams();
+  config.range_min = 1.2;
+  config.range_max = 1.9;
+  EXPECT_EQ(scan(config), (std::vector<float>{kInfinity, -kInfinity, kInfinity, kInfinity}));
+}
+
+TEST(Lidar, NoiseHasItsSigma) {
+  LidarConfig config = four_beams();
+  config.noise.sigma = 0.02;
+  const Lidar lidar(config);
+  const RayScene scene = two_walls();
+  Rng rng(4);
+  constexpr int kBeams = 20000;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int i = 0; i < kBeams; ++i) {
+    const double error = lidar.cast(scene, Eigen::Isometry3d::Identity(), 0, rng).range - 2.0;
+    sum += error;
+    squares += error * error;
+  }
+  EXPECT_NEAR(sum / kBeams, 0.0, 4.0 * 0.02 / std::sqrt(kBeams));
+  EXPECT_NEAR(std::sqrt(squares / kBeams), 0.02, 4.0 * 0.02 / std::sqrt(2.0 * kBeams));
+}
+
+TEST(LidarSweeper, CastsEachBeamAtItsOwnTime) {
+  LidarSweeper sweeper(four_beams());  // 10 Hz: a beam every 25 ms.
+  const RayScene scene = two_walls();
+  Rng rng(1);
+  // At 4 m/s along x, the beam ahead of the next scan comes 0.1 s later.
+  const Motion motion{nanoseconds(0), milliseconds(200), to_isometry({-1.0, 0.0, 0.0}),
+                      to_isometry({-0.2, 0.0, 0.0})};
+  const auto scans = sweeper.advance(scene, motion, rng);
+  ASSERT_EQ(scans.size(), 2U);
+  EXPECT_EQ(scans[0].last_beam, milliseconds(75));
+  EXPECT_EQ(scans[1].reading.stamp, milliseconds(100));
+  EXPECT_EQ(scans[0].reading.time_increment, milliseconds(25));
+  EXPECT_FLOAT_EQ(scans[0].reading.ranges[0], 3.0F);
+  EXPECT_FLOAT_EQ(scans[1].reading.ranges[0], 2.6F);
+  EXPECT_NEAR(scans[1].reading.T_map_base_true.x, -0.6, 1e-12);
+}
+
+TEST(LidarSweeper, ATurningRobotSkewsTheScan) {
+  LidarConfig config = four_beams();
+  const RayScene scene = two_walls();
+  Rng rng(1);
+  // Turning back as fast as the beam turns, every beam looks ahead.
+  const Motion motion{nanoseconds(0), milliseconds(100), to_isometry({}),
+                      to_isometry({0.0, 0.0, -kPi * 0.999999})};
+  config.rate_hz = 20.0;
+  config.angle_increment = kPi / 2;
+  const auto scans = LidarSweeper(config).advance(scene, motion, rng);
+  ASSERT_EQ(scans.size(), 2U);
+  // A beam every 12.5 ms; the robot turns by -22.5 degrees meanwhile: 67.5 degrees remain.
+  EXPECT_NEAR(scans[0].reading.ranges[1], 1.0 / std::sin(67.5 * kPi / 180.0), 1e-4);
+  config.sweep = false;
+  EXPECT_NEAR(LidarSweeper(config).advance(scene, motion, rng)[0].reading.ranges[1], 1.0, 1e-9);
+}
+
+TEST(LidarSweeper, SplittingTheMotionChangesNothing) {
+  const RayScene scene = two_walls();
+  LidarConfig config;
+  LidarSweeper whole(config);
+  LidarSweeper split(config);
+  Rng rng_a(3);
+  Rng rng_b(3);
+  const auto at = [](int ms) { return to_isometry({0.001 * ms, 0.0, 0.0}); };
+  const auto a = whole.advance(scene, {milliseconds(0), milliseconds(300), at(0), at(300)}, rng_a);
+  std::vector<Sweep> b;
+  for (int ms = 0; ms < 300; ms += 2) {
+    const Motion motion{milliseconds(ms), milliseconds(ms + 2), at(ms), at(ms + 2)};
+    for (Sweep& s : split.advance(scene, motion, rng_b)) b.push_back(std::move(s));
+  }
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t beam = 0; beam < a[i].reading.ranges.size(); ++beam) {
+      const float expected = a[i].reading.ranges[beam];
+      if (std::isinf(expected)) continue;
+      ASSERT_NEAR(b[i].reading.ranges[beam], expected, 1e-5F);
+    }
+  }
+}
+
+TEST(LidarConfig, NamesTheFieldThatIsWrong) {
+  LidarConfig config;
+  config.angle_increment = 2.0 * kPi / 359.0;  // The last beam would repeat the first.
+  try {
+    validate(config);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("angle_increment"));
+  }
+}
+
+TEST(LidarConfig, AFullCircleDoesNotRepeatItsFirstBeam) {
+  RobotModel robot;
+  robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};
+  robot.lidar->specs->samples = 360;
+  robot.lidar->specs->angle_max = 6.28319;
+  EXPECT_NEAR(lidar_of(robot).angle_increment, 2.0 * kPi / 360.0, 1e-9);
+  EXPECT_NO_THROW(validate(lidar_of(robot)));
+  robot.lidar->specs->angle_min = -kPi / 2;
+  robot.lidar->specs->angle_max = kPi / 2;
+  robot.lidar->specs->samples = 181;
+  EXPECT_NEAR(lidar_of(robot).angle_increment, kPi / 180.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace castaway::sim

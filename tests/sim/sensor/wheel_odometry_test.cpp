@@ -1,0 +1,123 @@
+#include "sim/sensor/wheel_odometry.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const DriveGeometry kDrive{0.05, 0.05, 0.4, {0.0, 0.0}};
+
+/// Wheel angles of a drive along an arc of radius `radius` [m] by `turn` [rad].
+WheelAngles arc_angles(const DriveGeometry& drive, double radius, double turn) {
+  return {(radius - 0.5 * drive.track) * turn / drive.radius_left,
+          (radius + 0.5 * drive.track) * turn / drive.radius_right};
+}
+
+Pose2 driven(const OdometryConfig& config, const DriveGeometry& drive, const WheelAngles& end,
+             unsigned seed, int steps = 200) {
+  Rng rng(seed);
+  WheelOdometry odometry(config, drive, rng);
+  for (int i = 1; i <= steps; ++i) {
+    odometry.update({end.left * i / steps, end.right * i / steps}, rng);
+  }
+  return odometry.T_odom_base();
+}
+
+TEST(WheelOdometry, FollowsAnArcInClosedForm) {
+  const Pose2 pose = driven(ideal_odometry(), kDrive, arc_angles(kDrive, 2.0, kPi / 2), 1);
+  EXPECT_NEAR(pose.x, 2.0, 1e-12);
+  EXPECT_NEAR(pose.y, 2.0, 1e-12);
+  EXPECT_NEAR(pose.yaw, kPi / 2, 1e-12);
+}
+
+TEST(WheelOdometry, DrivesStraightAndTurnsOnTheSpot) {
+  const Pose2 straight = driven(ideal_odometry(), kDrive, {20.0, 20.0}, 1);
+  EXPECT_NEAR(straight.x, 1.0, 1e-12);
+  EXPECT_NEAR(straight.yaw, 0.0, 1e-12);
+  const Pose2 turn = driven(ideal_odometry(), kDrive, {-4.0, 4.0}, 1);
+  EXPECT_NEAR(turn.x, 0.0, 1e-12);
+  EXPECT_NEAR(turn.yaw, 1.0, 1e-12);
+}
+
+TEST(WheelOdometry, BaseSwingsAboutAnAxleBehindIt) {
+  DriveGeometry drive = kDrive;
+  drive.p_base_axle = {-0.3, 0.0};
+  const Pose2 pose = driven(ideal_odometry(), drive, arc_angles(drive, 0.0, kPi / 2), 1);
+  EXPECT_NEAR(pose.x, -0.3, 1e-12);
+  EXPECT_NEAR(pose.y, 0.3, 1e-12);
+}
+
+TEST(WheelOdometry, CountsWholeTicks) {
+  OdometryConfig config = ideal_odometry();
+  config.ticks_per_turn = 100;
+  const double tick = 2.0 * kPi / 100;
+  EXPECT_DOUBLE_EQ(driven(config, kDrive, {0.9 * tick, 0.9 * tick}, 1, 1).x, 0.0);
+  EXPECT_NEAR(driven(config, kDrive, {7.5 * tick, 7.5 * tick}, 1, 50).x, 7 * tick * 0.05, 1e-12);
+  EXPECT_NEAR(driven(config, kDrive, {-1.5 * tick, -1.5 * tick}, 1, 50).x, -2 * tick * 0.05, 1e-12);
+}
+
+TEST(WheelOdometry, MisjudgesRadiiAndTrackByTheirSigmas) {
+  OdometryConfig config = ideal_odometry();
+  config.radius_sigma = 0.005;
+  config.track_sigma = 0.01;
+  constexpr int kRobots = 4000;
+  double radius = 0.0;
+  double track = 0.0;
+  Rng rng(2);
+  for (int i = 0; i < kRobots; ++i) {
+    const WheelOdometry odometry(config, kDrive, rng);
+    radius += std::pow(odometry.believed().radius_left / 0.05 - 1.0, 2);
+    track += std::pow(odometry.believed().track / 0.4 - 1.0, 2);
+  }
+  const double tolerance = 4.0 / std::sqrt(2.0 * kRobots);
+  EXPECT_NEAR(std::sqrt(radius / kRobots), 0.005, 0.005 * tolerance);
+  EXPECT_NEAR(std::sqrt(track / kRobots), 0.01, 0.01 * tolerance);
+}
+
+TEST(WheelOdometry, DriftGrowsWithTheRootOfTheWay) {
+  OdometryConfig config = ideal_odometry();
+  config.drift_along = 0.02;
+  config.drift_yaw_deg = 0.0;
+  constexpr int kRuns = 3000;
+  for (const double way : {1.0, 9.0}) {
+    double squares = 0.0;
+    for (unsigned run = 0; run < kRuns; ++run) {
+      squares += std::pow(driven(config, kDrive, {way / 0.05, way / 0.05}, run, 20).x - way, 2);
+    }
+    const double expected = 0.02 * std::sqrt(way);
+    EXPECT_NEAR(std::sqrt(squares / kRuns), expected, expected * 4.0 / std::sqrt(2.0 * kRuns));
+  }
+}
+
+TEST(WheelOdometry, HeadingDriftsByItsSigma) {
+  OdometryConfig config = ideal_odometry();
+  config.drift_yaw_deg = 1.0;
+  constexpr int kRuns = 3000;
+  double squares = 0.0;
+  for (unsigned run = 0; run < kRuns; ++run) {
+    squares += std::pow(driven(config, kDrive, {80.0, 80.0}, run, 20).yaw, 2);  // 4 m.
+  }
+  const double expected = 2.0 * kPi / 180.0;
+  EXPECT_NEAR(std::sqrt(squares / kRuns), expected, expected * 4.0 / std::sqrt(2.0 * kRuns));
+}
+
+TEST(WheelOdometry, StandingStillDoesNotDrift) {
+  const Pose2 pose = driven(OdometryConfig{}, kDrive, {0.0, 0.0}, 3);
+  EXPECT_EQ(pose.x, 0.0);
+  EXPECT_EQ(pose.yaw, 0.0);
+}
+
+TEST(OdometryConfig, RefusesWhatCannotBe) {
+  OdometryConfig config;
+  config.track_sigma = -0.1;
+  EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::sim
