@@ -147,9 +147,9 @@ std::string pictures_section(const RunFolder& run) {
 std::string lead(const RunFolder& run) {
   std::string html = "<div class=\"lead\">\n";
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
-    html += "<p>" + describe_localizer(run, name) + "</p>\n";
+    html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));
   }
-  return html + "</div>\n<p class=\"soft\">" + describe_run(run) + "</p>\n";
+  return html + fmt::format("</div>\n<p class=\"soft\">{}</p>\n", describe_run(run));
 }
 
 std::string timing_section(const RunFolder& run) {
