@@ -19,7 +19,8 @@ namespace {
 /// What the command line says.
 struct RunArguments {
   std::string scenario;
-  std::vector<std::string> overrides;
+  std::vector<std::string> shortcuts;  ///< --seed and the like, as key=value.
+  std::vector<std::string> sets;       ///< --set key=value
   std::string out;
   bool json = false;
 };
@@ -44,7 +45,9 @@ int run_scenario(const RunArguments& arguments) {
   const std::filesystem::path file = arguments.scenario.empty()
                                          ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
                                          : std::filesystem::path(arguments.scenario);
-  const LoadedScenario loaded = load_scenario(file, arguments.overrides);
+  std::vector<std::string> overrides = arguments.shortcuts;
+  overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
+  const LoadedScenario loaded = load_scenario(file, overrides);
   const Scenario& scenario = loaded.scenario;
   PreparedSimulation prepared = build_simulation(scenario, file.parent_path());
   for (const std::string& warning : prepared.warnings) {
@@ -81,7 +84,7 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
     command->add_option_function<std::string>(
         flag,
         [arguments, key](const std::string& value) {
-          arguments->overrides.push_back(key + "=" + value);
+          arguments->shortcuts.push_back(key + "=" + value);
         },
         text);
   };
@@ -89,7 +92,7 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   shortcut("--duration", "duration_s", "Simulated time [s]");
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
   shortcut("--robot", "robot", "A robot's name or a .urdf");
-  command->add_option("--set", arguments->overrides, "Override a key of the scenario: key=value")
+  command->add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
       ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "Run folder (default: runs/<scenario>/seed-<n>)");
   command->add_flag("--json", arguments->json, "Print summary.json instead of words");
