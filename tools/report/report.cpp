@@ -51,9 +51,9 @@ PlotCurve curve_of(const ReportCurve& source, std::size_t color, Figure figure) 
   return curve;
 }
 
-/// A plot of one figure of all localizers, the kidnaps marked.
-TimePlot plot_of(const RunFolder& run, Figure figure) {
-  TimePlot plot;
+/// `empty` with the curves of one figure of all localizers, the kidnaps marked.
+TimePlot plot_of(const RunFolder& run, Figure figure, TimePlot empty) {
+  TimePlot plot = std::move(empty);
   double first = 1e300;
   double last = -1e300;
   for (std::size_t i = 0; i < run.curves.size(); ++i) {
@@ -72,22 +72,21 @@ TimePlot plot_of(const RunFolder& run, Figure figure) {
 
 std::string curves_section(const RunFolder& run) {
   if (run.curves.empty()) return section("Error over time", "<p>There was no scan.</p>\n");
-  TimePlot position = plot_of(run, &ReportRow::position_error_m);
-  position.title = "position error over time";
-  position.unit = "m";
-  position.low = 0.01;
-  position.high = 10.0;
-  position.logarithmic = true;
-  position.limit = 0.5;
-  TimePlot yaw = plot_of(run, &ReportRow::yaw_error_rad);
-  yaw.title = "yaw error over time";
-  yaw.unit = "rad";
-  yaw.low = 0.001;
-  yaw.high = 10.0;
-  yaw.logarithmic = true;
-  yaw.limit = 0.35;
-  TimePlot quality = plot_of(run, &ReportRow::quality);
-  quality.title = "quality over time";
+  const TimePlot position = plot_of(run, &ReportRow::position_error_m,
+                                    {.title = "position error over time",
+                                     .unit = "m",
+                                     .low = 0.01,
+                                     .high = 10.0,
+                                     .logarithmic = true,
+                                     .limit = 0.5});
+  const TimePlot yaw = plot_of(run, &ReportRow::yaw_error_rad,
+                               {.title = "yaw error over time",
+                                .unit = "rad",
+                                .low = 0.001,
+                                .high = 10.0,
+                                .logarithmic = true,
+                                .limit = 0.35});
+  const TimePlot quality = plot_of(run, &ReportRow::quality, {.title = "quality over time"});
   return section(
              "Position error over time",
              legend(run, false) + render_plot(position) +

@@ -24,14 +24,14 @@ struct PlotMark {
 /// What a plot shows.
 struct TimePlot {
   std::string title;  ///< For readers who hear it.
-  std::string unit;
+  std::string unit{};
   double begin_s = 0.0;
   double end_s = 1.0;
   double low = 0.0;          ///< Values below are drawn here.
   double high = 1.0;         ///< Values above are drawn here.
   bool logarithmic = false;  ///< `low` and `high` then are powers of ten.
-  std::vector<PlotCurve> curves;
-  std::vector<PlotMark> marks;
+  std::vector<PlotCurve> curves{};
+  std::vector<PlotMark> marks{};
   double limit = 0.0;  ///< Above 0: a thin line, the border of right and wrong.
 };
 
