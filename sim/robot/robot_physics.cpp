@@ -12,7 +12,10 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kWheelFriction = 1.0;
-constexpr double kContactGap = 0.5;  // [s] Contacts closer in time are one collision.
+constexpr double kWheelShare = 0.15;  // Of the chassis' mass, each.
+constexpr double kLagGain = 10.0;     // [1/s] Without it a standing robot creeps by 0.2 mm/s.
+constexpr double kMaxLag = 0.1;       // [rad]
+constexpr double kContactGap = 0.5;   // [s] Contacts closer in time are one collision.
 
 Eigen::Isometry3d at(const Eigen::Vector3d& p) {
   return Eigen::Isometry3d(Eigen::Translation3d(p));
@@ -31,6 +34,7 @@ struct Wheel {
   std::unique_ptr<btRigidBody> body;
   std::unique_ptr<btHingeConstraint> hinge;
   double angle = 0.0;  // [rad] Unwrapped.
+  double lag = 0.0;    // [rad] Of the angle behind the commanded one: the controller's integral.
 };
 
 std::unique_ptr<btRigidBody> make_body(double mass, const btVector3& inertia,
@@ -40,6 +44,18 @@ std::unique_ptr<btRigidBody> make_body(double mass, const btVector3& inertia,
   auto body = std::make_unique<btRigidBody>(info);
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
+}
+
+/// The solver does not converge where light wheels carry a heavy chassis, and the robot drifts by
+/// decimetres: wheels take over some of the chassis' mass. The whole weighs what it should.
+double wheel_mass(const DriveWheel& wheel, const RobotModel& robot) {
+  return std::max(wheel.mass, kWheelShare * robot.chassis_mass);
+}
+
+double chassis_mass(const RobotModel& robot) {
+  double mass = robot.chassis_mass;
+  for (const DriveWheel& wheel : robot.wheels) mass -= wheel_mass(wheel, robot) - wheel.mass;
+  return mass;
 }
 
 /// Motor torque where the file gives none: an acceleration of half a g, shared by the wheels.
@@ -79,7 +95,7 @@ RobotPhysics::Body::Body(const WorldSpec& spec, RobotModel model, const TwistLim
                          double dt)
     : robot(std::move(model)), limits(twist_limits), time_step(dt), world(spec, dt), shape(robot) {
   const Eigen::Vector3d inertia = robot.inertia.diagonal();
-  chassis = make_body(robot.chassis_mass, to_bullet(inertia), shape.compound(), 0.0);
+  chassis = make_body(chassis_mass(robot), to_bullet(inertia), shape.compound(), 0.0);
   const int everything_else = kGroundGroup | kObstacleGroup;
   world.bullet().addRigidBody(chassis.get(), kRobotGroup, everything_else);
   for (const DriveWheel& wheel : robot.wheels) add_wheel(wheel);
@@ -101,9 +117,10 @@ void RobotPhysics::Body::add_wheel(const DriveWheel& model) {
   Wheel wheel;
   wheel.model = &model;
   wheel.shape = std::make_unique<btSphereShape>(model.radius);
+  const double mass = wheel_mass(model, robot);
+  const double moment = 0.4 * mass * model.radius * model.radius;
   wheel.body =
-      make_body(model.mass, btVector3(model.inertia_tilt, model.inertia_spin, model.inertia_tilt),
-                wheel.shape.get(), kWheelFriction);
+      make_body(mass, btVector3(moment, moment, moment), wheel.shape.get(), kWheelFriction);
   // The hinge turns about z of its frames; a rotation of -90 degrees about x puts that on y.
   const btQuaternion z_to_y(btVector3(1.0, 0.0, 0.0), -SIMD_HALF_PI);
   const Eigen::Vector3d p_com_wheel = model.p_base_wheel - robot.p_base_com;
@@ -132,6 +149,7 @@ void RobotPhysics::Body::place_all(const Eigen::Isometry3d& T_map_base) {
   twist = {};
   place(*chassis, T_map_base * at(robot.p_base_com));
   for (Wheel& wheel : wheels) {
+    wheel.lag = 0.0;
     const Eigen::Isometry3d T_base_wheel =
         at(wheel.model->p_base_wheel) * Eigen::AngleAxisd(wheel.angle, Eigen::Vector3d::UnitY());
     place(*wheel.body, T_map_base * T_base_wheel);
@@ -155,7 +173,9 @@ void RobotPhysics::Body::drive() {
   }
   for (Wheel& wheel : wheels) {
     const double speed = share * (is_left(wheel) ? left : right) / wheel.model->radius;
-    wheel.hinge->enableAngularMotor(true, -speed, effort_of(*wheel.model, robot) * time_step);
+    wheel.lag = std::clamp(wheel.lag + speed * time_step, -kMaxLag, kMaxLag);
+    wheel.hinge->enableAngularMotor(true, -(speed + kLagGain * wheel.lag),
+                                    effort_of(*wheel.model, robot) * time_step);
   }
 }
 
@@ -164,7 +184,9 @@ void RobotPhysics::Body::read_state() {
   state.wheels = {};
   for (Wheel& wheel : wheels) {
     const double now = angle_about_y(chassis->getWorldTransform(), wheel.body->getWorldTransform());
-    wheel.angle += wrap_angle(now - wheel.angle);
+    const double turned = wrap_angle(now - wheel.angle);
+    wheel.angle += turned;
+    wheel.lag -= turned;
     const double share = 2.0 / static_cast<double>(wheels.size());
     (is_left(wheel) ? state.wheels.left : state.wheels.right) += share * wheel.angle;
   }

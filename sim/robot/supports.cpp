@@ -13,6 +13,7 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kFloorReach = 0.01;        // [m] Parts that come nearer to the floor carry.
+constexpr double kLift = 0.0005;            // [m]
 constexpr double kSameCaster = 0.02;        // [m]
 constexpr double kMinCasterRadius = 0.005;  // [m]
 constexpr double kInnerShare = 0.15;        // Of the way from the axle to the casters.
@@ -54,6 +55,17 @@ void add_default_caster(RobotModel& robot) {
       fmt::format("no caster reaches the floor: one was put at x = {:.3f} m", x));
 }
 
+/// Casters in front and behind would take the weight off the wheels.
+void lift_if_on_both_sides(RobotModel& robot) {
+  bool front = false;
+  bool back = false;
+  for (const Caster& caster : robot.casters) {
+    (caster.p_base_caster.x() > robot.p_base_axle.x() ? front : back) = true;
+  }
+  if (!front || !back) return;
+  for (Caster& caster : robot.casters) caster.p_base_caster.z() += kLift;
+}
+
 /// From where to where along x the centre of mass may lie.
 std::pair<double, double> carried(const RobotModel& robot) {
   double low = robot.wheels.front().p_base_wheel.x();
@@ -83,6 +95,7 @@ void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
     return caster.has_value();
   });
   if (robot.casters.empty() && robot.wheels.size() == 2) add_default_caster(robot);
+  lift_if_on_both_sides(robot);
 }
 
 void balance(RobotModel& robot) {

@@ -1,9 +1,13 @@
 #include "sim/simulation.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstring>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/sensor/lidar.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {
@@ -70,6 +74,191 @@ TEST(Simulation, OdometryWithoutErrorsFollowsTheTruth) {
   EXPECT_NEAR(last.T_odom_base.x, truth.x, 0.01);
   EXPECT_NEAR(last.T_odom_base.y, truth.y, 0.01);
   EXPECT_NEAR(wrap_angle(last.T_odom_base.yaw - truth.yaw), 0.0, 0.01);
+}
+
+/// FNV-1a over all numbers of a run.
+class Hash {
+ public:
+  template <typename T>
+  void add(const T& value) {
+    std::array<unsigned char, sizeof(T)> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211ULL;
+  }
+  void add(const Pose2& pose) {
+    add(pose.x);
+    add(pose.y);
+    add(pose.yaw);
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+void add_data(const KidnapRecord& r, Hash& hash) { hash.add(r.T_map_to); }
+void add_data(const OdometryReading& r, Hash& hash) {
+  hash.add(r.T_odom_base);
+  hash.add(r.T_map_base_true);
+}
+void add_data(const LidarReading& r, Hash& hash) {
+  for (const float range : r.ranges) hash.add(range);
+  for (const int object : r.hit_object) hash.add(object);
+}
+
+std::uint64_t hash_of(const std::vector<SimFrame>& frames) {
+  Hash hash;
+  for (const SimFrame& frame : frames) {
+    hash.add(frame.stamp.count());
+    std::visit([&hash](const auto& data) { add_data(data, hash); }, frame.data);
+  }
+  return hash.value();
+}
+
+SimulationConfig noisy_kidnap() {
+  SimulationConfig config = test_simulation();
+  config.odometry = OdometryConfig{};
+  config.lidar.noise.sigma = 0.01;
+  config.kidnaps = {{KidnapKind::kTeleportRandom, 4.0, 2.0, 0.05, std::nullopt}};
+  return config;
+}
+
+TEST(Simulation, RepeatsToTheBit) {
+  const std::uint64_t first = hash_of(run(noisy_kidnap(), 5));
+  EXPECT_EQ(hash_of(run(noisy_kidnap(), 5)), first);
+  EXPECT_NE(hash_of(run(noisy_kidnap(), 6)), first);
+}
+
+TEST(Simulation, AClockChangesNothing) {
+  nanoseconds fake{};
+  Simulation timed(noisy_kidnap(), test_streams(5), [&fake] { return fake += nanoseconds(7); });
+  std::vector<SimFrame> frames;
+  while (auto frame = timed.next()) frames.push_back(std::move(*frame));
+  EXPECT_EQ(hash_of(frames), hash_of(run(noisy_kidnap(), 5)));
+  EXPECT_EQ(timed.cpu_by_stage().at("physics"), nanoseconds(7 * 5000));
+  EXPECT_TRUE(Simulation(noisy_kidnap(), test_streams(5)).cpu_by_stage().empty());
+}
+
+TEST(Simulation, StreamsDoNotDisturbEachOther) {
+  auto config = noisy_kidnap();
+  const auto with_noise = all_of<OdometryReading>(run(config, 5));
+  config.lidar.noise.sigma = 0.0;
+  const auto without = all_of<OdometryReading>(run(config, 5));
+  ASSERT_EQ(with_noise.size(), without.size());
+  EXPECT_EQ(with_noise.back().T_odom_base, without.back().T_odom_base);
+}
+
+TEST(Simulation, AKidnapMovesTheTruthFarAndOdometryNotAtAll) {
+  const auto frames = run(noisy_kidnap(), 5);
+  const auto kidnaps = all_of<KidnapRecord>(frames);
+  ASSERT_EQ(kidnaps.size(), 1U);
+  EXPECT_EQ(kidnaps[0].stamp, seconds(4));
+  EXPECT_GE((kidnaps[0].T_map_to.position() - kidnaps[0].T_map_from.position()).norm(), 2.0);
+  const auto odometry = all_of<OdometryReading>(frames);
+  for (std::size_t i = 1; i < odometry.size(); ++i) {
+    const auto& a = odometry[i - 1].T_odom_base;
+    const auto& b = odometry[i].T_odom_base;
+    ASSERT_LT(std::hypot(b.x - a.x, b.y - a.y), 0.02);
+    ASSERT_LT(std::abs(wrap_angle(b.yaw - a.yaw)), 0.05);
+  }
+  const auto& after = odometry[400];
+  ASSERT_EQ(after.stamp, seconds(4));
+  EXPECT_NEAR(after.T_map_base_true.x, kidnaps[0].T_map_to.x, 1e-9);
+}
+
+TEST(Simulation, DrivesOnAfterAKidnapWithoutHittingAnything) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    auto config = noisy_kidnap();
+    config.random_start = true;
+    config.duration = seconds(60);
+    config.kidnaps.push_back({KidnapKind::kTeleportRandom, 20.0, 1.0, 0.05, std::nullopt});
+    Simulation simulation(config, test_streams(seed));
+    while (simulation.next()) {
+    }
+    EXPECT_EQ(simulation.collisions(), 0) << seed;
+    EXPECT_GT(simulation.distance_driven(), 12.0) << seed;
+  }
+}
+
+TEST(Simulation, ScansFitTheWorldAtTheTruePose) {
+  auto config = test_simulation();
+  config.lidar.sweep = false;
+  const auto scans = all_of<LidarReading>(run(config, 1));
+  const Lidar lidar(config.lidar);
+  const RayScene scene(ray_primitives(config.world));
+  Rng rng;
+  for (std::size_t i = 0; i < scans.size(); i += 7) {
+    for (int beam = 0; beam < 360; beam += 11) {
+      const auto expected = lidar.cast(scene, to_isometry(scans[i].T_map_base_true), beam, rng);
+      const float range = scans[i].ranges[static_cast<std::size_t>(beam)];
+      if (std::abs(range - expected.range) < 0.01F) continue;
+      // Beams that graze an edge may differ by the tiny tilt of the body.
+      EXPECT_NE(scans[i].hit_object[static_cast<std::size_t>(beam)], expected.object);
+    }
+  }
+}
+
+TEST(Simulation, StandsStillWithoutWaypointsOrWithoutAnEstimate) {
+  auto config = test_simulation();
+  config.drive.by_estimate = true;
+  Simulation waiting(config, test_streams(1));
+  while (waiting.next()) {
+  }
+  EXPECT_LT(waiting.distance_driven(), 0.01);
+  config.drive.by_estimate = false;
+  config.drive.waypoints.clear();
+  Simulation parked(config, test_streams(1));
+  while (parked.next()) {
+  }
+  EXPECT_LT(parked.distance_driven(), 0.01);
+}
+
+TEST(Simulation, DrivesByTheEstimateItIsGiven) {
+  auto config = test_simulation();
+  config.drive.by_estimate = true;
+  Simulation simulation(config, test_streams(1));
+  while (simulation.next()) simulation.set_drive_pose(simulation.true_pose());
+  EXPECT_GT(simulation.distance_driven(), 2.0);
+}
+
+TEST(Simulation, AvoidsWhatIsNotOnTheMap) {
+  auto config = test_simulation();
+  config.duration = seconds(40);
+  WorldObject crate = box_on_floor("crate", {0.5, 0.5, 0.4}, {0.7, -2.0});
+  crate.in_map = false;
+  config.world.objects.push_back(crate);
+  Simulation simulation(config, test_streams(1));
+  while (simulation.next()) {
+  }
+  EXPECT_EQ(simulation.collisions(), 0);
+  EXPECT_GT(simulation.distance_driven(), 10.0);
+}
+
+std::string error_of(const SimulationConfig& config) {
+  try {
+    Simulation simulation(config, test_streams(1));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Simulation, RefusesAStartInAWall) {
+  auto config = test_simulation();
+  config.start = {0.3, 0.2, 0.0};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("start: at (0.3, 0.2)"));
+}
+
+TEST(Simulation, RefusesAKidnapIntoTheTableFromTheStart) {
+  auto config = test_simulation();
+  config.kidnaps = {{KidnapKind::kTeleportTo, 9.0, 0.0, 0.05, Pose2{0.3, 0.2, 0.0}}};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("kidnap at 9 s"));
+}
+
+TEST(Simulation, RefusesToRunWithoutAMap) {
+  auto config = test_simulation();
+  config.map = {};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("map"));
 }
 
 }  // namespace

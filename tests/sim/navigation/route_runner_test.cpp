@@ -1,0 +1,84 @@
+#include "sim/navigation/route_runner.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "sim/world/rasterise.hpp"
+#include "tests/sim/support/test_world.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kPeriod = 0.05;  // [s]
+
+FreeSpace room() { return {rasterise(test_room(), 0.2, 0.05), 0.3}; }
+
+RouteConfig route(std::vector<Eigen::Vector2d> waypoints, bool loop) {
+  RouteConfig config;
+  config.waypoints = std::move(waypoints);
+  config.loop = loop;
+  return config;
+}
+
+/// An exact unicycle.
+Pose2 moved(const Pose2& pose, const Twist2& twist) {
+  const double yaw = pose.yaw + 0.5 * twist.w * kPeriod;
+  return {pose.x + twist.v * kPeriod * std::cos(yaw), pose.y + twist.v * kPeriod * std::sin(yaw),
+          wrap_angle(pose.yaw + twist.w * kPeriod)};
+}
+
+TEST(RouteRunner, ReachesItsWaypointsAndStops) {
+  RouteRunner runner(route({{2.5, -1.5}, {-3.0, 2.0}}, false), room());
+  Pose2 pose{-3.0, -2.0, 1.0};
+  double nearest_first = 10.0;
+  for (int i = 0; i < 2000; ++i) {
+    pose = moved(pose, runner.command(pose));
+    nearest_first = std::min(nearest_first, std::hypot(pose.x - 2.5, pose.y + 1.5));
+  }
+  EXPECT_LT(nearest_first, 0.11);
+  EXPECT_NEAR(pose.x, -3.0, 0.14);
+  EXPECT_NEAR(pose.y, 2.0, 0.14);
+  EXPECT_EQ(runner.command(pose).v, 0.0);
+  EXPECT_TRUE(runner.path().empty());
+}
+
+TEST(RouteRunner, NeverLeavesTheFreeSpace) {
+  const FreeSpace tight(rasterise(test_room(), 0.2, 0.05), 0.2);
+  RouteRunner runner(route({{2.5, -1.5}, {2.5, 2.0}, {-2.0, 2.0}, {-3.0, -2.0}}, true), room());
+  Pose2 pose{-3.0, -2.0, 0.0};
+  double way = 0.0;
+  for (int i = 0; i < 6000; ++i) {
+    const Twist2 twist = runner.command(pose);
+    pose = moved(pose, twist);
+    way += twist.v * kPeriod;
+    ASSERT_TRUE(tight.contains(pose.position())) << i;
+  }
+  EXPECT_GT(way, 80.0);
+}
+
+TEST(RouteRunner, PlansAnewAfterAJump) {
+  RouteRunner runner(route({{2.5, -1.5}}, false), room());
+  runner.command(Pose2{-3.0, -2.0, 0.0});
+  const Pose2 elsewhere{-1.0, 2.0, 0.0};
+  runner.command(elsewhere);
+  ASSERT_FALSE(runner.path().empty());
+  EXPECT_LT((runner.path().front() - elsewhere.position()).norm(), 0.05);
+}
+
+TEST(RouteRunner, TurnsOnTheSpotTowardsWhatIsBehind) {
+  RouteRunner runner(route({{2.5, -1.5}}, false), room());
+  const Twist2 twist = runner.command(Pose2{-3.0, -1.9, 3.0});
+  EXPECT_EQ(twist.v, 0.0);
+  EXPECT_GT(std::abs(twist.w), 0.5);
+}
+
+TEST(RouteRunner, StandsWithoutAPoseOrARoute) {
+  RouteRunner runner(route({{2.5, -1.5}}, false), room());
+  EXPECT_EQ(runner.command(std::nullopt).v, 0.0);
+  RouteRunner idle(route({}, true), room());
+  EXPECT_EQ(idle.command(Pose2{}).v, 0.0);
+}
+
+}  // namespace
+}  // namespace castaway::sim
