@@ -6,8 +6,10 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/run_folder_swap.hpp"
 #include "tools/commands/run_summary.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/report/report.hpp"
 #include "tools/run/errors_sink.hpp"
 #include "tools/run/summary_sink.hpp"
 #include "tools/run/timing_sink.hpp"
@@ -16,25 +18,40 @@
 namespace castaway::testbed {
 namespace {
 
-std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan) {
+std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan,
+                                                  const std::filesystem::path& folder) {
   std::vector<std::unique_ptr<RunSink>> sinks;
-  sinks.push_back(std::make_unique<ErrorsSink>(plan.folder));
-  sinks.push_back(std::make_unique<TrajectorySink>(plan.folder, plan.info));
-  sinks.push_back(std::make_unique<SummarySink>(plan.folder, plan.info));
-  sinks.push_back(std::make_unique<TimingSink>(plan.folder, plan.info));
+  sinks.push_back(std::make_unique<ErrorsSink>(folder));
+  sinks.push_back(std::make_unique<TrajectorySink>(folder, plan.info));
+  sinks.push_back(std::make_unique<SummarySink>(folder, plan.info));
+  sinks.push_back(std::make_unique<TimingSink>(folder, plan.info));
   return sinks;
+}
+
+void add_pictures(RunPlan& plan, const std::filesystem::path& folder,
+                  std::vector<std::unique_ptr<RunSink>>& sinks) {
+  auto sink = std::make_unique<PictureSink>(folder, plan.info, std::move(plan.picture_world),
+                                            *plan.pictures);
+  if (sink->missing()) {
+    fmt::print(stderr, "castaway: warning: no pictures: {}\n", *sink->missing());
+  }
+  sinks.push_back(std::move(sink));
 }
 
 }  // namespace
 
 int execute(RunPlan& plan, SensorSource& source) {
-  std::vector<std::unique_ptr<RunSink>> sinks = table_sinks(plan);
-  for (auto& sink : plan.sinks) sinks.push_back(std::move(sink));
-  write_file(plan.folder / "scenario.yaml", plan.scenario_yaml);
+  RunFolderSwap swap(plan.folder);
+  std::vector<std::unique_ptr<RunSink>> sinks = table_sinks(plan, swap.folder());
+  write_file(swap.folder() / "scenario.yaml", plan.scenario_yaml);
+  if (plan.pictures) add_pictures(plan, swap.folder(), sinks);
   try {
     Progress progress(source.duration());
     plan.loop.on_progress = [&progress](Stamp reached) { progress.show(reached); };
     Loop(plan.loop, plan.localizers, sinks).run(source);
+    if (plan.report) write_report(swap.folder(), plan.map);
+    sinks.clear();
+    swap.commit();
   } catch (const std::exception& error) {
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/formats/ros_map.hpp"
+#include "tools/report/picture_sink.hpp"
 #include "tools/run/loop.hpp"
 
 namespace castaway::testbed {
@@ -19,8 +21,11 @@ struct RunPlan {
   std::string scenario_yaml;     ///< Effective scenario.
   LoopConfig loop;
   std::vector<NamedLocalizer> localizers;
-  std::vector<std::unique_ptr<RunSink>> sinks;  ///< Besides the tables, which every run has.
-  bool json = false;                            ///< Prints summary.json instead of words.
+  RosMap map;                             ///< What the localizers were given.
+  std::optional<PictureConfig> pictures;  ///< Nothing: none are taken.
+  PictureWorld picture_world;             ///< What pictures show besides the run.
+  bool report = true;                     ///< Writes report.html.
+  bool json = false;                      ///< Prints summary.json instead of words.
 };
 
 /// Runs, writes the run folder, prints the result. Returns the exit code; throws std::exception if

@@ -25,6 +25,8 @@ struct ReplayArguments {
   std::uint64_t seed = 1;
   std::string out;
   bool json = false;
+  bool pictures = true;
+  double pictures_every_s = 0.0;
 };
 
 /// What reproduces a replay.
@@ -74,6 +76,11 @@ int replay_log(ReplayArguments arguments) {
   plan.json = arguments.json;
   if (plan.info.known_start) plan.loop.start = known_start(arguments, source);
   plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
+  plan.map = map;
+  if (arguments.pictures) {
+    plan.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
+    plan.picture_world.map = map;
+  }
   return execute(plan, source);
 }
 
@@ -102,6 +109,10 @@ void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
   command->add_option("--seed", a->seed, "Root seed")->capture_default_str();
   command->add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
   command->add_flag("--json", a->json, "Print summary.json instead of words");
+  command->add_flag("--pictures,!--no-pictures", a->pictures, "Take pictures (default: yes)");
+  command
+      ->add_option("--pictures-every", a->pictures_every_s, "Also a picture every so many seconds")
+      ->check(CLI::NonNegativeNumber);
   command->footer(
       "TRUEPOS lines are the truth of the metrics; no localizer sees them.\n"
       "Example:\n"

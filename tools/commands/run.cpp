@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/render/primitives.hpp"
+#include "sim/robot/robot_visuals.hpp"
+#include "sim/world/world_visuals.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/execute.hpp"
 #include "tools/run/build_localizers.hpp"
@@ -41,6 +44,31 @@ LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
   return config;
 }
 
+/// The floor, just below z = 0.
+sim::SceneItem floor_item(const sim::WorldSpec& world) {
+  sim::SceneItem item;
+  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
+  item.T_map_mesh.translation().z() = -0.003F;
+  item.color = {0.80F, 0.77F, 0.72F};
+  return item;
+}
+
+void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared, RunPlan& plan) {
+  plan.map = prepared.map;
+  plan.report = outputs.report;
+  if (!outputs.snapshots) return;
+  plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
+                                outputs.snapshot_width, outputs.snapshot_height};
+  PictureWorld& world = plan.picture_world;
+  world.world = sim::world_visuals(prepared.config.world);
+  world.world.push_back(floor_item(prepared.config.world));
+  world.robot = sim::robot_visuals(prepared.config.robot);
+  world.min_corner = prepared.config.world.min_corner;
+  world.max_corner = prepared.config.world.max_corner;
+  world.robot_radius = prepared.config.robot.footprint_radius;
+  world.map = prepared.map;
+}
+
 int run_scenario(const RunArguments& arguments) {
   const std::filesystem::path file = arguments.scenario.empty()
                                          ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
@@ -63,6 +91,7 @@ int run_scenario(const RunArguments& arguments) {
   plan.json = arguments.json;
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  add_pictures(scenario.outputs, prepared, plan);
   const sim::LidarConfig lidar = prepared.config.lidar;
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config),

@@ -106,13 +106,15 @@ std::string timing_tables(const RunFolder& run) {
                                  readable(figure_at(timing, "/wall_s"), "s"),
                                  readable(figure_at(timing, "/realtime_factor")));
   std::string stages;
-  for (const auto& [stage, cpu_s] : timing.value("cpu_s", Json::object()).items()) {
+  const Json cpu = timing.value("cpu_s", Json::object());
+  for (const auto& [stage, cpu_s] : cpu.items()) {
     stages +=
         "<tr>" + cell(escape_html(stage)) + cell(readable(cpu_s.get<double>(), "s")) + "</tr>";
   }
   html += table("<th>stage</th><th>CPU time</th>", stages);
   std::string updates;
-  for (const auto& [name, figures] : timing.value("localizers", Json::object()).items()) {
+  const Json localizers = timing.value("localizers", Json::object());
+  for (const auto& [name, figures] : localizers.items()) {
     updates += "<tr>" + cell(escape_html(name));
     for (const char* figure : {"mean", "median", "p99", "max"}) {
       updates += cell(readable(figure_at(figures, std::string("/update_ms/") + figure), "ms"));

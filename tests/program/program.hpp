@@ -1,0 +1,65 @@
+/// Runs the program as a user does.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace castaway::test {
+
+namespace fs = std::filesystem;
+
+/// What came of a call.
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+inline std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// "Suite.Name" without slashes.
+inline std::string suite_and_name(const testing::TestInfo& info) {
+  std::string text = std::string(info.test_suite_name()) + "." + info.name();
+  for (char& c : text) c = c == '/' ? '.' : c;
+  return text;
+}
+
+/// A folder of this test's own, empty.
+inline fs::path fresh_folder() {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder =
+      fs::path(testing::TempDir()) / "castaway-program" / (suite_and_name(*info));
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// `castaway <arguments>` in `folder`; `environment` is put before the command, e.g. "A=b".
+inline Outcome castaway(const fs::path& folder, const std::string& arguments,
+                        const std::string& environment = "") {
+  const fs::path out = folder / "stdout.txt";
+  const fs::path err = folder / "stderr.txt";
+  const std::string command = "cd '" + folder.string() + "' && " + environment + " '" +
+                              CASTAWAY_PROGRAM + "' " + arguments + " >'" + out.string() + "' 2>'" +
+                              err.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
+inline void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "missing: " << part << "\nin: " << text;
+}
+
+}  // namespace castaway::test

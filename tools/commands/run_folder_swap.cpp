@@ -1,0 +1,36 @@
+#include "tools/commands/run_folder_swap.hpp"
+
+#include <stdexcept>
+
+namespace castaway::testbed {
+
+namespace fs = std::filesystem;
+
+RunFolderSwap::RunFolderSwap(fs::path target) : target_(std::move(target)) {
+  if (!target_.has_filename()) target_ = target_.parent_path();
+  partial_ = target_;
+  partial_ += ".partial";
+  std::error_code error;
+  fs::remove_all(partial_, error);
+  fs::create_directories(target_, error);
+  if (!error) fs::create_directories(partial_, error);
+  if (error) {
+    throw std::runtime_error(target_.string() + ": cannot be made (" + error.message() +
+                             "); choose another folder with --out");
+  }
+}
+
+RunFolderSwap::~RunFolderSwap() {
+  std::error_code ignored;
+  fs::remove_all(partial_, ignored);
+  if (fs::is_empty(target_, ignored)) fs::remove(target_, ignored);
+}
+
+void RunFolderSwap::commit() {
+  fs::remove_all(target_ / "snapshots");
+  for (const auto& entry : fs::directory_iterator(partial_)) {
+    fs::rename(entry.path(), target_ / entry.path().filename());
+  }
+}
+
+}  // namespace castaway::testbed
