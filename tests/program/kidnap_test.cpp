@@ -89,7 +89,7 @@ TEST(Run, MakesAWorldOfAnyRosMap) {
   ASSERT_EQ(castaway(folder, "map lab --out lab/map.yaml").exit_code, 0);
   const Outcome outcome = castaway(
       folder,
-      "run --world lab/map.yaml --duration 10 --set start=unknown --set drive.route=random --set "
+      "run --world lab/map.yaml --duration 10 --set start=unknown --set "
       "events=[] --set outputs.snapshots=false --out run --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json mh_amcl = Json::parse(outcome.out).at("localizers").at("mh_amcl");

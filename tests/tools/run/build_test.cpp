@@ -1,0 +1,53 @@
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/cpu_clock.hpp"
+#include "tools/run/map_conversion.hpp"
+#include "tools/scenario/data_paths.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+TEST(BuildLocalizers, MakesOneForEachSpecification) {
+  const std::vector<LocalizerSpec> specs = {{"a", localization::MhAmclConfig{}},
+                                            {"b", localization::AmclConfig{}}};
+  const auto localizers = build_localizers(specs, test::office(), 1);
+  ASSERT_EQ(localizers.size(), 2U);
+  EXPECT_EQ(localizers[0].name, "a");
+  EXPECT_EQ(localizers[1].localizer->diagnostics().populations.at(0).particles.size(), 2000U);
+}
+
+TEST(BuildLocalizers, SayWhenTheMapIsOfNoUse) {
+  EXPECT_THROW((void)build_localizers({{"a", localization::AmclConfig{}}}, {}, 1),
+               std::invalid_argument);
+}
+
+TEST(ToOccupancyGrid, ReadsOccupancyAsNav2Does) {
+  const RosMap map{"m", 5, 1, 0.1, 1.0, 2.0, 0.3, {0, 19, 40, 65, -1}};
+  const localization::OccupancyGrid grid = to_occupancy_grid(map);
+  using localization::CellState;
+  EXPECT_EQ(grid.cells,
+            (std::vector<CellState>{CellState::kFree, CellState::kFree, CellState::kUnknown,
+                                    CellState::kOccupied, CellState::kUnknown}));
+  EXPECT_EQ(grid.frame.T_map_grid, (SE2{1.0, 2.0, 0.3}));
+}
+
+TEST(CpuClock, GoesForwardWhileThereIsWork) {
+  const std::chrono::nanoseconds begin = thread_cpu_time();
+  volatile double sum = 0.0;
+  for (int i = 0; i < 2000000; ++i) sum = sum + 1.0;
+  EXPECT_GT(thread_cpu_time(), begin);
+  EXPECT_GE(wall_time(), std::chrono::nanoseconds(1));
+}
+
+TEST(DataPaths, FindWhatIsShippedByName) {
+  EXPECT_EQ(find_world("lab", ".").filename(), "world.yaml");
+  EXPECT_EQ(find_robot("waffle", ".").filename(), "waffle.urdf");
+  EXPECT_THROW((void)find_world("", "."), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,127 @@
+#include "tools/run/loop.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/dead_reckoning.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// Plays a list of frames and remembers what it is told.
+class ListSource final : public SensorSource {
+ public:
+  explicit ListSource(std::vector<Frame> frames) : frames_(std::move(frames)) {}
+  std::optional<Frame> next() override {
+    if (next_ == frames_.size()) return std::nullopt;
+    return frames_[next_++];
+  }
+  void set_drive_pose(const std::optional<SE2>& pose) override { told.push_back(pose); }
+  [[nodiscard]] std::optional<SE2> start_pose() const override { return SE2{}; }
+  [[nodiscard]] Stamp duration() const override { return Stamp(1000); }
+  [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
+    return {{"physics", std::chrono::seconds(2)}};
+  }
+  std::vector<std::optional<SE2>> told;
+
+ private:
+  std::vector<Frame> frames_;
+  std::size_t next_ = 0;
+};
+
+/// Writes down the order of calls.
+class ListSink final : public RunSink {
+ public:
+  void on_event(const RunEvent& event) override { calls.push_back("event " + event.kind); }
+  void on_odometry(const OdometryFrame&) override { calls.emplace_back("odometry"); }
+  void on_scan(const ScanRecord& record) override {
+    calls.emplace_back("scan");
+    records.push_back(record);
+  }
+  void finish(Stamp end, const RunTiming& timing) override {
+    calls.push_back("finish " + std::to_string(end.count()));
+    cpu_s = timing.cpu_s;
+  }
+  std::vector<std::string> calls;
+  std::vector<ScanRecord> records;
+  std::map<std::string, double> cpu_s;
+};
+
+Frame odometry(std::int64_t stamp, const SE2& pose) {
+  return {Stamp(stamp), OdometryFrame{{Stamp(stamp), pose}, std::nullopt}};
+}
+
+Frame scan(std::int64_t stamp, const SE2& truth) {
+  ScanFrame frame;
+  frame.scan.stamp = Stamp(stamp);
+  frame.T_map_base_true = truth;
+  return {Stamp(stamp), frame};
+}
+
+class LoopTest : public testing::Test {
+ protected:
+  LoopTest() {
+    localizers_.push_back({"dead_reckoning", std::make_unique<test::DeadReckoning>()});
+    auto sink = std::make_unique<ListSink>();
+    sink_ = sink.get();
+    sinks_.push_back(std::move(sink));
+    config_.start = localization::PoseWithCovariance{{5.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()};
+  }
+  ListSource source_{
+      {odometry(0, {1.0, 0.0, 0.0}), odometry(10, {2.0, 0.0, 0.0}), scan(10, {6.0, 0.0, 0.0}),
+       Frame{Stamp(15), RunEvent{Stamp(15), "kidnap", "", {}, {}}}, odometry(20, {4.0, 0.0, 0.0})}};
+  LoopConfig config_;
+  std::vector<NamedLocalizer> localizers_;
+  std::vector<std::unique_ptr<RunSink>> sinks_;
+  ListSink* sink_ = nullptr;
+};
+
+TEST_F(LoopTest, TellsSinksEverythingInOrder) {
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "odometry", "scan", "event kidnap",
+                                                    "odometry", "finish 1000"}));
+}
+
+TEST_F(LoopTest, RecordsEveryLocalizersAnswerBesideTheTruth) {
+  Loop(config_, localizers_, sinks_).run(source_);
+  ASSERT_EQ(sink_->records.size(), 1U);
+  const ScanRecord& record = sink_->records[0];
+  EXPECT_EQ(record.T_map_base_true->x, 6.0);
+  EXPECT_EQ(record.T_odom_base.x, 2.0);
+  ASSERT_EQ(record.localizers.size(), 1U);
+  EXPECT_EQ(record.localizers[0].name, "dead_reckoning");
+  EXPECT_EQ(record.localizers[0].estimate->T_map_base.x, 6.0);
+}
+
+TEST_F(LoopTest, LeavesAnUnknownStartToTheLocalizer) {
+  config_.start.reset();
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_FALSE(sink_->records[0].localizers[0].estimate);
+}
+
+TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {
+  config_.drive_by = "dead_reckoning";
+  Loop(config_, localizers_, sinks_).run(source_);
+  ASSERT_EQ(source_.told.size(), 3U);
+  EXPECT_FALSE(source_.told[0]);
+  EXPECT_EQ(source_.told[2]->x, 8.0);  // 6 at the scan, 2 m by odometry since
+}
+
+TEST_F(LoopTest, RefusesADriverThatIsNotThere) {
+  config_.drive_by = "nobody";
+  EXPECT_THROW(Loop(config_, localizers_, sinks_), std::invalid_argument);
+}
+
+TEST_F(LoopTest, ReportsCpuByStage) {
+  int shown = 0;
+  config_.on_progress = [&shown](Stamp) { ++shown; };
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_EQ(shown, 1);
+  EXPECT_EQ(sink_->cpu_s.at("physics"), 2.0);
+  EXPECT_TRUE(sink_->cpu_s.contains("localizers"));
+  EXPECT_TRUE(sink_->cpu_s.contains("sinks"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

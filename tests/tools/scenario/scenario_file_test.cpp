@@ -1,0 +1,128 @@
+#include "tools/scenario/scenario_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace castaway::testbed {
+namespace {
+
+class ScenarioFileTest : public testing::Test {
+ protected:
+  LoadedScenario load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "trial.yaml";
+    std::ofstream(file) << text;
+    return load_scenario(file, overrides);
+  }
+  /// The error's text, empty if there is none.
+  std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+      (void)load(text, overrides);
+      return "";
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+  static void expect_contains(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+};
+
+TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
+  const Scenario scenario = load("localizers: [mh_amcl]").scenario;
+  EXPECT_EQ(scenario.name, "trial");
+  EXPECT_EQ(scenario.world, "lab");
+  EXPECT_EQ(scenario.seed, 1U);
+  EXPECT_EQ(scenario.duration_s, 120.0);
+  EXPECT_TRUE(scenario.start.known);
+  EXPECT_EQ(scenario.localizers.at(0).name, "mh_amcl");
+}
+
+TEST_F(ScenarioFileTest, ReadsWhatIsWritten) {
+  const Scenario scenario = load(R"(
+name: trial-7
+world: maps/home.yaml
+start: {pose: [1, 2, 0.5], sigma_m: 0.3}
+drive: {route: loop, by: mh_amcl, max_speed: 0.4}
+lidar: {beams: 180, range_max: 8, mount_rpy: [3.14159, 0, 0]}
+odometry: {profile: ideal, drift_yaw_deg: 2}
+events:
+  - kidnap: {at_s: 10, min_distance_m: 5}
+  - kidnap: {kind: teleport, at_s: 20, pose: [3, 4, 1]}
+localizers:
+  - mh_amcl: {max_beams: 45}
+  - amcl: {preset: amcl-recovery, max_particles: 900}
+outputs: {snapshots: {every_s: 5, on_events: false}}
+)")
+                                .scenario;
+  EXPECT_EQ(scenario.start.place, StartSpec::Place::kPose);
+  EXPECT_EQ(scenario.start.pose, Eigen::Vector3d(1, 2, 0.5));
+  EXPECT_EQ(scenario.drive.by, "mh_amcl");
+  EXPECT_EQ(scenario.lidar.beams, 180);
+  EXPECT_EQ(scenario.odometry.profile, "ideal");
+  ASSERT_EQ(scenario.kidnaps.size(), 2U);
+  EXPECT_EQ(scenario.kidnaps[0].min_distance_m, 5.0);
+  EXPECT_EQ(scenario.kidnaps[1].pose->y(), 4.0);
+  EXPECT_EQ(scenario.localizers[1].name, "amcl-recovery");
+  const auto& amcl = std::get<localization::AmclConfig>(scenario.localizers[1].config);
+  EXPECT_EQ(amcl.kld.max_particles, 900);
+  EXPECT_EQ(amcl.recovery.alpha_fast, 0.1);
+  EXPECT_FALSE(scenario.outputs.snapshot_on_events);
+}
+
+TEST_F(ScenarioFileTest, TakesAnUnknownStart) {
+  const Scenario scenario = load("start: unknown\nlocalizers: [amcl]").scenario;
+  EXPECT_EQ(scenario.start.place, StartSpec::Place::kRandom);
+  EXPECT_FALSE(scenario.start.known);
+}
+
+TEST_F(ScenarioFileTest, ItsEffectiveTextReproducesIt) {
+  const LoadedScenario first =
+      load("events: [{kidnap: {at_s: 3}}]\nlocalizers: [amcl: {max_beams: 30}]",
+           {"seed=9", "lidar.beams=90"});
+  const LoadedScenario second = load(first.effective);
+  EXPECT_EQ(second.effective, first.effective);
+  EXPECT_EQ(second.scenario.seed, 9U);
+  EXPECT_EQ(second.scenario.lidar.beams, 90);
+  EXPECT_EQ(second.scenario.kidnaps.at(0).at_s, 3.0);
+}
+
+TEST_F(ScenarioFileTest, OverridesReachIntoLists) {
+  const Scenario scenario =
+      load("events: [{kidnap: {at_s: 3}}]\nlocalizers: [mh_amcl]", {"events.0.kidnap.at_s=8"})
+          .scenario;
+  EXPECT_EQ(scenario.kidnaps.at(0).at_s, 8.0);
+}
+
+TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {
+  const std::string error = error_of("localizers: [mh_amcl]\ndrive:\n  rute: loop\n");
+  expect_contains(error, "trial.yaml:3");
+  expect_contains(error, "rute");
+  expect_contains(error, "route");
+}
+
+TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
+  expect_contains(error_of("localizers: [mh_amcl]\nduration_s: soon"), "trial.yaml:2");
+  expect_contains(error_of("localizers: [mh_amcl]\nduration_s: -5"), "positive");
+  expect_contains(error_of("localizers: [mh_amcl]\nseed: [1"), "trial.yaml:");
+  expect_contains(error_of("localizers: [mh_amlc]"), "mh_amcl");
+  expect_contains(error_of("localizers: [amcl: {preset: fast}]"), "amcl-recovery");
+  expect_contains(error_of("localizers: [amcl: {max_beams: 1}]"), "max_beams");
+  expect_contains(error_of("localizers: [amcl, amcl]"), "name");
+  expect_contains(error_of("localizers: []"), "localizers");
+  expect_contains(error_of("localizers: [amcl]\nevents: [{kidnap: {min_distance_m: 2}}]"), "at_s");
+  expect_contains(error_of("localizers: [amcl]\nevents: [{fire: {}}]"), "kidnap");
+  expect_contains(error_of("localizers: [amcl]\nstart: somewhere"), "unknown");
+}
+
+TEST(ParseLocalizer, TakesANameAndAPreset) {
+  EXPECT_EQ(parse_localizer("mh_amcl").name, "mh_amcl");
+  EXPECT_EQ(parse_localizer("amcl:amcl-recovery").name, "amcl-recovery");
+  EXPECT_THROW(parse_localizer("amcl:nonsense"), std::invalid_argument);
+  EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::testbed
