@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/drive_space.hpp"
+#include "sim/navigation/proximity_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/robot/robot_physics.hpp"
 #include "sim/sensor/lidar.hpp"
@@ -47,6 +48,13 @@ RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
   route.loop = drive.loop;
   route.follower.limits = limits_of(drive, robot);
   return route;
+}
+
+GuardConfig guard_of(const SimulationConfig& config) {
+  GuardConfig guard;
+  guard.radius = config.robot.footprint_radius;
+  guard.deceleration = 0.6 * config.drive.max_acceleration;
+  return guard;
 }
 
 /// Kidnaps by time; a target that is given must be free from the start.
@@ -106,6 +114,7 @@ struct Simulation::State {
   LidarSweeper lidar;
   WheelOdometry odometry;
   RouteRunner route;
+  ProximityGuard guard;
   std::optional<Pose2> drive_pose;
   double distance = 0.0;
   std::deque<SimFrame> frames;
@@ -126,7 +135,8 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       lidar(config.lidar),
       odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
       route(route_of(config.drive, config.robot),
-            FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)) {}
+            FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)),
+      guard(guard_of(config)) {}
 
 template <typename Work>
 void Simulation::State::measured(const char* stage, Work work) {
@@ -151,10 +161,13 @@ void Simulation::State::kidnap_if_due() {
 void Simulation::State::control_if_due() {
   if (now < next_control) return;
   next_control += kControlPeriod;
-  const auto pose = config.drive.by_estimate
-                        ? drive_pose
-                        : std::optional<Pose2>(to_planar(robot.state().T_map_base));
-  robot.set_command(route.command(pose));
+  if (!config.drive.by_estimate) {
+    robot.set_command(route.command(to_planar(robot.state().T_map_base)));
+  } else if (drive_pose) {
+    robot.set_command(guard.guarded(route.command(drive_pose)));
+  } else {
+    robot.set_command({});
+  }
 }
 
 void Simulation::State::read_odometry(const Motion& motion, const WheelAngles& before) {
@@ -169,6 +182,7 @@ void Simulation::State::read_odometry(const Motion& motion, const WheelAngles& b
 
 void Simulation::State::read_lidar(const Motion& motion) {
   for (Sweep& sweep : lidar.advance(scene, motion, streams.lidar)) {
+    if (config.drive.by_estimate) guard.on_scan(sweep.reading, config.lidar);
     frames.push_back({sweep.last_beam, std::move(sweep.reading)});
   }
 }

@@ -1,6 +1,8 @@
 #include "sim/world/physics_world.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
 
 #include "sim/world/bullet_types.hpp"
 #include "sim/world/mesh.hpp"
@@ -13,6 +15,8 @@ constexpr double kFloorThickness = 1.0;  // [m]
 constexpr double kFloorMargin = 20.0;    // [m] Floor beyond the world's extent.
 constexpr double kFloorFriction = 1.0;
 constexpr int kSolverIterations = 20;
+constexpr std::size_t kManyObjects = 200;
+constexpr double kTileEdge = 3.0;  // [m]
 
 std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape) {
   const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
@@ -38,10 +42,7 @@ PhysicsWorld::PhysicsWorld(const WorldSpec& spec, double time_step)
   world_->getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   world_->setForceUpdateAllAabbs(false);  // Static objects stay where they are.
   add_floor(spec);
-  for (std::size_t i = 0; i < spec.objects.size(); ++i) {
-    const WorldObject& object = spec.objects[i];
-    add_static(shape_of(object.shape), object.T_map_object, static_cast<int>(i), kObstacleGroup);
-  }
+  add_objects(spec);
 }
 
 PhysicsWorld::~PhysicsWorld() {
@@ -50,6 +51,28 @@ PhysicsWorld::~PhysicsWorld() {
 
 void PhysicsWorld::step() { world_->stepSimulation(time_step_, 0); }
 
+/// Bullet visits every static body in every step: many objects are gathered into bodies of a few
+/// square metres each.
+void PhysicsWorld::add_objects(const WorldSpec& spec) {
+  const bool gather = spec.objects.size() > kManyObjects;
+  std::map<std::pair<int, int>, std::unique_ptr<btCompoundShape>> tiles;
+  for (const WorldObject& object : spec.objects) {
+    std::unique_ptr<btCollisionShape> shape = shape_of(object.shape);
+    if (!gather || std::holds_alternative<MeshShape>(object.shape)) {
+      add_static(std::move(shape), object.T_map_object, kObstacleGroup);
+      continue;
+    }
+    const Eigen::Vector3d p = object.T_map_object.translation() / kTileEdge;
+    auto& tile = tiles[{static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))}];
+    if (!tile) tile = std::make_unique<btCompoundShape>();
+    tile->addChildShape(to_bullet(object.T_map_object), shape.get());
+    shapes_.push_back(std::move(shape));
+  }
+  for (auto& [index, tile] : tiles) {
+    add_static(std::move(tile), Eigen::Isometry3d::Identity(), kObstacleGroup);
+  }
+}
+
 void PhysicsWorld::add_floor(const WorldSpec& spec) {
   const Eigen::Vector2d half =
       0.5 * (spec.max_corner - spec.min_corner) + Eigen::Vector2d::Constant(kFloorMargin);
@@ -57,16 +80,16 @@ void PhysicsWorld::add_floor(const WorldSpec& spec) {
   Eigen::Isometry3d T_map_floor = Eigen::Isometry3d::Identity();
   T_map_floor.translation() << center.x(), center.y(), -0.5 * kFloorThickness;
   add_static(std::make_unique<btBoxShape>(btVector3(half.x(), half.y(), 0.5 * kFloorThickness)),
-             T_map_floor, kFloorIndex, kGroundGroup);
+             T_map_floor, kGroundGroup);
 }
 
 void PhysicsWorld::add_static(std::unique_ptr<btCollisionShape> shape,
-                              const Eigen::Isometry3d& T_map_shape, int index, int group) {
+                              const Eigen::Isometry3d& T_map_shape, int group) {
   btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, shape.get());
   info.m_startWorldTransform = to_bullet(T_map_shape);
   info.m_friction = kFloorFriction;
   auto body = std::make_unique<btRigidBody>(info);
-  body->setUserIndex(index);
+  body->setUserIndex(group == kGroundGroup ? kFloorIndex : kObstacleIndex);
   world_->addRigidBody(body.get(), group, kRobotGroup);
   shapes_.push_back(std::move(shape));
   bodies_.push_back(std::move(body));

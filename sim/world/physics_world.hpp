@@ -21,8 +21,9 @@ enum CollisionGroup : int {
   kRobotGroup = 1 << 8,
 };
 
-/// User index of the floor; obstacles carry their index in `WorldSpec::objects`.
-inline constexpr int kFloorIndex = -2;
+/// User indices of static bodies.
+inline constexpr int kFloorIndex = 1;
+inline constexpr int kObstacleIndex = 2;
 
 /// Owns a Bullet world with static geometry. Bodies added by others must be removed by them first.
 class PhysicsWorld {
@@ -39,8 +40,9 @@ class PhysicsWorld {
 
  private:
   void add_static(std::unique_ptr<btCollisionShape> shape, const Eigen::Isometry3d& T_map_shape,
-                  int index, int group);
+                  int group);
   void add_floor(const WorldSpec& spec);
+  void add_objects(const WorldSpec& spec);
   std::unique_ptr<btCollisionShape> shape_of(const ObjectShape& shape);
 
   double time_step_;

@@ -221,6 +221,22 @@ TEST(Simulation, DrivesByTheEstimateItIsGiven) {
   EXPECT_GT(simulation.distance_driven(), 2.0);
 }
 
+TEST(Simulation, AWrongEstimateDrivesItAboutButIntoNothing) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    auto config = test_simulation();
+    config.drive.by_estimate = true;
+    config.random_start = true;
+    config.duration = seconds(60);
+    Simulation simulation(config, test_streams(seed));
+    while (simulation.next()) {
+      const Pose2 truth = simulation.true_pose();
+      simulation.set_drive_pose(Pose2{-truth.x, -truth.y, truth.yaw + 2.0});
+    }
+    EXPECT_EQ(simulation.collisions(), 0) << seed;
+    EXPECT_GT(simulation.distance_driven(), 2.0) << seed;
+  }
+}
+
 TEST(Simulation, AvoidsWhatIsNotOnTheMap) {
   auto config = test_simulation();
   config.duration = seconds(40);

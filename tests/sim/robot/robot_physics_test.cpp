@@ -151,6 +151,19 @@ TEST(RobotPhysics, MeshesStopItToo) {
   EXPECT_LT(to_planar(physics.state().T_map_base).x, 1.0);
 }
 
+TEST(RobotPhysics, ManyBoxesStopItLikeFew) {
+  WorldSpec world = open_floor();
+  for (int i = 0; i < 400; ++i) {
+    world.objects.push_back(
+        box_on_floor("brick", {0.05, 0.05, 1.0}, {1.0 + 0.05 * (i / 80), 0.05 * (i % 80) - 2.0}));
+  }
+  RobotPhysics physics(world, test_robot(), {}, kLimits, kStep);
+  physics.set_command({0.4, 0.0});
+  for (int i = 0; i < 3000; ++i) physics.step();
+  EXPECT_EQ(physics.collisions(), 1);
+  EXPECT_NEAR(to_planar(physics.state().T_map_base).x, 0.975 - 0.069, 0.01);
+}
+
 TEST(RobotPhysics, KeepsTheCurveWhereWheelsAreTooSlow) {
   RobotModel robot = test_robot();
   for (DriveWheel& wheel : robot.wheels) wheel.speed_max = 6.0;  // 0.2 m/s.
