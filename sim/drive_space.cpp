@@ -42,4 +42,16 @@ FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Gr
   return {drive_grid, robot.footprint_radius + spec.margin_m};
 }
 
+std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& grid) {
+  std::vector<KidnapSpec> kidnaps = config.kidnaps;
+  std::stable_sort(kidnaps.begin(), kidnaps.end(),
+                   [](const KidnapSpec& a, const KidnapSpec& b) { return a.at_s < b.at_s; });
+  Rng unused;
+  for (const KidnapSpec& spec : kidnaps) {
+    if (spec.kind != KidnapKind::kTeleportTo) continue;
+    kidnap_target(spec, config.start, kidnap_space(spec, config.robot, grid), unused);
+  }
+  return kidnaps;
+}
+
 }  // namespace castaway::sim

@@ -1,6 +1,8 @@
 /// Where the robot can stand and drive in a simulated run.
 #pragma once
 
+#include <vector>
+
 #include "sim/simulation.hpp"
 #include "sim/world/free_space.hpp"
 #include "sim/world/grid.hpp"
@@ -17,6 +19,9 @@ Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rn
 
 /// Free space for a kidnap of this robot.
 FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Grid& drive_grid);
+
+/// The run's kidnaps, by time. @throws std::runtime_error if a given target is in collision.
+std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& drive_grid);
 
 /// Room that the planner keeps around the footprint. [m]
 inline constexpr double kDriveMargin = 0.04;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/drive_setup.hpp"
 #include "sim/drive_space.hpp"
 #include "sim/navigation/proximity_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
@@ -27,47 +28,6 @@ nanoseconds period_of(double hz, const char* what) {
     throw std::invalid_argument(fmt::format("simulation: {} is {}: give 0 to 100000", what, hz));
   }
   return nanoseconds(std::llround(1e9 / hz));
-}
-
-/// The limits asked for, or what the wheels can do if that is less.
-TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot) {
-  TwistLimits limits{drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
-                     drive.max_turn_acceleration};
-  for (const DriveWheel& wheel : robot.wheels) {
-    if (wheel.speed_max <= 0.0) continue;
-    const double rim = wheel.speed_max * wheel.radius;
-    limits.max_speed = std::min(limits.max_speed, rim);
-    limits.max_turn_rate = std::min(limits.max_turn_rate, 2.0 * rim / robot.track);
-  }
-  return limits;
-}
-
-RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
-  RouteConfig route;
-  route.waypoints = drive.waypoints;
-  route.loop = drive.loop;
-  route.follower.limits = limits_of(drive, robot);
-  return route;
-}
-
-GuardConfig guard_of(const SimulationConfig& config) {
-  GuardConfig guard;
-  guard.radius = config.robot.footprint_radius;
-  guard.deceleration = 0.6 * config.drive.max_acceleration;
-  return guard;
-}
-
-/// Kidnaps by time; a target that is given must be free from the start.
-std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& grid) {
-  std::vector<KidnapSpec> kidnaps = config.kidnaps;
-  std::stable_sort(kidnaps.begin(), kidnaps.end(),
-                   [](const KidnapSpec& a, const KidnapSpec& b) { return a.at_s < b.at_s; });
-  Rng unused;
-  for (const KidnapSpec& spec : kidnaps) {
-    if (spec.kind != KidnapKind::kTeleportTo) continue;
-    kidnap_target(spec, config.start, kidnap_space(spec, config.robot, grid), unused);
-  }
-  return kidnaps;
 }
 
 WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fraction) {
@@ -136,7 +96,7 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
       route(route_of(config.drive, config.robot),
             FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)),
-      guard(guard_of(config)) {}
+      guard(guard_of(config.drive, config.robot)) {}
 
 template <typename Work>
 void Simulation::State::measured(const char* stage, Work work) {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/robot/inertia.hpp"
 #include "sim/robot/lidar_discovery.hpp"
+#include "sim/robot/link_mass.hpp"
 #include "sim/robot/part_points.hpp"
 #include "sim/robot/supports.hpp"
 #include "sim/robot/urdf_parts.hpp"
@@ -17,8 +17,6 @@
 
 namespace castaway::sim {
 namespace {
-
-constexpr double kGuessedDensity = 300.0;  // [kg/m^3] Of links without mass: half empty boxes.
 
 /// The stages of loading share these.
 class RobotLoader {
@@ -51,8 +49,6 @@ class RobotLoader {
   void measure_drive();
   void collect_parts();
   void add_masses();
-  [[nodiscard]] BodyMass mass_of(const urdf::Link& link);
-  [[nodiscard]] BodyMass repaired(const urdf::Link& link, double mass);
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const std::string& link) const;
   [[nodiscard]] std::set<std::string> swivels() const;
   void measure_extent();
@@ -169,36 +165,10 @@ std::vector<Eigen::Vector3d> RobotLoader::points_of(const std::string& link) con
   return points;
 }
 
-BodyMass RobotLoader::repaired(const urdf::Link& link, double mass) {
-  const std::vector<Eigen::Vector3d> points = points_of(link.name);
-  if (points.empty() && mass <= 0.0) return {};  // A mere frame.
-  if (mass <= 0.0) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : points) box.extend(p);
-    mass = std::clamp(kGuessedDensity * box.volume(), 0.02, 50.0);
-  }
-  robot_.warnings.push_back(
-      fmt::format("link {}: no possible inertia: that of a box of {:.2f} kg", link.name, mass));
-  BodyMass body = box_mass(points, mass);
-  if (points.empty()) body.p_base_com = frames_.at(link.name).translation();
-  return body;
-}
-
-BodyMass RobotLoader::mass_of(const urdf::Link& link) {
-  if (!link.inertial) return repaired(link, 0.0);
-  const urdf::Inertial& i = *link.inertial;
-  if (!(i.mass > 0.0) || !std::isfinite(i.mass)) return repaired(link, 0.0);
-  Eigen::Matrix3d inertia;
-  inertia << i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz;
-  if (!possible_inertia(inertia)) return repaired(link, i.mass);
-  const Eigen::Isometry3d T = frames_.at(link.name) * to_transform(i.origin);
-  return {i.mass, T.translation(), T.linear() * inertia * T.linear().transpose()};
-}
-
 void RobotLoader::add_masses() {
   std::vector<BodyMass> chassis;
   for (const auto& [name, link] : file_.model->links_) {
-    const BodyMass body = mass_of(*link);
+    const BodyMass body = link_mass(*link, frames_, points_of(name), robot_.warnings);
     if (DriveWheel* wheel = wheel_on(name)) {
       wheel->mass = body.mass;
       wheel->inertia_spin = body.inertia(1, 1);

@@ -1,0 +1,39 @@
+#include "sim/drive_setup.hpp"
+
+#include <algorithm>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kBrakingShare = 0.6;  // Of the acceleration limit: the guard reacts late.
+
+}  // namespace
+
+TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot) {
+  TwistLimits limits{drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
+                     drive.max_turn_acceleration};
+  for (const DriveWheel& wheel : robot.wheels) {
+    if (wheel.speed_max <= 0.0) continue;
+    const double rim = wheel.speed_max * wheel.radius;
+    limits.max_speed = std::min(limits.max_speed, rim);
+    limits.max_turn_rate = std::min(limits.max_turn_rate, 2.0 * rim / robot.track);
+  }
+  return limits;
+}
+
+RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
+  RouteConfig route;
+  route.waypoints = drive.waypoints;
+  route.loop = drive.loop;
+  route.follower.limits = limits_of(drive, robot);
+  return route;
+}
+
+GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot) {
+  GuardConfig guard;
+  guard.radius = robot.footprint_radius;
+  guard.deceleration = kBrakingShare * drive.max_acceleration;
+  return guard;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,20 @@
+/// What drives the robot in a simulated run.
+#pragma once
+
+#include "sim/navigation/proximity_guard.hpp"
+#include "sim/navigation/route_runner.hpp"
+#include "sim/robot/twist_ramp.hpp"
+#include "sim/simulation.hpp"
+
+namespace castaway::sim {
+
+/// The limits asked for, or what the wheels can do if that is less.
+TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot);
+
+/// The route asked for, driven within those limits.
+RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot);
+
+/// What keeps a robot that drives by an estimate off obstacles.
+GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot);
+
+}  // namespace castaway::sim
