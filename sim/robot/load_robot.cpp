@@ -44,7 +44,6 @@ class RobotLoader {
 
  private:
   void add_wheel(const urdf::Joint& joint);
-  [[nodiscard]] double wheel_radius(const urdf::Link& link);
   void put_base_on_floor();
   void measure_drive();
   void collect_parts();
@@ -60,42 +59,13 @@ class RobotLoader {
   RobotModel robot_;
 };
 
-/// Radius of a wheel's shape about its centre.
-double radius_of(const RobotPart& part, const Eigen::Vector3d& center) {
-  if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) return sphere->radius;
-  if (const auto* cylinder = std::get_if<CylinderShape>(&part.shape)) return cylinder->radius;
-  double radius = 0.0;
-  for (const Eigen::Vector3d& p : part_points(part)) {
-    radius = std::max(radius, std::abs(p.z() - center.z()));
-  }
-  return radius;
-}
-
-double RobotLoader::wheel_radius(const urdf::Link& link) {
-  std::vector<std::string> ignored;  // The same warnings come with the parts.
-  const Eigen::Vector3d center = frames_.at(link.name).translation();
-  double radius = 0.0;
-  for (const RobotPart& part : collision_parts(link, frames_, finder_, ignored)) {
-    radius = std::max(radius, radius_of(part, center));
-  }
-  if (radius > 0.0) return radius;
-  for (const RobotPart& part : visual_parts(link, frames_, finder_, ignored)) {
-    radius = std::max(radius, radius_of(part, center));
-  }
-  if (radius > 0.0) return radius;
-  throw std::runtime_error(fmt::format(
-      "{}: link {} is a drive wheel without a shape: give it a <collision> so that its radius is "
-      "known",
-      file_.path, link.name));
-}
-
 void RobotLoader::add_wheel(const urdf::Joint& joint) {
   const urdf::Link& link = *file_.model->links_.at(joint.child_link_name);
   DriveWheel wheel;
   wheel.joint = joint.name;
   wheel.link = link.name;
   wheel.p_base_wheel = frames_.at(link.name).translation();
-  wheel.radius = wheel_radius(link);
+  wheel.radius = wheel_radius(file_, link, frames_, finder_);
   if (joint.limits) {
     wheel.effort_max = joint.limits->effort;
     wheel.speed_max = joint.limits->velocity;

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/robot/part_points.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -101,6 +103,23 @@ std::vector<Pair> named_pairs(const std::vector<Pair>& pairs, const TiXmlElement
   return named.empty() ? pairs : named;
 }
 
+/// Radius of a shape about a wheel's centre.
+double radius_of(const RobotPart& part, const Eigen::Vector3d& center) {
+  if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) return sphere->radius;
+  if (const auto* cylinder = std::get_if<CylinderShape>(&part.shape)) return cylinder->radius;
+  double radius = 0.0;
+  for (const Eigen::Vector3d& p : part_points(part)) {
+    radius = std::max(radius, std::abs(p.z() - center.z()));
+  }
+  return radius;
+}
+
+double largest_radius(const std::vector<RobotPart>& parts, const Eigen::Vector3d& center) {
+  double radius = 0.0;
+  for (const RobotPart& part : parts) radius = std::max(radius, radius_of(part, center));
+  return radius;
+}
+
 }  // namespace
 
 std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrames& frames) {
@@ -120,6 +139,20 @@ std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrame
     result.push_back(pair.right.joint);
   }
   return result;
+}
+
+double wheel_radius(const UrdfFile& file, const urdf::Link& link, const LinkFrames& frames,
+                    const MeshFinder& finder) {
+  std::vector<std::string> ignored;  // The same warnings come with the parts.
+  const Eigen::Vector3d center = frames.at(link.name).translation();
+  double radius = largest_radius(collision_parts(link, frames, finder, ignored), center);
+  if (radius > 0.0) return radius;
+  radius = largest_radius(visual_parts(link, frames, finder, ignored), center);
+  if (radius > 0.0) return radius;
+  throw std::runtime_error(fmt::format(
+      "{}: link {} is a drive wheel without a shape: give it a <collision> so that its radius is "
+      "known",
+      file.path, link.name));
 }
 
 }  // namespace castaway::sim

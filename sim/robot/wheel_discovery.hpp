@@ -14,4 +14,9 @@ namespace castaway::sim {
 /// @throws std::runtime_error if there is no pair.
 std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrames& frames);
 
+/// Radius of a wheel, from the collision shape of its link, else from the visual one. [m]
+/// @throws std::runtime_error if it has neither.
+double wheel_radius(const UrdfFile& file, const urdf::Link& link, const LinkFrames& frames,
+                    const MeshFinder& finder);
+
 }  // namespace castaway::sim

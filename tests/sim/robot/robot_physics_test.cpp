@@ -151,6 +151,20 @@ TEST(RobotPhysics, MeshesStopItToo) {
   EXPECT_LT(to_planar(physics.state().T_map_base).x, 1.0);
 }
 
+TEST(RobotPhysics, AMeshForABodyCollidesAsItsHull) {
+  WorldSpec world = open_floor();
+  world.objects = {box_on_floor("wall", {0.2, 4.0, 1.0}, {1.1, 0.0})};
+  RobotModel robot = test_robot();
+  robot.collisions[0].shape =
+      MeshShape{CASTAWAY_ROBOTS "/waffle/meshes/base.obj", Eigen::Vector3d::Ones()};
+  robot.collisions[0].T_base_part = Eigen::Translation3d(0.0, 0.0, 0.01);
+  RobotPhysics physics(world, robot, {}, kLimits, kStep);
+  physics.set_command({0.3, 0.0});
+  for (int i = 0; i < 3000; ++i) physics.step();
+  EXPECT_EQ(physics.collisions(), 1);
+  EXPECT_NEAR(to_planar(physics.state().T_map_base).x, 1.0 - 0.069, 0.01);
+}
+
 TEST(RobotPhysics, ManyBoxesStopItLikeFew) {
   WorldSpec world = open_floor();
   for (int i = 0; i < 400; ++i) {
