@@ -115,32 +115,25 @@ std::uint64_t hash_of(const std::vector<SimFrame>& frames) {
   return hash.value();
 }
 
-SimulationConfig noisy_kidnap() {
-  SimulationConfig config = test_simulation();
-  config.odometry = OdometryConfig{};
-  config.lidar.noise.sigma = 0.01;
-  config.kidnaps = {{KidnapKind::kTeleportRandom, 4.0, 2.0, 0.05, std::nullopt}};
-  return config;
-}
-
 TEST(Simulation, RepeatsToTheBit) {
-  const std::uint64_t first = hash_of(run(noisy_kidnap(), 5));
-  EXPECT_EQ(hash_of(run(noisy_kidnap(), 5)), first);
-  EXPECT_NE(hash_of(run(noisy_kidnap(), 6)), first);
+  const std::uint64_t first = hash_of(run(noisy_kidnap_simulation(), 5));
+  EXPECT_EQ(hash_of(run(noisy_kidnap_simulation(), 5)), first);
+  EXPECT_NE(hash_of(run(noisy_kidnap_simulation(), 6)), first);
 }
 
 TEST(Simulation, AClockChangesNothing) {
   nanoseconds fake{};
-  Simulation timed(noisy_kidnap(), test_streams(5), [&fake] { return fake += nanoseconds(7); });
+  Simulation timed(noisy_kidnap_simulation(), test_streams(5),
+                   [&fake] { return fake += nanoseconds(7); });
   std::vector<SimFrame> frames;
   while (auto frame = timed.next()) frames.push_back(std::move(*frame));
-  EXPECT_EQ(hash_of(frames), hash_of(run(noisy_kidnap(), 5)));
+  EXPECT_EQ(hash_of(frames), hash_of(run(noisy_kidnap_simulation(), 5)));
   EXPECT_EQ(timed.cpu_by_stage().at("physics"), nanoseconds(7 * 5000));
-  EXPECT_TRUE(Simulation(noisy_kidnap(), test_streams(5)).cpu_by_stage().empty());
+  EXPECT_TRUE(Simulation(noisy_kidnap_simulation(), test_streams(5)).cpu_by_stage().empty());
 }
 
 TEST(Simulation, StreamsDoNotDisturbEachOther) {
-  auto config = noisy_kidnap();
+  auto config = noisy_kidnap_simulation();
   const auto with_noise = all_of<OdometryReading>(run(config, 5));
   config.lidar.noise.sigma = 0.0;
   const auto without = all_of<OdometryReading>(run(config, 5));
@@ -149,7 +142,7 @@ TEST(Simulation, StreamsDoNotDisturbEachOther) {
 }
 
 TEST(Simulation, AKidnapMovesTheTruthFarAndOdometryNotAtAll) {
-  const auto frames = run(noisy_kidnap(), 5);
+  const auto frames = run(noisy_kidnap_simulation(), 5);
   const auto kidnaps = all_of<KidnapRecord>(frames);
   ASSERT_EQ(kidnaps.size(), 1U);
   EXPECT_EQ(kidnaps[0].stamp, seconds(4));
@@ -164,20 +157,6 @@ TEST(Simulation, AKidnapMovesTheTruthFarAndOdometryNotAtAll) {
   const auto& after = odometry[400];
   ASSERT_EQ(after.stamp, seconds(4));
   EXPECT_NEAR(after.T_map_base_true.x, kidnaps[0].T_map_to.x, 1e-9);
-}
-
-TEST(Simulation, DrivesOnAfterAKidnapWithoutHittingAnything) {
-  for (unsigned seed = 0; seed < 5; ++seed) {
-    auto config = noisy_kidnap();
-    config.random_start = true;
-    config.duration = seconds(60);
-    config.kidnaps.push_back({KidnapKind::kTeleportRandom, 20.0, 1.0, 0.05, std::nullopt});
-    Simulation simulation(config, test_streams(seed));
-    while (simulation.next()) {
-    }
-    EXPECT_EQ(simulation.collisions(), 0) << seed;
-    EXPECT_GT(simulation.distance_driven(), 12.0) << seed;
-  }
 }
 
 TEST(Simulation, ScansFitTheWorldAtTheTruePose) {
@@ -196,85 +175,6 @@ TEST(Simulation, ScansFitTheWorldAtTheTruePose) {
       EXPECT_NE(scans[i].hit_object[static_cast<std::size_t>(beam)], expected.object);
     }
   }
-}
-
-TEST(Simulation, StandsStillWithoutWaypointsOrWithoutAnEstimate) {
-  auto config = test_simulation();
-  config.drive.by_estimate = true;
-  Simulation waiting(config, test_streams(1));
-  while (waiting.next()) {
-  }
-  EXPECT_LT(waiting.distance_driven(), 0.01);
-  config.drive.by_estimate = false;
-  config.drive.waypoints.clear();
-  Simulation parked(config, test_streams(1));
-  while (parked.next()) {
-  }
-  EXPECT_LT(parked.distance_driven(), 0.01);
-}
-
-TEST(Simulation, DrivesByTheEstimateItIsGiven) {
-  auto config = test_simulation();
-  config.drive.by_estimate = true;
-  Simulation simulation(config, test_streams(1));
-  while (simulation.next()) simulation.set_drive_pose(simulation.true_pose());
-  EXPECT_GT(simulation.distance_driven(), 2.0);
-}
-
-TEST(Simulation, AWrongEstimateDrivesItAboutButIntoNothing) {
-  for (unsigned seed = 0; seed < 5; ++seed) {
-    auto config = test_simulation();
-    config.drive.by_estimate = true;
-    config.random_start = true;
-    config.duration = seconds(60);
-    Simulation simulation(config, test_streams(seed));
-    while (simulation.next()) {
-      const Pose2 truth = simulation.true_pose();
-      simulation.set_drive_pose(Pose2{-truth.x, -truth.y, truth.yaw + 2.0});
-    }
-    EXPECT_EQ(simulation.collisions(), 0) << seed;
-    EXPECT_GT(simulation.distance_driven(), 2.0) << seed;
-  }
-}
-
-TEST(Simulation, AvoidsWhatIsNotOnTheMap) {
-  auto config = test_simulation();
-  config.duration = seconds(40);
-  WorldObject crate = box_on_floor("crate", {0.5, 0.5, 0.4}, {0.7, -2.0});
-  crate.in_map = false;
-  config.world.objects.push_back(crate);
-  Simulation simulation(config, test_streams(1));
-  while (simulation.next()) {
-  }
-  EXPECT_EQ(simulation.collisions(), 0);
-  EXPECT_GT(simulation.distance_driven(), 10.0);
-}
-
-std::string error_of(const SimulationConfig& config) {
-  try {
-    Simulation simulation(config, test_streams(1));
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(Simulation, RefusesAStartInAWall) {
-  auto config = test_simulation();
-  config.start = {0.3, 0.2, 0.0};
-  EXPECT_THAT(error_of(config), testing::HasSubstr("start: at (0.3, 0.2)"));
-}
-
-TEST(Simulation, RefusesAKidnapIntoTheTableFromTheStart) {
-  auto config = test_simulation();
-  config.kidnaps = {{KidnapKind::kTeleportTo, 9.0, 0.0, 0.05, Pose2{0.3, 0.2, 0.0}}};
-  EXPECT_THAT(error_of(config), testing::HasSubstr("kidnap at 9 s"));
-}
-
-TEST(Simulation, RefusesToRunWithoutAMap) {
-  auto config = test_simulation();
-  config.map = {};
-  EXPECT_THAT(error_of(config), testing::HasSubstr("map"));
 }
 
 }  // namespace

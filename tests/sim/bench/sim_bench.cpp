@@ -6,6 +6,7 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "sim/robot/load_robot.hpp"
 #include "sim/sensor/ray_scene.hpp"
 #include "sim/world/extrude.hpp"
 #include "sim/world/free_space.hpp"
@@ -101,6 +102,7 @@ SimulationConfig big_run() {
   SimulationConfig config = test_simulation();
   config.map = big_map();
   config.world = extrude(config.map, 1.0, "big");
+  config.robot = load_robot(CASTAWAY_ROBOTS "/waffle/waffle.urdf");
   config.random_start = true;
   config.drive.waypoints = {{-20.0, -20.0}, {20.0, -20.0}, {20.0, 20.0}, {-20.0, 20.0}};
   return config;
@@ -112,6 +114,10 @@ int main() {
   time_rays("60 turned boxes", hall(60));
   time_rays("920 turned boxes", hall(920));
   SimulationConfig room = test_simulation();
+  room.robot = load_robot(CASTAWAY_ROBOTS "/waffle/waffle.urdf");
+  room.lidar.T_base_laser = room.robot.lidar->T_base_laser;
+  room.lidar.noise.sigma = 0.01;
+  room.odometry = OdometryConfig{};
   time_run("room, 500 Hz", room);
   room.physics_hz = 240.0;
   time_run("room, 240 Hz", room);

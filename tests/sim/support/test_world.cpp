@@ -75,6 +75,14 @@ SimulationConfig test_simulation() {
   return config;
 }
 
+SimulationConfig noisy_kidnap_simulation() {
+  SimulationConfig config = test_simulation();
+  config.odometry = OdometryConfig{};
+  config.lidar.noise.sigma = 0.01;
+  config.kidnaps = {{KidnapKind::kTeleportRandom, 4.0, 2.0, 0.05, std::nullopt}};
+  return config;
+}
+
 SimulationStreams test_streams(unsigned seed) {
   return {Rng(3 * seed), Rng(3 * seed + 1), Rng(3 * seed + 2)};
 }

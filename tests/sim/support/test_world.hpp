@@ -24,6 +24,9 @@ RobotModel test_robot();
 /// The robot in the room, driving round the table; ideal sensors; 10 s.
 SimulationConfig test_simulation();
 
+/// The same with the errors of real sensors and a random kidnap at 4 s.
+SimulationConfig noisy_kidnap_simulation();
+
 /// Streams that differ by seed and from each other.
 SimulationStreams test_streams(unsigned seed);
 

@@ -1,0 +1,110 @@
+#include <chrono>
+#include <exception>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/simulation.hpp"
+#include "tests/sim/support/test_world.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::seconds;
+
+TEST(SimulationDrive, DrivesOnAfterAKidnapWithoutHittingAnything) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    auto config = noisy_kidnap_simulation();
+    config.random_start = true;
+    config.duration = seconds(60);
+    config.kidnaps.push_back({KidnapKind::kTeleportRandom, 20.0, 1.0, 0.05, std::nullopt});
+    Simulation simulation(config, test_streams(seed));
+    while (simulation.next()) {
+    }
+    EXPECT_EQ(simulation.collisions(), 0) << seed;
+    EXPECT_GT(simulation.distance_driven(), 12.0) << seed;
+  }
+}
+
+TEST(SimulationDrive, StandsStillWithoutWaypointsOrWithoutAnEstimate) {
+  auto config = test_simulation();
+  config.drive.by_estimate = true;
+  Simulation waiting(config, test_streams(1));
+  while (waiting.next()) {
+  }
+  EXPECT_LT(waiting.distance_driven(), 0.01);
+  config.drive.by_estimate = false;
+  config.drive.waypoints.clear();
+  Simulation parked(config, test_streams(1));
+  while (parked.next()) {
+  }
+  EXPECT_LT(parked.distance_driven(), 0.01);
+}
+
+TEST(SimulationDrive, DrivesByTheEstimateItIsGiven) {
+  auto config = test_simulation();
+  config.drive.by_estimate = true;
+  Simulation simulation(config, test_streams(1));
+  while (simulation.next()) simulation.set_drive_pose(simulation.true_pose());
+  EXPECT_GT(simulation.distance_driven(), 2.0);
+}
+
+TEST(SimulationDrive, AWrongEstimateDrivesItAboutButIntoNothing) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    auto config = test_simulation();
+    config.drive.by_estimate = true;
+    config.random_start = true;
+    config.duration = seconds(60);
+    Simulation simulation(config, test_streams(seed));
+    while (simulation.next()) {
+      const Pose2 truth = simulation.true_pose();
+      simulation.set_drive_pose(Pose2{-truth.x, -truth.y, truth.yaw + 2.0});
+    }
+    EXPECT_EQ(simulation.collisions(), 0) << seed;
+    EXPECT_GT(simulation.distance_driven(), 2.0) << seed;
+  }
+}
+
+TEST(SimulationDrive, AvoidsWhatIsNotOnTheMap) {
+  auto config = test_simulation();
+  config.duration = seconds(40);
+  WorldObject crate = box_on_floor("crate", {0.5, 0.5, 0.4}, {0.7, -2.0});
+  crate.in_map = false;
+  config.world.objects.push_back(crate);
+  Simulation simulation(config, test_streams(1));
+  while (simulation.next()) {
+  }
+  EXPECT_EQ(simulation.collisions(), 0);
+  EXPECT_GT(simulation.distance_driven(), 10.0);
+}
+
+std::string error_of(const SimulationConfig& config) {
+  try {
+    Simulation simulation(config, test_streams(1));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SimulationErrors, RefusesAStartInAWall) {
+  auto config = test_simulation();
+  config.start = {0.3, 0.2, 0.0};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("start: at (0.3, 0.2)"));
+}
+
+TEST(SimulationErrors, RefusesAKidnapIntoTheTableFromTheStart) {
+  auto config = test_simulation();
+  config.kidnaps = {{KidnapKind::kTeleportTo, 9.0, 0.0, 0.05, Pose2{0.3, 0.2, 0.0}}};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("kidnap at 9 s"));
+}
+
+TEST(SimulationErrors, RefusesToRunWithoutAMap) {
+  auto config = test_simulation();
+  config.map = {};
+  EXPECT_THAT(error_of(config), testing::HasSubstr("map"));
+}
+
+}  // namespace
+}  // namespace castaway::sim
