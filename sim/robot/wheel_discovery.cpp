@@ -127,6 +127,7 @@ std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrame
   const std::vector<Pair> pairs = mirrored_pairs(joints);
   if (pairs.empty()) {
     std::vector<std::string> found;
+    found.reserve(joints.size());
     for (const Candidate& c : joints) found.push_back(c.joint);
     throw std::runtime_error(fmt::format(
         "{}: no drive wheels: needs two joints of type continuous with their axes along y, "
