@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   std::function<int()> chosen;
   add_run_command(app, chosen);
   add_replay_command(app, chosen);
+  add_evaluate_command(app, chosen);
   add_map_command(app, chosen);
   add_check_robot_command(app, chosen);
   try {

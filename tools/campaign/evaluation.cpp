@@ -1,0 +1,168 @@
+#include "tools/campaign/evaluation.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "localization/stamp.hpp"
+#include "tools/campaign/rows_sink.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/map_conversion.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr std::size_t kTail = 40;  // scans at the end of a log where no trial begins
+
+/// Evenly spaced scans, away from the end of the log.
+std::size_t place_of(std::size_t scans, int k, int count) {
+  const std::size_t usable = scans > kTail ? scans - kTail : 1;
+  return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
+}
+
+std::optional<localization::PoseWithCovariance> known(const std::optional<SE2>& pose) {
+  if (!pose) return std::nullopt;
+  return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
+/// What one trial plays and how it begins.
+struct Trial {
+  Frames frames;
+  bool known_start = false;
+  std::uint64_t seed = 1;
+};
+
+/// Runs trials of one localizer on one place.
+class Evaluator {
+ public:
+  Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
+      : spec_(spec), config_(config) {
+    localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
+    map_ = to_occupancy_grid(damaged(place.map, config.stress, rng));
+  }
+
+  RowsOfRun run(const Trial& trial) const {
+    localization::Rng rng =
+        localization::substream(config_.seed, "stress/" + std::to_string(trial.seed));
+    RecordedSource source(stressed(trial.frames, config_.stress, rng));
+    std::vector<NamedLocalizer> localizers = build_localizers({spec_}, map_, trial.seed);
+    LoopConfig loop;
+    if (trial.known_start) loop.start = known(source.start_pose());
+    RowsOfRun rows;
+    std::vector<std::unique_ptr<RunSink>> sinks;
+    sinks.push_back(std::make_unique<RowsSink>(rows));
+    Loop(loop, localizers, sinks).run(source);
+    return rows;
+  }
+
+ private:
+  LocalizerSpec spec_;
+  EvaluationConfig config_;
+  localization::OccupancyGrid map_;
+};
+
+void add_trial(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
+  const LocalizerMetrics metrics =
+      measure(rows.rows, rows.events, known_start, rows.end, RecoveryConfig{.min_left = Stamp{}});
+  for (const RecoveryWindow& window : metrics.windows) {
+    ++summary.trials;
+    if (!window.recovered) continue;
+    ++summary.recovered;
+    summary.time_s.push_back(localization::seconds(*window.recovered - window.begin));
+    summary.distance_m.push_back(window.distance_m);
+  }
+}
+
+/// Counts scans that are wrong while they say to be right, from the event (or the start) on.
+void add_honesty(const RowsOfRun& rows, EvaluationRow& row) {
+  const Stamp begin = rows.events.empty() ? Stamp{} : rows.events.front().stamp;
+  std::optional<Stamp> wrong_since;
+  for (const MetricRow& scan : rows.rows) {
+    if (scan.stamp < begin || !scan.T_map_base_true) continue;
+    ++row.scans;
+    const bool wrong = scan.T_map_base_estimate && !scan.lost && !is_right(scan, {});
+    if (!wrong) {
+      wrong_since.reset();
+      continue;
+    }
+    ++row.wrong_scans;
+    if (!wrong_since) wrong_since = scan.stamp;
+    row.longest_wrong_s =
+        std::max(row.longest_wrong_s, localization::seconds(scan.stamp - *wrong_since));
+  }
+}
+
+/// Sums the CPU time of scans.
+struct CpuSum {
+  double total_ms = 0.0;
+  double max_ms = 0.0;
+  std::int64_t scans = 0;
+
+  void add(const RowsOfRun& rows) {
+    for (const double ms : rows.update_ms) {
+      total_ms += ms;
+      max_ms = std::max(max_ms, ms);
+      ++scans;
+    }
+  }
+};
+
+}  // namespace
+
+void validate(const EvaluationConfig& config) {
+  if (config.starts < 0 || config.kidnaps < 0) {
+    throw std::invalid_argument("starts and kidnaps must not be negative");
+  }
+  if (!(config.window_s > 0.0)) throw std::invalid_argument("the window must be positive");
+  validate(config.stress);
+}
+
+EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localizer,
+                       const EvaluationConfig& config, const std::function<void()>& on_trial) {
+  validate(config);
+  const Evaluator evaluator(place, localizer, config);
+  const std::size_t scans = scan_positions(place.frames).size();
+  const Stamp window = localization::from_seconds(config.window_s);
+  EvaluationRow row;
+  row.log = place.name;
+  row.localizer = localizer.name;
+  CpuSum cpu;
+  for (int k = 0; k < config.starts; ++k) {
+    const std::size_t first = place_of(scans, k, config.starts);
+    const RowsOfRun rows = evaluator.run(
+        {stretch(place.frames, first, window), false, static_cast<std::uint64_t>(k) + 1});
+    add_trial(rows, false, row.starts);
+    add_honesty(rows, row);
+    cpu.add(rows);
+    on_trial();
+  }
+  const auto lead = static_cast<std::size_t>(config.scans_before_kidnap);
+  for (int k = 0; k < config.kidnaps; ++k) {
+    const std::size_t to = place_of(scans, k, config.kidnaps);
+    const std::size_t half = (to + scans / 2) % (scans > kTail + lead ? scans - kTail - lead : 1);
+    const RowsOfRun rows =
+        evaluator.run({splice(place.frames, {half, std::min(half + lead, scans - 1), to, window}),
+                       true, static_cast<std::uint64_t>(k) + 1001});
+    add_trial(rows, true, row.kidnaps);
+    add_honesty(rows, row);
+    cpu.add(rows);
+    on_trial();
+  }
+  if (config.tracking) {
+    const RowsOfRun rows = evaluator.run({stretch(place.frames, 0, Stamp::max()), true, 1});
+    const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
+    row.tracking_m = metrics.position_error_m;
+    row.tracking_yaw = metrics.yaw_error_rad;
+    on_trial();
+  }
+  for (TrialSummary* summary : {&row.starts, &row.kidnaps}) {
+    std::sort(summary->time_s.begin(), summary->time_s.end());
+    std::sort(summary->distance_m.begin(), summary->distance_m.end());
+  }
+  row.cpu_mean_ms = cpu.scans > 0 ? cpu.total_ms / static_cast<double>(cpu.scans) : 0.0;
+  row.cpu_max_ms = cpu.max_ms;
+  return row;
+}
+
+}  // namespace castaway::testbed

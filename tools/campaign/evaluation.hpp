@@ -1,0 +1,71 @@
+/// Judges a localizer on a recorded log: tracking, unknown starts and spliced kidnaps at evenly
+/// spaced places.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/metrics/localizer_metrics.hpp"
+#include "tools/run/stress.hpp"
+#include "tools/scenario/scenario.hpp"
+
+namespace castaway::testbed {
+
+/// What is tried.
+struct EvaluationConfig {
+  int starts = 24;               ///< Unknown starts.
+  int kidnaps = 24;              ///< Spliced kidnaps.
+  double window_s = 60.0;        ///< [s] Of every start and after every kidnap.
+  int scans_before_kidnap = 30;  ///< Scans tracked from a known start before a kidnap.
+  bool tracking = true;          ///< The whole log from its true start, too.
+  StressConfig stress;
+  std::uint64_t seed = 1;
+};
+
+/// Throws std::invalid_argument where a figure is out of its range.
+void validate(const EvaluationConfig& config);
+
+/// Trials of one kind, put together.
+struct TrialSummary {
+  int trials = 0;
+  int recovered = 0;
+  std::vector<double> time_s;      ///< [s] Of those recovered, ascending.
+  std::vector<double> distance_m;  ///< [m] Of those recovered, ascending.
+};
+
+/// One localizer on one log.
+struct EvaluationRow {
+  std::string log;
+  std::string localizer;
+  std::optional<Statistics> tracking_m;    ///< [m] Position error from the true start.
+  std::optional<Statistics> tracking_yaw;  ///< [rad]
+  TrialSummary starts;
+  TrialSummary kidnaps;
+  std::int64_t scans = 0;        ///< Of starts and kidnaps, scored ones.
+  std::int64_t wrong_scans = 0;  ///< Of those: wrong while it said that it was right.
+  double longest_wrong_s = 0.0;  ///< [s] Longest time of that without a pause.
+  double cpu_mean_ms = 0.0;      ///< [ms] CPU time of a scan, over starts and kidnaps.
+  double cpu_max_ms = 0.0;       ///< [ms]
+};
+
+/// A log with its map.
+struct RecordedPlace {
+  std::string name;
+  Frames frames;
+  RosMap map;
+};
+
+/// Reads a folder that holds a log (`log*`, `*.log`, `*.carmen`, gzipped or not) and a map
+/// (`map.yaml`, else the only .yaml file with a picture). Throws std::runtime_error naming what is
+/// missing.
+RecordedPlace load_recorded_place(const std::string& folder);
+
+/// Runs all trials of one localizer. Trials are at evenly spaced scans; a kidnap jumps from half a
+/// log away. `on_trial` is called after each.
+EvaluationRow evaluate(
+    const RecordedPlace& place, const LocalizerSpec& localizer, const EvaluationConfig& config,
+    const std::function<void()>& on_trial = [] {});
+
+}  // namespace castaway::testbed

@@ -1,0 +1,166 @@
+// castaway evaluate: localizers judged on recorded logs.
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/campaign/evaluation.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/metrics/intervals.hpp"
+#include "tools/metrics/statistics.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct EvaluateArguments {
+  std::vector<std::string> folders;
+  std::vector<std::string> localizers;
+  EvaluationConfig config;
+  bool json = false;
+};
+
+std::string rate(const TrialSummary& trials) {
+  if (trials.trials == 0) return "-";
+  const RateInterval interval = wilson_interval(trials.recovered, trials.trials);
+  return fmt::format("{}/{} ({:.0f}-{:.0f} %)", trials.recovered, trials.trials, 100 * interval.low,
+                     100 * interval.high);
+}
+
+std::string quantile(const std::vector<double>& ascending, double q, const char* unit) {
+  return ascending.empty() ? "-" : fmt::format("{:.1f} {}", percentile(ascending, q), unit);
+}
+
+void print_header() {
+  fmt::print(
+      "{:<16} {:<14} {:>18} {:>8} {:>8} {:>8}  {:>18} {:>8} {:>8} {:>8}  {:>16} {:>7} {:>7}  "
+      "{:>17}\n",
+      "log", "localizer", "unknown start", "median", "p90", "way p90", "kidnap", "median", "p90",
+      "way p90", "tracking", "wrong", "longest", "CPU mean, max");
+}
+
+void print_row(const EvaluationRow& row) {
+  const std::string tracking = row.tracking_m
+                                   ? fmt::format("{:.3f} m, {:.1f} deg", row.tracking_m->mean,
+                                                 row.tracking_yaw->mean * 57.29577951308232)
+                                   : "-";
+  const double wrong =
+      row.scans > 0 ? 100.0 * static_cast<double>(row.wrong_scans) / static_cast<double>(row.scans)
+                    : 0.0;
+  fmt::print(
+      "{:<16} {:<14} {:>18} {:>8} {:>8} {:>8}  {:>18} {:>8} {:>8} {:>8}  {:>16} {:>7} {:>7}  "
+      "{:>17}\n",
+      row.log, row.localizer, rate(row.starts), quantile(row.starts.time_s, 0.5, "s"),
+      quantile(row.starts.time_s, 0.9, "s"), quantile(row.starts.distance_m, 0.9, "m"),
+      rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
+      quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"), tracking,
+      fmt::format("{:.2f} %", wrong), fmt::format("{:.1f} s", row.longest_wrong_s),
+      fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms));
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json to_json(const EvaluationRow& row) {
+  const auto trials = [](const TrialSummary& t) {
+    const RateInterval interval = wilson_interval(t.recovered, t.trials);
+    return nlohmann::ordered_json{{"trials", t.trials},
+                                  {"recovered", t.recovered},
+                                  {"interval", {interval.low, interval.high}},
+                                  {"time_s", t.time_s},
+                                  {"distance_m", t.distance_m}};
+  };
+  nlohmann::ordered_json json = {{"log", row.log},
+                                 {"localizer", row.localizer},
+                                 {"starts", trials(row.starts)},
+                                 {"kidnaps", trials(row.kidnaps)},
+                                 {"scans", row.scans},
+                                 {"wrong_scans", row.wrong_scans},
+                                 {"longest_wrong_s", row.longest_wrong_s},
+                                 {"cpu_mean_ms", row.cpu_mean_ms},
+                                 {"cpu_max_ms", row.cpu_max_ms}};
+  if (row.tracking_m) {
+    json["tracking_m"] = row.tracking_m->mean;
+    json["tracking_yaw_rad"] = row.tracking_yaw->mean;
+  }
+  return json;
+}
+
+/// Trials done and in all, on a terminal only.
+class TrialCount {
+ public:
+  explicit TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) != 0) {}
+  void next() {
+    ++done_;
+    if (terminal_)
+      fmt::print(stderr, "\r\033[K{} / {} trials{}", done_, all_, done_ == all_ ? "\r\033[K" : "");
+  }
+
+ private:
+  int done_ = 0;
+  int all_;
+  bool terminal_;
+};
+
+int evaluate_logs(EvaluateArguments arguments) {
+  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
+  std::vector<LocalizerSpec> specs;
+  for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
+  validate(arguments.config);
+  auto rows = nlohmann::ordered_json::array();
+  if (!arguments.json) print_header();
+  for (const std::string& folder : arguments.folders) {
+    const RecordedPlace place = load_recorded_place(folder);
+    for (const LocalizerSpec& spec : specs) {
+      const EvaluationConfig& config = arguments.config;
+      TrialCount count(config.starts + config.kidnaps + (config.tracking ? 1 : 0));
+      const EvaluationRow row = evaluate(place, spec, config, [&count] { count.next(); });
+      if (!arguments.json) print_row(row);
+      rows.push_back(to_json(row));
+    }
+  }
+  if (arguments.json) fmt::print("{}\n", rows.dump(1));
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<EvaluateArguments>();
+  EvaluationConfig& config = a->config;
+  CLI::App* command = app.add_subcommand(
+      "evaluate", "Judge localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
+  command->add_option("folders", a->folders, "Folders that hold a log and a map")->required();
+  command
+      ->add_option("--localizer", a->localizers,
+                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+      ->allow_extra_args(false);
+  command->add_option("--starts", config.starts, "Unknown starts in each log")
+      ->capture_default_str();
+  command->add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")->capture_default_str();
+  command->add_option("--window", config.window_s, "Time to be right [s]")->capture_default_str();
+  command->add_option("--seed", config.seed, "Seed of the stress")->capture_default_str();
+  command->add_flag("!--no-tracking", config.tracking,
+                    "Leave out the whole log from its true start");
+  command->add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
+  command->add_option("--blocked", config.stress.blocked_share,
+                      "Share of the view blocked by people near the robot");
+  command->add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres");
+  command->add_option("--erase-walls", config.stress.erased_share,
+                      "Share of the map's wall tiles (1 m) erased");
+  command->add_option("--add-boxes", config.stress.boxes_per_m2,
+                      "Boxes of 0.5 m drawn into the map per square metre");
+  command->add_flag("--json", a->json, "Print JSON");
+  command->footer(
+      "Right: error below 0.5 m and 0.35 rad to the end of the window. Wrong: share of scans in "
+      "which the localizer says "
+      "that it is right and is not.\n"
+      "Example:\n"
+      "  castaway evaluate logs/intel logs/aces --starts 24 --kidnaps 24 --window 60 --localizer "
+      "mh_amcl --localizer amcl");
+  command->callback([&chosen, a] { chosen = [a] { return evaluate_logs(*a); }; });
+}
+
+}  // namespace castaway::testbed
