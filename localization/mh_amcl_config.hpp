@@ -25,7 +25,7 @@ struct RescueConfig {
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Refined at most.
   double gain = 3.0;        ///< [nats] A place found must be so much better.
-  double cost = 2.0;        ///< [nats] Taken from the weight of a rescued hypothesis.
+  double cost = 9.0;        ///< [nats] A place found begins with the output's weight less this.
 };
 
 /// Everything that MH-AMCL can be told. Defaults are mode `improved`.

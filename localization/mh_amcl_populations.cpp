@@ -6,10 +6,11 @@
 
 namespace castaway::localization {
 
-/// Looks around when the output suddenly fits badly, and moves its population where the scan fits
-/// better.
+/// Looks around when the output suddenly fits badly, and lists a place near by where the scan fits
+/// better. It begins with the output's evidence less the cost of the slip, so that one scan in a
+/// crowd does not carry the output away.
 void MhAmcl::rescue(const ScanPoints& points) {
-  Hypothesis* output = selected();
+  const Hypothesis* output = selected();
   if (output == nullptr) return;
   const double now = evidence_.evaluate(points, output->belief.mean).log_likelihood;
   if (now > unlisted_.usual - config_.rescue.drop) return;
@@ -22,12 +23,10 @@ void MhAmcl::rescue(const ScanPoints& points) {
   const std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
   if (places.empty() || places[0].newest.log_likelihood < now + config_.rescue.gain) return;
   const SE2 pose = places[0].T_map_base;
-  const Eigen::Matrix3d information = scan_information(tracking_, points, pose);
   const Eigen::Matrix3d slack = Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
-  output->particles = draw_particles(PoseGaussian(pose, (information + slack).inverse()),
-                                     config_.reseed.max_particles, output->rng);
-  output->belief = moments(output->particles);
-  output->log_weight -= config_.rescue.cost;
+  const Eigen::Matrix3d information = scan_information(tracking_, points, pose) + slack;
+  const Evidence before{output->log_likelihood, output->quality};
+  spawn({pose, information.inverse()}, output->log_weight - config_.rescue.cost, before);
 }
 
 /// Lists the places where the newest scan fits, unless they are far behind those already listed.
@@ -36,7 +35,11 @@ bool MhAmcl::spawn_places(const ScanPoints& points) {
                               config_.motion, endpoint_,     evidence_};
   const std::size_t before = hypotheses_.size();
   double best = listed_log_weight(hypotheses_);
-  for (WeighedPlace& place : refine_candidates(context, matcher_.match(points), points)) {
+  std::vector<WeighedPlace> places = refine_candidates(context, matcher_.match(points), points);
+  if (!places.empty()) {
+    lower_usual(config_.posterior, places[0].newest.log_likelihood, unlisted_);
+  }
+  for (WeighedPlace& place : places) {
     const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& h) {
       return same_place(config_.merge, h.belief.mean, place.T_map_base) &&
              h.log_likelihood > place.newest.log_likelihood - 1.0;

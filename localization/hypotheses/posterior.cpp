@@ -31,6 +31,11 @@ void advance_unlisted(const PosteriorConfig& config, double new_share, double li
       log_sum_exp({unlisted.log_weight + new_share * l, listed_before + config.kidnap + l});
 }
 
+void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted) {
+  const double gap = best_found - unlisted.usual;
+  if (gap < 0.0) unlisted.usual += config.usual_match_rate * gap;
+}
+
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
   std::vector<double> weights;
   for (const Hypothesis& hypothesis : hypotheses) weights.push_back(hypothesis.log_weight);

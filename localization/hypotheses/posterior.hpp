@@ -20,9 +20,10 @@ struct PosteriorConfig {
   double unlisted_minimum = -22.0;  ///< ...but never less than this.
   double kidnap = -6.0;       ///< Log-probability of leaving the listed places from scan to scan.
   double usual_start = -3.0;  ///< Log-likelihood of a right pose, until experience tells.
-  double usual_rate = 0.05;   ///< Weight of a confident scan in the running average of it.
-  double wrong_start = -6.0;  ///< Log-probability that a start given by the user is wrong.
-  double place = -15.0;       ///< Log-probability of one place among all unlisted ones.
+  double usual_match_rate = 0.5;  ///< Weight of a whole search that finds nothing so good.
+  double usual_rate = 0.05;       ///< Weight of a confident scan in the running average of it.
+  double wrong_start = -6.0;      ///< Log-probability that a start given by the user is wrong.
+  double place = -15.0;           ///< Log-probability of one place among all unlisted ones.
 };
 
 /// Share of a scan that counts as new after moving so far since the one before.
@@ -43,6 +44,10 @@ double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& un
 /// Takes one scan: `listed_before` is the log of the listed mass before it.
 void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
                       Unlisted& unlisted);
+
+/// Takes the best log-likelihood that a search of the whole map found. The right place was among
+/// those searched, so it can hardly score better: in a crowd a right pose is worth less than usual.
+void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted);
 
 /// Log of the mass of all hypotheses.
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses);

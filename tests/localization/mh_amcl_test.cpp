@@ -69,6 +69,16 @@ TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
+TEST(MhAmcl, RecoversFromASlipThatOdometryDidNotSee) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
+  drive.kidnap(drive.truth() * SE2{0.6, 0.3, 0.4});
+  for (int i = 0; i < 10; ++i) drive.step(localizer, kForward);
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+}
+
 TEST(MhAmcl, NamesTheTwinOfAnAmbiguousPlace) {
   // A room without furniture looks the same after half a turn.
   OccupancyGrid room = test::office();

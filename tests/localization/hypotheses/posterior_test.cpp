@@ -48,6 +48,14 @@ TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
   EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 6.0 - 8.0}), 1e-12);
 }
 
+TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
+  Unlisted unlisted{0.0, -2.0};
+  lower_usual({}, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
+  lower_usual({}, -8.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -5.0);
+}
+
 TEST(UnlistedLogLikelihood, HasAFloor) {
   EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
   EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
