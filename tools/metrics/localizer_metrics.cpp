@@ -68,19 +68,29 @@ void measure_detection(LocalizerMetrics& metrics) {
   metrics.detection_delay_s = statistics(std::move(delays));
 }
 
+/// Up to when an alarm answers the kidnap (or the unknown start) of a window.
+Stamp excused_until(const RecoveryWindow& window, const RecoveryConfig& config) {
+  const Stamp grace = std::min(window.begin + config.alarm_grace, window.end);
+  return std::max(window.recovered.value_or(window.end), grace);
+}
+
 void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
                           const RecoveryConfig& config, LocalizerMetrics& metrics) {
   if (rows.empty()) return;
   Stamp watched = end - rows.front().stamp;
   for (const RecoveryWindow& window : metrics.windows) {
-    watched -= window.recovered.value_or(window.end) - window.begin;
+    watched -= excused_until(window, config) - window.begin;
   }
   if (watched <= Stamp::zero() || !metrics.tracking_error_m) return;
   int alarms = 0;
   bool was_lost = false;
   for (const MetricRow& row : rows) {
     const bool onset = row.lost && !was_lost;
-    if (onset && is_right(row, config) && is_tracking(metrics.windows, row.stamp)) ++alarms;
+    const bool excused = std::any_of(
+        metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
+          return row.answered() >= window.begin && row.answered() < excused_until(window, config);
+        });
+    if (onset && is_right(row, config) && !excused) ++alarms;
     was_lost = row.lost;
   }
   metrics.false_alarms_per_h = alarms * 3600.0 / seconds(watched);

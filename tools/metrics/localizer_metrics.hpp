@@ -2,7 +2,8 @@
 /// summary.json mean.
 ///
 /// Rows are scans. A row is scored if its truth is known; the truth of a scan is that at the stamp
-/// of its first beam, and so is the estimate's.
+/// of its first beam, and so is the estimate's. The answer is there when the last beam is:
+/// recoveries and alarms are timed by that.
 #pragma once
 
 #include <optional>
@@ -40,7 +41,8 @@ struct LocalizerMetrics {
   std::optional<Statistics> detection_delay_s;
   int undetected = 0;  ///< Kidnaps counted in `events` that are not noticed.
   /// Alarms raised while the output was right, outside of the times that `tracking_error_m` leaves
-  /// out, per hour of the remaining time.
+  /// out and of the 5 s after a kidnap (an alarm then is its answer), per hour of the remaining
+  /// time.
   std::optional<double> false_alarms_per_h;
 
   std::vector<RecoveryWindow> windows;  ///< What the recovery figures are made of.

@@ -35,17 +35,26 @@ std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& row
   return first;
 }
 
+/// When the localizer first raised the alarm or was right. A scan that began before the kidnap and
+/// ended after it may raise the alarm, too.
+std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
+                                  const RecoveryConfig& config) {
+  for (const MetricRow& row : rows) {
+    if (row.answered() < window.begin || row.stamp >= window.end) continue;
+    const bool alarm = row.T_map_base_estimate && row.lost;
+    if (alarm || (row.stamp >= window.begin && is_right(row, config))) return row.answered();
+  }
+  return std::nullopt;
+}
+
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
            const RecoveryConfig& config, RecoveryWindow& window) {
   const auto right = first_of_last_right(rows, range, config);
   if (window.scored && right && window.end - rows[*right].stamp >= config.min_left) {
-    window.recovered = rows[*right].stamp;
+    window.recovered = rows[*right].answered();
     window.distance_m = driven[*right] - driven[range.first];
   }
-  for (std::size_t i = range.first; i < range.last && !window.noticed; ++i) {
-    const bool alarm = rows[i].T_map_base_estimate && rows[i].lost;
-    if (alarm || is_right(rows[i], config)) window.noticed = rows[i].stamp;
-  }
+  window.noticed = first_notice(rows, window, config);
 }
 
 }  // namespace

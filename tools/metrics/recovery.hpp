@@ -11,20 +11,22 @@ namespace castaway::testbed {
 
 /// When an output is right and when it has recovered.
 struct RecoveryConfig {
-  double position_m = 0.5;                   ///< [m] Right: position error below this...
-  double yaw_rad = 0.35;                     ///< [rad] ...and yaw error below this.
-  Stamp min_left = std::chrono::seconds(5);  ///< A recovery leaves at least this of its window.
+  double position_m = 0.5;                      ///< [m] Right: position error below this...
+  double yaw_rad = 0.35;                        ///< [rad] ...and yaw error below this.
+  Stamp min_left = std::chrono::seconds(5);     ///< A recovery leaves at least this of its window.
+  Stamp alarm_grace = std::chrono::seconds(5);  ///< So long after a kidnap an alarm is its answer.
 };
 
 /// The time from a kidnap (or unknown start) to the next kidnap or the end of the run.
 struct RecoveryWindow {
   Stamp begin{};
   Stamp end{};
-  bool unknown_start = false;        ///< False: a kidnap.
-  bool scored = true;                ///< False: shorter than `min_left`; nobody could recover.
-  std::optional<Stamp> recovered{};  ///< First row after which every row to `end` is right.
-  std::optional<Stamp> noticed{};    ///< First row that raises the alarm or is right.
-  double distance_m = 0.0;           ///< Driven from `begin` to `recovered`. [m]
+  bool unknown_start = false;  ///< False: a kidnap.
+  bool scored = true;          ///< False: shorter than `min_left`; nobody could recover.
+  std::optional<Stamp>
+      recovered{};                 ///< Answer of the first row after which all to `end` are right.
+  std::optional<Stamp> noticed{};  ///< First answer that raises the alarm or is right.
+  double distance_m = 0.0;         ///< Driven from `begin` to `recovered`. [m]
 
   /// The part in which the localizer cannot be held to be tracking: up to its recovery.
   [[nodiscard]] bool is_lost_at(Stamp stamp) const {

@@ -1,6 +1,7 @@
 /// What the metrics know of a run, and how far it went.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct MetricRow {
   std::optional<SE2> T_map_base_true;      ///< Nothing: the row is not scored.
   std::optional<SE2> T_map_base_estimate;  ///< Nothing: the localizer has no answer.
   bool lost = false;                       ///< The alarm.
+  Stamp delivered{};                       ///< When the answer was there, if later than `stamp`.
+
+  /// When the answer was there: a recovery or an alarm counts from then on.
+  [[nodiscard]] Stamp answered() const { return std::max(stamp, delivered); }
 };
 
 /// True pose against estimate.

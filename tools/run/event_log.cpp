@@ -11,7 +11,7 @@ void add_alarms(const std::vector<MetricRow>& rows, const std::string& localizer
   for (const MetricRow& row : rows) {
     if (row.lost != was_lost) {
       const RunEvent event{
-          row.stamp, row.lost ? "alarm on" : "alarm off", "", row.T_map_base_true, {}};
+          row.answered(), row.lost ? "alarm on" : "alarm off", "", row.T_map_base_true, {}};
       log.push_back({event, localizer});
     }
     was_lost = row.lost;

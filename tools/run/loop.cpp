@@ -47,7 +47,7 @@ void Loop::take(SensorSource& source, const Frame& frame) {
   } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     take(source, *odometry);
   } else {
-    take(std::get<ScanFrame>(frame.data));
+    take(std::get<ScanFrame>(frame.data), frame.stamp);
     if (config_.on_progress) config_.on_progress(frame.stamp);
   }
 }
@@ -72,19 +72,20 @@ void Loop::drive(SensorSource& source, const Odometry& odometry) const {
   source.set_drive_pose(estimate->T_map_base * T_odom_scan->inverse() * odometry.T_odom_base);
 }
 
-void Loop::take(const ScanFrame& frame) {
+void Loop::take(const ScanFrame& frame, Stamp delivered) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     const std::chrono::nanoseconds begin = thread_cpu_time();
     localizers_[i].localizer->on_scan(frame.scan);
     costs_[i].since_scan += thread_cpu_time() - begin;
   }
-  const ScanRecord record = record_of(frame);
+  const ScanRecord record = record_of(frame, delivered);
   tell_sinks([&](RunSink& sink) { sink.on_scan(record); });
 }
 
-ScanRecord Loop::record_of(const ScanFrame& frame) {
+ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   ScanRecord record;
   record.stamp = frame.scan.stamp;
+  record.delivered = delivered;
   record.T_map_base_true = frame.T_map_base_true;
   if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
   record.scan = frame.scan;

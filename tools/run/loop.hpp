@@ -42,9 +42,9 @@ class Loop {
  private:
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
-  void take(const ScanFrame& frame);
+  void take(const ScanFrame& frame, Stamp delivered);
   void drive(SensorSource& source, const Odometry& odometry) const;
-  ScanRecord record_of(const ScanFrame& frame);
+  ScanRecord record_of(const ScanFrame& frame, Stamp delivered);
   template <typename Body>
   void tell_sinks(Body&& body);
 

@@ -26,6 +26,7 @@ struct LocalizerRecord {
 /// All that is known after a scan.
 struct ScanRecord {
   Stamp stamp{};                       ///< The scan's stamp.
+  Stamp delivered{};                   ///< When the answers are there: the time of its last beam.
   std::optional<SE2> T_map_base_true;  ///< At the scan's stamp.
   SE2 T_odom_base;                     ///< Newest odometry at delivery.
   LaserScan scan;
