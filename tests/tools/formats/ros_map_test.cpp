@@ -1,0 +1,85 @@
+#include "tools/formats/ros_map.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Cells = std::vector<std::int8_t>;
+
+Cells cells_of(const std::vector<std::uint16_t>& pixels, const RosMapHeader& header,
+               int max_value = 255) {
+  return make_ros_map({static_cast<int>(pixels.size()), 1, max_value, pixels}, header, "m").cells;
+}
+
+TEST(RosMap, TurnsTheTopRowIntoTheLargestY) {
+  const RosMap map = make_ros_map({2, 2, 255, {0, 254, 205, 254}}, {}, "m");
+  EXPECT_EQ(map.cells, (Cells{-1, 0, 100, 0}));
+  EXPECT_EQ(map.at(0, 1), 100);
+}
+
+TEST(RosMap, KnowsThreeValuesByItsThresholds) {
+  // p = (255 - grey) / 255: 89 is 0.651, 90 is 0.647, 205 is 0.19608, 206 is 0.192.
+  EXPECT_EQ(cells_of({0, 89, 90, 205, 206, 255}, {}), (Cells{100, 100, -1, -1, 0, 0}));
+}
+
+TEST(RosMap, TakesUnknownForFreeWhereTheThresholdSaysSo) {
+  RosMapHeader header;
+  header.free_thresh = 0.25;
+  EXPECT_EQ(cells_of({205}, header), (Cells{0}));
+}
+
+TEST(RosMap, Negates) {
+  RosMapHeader header;
+  header.negate = true;
+  EXPECT_EQ(cells_of({0, 255, 128}, header), (Cells{0, 100, -1}));
+}
+
+TEST(RosMap, ScalesBetweenTheThresholds) {
+  RosMapHeader header;
+  header.mode = MapMode::kScale;
+  header.free_thresh = 0.0;
+  header.occupied_thresh = 1.0;
+  EXPECT_EQ(cells_of({0, 51, 255, 100}, header), (Cells{100, 80, 0, 61}));
+}
+
+TEST(RosMap, TakesRawValues) {
+  RosMapHeader header;
+  header.mode = MapMode::kRaw;
+  header.negate = true;
+  EXPECT_EQ(cells_of({0, 55, 100, 101, 255}, header), (Cells{0, 55, 100, -1, -1}));
+}
+
+TEST(RosMap, DoesNotCareAboutTheLargestValue) {
+  EXPECT_EQ(cells_of({0, 5, 10}, {}, 10), (Cells{100, -1, 0}));
+  EXPECT_EQ(cells_of({0, 65535}, {}, 65535), (Cells{100, 0}));
+}
+
+TEST(RosMap, TurnsAboutItsOrigin) {
+  RosMap map;
+  map.resolution = 0.5;
+  map.origin_x = 1.0;
+  map.origin_y = 2.0;
+  map.origin_yaw = std::numbers::pi / 2.0;
+  EXPECT_TRUE(map.to_map({4.0, 0.0}).isApprox(Eigen::Vector2d(1.0, 4.0), 1e-12));
+}
+
+TEST(RosMap, IsWrittenAsMapServerReadsIt) {
+  const TemporaryFolder folder;
+  RosMap map{"m", 3, 2, 0.05, -1.0, 2.5, 0.0, {100, 0, -1, 0, 0, 100}};
+  write_ros_map(map, folder.path() / "map.yaml");
+  EXPECT_EQ(read_file(folder.path() / "map.yaml"),
+            "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.0, 2.5, 0.0]\nnegate: 0\n"
+            "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const GrayImage image = load_gray_image(folder.path() / "map.pgm");
+  EXPECT_EQ(image.pixels, (std::vector<std::uint16_t>{254, 254, 0, 0, 254, 205}));
+  EXPECT_EQ(make_ros_map(image, {}, "m").cells, map.cells);
+}
+
+}  // namespace
+}  // namespace castaway::testbed
