@@ -1,6 +1,7 @@
 #include "localization/matching/refine.hpp"
 
 #include <array>
+#include <functional>
 
 #include <Eigen/Eigenvalues>
 
@@ -27,32 +28,44 @@ std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad)
           Eigen::Vector3d{0.0, 0.0, step_rad}, Eigen::Vector3d{0.0, 0.0, -step_rad}};
 }
 
+/// A pose and its score.
+struct ScoredPose {
+  SE2 pose;
+  double score = 0.0;
+};
+
+using Score = std::function<double(const SE2&)>;
+
+/// Takes every step that rises; false if none did.
+bool climb(const Score& score, double step_m, double step_rad, ScoredPose& best) {
+  bool risen = false;
+  for (const auto& step : steps(best.pose.yaw, step_m, step_rad)) {
+    const SE2 pose = moved(best.pose, step);
+    const double value = score(pose);
+    if (value <= best.score) continue;
+    best = {pose, value};
+    risen = true;
+  }
+  return risen;
+}
+
 }  // namespace
 
 SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2& start,
                 const std::optional<PosePrior>& prior, const RefineConfig& config) {
   constexpr int kMovesPerLevel = 8;
-  const auto score = [&](const SE2& pose) {
+  const Score score = [&](const SE2& pose) {
     return model.log_likelihood(points, pose) + prior_score(prior, pose);
   };
-  SE2 best = start;
-  double best_score = score(best);
+  ScoredPose best{start, score(start)};
   double scale = 1.0;
   for (int level = 0; level <= config.halvings; ++level, scale *= 0.5) {
-    bool rising = true;
-    for (int move = 0; move < kMovesPerLevel && rising; ++move) {
-      rising = false;
-      for (const auto& step : steps(best.yaw, scale * config.step_m, scale * config.step_rad)) {
-        const SE2 pose = moved(best, step);
-        const double value = score(pose);
-        if (value <= best_score) continue;
-        best = pose;
-        best_score = value;
-        rising = true;
-      }
+    int moves = 0;
+    while (moves++ < kMovesPerLevel &&
+           climb(score, scale * config.step_m, scale * config.step_rad, best)) {
     }
   }
-  return best;
+  return best.pose;
 }
 
 Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& points,
