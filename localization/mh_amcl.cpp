@@ -83,6 +83,7 @@ void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_ba
     timer_.measure("match", [&] { create(now, T_odom_base); });
   }
   destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
+  if (selected() == nullptr) choose();
   if (due(now, last_reseed_, config_.reseed_rate_hz)) {
     last_reseed_ = now;
     timer_.measure("reseed", [&] {

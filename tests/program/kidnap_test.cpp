@@ -84,13 +84,46 @@ TEST(Run, DrivesByALocalizersEstimate) {
   EXPECT_GT(Json::parse(outcome.out).at("distance_m"), 2.0);
 }
 
+TEST(Run, HonoursALidarThatHangsUpsideDownOffCentreAndYawed) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome = castaway(
+      folder,
+      "run --duration 15 --set events=[] --set outputs.snapshots=false --set outputs.report=false "
+      "--set 'lidar.mount_rpy=[3.14159265,0,0.7]' --set 'lidar.mount_xyz=[0.1,0.08,0.132]' "
+      "--set start=unknown --out run --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json mh_amcl = Json::parse(outcome.out).at("localizers").at("mh_amcl");
+  EXPECT_EQ(mh_amcl.at("recovery").at("recovered"), 1);
+  EXPECT_LT(mh_amcl.at("tracking_error_m").at("mean"), 0.05);
+}
+
+TEST(Kidnap, GoesToTheGivenPose) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome =
+      castaway(folder,
+               "run --duration 8 --set 'events=[{kidnap: {at_s: 2, pose: [2.0, 3.5, 1.0]}}]' --set "
+               "outputs.snapshots=false --set outputs.report=false --out run");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(text_of(folder / "run/events.csv"), "teleport_to");
+  const std::string truth = text_of(folder / "run/truth.tum");
+  const std::size_t after = truth.find("\n2.", truth.find("\n2.") + 1);
+  ASSERT_NE(after, std::string::npos);
+  std::istringstream line(truth.substr(after + 1));
+  double stamp = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  line >> stamp >> x >> y;
+  EXPECT_NEAR(x, 2.0, 0.1);
+  EXPECT_NEAR(y, 3.5, 0.1);
+}
+
 TEST(Run, MakesAWorldOfAnyRosMap) {
   const fs::path folder = fresh_folder();
   ASSERT_EQ(castaway(folder, "map lab --out lab/map.yaml").exit_code, 0);
-  const Outcome outcome = castaway(
-      folder,
-      "run --world lab/map.yaml --duration 10 --set start=unknown --set "
-      "events=[] --set outputs.snapshots=false --out run --json");
+  const Outcome outcome =
+      castaway(folder,
+               "run --world lab/map.yaml --duration 10 --set start=unknown --set "
+               "events=[] --set outputs.snapshots=false --out run --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json mh_amcl = Json::parse(outcome.out).at("localizers").at("mh_amcl");
   EXPECT_EQ(mh_amcl.at("recovery").at("recovered"), 1);
