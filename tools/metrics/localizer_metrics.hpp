@@ -25,8 +25,8 @@ struct LocalizerMetrics {
 
   /// Over kidnaps and the unknown start that leave at least 5 s to the next kidnap or the end.
   int events = 0;
-  /// Those after which the error stays below 0.5 m and 0.35 rad from some row on, at least 5 s
-  /// before the end of the window. A row without an estimate is wrong.
+  /// Those after which the error stays below 0.5 m and 0.35 rad from some row on, answered at least
+  /// 5 s before the end of the window. A row without an estimate is wrong.
   int recovered = 0;
   std::optional<double> success;              ///< recovered / events.
   std::optional<Statistics> recovery_time_s;  ///< From the event to that row, recovered ones only.

@@ -36,11 +36,12 @@ std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& row
 }
 
 /// When the localizer first raised the alarm or was right. A scan that began before the kidnap and
-/// ended after it may raise the alarm, too.
-std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
-                                  const RecoveryConfig& config) {
-  for (const MetricRow& row : rows) {
-    if (row.answered() < window.begin || row.stamp >= window.end) continue;
+/// ended after it may raise the alarm, too; one that ends after the next kidnap belongs to that.
+std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, RowRange range,
+                                  const RecoveryWindow& window, const RecoveryConfig& config) {
+  for (std::size_t i = 0; i < range.last; ++i) {
+    const MetricRow& row = rows[i];
+    if (row.answered() < window.begin || row.answered() > window.end) continue;
     const bool alarm = row.T_map_base_estimate && row.lost;
     if (alarm || (row.stamp >= window.begin && is_right(row, config))) return row.answered();
   }
@@ -50,11 +51,11 @@ std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, const Reco
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
            const RecoveryConfig& config, RecoveryWindow& window) {
   const auto right = first_of_last_right(rows, range, config);
-  if (window.scored && right && window.end - rows[*right].stamp >= config.min_left) {
+  if (window.scored && right && window.end - rows[*right].answered() >= config.min_left) {
     window.recovered = rows[*right].answered();
     window.distance_m = driven[*right] - driven[range.first];
   }
-  window.noticed = first_notice(rows, window, config);
+  window.noticed = first_notice(rows, range, window, config);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace castaway::testbed {
 struct RecoveryConfig {
   double position_m = 0.5;                      ///< [m] Right: position error below this...
   double yaw_rad = 0.35;                        ///< [rad] ...and yaw error below this.
-  Stamp min_left = std::chrono::seconds(5);     ///< A recovery leaves at least this of its window.
+  Stamp min_left = std::chrono::seconds(5);     ///< A recovery's answer leaves this of its window.
   Stamp alarm_grace = std::chrono::seconds(5);  ///< So long after a kidnap an alarm is its answer.
 };
 

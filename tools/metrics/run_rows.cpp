@@ -8,20 +8,20 @@ namespace {
 
 using localization::distance;
 
-const RunEvent* kidnap_between(const std::vector<RunEvent>& kidnaps, Stamp after, Stamp until) {
-  const auto found = std::find_if(kidnaps.begin(), kidnaps.end(), [&](const RunEvent& kidnap) {
-    return kidnap.stamp > after && kidnap.stamp <= until;
-  });
-  return found == kidnaps.end() ? nullptr : &*found;
-}
-
-double step(const MetricRow& from, const MetricRow& to, const RunEvent* kidnap) {
+/// Distance from row to row; every kidnap between them ends one piece of the way and begins
+/// another.
+double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEvent>& kidnaps) {
   const double by_odometry = distance(from.T_odom_base, to.T_odom_base);
   if (!from.T_map_base_true || !to.T_map_base_true) return by_odometry;
-  if (kidnap == nullptr) return distance(*from.T_map_base_true, *to.T_map_base_true);
-  if (!kidnap->T_map_from || !kidnap->T_map_to) return by_odometry;
-  return distance(*from.T_map_base_true, *kidnap->T_map_from) +
-         distance(*kidnap->T_map_to, *to.T_map_base_true);
+  double driven = 0.0;
+  SE2 T_map_base = *from.T_map_base_true;
+  for (const RunEvent& kidnap : kidnaps) {
+    if (kidnap.stamp <= from.stamp || kidnap.stamp > to.stamp) continue;
+    if (!kidnap.T_map_from || !kidnap.T_map_to) return by_odometry;
+    driven += distance(T_map_base, *kidnap.T_map_from);
+    T_map_base = *kidnap.T_map_to;
+  }
+  return driven + distance(T_map_base, *to.T_map_base_true);
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ std::vector<double> driven_distance(const std::vector<MetricRow>& rows,
                                     const std::vector<RunEvent>& kidnaps) {
   std::vector<double> driven(rows.size(), 0.0);
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const RunEvent* kidnap = kidnap_between(kidnaps, rows[i - 1].stamp, rows[i].stamp);
-    driven[i] = driven[i - 1] + step(rows[i - 1], rows[i], kidnap);
+    driven[i] = driven[i - 1] + step(rows[i - 1], rows[i], kidnaps);
   }
   return driven;
 }

@@ -1,0 +1,42 @@
+#include "tools/metrics/metrics_json.hpp"
+
+#include <gtest/gtest.h>
+
+namespace castaway::testbed {
+namespace {
+
+TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
+  LocalizerMetrics metrics;
+  metrics.position_error_m = Statistics{1.0, 2.0, 3.0, 4.0, 5.0};
+  metrics.recovery_time_s = Statistics{6.0, 7.0, 8.0, 9.0, 10.0};
+  metrics.detection_delay_s = Statistics{0.5, 0.5, 0.5, 0.5, 0.75};
+  metrics.events = 3;
+  metrics.recovered = 2;
+  metrics.success = 2.0 / 3.0;
+  metrics.wrong_lock_share = 0.25;
+  metrics.undetected = 1;
+  metrics.false_alarms_per_h = 1.5;
+  const auto none = R"({"mean":null,"median":null,"p95":null,"rmse":null,"max":null})";
+  EXPECT_EQ(
+      to_json(metrics).dump(),
+      std::string(
+          R"({"position_error_m":{"mean":1.0,"median":2.0,"p95":3.0,"rmse":4.0,"max":5.0},)") +
+          R"("yaw_error_rad":)" + none + R"(,"tracking_error_m":)" + none +
+          R"(,"recovery":{"events":3,"recovered":2,"success":0.666666667,)"
+          R"("time_s":{"mean":6.0,"median":7.0,"p95":8.0,"max":10.0},)"
+          R"("distance_m":{"mean":null,"median":null,"p95":null,"max":null}},)"
+          R"("wrong_lock_share":0.25,"alarm":{"detection_delay_s":{"mean":0.5,"max":0.75},)"
+          R"("undetected":1,"false_per_h":1.5}})");
+}
+
+TEST(MetricsJson, IsNullWhereThereIsNothingToMeasure) {
+  const auto json = to_json(LocalizerMetrics{});
+  EXPECT_TRUE(json.at("/recovery/success"_json_pointer).is_null());
+  EXPECT_TRUE(json.at("wrong_lock_share").is_null());
+  EXPECT_TRUE(json.at("/alarm/detection_delay_s/mean"_json_pointer).is_null());
+  EXPECT_TRUE(json.at("/alarm/false_per_h"_json_pointer).is_null());
+  EXPECT_EQ(json.at("/recovery/events"_json_pointer), 0);
+}
+
+}  // namespace
+}  // namespace castaway::testbed
