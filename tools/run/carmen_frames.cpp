@@ -48,6 +48,10 @@ SE2 mount(const CarmenLaser& laser, double offset) {
 }  // namespace
 
 void CarmenFrames::add(const CarmenMessage& message) {
+  if (all_played() && !std::holds_alternative<CarmenTruth>(message)) {
+    frames_of_last_scan_ = 0;  // No truth can follow any more.
+    return;
+  }
   if (const auto* param = std::get_if<CarmenParam>(&message)) {
     params_[param->name] = param->value;
   } else if (const auto* odometry = std::get_if<CarmenOdometry>(&message)) {
@@ -60,13 +64,13 @@ void CarmenFrames::add(const CarmenMessage& message) {
   }
 }
 
-bool CarmenFrames::complete() const {
-  return config_.scans && scans_played_ >= *config_.scans && frames_of_last_scan_ == 0;
-}
+bool CarmenFrames::all_played() const { return config_.scans && scans_played_ >= *config_.scans; }
+
+bool CarmenFrames::complete() const { return all_played() && frames_of_last_scan_ == 0; }
 
 bool CarmenFrames::is_selected(std::int64_t scan) const {
   using Scans = CarmenSourceConfig::Scans;
-  if (scan < config_.from_scan || (config_.scans && scans_played_ >= *config_.scans)) return false;
+  if (scan < config_.from_scan) return false;
   return config_.selection == Scans::kAll || (scan % 2 == 0) == (config_.selection == Scans::kEven);
 }
 

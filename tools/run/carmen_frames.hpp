@@ -26,6 +26,7 @@ class CarmenFrames {
   void add_odometry(double time_s, const SE2& T_odom_base);
   void add_laser(const CarmenLaser& laser);
   void add_truth(const CarmenTruth& truth);
+  [[nodiscard]] bool all_played() const;
   [[nodiscard]] bool is_selected(std::int64_t scan) const;
   [[nodiscard]] LaserScan make_scan(const CarmenLaser& laser, Stamp stamp) const;
   [[nodiscard]] double param(const std::string& name, double fallback) const;

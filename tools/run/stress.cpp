@@ -36,7 +36,8 @@ void add_person(LaserScan& scan, std::vector<bool>& met, localization::Rng& rng)
 
 void block(LaserScan& scan, double share, localization::Rng& rng) {
   std::vector<bool> met(scan.ranges.size(), false);
-  const auto wanted = static_cast<std::ptrdiff_t>(share * static_cast<double>(met.size()));
+  const auto wanted =
+      static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(met.size())));
   while (std::count(met.begin(), met.end(), true) < wanted) add_person(scan, met, rng);
 }
 
@@ -70,17 +71,19 @@ void erase_walls(RosMap& map, double share, localization::Rng& rng) {
   }
 }
 
+/// As many boxes as find a place.
 void add_boxes(RosMap& map, double per_m2, localization::Rng& rng) {
   const auto free = std::count(map.cells.begin(), map.cells.end(), std::int8_t{0});
   const double area = static_cast<double>(free) * map.resolution * map.resolution;
   const int edge = std::max(1, static_cast<int>(std::lround(0.5 / map.resolution)));
-  for (auto left = std::lround(per_m2 * area); left > 0;) {
-    const int column = static_cast<int>(uniform(rng, 0.0, map.width - edge));
-    const int row = static_cast<int>(uniform(rng, 0.0, map.height - edge));
+  auto left = std::lround(per_m2 * area);
+  for (long tries = 1000 * left; left > 0 && tries > 0; --tries) {
+    const int column = static_cast<int>(uniform(rng, 0.0, std::max(1, map.width - edge)));
+    const int row = static_cast<int>(uniform(rng, 0.0, std::max(1, map.height - edge)));
     if (map.at(column, row) != 0) continue;
     --left;
-    for (int r = row; r < row + edge; ++r) {
-      for (int c = column; c < column + edge; ++c) {
+    for (int r = row; r < std::min(row + edge, map.height); ++r) {
+      for (int c = column; c < std::min(column + edge, map.width); ++c) {
         map.cells[static_cast<std::size_t>(r * map.width + c)] = 100;
       }
     }

@@ -1,0 +1,27 @@
+/// Recorded frames for tests: a log of a robot on the x axis.
+#pragma once
+
+#include "tools/run/recorded_source.hpp"
+
+namespace castaway::testbed {
+
+/// `scans` scans 0.2 s apart from 10 s on, each behind its odometry at the same stamp, with an
+/// odometry of its own between. Odometry: 0.1 m a scan; truth: the same, 20 m further.
+inline Frames straight_log(int scans) {
+  Frames frames;
+  const auto add_odometry = [&frames](Stamp stamp, double x) {
+    frames.push_back({stamp, OdometryFrame{{stamp, {x, 0.0, 0.0}}, SE2{x + 20.0, 0.0, 0.0}}});
+  };
+  for (int k = 0; k < scans; ++k) {
+    const Stamp stamp = std::chrono::seconds(10) + k * std::chrono::milliseconds(200);
+    add_odometry(stamp, 0.1 * k);
+    ScanFrame scan;
+    scan.scan.stamp = stamp;
+    scan.T_map_base_true = SE2{0.1 * k + 20.0, 0.0, 0.0};
+    frames.push_back({stamp, scan});
+    add_odometry(stamp + std::chrono::milliseconds(100), 0.1 * k + 0.05);
+  }
+  return frames;
+}
+
+}  // namespace castaway::testbed
