@@ -1,0 +1,62 @@
+/// Exact search by bounds: the same list of places as the exhaustive score volume gives, from a
+/// fraction of the scores.
+///
+/// Best-first branch and bound over (x, y) at every yaw with max-pooled fields, after W. Hess,
+/// D. Kohler, H. Rapp, D. Andor, "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016, algorithm 3.
+/// We differ: it finds the best places of many neighbourhoods instead of one, and it bounds 16
+/// neighbouring nodes at once (`PooledField`), so a node costs a sixteenth of a sum of bytes.
+#pragma once
+
+#include "localization/matching/best_places.hpp"
+#include "localization/matching/tile_sums.hpp"
+
+namespace castaway::localization {
+
+/// Levels of a map, the finest (edge 1) first, each with twice the edge of the one before.
+using Pyramid = std::vector<PooledField>;
+
+/// A pyramid of `levels` >= 1.
+Pyramid make_pyramid(const ByteField& field, int levels);
+
+/// One search. It can be stopped and gone on with at any tile.
+class BranchAndBound {
+ public:
+  /// `scans[i]` is the scan turned by the yaw `space.yaws[i]`. The pyramid outlives the search.
+  BranchAndBound(const Pyramid& pyramid, SearchSpace space,
+                 const std::vector<std::vector<CellOffset>>& scans, BestPlaces best);
+
+  /// Goes on until about `tiles` tiles more are scored (at least one, up to a few more); true when
+  /// the search is complete.
+  bool step(std::int64_t tiles);
+  /// Whether the list is final.
+  [[nodiscard]] bool complete() const { return complete_; }
+  /// Tiles scored so far; each cost 16 byte sums per end point.
+  [[nodiscard]] std::int64_t tiles_scored() const { return scored_; }
+  /// The best places so far, best first.
+  [[nodiscard]] const BestPlaces& best() const { return best_; }
+
+ private:
+  /// A tile and the upper bounds of its children: lower left, lower right, upper left, upper right.
+  struct Node {
+    Tile tile;
+    std::array<std::uint16_t, 4> bounds{};
+    [[nodiscard]] int bound() const;
+  };
+  [[nodiscard]] Node bounded(std::size_t level, const Tile& tile);
+  void sort_roots();
+  void expand(std::size_t level, const Node& node);
+  void descend(std::size_t level, const Tile& tile);
+  TileSums score(std::size_t level, const Tile& tile);
+
+  const Pyramid* pyramid_;
+  SearchSpace space_;
+  BestPlaces best_;
+  std::vector<ScanShifts> shifts_;  ///< Of every level.
+  std::vector<Node> roots_;         ///< Tiles of the coarsest level.
+  std::size_t bounded_ = 0;         ///< Roots that have their bounds.
+  std::size_t expanded_ = 0;        ///< Roots done.
+  std::int64_t scored_ = 0;
+  bool complete_ = false;
+};
+
+}  // namespace castaway::localization

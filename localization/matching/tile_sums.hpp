@@ -1,0 +1,36 @@
+/// The inner loop of the global search: sums of bytes of 16 neighbouring nodes at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "localization/map/pooled_field.hpp"
+#include "localization/matching/search_space.hpp"
+
+namespace castaway::localization {
+
+/// Sums of the nodes of a tile, lower row first. At edge 1 they are scores, at others upper bounds
+/// of the scores of all cells that a node covers.
+using TileSums = std::array<std::uint16_t, PooledField::kTileColumns * PooledField::kTileRows>;
+
+/// The scan at every yaw of a search as shifts on one level.
+class ScanShifts {
+ public:
+  /// `scans[i]` is the scan turned by yaw i.
+  ScanShifts(const PooledField& level, const std::vector<std::vector<CellOffset>>& scans);
+
+  [[nodiscard]] std::span<const std::int32_t> at(std::size_t yaw) const {
+    return std::span(shifts_).subspan(first_[yaw], first_[yaw + 1] - first_[yaw]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;  ///< First shift of every yaw, and the end.
+  std::vector<std::int32_t> shifts_;
+};
+
+/// Sums the bytes of a tile's nodes under at most 256 end points, given as shifts on that level.
+TileSums tile_sums(const PooledField& level, const Tile& tile,
+                   std::span<const std::int32_t> shifts);
+
+}  // namespace castaway::localization

@@ -1,0 +1,42 @@
+#include "localization/matching/tiles.hpp"
+
+namespace castaway::localization {
+namespace {
+
+constexpr int kColumns = PooledField::kTileColumns;
+constexpr int kRows = PooledField::kTileRows;
+
+}  // namespace
+
+bool outside(const PooledField& level, const SearchSpace& space, int column, int row) {
+  const int width = level.edge() * kColumns;
+  const int height = level.edge() * kRows;
+  return column * width > space.high.x() || (column + 1) * width <= space.low.x() ||
+         row * height > space.high.y() || (row + 1) * height <= space.low.y();
+}
+
+std::vector<Tile> tiles_within(const PooledField& level, const SearchSpace& space) {
+  std::vector<Tile> tiles;
+  for (int row = 0; row < level.tile_rows(); ++row) {
+    for (int column = 0; column < level.tile_columns(); ++column) {
+      if (level.free_nodes(column, row) == 0 || outside(level, space, column, row)) continue;
+      tiles.push_back({column, row, 0});
+    }
+  }
+  return tiles;
+}
+
+void offer_tile(const PooledField& cells, const SearchSpace& space, const Tile& tile,
+                const TileSums& scores, BestPlaces& best) {
+  const unsigned free = cells.free_nodes(tile.column, tile.row);
+  for (int j = 0; j < kColumns * kRows; ++j) {
+    const int score = scores[static_cast<std::size_t>(j)];
+    if (score < best.threshold() || (free >> static_cast<unsigned>(j) & 1U) == 0) continue;
+    const Eigen::Vector2i cell(kColumns * tile.column + j % kColumns,
+                               kRows * tile.row + j / kColumns);
+    if (!space.contains(cell)) continue;
+    best.offer({cell.x(), cell.y(), space.yaws[static_cast<std::size_t>(tile.yaw)], score});
+  }
+}
+
+}  // namespace castaway::localization
