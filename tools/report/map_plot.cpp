@@ -20,7 +20,7 @@ using PoseOfRow = std::optional<SE2> ReportRow::*;
 
 /// The grid alone, around all poses.
 RosMap bounding_grid(const RunFolder& run) {
-  Eigen::AlignedBox2d bounds(Eigen::Vector2d::Zero());
+  Eigen::AlignedBox2d bounds;
   for (const ReportCurve& curve : run.curves) {
     for (const ReportRow& row : curve.rows) {
       for (const auto& pose : {row.T_map_base_true, row.T_map_base_estimate}) {
@@ -28,6 +28,7 @@ RosMap bounding_grid(const RunFolder& run) {
       }
     }
   }
+  if (bounds.isEmpty()) bounds.extend(Eigen::Vector2d(0.0, 0.0));
   RosMap grid;
   grid.origin_x = bounds.min().x() - kMargin;
   grid.origin_y = bounds.min().y() - kMargin;

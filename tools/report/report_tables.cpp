@@ -15,15 +15,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kToDegrees = 180.0 / std::numbers::pi;
 
-/// A line of the table of metrics; without a pointer, a heading.
+/// A line of the table of metrics; without a pointer, a heading. A count is a whole number, with
+/// `of` a count of that count.
 struct MetricLine {
   const char* label;
   const char* pointer = "";
   const char* unit = "";
   double factor = 1.0;
+  bool is_count = false;
+  const char* of = "";
 };
 
-constexpr std::array<MetricLine, 24> kMetricLines{{
+constexpr std::array<MetricLine, 23> kMetricLines{{
     {"Position error"},
     {"mean", "/position_error_m/mean", "m"},
     {"median", "/position_error_m/median", "m"},
@@ -37,8 +40,10 @@ constexpr std::array<MetricLine, 24> kMetricLines{{
     {"95 % below", "/tracking_error_m/p95", "m"},
     {"largest", "/tracking_error_m/max", "m"},
     {"Recovery"},
-    {"recovered", "/recovery/recovered"},
-    {"of", "/recovery/events"},
+    {.label = "recovered",
+     .pointer = "/recovery/recovered",
+     .is_count = true,
+     .of = "/recovery/events"},
     {"time, median", "/recovery/time_s/median", "s"},
     {"time, largest", "/recovery/time_s/max", "s"},
     {"distance, median", "/recovery/distance_m/median", "m"},
@@ -46,7 +51,7 @@ constexpr std::array<MetricLine, 24> kMetricLines{{
     {"right claimed while wrong", "/wrong_lock_share", "%", 100.0},
     {"kidnap noticed after, mean", "/alarm/detection_delay_s/mean", "s"},
     {"kidnap noticed after, largest", "/alarm/detection_delay_s/max", "s"},
-    {"kidnaps not noticed", "/alarm/undetected"},
+    {.label = "kidnaps not noticed", .pointer = "/alarm/undetected", .is_count = true},
     {"false alarms per hour", "/alarm/false_per_h"},
 }};
 
@@ -66,6 +71,22 @@ std::string localizer_headings(const Json& localizers) {
   return head;
 }
 
+std::string count_at(const Json& figures, const char* pointer) {
+  const auto value = figure_at(figures, pointer);
+  return value ? fmt::format("{:.0f}", *value) : readable(std::nullopt);
+}
+
+std::string metric(const Json& figures, const MetricLine& line) {
+  if (line.of[0] != '\0') {
+    if (figure_at(figures, line.of).value_or(0.0) == 0.0) return readable(std::nullopt);
+    return fmt::format("{} of {}", count_at(figures, line.pointer), count_at(figures, line.of));
+  }
+  if (line.is_count) return count_at(figures, line.pointer);
+  auto value = figure_at(figures, line.pointer);
+  if (value) *value *= line.factor;
+  return readable(value, line.unit);
+}
+
 }  // namespace
 
 std::string metric_table(const RunFolder& run) {
@@ -79,9 +100,7 @@ std::string metric_table(const RunFolder& run) {
     }
     body += "<tr>" + cell(line.label);
     for (const auto& [name, figures] : localizers.items()) {
-      auto value = figure_at(figures, line.pointer);
-      if (value) *value *= line.factor;
-      body += cell(readable(value, line.unit));
+      body += cell(metric(figures, line));
     }
     body += "</tr>";
   }

@@ -94,6 +94,10 @@ void read_pictures(const std::filesystem::path& folder, RunFolder& run) {
 RunFolder load_run_folder(const std::filesystem::path& folder) {
   RunFolder run;
   run.summary = read_json(folder / "summary.json");
+  if (!run.summary.contains("localizers") || !run.summary["localizers"].is_object()) {
+    throw std::runtime_error((folder / "summary.json").string() +
+                             ": has no object 'localizers'; run it again");
+  }
   const auto timing = folder / "timing.json";
   if (std::filesystem::exists(timing)) run.timing = read_json(timing);
   run.curves = read_curves(Table(folder / "errors.csv"));

@@ -1,0 +1,200 @@
+#include "tools/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/run/errors_sink.hpp"
+#include "tools/run/summary_sink.hpp"
+#include "tools/run/timing_sink.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+const std::vector<std::string> kNames{"a", "<b>x</b>"};
+
+/// 3 x 2 cells of 1 m.
+RosMap small_map() {
+  RosMap map;
+  map.width = 3;
+  map.height = 2;
+  map.resolution = 1.0;
+  map.cells = {0, 100, -1, 0, 0, 0};
+  return map;
+}
+
+/// A record a second, with a kidnap at 4.5 s that moves truth and estimates 4 m.
+std::vector<ScanRecord> records(int count) {
+  std::vector<ScanRecord> all;
+  for (int t = 0; t < count; ++t) {
+    ScanRecord& record = all.emplace_back(record_at(t, kNames));
+    if (t < 5) continue;
+    record.T_map_base_true->y += 4.0;
+    for (auto& localizer : record.localizers) localizer.estimate->T_map_base.y += 4.0;
+  }
+  return all;
+}
+
+/// The report of a run of these records, written and read back.
+std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kNames),
+                      double wall_s = 1.0, const std::optional<RosMap>& map = small_map()) {
+  const TemporaryFolder folder;
+  std::vector<std::unique_ptr<RunSink>> sinks;
+  sinks.push_back(std::make_unique<ErrorsSink>(folder.path()));
+  sinks.push_back(std::make_unique<SummarySink>(folder.path(), info));
+  sinks.push_back(std::make_unique<TimingSink>(folder.path(), info));
+  for (auto& sink : sinks) {
+    sink->on_event(kidnap_to(4.5));
+    for (const ScanRecord& record : all) sink->on_scan(record);
+    sink->finish(localization::from_seconds(20.0), {wall_s, {{"lidar", 0.1 * wall_s}}});
+  }
+  folder.put("snapshots/t0004.500-kidnap-1-map.png", "\x89PNG");
+  write_report(folder.path(), map);
+  return read_file(folder.path() / "report.html");
+}
+
+/// A row of the table of figures.
+std::string row(const std::string& label, const std::string& a, const std::string& b) {
+  return "<tr><td>" + label + "</td><td>" + a + "</td><td>" + b + "</td></tr>";
+}
+
+std::string without_timing(const std::string& html) {
+  const std::size_t begin = html.find("<!-- timing: begin -->");
+  const std::size_t end = html.find("<!-- timing: end -->");
+  EXPECT_LT(begin, end);
+  EXPECT_NE(end, std::string::npos);
+  return html.substr(0, begin) + html.substr(end);
+}
+
+/// Every value of an attribute in the page.
+std::vector<std::string> values_of(const std::string& attribute, const std::string& html) {
+  std::vector<std::string> values;
+  const std::string start = " " + attribute + "=\"";
+  for (std::size_t at = html.find(start); at != std::string::npos; at = html.find(start, at + 1)) {
+    const std::size_t begin = at + start.size();
+    values.push_back(html.substr(begin, html.find('"', begin) - begin));
+  }
+  return values;
+}
+
+/// A whole page without what a broken number leaves behind.
+void expect_sound(const std::string& html) {
+  EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(html.ends_with("</body></html>\n"));
+  for (const char* bad : {"nan", "-nan", "inf ", ">inf", "null", "e+"}) {
+    EXPECT_EQ(html.find(bad), std::string::npos) << bad;
+  }
+}
+
+TEST(Report, NeedsNothingButItself) {
+  const std::string html = report_of(records(20));
+  EXPECT_EQ(html.find("http://"), std::string::npos);
+  EXPECT_EQ(html.find("https://"), std::string::npos);
+  EXPECT_EQ(html.find("url("), std::string::npos);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  std::size_t embedded = 0;
+  for (const char* attribute : {"src", "href"}) {
+    for (const std::string& value : values_of(attribute, html)) {
+      EXPECT_TRUE(value.starts_with("data:image/png;base64,")) << value;
+      ++embedded;
+    }
+  }
+  EXPECT_EQ(embedded, 2U);  // the map and a picture
+}
+
+TEST(Report, EscapesEveryText) {
+  RunInfo info = run_of(kNames);
+  info.scenario = "<i>'s\" & co";
+  info.world = "<u>";
+  const std::string html = report_of(records(20), info);
+  EXPECT_EQ(html.find("<b>x"), std::string::npos);
+  EXPECT_EQ(html.find("<i>"), std::string::npos);
+  EXPECT_EQ(html.find("<u>"), std::string::npos);
+  EXPECT_TRUE(contains(html, "<strong>&lt;b&gt;x&lt;/b&gt;</strong>"));
+  EXPECT_TRUE(contains(html, "<h1>&lt;i&gt;&#39;s&quot; &amp; co</h1>"));
+}
+
+TEST(Report, ShowsTheFiguresOfTheSummary) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) {
+    if (record.stamp >= std::chrono::seconds(5)) record.localizers[1].estimate.reset();
+  }
+  const std::string html = report_of(all);
+  expect_sound(html);
+  EXPECT_TRUE(contains(html, row("mean", "0.200 m", "0.200 m")));
+  EXPECT_TRUE(contains(html, row("95 % below", "5.73 °", "5.73 °")));
+  EXPECT_TRUE(contains(html, row("time, largest", "0.600 s", "–")));
+  EXPECT_TRUE(contains(html, "<strong>a</strong> recovered from 1 of 1 kidnap, after 0.600 s."));
+  EXPECT_TRUE(contains(html, "1.90 m driven in 20.0 s, 1 kidnap, no collision."));
+}
+
+TEST(Report, ShowsCountsAsWholeNumbers) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) {
+    if (record.stamp >= std::chrono::seconds(5)) record.localizers[1].estimate.reset();
+  }
+  const std::string html = report_of(all);
+  EXPECT_TRUE(contains(html, row("recovered", "1 of 1", "0 of 1")));
+  EXPECT_TRUE(contains(html, row("kidnaps not noticed", "0", "1")));
+  EXPECT_EQ(html.find("<td>of</td>"), std::string::npos);
+}
+
+TEST(Report, IsTheSameForTheSameRunOutsideOfItsTiming) {
+  const std::string one = report_of(records(20), run_of(kNames), 1.0);
+  const std::string two = report_of(records(20), run_of(kNames), 2.0);
+  EXPECT_NE(one, two);
+  EXPECT_EQ(without_timing(one), without_timing(two));
+}
+
+TEST(Report, DoesWithoutTruth) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) record.T_map_base_true.reset();
+  const std::string html = report_of(all);
+  expect_sound(html);
+  EXPECT_TRUE(contains(html, row("largest", "–", "–")));
+}
+
+TEST(Report, DoesWithoutEstimates) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) {
+    for (LocalizerRecord& localizer : record.localizers) localizer.estimate.reset();
+  }
+  expect_sound(report_of(all));
+}
+
+TEST(Report, DoesWithOneRowOrNone) {
+  expect_sound(report_of(records(1)));
+  const std::string html = report_of({});
+  expect_sound(html);
+  EXPECT_TRUE(contains(html, "There was no scan."));
+  EXPECT_TRUE(contains(html, row("recovered", "–", "–")));
+}
+
+TEST(Report, DoesWithoutLocalizersAndMap) {
+  expect_sound(report_of({}, run_of({}), 1.0, std::nullopt));
+  expect_sound(report_of(records(20), run_of(kNames), 1.0, std::nullopt));
+}
+
+TEST(Report, DrawsPathsWithoutMapAsLargeAsTheyAre) {
+  std::vector<ScanRecord> all{record_at(0.0, kNames)};
+  all[0].T_map_base_true->x = 1000.0;
+  for (auto& localizer : all[0].localizers) localizer.estimate->T_map_base = {1000.0, 0.0, 0.0};
+  // the path is a point: 1 m around it, in cells of 5 cm
+  EXPECT_TRUE(contains(report_of(all, run_of(kNames), 1.0, std::nullopt),
+                       "<svg class=\"map\" viewBox=\"0 0 40 40\""));
+}
+
+TEST(Report, NamesTheFileThatIsBroken) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "summary.json"));
+  folder.put("summary.json", "{\"scenario\": ");
+  EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "broken JSON"));
+  folder.put("summary.json", "{}");
+  EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "localizers"));
+  folder.put("summary.json", "{\"localizers\": {}}");
+  EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "errors.csv"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed
