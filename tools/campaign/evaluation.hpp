@@ -57,9 +57,9 @@ struct RecordedPlace {
   RosMap map;
 };
 
-/// Reads a folder that holds a log (`log*`, `*.log`, `*.carmen`, gzipped or not) and a map
-/// (`map.yaml`, else the only .yaml file with a picture). Throws std::runtime_error naming what is
-/// missing.
+/// Reads a folder that holds a log (`log`, `*.log`, `*.carmen`, `*.clf`, each also with `.gz`; the
+/// first by name) and a map (`map.yaml`, else the only .yaml file). Throws std::runtime_error
+/// naming what is missing.
 RecordedPlace load_recorded_place(const std::string& folder);
 
 /// Runs all trials of one localizer. Trials are at evenly spaced scans; a kidnap jumps from half a

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 bool is_log(const fs::path& path) {
   std::string name = path.filename().string();
   if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  return name.ends_with(".log") || name.ends_with(".carmen") || name.ends_with(".clf");
+  return name == "log" || name.ends_with(".log") || name.ends_with(".carmen") ||
+         name.ends_with(".clf");
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) {
