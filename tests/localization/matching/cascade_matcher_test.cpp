@@ -87,6 +87,40 @@ TEST(CascadeMatcher, ListsTheTruePlaceOfRandomScans) {
   EXPECT_GE(listed, kRounds - 1);
 }
 
+void expect_same(const std::vector<Candidate>& a, const std::vector<Candidate>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].T_map_base, b[i].T_map_base);
+    EXPECT_EQ(a[i].score, b[i].score);
+  }
+}
+
+TEST(CascadeMatcher, BothAlgorithmsGiveTheSameCandidates) {
+  const OccupancyGrid grid = test::office();
+  const DistanceField distances(grid, 5.0);
+  MatcherConfig config;
+  const CascadeMatcher bounded(config, grid, distances);
+  config.algorithm = MatchAlgorithm::kExhaustive;
+  const CascadeMatcher exhaustive(config, grid, distances);
+  const FreeSpace space(grid);
+  Rng rng = substream(8, "matcher");
+  for (int round = 0; round < 10; ++round) {
+    const ScanPoints points = scan_from(grid, space.sample(rng));
+    expect_same(bounded.match(points), exhaustive.match(points));
+  }
+}
+
+TEST(CascadeMatcher, ASearchInSlicesGivesWhatAMatchGives) {
+  const OccupancyGrid grid = test::office();
+  const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
+  const ScanPoints points = scan_from(grid, {3.0, 3.0, 0.4});
+  for (const auto& window : {std::optional<MatchWindow>(), {MatchWindow{{3.0, 3.0, 0.5}}}}) {
+    BranchAndBound search = matcher.search(points, window);
+    while (!search.step(100)) EXPECT_FALSE(search.complete());
+    expect_same(matcher.candidates(search.best(), points.size()), matcher.match(points, window));
+  }
+}
+
 TEST(CascadeMatcher, StaysWithinItsWindow) {
   const OccupancyGrid grid = test::office();
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
@@ -123,6 +157,9 @@ TEST(CascadeMatcher, FindsNothingWithoutBeamsOrFreeCells) {
 TEST(MatcherConfig, RefusesFiguresOutOfRange) {
   MatcherConfig config;
   config.points = 257;
+  EXPECT_THROW(validate(config), std::invalid_argument);
+  config = {};
+  config.levels = 0;
   EXPECT_THROW(validate(config), std::invalid_argument);
   config = {};
   config.yaw_step = 0.0;

@@ -1,0 +1,60 @@
+#include "localization/map/pooled_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/localization/matching/search_case.hpp"
+#include "tests/support/string_map.hpp"
+
+namespace castaway::localization {
+namespace {
+
+int naive_best(const ByteField& field, int column, int row, int edge) {
+  int best = 0;
+  for (int y = row; y < row + edge; ++y) {
+    for (int x = column; x < column + edge; ++x) {
+      best = std::max(best, test::byte_at(field, x, y));
+    }
+  }
+  return best;
+}
+
+TEST(PooledField, HoldsTheBestOfEveryShiftedSquare) {
+  Rng rng = substream(1, "pooled_field");
+  const OccupancyGrid grid = test::random_room(rng);
+  const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 3.0});
+  for (const int edge : {1, 2, 3, 4, 8}) {
+    const PooledField pooled(field, edge);
+    for (int k = 0; k < 20000; ++k) {
+      const auto between = [&](int low, int high) {
+        return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
+      };
+      const int column = between(0, pooled.tile_columns() - 1);
+      const int row = between(0, pooled.tile_rows() - 1);
+      const int j = between(0, 7);
+      const int r = between(0, 1);
+      const int dx = between(1 - pooled.reach(), pooled.reach() - 1);
+      const int dy = between(1 - pooled.reach(), pooled.reach() - 1);
+      const std::uint8_t byte =
+          pooled.tile(column, row)[j + r * pooled.stride() + pooled.shift(dx, dy)];
+      ASSERT_EQ(byte,
+                naive_best(field, (8 * column + j) * edge + dx, (2 * row + r) * edge + dy, edge));
+    }
+  }
+}
+
+TEST(PooledField, KnowsWhichNodesCoverFreeCells) {
+  const OccupancyGrid grid = test::string_map({"#########.", "##########", "####.#####"}, 0.2);
+  const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 1.0});
+  const PooledField cells(field, 1);
+  EXPECT_EQ(cells.tile_columns(), 2);
+  EXPECT_EQ(cells.tile_rows(), 2);
+  EXPECT_EQ(cells.free_nodes(0, 0), 1U << 4U);
+  EXPECT_EQ(cells.free_nodes(1, 0), 0U);
+  EXPECT_EQ(cells.free_nodes(1, 1), 1U << 1U);
+  const PooledField coarse(field, 2);
+  EXPECT_EQ(coarse.tile_columns(), 1);
+  EXPECT_EQ(coarse.free_nodes(0, 0), 1U << 2U | 1U << 12U);
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,71 @@
+#include "localization/matching/best_places.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace castaway::localization {
+namespace {
+
+const GridFrame kFrame{20, 10, 0.2, {}};
+
+BestPlaces nothing(int count) { return {kFrame, 12, {4, 3}, count, 100}; }
+
+TEST(BestPlaces, KeepsTheBestOfEveryBin) {
+  BestPlaces best = nothing(10);
+  best.offer({0, 0, 0, 5});
+  best.offer({3, 3, 2, 7});  // same bin
+  best.offer({4, 3, 2, 6});  // the next one in x
+  best.offer({3, 3, 3, 4});  // the next one in yaw
+  const std::vector<Place> expected{{3, 3, 2, 7}, {4, 3, 2, 6}, {3, 3, 3, 4}};
+  EXPECT_EQ(best.list(), expected);
+}
+
+TEST(BestPlaces, BreaksTiesByPlace) {
+  BestPlaces best = nothing(2);
+  best.offer({8, 0, 0, 5});
+  best.offer({1, 0, 0, 5});
+  best.offer({0, 1, 0, 5});  // same bin, later row
+  best.offer({4, 0, 0, 5});
+  const std::vector<Place> expected{{1, 0, 0, 5}, {4, 0, 0, 5}};
+  EXPECT_EQ(best.list(), expected);
+}
+
+TEST(BestPlaces, RaisesItsThresholdToTheLastOfTheList) {
+  BestPlaces best = nothing(2);
+  EXPECT_EQ(best.threshold(), 1);
+  best.offer({0, 0, 0, 9});
+  best.offer({1, 0, 0, 10});  // same bin
+  EXPECT_EQ(best.threshold(), 1);
+  best.offer({4, 0, 0, 4});
+  EXPECT_EQ(best.threshold(), 4);
+  best.offer({8, 0, 0, 6});
+  EXPECT_EQ(best.threshold(), 6);
+  best.offer({12, 0, 0, 100});
+  EXPECT_EQ(best.threshold(), 10);
+}
+
+TEST(BestPlaces, ListsNoPlaceWithoutAScore) {
+  BestPlaces best = nothing(3);
+  best.offer({0, 0, 0, 0});
+  EXPECT_TRUE(best.list().empty());
+}
+
+TEST(BestPlaces, DoesNotDependOnTheOrderOfOffers) {
+  Rng rng = substream(1, "best_places");
+  std::vector<Place> places;
+  for (int k = 0; k < 2000; ++k) {
+    places.push_back({static_cast<int>(rng() % 20), static_cast<int>(rng() % 10),
+                      static_cast<int>(rng() % 12), static_cast<int>(rng() % 30)});
+  }
+  BestPlaces forwards = nothing(25);
+  for (const Place& place : places) forwards.offer(place);
+  BestPlaces backwards = nothing(25);
+  std::for_each(places.rbegin(), places.rend(), [&](const Place& p) { backwards.offer(p); });
+  EXPECT_EQ(forwards.list().size(), 25U);
+  EXPECT_EQ(forwards.list(), backwards.list());
+  EXPECT_EQ(forwards.threshold(), forwards.list().back().score);
+}
+
+}  // namespace
+}  // namespace castaway::localization
