@@ -13,7 +13,7 @@ namespace castaway::localization {
 
 /// How all of a map is searched; the candidates are the same.
 enum class MatchAlgorithm {
-  kBranchAndBound,  ///< 3 to 6 times as fast (`localization_bench`).
+  kBranchAndBound,  ///< Two to seven times as fast (`localization_bench`).
   kExhaustive,      ///< Constant time.
 };
 
