@@ -22,6 +22,10 @@ MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed
       matcher_(config_.matcher, map_, distances_),
       timer_(std::move(clock)),
       T_odom_base_(config_.buffer) {
+  if (config_.mode == MhAmclMode::kPaper) {
+    paper_.emplace(PaperParts{RayLocalModel(config_.paper.sensor, map_),
+                              PaperCascade(config_.paper.cascade, config_.paper.sensor, map_)});
+  }
   initialize(std::nullopt);
 }
 
@@ -34,6 +38,8 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   selected_id_ = -1;
   probability_ = 0.0;
   unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
+  better_since_.reset();
+  if (paper_) unlisted_.log_weight = -std::numeric_limits<double>::infinity();
   if (!start) return;
   spawn({start->T_map_base, start->covariance}, 0.0, {unlisted_.usual, 0.0});
   choose();
@@ -70,27 +76,56 @@ void MhAmcl::on_scan(const LaserScan& scan) {
 
 /// One scan through the paper's phases.
 void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base) {
-  timer_.measure("correct", [&] {
-    for (Hypothesis& hypothesis : hypotheses_) correct(hypothesis, points);
-    rescue(points);
-    weigh(points, T_odom_base);
-  });
-  timer_.measure("manage", [&] {
-    merge(config_.merge, hypotheses_);
-    choose();
-  });
+  last_correct_ = now;
+  timer_.measure("correct", [&] { correct_all(points, T_odom_base); });
+  timer_.measure("manage", [&] { merge_all(); });
   if (match_due(now, T_odom_base)) {
     timer_.measure("match", [&] { create(now, T_odom_base); });
   }
-  destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
-  if (selected() == nullptr) choose();
+  timer_.measure("manage", [&] { destroy_all(); });
   if (due(now, last_reseed_, config_.reseed_rate_hz)) {
     last_reseed_ = now;
-    timer_.measure("reseed", [&] {
-      for (Hypothesis& hypothesis : hypotheses_) reseed(hypothesis, std::nullopt);
-    });
+    timer_.measure("reseed", [&] { reseed_all(); });
   }
-  last_correct_ = now;
+}
+
+void MhAmcl::correct_all(const ScanPoints& points, const SE2& T_odom_base) {
+  if (paper_) {
+    for (Hypothesis& hypothesis : hypotheses_) correct_by_rays(hypothesis, paper_->model, points);
+  } else {
+    for (Hypothesis& hypothesis : hypotheses_) correct(hypothesis, points);
+    rescue(points);
+  }
+  weigh(points, T_odom_base);
+}
+
+void MhAmcl::merge_all() {
+  if (paper_) {
+    merge_by_weight(config_.paper.rules.merge, hypotheses_);
+  } else {
+    merge(config_.merge, hypotheses_);
+  }
+  choose();
+}
+
+void MhAmcl::destroy_all() {
+  if (paper_) {
+    destroy_by_quality(config_.paper.rules, hypotheses_);
+  } else {
+    destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
+  }
+  if (selected() == nullptr) choose();
+}
+
+void MhAmcl::reseed_all() {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    if (paper_) {
+      hypothesis.particles =
+          reseed_losers(config_.paper.reseed, hypothesis.particles, hypothesis.rng);
+    } else {
+      reseed(hypothesis, std::nullopt);
+    }
+  }
 }
 
 bool MhAmcl::due(Stamp now, Stamp last, double rate_hz) const {
@@ -147,6 +182,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
   const double listed = listed_log_weight(hypotheses_);
   history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight});
   if (history_.size() > static_cast<std::size_t>(config_.history)) history_.pop_front();
+  if (paper_) return;  // the paper weighs populations by the quality of the newest scan alone
   for (Hypothesis& hypothesis : hypotheses_) {
     const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
     hypothesis.log_weight += evidence.log_likelihood - (1.0 - e) * hypothesis.log_likelihood;
@@ -157,6 +193,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
 }
 
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
+  if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
   if (probability_ >= config_.match.confident) return false;
   if (!last_match_) return true;
   const double waited = seconds(now - *last_match_);
@@ -171,9 +208,9 @@ void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
   const int before = selected_id_;
   last_match_ = now;
   matched_at_ = T_odom_base;
-  const bool grown = spawn_places(history_.back().points);
-  merge(config_.merge, hypotheses_);
-  choose();
+  const ScanPoints& points = history_.back().points;
+  const bool grown = paper_ ? spawn_by_quality(points) : spawn_places(points);
+  merge_all();
   const bool changed = grown && selected_id_ != before;
   pause_s_ = changed ? config_.match.first_pause_s
                      : std::clamp(2.0 * pause_s_, config_.match.first_pause_s,
@@ -182,6 +219,7 @@ void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
 
 /// Selects the output and learns what is usual while it is confident.
 void MhAmcl::choose() {
+  if (paper_) return choose_by_quality();
   const auto output = select(hypotheses_, selected_id_, config_.select_margin);
   if (!output) return;
   const Hypothesis& hypothesis = hypotheses_[*output];

@@ -1,12 +1,12 @@
-/// MH-AMCL, mode `improved`: several populations of particles, each a hypothesis about where the
-/// robot is.
+/// MH-AMCL: several populations of particles, each a hypothesis about where the robot is.
 ///
 /// A. Garcia, F. Martin, J. M. Guerrero, F. J. Rodriguez, V. Matellan, "Portable Multi-Hypothesis
 /// Monte Carlo Localization for Mobile Robots", 2022: predict, correct and reseed run at rates of
 /// their own; populations are created where a cascade matcher finds the scan, merged, destroyed,
-/// and one is selected. We differ in the parts: winners are refined below the grid, places are
-/// weighed by rays as well as end points, and a posterior over all places and "somewhere else"
-/// replaces the fixed gates of quality.
+/// and one is selected. Mode `paper` does that to the letter. Mode `improved` keeps the structure
+/// and differs in the parts: winners are refined below the grid, places are weighed by rays as well
+/// as end points, and a posterior over all places and "somewhere else" replaces the fixed gates of
+/// quality.
 #pragma once
 
 #include "localization/hypotheses/destroy.hpp"
@@ -34,6 +34,10 @@ class MhAmcl final : public Localizer {
   void predict(const SE2& T_odom_base);
   [[nodiscard]] bool due(Stamp now, Stamp last, double rate_hz) const;
   void take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base);
+  void correct_all(const ScanPoints& points, const SE2& T_odom_base);
+  void merge_all();
+  void destroy_all();
+  void reseed_all();
   void correct(Hypothesis& hypothesis, const ScanPoints& points);
   void rescue(const ScanPoints& points);
   void weigh(const ScanPoints& points, const SE2& T_odom_base);
@@ -43,6 +47,8 @@ class MhAmcl final : public Localizer {
   void spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
   void reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner);
   void choose();
+  void choose_by_quality();
+  bool spawn_by_quality(const ScanPoints& points);
   [[nodiscard]] Hypothesis* selected();
   void publish(Stamp stamp);
 
@@ -54,6 +60,12 @@ class MhAmcl final : public Localizer {
   EndpointModel endpoint_;
   EvidenceModel evidence_;
   CascadeMatcher matcher_;
+  /// The paper's own parts; nothing in mode `improved`.
+  struct PaperParts {
+    RayLocalModel model;
+    PaperCascade cascade;
+  };
+  std::optional<PaperParts> paper_;
   StageTimer timer_;
 
   TransformBuffer T_odom_base_;
@@ -72,8 +84,9 @@ class MhAmcl final : public Localizer {
   std::optional<Stamp> last_correct_;
   Stamp last_reseed_{};
   std::optional<Stamp> last_match_;
-  SE2 matched_at_;        ///< Odometry at the last match.
-  double pause_s_ = 0.0;  ///< Pause after the last match.
+  std::optional<Stamp> better_since_;  ///< Mode `paper`: another population is better since then.
+  SE2 matched_at_;                     ///< Odometry at the last match.
+  double pause_s_ = 0.0;               ///< Pause after the last match.
 };
 
 }  // namespace castaway::localization

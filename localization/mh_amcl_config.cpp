@@ -24,6 +24,8 @@ void validate(const MhAmclConfig& config) {
   validate(config.evidence.endpoint);
   validate(config.reseed);
   validate(config.matcher);
+  validate(config.paper.reseed);
+  require_positive(config.paper.match_period_s, "match_period_s");
 }
 
 }  // namespace castaway::localization

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "localization/filter/reseed.hpp"
+#include "localization/filter/reseed_losers.hpp"
 #include "localization/geometry/transform_buffer.hpp"
 #include "localization/hypotheses/create.hpp"
 #include "localization/hypotheses/destroy.hpp"
+#include "localization/hypotheses/quality_rules.hpp"
+#include "localization/matching/paper_cascade.hpp"
 
 namespace castaway::localization {
 
@@ -28,8 +31,27 @@ struct RescueConfig {
   double cost = 9.0;        ///< [nats] A place found begins with the output's weight less this.
 };
 
+/// Which parts the pipeline is made of.
+enum class MhAmclMode {
+  kPaper,     ///< The paper to the letter; `PaperConfig` says what was chosen where it is silent.
+  kImproved,  ///< The same structure with better parts.
+};
+
+/// The parts of mode `paper`.
+struct PaperConfig {
+  RayLocalConfig sensor;
+  LoserReseedConfig reseed;
+  PaperCascadeConfig cascade;
+  QualityRules rules;
+  double match_period_s = 3.0;   ///< [s] "Every few seconds".
+  double spawn_sigma = 0.1;      ///< [m] Spread of a new population...
+  double spawn_sigma_yaw = 0.1;  ///< [rad] ...half the step of the cascade's orientations.
+};
+
 /// Everything that MH-AMCL can be told. Defaults are mode `improved`.
 struct MhAmclConfig {
+  MhAmclMode mode = MhAmclMode::kImproved;
+  PaperConfig paper;  ///< Used in mode `paper` only, with the rates, beams and motion below.
   double predict_rate_hz = 100.0;
   double correct_rate_hz = 10.0;
   double reseed_rate_hz = 0.3;

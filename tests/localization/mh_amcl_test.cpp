@@ -151,6 +151,39 @@ TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
   EXPECT_EQ(diagnostics.cpu_by_stage.at("correct").count(), 3 * 5);
 }
 
+MhAmclConfig paper() {
+  MhAmclConfig config;
+  config.mode = MhAmclMode::kPaper;
+  return config;
+}
+
+TEST(MhAmclPaper, TracksFromAKnownStart) {
+  MhAmcl localizer(paper(), test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
+  ASSERT_TRUE(localizer.estimate());
+  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.2);
+  EXPECT_GT(localizer.estimate()->quality, 0.3);
+}
+
+TEST(MhAmclPaper, FindsItselfWhereTheCascadesOrientationsAllow) {
+  MhAmcl localizer(paper(), test::office(), 1);
+  test::GridDrive drive(test::office(), kStart);  // yaw 0 is one of them
+  drive.step(localizer, {});
+  ASSERT_TRUE(localizer.estimate());
+  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.3);
+}
+
+TEST(MhAmclPaper, HasNoPopulationWhereTheCascadeFindsNothing) {
+  OccupancyGrid empty = test::office();
+  empty.cells.assign(empty.cells.size(), CellState::kFree);
+  MhAmcl localizer(paper(), empty, 1);
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
+  EXPECT_FALSE(localizer.estimate());
+}
+
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
   config.correct_rate_hz = 0.0;

@@ -12,10 +12,17 @@ using localization::AmclConfig;
 using localization::MhAmclConfig;
 
 const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
+const std::vector<std::string> kMhAmclModes = {"improved", "paper"};
 const std::vector<std::string> kAmclPresets = {"amcl", "amcl-recovery"};
 
-MhAmclConfig read_mh_amcl(YamlReader& body) {
+MhAmclConfig mh_amcl_mode(const std::string& mode) {
   MhAmclConfig config;
+  if (mode == "paper") config.mode = localization::MhAmclMode::kPaper;
+  return config;
+}
+
+MhAmclConfig read_mh_amcl(YamlReader& body, const std::string& mode) {
+  MhAmclConfig config = mh_amcl_mode(mode);
   config.predict_rate_hz = body.get("predict_rate_hz", config.predict_rate_hz);
   config.correct_rate_hz = body.get("correct_rate_hz", config.correct_rate_hz);
   config.reseed_rate_hz = body.get("reseed_rate_hz", config.reseed_rate_hz);
@@ -75,8 +82,9 @@ LocalizerSpec read_localizer(YamlReader item) {
   auto [kind, body] = item.named();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
-    spec.config = read_mh_amcl(body);
-    spec.name = kind;
+    const std::string mode = body.choice("mode", "improved", kMhAmclModes);
+    spec.config = read_mh_amcl(body, mode);
+    spec.name = mode == "improved" ? kind : kind + "-" + mode;
   } else if (kind == "amcl") {
     spec.name = body.choice("preset", "amcl", kAmclPresets);
     spec.config = read_amcl(body, spec.name);
@@ -106,7 +114,14 @@ LocalizerSpec parse_localizer(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string preset = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "mh_amcl" && preset.empty()) return {kind, MhAmclConfig{}};
+  if (kind == "mh_amcl") {
+    const std::string mode = preset.empty() ? "improved" : preset;
+    if (std::find(kMhAmclModes.begin(), kMhAmclModes.end(), mode) == kMhAmclModes.end()) {
+      throw std::invalid_argument("unknown mode '" + preset + "' of mh_amcl; " +
+                                  suggestion(preset, kMhAmclModes));
+    }
+    return {mode == "improved" ? kind : kind + "-" + mode, mh_amcl_mode(mode)};
+  }
   const std::string chosen = preset.empty() ? "amcl" : preset;
   if (kind == "amcl") {
     if (std::find(kAmclPresets.begin(), kAmclPresets.end(), chosen) != kAmclPresets.end()) {

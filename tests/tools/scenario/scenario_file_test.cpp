@@ -111,6 +111,7 @@ TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
   expect_contains(error_of("localizers: [amcl: {preset: fast}]"), "amcl-recovery");
   expect_contains(error_of("localizers: [amcl: {max_beams: 1}]"), "max_beams");
   expect_contains(error_of("localizers: [amcl, amcl]"), "name");
+  expect_contains(error_of("localizers: [mh_amcl: {mode: papre}]"), "paper");
   expect_contains(error_of("localizers: []"), "localizers");
   expect_contains(error_of("localizers: [amcl]\nevents: [{kidnap: {min_distance_m: 2}}]"), "at_s");
   expect_contains(error_of("localizers: [amcl]\nevents: [{fire: {}}]"), "kidnap");
@@ -120,6 +121,8 @@ TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
 TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_EQ(parse_localizer("mh_amcl").name, "mh_amcl");
   EXPECT_EQ(parse_localizer("amcl:amcl-recovery").name, "amcl-recovery");
+  EXPECT_EQ(parse_localizer("mh_amcl:paper").name, "mh_amcl-paper");
+  EXPECT_THROW(parse_localizer("mh_amcl:papre"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("amcl:nonsense"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);
 }

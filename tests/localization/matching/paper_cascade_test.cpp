@@ -1,0 +1,47 @@
+#include "localization/matching/paper_cascade.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tests/support/grid_world.hpp"
+
+namespace castaway::localization {
+namespace {
+
+ScanPoints scan_from(const OccupancyGrid& grid, const SE2& pose) {
+  TransformBuffer buffer;
+  buffer.add(Stamp(0), {});
+  return *project_scan(test::scan_at(grid, pose, Stamp(0)), buffer, Stamp(0), {});
+}
+
+TEST(PaperCascade, FindsAPlaceThatStandsInOneOfItsOrientations) {
+  const OccupancyGrid grid = test::office();
+  const PaperCascade cascade({}, {0.05}, grid);
+  const SE2 truth{3.025, 3.025, std::numbers::pi / 8.0};
+  const auto found = cascade.match(scan_from(grid, truth));
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(distance(found[0].T_map_base, truth), 0.15);
+  EXPECT_LT(yaw_distance(found[0].T_map_base, truth), 1e-9);
+  EXPECT_GT(found[0].score, 0.7);
+}
+
+TEST(PaperCascade, ScoresByTheQualityAtTheFinestLevel) {
+  const OccupancyGrid grid = test::office();
+  const PaperCascade cascade({}, {0.05}, grid);
+  const ScanPoints points = scan_from(grid, {3.025, 3.025, 0.0});
+  const auto found = cascade.match(points);
+  ASSERT_FALSE(found.empty());
+  const double quality = RayLocalModel({0.05}, grid).evaluate(points, found[0].T_map_base).hits /
+                         static_cast<double>(points.size());
+  EXPECT_DOUBLE_EQ(found[0].score, quality);
+  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i].score, found[i - 1].score);
+}
+
+TEST(PaperCascade, FindsNothingWithoutBeams) {
+  EXPECT_TRUE(PaperCascade({}, {0.05}, test::office()).match({}).empty());
+}
+
+}  // namespace
+}  // namespace castaway::localization
