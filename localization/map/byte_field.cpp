@@ -6,8 +6,6 @@
 namespace castaway::localization {
 namespace {
 
-constexpr int kSpare = 16;  // columns read by the last block of a row
-
 int divided_up(int value, int by) { return (value + by - 1) / by; }
 
 }  // namespace
@@ -20,7 +18,7 @@ ByteField::ByteField(const OccupancyGrid& grid, const DistanceField& distances,
   frame_ = {divided_up(fine.width, factor), divided_up(fine.height, factor),
             fine.resolution * factor, fine.T_map_grid};
   padding_ = static_cast<int>(std::ceil(config.padding / frame_.resolution)) + 1;
-  stride_ = frame_.width + 2 * padding_ + kSpare;
+  stride_ = frame_.width + 2 * padding_;
   bytes_.assign(static_cast<std::size_t>(stride_ * (frame_.height + 2 * padding_)), 0);
   free_.assign(frame_.size(), false);
   for (int row = 0; row < fine.height; ++row) {
