@@ -1,5 +1,6 @@
 // castaway replay: a recorded log, through the same loop.
 #include <memory>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/carmen_source.hpp"
 #include "tools/run/map_conversion.hpp"
+#include "tools/run/recorded_source.hpp"
 #include "tools/scenario/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
@@ -20,6 +22,7 @@ struct ReplayArguments {
   std::string map;
   std::string start = "unknown";
   std::string scans_used = "all";
+  std::string splice;
   CarmenSourceConfig source;
   std::vector<std::string> localizers;
   std::uint64_t seed = 1;
@@ -33,16 +36,18 @@ struct ReplayArguments {
 std::string describe(const ReplayArguments& a) {
   std::string text = "# castaway replay\n";
   text += fmt::format(
-      "log: {}\nmap: {}\nstart: {}\nfrom_scan: {}\nscans: {}\nscans_used: {}\nseed: {}\n", a.log,
-      a.map, a.start, a.source.from_scan, a.source.scans ? std::to_string(*a.source.scans) : "~",
-      a.scans_used, a.seed);
+      "log: {}\nmap: {}\nstart: {}\nfrom_scan: {}\nscans: {}\nscans_used: {}\nsplice: {}\nseed: "
+      "{}\n",
+      a.log, a.map, a.start, a.source.from_scan,
+      a.source.scans ? std::to_string(*a.source.scans) : "~", a.scans_used,
+      a.splice.empty() ? "~" : "\"" + a.splice + "\"", a.seed);
   text += "localizers: [";
   for (const std::string& name : a.localizers) text += (text.back() == '[' ? "" : ", ") + name;
   return text + "]\n";
 }
 
 localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
-                                             const CarmenSource& source) {
+                                             const SensorSource& source) {
   const std::optional<SE2> start = source.start_pose();
   if (!start) {
     throw std::runtime_error(
@@ -50,6 +55,42 @@ localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
         ": no TRUEPOS at the first scan, so there is no true start; use --start unknown");
   }
   return {*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
+/// "I:J" as two scans.
+Splice parse_splice(const std::string& text) {
+  Splice at;
+  char colon = 0;
+  char rest = 0;
+  std::istringstream stream(text);
+  const bool good =
+      static_cast<bool>(stream >> at.from >> colon >> at.to) && colon == ':' && !(stream >> rest);
+  if (!good || text.find('-') != std::string::npos) {
+    throw std::invalid_argument("--splice " + text + ": give two scans as I:J, e.g. 120:900");
+  }
+  return at;
+}
+
+/// The log, or two stretches of it.
+std::unique_ptr<SensorSource> open_log(const ReplayArguments& arguments) {
+  if (arguments.splice.empty()) {
+    return std::make_unique<CarmenSource>(arguments.log, arguments.source);
+  }
+  Splice at = parse_splice(arguments.splice);
+  CarmenSourceConfig whole = arguments.source;
+  whole.from_scan = 0;
+  whole.scans.reset();
+  CarmenSource log(arguments.log, whole);
+  Frames frames;
+  while (auto frame = log.next()) frames.push_back(std::move(*frame));
+  at.from_first = static_cast<std::size_t>(arguments.source.from_scan);
+  if (at.from_first > at.from) {
+    throw std::invalid_argument("--splice jumps before --from-scan; begin at an earlier scan");
+  }
+  Frames part = splice(frames, at);
+  if (arguments.source.scans)
+    part = first_scans(part, static_cast<std::size_t>(*arguments.source.scans));
+  return std::make_unique<RecordedSource>(std::move(part));
 }
 
 int replay_log(ReplayArguments arguments) {
@@ -61,7 +102,7 @@ int replay_log(ReplayArguments arguments) {
     arguments.source.selection = arguments.scans_used == "even" ? Scans::kEven : Scans::kOdd;
   }
   const RosMap map = load_ros_map(arguments.map);
-  CarmenSource source(arguments.log, arguments.source);
+  const std::unique_ptr<SensorSource> source = open_log(arguments);
   RunPlan plan;
   plan.info.scenario = "replay-" + map.name;
   plan.info.world = map.name;
@@ -74,14 +115,14 @@ int replay_log(ReplayArguments arguments) {
                                       : std::filesystem::path(arguments.out);
   plan.scenario_yaml = describe(arguments);
   plan.json = arguments.json;
-  if (plan.info.known_start) plan.loop.start = known_start(arguments, source);
+  if (plan.info.known_start) plan.loop.start = known_start(arguments, *source);
   plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
   plan.map = map;
   if (arguments.pictures) {
     plan.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
     plan.picture_world.map = map;
   }
-  return execute(plan, source);
+  return execute(plan, *source);
 }
 
 }  // namespace
@@ -98,6 +139,8 @@ void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--scans", a->source.scans, "How many scans are played (default: all)")
       ->check(CLI::PositiveNumber);
+  command->add_option("--splice", a->splice,
+                      "I:J jumps from scan I to scan J while odometry runs on: a kidnap");
   command
       ->add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
       ->check(CLI::IsMember({"all", "even", "odd"}))

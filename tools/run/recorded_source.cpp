@@ -57,6 +57,16 @@ Frames stretch(const Frames& frames, std::size_t first, Stamp window) {
   return part;
 }
 
+Frames first_scans(const Frames& frames, std::size_t count) {
+  Frames part;
+  for (const Frame& frame : frames) {
+    if (count == 0) break;
+    part.push_back(frame);
+    if (std::holds_alternative<ScanFrame>(frame.data)) --count;
+  }
+  return part;
+}
+
 Frames splice(const Frames& frames, const Splice& at) {
   if (at.from_first > at.from) throw std::invalid_argument("a splice ends before it begins");
   const std::vector<std::size_t> positions = scan_positions(frames);

@@ -18,6 +18,9 @@ std::vector<std::size_t> scan_positions(const Frames& frames);
 /// Throws std::out_of_range unless there is such a scan.
 Frames stretch(const Frames& frames, std::size_t first, Stamp window);
 
+/// The frames up to the `count`-th scan.
+Frames first_scans(const Frames& frames, std::size_t count);
+
 /// A kidnap in recorded data: the stretch from scan `from_first` up to scan `from`, then the log
 /// goes on at scan `to` for `window`, while odometry runs on smoothly and time goes on by as much
 /// as it did after scan `from`. A kidnap event stands between. Throws std::out_of_range unless
