@@ -108,6 +108,53 @@ struct CpuSum {
   }
 };
 
+/// Half a log from a place, so that a kidnap leads far away, and early enough to track up to it.
+std::size_t far_from(std::size_t place, std::size_t scans, std::size_t lead) {
+  const std::size_t half = place < scans / 2 ? place + scans / 2 : place - scans / 2;
+  return std::min(half, scans > lead ? scans - lead - 1 : 0);
+}
+
+/// What the trials of one localizer on one log are put together in.
+struct Score {
+  EvaluationRow row;
+  CpuSum cpu;
+
+  void add(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
+    add_trial(rows, known_start, summary);
+    add_honesty(rows, row);
+    cpu.add(rows);
+  }
+};
+
+void try_starts(const Evaluator& evaluator, const Frames& frames, const EvaluationConfig& config,
+                const std::function<void()>& on_trial, Score& score) {
+  const std::size_t scans = scan_positions(frames).size();
+  const Stamp window = localization::from_seconds(config.window_s);
+  for (int k = 0; k < config.starts; ++k) {
+    const std::size_t first = place_of(scans, k, config.starts);
+    const auto seed = static_cast<std::uint64_t>(k) + 1;
+    const RowsOfRun rows = evaluator.run({stretch(frames, first, window), false, seed});
+    score.add(rows, false, score.row.starts);
+    on_trial();
+  }
+}
+
+void try_kidnaps(const Evaluator& evaluator, const Frames& frames, const EvaluationConfig& config,
+                 const std::function<void()>& on_trial, Score& score) {
+  const std::size_t scans = scan_positions(frames).size();
+  const auto lead = static_cast<std::size_t>(config.scans_before_kidnap);
+  for (int k = 0; k < config.kidnaps; ++k) {
+    Splice at;
+    at.to = place_of(scans, k, config.kidnaps);
+    at.from_first = far_from(at.to, scans, lead);
+    at.from = std::min(at.from_first + lead, scans - 1);
+    at.window = localization::from_seconds(config.window_s);
+    const auto seed = static_cast<std::uint64_t>(k) + 1001;
+    score.add(evaluator.run({splice(frames, at), true, seed}), true, score.row.kidnaps);
+    on_trial();
+  }
+}
+
 }  // namespace
 
 void validate(const EvaluationConfig& config) {
@@ -122,33 +169,12 @@ EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localize
                        const EvaluationConfig& config, const std::function<void()>& on_trial) {
   validate(config);
   const Evaluator evaluator(place, localizer, config);
-  const std::size_t scans = scan_positions(place.frames).size();
-  const Stamp window = localization::from_seconds(config.window_s);
-  EvaluationRow row;
+  Score score;
+  EvaluationRow& row = score.row;
   row.log = place.name;
   row.localizer = localizer.name;
-  CpuSum cpu;
-  for (int k = 0; k < config.starts; ++k) {
-    const std::size_t first = place_of(scans, k, config.starts);
-    const RowsOfRun rows = evaluator.run(
-        {stretch(place.frames, first, window), false, static_cast<std::uint64_t>(k) + 1});
-    add_trial(rows, false, row.starts);
-    add_honesty(rows, row);
-    cpu.add(rows);
-    on_trial();
-  }
-  const auto lead = static_cast<std::size_t>(config.scans_before_kidnap);
-  for (int k = 0; k < config.kidnaps; ++k) {
-    const std::size_t to = place_of(scans, k, config.kidnaps);
-    const std::size_t half = (to + scans / 2) % (scans > kTail + lead ? scans - kTail - lead : 1);
-    const RowsOfRun rows =
-        evaluator.run({splice(place.frames, {half, std::min(half + lead, scans - 1), to, window}),
-                       true, static_cast<std::uint64_t>(k) + 1001});
-    add_trial(rows, true, row.kidnaps);
-    add_honesty(rows, row);
-    cpu.add(rows);
-    on_trial();
-  }
+  try_starts(evaluator, place.frames, config, on_trial, score);
+  try_kidnaps(evaluator, place.frames, config, on_trial, score);
   if (config.tracking) {
     const RowsOfRun rows = evaluator.run({stretch(place.frames, 0, Stamp::max()), true, 1});
     const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
@@ -160,6 +186,7 @@ EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localize
     std::sort(summary->time_s.begin(), summary->time_s.end());
     std::sort(summary->distance_m.begin(), summary->distance_m.end());
   }
+  const CpuSum& cpu = score.cpu;
   row.cpu_mean_ms = cpu.scans > 0 ? cpu.total_ms / static_cast<double>(cpu.scans) : 0.0;
   row.cpu_max_ms = cpu.max_ms;
   return row;

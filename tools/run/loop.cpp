@@ -93,6 +93,9 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
     LocalizerRecord localizer;
     localizer.name = localizers_[i].name;
     localizer.estimate = localizers_[i].localizer->estimate();
+    if (localizer.estimate && localizer.estimate->stamp != record.stamp) {
+      localizer.estimate.reset();  // of an older scan: this one was dropped
+    }
     localizer.diagnostics = localizers_[i].localizer->diagnostics();
     localizer.update_cpu = costs_[i].since_scan;
     localizer.stage_cpu = localizer.diagnostics.cpu_by_stage;

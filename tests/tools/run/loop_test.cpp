@@ -100,6 +100,34 @@ TEST_F(LoopTest, LeavesAnUnknownStartToTheLocalizer) {
   EXPECT_FALSE(sink_->records[0].localizers[0].estimate);
 }
 
+/// Answers the first scan and drops all others.
+class FirstScanOnly final : public localization::Localizer {
+ public:
+  void initialize(const std::optional<localization::PoseWithCovariance>&) override {}
+  void on_odometry(const Odometry&) override {}
+  void on_scan(const LaserScan& laser) override {
+    if (estimate_) return;
+    estimate_.emplace();
+    estimate_->stamp = laser.stamp;
+  }
+  [[nodiscard]] std::optional<localization::Estimate> estimate() const override {
+    return estimate_;
+  }
+  [[nodiscard]] localization::Diagnostics diagnostics() const override { return {}; }
+
+ private:
+  std::optional<localization::Estimate> estimate_;
+};
+
+TEST_F(LoopTest, TakesNoAnswerForADroppedScan) {
+  localizers_[0].localizer = std::make_unique<FirstScanOnly>();
+  ListSource source({odometry(0, {}), scan(5, {}), scan(10, {})});
+  Loop(config_, localizers_, sinks_).run(source);
+  ASSERT_EQ(sink_->records.size(), 2U);
+  EXPECT_TRUE(sink_->records[0].localizers[0].estimate);
+  EXPECT_FALSE(sink_->records[1].localizers[0].estimate);
+}
+
 TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {
   config_.drive_by = "dead_reckoning";
   Loop(config_, localizers_, sinks_).run(source_);
