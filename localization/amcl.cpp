@@ -116,13 +116,24 @@ void Amcl::update(const LaserScan& scan, const ScanPoints& points, const SE2& T_
   });
 }
 
+std::vector<double> Amcl::log_weights(const ScanPoints& points, double range_max) const {
+  if (config_.model == AmclSensorModel::kLikelihoodFieldProb) {
+    return prob_log_weights(field_, points, particles_.poses, range_max, config_.beam_skip);
+  }
+  std::vector<double> result;
+  for (const SE2& pose : particles_.poses) {
+    result.push_back(std::log(field_.weight(points, pose, range_max)));
+  }
+  return result;
+}
+
 void Amcl::weigh(const ScanPoints& points, double range_max) {
-  double total = 0.0;
   const std::vector<double> before = normalized_weights(particles_);
+  const std::vector<double> log_weights = this->log_weights(points, range_max);
+  double total = 0.0;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const double weight = field_.weight(points, particles_.poses[i], range_max);
-    total += before[i] * weight;
-    particles_.log_weights[i] += std::log(weight);
+    total += before[i] * std::exp(log_weights[i]);
+    particles_.log_weights[i] += log_weights[i];
   }
   averages_.add(total / static_cast<double>(particles_.size()));
 }

@@ -12,15 +12,23 @@
 #include "localization/geometry/transform_buffer.hpp"
 #include "localization/localizer.hpp"
 #include "localization/motion/differential_motion.hpp"
-#include "localization/sensor/likelihood_field.hpp"
+#include "localization/sensor/likelihood_field_prob.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {
 
+/// How the beams of a scan make a weight.
+enum class AmclSensorModel {
+  kLikelihoodField,      ///< `1 + sum pz^3`
+  kLikelihoodFieldProb,  ///< `prod pz`, with beam skipping
+};
+
 /// Settings, with Nav2's defaults.
 struct AmclConfig {
   DifferentialMotionConfig motion;
+  AmclSensorModel model = AmclSensorModel::kLikelihoodField;
   LikelihoodFieldConfig sensor;
+  BeamSkipConfig beam_skip;  ///< Used by kLikelihoodFieldProb only.
   KldConfig kld;
   RecoveryConfig recovery;
   double update_min_d = 0.25;  ///< [m] Along x or y of odom since the last update.
@@ -50,6 +58,7 @@ class Amcl final : public Localizer {
   [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
   void update(const LaserScan& scan, const ScanPoints& points, const SE2& T_odom_base);
   void weigh(const ScanPoints& points, double range_max);
+  [[nodiscard]] std::vector<double> log_weights(const ScanPoints& points, double range_max) const;
   void resample();
   void publish(Stamp stamp, const SE2& T_odom_base);
 

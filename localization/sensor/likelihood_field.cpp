@@ -35,6 +35,24 @@ double LikelihoodField::weight(const ScanPoints& points, const SE2& T_map_base,
   return weight;
 }
 
+std::vector<double> LikelihoodField::distances(const ScanPoints& points,
+                                               const SE2& T_map_base) const {
+  const GridFrame& frame = distances_.frame();
+  const PoseInCells pose(frame, T_map_base);
+  std::vector<double> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d p_cells(pose.x(points.x[i], points.y[i]),
+                                  pose.y(points.x[i], points.y[i]));
+    result[i] = distances_.at(p_cells * frame.resolution);
+  }
+  return result;
+}
+
+double LikelihoodField::beam_probability(double distance, double range_max) const {
+  const double z = distance / config_.sigma_hit;
+  return config_.z_hit * std::exp(-0.5 * z * z) + config_.z_rand / range_max;
+}
+
 double LikelihoodField::quality(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
   const PoseInCells pose(distances_.frame(), T_map_base);

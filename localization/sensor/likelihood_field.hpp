@@ -29,6 +29,12 @@ class LikelihoodField {
   /// Mean of `exp(-d^2 / 2 sigma_hit^2)` over the beams, in [0, 1]; 0 without beams.
   [[nodiscard]] double quality(const ScanPoints& points, const SE2& T_map_base) const;
 
+  /// Distance from every end point to the nearest wall. [m]
+  [[nodiscard]] std::vector<double> distances(const ScanPoints& points,
+                                              const SE2& T_map_base) const;
+  /// Likelihood pz of a beam that ends `distance` [m] from a wall.
+  [[nodiscard]] double beam_probability(double distance, double range_max) const;
+
  private:
   LikelihoodFieldConfig config_;
   DistanceField distances_;

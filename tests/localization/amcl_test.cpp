@@ -66,6 +66,17 @@ TEST(Amcl, AdaptsTheNumberOfParticles) {
   EXPECT_GT(localizer.diagnostics().populations[0].particles.size(), 500U);
 }
 
+TEST(Amcl, TracksMoreTightlyWithProductWeights) {
+  AmclConfig config;
+  config.model = AmclSensorModel::kLikelihoodFieldProb;
+  Amcl localizer(config, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
+  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.1);
+  EXPECT_LT(localizer.estimate()->covariance(0, 0), 0.01);
+}
+
 TEST(Amcl, RepeatsItselfBitForBit) {
   const auto run = [](std::uint64_t seed) {
     Amcl localizer({}, test::office(), seed);

@@ -13,7 +13,7 @@ using localization::MhAmclConfig;
 
 const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
 const std::vector<std::string> kMhAmclModes = {"improved", "paper"};
-const std::vector<std::string> kAmclPresets = {"amcl", "amcl-recovery"};
+const std::vector<std::string> kAmclPresets = {"amcl", "amcl-recovery", "amcl-prob"};
 
 MhAmclConfig mh_amcl_mode(const std::string& mode) {
   MhAmclConfig config;
@@ -47,6 +47,7 @@ MhAmclConfig read_mh_amcl(YamlReader& body, const std::string& mode) {
 AmclConfig amcl_preset(const std::string& preset) {
   AmclConfig config;
   if (preset == "amcl-recovery") config.recovery = {0.001, 0.1};
+  if (preset == "amcl-prob") config.model = localization::AmclSensorModel::kLikelihoodFieldProb;
   return config;
 }
 
@@ -66,6 +67,11 @@ AmclConfig read_amcl(YamlReader& body, const std::string& preset) {
   config.kld.z = body.get("pf_z", config.kld.z);
   config.recovery.alpha_slow = body.get("recovery_alpha_slow", config.recovery.alpha_slow);
   config.recovery.alpha_fast = body.get("recovery_alpha_fast", config.recovery.alpha_fast);
+  config.beam_skip.enabled = body.get("do_beamskip", config.beam_skip.enabled);
+  config.beam_skip.distance = body.get("beam_skip_distance", config.beam_skip.distance);
+  config.beam_skip.threshold = body.get("beam_skip_threshold", config.beam_skip.threshold);
+  config.beam_skip.error_threshold =
+      body.get("beam_skip_error_threshold", config.beam_skip.error_threshold);
   config.update_min_d = body.get("update_min_d", config.update_min_d);
   config.update_min_a = body.get("update_min_a", config.update_min_a);
   config.max_beams = body.get("max_beams", config.max_beams);
