@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 
 namespace castaway::localization {
 namespace {
 
 class CreateTest : public testing::Test {
  protected:
-  ScanPoints scan_from(const SE2& pose) const {
-    TransformBuffer buffer;
-    buffer.add(Stamp(0), {});
-    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
-  }
+  ScanPoints scan_from(const SE2& pose) const { return test::points_from(grid_, pose); }
   CreateContext context() const {
     return {config_, merge_, posterior_, noise_, endpoint_, evidence_};
   }

@@ -7,17 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/transform_buffer.hpp"
 #include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 
 namespace castaway::localization {
 namespace {
-
-ScanPoints scan_from(const OccupancyGrid& grid, const SE2& pose) {
-  TransformBuffer buffer;
-  buffer.add(Stamp(0), {});
-  return *project_scan(test::scan_at(grid, pose, Stamp(0)), buffer, Stamp(0), {});
-}
 
 /// Best score of all places, one look-up at a time.
 double naive_best(const OccupancyGrid& grid, const DistanceField& distances,
@@ -58,7 +52,7 @@ TEST(CascadeMatcher, FindsTheBestScoreOfTheNaiveLoop) {
       test::fill(grid, x, y, x + 0.4, y + 0.4, CellState::kOccupied);
     }
     const FreeSpace space(grid);
-    const ScanPoints points = scan_from(grid, space.sample(rng));
+    const ScanPoints points = test::points_from(grid, space.sample(rng));
     const DistanceField distances(grid, 5.0);
     const CascadeMatcher matcher({}, grid, distances);
     const std::vector<Candidate> found = matcher.match(points);
@@ -77,7 +71,7 @@ TEST(CascadeMatcher, ListsTheTruePlaceOfRandomScans) {
   constexpr int kRounds = 40;
   for (int round = 0; round < kRounds; ++round) {
     const SE2 truth = space.sample(rng);
-    const std::vector<Candidate> found = matcher.match(scan_from(grid, truth));
+    const std::vector<Candidate> found = matcher.match(test::points_from(grid, truth));
     if (std::any_of(found.begin(), found.end(), [&](const Candidate& c) {
           return distance(c.T_map_base, truth) < 0.3 && yaw_distance(c.T_map_base, truth) < 0.1;
         })) {
@@ -105,7 +99,7 @@ TEST(CascadeMatcher, BothAlgorithmsGiveTheSameCandidates) {
   const FreeSpace space(grid);
   Rng rng = substream(8, "matcher");
   for (int round = 0; round < 10; ++round) {
-    const ScanPoints points = scan_from(grid, space.sample(rng));
+    const ScanPoints points = test::points_from(grid, space.sample(rng));
     expect_same(bounded.match(points), exhaustive.match(points));
   }
 }
@@ -113,7 +107,7 @@ TEST(CascadeMatcher, BothAlgorithmsGiveTheSameCandidates) {
 TEST(CascadeMatcher, ASearchInSlicesGivesWhatAMatchGives) {
   const OccupancyGrid grid = test::office();
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
-  const ScanPoints points = scan_from(grid, {3.0, 3.0, 0.4});
+  const ScanPoints points = test::points_from(grid, {3.0, 3.0, 0.4});
   for (const auto& window : {std::optional<MatchWindow>(), {MatchWindow{{3.0, 3.0, 0.5}}}}) {
     BranchAndBound search = matcher.search(points, window);
     while (!search.step(100)) EXPECT_FALSE(search.complete());
@@ -125,7 +119,7 @@ TEST(CascadeMatcher, StaysWithinItsWindow) {
   const OccupancyGrid grid = test::office();
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
   const MatchWindow window{{3.0, 3.0, 0.5}, 0.7, 0.3};
-  const auto found = matcher.match(scan_from(grid, {8.0, 6.0, 0.0}), window);
+  const auto found = matcher.match(test::points_from(grid, {8.0, 6.0, 0.0}), window);
   ASSERT_FALSE(found.empty());
   for (const Candidate& c : found) {
     EXPECT_LT(std::abs(c.T_map_base.x - 3.0), 0.7 + 0.2);
@@ -138,7 +132,7 @@ TEST(CascadeMatcher, AnswersInTheFrameOfATurnedMap) {
   OccupancyGrid grid = test::office();
   const SE2 T_map_grid{-4.0, 3.0, 0.6};
   const SE2 truth_grid{3.0, 3.0, 0.4};
-  const ScanPoints points = scan_from(grid, truth_grid);
+  const ScanPoints points = test::points_from(grid, truth_grid);
   grid.frame.T_map_grid = T_map_grid;
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
   const SE2 best = matcher.match(points).at(0).T_map_base;
@@ -149,7 +143,7 @@ TEST(CascadeMatcher, AnswersInTheFrameOfATurnedMap) {
 TEST(CascadeMatcher, FindsNothingWithoutBeamsOrFreeCells) {
   OccupancyGrid grid = test::office();
   EXPECT_TRUE(CascadeMatcher({}, grid, DistanceField(grid, 5.0)).match({}).empty());
-  const ScanPoints points = scan_from(grid, {3.0, 3.0, 0.0});
+  const ScanPoints points = test::points_from(grid, {3.0, 3.0, 0.0});
   grid.cells.assign(grid.cells.size(), CellState::kUnknown);
   EXPECT_TRUE(CascadeMatcher({}, grid, DistanceField(grid, 5.0)).match(points).empty());
 }

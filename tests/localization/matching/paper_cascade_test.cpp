@@ -4,23 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/transform_buffer.hpp"
 #include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 
 namespace castaway::localization {
 namespace {
-
-ScanPoints scan_from(const OccupancyGrid& grid, const SE2& pose) {
-  TransformBuffer buffer;
-  buffer.add(Stamp(0), {});
-  return *project_scan(test::scan_at(grid, pose, Stamp(0)), buffer, Stamp(0), {});
-}
 
 TEST(PaperCascade, FindsAPlaceThatStandsInOneOfItsOrientations) {
   const OccupancyGrid grid = test::office();
   const PaperCascade cascade({}, {0.05}, grid);
   const SE2 truth{3.025, 3.025, std::numbers::pi / 8.0};
-  const auto found = cascade.match(scan_from(grid, truth));
+  const auto found = cascade.match(test::points_from(grid, truth));
   ASSERT_FALSE(found.empty());
   EXPECT_LT(distance(found[0].T_map_base, truth), 0.15);
   EXPECT_LT(yaw_distance(found[0].T_map_base, truth), 1e-9);
@@ -30,7 +24,7 @@ TEST(PaperCascade, FindsAPlaceThatStandsInOneOfItsOrientations) {
 TEST(PaperCascade, ScoresByTheQualityAtTheFinestLevel) {
   const OccupancyGrid grid = test::office();
   const PaperCascade cascade({}, {0.05}, grid);
-  const ScanPoints points = scan_from(grid, {3.025, 3.025, 0.0});
+  const ScanPoints points = test::points_from(grid, {3.025, 3.025, 0.0});
   const auto found = cascade.match(points);
   ASSERT_FALSE(found.empty());
   const double quality = RayLocalModel({0.05}, grid).evaluate(points, found[0].T_map_base).hits /

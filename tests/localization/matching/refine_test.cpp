@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/transform_buffer.hpp"
 #include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -11,11 +11,7 @@ namespace {
 
 class RefineTest : public testing::Test {
  protected:
-  ScanPoints scan_from(const SE2& pose) const {
-    TransformBuffer buffer;
-    buffer.add(Stamp(0), {});
-    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
-  }
+  ScanPoints scan_from(const SE2& pose) const { return test::points_from(grid_, pose); }
   OccupancyGrid grid_ = test::office();
   EndpointModel model_{{0.12, 0.08, 12.0}, DistanceField(grid_, 5.0)};
 };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -12,18 +13,6 @@ namespace {
 
 /// One wall cell, its centre at (0.35, 0.05).
 OccupancyGrid one_wall() { return test::string_map({"...#...."}, 0.1); }
-
-ScanPoints points_at(std::initializer_list<float> xs) {
-  ScanPoints points;
-  for (const float x : xs) {
-    points.x.push_back(x);
-    points.y.push_back(0.0F);
-    points.origin_x.push_back(0.0F);
-    points.origin_y.push_back(0.0F);
-    points.range.push_back(x);
-  }
-  return points;
-}
 
 TEST(EndpointLogLikelihood, IsZeroOnAWallAndTheFloorFarAway) {
   const EndpointConfig config{0.1, 0.05, 10.0};
@@ -38,8 +27,9 @@ TEST(EndpointModel, AveragesBeamsAndCountsThemAsIndependent) {
   const EndpointModel model(config, DistanceField(one_wall(), 5.0));
   const SE2 pose{0.05, 0.05, 0.0};
   const double near = std::log((std::exp(-0.5) + 0.05) / 1.05);  // 0.1 m short of the wall
-  EXPECT_NEAR(model.log_likelihood(points_at({0.3F}), pose), 0.0, 1e-5);
-  EXPECT_NEAR(model.log_likelihood(points_at({0.3F, 0.2F}), pose), 10.0 * near / 2.0, 1e-5);
+  EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F}), pose), 0.0, 1e-5);
+  EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F, 0.2F}), pose), 10.0 * near / 2.0,
+              1e-5);
   EXPECT_EQ(model.log_likelihood(ScanPoints{}, pose), 0.0);
 }
 
@@ -47,7 +37,7 @@ TEST(EndpointModel, TurnsPointsByTheYaw) {
   const EndpointConfig config{0.1, 0.05, 10.0};
   const EndpointModel model(config, DistanceField(one_wall(), 5.0));
   const SE2 facing_back{0.65, 0.05, 3.141592653589793};
-  EXPECT_NEAR(model.log_likelihood(points_at({0.3F}), facing_back), 0.0, 1e-4);
+  EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F}), facing_back), 0.0, 1e-4);
 }
 
 TEST(EndpointConfig, RefusesFiguresOutOfRange) {

@@ -5,19 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/transform_buffer.hpp"
 #include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 
 namespace castaway::localization {
 namespace {
 
 class EvidenceModelTest : public testing::Test {
  protected:
-  ScanPoints scan_from(const SE2& pose) const {
-    TransformBuffer buffer;
-    buffer.add(Stamp(0), {});
-    return *project_scan(test::scan_at(grid_, pose, Stamp(0)), buffer, Stamp(0), {});
-  }
+  ScanPoints scan_from(const SE2& pose) const { return test::points_from(grid_, pose); }
   OccupancyGrid grid_ = test::office();
   DistanceField distances_{grid_, 5.0};
   EvidenceModel model_{{}, grid_, distances_};

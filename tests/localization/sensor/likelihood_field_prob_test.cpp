@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -11,18 +12,6 @@ namespace {
 
 // One wall cell, number 5 of 20.
 LikelihoodField field() { return {{}, test::string_map({".....#.............."}, 0.1)}; }
-
-ScanPoints forward(std::initializer_list<float> ranges) {
-  ScanPoints points;
-  for (const float r : ranges) {
-    points.x.push_back(r);
-    points.y.push_back(0.0F);
-    points.origin_x.push_back(0.0F);
-    points.origin_y.push_back(0.0F);
-    points.range.push_back(r);
-  }
-  return points;
-}
 
 TEST(BeamsToUse, SkipsWhatFewParticlesExplain) {
   // Beam 0: all explain it; beam 1: 2 of 4; beam 2: 1 of 4, at most 30 %.
@@ -41,13 +30,14 @@ TEST(ProbLogWeights, MultiplyTheBeams) {
   const std::vector<SE2> poses = {{0.05, 0.05, 0.0}};
   const double on = 0.5 + 0.05;                    // on the wall, z_rand / range_max = 0.05
   const double off = 0.5 * std::exp(-0.5) + 0.05;  // 0.2 m = sigma before it
-  EXPECT_NEAR(prob_log_weights(field(), forward({0.5F, 0.3F}), poses, 10.0, {})[0],
+  EXPECT_NEAR(prob_log_weights(field(), test::forward_beams({0.5F, 0.3F}), poses, 10.0, {})[0],
               std::log(on) + std::log(off), 1e-6);
 }
 
 TEST(ProbLogWeights, LeaveSkippedBeamsOutForAll) {
   const std::vector<SE2> poses = {{0.05, 0.05, 0.0}, {0.05, 0.05, 0.0}};
-  const auto weights = prob_log_weights(field(), forward({0.5F, 1.5F}), poses, 10.0, {});
+  const auto weights =
+      prob_log_weights(field(), test::forward_beams({0.5F, 1.5F}), poses, 10.0, {});
   EXPECT_NEAR(weights[0], std::log(0.55), 1e-6);  // the second beam ends 1 m behind the wall
   EXPECT_EQ(weights[0], weights[1]);
 }

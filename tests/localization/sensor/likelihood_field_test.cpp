@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -12,36 +13,26 @@ namespace {
 // One wall cell, number 5 of 10.
 LikelihoodField field() { return {{}, test::string_map({".....#...."}, 0.1)}; }
 
-ScanPoints forward(std::initializer_list<float> ranges) {
-  ScanPoints points;
-  for (const float r : ranges) {
-    points.x.push_back(r);
-    points.y.push_back(0.0F);
-    points.origin_x.push_back(0.0F);
-    points.origin_y.push_back(0.0F);
-    points.range.push_back(r);
-  }
-  return points;
-}
-
 TEST(LikelihoodField, WeighsByTheSumOfCubes) {
   const SE2 pose{0.05, 0.05, 0.0};
   // On the wall: pz = 0.5 + 0.5/10; two cells before it: d = 0.2 = sigma.
   const double on = 0.5 + 0.05;
   const double off = 0.5 * std::exp(-0.5) + 0.05;
-  EXPECT_NEAR(field().weight(forward({0.5F}), pose, 10.0), 1.0 + on * on * on, 1e-6);
-  EXPECT_NEAR(field().weight(forward({0.5F, 0.3F}), pose, 10.0),
+  EXPECT_NEAR(field().weight(test::forward_beams({0.5F}), pose, 10.0), 1.0 + on * on * on, 1e-6);
+  EXPECT_NEAR(field().weight(test::forward_beams({0.5F, 0.3F}), pose, 10.0),
               1.0 + on * on * on + off * off * off, 1e-6);
 }
 
 TEST(LikelihoodField, CapsDistancesOffTheMap) {
   const double far = 0.5 * std::exp(-0.5 * 100.0) + 0.05;
-  EXPECT_NEAR(field().weight(forward({0.5F}), {50.0, 0.0, 0.0}, 10.0), 1.0 + far * far * far, 1e-9);
+  EXPECT_NEAR(field().weight(test::forward_beams({0.5F}), {50.0, 0.0, 0.0}, 10.0),
+              1.0 + far * far * far, 1e-9);
 }
 
 TEST(LikelihoodField, QualityIsTheMeanOfTheHits) {
   const SE2 pose{0.05, 0.05, 0.0};
-  EXPECT_NEAR(field().quality(forward({0.5F, 0.3F}), pose), (1.0 + std::exp(-0.5)) / 2.0, 1e-6);
+  EXPECT_NEAR(field().quality(test::forward_beams({0.5F, 0.3F}), pose),
+              (1.0 + std::exp(-0.5)) / 2.0, 1e-6);
   EXPECT_EQ(field().quality({}, pose), 0.0);
 }
 
