@@ -1,0 +1,13 @@
+// castaway bench: the project's own measurements, each by one command.
+#include "tools/commands/bench.hpp"
+
+namespace castaway::testbed {
+
+void add_bench_command(CLI::App& app, std::function<int()>& chosen) {
+  CLI::App* bench =
+      app.add_subcommand("bench", "Measure the localizers and the simulator: one table a command");
+  bench->require_subcommand(1);
+  static_cast<void>(chosen);  // add_bench_<name>(*bench, chosen) of every measurement
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,7 @@
+/// The measurements of `castaway bench`. Each stands in a file of its own, bench_<name>.cpp, and
+/// adds itself as a subcommand with a function that is declared here.
+#pragma once
+
+#include "tools/commands/commands.hpp"
+
+namespace castaway::testbed {}  // namespace castaway::testbed
