@@ -6,12 +6,24 @@
 #include "localization/map/coarsen.hpp"
 
 namespace castaway::localization {
+namespace {
+
+PaperCascadeConfig with_headings(PaperCascadeConfig config, const PublishedDefects& defects) {
+  if (defects.wide_headings) config.yaw_step = std::numbers::pi / 4.0;
+  return config;
+}
+
+}  // namespace
 
 PaperCascade::PaperCascade(const PaperCascadeConfig& config, const RayLocalConfig& sensor,
-                           const OccupancyGrid& grid)
-    : config_(config),
-      yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)))) {
-  for (int level = 0; level < config.levels; ++level) {
+                           const OccupancyGrid& grid, const PublishedDefects& defects)
+    : config_(with_headings(config, defects)),
+      transposed_(defects.transposed_search),
+      yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config_.yaw_step)))) {
+  constexpr int kPublishedLevel = 2;  // cells of 4 x 4
+  const int first = defects.one_coarse_level ? kPublishedLevel : 0;
+  const int last = defects.one_coarse_level ? kPublishedLevel : config.levels - 1;
+  for (int level = first; level <= last; ++level) {
     OccupancyGrid coarse = coarsened(grid, 1 << level);
     const double sigma = std::max(sensor.sigma, 0.5 * coarse.frame.resolution);
     RayLocalModel model({sigma}, coarse);
@@ -24,10 +36,21 @@ std::vector<PaperCascade::Node> PaperCascade::all_nodes() const {
   std::vector<Node> nodes;
   for (int row = 0; row < grid.frame.height; ++row) {
     for (int column = 0; column < grid.frame.width; ++column) {
+      if (!is_searched(grid.frame, column, row)) continue;
       for (int yaw = 0; yaw < yaws_; ++yaw) nodes.push_back({{column, row}, yaw, 0.0});
     }
   }
   return nodes;
+}
+
+/// Every cell; with the limits of x and y transposed only those that lie below both in map.
+bool PaperCascade::is_searched(const GridFrame& frame, int column, int row) const {
+  if (!transposed_) return true;
+  const Eigen::Vector2d origin = frame.T_map_grid.translation();
+  const Eigen::Vector2d cell = origin + frame.resolution * Eigen::Vector2d(column, row);
+  const Eigen::Vector2d end =
+      origin + frame.resolution * Eigen::Vector2d(frame.width, frame.height);
+  return cell.x() < end.y() && cell.y() < end.x();
 }
 
 std::vector<PaperCascade::Node> PaperCascade::children(const std::vector<Node>& nodes) const {

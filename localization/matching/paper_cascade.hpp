@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "localization/matching/cascade_matcher.hpp"
+#include "localization/published_defects.hpp"
 #include "localization/sensor/ray_local_model.hpp"
 
 namespace castaway::localization {
@@ -28,8 +29,9 @@ struct PaperCascadeConfig {
 /// Searches one map by the metric of eq. 9.
 class PaperCascade {
  public:
+  /// `defects`: what the published code does otherwise (the first three).
   PaperCascade(const PaperCascadeConfig& config, const RayLocalConfig& sensor,
-               const OccupancyGrid& grid);
+               const OccupancyGrid& grid, const PublishedDefects& defects = {});
 
   /// Candidates on free cells with their quality, best first.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points) const;
@@ -46,12 +48,14 @@ class PaperCascade {
     double quality = 0.0;
   };
   [[nodiscard]] std::vector<Node> all_nodes() const;
+  [[nodiscard]] bool is_searched(const GridFrame& frame, int column, int row) const;
   [[nodiscard]] std::vector<Node> children(const std::vector<Node>& nodes) const;
   [[nodiscard]] std::vector<Node> scored(const Level& level, std::vector<Node> nodes,
                                          const ScanPoints& points) const;
   [[nodiscard]] SE2 pose_of(const Level& level, const Node& node) const;
 
   PaperCascadeConfig config_;
+  bool transposed_;
   std::vector<Level> levels_;  ///< Finest first.
   int yaws_;
 };
