@@ -1,45 +1,17 @@
 /// The baseline: adaptive Monte Carlo localization as Nav2 runs it, written from its published
 /// formulas.
 ///
-/// Updates only after moving; likelihood field with weights `1 + sum pz^3`; KLD-sampling; random
-/// particles after a fall of the average weight (off by default); the output is the mean of the
-/// heaviest cluster. Differs on purpose: cells are taken by their floor (Nav2 shifts the map by
-/// half a cell), draws come from our random streams.
+/// Updates only after moving; three sensor models; KLD-sampling; random particles after a fall of
+/// the average weight (off by default); the output is the mean of the heaviest cluster, its
+/// covariance that of the whole set. Differs on purpose: cells are taken by their floor (Nav2
+/// shifts the map by half a cell: `half_cell_shift`), draws come from our random streams.
 #pragma once
 
-#include "localization/filter/pose_bins.hpp"
-#include "localization/filter/recovery_averages.hpp"
-#include "localization/geometry/transform_buffer.hpp"
+#include "localization/amcl_config.hpp"
 #include "localization/localizer.hpp"
-#include "localization/motion/differential_motion.hpp"
-#include "localization/sensor/likelihood_field_prob.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {
-
-/// How the beams of a scan make a weight.
-enum class AmclSensorModel {
-  kLikelihoodField,      ///< `1 + sum pz^3`
-  kLikelihoodFieldProb,  ///< `prod pz`, with beam skipping
-};
-
-/// Settings, with Nav2's defaults.
-struct AmclConfig {
-  DifferentialMotionConfig motion;
-  AmclSensorModel model = AmclSensorModel::kLikelihoodField;
-  LikelihoodFieldConfig sensor;
-  BeamSkipConfig beam_skip;  ///< Used by kLikelihoodFieldProb only.
-  KldConfig kld;
-  RecoveryConfig recovery;
-  double update_min_d = 0.25;  ///< [m] Along x or y of odom since the last update.
-  double update_min_a = 0.2;   ///< [rad]
-  int max_beams = 60;          ///< Beams used, by equal steps of their index.
-  double max_range = 100.0;  ///< [m] Longer returns are ignored; also limits the lidar's own range.
-  TransformBufferConfig buffer;
-};
-
-/// Throws std::invalid_argument naming the figure that is out of its range.
-void validate(const AmclConfig& config);
 
 /// The localizer. Deterministic: same calls, same seed, same results.
 class Amcl final : public Localizer {
@@ -56,14 +28,17 @@ class Amcl final : public Localizer {
 
  private:
   [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
-  void update(const LaserScan& scan, const ScanPoints& points, const SE2& T_odom_base);
-  void weigh(const ScanPoints& points, double range_max);
-  [[nodiscard]] std::vector<double> log_weights(const ScanPoints& points, double range_max) const;
+  [[nodiscard]] bool says_something(const BeamScan& beams) const;
+  void update(const BeamScan& beams, double range_max, const SE2& T_odom_base);
+  void weigh(const BeamScan& beams, double range_max);
+  [[nodiscard]] std::vector<double> log_weights(const BeamScan& beams, double range_max) const;
   void resample();
   void publish(Stamp stamp, const SE2& T_odom_base);
 
   AmclConfig config_;
+  OccupancyGrid map_;  ///< As Nav2 would place it.
   LikelihoodField field_;
+  std::optional<BeamModel> beam_model_;  ///< Of kBeam only.
   FreeSpace free_space_;
   Rng rng_;
   StageTimer timer_;

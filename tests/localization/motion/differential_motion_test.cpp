@@ -27,6 +27,28 @@ TEST(DifferentialMotion, HasTheVariancesOfItsAlphas) {
   EXPECT_NEAR(motion.parts().sigma_rot2, std::sqrt(0.1 * 0.25 + 0.2), 1e-12);
 }
 
+TEST(DifferentialMotion, HasVariancesOfBothTurnsAndTheWay) {
+  // trans = 5, rot1 = atan2(4, 3) = 0.927295, rot2 = 1.5 - 0.927295 = 0.572705.
+  const DifferentialMotion motion({3.0, 4.0, 1.5}, {0.1, 0.2, 0.3, 0.4});
+  const auto& parts = motion.parts();
+  // 0.1 * 0.859876 + 0.2 * 25
+  EXPECT_NEAR(parts.sigma_rot1 * parts.sigma_rot1, 5.0859876, 1e-6);
+  // 0.3 * 25 + 0.4 * 0.859876 + 0.4 * 0.327991
+  EXPECT_NEAR(parts.sigma_trans * parts.sigma_trans, 7.9751468, 1e-6);
+  // 0.1 * 0.327991 + 0.2 * 25
+  EXPECT_NEAR(parts.sigma_rot2 * parts.sigma_rot2, 5.0327991, 1e-6);
+}
+
+TEST(DifferentialMotion, CountsTheTurnAloneOfABackwardCurve) {
+  // rot1 = pi and rot2 = 0.2 - pi; for the noise they count as 0 and 0.2.
+  const DifferentialMotion motion({-1.0, 0.0, 0.2}, {0.1, 0.2, 0.3, 0.4});
+  const auto& parts = motion.parts();
+  EXPECT_NEAR(parts.rot2, 0.2 - kPi, 1e-12);
+  EXPECT_NEAR(parts.sigma_rot1 * parts.sigma_rot1, 0.2, 1e-12);          // 0 + 0.2 * 1
+  EXPECT_NEAR(parts.sigma_trans * parts.sigma_trans, 0.316, 1e-12);      // 0.3 + 0.4 * 0.04
+  EXPECT_NEAR(parts.sigma_rot2 * parts.sigma_rot2, 0.004 + 0.2, 1e-12);  // 0.1 * 0.04 + 0.2 * 1
+}
+
 TEST(DifferentialMotion, CountsDrivingBackwardsAsNoTurn) {
   const DifferentialMotion motion({-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0});
   EXPECT_NEAR(std::abs(motion.parts().rot1), kPi, 1e-12);

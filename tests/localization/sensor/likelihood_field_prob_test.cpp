@@ -28,10 +28,10 @@ TEST(BeamsToUse, SkipsNothingIfThePopulationExplainsNearlyNothing) {
 
 TEST(ProbLogWeights, MultiplyTheBeams) {
   const std::vector<SE2> poses = {{0.05, 0.05, 0.0}};
-  const double on = 0.5 + 0.05;                    // on the wall, z_rand / range_max = 0.05
-  const double off = 0.5 * std::exp(-0.5) + 0.05;  // 0.2 m = sigma before it
+  // On the wall: pz = 0.5 + 0.5 / 10 = 0.55. 0.2 m = sigma before it: pz = 0.5 * exp(-0.5) + 0.05 =
+  // 0.353265. log 0.55 + log 0.353265 = -0.597837 - 1.040536.
   EXPECT_NEAR(prob_log_weights(field(), test::forward_beams({0.5F, 0.3F}), poses, 10.0, {})[0],
-              std::log(on) + std::log(off), 1e-6);
+              -1.638373, 1e-6);
 }
 
 TEST(ProbLogWeights, LeaveSkippedBeamsOutForAll) {

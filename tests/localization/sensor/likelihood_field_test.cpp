@@ -15,12 +15,12 @@ LikelihoodField field() { return {{}, test::string_map({".....#...."}, 0.1)}; }
 
 TEST(LikelihoodField, WeighsByTheSumOfCubes) {
   const SE2 pose{0.05, 0.05, 0.0};
-  // On the wall: pz = 0.5 + 0.5/10; two cells before it: d = 0.2 = sigma.
-  const double on = 0.5 + 0.05;
-  const double off = 0.5 * std::exp(-0.5) + 0.05;
-  EXPECT_NEAR(field().weight(test::forward_beams({0.5F}), pose, 10.0), 1.0 + on * on * on, 1e-6);
-  EXPECT_NEAR(field().weight(test::forward_beams({0.5F, 0.3F}), pose, 10.0),
-              1.0 + on * on * on + off * off * off, 1e-6);
+  // On the wall: pz = 0.5 + 0.5 / 10 = 0.55, cubed 0.166375. Two cells before it, d = 0.2 = sigma:
+  // pz = 0.5 * exp(-0.5) + 0.05 = 0.353265, cubed 0.044086.
+  EXPECT_NEAR(field().beam_probability(0.0, 10.0), 0.55, 1e-12);
+  EXPECT_NEAR(field().beam_probability(0.2, 10.0), 0.353265, 1e-6);
+  EXPECT_NEAR(field().weight(test::forward_beams({0.5F}), pose, 10.0), 1.166375, 1e-6);
+  EXPECT_NEAR(field().weight(test::forward_beams({0.5F, 0.3F}), pose, 10.0), 1.210461, 1e-6);
 }
 
 TEST(LikelihoodField, CapsDistancesOffTheMap) {

@@ -1,0 +1,17 @@
+/// KLD-sampling: draws particles by weight until they suffice for the places that they cover.
+///
+/// D. Fox, "Adapting the Sample Size in Particle Filters Through KLD-Sampling", IJRR 22 (2003),
+/// table 1; with random particles as in Probabilistic Robotics, table 8.3.
+#pragma once
+
+#include "localization/filter/pose_bins.hpp"
+#include "localization/map/occupancy_grid.hpp"
+
+namespace castaway::localization {
+
+/// A new, equally weighted population drawn from `particles` (not empty). Each particle is drawn
+/// anew from `anywhere` with probability `random_share`.
+ParticleSet kld_resample(const ParticleSet& particles, const KldConfig& config,
+                         const FreeSpace& anywhere, double random_share, Rng& rng);
+
+}  // namespace castaway::localization
