@@ -26,7 +26,7 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
     localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
-    localizers.push_back({spec.name, build(spec, map, stream())});
+    localizers.push_back({spec.name, build(spec, map, stream()), spec.relocalize_at_kidnap});
   }
   return localizers;
 }

@@ -43,13 +43,23 @@ void Loop::run(SensorSource& source) {
 
 void Loop::take(SensorSource& source, const Frame& frame) {
   if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
-    tell_sinks([&](RunSink& sink) { sink.on_event(*event); });
+    take(*event);
   } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     take(source, *odometry);
   } else {
     take(std::get<ScanFrame>(frame.data), frame.stamp);
     if (config_.on_progress) config_.on_progress(frame.stamp);
   }
+}
+
+void Loop::take(const RunEvent& event) {
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    if (!localizers_[i].relocalize_at_kidnap || event.kind != "kidnap") continue;
+    const std::chrono::nanoseconds begin = thread_cpu_time();
+    localizers_[i].localizer->initialize(std::nullopt);
+    costs_[i].since_scan += thread_cpu_time() - begin;
+  }
+  tell_sinks([&](RunSink& sink) { sink.on_event(event); });
 }
 
 void Loop::take(SensorSource& source, const OdometryFrame& frame) {

@@ -17,6 +17,8 @@ namespace castaway::testbed {
 struct NamedLocalizer {
   std::string name;  ///< Unique within the run.
   std::unique_ptr<localization::Localizer> localizer;
+  /// Its global localization is called at every kidnap, as somebody who saw it would do.
+  bool relocalize_at_kidnap = false;
 };
 
 /// How a run goes.
@@ -42,6 +44,7 @@ class Loop {
  private:
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
+  void take(const RunEvent& event);
   void take(const ScanFrame& frame, Stamp delivered);
   void drive(SensorSource& source, const Odometry& odometry) const;
   ScanRecord record_of(const ScanFrame& frame, Stamp delivered);

@@ -2,18 +2,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/scenario/amcl_spec.hpp"
 #include "tools/scenario/nearest.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-using localization::AmclConfig;
 using localization::MhAmclConfig;
 
 const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
 const std::vector<std::string> kMhAmclModes = {"improved", "paper"};
-const std::vector<std::string> kAmclPresets = {"amcl", "amcl-recovery", "amcl-prob"};
+const char* const kToldPreset = "amcl-global";
 
 MhAmclConfig mh_amcl_mode(const std::string& mode) {
   MhAmclConfig config;
@@ -44,46 +44,6 @@ MhAmclConfig read_mh_amcl(YamlReader& body, const std::string& mode) {
   return config;
 }
 
-AmclConfig amcl_preset(const std::string& preset) {
-  AmclConfig config;
-  if (preset == "amcl-recovery") config.recovery = {0.001, 0.1};
-  if (preset == "amcl-prob") config.model = localization::AmclSensorModel::kLikelihoodFieldProb;
-  return config;
-}
-
-AmclConfig read_amcl(YamlReader& body, const std::string& preset) {
-  AmclConfig config = amcl_preset(preset);
-  config.motion.alpha1 = body.get("alpha1", config.motion.alpha1);
-  config.motion.alpha2 = body.get("alpha2", config.motion.alpha2);
-  config.motion.alpha3 = body.get("alpha3", config.motion.alpha3);
-  config.motion.alpha4 = body.get("alpha4", config.motion.alpha4);
-  config.sensor.z_hit = body.get("z_hit", config.sensor.z_hit);
-  config.sensor.z_rand = body.get("z_rand", config.sensor.z_rand);
-  config.sensor.sigma_hit = body.get("sigma_hit", config.sensor.sigma_hit);
-  config.sensor.max_distance = body.get("laser_likelihood_max_dist", config.sensor.max_distance);
-  config.kld.min_particles = body.get("min_particles", config.kld.min_particles);
-  config.kld.max_particles = body.get("max_particles", config.kld.max_particles);
-  config.kld.error = body.get("pf_err", config.kld.error);
-  config.kld.z = body.get("pf_z", config.kld.z);
-  config.recovery.alpha_slow = body.get("recovery_alpha_slow", config.recovery.alpha_slow);
-  config.recovery.alpha_fast = body.get("recovery_alpha_fast", config.recovery.alpha_fast);
-  config.beam_skip.enabled = body.get("do_beamskip", config.beam_skip.enabled);
-  config.beam_skip.distance = body.get("beam_skip_distance", config.beam_skip.distance);
-  config.beam_skip.threshold = body.get("beam_skip_threshold", config.beam_skip.threshold);
-  config.beam_skip.error_threshold =
-      body.get("beam_skip_error_threshold", config.beam_skip.error_threshold);
-  config.update_min_d = body.get("update_min_d", config.update_min_d);
-  config.update_min_a = body.get("update_min_a", config.update_min_a);
-  config.max_beams = body.get("max_beams", config.max_beams);
-  config.max_range = body.get("laser_max_range", config.max_range);
-  try {
-    validate(config);
-  } catch (const std::invalid_argument& error) {
-    body.fail(error.what());
-  }
-  return config;
-}
-
 LocalizerSpec read_localizer(YamlReader item) {
   auto [kind, body] = item.named();
   LocalizerSpec spec;
@@ -92,11 +52,13 @@ LocalizerSpec read_localizer(YamlReader item) {
     spec.config = read_mh_amcl(body, mode);
     spec.name = mode == "improved" ? kind : kind + "-" + mode;
   } else if (kind == "amcl") {
-    spec.name = body.choice("preset", "amcl", kAmclPresets);
+    spec.name = body.choice("preset", "amcl", amcl_presets());
     spec.config = read_amcl(body, spec.name);
+    spec.relocalize_at_kidnap = spec.name == kToldPreset;
   } else {
     item.fail("unknown localizer '" + kind + "'; " + suggestion(kind, kKinds));
   }
+  spec.relocalize_at_kidnap = body.get("global_localization_at_kidnap", spec.relocalize_at_kidnap);
   spec.name = body.get("name", spec.name);
   return spec;
 }
@@ -130,11 +92,12 @@ LocalizerSpec parse_localizer(const std::string& text) {
   }
   const std::string chosen = preset.empty() ? "amcl" : preset;
   if (kind == "amcl") {
-    if (std::find(kAmclPresets.begin(), kAmclPresets.end(), chosen) != kAmclPresets.end()) {
-      return {chosen, amcl_preset(chosen)};
+    const std::vector<std::string>& presets = amcl_presets();
+    if (std::find(presets.begin(), presets.end(), chosen) != presets.end()) {
+      return {chosen, amcl_preset(chosen), chosen == kToldPreset};
     }
     throw std::invalid_argument("unknown preset '" + preset + "' of amcl; " +
-                                suggestion(preset, kAmclPresets));
+                                suggestion(preset, amcl_presets()));
   }
   throw std::invalid_argument("unknown localizer '" + text + "'; " + suggestion(kind, kKinds));
 }

@@ -67,6 +67,8 @@ struct KidnapEvent {
 struct LocalizerSpec {
   std::string name;  ///< Unique; names its files.
   std::variant<localization::MhAmclConfig, localization::AmclConfig> config;
+  /// Told of every kidnap: it starts anew, anywhere. All others must notice by themselves.
+  bool relocalize_at_kidnap = false;
 };
 
 /// What the run leaves behind, besides its tables.

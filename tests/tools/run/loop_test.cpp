@@ -128,6 +128,18 @@ TEST_F(LoopTest, TakesNoAnswerForADroppedScan) {
   EXPECT_FALSE(sink_->records[1].localizers[0].estimate);
 }
 
+TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
+  localizers_.push_back({"told", std::make_unique<test::DeadReckoning>(), true});
+  const Frame kidnap{Stamp(7), RunEvent{Stamp(7), "kidnap", "", {}, {}}};
+  const Frame collision{Stamp(3), RunEvent{Stamp(3), "collision", "", {}, {}}};
+  ListSource source({odometry(0, {}), collision, scan(5, {}), kidnap, scan(10, {})});
+  Loop(config_, localizers_, sinks_).run(source);
+  ASSERT_EQ(sink_->records.size(), 2U);
+  EXPECT_TRUE(sink_->records[0].localizers[1].estimate);
+  EXPECT_TRUE(sink_->records[1].localizers[0].estimate);
+  EXPECT_FALSE(sink_->records[1].localizers[1].estimate);  // dead reckoning knows no pose anew
+}
+
 TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {
   config_.drive_by = "dead_reckoning";
   Loop(config_, localizers_, sinks_).run(source_);

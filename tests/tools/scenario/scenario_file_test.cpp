@@ -118,8 +118,39 @@ TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
   expect_contains(error_of("localizers: [amcl]\nstart: somewhere"), "unknown");
 }
 
+TEST_F(ScenarioFileTest, ReadsTheSensorModelsOfAmclByNav2sNames) {
+  const auto config = [this](const std::string& settings) {
+    const Scenario scenario = load("localizers: [amcl: {" + settings + "}]").scenario;
+    return std::get<localization::AmclConfig>(scenario.localizers[0].config);
+  };
+  using Model = localization::AmclSensorModel;
+  EXPECT_EQ(config("").model, Model::kLikelihoodField);
+  EXPECT_EQ(config("preset: amcl-prob").model, Model::kLikelihoodFieldProb);
+  EXPECT_EQ(config("laser_model_type: likelihood_field_prob").model, Model::kLikelihoodFieldProb);
+  const auto beam = config("laser_model_type: beam, z_hit: 0.9, z_short: 0.1, lambda_short: 0.2");
+  EXPECT_EQ(beam.model, Model::kBeam);
+  EXPECT_EQ(beam.beam.z_hit, 0.9);
+  EXPECT_EQ(beam.beam.z_short, 0.1);
+  EXPECT_EQ(beam.beam.z_max, 0.05);
+  EXPECT_EQ(beam.beam.lambda_short, 0.2);
+  EXPECT_TRUE(config("update_at_rest: true").update_at_rest);
+  EXPECT_TRUE(config("half_cell_shift: true").half_cell_shift);
+}
+
+TEST_F(ScenarioFileTest, SaysWhoIsToldOfKidnaps) {
+  const Scenario scenario = load(
+                                "localizers: [amcl, {amcl: {preset: amcl-global}}, "
+                                "{mh_amcl: {global_localization_at_kidnap: true}}]")
+                                .scenario;
+  EXPECT_FALSE(scenario.localizers[0].relocalize_at_kidnap);
+  EXPECT_TRUE(scenario.localizers[1].relocalize_at_kidnap);
+  EXPECT_TRUE(scenario.localizers[2].relocalize_at_kidnap);
+}
+
 TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_EQ(parse_localizer("mh_amcl").name, "mh_amcl");
+  EXPECT_FALSE(parse_localizer("amcl").relocalize_at_kidnap);
+  EXPECT_TRUE(parse_localizer("amcl:amcl-global").relocalize_at_kidnap);
   EXPECT_EQ(parse_localizer("amcl:amcl-recovery").name, "amcl-recovery");
   EXPECT_EQ(parse_localizer("mh_amcl:paper").name, "mh_amcl-paper");
   EXPECT_THROW(parse_localizer("mh_amcl:papre"), std::invalid_argument);
