@@ -9,6 +9,7 @@
 /// quality.
 #pragma once
 
+#include "localization/hypotheses/correct_by_rays.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/hypothesis.hpp"
 #include "localization/localizer.hpp"

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "localization/filter/particle_set.hpp"
-#include "localization/motion/odometry_noise.hpp"
 
 namespace castaway::localization {
 
-/// Moves all particles.
-void predict(ParticleSet& particles, const OdometryMotion& motion, Rng& rng);
+/// Moves all particles; a motion has `sample(T_map_base, rng)`.
+template <typename Motion>
+void predict(ParticleSet& particles, const Motion& motion, Rng& rng) {
+  for (SE2& pose : particles.poses) pose = motion.sample(pose, rng);
+}
 
 }  // namespace castaway::localization

@@ -8,6 +8,8 @@
 
 #include <boost/random/normal_distribution.hpp>
 
+#include "localization/filter/published_moments.hpp"
+
 namespace castaway::localization {
 namespace {
 
@@ -23,13 +25,24 @@ std::vector<SE2> by_weight(const ParticleSet& particles) {
   return poses;
 }
 
-std::size_t next_count(const LoserReseedConfig& config, const ParticleSet& particles) {
-  const Eigen::Matrix3d covariance = moments(particles).covariance;
+std::size_t next_count(const LoserReseedConfig& config, const Eigen::Matrix3d& covariance,
+                       std::size_t present) {
   const double spread = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
-  int count = static_cast<int>(particles.size());
+  int count = static_cast<int>(present);
   if (spread > config.high_spread_m) count += config.step;
   if (spread < config.low_spread_m) count -= config.step;
   return static_cast<std::size_t>(std::clamp(count, config.min_particles, config.max_particles));
+}
+
+/// Standard deviations of a copy.
+struct Spread {
+  double m;
+  double rad;
+};
+
+Spread spread_of(const LoserReseedConfig& config, const PublishedDefects& defects) {
+  if (!defects.jitter_squared) return {config.spread_m, config.spread_rad};
+  return {config.spread_m * config.spread_m, config.spread_rad * config.spread_rad};
 }
 
 }  // namespace
@@ -44,25 +57,29 @@ void validate(const LoserReseedConfig& config) {
   }
 }
 
-ParticleSet reseed_losers(const LoserReseedConfig& config, const ParticleSet& particles, Rng& rng) {
+ParticleSet reseed_losers(const LoserReseedConfig& config, const ParticleSet& particles, Rng& rng,
+                          const PublishedDefects& defects) {
   assert(particles.size() > 0);
   const std::vector<SE2> poses = by_weight(particles);
   const auto size = static_cast<double>(poses.size());
-  const std::size_t count = next_count(config, particles);
+  const std::size_t count =
+      next_count(config, published_moments(particles, defects).covariance, poses.size());
   const auto kept = std::min(
       count,
       std::max<std::size_t>(1, poses.size() - static_cast<std::size_t>(config.losers * size)));
   const auto winners = std::max<std::size_t>(1, static_cast<std::size_t>(config.winners * size));
   ParticleSet next;
   next.poses.assign(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(kept));
+  const Spread spread = spread_of(config, defects);
   boost::random::normal_distribution<double> normal;
-  while (next.poses.size() < count) {
+  for (std::size_t loser = 0; next.poses.size() < count; ++loser) {
     const double drawn = std::abs(normal(rng)) * static_cast<double>(winners) / 2.0;
-    const SE2& winner = poses[std::min(static_cast<std::size_t>(drawn), winners - 1)];
-    const double dx = config.spread_m * normal(rng);
-    const double dy = config.spread_m * normal(rng);
-    const double dyaw = config.spread_rad * normal(rng);
-    next.poses.push_back({winner.x + dx, winner.y + dy, wrap_angle(winner.yaw + dyaw)});
+    const std::size_t winner = std::min(static_cast<std::size_t>(drawn), winners - 1);
+    const SE2& source = poses[defects.winner_unused ? loser % poses.size() : winner];
+    const double dx = spread.m * normal(rng);
+    const double dy = spread.m * normal(rng);
+    const double dyaw = spread.rad * normal(rng);
+    next.poses.push_back({source.x + dx, source.y + dy, wrap_angle(source.yaw + dyaw)});
   }
   next.log_weights.assign(count, 0.0);
   return next;

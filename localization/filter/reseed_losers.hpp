@@ -8,6 +8,7 @@
 #pragma once
 
 #include "localization/filter/particle_set.hpp"
+#include "localization/published_defects.hpp"
 
 namespace castaway::localization {
 
@@ -28,7 +29,9 @@ struct LoserReseedConfig {
 /// Throws std::invalid_argument where a figure is out of its range.
 void validate(const LoserReseedConfig& config);
 
-/// The next, equally weighted population of a set that is not empty.
-ParticleSet reseed_losers(const LoserReseedConfig& config, const ParticleSet& particles, Rng& rng);
+/// The next, equally weighted population of a set that is not empty. `defects`: `winner_unused`,
+/// `jitter_squared`, and those of the covariance.
+ParticleSet reseed_losers(const LoserReseedConfig& config, const ParticleSet& particles, Rng& rng,
+                          const PublishedDefects& defects = {});
 
 }  // namespace castaway::localization

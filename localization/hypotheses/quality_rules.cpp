@@ -1,21 +1,25 @@
 #include "localization/hypotheses/quality_rules.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "localization/filter/published_moments.hpp"
 
 namespace castaway::localization {
 namespace {
 
-/// All particles of two populations, heaviest first, weighed by their share times the population's
-/// quality.
-ParticleSet heavier_half(const Hypothesis& a, const Hypothesis& b) {
+/// The heavier half of the particles of two populations, heaviest first, weighed by their share
+/// times the population's quality; in the published code by their share alone.
+ParticleSet heavier_half(const Hypothesis& a, const Hypothesis& b, bool by_quality) {
   ParticleSet all;
   for (const Hypothesis* h : {&a, &b}) {
     const std::vector<double> weights = normalized_weights(h->particles);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       all.poses.push_back(h->particles.poses[i]);
-      all.log_weights.push_back(std::log(std::max(weights[i] * h->quality, 1e-300)));
+      const double weight = by_quality ? weights[i] * h->quality : weights[i];
+      all.log_weights.push_back(std::log(std::max(weight, 1e-300)));
     }
   }
   std::vector<std::size_t> order(all.size());
@@ -32,48 +36,79 @@ ParticleSet heavier_half(const Hypothesis& a, const Hypothesis& b) {
   return best;
 }
 
-}  // namespace
-
-void correct_by_rays(Hypothesis& hypothesis, const RayLocalModel& model, const ScanPoints& points) {
-  if (points.empty()) return;
-  double hits = 0.0;
-  ParticleSet& particles = hypothesis.particles;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const RayLocalScore score = model.evaluate(points, particles.poses[i]);
-    particles.log_weights[i] += score.log_likelihood;
-    hits += score.hits;
+/// `second` goes into `first`.
+void join(Hypothesis& first, const Hypothesis& second, const PublishedDefects& defects) {
+  first.particles = heavier_half(first, second, !defects.unnormalised_merge);
+  first.belief = published_moments(first.particles, defects);
+  if (defects.unnormalised_merge) {
+    double sum = 0.0;
+    for (const double log_weight : first.particles.log_weights) sum += std::exp(log_weight);
+    first.belief.mean.x *= sum;
+    first.belief.mean.y *= sum;
   }
-  hypothesis.quality =
-      hits / (static_cast<double>(points.size()) * static_cast<double>(particles.size()));
-  hypothesis.log_weight = std::log(std::max(hypothesis.quality, 1e-9));
-  hypothesis.belief = moments(particles);
+  first.quality = std::max(first.quality, second.quality);
+  first.log_weight = std::max(first.log_weight, second.log_weight);
 }
 
-void merge_by_weight(const MergeConfig& config, std::vector<Hypothesis>& hypotheses) {
+/// Removes one and returns the output's id, which jumps to the first population where the published
+/// code takes the successor for the one that went.
+int remove(std::size_t index, const PublishedDefects& defects, std::vector<Hypothesis>& hypotheses,
+           int output_id) {
+  hypotheses.erase(hypotheses.begin() + static_cast<std::ptrdiff_t>(index));
+  const bool jumps =
+      defects.neighbour_compared && index < hypotheses.size() && hypotheses[index].id == output_id;
+  return jumps ? hypotheses.front().id : output_id;
+}
+
+}  // namespace
+
+int merge_by_weight(const MergeConfig& config, std::vector<Hypothesis>& hypotheses,
+                    const PublishedDefects& defects, int output_id) {
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (defects.first_merges_only && i > 0) break;
     for (std::size_t j = i + 1; j < hypotheses.size();) {
-      Hypothesis& first = hypotheses[i];
-      const Hypothesis& second = hypotheses[j];
-      if (!same_place(config, first.belief.mean, second.belief.mean)) {
+      if (!same_place(config, hypotheses[i].belief.mean, hypotheses[j].belief.mean)) {
         ++j;
         continue;
       }
-      first.particles = heavier_half(first, second);
-      first.belief = moments(first.particles);
-      first.quality = std::max(first.quality, second.quality);
-      first.log_weight = std::max(first.log_weight, second.log_weight);
-      hypotheses.erase(hypotheses.begin() + static_cast<std::ptrdiff_t>(j));
+      join(hypotheses[i], hypotheses[j], defects);
+      output_id = remove(j, defects, hypotheses, output_id);
     }
   }
+  return output_id;
 }
 
-void destroy_by_quality(const QualityRules& rules, std::vector<Hypothesis>& hypotheses) {
+int destroy_by_quality(const QualityRules& rules, std::vector<Hypothesis>& hypotheses,
+                       const PublishedDefects& defects, int output_id) {
   const auto best = best_by_quality(hypotheses);
-  if (!best) return;
+  if (!best) return output_id;
   const int keep = hypotheses[*best].id;
-  std::erase_if(hypotheses, [&](const Hypothesis& h) {
-    return h.id != keep && h.quality < rules.destroy_below;
-  });
+  const auto must_go = [&](const Hypothesis& h) {
+    if (!defects.absolute_gates) return h.id != keep && h.quality < rules.destroy_below;
+    const bool full = hypotheses.size() >= static_cast<std::size_t>(rules.most);
+    const double least = full ? rules.gates.low : rules.gates.very_low;
+    return hypotheses.size() > 1 && h.quality < least;
+  };
+  for (std::size_t i = 0; i < hypotheses.size();) {
+    if (must_go(hypotheses[i])) {
+      output_id = remove(i, defects, hypotheses, output_id);
+    } else {
+      ++i;
+    }
+  }
+  return output_id;
+}
+
+int output_by_gates(const PublishedGates& gates, const std::vector<Hypothesis>& hypotheses,
+                    int output_id) {
+  assert(!hypotheses.empty());
+  const auto present = std::find_if(hypotheses.begin(), hypotheses.end(),
+                                    [&](const Hypothesis& h) { return h.id == output_id; });
+  const Hypothesis* output = present == hypotheses.end() ? &hypotheses.front() : &*present;
+  for (const Hypothesis& h : hypotheses) {
+    if (h.quality > gates.good && h.quality > output->quality + gates.margin) output = &h;
+  }
+  return output->id;
 }
 
 bool is_apart(const QualityRules& rules, const std::vector<Hypothesis>& hypotheses,

@@ -6,9 +6,18 @@
 
 #include "localization/hypotheses/hypothesis.hpp"
 #include "localization/hypotheses/merge.hpp"
-#include "localization/sensor/ray_local_model.hpp"
+#include "localization/published_defects.hpp"
 
 namespace castaway::localization {
+
+/// Fixed thresholds of the quality in the published code (`PublishedDefects::absolute_gates`). A
+/// right pose among many people scores 0.14 to 0.55 and is never selected.
+struct PublishedGates {
+  double good = 0.6;      ///< Another population must be better than this to become the output...
+  double margin = 0.2;    ///< ...and better than the output by so much, at once.
+  double low = 0.25;      ///< Populations below this go while there are as many as may be...
+  double very_low = 0.1;  ///< ...and below this in any case; one stays, whichever is the last.
+};
 
 /// Thresholds, on which the paper is silent.
 struct QualityRules {
@@ -23,17 +32,24 @@ struct QualityRules {
   double select_s = 0.5;  ///< [s] ...for so long.
   double right_from = 0.5;  ///< Quality from which on the output does not call itself lost.
   int most = 5;             ///< Populations.
+  PublishedGates gates;     ///< Used in mode `published` only.
 };
 
-/// Weighs a population by a scan (eq. 5 to 7) and takes its quality (eq. 9): mean over particles of
-/// the share of hits among the beams. Nothing changes without beams.
-void correct_by_rays(Hypothesis& hypothesis, const RayLocalModel& model, const ScanPoints& points);
-
 /// Populations in one place become one that has the heavier particles of both, renormalised.
-void merge_by_weight(const MergeConfig& config, std::vector<Hypothesis>& hypotheses);
+/// Returns the output's id, which changes with `neighbour_compared` only. Other defects that count:
+/// `unnormalised_merge`, `first_merges_only`, those of the covariance.
+int merge_by_weight(const MergeConfig& config, std::vector<Hypothesis>& hypotheses,
+                    const PublishedDefects& defects = {}, int output_id = -1);
 
-/// Removes populations of low quality; the best one stays in any case.
-void destroy_by_quality(const QualityRules& rules, std::vector<Hypothesis>& hypotheses);
+/// Removes populations of low quality; the best one stays in any case. Returns the output's id,
+/// which changes with `neighbour_compared` only. With `absolute_gates` the gates decide.
+int destroy_by_quality(const QualityRules& rules, std::vector<Hypothesis>& hypotheses,
+                       const PublishedDefects& defects = {}, int output_id = -1);
+
+/// The output that the published code selects: the present one (the first, where it is gone) unless
+/// another passes the gates. Not to be asked without populations.
+int output_by_gates(const PublishedGates& gates, const std::vector<Hypothesis>& hypotheses,
+                    int output_id);
 
 /// Whether a place is far from all populations.
 bool is_apart(const QualityRules& rules, const std::vector<Hypothesis>& hypotheses,

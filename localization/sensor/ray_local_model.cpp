@@ -1,11 +1,22 @@
 #include "localization/sensor/ray_local_model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "localization/sensor/pose_in_cells.hpp"
 
 namespace castaway::localization {
+namespace {
+
+double hit(const RayLocalConfig& config, double log_likelihood) {
+  if (!config.clamped_density) return std::exp(log_likelihood);
+  const double peak = 1.0 / (config.sigma * std::sqrt(2.0 * std::numbers::pi));
+  return std::min(1.0, peak * std::exp(log_likelihood));
+}
+
+}  // namespace
 
 RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& grid)
     : frame_(grid.frame) {
@@ -18,8 +29,10 @@ RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& 
   for (int k = 0; k <= probes; ++k) {
     const double z = k * frame_.resolution / config.sigma;
     log_likelihood_.push_back(-0.5 * z * z);
+    hit_.push_back(hit(config, -0.5 * z * z));
   }
   log_likelihood_.push_back(-4.5);
+  hit_.push_back(0.0);
 }
 
 bool RayLocalModel::occupied(float x_cells, float y_cells) const {
@@ -44,7 +57,7 @@ RayLocalScore RayLocalModel::evaluate(const ScanPoints& points, const SE2& T_map
       if (occupied(x + t * dx, y + t * dy) || occupied(x - t * dx, y - t * dy)) break;
     }
     score.log_likelihood += log_likelihood_[k];
-    if (k < none) score.hits += std::exp(log_likelihood_[k]);
+    score.hits += hit_[k];
   }
   return score;
 }

@@ -18,6 +18,9 @@ namespace castaway::localization {
 /// Parameters of the model.
 struct RayLocalConfig {
   double sigma = 0.05;  ///< [m] Accuracy of the sensor.
+  /// Hits are the density `N(error; 0, sigma)` clamped to 1, as the published code has it: with
+  /// sigma 0.05 m every error up to 2 sigma is a perfect hit.
+  bool clamped_density = false;
 };
 
 /// What a scan says of a pose.
@@ -39,8 +42,9 @@ class RayLocalModel {
 
   GridFrame frame_;
   std::vector<std::uint8_t> occupied_;
-  std::vector<double>
-      log_likelihood_;  ///< By number of cells from the end point; the last one: no wall.
+  // By number of cells from the end point; the last one: no wall.
+  std::vector<double> log_likelihood_;
+  std::vector<double> hit_;
 };
 
 }  // namespace castaway::localization

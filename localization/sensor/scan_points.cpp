@@ -7,14 +7,19 @@
 namespace castaway::localization {
 namespace {
 
-std::vector<std::size_t> select_beams(const LaserScan& scan, const BeamSelection& selection) {
+std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection& selection) {
   std::vector<std::size_t> valid;
   const double longest = std::min(scan.range_max, selection.max_range);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double r = scan.ranges[i];
     if (std::isfinite(r) && r >= scan.range_min && r <= longest && r > 0.0) valid.push_back(i);
   }
-  const auto count = static_cast<std::size_t>(selection.max_beams);
+  return valid;
+}
+
+/// At most `most`, evenly.
+std::vector<std::size_t> thinned(const std::vector<std::size_t>& valid, int most) {
+  const auto count = static_cast<std::size_t>(most);
   if (valid.size() <= count) return valid;
   std::vector<std::size_t> even(count);
   for (std::size_t k = 0; k < count; ++k) even[k] = valid[k * valid.size() / count];
@@ -48,8 +53,13 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
   const SE2 T_reference_odom = T_odom_reference->inverse();
   Eigen::Isometry3d T_reference_laser =
       to_se3(T_reference_odom * *T_odom_first) * scan.T_base_laser;
+  const std::vector<std::size_t> valid = valid_beams(scan, selection);
   ScanPoints points;
-  for (const std::size_t i : select_beams(scan, selection)) {
+  if (!scan.ranges.empty()) {
+    points.valid_share =
+        static_cast<double>(valid.size()) / static_cast<double>(scan.ranges.size());
+  }
+  for (const std::size_t i : thinned(valid, selection.max_beams)) {
     if (scan.time_increment != Stamp::zero()) {
       const std::optional<SE2> T_odom_beam = T_odom_base.at(scan.beam_stamp(i));
       if (!T_odom_beam) return std::nullopt;

@@ -27,6 +27,7 @@ struct ScanPoints {
   std::vector<float> origin_x;  ///< [m]
   std::vector<float> origin_y;  ///< [m]
   std::vector<float> range;     ///< [m] Length of the beam in the plane.
+  double valid_share = 1.0;     ///< Of the lidar's beams: those with a valid range.
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] bool empty() const { return x.empty(); }

@@ -7,6 +7,7 @@
 #include "localization/filter/correct.hpp"
 #include "localization/filter/predict.hpp"
 #include "localization/filter/reseed.hpp"
+#include "localization/motion/odometry_noise.hpp"
 #include "tests/bench/office_floor.hpp"
 
 namespace {

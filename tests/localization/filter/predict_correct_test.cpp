@@ -2,6 +2,7 @@
 
 #include "localization/filter/correct.hpp"
 #include "localization/filter/predict.hpp"
+#include "localization/motion/odometry_noise.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {

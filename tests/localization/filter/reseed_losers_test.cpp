@@ -61,6 +61,56 @@ TEST(ReseedLosers, GrowsWhenSpreadAndShrinksWhenSure) {
   EXPECT_EQ(reseed_losers(config, sure, rng).size(), 90U);
 }
 
+TEST(ReseedLosers, CopiesParticleByParticleWithTheWinnerUnused) {
+  Rng rng = substream(4, "losers");
+  PublishedDefects defects;
+  defects.winner_unused = true;
+  const ParticleSet next = reseed_losers(exact(100), line(100), rng, defects);
+  // Loser i is a copy of the i-th heaviest, even of those that are losers themselves.
+  for (std::size_t i = 0; i < 80; ++i) {
+    EXPECT_EQ(next.poses[20 + i].x, 99.0 - static_cast<double>(i));
+  }
+}
+
+TEST(ReseedLosers, SpreadsCopiesByTheSquareOfTheirDeviation) {
+  LoserReseedConfig config = exact(2000);
+  config.spread_m = 0.1;
+  config.spread_rad = 0.05;
+  ParticleSet one = line(2000);
+  for (SE2& pose : one.poses) pose = {};
+  PublishedDefects defects;
+  for (const bool squared : {false, true}) {
+    defects.jitter_squared = squared;
+    Rng rng = substream(5, "losers");
+    const ParticleSet next = reseed_losers(config, one, rng, defects);
+    double x2 = 0.0;
+    double yaw2 = 0.0;
+    for (std::size_t i = 400; i < 2000; ++i) {
+      x2 += next.poses[i].x * next.poses[i].x / 1600.0;
+      yaw2 += next.poses[i].yaw * next.poses[i].yaw / 1600.0;
+    }
+    const double tolerance = 4.0 / std::sqrt(2.0 * 1600.0);
+    const double m = squared ? 0.01 : 0.1;
+    const double rad = squared ? 0.0025 : 0.05;
+    EXPECT_NEAR(std::sqrt(x2), m, m * tolerance);
+    EXPECT_NEAR(std::sqrt(yaw2), rad, rad * tolerance);
+  }
+}
+
+TEST(ReseedLosers, CountsByTheUnweightedCovarianceWhenAsked) {
+  // Two thirds of the particles lie at one place with all the weight: sure, but spread.
+  ParticleSet particles = line(90);
+  for (std::size_t i = 0; i < 90; ++i) {
+    particles.poses[i] = {i < 60 ? 0.0 : 1.0, 0.0, 0.0};
+    particles.log_weights[i] = i < 60 ? 0.0 : -50.0;
+  }
+  PublishedDefects defects;
+  Rng rng = substream(6, "losers");
+  EXPECT_EQ(reseed_losers({}, particles, rng, defects).size(), 60U);
+  defects.unweighted_covariance = true;
+  EXPECT_EQ(reseed_losers({}, particles, rng, defects).size(), 120U);
+}
+
 TEST(LoserReseedConfig, RefusesFiguresOutOfRange) {
   LoserReseedConfig config;
   config.losers = 0.95;

@@ -60,6 +60,18 @@ TEST(RayLocalModel, SumsOverBeams) {
   EXPECT_NEAR(sum.hits, 1.0 + std::exp(-0.5), 1e-9);
 }
 
+TEST(RayLocalModel, ClampsTheDensityWhenAsked) {
+  const auto hits = [](double sigma, float range) {
+    return RayLocalModel({sigma, true}, wall()).evaluate(forward(range), {0.025, 0.025, 0.0}).hits;
+  };
+  EXPECT_DOUBLE_EQ(hits(0.05, 0.5F), 1.0);
+  EXPECT_DOUBLE_EQ(hits(0.05, 0.45F), 1.0);  // one sigma: density 4.84
+  EXPECT_DOUBLE_EQ(hits(0.05, 0.60F), 1.0);  // two sigma: 1.08
+  EXPECT_NEAR(hits(0.05, 0.35F), 0.0886, 1e-4);
+  EXPECT_DOUBLE_EQ(hits(0.05, 0.30F), 0.0);
+  EXPECT_NEAR(hits(0.5, 0.5F), 0.7979, 1e-4);  // below 1 even on the wall
+}
+
 TEST(RayLocalModel, RefusesASigmaOfZero) {
   EXPECT_THROW(RayLocalModel({0.0}, wall()), std::invalid_argument);
 }

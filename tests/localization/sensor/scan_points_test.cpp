@@ -79,6 +79,7 @@ TEST(ProjectScan, LeavesOutWhatIsNoReturn) {
   const auto points = project_scan(scan, still(), Stamp(0), {});
   ASSERT_EQ(points->size(), 1U);
   expect_point(*points, 0, 4.0 * std::cos(0.5), 4.0 * std::sin(0.5));
+  EXPECT_DOUBLE_EQ(points->valid_share, 1.0 / 6.0);
 }
 
 TEST(ProjectScan, SpreadsASelectionEvenly) {
