@@ -22,10 +22,7 @@ MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed
       matcher_(config_.matcher, map_, distances_),
       timer_(std::move(clock)),
       T_odom_base_(config_.buffer) {
-  if (config_.mode == MhAmclMode::kPaper) {
-    paper_.emplace(PaperParts{RayLocalModel(config_.paper.sensor, map_),
-                              PaperCascade(config_.paper.cascade, config_.paper.sensor, map_)});
-  }
+  if (config_.mode == MhAmclMode::kPaper) paper_ = paper_parts();
   initialize(std::nullopt);
 }
 
@@ -68,6 +65,7 @@ void MhAmcl::on_scan(const LaserScan& scan) {
   }
   last_scan_ = scan.stamp;
   predict(T_odom_base);
+  if (paper_) prepare_match(scan, now);
   if (!points->empty() && (!last_correct_ || due(now, *last_correct_, config_.correct_rate_hz))) {
     take_scan(*points, now, T_odom_base);
   }
@@ -78,11 +76,13 @@ void MhAmcl::on_scan(const LaserScan& scan) {
 void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base) {
   last_correct_ = now;
   timer_.measure("correct", [&] { correct_all(points, T_odom_base); });
-  timer_.measure("manage", [&] { merge_all(); });
+  const bool waits = paper_ && config_.paper.published.managed_when_matched;
+  const bool managing = !waits || match_due(now, T_odom_base);
+  if (managing) timer_.measure("manage", [&] { merge_all(); });
   if (match_due(now, T_odom_base)) {
     timer_.measure("match", [&] { create(now, T_odom_base); });
   }
-  timer_.measure("manage", [&] { destroy_all(); });
+  if (managing) timer_.measure("manage", [&] { destroy_all(); });
   if (due(now, last_reseed_, config_.reseed_rate_hz)) {
     last_reseed_ = now;
     timer_.measure("reseed", [&] { reseed_all(); });
@@ -91,7 +91,7 @@ void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_ba
 
 void MhAmcl::correct_all(const ScanPoints& points, const SE2& T_odom_base) {
   if (paper_) {
-    for (Hypothesis& hypothesis : hypotheses_) correct_by_rays(hypothesis, paper_->model, points);
+    correct_all_by_rays(points);
   } else {
     for (Hypothesis& hypothesis : hypotheses_) correct(hypothesis, points);
     rescue(points);
@@ -101,7 +101,8 @@ void MhAmcl::correct_all(const ScanPoints& points, const SE2& T_odom_base) {
 
 void MhAmcl::merge_all() {
   if (paper_) {
-    merge_by_weight(config_.paper.rules.merge, hypotheses_);
+    const PaperConfig& paper = config_.paper;
+    selected_id_ = merge_by_weight(paper.rules.merge, hypotheses_, paper.published, selected_id_);
   } else {
     merge(config_.merge, hypotheses_);
   }
@@ -110,7 +111,8 @@ void MhAmcl::merge_all() {
 
 void MhAmcl::destroy_all() {
   if (paper_) {
-    destroy_by_quality(config_.paper.rules, hypotheses_);
+    const PaperConfig& paper = config_.paper;
+    selected_id_ = destroy_by_quality(paper.rules, hypotheses_, paper.published, selected_id_);
   } else {
     destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
   }
@@ -120,8 +122,8 @@ void MhAmcl::destroy_all() {
 void MhAmcl::reseed_all() {
   for (Hypothesis& hypothesis : hypotheses_) {
     if (paper_) {
-      hypothesis.particles =
-          reseed_losers(config_.paper.reseed, hypothesis.particles, hypothesis.rng);
+      hypothesis.particles = reseed_losers(config_.paper.reseed, hypothesis.particles,
+                                           hypothesis.rng, config_.paper.published);
     } else {
       reseed(hypothesis, std::nullopt);
     }
@@ -136,11 +138,17 @@ bool MhAmcl::due(Stamp now, Stamp last, double rate_hz) const {
 void MhAmcl::predict(const SE2& T_odom_base) {
   const SE2 u = predicted_at_->inverse() * T_odom_base;
   if (u == SE2{}) return;
-  const OdometryMotion motion(u, config_.motion);
-  timer_.measure("predict", [&] {
+  const auto move_all = [&](const auto& motion) {
     for (Hypothesis& hypothesis : hypotheses_) {
       localization::predict(hypothesis.particles, motion, hypothesis.rng);
       hypothesis.belief.mean = hypothesis.belief.mean * u;
+    }
+  };
+  timer_.measure("predict", [&] {
+    if (paper_ && config_.paper.published.noise_per_step) {
+      move_all(StepNoiseMotion(u, config_.paper.step_noise));
+    } else {
+      move_all(OdometryMotion(u, config_.motion));
     }
   });
   predicted_at_ = T_odom_base;

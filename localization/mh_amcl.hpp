@@ -3,8 +3,9 @@
 /// A. Garcia, F. Martin, J. M. Guerrero, F. J. Rodriguez, V. Matellan, "Portable Multi-Hypothesis
 /// Monte Carlo Localization for Mobile Robots", 2022: predict, correct and reseed run at rates of
 /// their own; populations are created where a cascade matcher finds the scan, merged, destroyed,
-/// and one is selected. Mode `paper` does that to the letter. Mode `improved` keeps the structure
-/// and differs in the parts: winners are refined below the grid, places are weighed by rays as well
+/// and one is selected. Mode `paper` does that to the letter; mode `published` is the same with the
+/// differences of the code that the authors published. Mode `improved` keeps the structure and
+/// differs in the parts: winners are refined below the grid, places are weighed by rays as well
 /// as end points, and a posterior over all places and "somewhere else" replaces the fixed gates of
 /// quality.
 #pragma once
@@ -48,7 +49,10 @@ class MhAmcl final : public Localizer {
   void spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
   void reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner);
   void choose();
+  void prepare_match(const LaserScan& scan, Stamp now);
+  void correct_all_by_rays(const ScanPoints& points);
   void choose_by_quality();
+  void choose_after_a_while();
   bool spawn_by_quality(const ScanPoints& points);
   [[nodiscard]] Hypothesis* selected();
   void publish(Stamp stamp);
@@ -65,7 +69,9 @@ class MhAmcl final : public Localizer {
   struct PaperParts {
     RayLocalModel model;
     PaperCascade cascade;
+    ScanPoints unmounted;  ///< The newest scan as if the lidar stood at base; empty unless asked.
   };
+  [[nodiscard]] PaperParts paper_parts() const;
   std::optional<PaperParts> paper_;
   StageTimer timer_;
 

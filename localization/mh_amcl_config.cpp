@@ -12,6 +12,19 @@ void require_positive(double value, const char* name) {
 
 }  // namespace
 
+MhAmclConfig published_config() {
+  MhAmclConfig config;
+  config.mode = MhAmclMode::kPaper;
+  PaperConfig& paper = config.paper;
+  paper.published = all_defects();
+  paper.spawn_sigma = 0.1;
+  paper.spawn_sigma_yaw = 0.05;
+  paper.reseed.winners = 0.03;
+  paper.reseed.spread_m = paper.spawn_sigma;
+  paper.reseed.spread_rad = paper.spawn_sigma_yaw;
+  return config;
+}
+
 void validate(const MhAmclConfig& config) {
   require_positive(config.predict_rate_hz, "predict_rate_hz");
   require_positive(config.correct_rate_hz, "correct_rate_hz");

@@ -8,6 +8,8 @@
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/quality_rules.hpp"
 #include "localization/matching/paper_cascade.hpp"
+#include "localization/motion/step_noise.hpp"
+#include "localization/published_defects.hpp"
 
 namespace castaway::localization {
 
@@ -46,6 +48,8 @@ struct PaperConfig {
   double match_period_s = 3.0;   ///< [s] "Every few seconds".
   double spawn_sigma = 0.1;      ///< [m] Spread of a new population...
   double spawn_sigma_yaw = 0.1;  ///< [rad] ...half the step of the cascade's orientations.
+  PublishedDefects published;    ///< What the published code does otherwise.
+  StepNoiseConfig step_noise;    ///< Used with `noise_per_step`.
 };
 
 /// Everything that MH-AMCL can be told. Defaults are mode `improved`.
@@ -75,6 +79,10 @@ struct MhAmclConfig {
   double max_distance = 5.0;      ///< [m] Cap of the distance field.
   TransformBufferConfig buffer;
 };
+
+/// Mode `paper` with all defects of the published code and its figures: new populations spread by
+/// 0.1 m and 0.05 rad, 3 % winners, copies spread as new populations.
+MhAmclConfig published_config();
 
 /// Throws std::invalid_argument naming the figure that is out of its range.
 void validate(const MhAmclConfig& config);

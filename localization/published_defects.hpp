@@ -54,7 +54,8 @@ struct PublishedDefects {
   /// Fixed gates (`PublishedGates`) decide what is destroyed and selected; the paper: the best
   /// quality is selected.
   bool absolute_gates = false;
-  /// Populations merge, go and are selected only when the matcher runs; the paper is silent.
+  /// Populations merge, go and are selected only when the matcher runs, every 3 s, and a new one
+  /// has quality 0.25 up to then, so that it is selected 3 s later; the paper is silent.
   bool managed_when_matched = false;
 
   bool operator==(const PublishedDefects&) const = default;

@@ -1,7 +1,9 @@
 #include "localization/mh_amcl.hpp"
 
 #include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +184,88 @@ TEST(MhAmclPaper, HasNoPopulationWhereTheCascadeFindsNothing) {
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
   EXPECT_FALSE(localizer.estimate());
+}
+
+MhAmclConfig paper_with(bool PublishedDefects::*defect) {
+  MhAmclConfig config = paper();
+  config.paper.published.*defect = true;
+  return config;
+}
+
+TEST(MhAmclPublished, TracksFromAKnownStart) {
+  MhAmcl localizer(published_config(), test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
+  ASSERT_TRUE(localizer.estimate());
+  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.3);
+}
+
+TEST(MhAmclPublished, HasNoEffectInModeImproved) {
+  const auto run = [](const MhAmclConfig& config) {
+    MhAmcl localizer(config, test::office(), 1);
+    localizer.initialize(known(kStart));
+    test::GridDrive drive(test::office(), kStart);
+    for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
+    return localizer.estimate()->T_map_base;
+  };
+  MhAmclConfig config;
+  config.paper.published = all_defects();
+  EXPECT_EQ(run(config), run({}));
+}
+
+TEST(MhAmclPublished, DoesNotFindARobotWhoseLidarLooksBackwards) {
+  const SE2 truth{kStart.x, kStart.y, -std::numbers::pi};
+  LaserScan scan = test::scan_at(test::office(), kStart, Stamp(1));
+  scan.T_base_laser.linear() =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto finds = [&](const MhAmclConfig& config) {
+    MhAmcl localizer(config, test::office(), 1);
+    localizer.on_odometry({Stamp(1), {}});
+    localizer.on_scan(scan);
+    const auto estimate = localizer.estimate();
+    return estimate && distance(estimate->T_map_base, truth) < 0.3 &&
+           yaw_distance(estimate->T_map_base, truth) < 0.2;
+  };
+  EXPECT_TRUE(finds(paper()));
+  EXPECT_FALSE(finds(paper_with(&PublishedDefects::mount_ignored)));
+}
+
+TEST(MhAmclPublished, MovesParticlesByAShareOfTheStep) {
+  const auto spread = [](const MhAmclConfig& config) {
+    MhAmcl localizer(config, test::office(), 1);
+    localizer.initialize(known(kStart));
+    localizer.on_odometry({Stamp(0), {}});
+    for (int k = 1; k <= 100; ++k) {
+      localizer.on_odometry({std::chrono::milliseconds(10 * k), {0.01 * k, 0.0, 0.0}});
+    }
+    const std::vector<SE2> poses = localizer.diagnostics().populations[0].particles;
+    return pose_moments(poses, std::vector<double>(poses.size(), 1.0)).covariance(1, 1);
+  };
+  // 1 m straight ahead: sqrt(0.1) m of spread sideways in the paper's model, nothing but what the
+  // start's yaw makes of it in the published code.
+  EXPECT_GT(spread(paper()), spread(paper_with(&PublishedDefects::noise_per_step)) + 0.005);
+}
+
+TEST(MhAmclPublished, SelectsOnlyWhenTheMatcherRuns) {
+  // Kidnapped after 0.5 s; matches are at 0.1, 3.1, 6.1 and 9.1 s. At 3.1 s there are still as many
+  // populations as may be, at 6.1 s the right one is created, at 9.1 s it is selected.
+  const SE2 elsewhere{7.5, 6.5, 0.0};
+  const auto is_found_after = [&](const MhAmclConfig& config, int steps) {
+    MhAmcl localizer(config, test::office(), 1);
+    localizer.initialize(known(kStart));
+    test::GridDrive drive(test::office(), kStart);
+    for (int i = 0; i < 5; ++i) drive.step(localizer, {});
+    drive.kidnap(elsewhere);
+    for (int i = 5; i < steps; ++i) drive.step(localizer, {});
+    return distance(localizer.estimate()->T_map_base, elsewhere) < 0.5;
+  };
+  const MhAmclConfig waits = published_config();
+  MhAmclConfig at_once = waits;
+  at_once.paper.published.managed_when_matched = false;
+  EXPECT_TRUE(is_found_after(at_once, 45));
+  EXPECT_FALSE(is_found_after(waits, 90));
+  EXPECT_TRUE(is_found_after(waits, 95));
 }
 
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {

@@ -3,54 +3,23 @@
 #include <stdexcept>
 
 #include "tools/scenario/amcl_spec.hpp"
+#include "tools/scenario/mh_amcl_spec.hpp"
 #include "tools/scenario/nearest.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-using localization::MhAmclConfig;
-
 const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
-const std::vector<std::string> kMhAmclModes = {"improved", "paper"};
 const char* const kToldPreset = "amcl-global";
-
-MhAmclConfig mh_amcl_mode(const std::string& mode) {
-  MhAmclConfig config;
-  if (mode == "paper") config.mode = localization::MhAmclMode::kPaper;
-  return config;
-}
-
-MhAmclConfig read_mh_amcl(YamlReader& body, const std::string& mode) {
-  MhAmclConfig config = mh_amcl_mode(mode);
-  config.predict_rate_hz = body.get("predict_rate_hz", config.predict_rate_hz);
-  config.correct_rate_hz = body.get("correct_rate_hz", config.correct_rate_hz);
-  config.reseed_rate_hz = body.get("reseed_rate_hz", config.reseed_rate_hz);
-  config.beams.max_beams = body.get("max_beams", config.beams.max_beams);
-  config.beams.max_range = body.get("max_range", config.beams.max_range);
-  config.reseed.min_particles = body.get("min_particles", config.reseed.min_particles);
-  config.reseed.max_particles = body.get("max_particles", config.reseed.max_particles);
-  config.motion.trans_per_m = body.get("trans_per_m", config.motion.trans_per_m);
-  config.motion.trans_per_rad = body.get("trans_per_rad", config.motion.trans_per_rad);
-  config.motion.rot_per_m = body.get("rot_per_m", config.motion.rot_per_m);
-  config.motion.rot_per_rad = body.get("rot_per_rad", config.motion.rot_per_rad);
-  config.match.confident = body.get("confident", config.match.confident);
-  config.select_margin = body.get("select_margin", config.select_margin);
-  try {
-    validate(config);
-  } catch (const std::invalid_argument& error) {
-    body.fail(error.what());
-  }
-  return config;
-}
 
 LocalizerSpec read_localizer(YamlReader item) {
   auto [kind, body] = item.named();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
-    const std::string mode = body.choice("mode", "improved", kMhAmclModes);
+    const std::string mode = body.choice("mode", "improved", mh_amcl_modes());
     spec.config = read_mh_amcl(body, mode);
-    spec.name = mode == "improved" ? kind : kind + "-" + mode;
+    spec.name = mh_amcl_name(mode);
   } else if (kind == "amcl") {
     spec.name = body.choice("preset", "amcl", amcl_presets());
     spec.config = read_amcl(body, spec.name);
@@ -84,11 +53,12 @@ LocalizerSpec parse_localizer(const std::string& text) {
   const std::string preset = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (kind == "mh_amcl") {
     const std::string mode = preset.empty() ? "improved" : preset;
-    if (std::find(kMhAmclModes.begin(), kMhAmclModes.end(), mode) == kMhAmclModes.end()) {
+    const std::vector<std::string>& modes = mh_amcl_modes();
+    if (std::find(modes.begin(), modes.end(), mode) == modes.end()) {
       throw std::invalid_argument("unknown mode '" + preset + "' of mh_amcl; " +
-                                  suggestion(preset, kMhAmclModes));
+                                  suggestion(preset, mh_amcl_modes()));
     }
-    return {mode == "improved" ? kind : kind + "-" + mode, mh_amcl_mode(mode)};
+    return {mh_amcl_name(mode), mh_amcl_mode(mode)};
   }
   const std::string chosen = preset.empty() ? "amcl" : preset;
   if (kind == "amcl") {

@@ -103,6 +103,25 @@ TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {
   expect_contains(error, "route");
 }
 
+TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
+  const auto config = [this](const std::string& settings) {
+    const Scenario scenario = load("localizers: [mh_amcl: {" + settings + "}]").scenario;
+    return std::get<localization::MhAmclConfig>(scenario.localizers[0].config);
+  };
+  using localization::PublishedDefects;
+  EXPECT_EQ(config("mode: paper").paper.published, PublishedDefects{});
+  EXPECT_EQ(config("mode: published").mode, localization::MhAmclMode::kPaper);
+  EXPECT_EQ(config("mode: published").paper.published, localization::all_defects());
+  EXPECT_EQ(config("mode: published").paper.reseed.winners, 0.03);
+  const auto one = config("mode: paper, defects: [summed_weights]").paper.published;
+  EXPECT_TRUE(one.summed_weights);
+  EXPECT_FALSE(one.winner_unused);
+  EXPECT_EQ(config("mode: published, defects: []").paper.published, PublishedDefects{});
+  expect_contains(error_of("localizers: [mh_amcl: {mode: paper, defects: [sumed_weights]}]"),
+                  "summed_weights");
+  expect_contains(error_of("localizers: [mh_amcl: {defects: [mount_ignored]}]"), "defects");
+}
+
 TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
   expect_contains(error_of("localizers: [mh_amcl]\nduration_s: soon"), "trial.yaml:2");
   expect_contains(error_of("localizers: [mh_amcl]\nduration_s: -5"), "positive");
@@ -153,6 +172,7 @@ TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_TRUE(parse_localizer("amcl:amcl-global").relocalize_at_kidnap);
   EXPECT_EQ(parse_localizer("amcl:amcl-recovery").name, "amcl-recovery");
   EXPECT_EQ(parse_localizer("mh_amcl:paper").name, "mh_amcl-paper");
+  EXPECT_EQ(parse_localizer("mh_amcl:published").name, "mh_amcl-published");
   EXPECT_THROW(parse_localizer("mh_amcl:papre"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("amcl:nonsense"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);
