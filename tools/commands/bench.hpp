@@ -4,4 +4,8 @@
 
 #include "tools/commands/commands.hpp"
 
-namespace castaway::testbed {}  // namespace castaway::testbed
+namespace castaway::testbed {
+
+void add_bench_published(CLI::App& bench, std::function<int()>& chosen);
+
+}  // namespace castaway::testbed

@@ -34,16 +34,6 @@ std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
   return names;
 }
 
-LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
-  LoopConfig config;
-  if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
-  if (!scenario.start.known) return config;
-  const double s = scenario.start.sigma_m;
-  const double r = scenario.start.sigma_yaw;
-  config.start = {start, Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
-  return config;
-}
-
 /// The floor, just below z = 0.
 sim::SceneItem floor_item(const sim::WorldSpec& world) {
   sim::SceneItem item;

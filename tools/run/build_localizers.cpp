@@ -31,4 +31,14 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
   return localizers;
 }
 
+LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
+  LoopConfig config;
+  if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
+  if (!scenario.start.known) return config;
+  const double s = scenario.start.sigma_m;
+  const double r = scenario.start.sigma_yaw;
+  config.start = {start, Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
+  return config;
+}
+
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// Localizers from their specifications.
+/// Localizers and the loop from a scenario.
 #pragma once
 
 #include "tools/run/loop.hpp"
@@ -11,5 +11,8 @@ namespace castaway::testbed {
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
                                              const localization::OccupancyGrid& map,
                                              std::uint64_t seed);
+
+/// How a run of the scenario goes that starts at `start`, as far as the loop is concerned.
+LoopConfig loop_config(const Scenario& scenario, const SE2& start);
 
 }  // namespace castaway::testbed

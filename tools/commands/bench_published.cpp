@@ -1,0 +1,103 @@
+// castaway bench published: what each defect of the published MH-AMCL costs.
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/campaign/published_bench.hpp"
+#include "tools/commands/bench.hpp"
+#include "tools/metrics/intervals.hpp"
+#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct PublishedArguments {
+  std::string scenario;
+  int seeds = 5;
+  std::optional<std::uint64_t> first_seed;
+  bool json = false;
+};
+
+std::optional<double> mean_of(const std::vector<double>& values) {
+  const std::optional<Statistics> s = statistics(values);
+  return s ? std::optional<double>(s->mean) : std::nullopt;
+}
+
+std::string figure(const std::optional<double>& value, const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "-";
+}
+
+void print_table(const std::vector<VariantScore>& scores) {
+  fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", "", "recovered", "recovery mean",
+             "tracking mean", "wrong");
+  for (const VariantScore& score : scores) {
+    const std::optional<double> wrong = mean_of(score.wrong);
+    fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", score.name,
+               fmt::format("{} of {}", score.recovered, score.events),
+               figure(mean_of(score.time_s), "{:.2f} s"),
+               figure(mean_of(score.tracking_m), "{:.3f} m"),
+               figure(wrong ? std::optional(100.0 * *wrong) : wrong, "{:.1f} %"));
+  }
+}
+
+nlohmann::ordered_json to_json(const VariantScore& score) {
+  using Json = nlohmann::ordered_json;
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  const RateInterval interval = wilson_interval(score.recovered, score.events);
+  return {{"variant", score.name},
+          {"events", score.events},
+          {"recovered", score.recovered},
+          {"interval", {interval.low, interval.high}},
+          {"recovery_time_s", number(mean_of(score.time_s))},
+          {"tracking_error_m", number(mean_of(score.tracking_m))},
+          {"wrong_lock_share", number(mean_of(score.wrong))}};
+}
+
+int bench_published(const PublishedArguments& arguments) {
+  if (arguments.seeds < 1) throw std::invalid_argument("--seeds must be at least 1");
+  const std::filesystem::path file = arguments.scenario.empty()
+                                         ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
+                                         : std::filesystem::path(arguments.scenario);
+  Scenario scenario = load_scenario(file, {}).scenario;
+  scenario.seed = arguments.first_seed.value_or(scenario.seed);
+  const std::vector<VariantScore> scores =
+      play_variants(scenario, file.parent_path(), published_variants(), arguments.seeds);
+  if (!arguments.json) {
+    print_table(scores);
+    return kDone;
+  }
+  auto rows = nlohmann::ordered_json::array();
+  for (const VariantScore& score : scores) rows.push_back(to_json(score));
+  fmt::print("{}\n", rows.dump(1));
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_published(CLI::App& bench, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<PublishedArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "published", "What each defect of the published MH-AMCL costs on top of the paper");
+  command->add_option("--scenario", arguments->scenario,
+                      "Scenario file (default: the default kidnap)");
+  command->add_option("--seeds", arguments->seeds, "Runs, each with a seed of its own")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->first_seed, "The first seed (default: the scenario's)");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer(
+      "All variants ride the same runs. Right: error below 0.5 m and 0.35 rad to the next kidnap.\n"
+      "Wrong: share of scans in which the localizer says that it is right and is not.\n"
+      "Example:\n"
+      "  castaway bench published --seeds 20");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return bench_published(*arguments); }; });
+}
+
+}  // namespace castaway::testbed
