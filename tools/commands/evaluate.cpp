@@ -1,6 +1,4 @@
 // castaway evaluate: localizers judged on recorded logs.
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 
@@ -9,6 +7,7 @@
 
 #include "tools/campaign/evaluation.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/progress.hpp"
 #include "tools/metrics/intervals.hpp"
 #include "tools/metrics/statistics.hpp"
 #include "tools/scenario/scenario_file.hpp"
@@ -87,22 +86,6 @@ nlohmann::ordered_json to_json(const EvaluationRow& row) {
   }
   return json;
 }
-
-/// Trials done and in all, on a terminal only.
-class TrialCount {
- public:
-  explicit TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) != 0) {}
-  void next() {
-    ++done_;
-    if (terminal_)
-      fmt::print(stderr, "\r\033[K{} / {} trials{}", done_, all_, done_ == all_ ? "\r\033[K" : "");
-  }
-
- private:
-  int done_ = 0;
-  int all_;
-  bool terminal_;
-};
 
 int evaluate_logs(EvaluateArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};

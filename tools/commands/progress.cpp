@@ -29,4 +29,13 @@ void Progress::show(Stamp reached) {
   std::fflush(stderr);
 }
 
+TrialCount::TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) != 0) {}
+
+void TrialCount::next() {
+  ++done_;
+  if (!terminal_) return;
+  fmt::print(stderr, "\r\033[K{} / {} trials{}", done_, all_, done_ == all_ ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The progress line of a run.
+/// Progress lines, on a terminal only.
 #pragma once
 
 #include <chrono>
@@ -23,6 +23,18 @@ class Progress {
   bool terminal_;
   std::chrono::nanoseconds begin_;
   std::chrono::nanoseconds shown_{};
+};
+
+/// Shows trials done and in all on a terminal; nothing in a pipe.
+class TrialCount {
+ public:
+  explicit TrialCount(int all);
+  void next();
+
+ private:
+  int done_ = 0;
+  int all_;
+  bool terminal_;
 };
 
 }  // namespace castaway::testbed

@@ -36,9 +36,9 @@ bool is_ros_map(const std::filesystem::path& path) {
   return YamlDocument::load(path).root().has("image");
 }
 
-LoadedWorld load_map_world(const std::filesystem::path& path, double wall_height) {
+LoadedWorld map_world(RosMap map, double wall_height) {
   LoadedWorld world;
-  world.map = load_ros_map(path);
+  world.map = std::move(map);
   world.grid = to_sim_grid(world.map);
   world.file.spec = sim::extrude(world.grid, wall_height, world.map.name);
   world.has_start = false;
@@ -48,7 +48,7 @@ LoadedWorld load_map_world(const std::filesystem::path& path, double wall_height
 LoadedWorld load_any_world(const Scenario& scenario, const std::filesystem::path& base,
                            double lidar_height) {
   const std::filesystem::path path = find_world(scenario.world, base);
-  if (is_ros_map(path)) return load_map_world(path, scenario.wall_height);
+  if (is_ros_map(path)) return map_world(load_ros_map(path), scenario.wall_height);
   LoadedWorld world;
   world.file = load_world(path);
   world.grid = sim::rasterise(world.file.spec, lidar_height, kMapResolution);
@@ -118,6 +118,41 @@ void place_start(const StartSpec& start, const LoadedWorld& world, sim::Simulati
                         (start.place == StartSpec::Place::kWorld && !world.has_start);
 }
 
+/// A robot and its lidar.
+struct LoadedRobot {
+  sim::RobotModel robot;
+  sim::LidarConfig lidar;
+};
+
+LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path& base) {
+  LoadedRobot loaded;
+  loaded.robot = sim::load_robot(find_robot(scenario.robot, base).string());
+  loaded.lidar = build_lidar(scenario.lidar, loaded.robot);
+  return loaded;
+}
+
+PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, LoadedWorld world) {
+  PreparedSimulation prepared;
+  sim::SimulationConfig& config = prepared.config;
+  config.robot = std::move(robot.robot);
+  config.lidar = robot.lidar;
+  config.odometry = build_odometry(scenario.odometry);
+  config.drive.waypoints = route_of(scenario, world, config.robot);
+  config.drive.by_estimate = scenario.drive.by != "truth";
+  config.drive.max_speed = scenario.drive.max_speed;
+  config.drive.max_turn_rate = scenario.drive.max_turn_rate;
+  for (const KidnapEvent& event : scenario.kidnaps) config.kidnaps.push_back(build_kidnap(event));
+  config.duration = localization::from_seconds(scenario.duration_s);
+  config.physics_hz = scenario.physics_hz;
+  place_start(scenario.start, world, config);
+  prepared.world_name = world.file.spec.name;
+  prepared.warnings = config.robot.warnings;
+  prepared.map = std::move(world.map);
+  config.map = std::move(world.grid);
+  config.world = std::move(world.file.spec);
+  return prepared;
+}
+
 }  // namespace
 
 sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
@@ -144,26 +179,15 @@ sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
-  PreparedSimulation prepared;
-  sim::SimulationConfig& config = prepared.config;
-  config.robot = sim::load_robot(find_robot(scenario.robot, base).string());
-  config.lidar = build_lidar(scenario.lidar, config.robot);
-  LoadedWorld world = load_any_world(scenario, base, config.lidar.T_base_laser.translation().z());
-  config.odometry = build_odometry(scenario.odometry);
-  config.drive.waypoints = route_of(scenario, world, config.robot);
-  config.drive.by_estimate = scenario.drive.by != "truth";
-  config.drive.max_speed = scenario.drive.max_speed;
-  config.drive.max_turn_rate = scenario.drive.max_turn_rate;
-  for (const KidnapEvent& event : scenario.kidnaps) config.kidnaps.push_back(build_kidnap(event));
-  config.duration = localization::from_seconds(scenario.duration_s);
-  config.physics_hz = scenario.physics_hz;
-  place_start(scenario.start, world, config);
-  prepared.world_name = world.file.spec.name;
-  prepared.warnings = config.robot.warnings;
-  prepared.map = std::move(world.map);
-  config.map = std::move(world.grid);
-  config.world = std::move(world.file.spec);
-  return prepared;
+  LoadedRobot robot = load_any_robot(scenario, base);
+  const double lidar_height = robot.lidar.T_base_laser.translation().z();
+  return put_together(scenario, std::move(robot), load_any_world(scenario, base, lidar_height));
+}
+
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
+                                    RosMap map) {
+  return put_together(scenario, load_any_robot(scenario, base),
+                      map_world(std::move(map), scenario.wall_height));
 }
 
 }  // namespace castaway::testbed

@@ -28,4 +28,9 @@ sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot
 /// std::runtime_error or std::invalid_argument naming what is wrong.
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base);
 
+/// The same in a world that is `map`, pulled up; what the scenario says of its world is not looked
+/// at.
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
+                                    RosMap map);
+
 }  // namespace castaway::testbed

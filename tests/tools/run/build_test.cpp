@@ -4,6 +4,7 @@
 
 #include "tests/support/grid_world.hpp"
 #include "tools/run/build_localizers.hpp"
+#include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/run/map_conversion.hpp"
 #include "tools/scenario/data_paths.hpp"
@@ -33,6 +34,19 @@ TEST(ToOccupancyGrid, ReadsOccupancyAsNav2Does) {
             (std::vector<CellState>{CellState::kFree, CellState::kFree, CellState::kUnknown,
                                     CellState::kOccupied, CellState::kUnknown}));
   EXPECT_EQ(grid.frame.T_map_grid, (SE2{1.0, 2.0, 0.3}));
+}
+
+TEST(BuildSimulation, PullsUpAMapThatItIsHanded) {
+  RosMap map{"box", 60, 40, 0.05, 0.0, 0.0, 0.0, std::vector<std::int8_t>(60 * 40, 0)};
+  map.cells[0] = 100;
+  Scenario scenario;
+  scenario.world = "nowhere";
+  scenario.drive.route = "none";
+  const PreparedSimulation prepared = build_simulation(scenario, ".", map);
+  EXPECT_EQ(prepared.world_name, "box");
+  EXPECT_EQ(prepared.map.cells, map.cells);
+  EXPECT_EQ(prepared.config.world.objects.size(), 1U);
+  EXPECT_TRUE(prepared.config.random_start);
 }
 
 TEST(CpuClock, GoesForwardWhileThereIsWork) {

@@ -1,0 +1,49 @@
+// castaway bench kidnaps.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(BenchKidnaps, PrintsALineForEveryBatchAndLocalizer) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome =
+      castaway(folder, "bench kidnaps --kidnaps 1 --window 3 --lead 1 --obstacles 0 --obstacles 3");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1 + 2 * 3) << outcome.out;
+  expect_contains(outcome.out, "matcher");
+  expect_contains(outcome.out, " amcl ");
+}
+
+TEST(BenchKidnaps, PrintsJsonAndRepeatsItself) {
+  const fs::path folder = fresh_folder();
+  const std::string arguments =
+      "bench kidnaps --kidnaps 2 --window 3 --lead 1 --localizer mh_amcl --seed 3 --json";
+  const Outcome outcome = castaway(folder, arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(castaway(folder, arguments).out, outcome.out);
+  const Json batches = Json::parse(outcome.out);
+  ASSERT_EQ(batches.size(), 1U);
+  EXPECT_EQ(batches[0].at("kidnaps"), 2);
+  EXPECT_EQ(batches[0].at("/top5/count"_json_pointer), 2);
+  EXPECT_EQ(batches[0].at("/localizers/mh_amcl/recovered/count"_json_pointer), 2);
+  EXPECT_LT(batches[0].at("/localizers/mh_amcl/tracking_m"_json_pointer), 0.1);
+}
+
+TEST(BenchKidnaps, RefusesWhatMakesNoSense) {
+  const fs::path folder = fresh_folder();
+  EXPECT_EQ(castaway(folder, "bench kidnaps --kidnaps 0").exit_code, 2);
+  EXPECT_EQ(castaway(folder, "bench kidnaps --window 0").exit_code, 2);
+  const Outcome outcome = castaway(folder, "bench kidnaps --world nowhere");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "nowhere");
+}
+
+}  // namespace
+}  // namespace castaway::test

@@ -1,0 +1,115 @@
+#include "tools/campaign/kidnap_bench.hpp"
+
+#include "tools/campaign/place_finder.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/map_conversion.hpp"
+#include "tools/run/run_history.hpp"
+#include "tools/run/simulator_source.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// A trial as played.
+struct PlayedTrial {
+  RunHistory history;
+  localization::TransformBuffer T_odom_base;
+  std::optional<localization::ScanPoints> points;  ///< Of the first whole scan after the kidnap...
+  SE2 T_map_base_true;                             ///< ...and where it was taken.
+  Stamp end{};
+
+  explicit PlayedTrial(RunInfo info) : history(std::move(info)) {}
+};
+
+/// Writes into a trial that outlives it.
+class TrialSink final : public RunSink {
+ public:
+  explicit TrialSink(PlayedTrial& played) : played_(played) {}
+
+  void on_event(const RunEvent& event) override { played_.history.add(event); }
+  void on_odometry(const OdometryFrame& frame) override {
+    played_.T_odom_base.add(frame.odometry.stamp, frame.odometry.T_odom_base);
+  }
+  void on_scan(const ScanRecord& record) override {
+    played_.history.add(record);
+    const std::vector<RunEvent> kidnaps = kidnaps_of(played_.history.events);
+    if (played_.points || kidnaps.empty() || record.stamp < kidnaps.front().stamp) return;
+    played_.points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
+                                                localization::MhAmclConfig{}.beams);
+    played_.T_map_base_true = record.T_map_base_true.value();
+  }
+  void finish(Stamp end, const RunTiming&) override { played_.end = end; }
+
+ private:
+  PlayedTrial& played_;
+};
+
+/// One map, searched and localized on.
+struct Stage {
+  localization::OccupancyGrid map;
+  PlaceFinder finder;
+
+  explicit Stage(const RosMap& ros_map)
+      : map(to_occupancy_grid(ros_map)), finder(localization::MhAmclConfig{}, map) {}
+};
+
+PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<LocalizerSpec>& specs) {
+  RunInfo info;
+  for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
+  PlayedTrial played(info);
+  const sim::LidarConfig lidar = trial.simulation.lidar;
+  const Stamp duration = trial.simulation.duration;
+  SimulatorSource source(
+      sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidar,
+      duration);
+  std::vector<NamedLocalizer> localizers = build_localizers(specs, stage.map, trial.seed);
+  std::vector<std::unique_ptr<RunSink>> sinks;
+  sinks.push_back(std::make_unique<TrialSink>(played));
+  LoopConfig loop;
+  loop.start = {*source.start_pose(), Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+  Loop(loop, localizers, sinks).run(source);
+  return played;
+}
+
+/// Rank of the first pose that is right.
+std::optional<std::size_t> rank_of(const SE2& T_map_base_true, const std::vector<SE2>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    MetricRow row;
+    row.T_map_base_true = T_map_base_true;
+    row.T_map_base_estimate = places[i];
+    if (is_right(row, {})) return i;
+  }
+  return std::nullopt;
+}
+
+KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
+  KidnapReport report;
+  const RunEvent kidnap = kidnaps_of(played.history.events).at(0);
+  report.T_map_from = kidnap.T_map_from.value();
+  report.T_map_to = kidnap.T_map_to.value();
+  if (played.points) {
+    report.rank = rank_of(played.T_map_base_true, stage.finder.find(*played.points));
+  }
+  for (const auto& rows : played.history.rows) {
+    report.outcomes.push_back(kidnap_outcome(rows, played.history.events, played.end));
+  }
+  return report;
+}
+
+}  // namespace
+
+std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
+                                       const std::vector<LocalizerSpec>& localizers, int kidnaps,
+                                       int obstacles,
+                                       const std::function<void(const KidnapReport&)>& on_trial) {
+  const Stage stage(trials.map());
+  std::vector<KidnapReport> reports;
+  for (int index = 0; index < kidnaps; ++index) {
+    reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles), localizers)));
+    reports.back().index = index;
+    reports.back().obstacles = obstacles;
+    on_trial(reports.back());
+  }
+  return reports;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,194 @@
+// castaway bench kidnaps: random kidnaps in the simulator, with and without people about.
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/campaign/kidnap_bench.hpp"
+#include "tools/commands/bench.hpp"
+#include "tools/commands/progress.hpp"
+#include "tools/metrics/intervals.hpp"
+#include "tools/metrics/statistics.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 57.29577951308232;
+
+/// What the command line says.
+struct KidnapArguments {
+  KidnapTrialConfig trials;
+  int kidnaps = 200;
+  std::vector<int> obstacles;
+  double within_s = 10.0;
+  std::vector<std::string> localizers;
+  bool verbose = false;
+  bool json = false;
+};
+
+std::string rate(int successes, int trials) {
+  const RateInterval interval = wilson_interval(successes, trials);
+  return fmt::format("{}/{} ({:.1f}-{:.1f} %)", successes, trials, 100 * interval.low,
+                     100 * interval.high);
+}
+
+/// Mean, 95th percentile and worst of times.
+std::string times(const std::vector<double>& sample) {
+  const auto s = statistics(sample);
+  return s ? fmt::format("{:.2f}, {:.2f}, {:.2f} s", s->mean, s->p95, s->max) : "-";
+}
+
+/// How many, and the mean.
+std::string count(const std::vector<double>& sample) {
+  const auto s = statistics(sample);
+  return s ? fmt::format("{}, {:.2f} s", sample.size(), s->mean) : "0";
+}
+
+void print_header() {
+  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>7}\n", "obstacles",
+             "", "right within", "mean, p95, worst", "confident", "alarm", "noticed", "tracking",
+             "wrong");
+}
+
+void print_batch(const KidnapBatch& batch) {
+  fmt::print("{:>9}  matcher: right place first {}, among the best five {}\n", batch.obstacles,
+             rate(batch.top1, batch.kidnaps), rate(batch.top5, batch.kidnaps));
+  for (const KidnapRow& row : batch.rows) {
+    const std::string tracking = row.tracking
+                                     ? fmt::format("{:.4f} m, {:.2f} deg", row.tracking->position_m,
+                                                   kDegrees * row.tracking->yaw_rad)
+                                     : "-";
+    fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>7}\n", "",
+               row.localizer, rate(row.recovered, batch.kidnaps), times(row.recovered_s),
+               count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
+               fmt::format("{:.2f} %", 100.0 * row.wrong_share));
+  }
+  std::fflush(stdout);
+}
+
+std::string text(const std::optional<double>& time) {
+  return time ? fmt::format("{:.2f} s", *time) : "never";
+}
+
+/// A trial in which the right place is not among the best five or the first localizer recovers
+/// late.
+void print_failure(const KidnapReport& report, const KidnapArguments& arguments) {
+  bool failed = !report.rank || *report.rank >= 5;
+  std::string line = fmt::format(
+      "trial {} with {} obstacles: from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}, {:.2f} rad), place "
+      "found {}",
+      report.index, report.obstacles, report.T_map_from.x, report.T_map_from.y, report.T_map_to.x,
+      report.T_map_to.y, report.T_map_to.yaw,
+      report.rank ? fmt::format("as number {}", *report.rank + 1) : "not at all");
+  for (std::size_t i = 0; i < report.outcomes.size(); ++i) {
+    const KidnapOutcome& outcome = report.outcomes[i];
+    const bool late = !outcome.recovered_s || *outcome.recovered_s > arguments.within_s;
+    failed = failed || (i == 0 && late);
+    line += fmt::format("; {}: right after {}, alarm after {}", arguments.localizers[i],
+                        text(outcome.recovered_s), text(outcome.alarm_s));
+  }
+  if (failed) fmt::print(stderr, "{}\n", line);
+}
+
+Json times_json(const std::vector<double>& sample) {
+  const auto s = statistics(sample);
+  if (!s) return {{"count", 0}};
+  return {{"count", sample.size()}, {"mean", s->mean}, {"p95", s->p95}, {"max", s->max}};
+}
+
+Json rate_json(int successes, int trials) {
+  const RateInterval interval = wilson_interval(successes, trials);
+  return {{"count", successes}, {"interval", {interval.low, interval.high}}};
+}
+
+Json to_json(const KidnapBatch& batch) {
+  Json json = {{"obstacles", batch.obstacles},
+               {"kidnaps", batch.kidnaps},
+               {"top1", rate_json(batch.top1, batch.kidnaps)},
+               {"top5", rate_json(batch.top5, batch.kidnaps)},
+               {"localizers", Json::object()}};
+  for (const KidnapRow& row : batch.rows) {
+    Json& out = json["localizers"][row.localizer];
+    out = {{"recovered", rate_json(row.recovered, batch.kidnaps)},
+           {"recovery_time_s", times_json(row.recovered_s)},
+           {"confident_s", times_json(row.confident_s)},
+           {"alarm_s", times_json(row.alarm_s)},
+           {"noticed_s", times_json(row.noticed_s)},
+           {"wrong_lock_share", row.wrong_share}};
+    out["tracking_m"] = row.tracking ? Json(row.tracking->position_m) : Json();
+    out["tracking_yaw_rad"] = row.tracking ? Json(row.tracking->yaw_rad) : Json();
+  }
+  return json;
+}
+
+int bench_kidnaps(KidnapArguments arguments) {
+  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl", "amcl"};
+  if (arguments.obstacles.empty()) arguments.obstacles = {0};
+  std::vector<LocalizerSpec> specs;
+  for (const std::string& name : arguments.localizers) specs.push_back(parse_localizer(name));
+  for (std::size_t i = 0; i < specs.size(); ++i) arguments.localizers[i] = specs[i].name;
+  const KidnapTrials trials(arguments.trials);
+  auto batches = Json::array();
+  if (!arguments.json) print_header();
+  for (const int obstacles : arguments.obstacles) {
+    TrialCount done(arguments.kidnaps);
+    const auto on_trial = [&](const KidnapReport& report) {
+      if (arguments.verbose) print_failure(report, arguments);
+      done.next();
+    };
+    const auto reports = play_kidnaps(trials, specs, arguments.kidnaps, obstacles, on_trial);
+    const KidnapBatch batch = summarise(reports, arguments.localizers, arguments.within_s);
+    if (!arguments.json) print_batch(batch);
+    batches.push_back(to_json(batch));
+  }
+  if (arguments.json) fmt::print("{}\n", batches.dump(1));
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen) {
+  auto a = std::make_shared<KidnapArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "kidnaps", "Random kidnaps in the simulator, with people about who are on no map");
+  command
+      ->add_option("--world", a->trials.world,
+                   "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
+      ->capture_default_str();
+  command->add_option("--kidnaps", a->kidnaps, "Trials of each batch")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--obstacles", a->obstacles,
+                   "People within 4 m of where the robot comes to; repeat for several batches "
+                   "(default: 0)")
+      ->check(CLI::NonNegativeNumber)
+      ->allow_extra_args(false);
+  command->add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
+      ->capture_default_str();
+  command->add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
+      ->capture_default_str();
+  command->add_option("--within", a->within_s, "Time within which to be right [s]")
+      ->capture_default_str();
+  command
+      ->add_option("--localizer", a->localizers,
+                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl and amcl)")
+      ->allow_extra_args(false);
+  command->add_option("--seed", a->trials.seed, "Root seed")->capture_default_str();
+  command->add_flag("--verbose", a->verbose,
+                    "Print the trials that fail: of the matcher and of the first localizer");
+  command->add_flag("--json", a->json, "Print JSON");
+  command->footer(
+      "Right: error below 0.5 m and 0.35 rad to the end of the window. Matcher: the search of the "
+      "whole map by the first whole scan alone.\n"
+      "Examples:\n"
+      "  castaway bench kidnaps --kidnaps 300\n"
+      "  castaway bench kidnaps --world office --obstacles 0 --obstacles 6 --obstacles 12");
+  command->callback([&chosen, a] { chosen = [a] { return bench_kidnaps(*a); }; });
+}
+
+}  // namespace castaway::testbed
