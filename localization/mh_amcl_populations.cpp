@@ -35,7 +35,8 @@ bool MhAmcl::spawn_places(const ScanPoints& points) {
                               config_.motion, endpoint_,     evidence_};
   const std::size_t before = hypotheses_.size();
   double best = listed_log_weight(hypotheses_);
-  std::vector<WeighedPlace> places = refine_candidates(context, matcher_.match(points), points);
+  std::vector<WeighedPlace> places =
+      refine_candidates(context, search_map(context, matcher_, points), points);
   if (!places.empty()) {
     lower_usual(config_.posterior, places[0].newest.log_likelihood, unlisted_);
   }
@@ -51,6 +52,10 @@ bool MhAmcl::spawn_places(const ScanPoints& points) {
     Eigen::Matrix3d information = scan_information(tracking_, points, place.T_map_base);
     information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
     spawn({place.T_map_base, information.inverse()}, place.log_weight, place.newest);
+  }
+  if (!places.empty()) {
+    bound_unlisted(config_.posterior, places[0].newest.log_likelihood,
+                   listed_log_weight(hypotheses_), unlisted_);
   }
   return hypotheses_.size() > before;
 }

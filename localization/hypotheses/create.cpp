@@ -19,7 +19,36 @@ SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMem
                      PosePrior{predicted, spread.inverse()}, context.config.refine_back);
 }
 
+/// The best candidates by evidence, taken at their coarse pose; its score becomes the candidate's.
+void screen(const CreateContext& context, const ScanPoints& points,
+            std::vector<Candidate>& candidates) {
+  for (Candidate& candidate : candidates) {
+    candidate.score = context.evidence.evaluate(points, candidate.T_map_base).log_likelihood;
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  const auto most = static_cast<std::size_t>(context.config.refined);
+  if (candidates.size() > most) {
+    candidates.erase(candidates.begin() + context.config.refined, candidates.end());
+  }
+}
+
 }  // namespace
+
+std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
+                                  const ScanPoints& points) {
+  std::vector<Candidate> candidates = matcher.match(points);
+  if (context.config.far_share > 0.0) {
+    for (const Candidate& far : matcher.match(farthest(points, context.config.far_share))) {
+      const bool known = std::any_of(
+          candidates.begin(), candidates.end(),
+          [&](const Candidate& candidate) { return candidate.T_map_base == far.T_map_base; });
+      if (!known) candidates.push_back(far);
+    }
+  }
+  screen(context, points, candidates);
+  return candidates;
+}
 
 std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const std::vector<Candidate>& candidates,

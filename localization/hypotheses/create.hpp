@@ -20,8 +20,11 @@ namespace castaway::localization {
 
 /// Parameters of creation.
 struct CreateConfig {
-  int keep = 30;        ///< Candidates weighed on older scans; the best by the newest one.
-  RefineConfig refine;  ///< From the coarse cell.
+  double far_share = 0.5;  ///< The map is searched again by this share of the end points, the
+                           ///< farthest: people only shorten beams. 0: not again.
+  int refined = 40;        ///< Candidates refined; the best by the evidence of their coarse pose.
+  int keep = 30;           ///< Candidates weighed on older scans; the best by the newest one.
+  RefineConfig refine;     ///< From the coarse cell.
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction in older scans.
 };
 
@@ -41,6 +44,11 @@ struct WeighedPlace {
   Evidence newest;  ///< Of the newest scan.
   double log_weight = 0.0;
 };
+
+/// Searches the whole map by all end points and by the far ones; the best candidates of both by
+/// their evidence, at most `refined`.
+std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
+                                  const ScanPoints& points);
 
 /// Refines candidates on the newest scan of the history (not empty) and joins those that meet; best
 /// first, at most `keep`. Weights are not set.

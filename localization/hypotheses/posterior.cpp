@@ -36,6 +36,12 @@ void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unl
   if (gap < 0.0) unlisted.usual += config.usual_match_rate * gap;
 }
 
+void bound_unlisted(const PosteriorConfig& config, double best_found, double listed,
+                    Unlisted& unlisted) {
+  const double missed = config.missed - config.missed_slope * best_found;
+  unlisted.log_weight = std::min(unlisted.log_weight, listed + missed);
+}
+
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
   std::vector<double> weights;
   for (const Hypothesis& hypothesis : hypotheses) weights.push_back(hypothesis.log_weight);

@@ -12,18 +12,21 @@ namespace castaway::localization {
 
 /// Parameters of the posterior. Log-likelihoods and weights are in nats.
 struct PosteriorConfig {
-  double independent_m = 0.3;        ///< [m] After so much way a scan is new.
-  double independent_rad = 0.3;      ///< [rad] After so much turning a scan is new.
+  double independent_m = 0.6;        ///< [m] After so much way a scan is new.
+  double independent_rad = 0.6;      ///< [rad] After so much turning a scan is new.
   double least_independence = 0.15;  ///< Of a scan at rest.
   double unlisted_drop =
       6.0;  ///< An unlisted place is worth this much less than a usual right one...
   double unlisted_minimum = -22.0;  ///< ...but never less than this.
   double kidnap = -6.0;       ///< Log-probability of leaving the listed places from scan to scan.
   double usual_start = -3.0;  ///< Log-likelihood of a right pose, until experience tells.
-  double usual_match_rate = 0.5;  ///< Weight of a whole search that finds nothing so good.
-  double usual_rate = 0.05;       ///< Weight of a confident scan in the running average of it.
-  double wrong_start = -6.0;      ///< Log-probability that a start given by the user is wrong.
-  double place = -15.0;           ///< Log-probability of one place among all unlisted ones.
+  double usual_match_rate = 0.25;  ///< Weight of a whole search that finds nothing so good.
+  double missed = -3.0;  ///< Log-odds that a whole search misses the right place if the best one
+                         ///< found fits perfectly...
+  double missed_slope = 0.35;  ///< ...and their growth per nat that it fits worse.
+  double usual_rate = 0.05;    ///< Weight of a confident scan in the running average of it.
+  double wrong_start = -6.0;   ///< Log-probability that a start given by the user is wrong.
+  double place = -15.0;        ///< Log-probability of one place among all unlisted ones.
 };
 
 /// Share of a scan that counts as new after moving so far since the one before.
@@ -48,6 +51,11 @@ void advance_unlisted(const PosteriorConfig& config, double new_share, double li
 /// Takes the best log-likelihood that a search of the whole map found. The right place was among
 /// those searched, so it can hardly score better: in a crowd a right pose is worth less than usual.
 void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted);
+
+/// After a search of the whole map an unlisted place is one that the search missed; the better the
+/// best place found fits, the less likely that is.
+void bound_unlisted(const PosteriorConfig& config, double best_found, double listed,
+                    Unlisted& unlisted);
 
 /// Log of the mass of all hypotheses.
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses);

@@ -70,4 +70,24 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
   return points;
 }
 
+ScanPoints farthest(const ScanPoints& points, double share) {
+  if (points.empty()) return points;
+  std::vector<float> ranges = points.range;
+  const auto skipped =
+      static_cast<std::size_t>((1.0 - share) * static_cast<double>(ranges.size() - 1));
+  const auto nth = ranges.begin() + static_cast<std::ptrdiff_t>(skipped);
+  std::nth_element(ranges.begin(), nth, ranges.end());
+  const float least = *nth;
+  ScanPoints far;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points.range[i] < least) continue;
+    far.x.push_back(points.x[i]);
+    far.y.push_back(points.y[i]);
+    far.origin_x.push_back(points.origin_x[i]);
+    far.origin_y.push_back(points.origin_y[i]);
+    far.range.push_back(points.range[i]);
+  }
+  return far;
+}
+
 }  // namespace castaway::localization

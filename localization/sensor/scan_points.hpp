@@ -40,4 +40,7 @@ struct ScanPoints {
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
                                        Stamp reference, const BeamSelection& selection);
 
+/// The farthest `share` of the points, at least one if there is any, in their order.
+ScanPoints farthest(const ScanPoints& points, double share);
+
 }  // namespace castaway::localization

@@ -1,5 +1,7 @@
 #include "localization/hypotheses/create.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
@@ -67,6 +69,38 @@ TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
   const double weight = weigh_backwards(context(), history, place);
   EXPECT_GT(weight, posterior_.place - 18.0 + 2 * -1.5);
   EXPECT_LT(weight, posterior_.place - 6.0);
+}
+
+/// People all around on one side: their beams end a metre from the robot.
+ScanPoints with_people(ScanPoints points) {
+  for (std::size_t i = 0; i < points.size() / 3; ++i) {
+    const float scale = 1.0F / points.range[i];
+    points.x[i] *= scale;
+    points.y[i] *= scale;
+    points.range[i] = 1.0F;
+  }
+  return points;
+}
+
+TEST_F(CreateTest, SearchesByFarPointsForWhatPeopleHide) {
+  MatcherConfig matcher_config;
+  matcher_config.candidates = 3;
+  const CascadeMatcher matcher(matcher_config, grid_, distances_);
+  const SE2 truth{3.0, 3.0, 0.4};
+  const ScanPoints points = with_people(scan_from(truth));
+  const auto found = [&](const std::vector<Candidate>& candidates) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+      return distance(candidate.T_map_base, truth) < 0.3 &&
+             yaw_distance(candidate.T_map_base, truth) < 0.1;
+    });
+  };
+  const std::vector<Candidate> near_and_far = search_map(context(), matcher, points);
+  EXPECT_TRUE(found(near_and_far));
+  EXPECT_GT(near_and_far.size(), matcher.match(points).size());
+  EXPECT_TRUE(std::is_sorted(near_and_far.begin(), near_and_far.end(),
+                             [](const auto& a, const auto& b) { return a.score > b.score; }));
+  config_.refined = 2;
+  EXPECT_EQ(search_map(context(), matcher, points).size(), 2U);
 }
 
 }  // namespace

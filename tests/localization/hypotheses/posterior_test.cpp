@@ -29,8 +29,8 @@ TEST(LogSumExp, IsExactAndSurvivesExtremes) {
 TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
   const PosteriorConfig config;
   EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
-  EXPECT_DOUBLE_EQ(independence(config, 0.15, 0.0), 0.5);
-  EXPECT_DOUBLE_EQ(independence(config, 0.15, 0.09), 0.8);
+  EXPECT_DOUBLE_EQ(independence(config, 0.3, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(independence(config, 0.3, 0.18), 0.8);
   EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
 }
 
@@ -53,7 +53,17 @@ TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
   lower_usual({}, -1.0, unlisted);
   EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
   lower_usual({}, -8.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -5.0);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -3.5);
+}
+
+TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
+  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
+  Unlisted unlisted{0.0, -2.0};
+  bound_unlisted({}, -2.0, -15.0, unlisted);
+  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
+  // Less than that already: nothing changes.
+  bound_unlisted({}, -20.0, -15.0, unlisted);
+  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
 }
 
 TEST(UnlistedLogLikelihood, HasAFloor) {

@@ -116,5 +116,24 @@ TEST(ProjectScan, GivesNothingWithoutOdometry) {
   EXPECT_FALSE(project_scan(scan, still(), Stamp(0), {}));
 }
 
+TEST(Farthest, KeepsTheFarShareInItsOrder) {
+  ScanPoints points;
+  for (const float r : {4.0F, 1.0F, 3.0F, 2.0F, 5.0F}) {
+    points.x.push_back(r);
+    points.y.push_back(-r);
+    points.origin_x.push_back(0.1F);
+    points.origin_y.push_back(0.2F);
+    points.range.push_back(r);
+  }
+  const ScanPoints far = farthest(points, 0.5);
+  EXPECT_EQ(far.range, (std::vector<float>{4.0F, 3.0F, 5.0F}));
+  EXPECT_EQ(far.x, far.range);
+  EXPECT_EQ(far.y, (std::vector<float>{-4.0F, -3.0F, -5.0F}));
+  EXPECT_EQ(far.origin_x, std::vector<float>(3, 0.1F));
+  EXPECT_EQ(farthest(points, 1.0).range, points.range);
+  EXPECT_EQ(farthest(points, 0.0).range, std::vector<float>{5.0F});
+  EXPECT_TRUE(farthest({}, 0.5).empty());
+}
+
 }  // namespace
 }  // namespace castaway::localization
