@@ -36,6 +36,10 @@ TEST(Evaluate, JudgesALocalizerOnALog) {
   EXPECT_NEAR(rows[0].at("/starts/interval/0"_json_pointer), 0.342, 0.001);  // 2 of 2
   EXPECT_EQ(rows[0].at("/kidnaps/trials"_json_pointer), 1);
   EXPECT_LT(rows[0].at("tracking_m"), 0.1);
+  EXPECT_LT(rows[0].at("/calibration/brier"_json_pointer), 0.25);
+  EXPECT_EQ(rows[0].at("/calibration/bins"_json_pointer).size(), 10U);
+  EXPECT_EQ(rows[0].at("detection_delay_s").size(), 1U);
+  EXPECT_TRUE(rows[0].at("false_alarms_per_h").is_number());
 }
 
 TEST(Evaluate, PrintsALineForEveryLocalizer) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -62,9 +63,12 @@ class Evaluator {
   localization::OccupancyGrid map_;
 };
 
-void add_trial(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
-  const LocalizerMetrics metrics =
-      measure(rows.rows, rows.events, known_start, rows.end, RecoveryConfig{.min_left = Stamp{}});
+void add_alarms(const LocalizerMetrics& metrics, EvaluationRow& row) {
+  row.false_alarms += metrics.false_alarms;
+  row.watched_s += metrics.watched_s;
+}
+
+void add_trial(const LocalizerMetrics& metrics, TrialSummary& summary) {
   for (const RecoveryWindow& window : metrics.windows) {
     ++summary.trials;
     if (!window.recovered) continue;
@@ -74,22 +78,41 @@ void add_trial(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
   }
 }
 
+void add_detection(const LocalizerMetrics& metrics, EvaluationRow& row) {
+  for (const RecoveryWindow& window : metrics.windows) {
+    if (window.unknown_start || !window.noticed) continue;
+    row.detection_delay_s.push_back(localization::seconds(*window.noticed - window.begin));
+  }
+}
+
+/// When the event of a trial was: its kidnap, else its start.
+Stamp begin_of(const RowsOfRun& rows) {
+  return rows.events.empty() ? Stamp{} : rows.events.front().stamp;
+}
+
+void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
+  std::vector<MetricRow> scored;
+  std::copy_if(rows.rows.begin(), rows.rows.end(), std::back_inserter(scored),
+               [&](const MetricRow& scan) { return scan.stamp >= begin_of(rows); });
+  row.calibration.add(calibration_of(scored, {}));
+}
+
 /// Counts scans that are wrong while they say to be right, from the event (or the start) on.
 void add_honesty(const RowsOfRun& rows, EvaluationRow& row) {
-  const Stamp begin = rows.events.empty() ? Stamp{} : rows.events.front().stamp;
-  std::optional<Stamp> wrong_since;
+  const Stamp begin = begin_of(rows);
+  bool was_wrong = false;
+  Stamp wrong_since{};
   for (const MetricRow& scan : rows.rows) {
     if (scan.stamp < begin || !scan.T_map_base_true) continue;
     ++row.scans;
     const bool wrong = scan.T_map_base_estimate && !scan.lost && !is_right(scan, {});
-    if (!wrong) {
-      wrong_since.reset();
-      continue;
+    if (wrong) {
+      ++row.wrong_scans;
+      if (!was_wrong) wrong_since = scan.stamp;
+      row.longest_wrong_s =
+          std::max(row.longest_wrong_s, localization::seconds(scan.stamp - wrong_since));
     }
-    ++row.wrong_scans;
-    if (!wrong_since) wrong_since = scan.stamp;
-    row.longest_wrong_s =
-        std::max(row.longest_wrong_s, localization::seconds(scan.stamp - *wrong_since));
+    was_wrong = wrong;
   }
 }
 
@@ -120,8 +143,13 @@ struct Score {
   CpuSum cpu;
 
   void add(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
-    add_trial(rows, known_start, summary);
+    const LocalizerMetrics metrics =
+        measure(rows.rows, rows.events, known_start, rows.end, RecoveryConfig{.min_left = Stamp{}});
+    add_trial(metrics, summary);
+    add_detection(metrics, row);
+    add_alarms(metrics, row);
     add_honesty(rows, row);
+    add_calibration(rows, row);
     cpu.add(rows);
   }
 };
@@ -165,6 +193,11 @@ void validate(const EvaluationConfig& config) {
   validate(config.stress);
 }
 
+std::optional<double> false_alarms_per_h(const EvaluationRow& row) {
+  if (row.watched_s <= 0.0) return std::nullopt;
+  return row.false_alarms * 3600.0 / row.watched_s;
+}
+
 EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localizer,
                        const EvaluationConfig& config, const std::function<void()>& on_trial) {
   validate(config);
@@ -180,12 +213,14 @@ EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localize
     const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
     row.tracking_m = metrics.position_error_m;
     row.tracking_yaw = metrics.yaw_error_rad;
+    add_alarms(metrics, row);
     on_trial();
   }
   for (TrialSummary* summary : {&row.starts, &row.kidnaps}) {
     std::sort(summary->time_s.begin(), summary->time_s.end());
     std::sort(summary->distance_m.begin(), summary->distance_m.end());
   }
+  std::sort(row.detection_delay_s.begin(), row.detection_delay_s.end());
   const CpuSum& cpu = score.cpu;
   row.cpu_mean_ms = cpu.scans > 0 ? cpu.total_ms / static_cast<double>(cpu.scans) : 0.0;
   row.cpu_max_ms = cpu.max_ms;

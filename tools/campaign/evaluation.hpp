@@ -43,12 +43,19 @@ struct EvaluationRow {
   std::optional<Statistics> tracking_yaw;  ///< [rad]
   TrialSummary starts;
   TrialSummary kidnaps;
-  std::int64_t scans = 0;        ///< Of starts and kidnaps, scored ones.
-  std::int64_t wrong_scans = 0;  ///< Of those: wrong while it said that it was right.
-  double longest_wrong_s = 0.0;  ///< [s] Longest time of that without a pause.
-  double cpu_mean_ms = 0.0;      ///< [ms] CPU time of a scan, over starts and kidnaps.
-  double cpu_max_ms = 0.0;       ///< [ms]
+  std::int64_t scans = 0;                 ///< Of starts and kidnaps, scored ones.
+  std::int64_t wrong_scans = 0;           ///< Of those: wrong while it said that it was right.
+  double longest_wrong_s = 0.0;           ///< [s] Longest time of that without a pause.
+  Calibration calibration;                ///< Of the same scans, those with an estimate.
+  std::vector<double> detection_delay_s;  ///< [s] From kidnaps to alarm or right pose, ascending.
+  int false_alarms = 0;      ///< Raised while right, starts, kidnaps and tracking together...
+  double watched_s = 0.0;    ///< [s] ...in so much time in which none was due.
+  double cpu_mean_ms = 0.0;  ///< [ms] CPU time of a scan, over starts and kidnaps.
+  double cpu_max_ms = 0.0;   ///< [ms]
 };
+
+/// False alarms per hour; nothing where no time was watched.
+std::optional<double> false_alarms_per_h(const EvaluationRow& row);
 
 /// A log with its map.
 struct RecordedPlace {

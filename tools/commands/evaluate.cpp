@@ -1,4 +1,5 @@
 // castaway evaluate: localizers judged on recorded logs.
+#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/progress.hpp"
 #include "tools/metrics/intervals.hpp"
+#include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
@@ -34,12 +36,26 @@ std::string quantile(const std::vector<double>& ascending, double q, const char*
   return ascending.empty() ? "-" : fmt::format("{:.1f} {}", percentile(ascending, q), unit);
 }
 
+/// One line of the table, the cells right-aligned but for the first two.
+void print_line(const std::array<std::string, 17>& cells) {
+  constexpr std::array<int, 17> kWidths = {16, 14, 18, 8, 8, 8, 19, 8, 8,
+                                           8,  17, 12, 8, 8, 7, 7,  18};
+  std::string line = fmt::format("{:<{}} {:<{}}", cells[0], kWidths[0], cells[1], kWidths[1]);
+  for (std::size_t i = 2; i < cells.size(); ++i) {
+    line += fmt::format(" {:>{}}", cells[i], kWidths[i]);
+  }
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
 void print_header() {
-  fmt::print(
-      "{:<16} {:<14} {:>18} {:>8} {:>8} {:>8}  {:>18} {:>8} {:>8} {:>8}  {:>16} {:>7} {:>7}  "
-      "{:>17}\n",
-      "log", "localizer", "unknown start", "median", "p90", "way p90", "kidnap", "median", "p90",
-      "way p90", "tracking", "wrong", "longest", "CPU mean, max");
+  print_line({"log", "localizer", "unknown start", "median", "p90", "way p90", "kidnap", "median",
+              "p90", "way p90", "tracking", "noticed mean", "false/h", "wrong", "longest", "Brier",
+              "CPU mean, max"});
+}
+
+std::string figure(const std::optional<double>& value, const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
 
 void print_row(const EvaluationRow& row) {
@@ -50,16 +66,16 @@ void print_row(const EvaluationRow& row) {
   const double wrong =
       row.scans > 0 ? 100.0 * static_cast<double>(row.wrong_scans) / static_cast<double>(row.scans)
                     : 0.0;
-  fmt::print(
-      "{:<16} {:<14} {:>18} {:>8} {:>8} {:>8}  {:>18} {:>8} {:>8} {:>8}  {:>16} {:>7} {:>7}  "
-      "{:>17}\n",
-      row.log, row.localizer, rate(row.starts), quantile(row.starts.time_s, 0.5, "s"),
-      quantile(row.starts.time_s, 0.9, "s"), quantile(row.starts.distance_m, 0.9, "m"),
-      rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
-      quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"), tracking,
-      fmt::format("{:.2f} %", wrong), fmt::format("{:.1f} s", row.longest_wrong_s),
-      fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms));
-  std::fflush(stdout);
+  const auto noticed = statistics(row.detection_delay_s);
+  print_line({row.log, row.localizer, rate(row.starts), quantile(row.starts.time_s, 0.5, "s"),
+              quantile(row.starts.time_s, 0.9, "s"), quantile(row.starts.distance_m, 0.9, "m"),
+              rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
+              quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"),
+              tracking, noticed ? fmt::format("{:.1f} s", noticed->mean) : "-",
+              figure(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
+              fmt::format("{:.1f} s", row.longest_wrong_s),
+              figure(row.calibration.brier(), "{:.3f}"),
+              fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms)});
 }
 
 nlohmann::ordered_json to_json(const EvaluationRow& row) {
@@ -78,8 +94,14 @@ nlohmann::ordered_json to_json(const EvaluationRow& row) {
                                  {"scans", row.scans},
                                  {"wrong_scans", row.wrong_scans},
                                  {"longest_wrong_s", row.longest_wrong_s},
+                                 {"calibration", to_json(row.calibration)},
+                                 {"detection_delay_s", row.detection_delay_s},
+                                 {"false_alarms", row.false_alarms},
+                                 {"watched_s", row.watched_s},
                                  {"cpu_mean_ms", row.cpu_mean_ms},
                                  {"cpu_max_ms", row.cpu_max_ms}};
+  const auto alarms = false_alarms_per_h(row);
+  json["false_alarms_per_h"] = alarms ? nlohmann::ordered_json(*alarms) : nullptr;
   if (row.tracking_m) {
     json["tracking_m"] = row.tracking_m->mean;
     json["tracking_yaw_rad"] = row.tracking_yaw->mean;
@@ -139,7 +161,8 @@ void add_evaluate_command(CLI::App& app, std::function<int()>& chosen) {
   command->footer(
       "Right: error below 0.5 m and 0.35 rad to the end of the window. Wrong: share of scans in "
       "which the localizer says "
-      "that it is right and is not.\n"
+      "that it is right and is not. Noticed: a kidnap answered by an alarm or the right pose. "
+      "Brier: mean square of the stated probability's error.\n"
       "Example:\n"
       "  castaway evaluate logs/intel logs/aces --starts 24 --kidnaps 24 --window 60 --localizer "
       "mh_amcl --localizer amcl");

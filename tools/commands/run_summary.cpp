@@ -23,7 +23,7 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
   };
   const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
   return fmt::format(
-      "  {:<16} {:>4} of {:<4} {:>9} {:>9}   {:>9} {:>9}   {:>7}   {:>9} {:>9}\n", name,
+      "  {:<16} {:>4} of {:<4} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
       recovery.at("recovered").get<int>(), recovery.at("events").get<int>(),
       figure(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
       figure(part(recovery.at("time_s"), "max"), "{:.2f} s"),
@@ -32,6 +32,7 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
                  ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
                  : Json(),
              "{:.1f} %"),
+      figure(metrics.at("calibration").at("brier"), "{:.3f}"),
       figure(part(update, "mean"), "{:.2f} ms"), figure(part(update, "max"), "{:.2f} ms"));
 }
 
@@ -57,8 +58,9 @@ std::string describe_run(const std::filesystem::path& run_folder) {
                   summary.at("scenario").get<std::string>(),
                   summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
                   summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
-  text += fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}   {:^19}\n", "", "recovered",
-                      "recovery mean, max", "tracking mean, p95", "wrong", "update mean, max");
+  text +=
+      fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
+                  "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");
   for (const auto& [name, metrics] : summary.at("localizers").items()) {
     text += localizer_line(name, metrics, timing.at("localizers"));
   }

@@ -82,7 +82,6 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
     watched -= excused_until(window, config) - window.begin;
   }
   if (watched <= Stamp::zero() || !metrics.tracking_error_m) return;
-  int alarms = 0;
   bool was_lost = false;
   for (const MetricRow& row : rows) {
     const bool onset = row.lost && !was_lost;
@@ -90,10 +89,11 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
         metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
           return row.answered() >= window.begin && row.answered() < excused_until(window, config);
         });
-    if (onset && is_right(row, config) && !excused) ++alarms;
+    if (onset && is_right(row, config) && !excused) ++metrics.false_alarms;
     was_lost = row.lost;
   }
-  metrics.false_alarms_per_h = alarms * 3600.0 / seconds(watched);
+  metrics.watched_s = seconds(watched);
+  metrics.false_alarms_per_h = metrics.false_alarms * 3600.0 / metrics.watched_s;
 }
 
 }  // namespace
@@ -107,6 +107,7 @@ LocalizerMetrics measure(const std::vector<MetricRow>& rows, const std::vector<R
   measure_wrong_lock(rows, config, metrics);
   measure_detection(metrics);
   measure_false_alarms(rows, end, config, metrics);
+  metrics.calibration = calibration_of(rows, config);
   return metrics;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/metrics/calibration.hpp"
 #include "tools/metrics/recovery.hpp"
 #include "tools/metrics/statistics.hpp"
 
@@ -44,6 +45,11 @@ struct LocalizerMetrics {
   /// out and of the 5 s after a kidnap (an alarm then is its answer), per hour of the remaining
   /// time.
   std::optional<double> false_alarms_per_h;
+  int false_alarms = 0;    ///< Those alarms...
+  double watched_s = 0.0;  ///< ...and that time; 0 where there is no figure. [s]
+
+  /// Stated probability against what came of it, over all rows with truth and estimate.
+  Calibration calibration;
 
   std::vector<RecoveryWindow> windows;  ///< What the recovery figures are made of.
 };

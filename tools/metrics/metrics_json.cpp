@@ -33,7 +33,30 @@ Json event_figures(const std::optional<Statistics>& s) {
   return figures;
 }
 
+Json bin_figures(const Calibration& calibration, std::size_t index) {
+  const CalibrationBin& bin = calibration.bins[index];
+  const auto count = static_cast<double>(calibration.bins.size());
+  const RateInterval interval = bin.interval();
+  return {{"from", figure(static_cast<double>(index) / count)},
+          {"to", figure(static_cast<double>(index + 1) / count)},
+          {"scans", bin.scans},
+          {"right", bin.right},
+          {"stated", figure(bin.stated())},
+          {"observed", figure(bin.observed())},
+          {"interval", {figure(interval.low), figure(interval.high)}}};
+}
+
 }  // namespace
+
+Json to_json(const Calibration& calibration) {
+  Json json = {{"brier", figure(calibration.brier())},
+               {"scans", calibration.scans()},
+               {"bins", Json::array()}};
+  for (std::size_t i = 0; i < calibration.bins.size(); ++i) {
+    json["bins"].push_back(bin_figures(calibration, i));
+  }
+  return json;
+}
 
 Json to_json(const LocalizerMetrics& metrics) {
   const auto& delay = metrics.detection_delay_s;
@@ -52,7 +75,8 @@ Json to_json(const LocalizerMetrics& metrics) {
              {{"mean", delay ? figure(delay->mean) : Json()},
               {"max", delay ? figure(delay->max) : Json()}}},
             {"undetected", metrics.undetected},
-            {"false_per_h", figure(metrics.false_alarms_per_h)}}}};
+            {"false_per_h", figure(metrics.false_alarms_per_h)}}},
+          {"calibration", to_json(metrics.calibration)}};
 }
 
 }  // namespace castaway::testbed

@@ -7,6 +7,9 @@
 
 namespace castaway::testbed {
 
+/// Brier score and reliability diagram.
+nlohmann::ordered_json to_json(const Calibration& calibration);
+
 /// The entry of one localizer; keys in the order of the documented format.
 nlohmann::ordered_json to_json(const LocalizerMetrics& metrics);
 

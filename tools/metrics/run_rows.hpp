@@ -17,6 +17,7 @@ struct MetricRow {
   std::optional<SE2> T_map_base_estimate;  ///< Nothing: the localizer has no answer.
   bool lost = false;                       ///< The alarm.
   Stamp delivered{};                       ///< When the answer was there, if later than `stamp`.
+  double probability = 0.0;                ///< In [0, 1]: stated, that the estimate is right.
 
   /// When the answer was there: a recovery or an alarm counts from then on.
   [[nodiscard]] Stamp answered() const { return std::max(stamp, delivered); }

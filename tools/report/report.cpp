@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/report/calibration_section.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/map_plot.hpp"
 #include "tools/report/report_style.hpp"
@@ -151,6 +152,11 @@ std::string lead(const RunFolder& run) {
   return html + fmt::format("</div>\n<p class=\"soft\">{}</p>\n", describe_run(run));
 }
 
+std::string calibration_section(const RunFolder& run) {
+  const std::string html = calibration_html(run);
+  return html.empty() ? "" : section("Stated probability", legend(run, false) + html);
+}
+
 std::string timing_section(const RunFolder& run) {
   if (run.timing.is_null()) return "";
   const std::string body = fmt::format(
@@ -171,6 +177,7 @@ std::string render_report(const RunFolder& run, const std::optional<RosMap>& map
              "<title>castaway: {0}</title><style>{1}</style></head><body>\n<h1>{0}</h1>\n",
              title, kReportStyle) +
          lead(run) + section("Figures", metric_table(run)) + curves_section(run) +
+         calibration_section(run) +
          section("Path on the map", legend(run, true) + render_map_plot(run, map)) +
          section("Events", event_table(run)) + pictures_section(run) + timing_section(run) +
          "</body></html>\n";

@@ -26,7 +26,7 @@ struct MetricLine {
   const char* of = "";
 };
 
-constexpr std::array<MetricLine, 23> kMetricLines{{
+constexpr std::array<MetricLine, 24> kMetricLines{{
     {"Position error"},
     {"mean", "/position_error_m/mean", "m"},
     {"median", "/position_error_m/median", "m"},
@@ -53,6 +53,7 @@ constexpr std::array<MetricLine, 23> kMetricLines{{
     {"kidnap noticed after, largest", "/alarm/detection_delay_s/max", "s"},
     {.label = "kidnaps not noticed", .pointer = "/alarm/undetected", .is_count = true},
     {"false alarms per hour", "/alarm/false_per_h"},
+    {"Brier score of the stated probability", "/calibration/brier"},
 }};
 
 std::string table(const std::string& head, const std::string& body) {

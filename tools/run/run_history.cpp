@@ -19,11 +19,17 @@ void RunHistory::add(const ScanRecord& record) {
   first_stamp = std::min(first_stamp, record.stamp);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
-    MetricRow row{record.stamp, record.T_odom_base, record.T_map_base_true, std::nullopt,
-                  false,        record.delivered};
+    MetricRow row{record.stamp,
+                  record.T_odom_base,
+                  record.T_map_base_true,
+                  std::nullopt,
+                  false,
+                  record.delivered,
+                  0.0};
     if (estimate) {
       row.T_map_base_estimate = estimate->T_map_base;
       row.lost = estimate->lost;
+      row.probability = estimate->probability;
     }
     rows[i].push_back(row);
   }

@@ -52,6 +52,12 @@ TEST(Evaluation, OfMhAmclInAnOfficeIsThatItFindsItself) {
   EXPECT_LT(row.tracking_m->mean, 0.1);  // two cells
   EXPECT_EQ(row.scans, 3 * 41);          // 0 to 8 s, from the kidnap on
   EXPECT_LT(row.wrong_scans, row.scans / 2);
+  EXPECT_EQ(row.detection_delay_s.size(), 1U);
+  EXPECT_GT(row.calibration.scans(), row.scans / 2);  // not where it has no answer yet
+  EXPECT_LE(row.calibration.scans(), row.scans);
+  EXPECT_LT(*row.calibration.brier(), 0.25);  // better than a coin
+  EXPECT_GT(row.watched_s, 15.0);
+  EXPECT_GE(*false_alarms_per_h(row), 0.0);
   EXPECT_GT(row.cpu_mean_ms, 0.0);
   EXPECT_GE(row.cpu_max_ms, row.cpu_mean_ms);
 }
@@ -80,6 +86,8 @@ TEST(Evaluation, WithoutTruthScoresNothing) {
   const EvaluationRow row = evaluate(place, parse_localizer("mh_amcl"), config);
   EXPECT_EQ(row.scans, 0);
   EXPECT_EQ(row.wrong_scans, 0);
+  EXPECT_FALSE(row.calibration.brier());
+  EXPECT_FALSE(false_alarms_per_h(row));
   EXPECT_EQ(row.starts.recovered, 0);
   EXPECT_FALSE(row.tracking_m);
 }

@@ -95,6 +95,14 @@ TEST(LocalizerMetrics, KidnapsThatNobodyNoticesAreCounted) {
   EXPECT_EQ(metrics.undetected, 2);
 }
 
+TEST(LocalizerMetrics, CompareStatedProbabilityAndOutcome) {
+  std::vector<MetricRow> rows = rows_with({0.0, 0.0, 3.0});
+  for (MetricRow& row : rows) row.probability = 0.6;
+  const LocalizerMetrics metrics = measured(rows, {});
+  EXPECT_EQ(metrics.calibration.bins[6].scans, 3);
+  EXPECT_EQ(metrics.calibration.bins[6].right, 2);
+}
+
 TEST(FalseAlarms, AreOnsetsWhileTheOutputIsRight) {
   std::vector<MetricRow> rows = right_rows(36);
   rows[3].lost = rows[4].lost = true;  // one alarm of two rows
@@ -102,6 +110,8 @@ TEST(FalseAlarms, AreOnsetsWhileTheOutputIsRight) {
   rows[20] = row_at(20.0, 3.0);
   rows[20].lost = true;  // wrong: a true alarm
   EXPECT_DOUBLE_EQ(*measured(rows, {}).false_alarms_per_h, 2.0 * 3600.0 / 36.0);
+  EXPECT_EQ(measured(rows, {}).false_alarms, 2);
+  EXPECT_DOUBLE_EQ(measured(rows, {}).watched_s, 36.0);
 }
 
 TEST(FalseAlarms, WithinFiveSecondsOfAKidnapAreItsAnswer) {

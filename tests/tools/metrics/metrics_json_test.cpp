@@ -17,8 +17,9 @@ TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
   metrics.undetected = 1;
   metrics.false_alarms_per_h = 1.5;
   const auto none = R"({"mean":null,"median":null,"p95":null,"rmse":null,"max":null})";
+  const std::string text = to_json(metrics).dump();
   EXPECT_EQ(
-      to_json(metrics).dump(),
+      text.substr(0, text.find(R"(,"calibration")")),
       std::string(
           R"({"position_error_m":{"mean":1.0,"median":2.0,"p95":3.0,"rmse":4.0,"max":5.0},)") +
           R"("yaw_error_rad":)" + none + R"(,"tracking_error_m":)" + none +
@@ -26,7 +27,21 @@ TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
           R"("time_s":{"mean":6.0,"median":7.0,"p95":8.0,"max":10.0},)"
           R"("distance_m":{"mean":null,"median":null,"p95":null,"max":null}},)"
           R"("wrong_lock_share":0.25,"alarm":{"detection_delay_s":{"mean":0.5,"max":0.75},)"
-          R"("undetected":1,"false_per_h":1.5}})");
+          R"("undetected":1,"false_per_h":1.5})");
+}
+
+TEST(MetricsJson, ShowsTheReliabilityDiagram) {
+  Calibration calibration;
+  calibration.add(0.95, true);
+  calibration.add(0.93, true);
+  const auto json = to_json(calibration);
+  EXPECT_EQ(json.at("brier"), 0.0037);  // (0.05^2 + 0.07^2) / 2
+  EXPECT_EQ(json.at("scans"), 2);
+  EXPECT_EQ(json.at("bins").size(), 10U);
+  EXPECT_EQ(json.at("/bins/9"_json_pointer).dump(),
+            R"({"from":0.9,"to":1.0,"scans":2,"right":2,"stated":0.94,"observed":1.0,)"
+            R"("interval":[0.342380228,1.0]})");
+  EXPECT_TRUE(json.at("/bins/0/stated"_json_pointer).is_null());
 }
 
 TEST(MetricsJson, IsNullWhereThereIsNothingToMeasure) {

@@ -125,6 +125,7 @@ TEST(Report, ShowsTheFiguresOfTheSummary) {
   EXPECT_TRUE(contains(html, row("mean", "0.200 m", "0.200 m")));
   EXPECT_TRUE(contains(html, row("95 % below", "5.73 °", "5.73 °")));
   EXPECT_TRUE(contains(html, row("time, largest", "0.600 s", "–")));
+  EXPECT_TRUE(contains(html, row("Brier score", "0.250", "0.250")));  // 0.5 is always stated
   EXPECT_TRUE(contains(html, "<strong>a</strong> recovered from 1 of 1 kidnap, after 0.600 s."));
   EXPECT_TRUE(contains(html, "1.90 m driven in 20.0 s, 1 kidnap, no collision."));
 }

@@ -1,0 +1,61 @@
+#include "tools/metrics/calibration.hpp"
+
+#include <algorithm>
+
+namespace castaway::testbed {
+namespace {
+
+std::optional<double> share(double part, std::int64_t whole) {
+  if (whole == 0) return std::nullopt;
+  return part / static_cast<double>(whole);
+}
+
+}  // namespace
+
+std::optional<double> CalibrationBin::stated() const { return share(stated_sum, scans); }
+
+std::optional<double> CalibrationBin::observed() const {
+  return share(static_cast<double>(right), scans);
+}
+
+RateInterval CalibrationBin::interval() const {
+  return wilson_interval(static_cast<int>(right), static_cast<int>(scans));
+}
+
+void Calibration::add(double probability, bool right) {
+  const double stated = std::clamp(probability, 0.0, 1.0);
+  const double outcome = right ? 1.0 : 0.0;
+  const auto count = static_cast<double>(bins.size());
+  CalibrationBin& bin = bins[std::min(static_cast<std::size_t>(stated * count), bins.size() - 1)];
+  ++bin.scans;
+  if (right) ++bin.right;
+  bin.stated_sum += stated;
+  squares += (stated - outcome) * (stated - outcome);
+}
+
+void Calibration::add(const Calibration& other) {
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    bins[i].scans += other.bins[i].scans;
+    bins[i].right += other.bins[i].right;
+    bins[i].stated_sum += other.bins[i].stated_sum;
+  }
+  squares += other.squares;
+}
+
+std::int64_t Calibration::scans() const {
+  std::int64_t sum = 0;
+  for (const CalibrationBin& bin : bins) sum += bin.scans;
+  return sum;
+}
+
+std::optional<double> Calibration::brier() const { return share(squares, scans()); }
+
+Calibration calibration_of(const std::vector<MetricRow>& rows, const RecoveryConfig& config) {
+  Calibration calibration;
+  for (const MetricRow& row : rows) {
+    if (pose_error(row)) calibration.add(row.probability, is_right(row, config));
+  }
+  return calibration;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,13 @@
+/// What a report says of the stated probabilities.
+#pragma once
+
+#include <string>
+
+#include "tools/report/run_folder.hpp"
+
+namespace castaway::testbed {
+
+/// Diagram and table of every localizer's calibration, as HTML; empty where the summary has none.
+std::string calibration_html(const RunFolder& run);
+
+}  // namespace castaway::testbed
