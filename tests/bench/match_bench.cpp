@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "localization/matching/cascade_matcher.hpp"
-#include "tests/bench/office_floor.hpp"
+#include "tools/campaign/bench_scene.hpp"
 
 namespace {
 
@@ -11,31 +11,30 @@ using namespace castaway::localization;
 
 /// Arguments: algorithm, percentage of the beams that is blocked by people.
 void match_floor(benchmark::State& state) {
-  const OccupancyGrid floor = bench::office_floor();
-  const double blocked = 0.01 * static_cast<double>(state.range(1));
-  const ScanPoints points =
-      bench::scan_of_floor(floor, {bench::kRoomX, bench::kRoomY, 0.4}, 0.02, blocked);
+  testbed::BenchSceneSpec spec;
+  spec.blocked = 0.01 * static_cast<double>(state.range(1));
+  const testbed::BenchScene scene = testbed::bench_scene(spec);
   MatcherConfig config;
   config.algorithm = static_cast<MatchAlgorithm>(state.range(0));
-  const CascadeMatcher matcher(config, floor, DistanceField(floor, 5.0));
-  for (auto _ : state) benchmark::DoNotOptimize(matcher.match(points));
-  BranchAndBound search = matcher.search(points);
+  const CascadeMatcher matcher(config, scene.grid, scene.distances);
+  for (auto _ : state) benchmark::DoNotOptimize(matcher.match(scene.points));
+  BranchAndBound search = matcher.search(scene.points);
   while (!search.complete()) search.step(1000);
   state.counters["tiles"] = static_cast<double>(search.tiles_scored());
 }
 
 void match_window(benchmark::State& state) {
-  const OccupancyGrid floor = bench::office_floor();
-  const SE2 pose{bench::kRoomX, bench::kRoomY, 0.4};
-  const ScanPoints points = bench::scan_of_floor(floor, pose, 0.02, 0.0);
-  const CascadeMatcher matcher({}, floor, DistanceField(floor, 5.0));
-  for (auto _ : state) benchmark::DoNotOptimize(matcher.match(points, MatchWindow{pose}));
+  const testbed::BenchScene scene = testbed::bench_scene();
+  const CascadeMatcher matcher({}, scene.grid, scene.distances);
+  const MatchWindow window{scene.T_map_base};
+  for (auto _ : state) benchmark::DoNotOptimize(matcher.match(scene.points, window));
 }
 
 void condition_map(benchmark::State& state) {
-  const OccupancyGrid floor = bench::office_floor();
-  const DistanceField distances(floor, 5.0);
-  for (auto _ : state) benchmark::DoNotOptimize(CascadeMatcher({}, floor, distances));
+  const testbed::BenchScene scene = testbed::bench_scene();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(CascadeMatcher({}, scene.grid, scene.distances));
+  }
 }
 
 BENCHMARK(match_floor)

@@ -1,4 +1,4 @@
-// castaway bench published: one short run.
+// castaway bench: published and localization, short.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -37,6 +37,20 @@ TEST(BenchPublished, PrintsJson) {
   EXPECT_EQ(rows[0].at("events"), 0);
   EXPECT_TRUE(rows[0].at("recovery_time_s").is_null());
   EXPECT_LT(rows[0].at("tracking_error_m"), 0.3);
+}
+
+TEST(BenchLocalization, PrintsTimesBesideTheReference) {
+  const fs::path folder = fresh_folder();
+  const Outcome words = castaway(folder, "bench localization --quick");
+  ASSERT_EQ(words.exit_code, 0) << words.err;
+  expect_contains(words.out, "whole update");
+  expect_contains(words.out, "20 x 15 m");
+  const Outcome json = castaway(folder, "bench localization --quick --json");
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  const auto root = nlohmann::json::parse(json.out);
+  EXPECT_EQ(root.at("steps").size(), 6U);
+  EXPECT_EQ(root.at("match").size(), 2U);
+  EXPECT_GT(root.at("/steps/5/ratio"_json_pointer), 1.0);
 }
 
 TEST(Bench, RefusesWhatItDoesNotKnow) {

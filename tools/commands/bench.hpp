@@ -7,6 +7,7 @@
 namespace castaway::testbed {
 
 void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen);
+void add_bench_localization(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_published(CLI::App& bench, std::function<int()>& chosen);
 
 }  // namespace castaway::testbed

@@ -8,6 +8,7 @@
 
 #include "tools/campaign/published_bench.hpp"
 #include "tools/commands/bench.hpp"
+#include "tools/commands/progress.hpp"
 #include "tools/metrics/intervals.hpp"
 #include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
@@ -67,8 +68,10 @@ int bench_published(const PublishedArguments& arguments) {
                                          : std::filesystem::path(arguments.scenario);
   Scenario scenario = load_scenario(file, {}).scenario;
   scenario.seed = arguments.first_seed.value_or(scenario.seed);
+  TrialCount count(arguments.seeds);
   const std::vector<VariantScore> scores =
-      play_variants(scenario, file.parent_path(), published_variants(), arguments.seeds);
+      play_variants(scenario, file.parent_path(), published_variants(), arguments.seeds,
+                    [&count] { count.next(); });
   if (!arguments.json) {
     print_table(scores);
     return kDone;
