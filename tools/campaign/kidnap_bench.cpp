@@ -1,5 +1,7 @@
 #include "tools/campaign/kidnap_bench.hpp"
 
+#include <algorithm>
+
 #include "tools/campaign/place_finder.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/map_conversion.hpp"
@@ -70,15 +72,23 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<Locali
   return played;
 }
 
-/// Rank of the first pose that is right.
-std::optional<std::size_t> rank_of(const SE2& T_map_base_true, const std::vector<SE2>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
+/// Searches for a scan that was taken at a known pose.
+SearchOutcome search(const PlaceFinder& finder, const localization::ScanPoints& points,
+                     const SE2& T_map_base_true) {
+  SearchOutcome outcome;
+  outcome.blocked_share = finder.blocked_share(points, T_map_base_true);
+  outcome.right = finder.refined(points, T_map_base_true).log_likelihood;
+  const std::vector<FoundPlace> places = finder.find(points);
+  if (!places.empty()) {
+    outcome.fifth = places[std::min<std::size_t>(4, places.size() - 1)].log_likelihood;
+  }
+  for (std::size_t i = 0; i < places.size() && !outcome.rank; ++i) {
     MetricRow row;
     row.T_map_base_true = T_map_base_true;
-    row.T_map_base_estimate = places[i];
-    if (is_right(row, {})) return i;
+    row.T_map_base_estimate = places[i].T_map_base;
+    if (is_right(row, {})) outcome.rank = i;
   }
-  return std::nullopt;
+  return outcome;
 }
 
 KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
@@ -87,7 +97,7 @@ KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
   report.T_map_from = kidnap.T_map_from.value();
   report.T_map_to = kidnap.T_map_to.value();
   if (played.points) {
-    report.rank = rank_of(played.T_map_base_true, stage.finder.find(*played.points));
+    report.search = search(stage.finder, *played.points, played.T_map_base_true);
   }
   for (const auto& rows : played.history.rows) {
     report.outcomes.push_back(kidnap_outcome(rows, played.history.events, played.end));

@@ -94,8 +94,10 @@ KidnapBatch summarise(const std::vector<KidnapReport>& reports,
   batch.kidnaps = static_cast<int>(reports.size());
   if (!reports.empty()) batch.obstacles = reports.front().obstacles;
   for (const KidnapReport& report : reports) {
-    if (report.rank && *report.rank < 1) ++batch.top1;
-    if (report.rank && *report.rank < 5) ++batch.top5;
+    const SearchOutcome& search = report.search;
+    if (search.rank && *search.rank < 1) ++batch.top1;
+    if (search.rank && *search.rank < 5) ++batch.top5;
+    batch.blocked_share += search.blocked_share / batch.kidnaps;
   }
   for (std::size_t i = 0; i < localizers.size(); ++i) {
     batch.rows.push_back(row_of(reports, i, within_s));

@@ -25,15 +25,21 @@ struct KidnapOutcome {
 KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
                              const std::vector<RunEvent>& events, Stamp end);
 
+/// What the search of the whole map makes of the first whole scan after the kidnap.
+struct SearchOutcome {
+  std::optional<std::size_t> rank;  ///< Of the right pose, 0 the best; nothing: it is not listed.
+  double blocked_share = 0.0;       ///< In [0, 1]: of the beams, by people.
+  double right = 0.0;               ///< Log-likelihood of the right place, listed or not...
+  double fifth = 0.0;               ///< ...and of the fifth place listed, or of the last.
+};
+
 /// One trial.
 struct KidnapReport {
   int index = 0;
   int obstacles = 0;
   SE2 T_map_from;  ///< True pose of base before the kidnap...
   SE2 T_map_to;    ///< ...and after it.
-  /// Rank of the right pose among the places found for the first whole scan after the kidnap, 0 the
-  /// best; nothing if it is not among them.
-  std::optional<std::size_t> rank;
+  SearchOutcome search;
   std::vector<KidnapOutcome> outcomes;  ///< By localizer.
 };
 
@@ -53,8 +59,9 @@ struct KidnapRow {
 struct KidnapBatch {
   int obstacles = 0;
   int kidnaps = 0;
-  int top1 = 0;  ///< Right pose is the best place found...
-  int top5 = 0;  ///< ...or among the best five.
+  int top1 = 0;                ///< Right pose is the best place found...
+  int top5 = 0;                ///< ...or among the best five.
+  double blocked_share = 0.0;  ///< Mean over the trials.
   std::vector<KidnapRow> rows;
 };
 

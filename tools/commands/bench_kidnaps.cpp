@@ -55,8 +55,11 @@ void print_header() {
 }
 
 void print_batch(const KidnapBatch& batch) {
-  fmt::print("{:>9}  matcher: right place first {}, among the best five {}\n", batch.obstacles,
-             rate(batch.top1, batch.kidnaps), rate(batch.top5, batch.kidnaps));
+  fmt::print(
+      "{:>9}  matcher: right place first {}, among the best five {}; {:.0f} % of the beams "
+      "blocked\n",
+      batch.obstacles, rate(batch.top1, batch.kidnaps), rate(batch.top5, batch.kidnaps),
+      100.0 * batch.blocked_share);
   for (const KidnapRow& row : batch.rows) {
     const std::string tracking = row.tracking
                                      ? fmt::format("{:.4f} m, {:.2f} deg", row.tracking->position_m,
@@ -77,13 +80,16 @@ std::string text(const std::optional<double>& time) {
 /// A trial in which the right place is not among the best five or the first localizer recovers
 /// late.
 void print_failure(const KidnapReport& report, const KidnapArguments& arguments) {
-  bool failed = !report.rank || *report.rank >= 5;
+  const SearchOutcome& search = report.search;
+  bool failed = !search.rank || *search.rank >= 5;
   std::string line = fmt::format(
-      "trial {} with {} obstacles: from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}, {:.2f} rad), place "
-      "found {}",
+      "trial {} with {} obstacles: from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}, {:.2f} rad), {:.0f} % "
+      "of the beams blocked, place found {}, log-likelihood there {:.1f}, of the fifth place "
+      "{:.1f}",
       report.index, report.obstacles, report.T_map_from.x, report.T_map_from.y, report.T_map_to.x,
-      report.T_map_to.y, report.T_map_to.yaw,
-      report.rank ? fmt::format("as number {}", *report.rank + 1) : "not at all");
+      report.T_map_to.y, report.T_map_to.yaw, 100.0 * search.blocked_share,
+      search.rank ? fmt::format("as number {}", *search.rank + 1) : "not at all", search.right,
+      search.fifth);
   for (std::size_t i = 0; i < report.outcomes.size(); ++i) {
     const KidnapOutcome& outcome = report.outcomes[i];
     const bool late = !outcome.recovered_s || *outcome.recovered_s > arguments.within_s;
@@ -110,6 +116,7 @@ Json to_json(const KidnapBatch& batch) {
                {"kidnaps", batch.kidnaps},
                {"top1", rate_json(batch.top1, batch.kidnaps)},
                {"top5", rate_json(batch.top5, batch.kidnaps)},
+               {"blocked_share", batch.blocked_share},
                {"localizers", Json::object()}};
   for (const KidnapRow& row : batch.rows) {
     Json& out = json["localizers"][row.localizer];

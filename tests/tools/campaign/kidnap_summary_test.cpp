@@ -57,16 +57,17 @@ TEST(KidnapOutcome, IsNotRecoveredWhereItGoesWrongAgain) {
 }
 
 TEST(Summarise, PutsTrialsTogether) {
-  KidnapReport early{0, 6, {}, {}, 0, {outcome_of(kidnapped())}};
-  KidnapReport late{1, 6, {}, {}, 5, {outcome_of(kidnapped())}};
+  KidnapReport early{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
+  KidnapReport late{1, 6, {}, {}, {5, 0.6}, {outcome_of(kidnapped())}};
   late.outcomes[0].recovered_s = 12.0;
   late.outcomes[0].tracking = {{0.4, 0.2}};
-  KidnapReport never{2, 6, {}, {}, 4, {outcome_of(rows_with({0.0, 0.0, 0.0, 5.0}))}};
+  KidnapReport never{2, 6, {}, {}, {4, 0.0}, {outcome_of(rows_with({0.0, 0.0, 0.0, 5.0}))}};
   const KidnapBatch batch = summarise({early, late, never}, {"amcl"}, 10.0);
   EXPECT_EQ(batch.obstacles, 6);
   EXPECT_EQ(batch.kidnaps, 3);
   EXPECT_EQ(batch.top1, 1);
   EXPECT_EQ(batch.top5, 2);
+  EXPECT_NEAR(batch.blocked_share, 0.3, 1e-12);
   const KidnapRow& row = batch.rows.at(0);
   EXPECT_EQ(row.localizer, "amcl");
   EXPECT_EQ(row.recovered, 1);

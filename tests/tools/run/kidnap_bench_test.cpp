@@ -70,7 +70,7 @@ TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
   EXPECT_EQ(played, 2);
   ASSERT_EQ(reports.size(), 2U);
   EXPECT_EQ(reports[1].index, 1);
-  EXPECT_TRUE(reports[0].rank);
+  EXPECT_TRUE(reports[0].search.rank);
   for (const KidnapReport& report : reports) {
     EXPECT_GE(distance(report.T_map_from, report.T_map_to), 3.0);
     ASSERT_EQ(report.outcomes.size(), 2U);
