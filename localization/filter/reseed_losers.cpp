@@ -21,6 +21,7 @@ std::vector<SE2> by_weight(const ParticleSet& particles) {
     return particles.log_weights[a] > particles.log_weights[b];
   });
   std::vector<SE2> poses;
+  poses.reserve(order.size());
   for (const std::size_t i : order) poses.push_back(particles.poses[i]);
   return poses;
 }

@@ -60,20 +60,27 @@ int remove(std::size_t index, const PublishedDefects& defects, std::vector<Hypot
   return jumps ? hypotheses.front().id : output_id;
 }
 
+/// Joins those after `first` that are in its place; returns the output's id.
+int merge_into(std::size_t first, const MergeConfig& config, const PublishedDefects& defects,
+               std::vector<Hypothesis>& hypotheses, int output_id) {
+  for (std::size_t j = first + 1; j < hypotheses.size();) {
+    if (same_place(config, hypotheses[first].belief.mean, hypotheses[j].belief.mean)) {
+      join(hypotheses[first], hypotheses[j], defects);
+      output_id = remove(j, defects, hypotheses, output_id);
+    } else {
+      ++j;
+    }
+  }
+  return output_id;
+}
+
 }  // namespace
 
 int merge_by_weight(const MergeConfig& config, std::vector<Hypothesis>& hypotheses,
                     const PublishedDefects& defects, int output_id) {
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     if (defects.first_merges_only && i > 0) break;
-    for (std::size_t j = i + 1; j < hypotheses.size();) {
-      if (!same_place(config, hypotheses[i].belief.mean, hypotheses[j].belief.mean)) {
-        ++j;
-        continue;
-      }
-      join(hypotheses[i], hypotheses[j], defects);
-      output_id = remove(j, defects, hypotheses, output_id);
-    }
+    output_id = merge_into(i, config, defects, hypotheses, output_id);
   }
   return output_id;
 }
