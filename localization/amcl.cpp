@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "localization/filter/kld_resample.hpp"
 
@@ -33,7 +34,7 @@ Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t see
       free_space_(map_),
       rng_(substream(seed, "amcl")),
       timer_(std::move(clock)),
-      T_odom_base_(config.buffer),
+      intake_(config.intake),
       averages_(config.recovery) {
   if (free_space_.empty()) throw std::invalid_argument("map has no free cell to start on");
   if (config_.model == AmclSensorModel::kBeam) beam_model_.emplace(config_.beam, map_);
@@ -41,6 +42,7 @@ Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t see
 }
 
 void Amcl::initialize(const std::optional<PoseWithCovariance>& start) {
+  if (start) validate(*start);
   const int count = config_.kld.max_particles;
   if (start) {
     particles_ =
@@ -56,27 +58,34 @@ void Amcl::initialize(const std::optional<PoseWithCovariance>& start) {
 }
 
 void Amcl::on_odometry(const Odometry& odometry) {
-  T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
+  if (intake_.take(odometry) != OdometryIntake::kRestarted) return;
+  updated_at_.reset();
+  estimate_.reset();
 }
 
 void Amcl::on_scan(const LaserScan& scan) {
-  const bool late = last_scan_ && scan.stamp <= *last_scan_;
-  const std::optional<SE2> T_odom_base = T_odom_base_.at(scan.stamp);
-  if (late || !T_odom_base) {
-    ++dropped_scans_;
-    return;
-  }
-  last_scan_ = scan.stamp;
-  if (!updated_at_ || config_.update_at_rest || moved_enough(*T_odom_base)) {
-    const auto beams = take_beams(scan, T_odom_base_, config_.max_beams, config_.max_range);
+  if (!intake_.accept(scan)) return;
+  const SE2 T_odom_base = *intake_.T_odom_base().at(scan.stamp);
+  if (is_awaited(scan.lidar, T_odom_base)) {
+    const auto beams =
+        take_beams(scan, intake_.T_odom_base(), config_.max_beams, config_.max_range);
     const double range_max = std::min(scan.range_max, config_.max_range);
-    if (beams && says_something(*beams)) update(*beams, range_max, *T_odom_base);
+    if (beams && says_something(*beams)) update(*beams, range_max, T_odom_base);
   }
-  if (updated_at_) publish(scan.stamp, *T_odom_base);
+  if (updated_at_) publish(scan.stamp, T_odom_base);
 }
 
 bool Amcl::says_something(const BeamScan& beams) const {
   return !beams.returns.empty() || (beam_model_ && !beams.misses.empty());
+}
+
+/// After enough motion the next scan of every lidar makes an update, as in Nav2.
+bool Amcl::is_awaited(const std::string& lidar, const SE2& T_odom_base) {
+  awaited_.try_emplace(lidar, true);
+  if (!updated_at_ || config_.update_at_rest || moved_enough(T_odom_base)) {
+    for (auto& [name, awaited] : awaited_) awaited = true;
+  }
+  return std::exchange(awaited_[lidar], false);
 }
 
 bool Amcl::moved_enough(const SE2& T_odom_base) const {
@@ -147,7 +156,8 @@ Diagnostics Amcl::diagnostics() const {
   Diagnostics diagnostics;
   const SE2 mean = estimate_ ? estimate_->T_map_base : SE2{};
   diagnostics.populations.push_back({0, mean, quality_, output_.weight, true, particles_.poses});
-  diagnostics.dropped_scans = dropped_scans_;
+  diagnostics.dropped_scans = intake_.dropped_scans();
+  diagnostics.dropped_odometry = intake_.dropped_odometry();
   diagnostics.cpu_by_stage = timer_.totals();
   return diagnostics;
 }

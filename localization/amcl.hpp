@@ -28,6 +28,7 @@ class Amcl final : public Localizer {
 
  private:
   [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
+  [[nodiscard]] bool is_awaited(const std::string& lidar, const SE2& T_odom_base);
   [[nodiscard]] bool says_something(const BeamScan& beams) const;
   void update(const BeamScan& beams, double range_max, const SE2& T_odom_base);
   void weigh(const BeamScan& beams, double range_max);
@@ -42,7 +43,7 @@ class Amcl final : public Localizer {
   FreeSpace free_space_;
   Rng rng_;
   StageTimer timer_;
-  TransformBuffer T_odom_base_;
+  Intake intake_;
   ParticleSet particles_;
   RecoveryAverages averages_;
   std::optional<SE2> updated_at_;  ///< Odometry at the last update.
@@ -51,8 +52,7 @@ class Amcl final : public Localizer {
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   double quality_ = 0.0;
   std::optional<Estimate> estimate_;
-  std::optional<Stamp> last_scan_;
-  std::int64_t dropped_scans_ = 0;
+  std::map<std::string, bool> awaited_;  ///< By lidar: its next scan makes an update.
 };
 
 }  // namespace castaway::localization

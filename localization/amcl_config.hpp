@@ -5,9 +5,9 @@
 
 #include "localization/filter/pose_bins.hpp"
 #include "localization/filter/recovery_averages.hpp"
-#include "localization/geometry/transform_buffer.hpp"
 #include "localization/motion/differential_motion.hpp"
 #include "localization/sensor/beam_model.hpp"
+#include "localization/sensor/intake.hpp"
 #include "localization/sensor/likelihood_field_prob.hpp"
 
 namespace castaway::localization {
@@ -44,7 +44,7 @@ struct AmclConfig {
   /// Nav2's grid convention: the map lies half a cell towards -x and -y of where its origin says,
   /// and so do the estimates.
   bool half_cell_shift = false;
-  TransformBufferConfig buffer;
+  IntakeConfig intake;
 };
 
 /// Throws std::invalid_argument naming the figure that is out of its range.

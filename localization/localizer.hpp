@@ -34,6 +34,7 @@ struct LaserScan {
   double range_max = 0.0;        ///< [m] Longer returns are invalid.
   std::vector<float> ranges;     ///< [m] REP-117: +inf no return, -inf too close, NaN invalid.
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();  ///< The lidar's mount.
+  std::string lidar;  ///< Name of the lidar where there are several; order is kept for each.
 
   /// Time of beam `index`.
   [[nodiscard]] Stamp beam_stamp(std::size_t index) const {
@@ -82,7 +83,8 @@ struct PopulationView {
 /// What a localizer tells about itself.
 struct Diagnostics {
   std::vector<PopulationView> populations;
-  std::int64_t dropped_scans = 0;  ///< Too old, out of order, without odometry, without beams.
+  std::int64_t dropped_scans = 0;     ///< Late, from before or long after all odometry, no numbers.
+  std::int64_t dropped_odometry = 0;  ///< Late, no numbers.
   std::map<std::string, std::chrono::nanoseconds>
       cpu_by_stage;  ///< Since construction; empty without a clock.
 };
@@ -96,11 +98,13 @@ class Localizer {
  public:
   virtual ~Localizer() = default;
 
-  /// Starts anew: at a pose, or anywhere on the map (`nullopt`).
+  /// Starts anew, at any time: at a pose, or anywhere on the map (`nullopt`: global localization).
+  /// Throws std::invalid_argument for a pose or covariance that is not a number.
   virtual void initialize(const std::optional<PoseWithCovariance>& start) = 0;
-  /// Takes a reading of odometry; readings older than the newest are ignored.
+  /// Takes a reading of odometry. Late ones are dropped; after one that is older by seconds (a
+  /// clock set back) motion begins anew from where the robot is believed to be.
   virtual void on_odometry(const Odometry& odometry) = 0;
-  /// Takes a scan, delivered when its last beam was taken.
+  /// Takes a scan, delivered when its last beam was taken. Late ones are dropped.
   virtual void on_scan(const LaserScan& scan) = 0;
   /// The newest estimate; nothing while there is none.
   [[nodiscard]] virtual std::optional<Estimate> estimate() const = 0;

@@ -21,12 +21,14 @@ MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed
       evidence_(config_.evidence, map_, distances_),
       matcher_(config_.matcher, map_, distances_),
       timer_(std::move(clock)),
-      T_odom_base_(config_.buffer) {
+      intake_(config_.intake),
+      panorama_(config_.lidar_memory) {
   if (config_.mode == MhAmclMode::kPaper) paper_ = paper_parts();
   initialize(std::nullopt);
 }
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
+  if (start) validate(*start);
   hypotheses_.clear();
   history_.clear();
   estimate_.reset();
@@ -43,7 +45,9 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
 }
 
 void MhAmcl::on_odometry(const Odometry& odometry) {
-  if (!T_odom_base_.add(odometry.stamp, odometry.T_odom_base)) return;
+  const OdometryIntake taken = intake_.take(odometry);
+  if (taken == OdometryIntake::kDropped) return;
+  if (taken == OdometryIntake::kRestarted) restart_motion();
   if (!predicted_at_) predicted_at_ = odometry.T_odom_base;
   if (!due(odometry.stamp, last_predict_, config_.predict_rate_hz)) return;
   last_predict_ = odometry.stamp;
@@ -51,25 +55,32 @@ void MhAmcl::on_odometry(const Odometry& odometry) {
 }
 
 void MhAmcl::on_scan(const LaserScan& scan) {
-  const bool late = last_scan_ && scan.stamp <= *last_scan_;
-  if (late || T_odom_base_.empty()) {
-    ++dropped_scans_;
-    return;
-  }
-  const Stamp now = T_odom_base_.newest();
-  const SE2 T_odom_base = *T_odom_base_.at(now);
-  const std::optional<ScanPoints> points = project_scan(scan, T_odom_base_, now, config_.beams);
-  if (!points) {
-    ++dropped_scans_;
-    return;
-  }
-  last_scan_ = scan.stamp;
+  if (!intake_.accept(scan)) return;
+  const Stamp now = intake_.T_odom_base().newest();
+  const SE2 T_odom_base = *intake_.T_odom_base().at(now);
+  const auto seen = project_scan(scan, intake_.T_odom_base(), now, config_.beams);
+  if (!seen) return intake_.drop_scan();
+  const ScanPoints points = panorama_.add(scan.lidar, *seen, now, T_odom_base);
   predict(T_odom_base);
   if (paper_) prepare_match(scan, now);
-  if (!points->empty() && (!last_correct_ || due(now, *last_correct_, config_.correct_rate_hz))) {
-    take_scan(*points, now, T_odom_base);
+  if (!points.empty() && (!last_correct_ || due(now, *last_correct_, config_.correct_rate_hz))) {
+    take_scan(points, now, T_odom_base);
   }
   publish(scan.stamp);
+}
+
+/// The clock was set back: what is known of motion, and all times, begin anew. The populations stay
+/// where they are.
+void MhAmcl::restart_motion() {
+  predicted_at_.reset();
+  last_predict_ = {};
+  last_correct_.reset();
+  last_reseed_ = {};
+  last_match_.reset();
+  better_since_.reset();
+  history_.clear();
+  panorama_.clear();
+  estimate_.reset();
 }
 
 /// One scan through the paper's phases.

@@ -15,6 +15,7 @@
 #include "localization/hypotheses/hypothesis.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "localization/sensor/lidar_panorama.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {
@@ -33,6 +34,7 @@ class MhAmcl final : public Localizer {
   [[nodiscard]] Diagnostics diagnostics() const override;
 
  private:
+  void restart_motion();
   void predict(const SE2& T_odom_base);
   [[nodiscard]] bool due(Stamp now, Stamp last, double rate_hz) const;
   void take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base);
@@ -75,7 +77,8 @@ class MhAmcl final : public Localizer {
   std::optional<PaperParts> paper_;
   StageTimer timer_;
 
-  TransformBuffer T_odom_base_;
+  Intake intake_;
+  LidarPanorama panorama_;
   std::vector<Hypothesis> hypotheses_;
   Unlisted unlisted_;
   ScanHistory history_;
@@ -83,11 +86,9 @@ class MhAmcl final : public Localizer {
   int next_id_ = 0;
   int selected_id_ = -1;
   double probability_ = 0.0;  ///< Share of the output.
-  std::int64_t dropped_scans_ = 0;
 
   std::optional<SE2> predicted_at_;  ///< Odometry up to which particles are moved.
   Stamp last_predict_{};
-  std::optional<Stamp> last_scan_;
   std::optional<Stamp> last_correct_;
   Stamp last_reseed_{};
   std::optional<Stamp> last_match_;

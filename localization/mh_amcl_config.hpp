@@ -3,13 +3,13 @@
 
 #include "localization/filter/reseed.hpp"
 #include "localization/filter/reseed_losers.hpp"
-#include "localization/geometry/transform_buffer.hpp"
 #include "localization/hypotheses/create.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/quality_rules.hpp"
 #include "localization/matching/paper_cascade.hpp"
 #include "localization/motion/step_noise.hpp"
 #include "localization/published_defects.hpp"
+#include "localization/sensor/intake.hpp"
 
 namespace castaway::localization {
 
@@ -77,7 +77,9 @@ struct MhAmclConfig {
   double spawn_sigma_yaw = 0.02;  ///< [rad] ...and of its yaw.
   int history = 8;                ///< Scans that a new hypothesis is weighed on.
   double max_distance = 5.0;      ///< [m] Cap of the distance field.
-  TransformBufferConfig buffer;
+  IntakeConfig intake;
+  Stamp lidar_memory =
+      std::chrono::milliseconds(250);  ///< So long scans of other lidars are joined to a new one.
 };
 
 /// Mode `paper` with all defects of the published code and its figures: new populations spread by

@@ -11,7 +11,7 @@ void MhAmcl::publish(Stamp stamp) {
     estimate_.reset();
     return;
   }
-  const std::optional<SE2> T_odom_then = T_odom_base_.at(stamp);
+  const std::optional<SE2> T_odom_then = intake_.T_odom_base().at(stamp);
   const SE2 T_now_then = predicted_at_->inverse() * T_odom_then.value_or(*predicted_at_);
   Estimate estimate;
   estimate.stamp = stamp;
@@ -39,7 +39,8 @@ Diagnostics MhAmcl::diagnostics() const {
     diagnostics.populations.push_back(
         {h.id, h.belief.mean, h.quality, all[i], h.id == selected_id_, h.particles.poses});
   }
-  diagnostics.dropped_scans = dropped_scans_;
+  diagnostics.dropped_scans = intake_.dropped_scans();
+  diagnostics.dropped_odometry = intake_.dropped_odometry();
   diagnostics.cpu_by_stage = timer_.totals();
   return diagnostics;
 }

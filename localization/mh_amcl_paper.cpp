@@ -24,7 +24,7 @@ void MhAmcl::prepare_match(const LaserScan& scan, Stamp now) {
   if (!config_.paper.published.mount_ignored) return;
   LaserScan unmounted = scan;
   unmounted.T_base_laser.setIdentity();
-  paper_->unmounted = project_scan(unmounted, T_odom_base_, now, config_.beams).value();
+  paper_->unmounted = project_scan(unmounted, intake_.T_odom_base(), now, config_.beams).value();
 }
 
 void MhAmcl::correct_all_by_rays(const ScanPoints& points) {

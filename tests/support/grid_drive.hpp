@@ -1,6 +1,8 @@
 /// Drives a localizer through a world of cells: exact odometry from the start, scans without noise.
 #pragma once
 
+#include <numbers>
+
 #include "localization/localizer.hpp"
 #include "tests/support/grid_world.hpp"
 
@@ -13,6 +15,47 @@ class GridDrive {
 
   /// Moves by `u` (base) within one step and hands everything to the localizer.
   void step(localization::Localizer& localizer, const SE2& u) {
+    drive(localizer, u);
+    localizer.on_scan(scan_at(grid_, truth_, now_));
+  }
+  /// The same with a scan all of whose ranges are `range`.
+  void step_blind(localization::Localizer& localizer, const SE2& u, float range) {
+    drive(localizer, u);
+    localization::LaserScan scan = scan_at(grid_, truth_, now_);
+    scan.ranges.assign(scan.ranges.size(), range);
+    localizer.on_scan(scan);
+  }
+  /// The same with two lidars that see half of the surroundings each, one mounted backwards.
+  void step_two_lidars(localization::Localizer& localizer, const SE2& u) {
+    drive(localizer, u);
+    const localization::LaserScan whole = scan_at(grid_, truth_, now_);
+    const auto quarter = static_cast<std::ptrdiff_t>(whole.ranges.size() / 4);
+    localization::LaserScan front = whole;
+    front.lidar = "front";
+    front.angle_min = -std::numbers::pi / 2.0;
+    front.ranges.assign(whole.ranges.begin() + quarter, whole.ranges.end() - quarter);
+    localizer.on_scan(front);
+    localization::LaserScan rear = front;
+    rear.lidar = "rear";
+    rear.T_base_laser = localization::to_se3({0.0, 0.0, std::numbers::pi});
+    rear.ranges.assign(whole.ranges.end() - quarter, whole.ranges.end());
+    rear.ranges.insert(rear.ranges.end(), whole.ranges.begin(), whole.ranges.begin() + quarter);
+    localizer.on_scan(rear);
+  }
+  /// Lets time pass and the robot move without a word to anybody.
+  void skip(localization::Stamp time, const SE2& u) {
+    now_ += time;
+    truth_ = truth_ * u;
+    odom_ = odom_ * u;
+  }
+  /// Puts the robot elsewhere; odometry does not notice.
+  void kidnap(const SE2& pose) { truth_ = pose; }
+
+  [[nodiscard]] const SE2& truth() const { return truth_; }
+  [[nodiscard]] localization::Stamp now() const { return now_; }
+
+ private:
+  void drive(localization::Localizer& localizer, const SE2& u) {
     const SE2 truth = truth_;
     const SE2 odom = odom_;
     for (int k = 1; k <= 10; ++k) {
@@ -22,15 +65,7 @@ class GridDrive {
       odom_ = odom * part;
       localizer.on_odometry({now_, odom_});
     }
-    localizer.on_scan(scan_at(grid_, truth_, now_));
   }
-  /// Puts the robot elsewhere; odometry does not notice.
-  void kidnap(const SE2& pose) { truth_ = pose; }
-
-  [[nodiscard]] const SE2& truth() const { return truth_; }
-  [[nodiscard]] localization::Stamp now() const { return now_; }
-
- private:
   OccupancyGrid grid_;
   SE2 truth_;
   SE2 odom_{7.0, -3.0, 1.0};

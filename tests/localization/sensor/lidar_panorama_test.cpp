@@ -1,0 +1,54 @@
+#include "localization/sensor/lidar_panorama.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace castaway::localization {
+namespace {
+
+using std::chrono::milliseconds;
+
+ScanPoints one_point(float x, float y, float origin_x) {
+  ScanPoints points;
+  points.x = {x};
+  points.y = {y};
+  points.origin_x = {origin_x};
+  points.origin_y = {0.0F};
+  points.range = {x - origin_x};
+  return points;
+}
+
+TEST(LidarPanorama, IsTheScanItselfForOneLidar) {
+  LidarPanorama panorama(milliseconds(250));
+  const ScanPoints points = one_point(2.0F, 0.5F, 0.2F);
+  EXPECT_EQ(panorama.add("", points, milliseconds(0), {}).x, points.x);
+  EXPECT_EQ(panorama.add("", points, milliseconds(100), {1.0, 0.0, 0.0}).x, points.x);
+}
+
+TEST(LidarPanorama, MovesPointsOfOtherLidarsToWhereBaseIsNow) {
+  LidarPanorama panorama(milliseconds(250));
+  panorama.add("rear", one_point(-3.0F, 0.0F, -0.2F), milliseconds(0), {});
+  // Base went 1 m ahead and turned left by a quarter.
+  const SE2 now{1.0, 0.0, std::numbers::pi / 2.0};
+  const ScanPoints all = panorama.add("front", one_point(2.0F, 0.0F, 0.2F), milliseconds(50), now);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_FLOAT_EQ(all.x[0], 2.0F);
+  EXPECT_NEAR(all.x[1], 0.0F, 1e-6F);
+  EXPECT_NEAR(all.y[1], 4.0F, 1e-6F);
+  EXPECT_NEAR(all.origin_y[1], 1.2F, 1e-6F);
+  EXPECT_FLOAT_EQ(all.range[1], -2.8F);
+}
+
+TEST(LidarPanorama, ForgetsOldScansAndTakesTheNewestOfEachLidar) {
+  LidarPanorama panorama(milliseconds(250));
+  panorama.add("rear", one_point(-3.0F, 0.0F, 0.0F), milliseconds(0), {});
+  panorama.add("rear", one_point(-4.0F, 0.0F, 0.0F), milliseconds(100), {});
+  const ScanPoints front = one_point(2.0F, 0.0F, 0.0F);
+  EXPECT_EQ(panorama.add("front", front, milliseconds(350), {}).x,
+            (std::vector<float>{2.0F, -4.0F}));
+  EXPECT_EQ(panorama.add("front", front, milliseconds(351), {}).x, front.x);
+}
+
+}  // namespace
+}  // namespace castaway::localization
