@@ -193,13 +193,16 @@ void MhAmcl::reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& w
 /// Adds the scan to the evidence of every place and remembers it.
 void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
   double e = 1.0;
+  double cue = 0.0;
   if (!history_.empty()) {
-    const SE2& before = history_.back().T_odom_base;
-    e = independence(config_.posterior, distance(before, T_odom_base),
-                     yaw_distance(before, T_odom_base));
+    const ScanMemory& before = history_.back();
+    e = independence(config_.posterior, distance(before.T_odom_base, T_odom_base),
+                     yaw_distance(before.T_odom_base, T_odom_base));
+    cue = kidnap_cue(config_.posterior, scan_agreement(config_.agreement, before.points, points,
+                                                       before.T_odom_base.inverse() * T_odom_base));
   }
   const double listed = listed_log_weight(hypotheses_);
-  history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight});
+  history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight, cue});
   if (history_.size() > static_cast<std::size_t>(config_.history)) history_.pop_front();
   if (paper_) return;  // the paper weighs populations by the quality of the newest scan alone
   for (Hypothesis& hypothesis : hypotheses_) {
@@ -208,7 +211,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
     hypothesis.log_likelihood = evidence.log_likelihood;
     hypothesis.quality = evidence.quality;
   }
-  advance_unlisted(config_.posterior, e, listed, unlisted_);
+  advance_unlisted(config_.posterior, e, listed, cue, unlisted_);
 }
 
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {

@@ -10,6 +10,7 @@
 #include "localization/motion/step_noise.hpp"
 #include "localization/published_defects.hpp"
 #include "localization/sensor/intake.hpp"
+#include "localization/sensor/scan_agreement.hpp"
 
 namespace castaway::localization {
 
@@ -30,7 +31,7 @@ struct RescueConfig {
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Refined at most.
   double gain = 3.0;        ///< [nats] A place found must be so much better.
-  double cost = 9.0;        ///< [nats] A place found begins with the output's weight less this.
+  double cost = 12.0;       ///< [nats] A place found begins with the output's weight less this.
 };
 
 /// Which parts the pipeline is made of.
@@ -71,6 +72,7 @@ struct MhAmclConfig {
   CreateConfig create;
   MergeConfig merge;
   DestroyConfig destroy;
+  ScanAgreementConfig agreement;  ///< The cue of a kidnap in one frame.
   PosteriorConfig posterior;
   double select_margin = 2.0;     ///< [nats] The output stays while less behind than this.
   double spawn_sigma = 0.05;      ///< [m] Least spread of a new population...

@@ -82,7 +82,7 @@ double weigh_backwards(const CreateContext& context, const ScanHistory& history,
   double l = place.newest.log_likelihood;
   for (std::size_t k = history.size(); k-- > 0;) {
     const ScanMemory& scan = history[k];
-    const double origin = log_sum_exp({scan.listed_before, scan.unlisted_before});
+    const double origin = log_sum_exp({scan.listed_before + scan.kidnap_cue, scan.unlisted_before});
     best = std::max(best, origin + context.posterior.place + l + increments);
     if (k == 0) break;
     pose = step_back(context, pose, scan, history[k - 1]);

@@ -24,11 +24,16 @@ double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& un
   return std::max(unlisted.usual - config.unlisted_drop, config.unlisted_minimum);
 }
 
+double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement) {
+  if (!agreement) return 0.0;
+  return std::min(0.0, config.agreeing_slope * (config.agreeing - *agreement));
+}
+
 void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
-                      Unlisted& unlisted) {
+                      double kidnap_cue, Unlisted& unlisted) {
   const double l = unlisted_log_likelihood(config, unlisted);
-  unlisted.log_weight =
-      log_sum_exp({unlisted.log_weight + new_share * l, listed_before + config.kidnap + l});
+  unlisted.log_weight = log_sum_exp(
+      {unlisted.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
 }
 
 void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted) {

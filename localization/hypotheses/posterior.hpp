@@ -4,6 +4,7 @@
 /// counts as new; a sudden drop of the likelihood counts at once: `w += L_t - (1 - e) L_{t-1}`.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
@@ -18,8 +19,11 @@ struct PosteriorConfig {
   double unlisted_drop =
       6.0;  ///< An unlisted place is worth this much less than a usual right one...
   double unlisted_minimum = -22.0;  ///< ...but never less than this.
-  double kidnap = -6.0;       ///< Log-probability of leaving the listed places from scan to scan.
-  double usual_start = -3.0;  ///< Log-likelihood of a right pose, until experience tells.
+  double kidnap = -6.0;    ///< Log-probability of leaving the listed places from scan to scan.
+  double agreeing = 0.65;  ///< Scans in a row that agree better than this (`scan_agreement`)
+                           ///< speak against a kidnap between them...
+  double agreeing_slope = 30.0;    ///< ...by so many nats per unit.
+  double usual_start = -3.0;       ///< Log-likelihood of a right pose, until experience tells.
   double usual_match_rate = 0.25;  ///< Weight of a whole search that finds nothing so good.
   double missed = -3.0;  ///< Log-odds that a whole search misses the right place if the best one
                          ///< found fits perfectly...
@@ -31,6 +35,10 @@ struct PosteriorConfig {
 
 /// Share of a scan that counts as new after moving so far since the one before.
 double independence(const PosteriorConfig& config, double moved_m, double turned_rad);
+
+/// What the agreement of two scans in a row says for a kidnap between them: 0 or less; 0 if
+/// nothing is known.
+double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement);
 
 /// Log of the sum of exponentials; -infinity of nothing.
 double log_sum_exp(const std::vector<double>& values);
@@ -44,9 +52,10 @@ struct Unlisted {
 /// Log-likelihood that a scan has at an unlisted place, given what is usual.
 double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& unlisted);
 
-/// Takes one scan: `listed_before` is the log of the listed mass before it.
+/// Takes one scan: `listed_before` is the log of the listed mass before it, `kidnap_cue` what
+/// speaks against a kidnap since the last one.
 void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
-                      Unlisted& unlisted);
+                      double kidnap_cue, Unlisted& unlisted);
 
 /// Takes the best log-likelihood that a search of the whole map found. The right place was among
 /// those searched, so it can hardly score better: in a crowd a right pose is worth less than usual.

@@ -15,6 +15,7 @@ struct ScanMemory {
   double independence = 1.0;     ///< Share of the scan that counted as new.
   double listed_before = 0.0;    ///< Log of the listed mass before the scan.
   double unlisted_before = 0.0;  ///< Log of the unlisted mass before the scan.
+  double kidnap_cue = 0.0;       ///< What it says for a kidnap just before it, 0 at most.
 };
 
 /// Newest last.

@@ -22,7 +22,7 @@ struct MatcherConfig {
   ByteFieldConfig field;
   double yaw_step = 0.0524;    ///< [rad] About 3 degrees; rounded so that whole steps make a turn.
   int points = 64;             ///< End points used, even over the scan; at most 256.
-  int candidates = 60;         ///< At most so many are returned.
+  int candidates = 300;        ///< At most so many are returned.
   double suppression_m = 1.6;  ///< [m] Only the best of a square of this size...
   double suppression_rad = 0.1745;  ///< [rad] ...and of this range of yaws is kept.
   MatchAlgorithm algorithm = MatchAlgorithm::kBranchAndBound;

@@ -18,13 +18,15 @@ bool meets_wall(const CellRay& ray, const DistanceField& distances) {
   const GridFrame& frame = distances.frame();
   const auto scale = static_cast<float>(1.0 / frame.resolution);
   float t = 0.0F;
+  bool inside = true;  // of what the ray begins in
   while (t < ray.length) {
     const Eigen::Vector2f p = ray.from + t * ray.direction;
     if (p.x() < 0.0F || p.y() < 0.0F) return false;
     const Eigen::Vector2i cell = p.cast<int>();
     if (!frame.contains(cell)) return false;
     const float d = distances.values()[frame.index(cell)] * scale;
-    if (d < 0.5F) return true;
+    if (d >= 0.5F) inside = false;
+    if (d < 0.5F && !inside) return true;
     t += std::max(d - 1.0F, 0.5F);
   }
   return false;

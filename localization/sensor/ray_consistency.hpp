@@ -15,7 +15,8 @@ struct RayConsistencyConfig {
 };
 
 /// For every beam whether it passes a mapped wall before its end point, by stepping through the
-/// distance field.
+/// distance field. What a beam begins in (base stands where the map has an object) is no wall that
+/// it passes.
 std::vector<bool> beams_through_walls(const ScanPoints& points, const DistanceField& distances,
                                       const SE2& T_map_base, const RayConsistencyConfig& config);
 

@@ -71,6 +71,20 @@ TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
   EXPECT_LT(weight, posterior_.place - 6.0);
 }
 
+TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
+  ScanHistory history = drive_to({4.5, 3.0, 0.0});
+  const SE2 last{4.5, 3.0, 0.0};
+  const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
+  // All mass was listed elsewhere.
+  for (ScanMemory& scan : history) {
+    scan.listed_before = 0.0;
+    scan.unlisted_before = -50.0;
+  }
+  const double before = weigh_backwards(context(), history, place);
+  for (ScanMemory& scan : history) scan.kidnap_cue = -9.0;
+  EXPECT_NEAR(weigh_backwards(context(), history, place), before - 9.0, 1e-9);
+}
+
 /// People all around on one side: their beams end a metre from the robot.
 ScanPoints with_people(ScanPoints points) {
   for (std::size_t i = 0; i < points.size() / 3; ++i) {

@@ -43,9 +43,16 @@ TEST(Shares, SumToOneWithWhatIsUnlisted) {
 TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
   const PosteriorConfig config;
   Unlisted unlisted{-4.0, -2.0};
-  advance_unlisted(config, 0.5, 3.0, unlisted);
-  // An unlisted place scores usual - 6 = -8.
-  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 6.0 - 8.0}), 1e-12);
+  advance_unlisted(config, 0.5, 3.0, -1.5, unlisted);
+  // An unlisted place scores usual - 6 = -8; the cue makes a kidnap less likely by 1.5.
+  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 6.0 - 1.5 - 8.0}), 1e-12);
+}
+
+TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgree) {
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.3), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.95), -9.0, 1e-12);
 }
 
 TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {

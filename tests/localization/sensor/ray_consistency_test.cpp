@@ -39,6 +39,15 @@ TEST(BeamsThroughWalls, AllowsAMarginBehindTheWall) {
   EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 1.9F));   // 0.45 m
 }
 
+TEST(BeamsThroughWalls, ForgivesTheObjectThatBaseStandsIn) {
+  std::string row(60, '.');
+  row.replace(10, 6, "######");
+  row[50] = '#';
+  const OccupancyGrid grid = test::string_map({row, row, row}, 0.1);
+  EXPECT_FALSE(through(grid, {1.25, 0.15, 0.0}, 3.0F));
+  EXPECT_TRUE(through(grid, {1.25, 0.15, 0.0}, 4.4F));  // the wall behind it counts
+}
+
 TEST(BeamsThroughWalls, EndsQuietlyOffTheMap) {
   EXPECT_FALSE(through(corridor(), {5.55, 0.15, 0.0}, 9.0F));
   EXPECT_FALSE(through(corridor(), {-3.0, -3.0, 0.0}, 1.0F));
