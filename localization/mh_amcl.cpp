@@ -34,6 +34,7 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   estimate_.reset();
   last_match_.reset();
   pause_s_ = 0.0;
+  searches_ = 0;
   selected_id_ = -1;
   probability_ = 0.0;
   unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
@@ -217,7 +218,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
   if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
   if (probability_ >= config_.match.confident) return false;
-  if (!last_match_) return true;
+  if (!last_match_ || searches_ < config_.match.at_once) return true;
   const double waited = seconds(now - *last_match_);
   if (waited < pause_s_) return false;
   return distance(matched_at_, T_odom_base) >= config_.match.moved_m ||
@@ -229,6 +230,7 @@ bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
 void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
   const int before = selected_id_;
   last_match_ = now;
+  ++searches_;
   matched_at_ = T_odom_base;
   const ScanPoints& points = history_.back().points;
   const bool grown = paper_ ? spawn_by_quality(points) : spawn_places(points);
@@ -252,7 +254,10 @@ void MhAmcl::choose() {
   if (confident && !history_.empty()) {
     unlisted_.usual += config_.posterior.usual_rate * (hypothesis.log_likelihood - unlisted_.usual);
   }
-  if (was_confident && !confident) pause_s_ = 0.0;
+  if (was_confident && !confident) {
+    pause_s_ = 0.0;
+    searches_ = 0;
+  }
 }
 
 Hypothesis* MhAmcl::selected() {
