@@ -35,8 +35,7 @@ bool MhAmcl::spawn_places(const ScanPoints& points) {
                               config_.motion, endpoint_,     evidence_};
   const std::size_t before = hypotheses_.size();
   double best = listed_log_weight(hypotheses_);
-  std::vector<WeighedPlace> places =
-      refine_candidates(context, search_map(context, matcher_, points), points);
+  std::vector<WeighedPlace> places = find_places(context, matcher_, points);
   if (!places.empty()) {
     lower_usual(config_.posterior, places[0].newest.log_likelihood, unlisted_);
   }

@@ -1,8 +1,10 @@
 #include "localization/hypotheses/create.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
+#include <set>
 
 namespace castaway::localization {
 namespace {
@@ -19,34 +21,44 @@ SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMem
                      PosePrior{predicted, spread.inverse()}, context.config.refine_back);
 }
 
-/// The best candidates by evidence, taken at their coarse pose; its score becomes the candidate's.
-void screen(const CreateContext& context, const ScanPoints& points,
+constexpr int kGlance = 24;  // beams that sort out long lists
+
+/// The best `most` candidates by the evidence of their coarse pose, which becomes their score.
+void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
             std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates) {
-    candidate.score = context.evidence.evaluate(points, candidate.T_map_base).log_likelihood;
+    candidate.score = evidence.evaluate(points, candidate.T_map_base).log_likelihood;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.score > b.score; });
-  const auto most = static_cast<std::size_t>(context.config.refined);
-  if (candidates.size() > most) {
-    candidates.erase(candidates.begin() + context.config.refined, candidates.end());
+  if (candidates.size() > static_cast<std::size_t>(most)) {
+    candidates.erase(candidates.begin() + most, candidates.end());
+  }
+}
+
+/// Adds what is not yet listed.
+void join(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) {
+  const auto key = [](const SE2& pose) { return std::array{pose.x, pose.y, pose.yaw}; };
+  std::set<std::array<double, 3>> known;
+  for (const Candidate& candidate : candidates) known.insert(key(candidate.T_map_base));
+  for (const Candidate& candidate : more) {
+    if (known.insert(key(candidate.T_map_base)).second) candidates.push_back(candidate);
   }
 }
 
 }  // namespace
 
 std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
-                                  const ScanPoints& points) {
-  std::vector<Candidate> candidates = matcher.match(points);
-  if (context.config.far_share > 0.0) {
-    for (const Candidate& far : matcher.match(farthest(points, context.config.far_share))) {
-      const bool known = std::any_of(
-          candidates.begin(), candidates.end(),
-          [&](const Candidate& candidate) { return candidate.T_map_base == far.T_map_base; });
-      if (!known) candidates.push_back(far);
-    }
+                                  const ScanPoints& points, const std::optional<int>& most) {
+  const CreateConfig& config = context.config;
+  std::vector<Candidate> candidates = matcher.match(points, {}, most);
+  if (config.far_share > 0.0) {
+    join(matcher.match(farthest(points, config.far_share), {}, most), candidates);
   }
-  screen(context, points, candidates);
+  if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
+    screen(context.evidence, thinned(points, kGlance), config.looked_at, candidates);
+  }
+  screen(context.evidence, points, config.refined, candidates);
   return candidates;
 }
 
@@ -71,6 +83,14 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
     if (!known) distinct.push_back(place);
   }
   return distinct;
+}
+
+std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
+                                      const ScanPoints& points) {
+  auto places = refine_candidates(context, search_map(context, matcher, points), points);
+  if (places.empty() || places[0].newest.log_likelihood >= context.config.deep_below) return places;
+  return refine_candidates(
+      context, search_map(context, matcher, points, context.config.deep_candidates), points);
 }
 
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,

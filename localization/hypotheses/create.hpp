@@ -22,9 +22,14 @@ namespace castaway::localization {
 struct CreateConfig {
   double far_share = 0.5;  ///< The map is searched again by this share of the end points, the
                            ///< farthest: people only shorten beams. 0: not again.
-  int refined = 40;        ///< Candidates refined; the best by the evidence of their coarse pose.
-  int keep = 30;           ///< Candidates weighed on older scans; the best by the newest one.
-  RefineConfig refine;     ///< From the coarse cell.
+  double deep_below =
+      -6.0;  ///< Where the best place found scores less, the map is searched again...
+  int deep_candidates = 500;  ///< ...for so many places, which rays sort out: in a crowd the right
+                              ///< one is far down the list.
+  int looked_at = 150;  ///< Candidates whose evidence is taken; the best by a share of the beams.
+  int refined = 40;     ///< Candidates refined; the best by the evidence of their coarse pose.
+  int keep = 30;        ///< Candidates weighed on older scans; the best by the newest one.
+  RefineConfig refine;  ///< From the coarse cell.
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction in older scans.
 };
 
@@ -45,16 +50,20 @@ struct WeighedPlace {
   double log_weight = 0.0;
 };
 
-/// Searches the whole map by all end points and by the far ones; the best candidates of both by
-/// their evidence, at most `refined`.
+/// Searches the whole map by all end points and by the far ones for `most` candidates each; the
+/// best of both by their evidence, at most `refined`.
 std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
-                                  const ScanPoints& points);
+                                  const ScanPoints& points, const std::optional<int>& most = {});
 
 /// Refines candidates on the newest scan of the history (not empty) and joins those that meet; best
 /// first, at most `keep`. Weights are not set.
 std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const std::vector<Candidate>& candidates,
                                             const ScanPoints& points);
+
+/// Searches the whole map, deeper where nothing fits well, and refines what is found.
+std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
+                                      const ScanPoints& points);
 
 /// Log-weight of a place that fits the newest scan of the history (not empty).
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,

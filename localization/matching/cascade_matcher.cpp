@@ -31,13 +31,13 @@ CascadeMatcher::CascadeMatcher(const MatcherConfig& config, const OccupancyGrid&
       pyramid_(make_pyramid(field_, config.levels)),
       yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)))) {}
 
-BestPlaces CascadeMatcher::nothing_found() const {
+BestPlaces CascadeMatcher::nothing_found(int most) const {
   const GridFrame& frame = field_.frame();
   const double yaws_per_radian = yaws_ / (2.0 * std::numbers::pi);
   const BinSize bin{
       std::max(1, static_cast<int>(config_.suppression_m / frame.resolution)),
       std::max(1, static_cast<int>(std::lround(config_.suppression_rad * yaws_per_radian)))};
-  return {frame, yaws_, bin, config_.candidates, kByteMax * config_.points};
+  return {frame, yaws_, bin, most, kByteMax * config_.points};
 }
 
 std::vector<std::vector<CellOffset>> CascadeMatcher::turned(const ScanPoints& points,
@@ -53,19 +53,20 @@ std::vector<std::vector<CellOffset>> CascadeMatcher::turned(const ScanPoints& po
 BranchAndBound CascadeMatcher::search(const ScanPoints& points,
                                       const std::optional<MatchWindow>& window) const {
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  return {pyramid_, space, turned(points, space), nothing_found()};
+  return {pyramid_, space, turned(points, space), nothing_found(config_.candidates)};
 }
 
 std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
-                                             const std::optional<MatchWindow>& window) const {
+                                             const std::optional<MatchWindow>& window,
+                                             const std::optional<int>& most) const {
   if (points.empty()) return {};
+  BestPlaces best = nothing_found(most.value_or(config_.candidates));
+  const SearchSpace space = search_space(field_.frame(), yaws_, window);
   if (!window && config_.algorithm == MatchAlgorithm::kBranchAndBound) {
-    BranchAndBound whole = search(points);
+    BranchAndBound whole(pyramid_, space, turned(points, space), std::move(best));
     while (!whole.complete()) whole.step(kSlice);
     return candidates(whole.best(), points.size());
   }
-  const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  BestPlaces best = nothing_found();
   score_all(pyramid_.front(), space, turned(points, space), best);
   return candidates(best, points.size());
 }

@@ -22,7 +22,7 @@ struct MatcherConfig {
   ByteFieldConfig field;
   double yaw_step = 0.0524;    ///< [rad] About 3 degrees; rounded so that whole steps make a turn.
   int points = 64;             ///< End points used, even over the scan; at most 256.
-  int candidates = 300;        ///< At most so many are returned.
+  int candidates = 100;        ///< At most so many are returned, unless more are asked for.
   double suppression_m = 1.6;  ///< [m] Only the best of a square of this size...
   double suppression_rad = 0.1745;  ///< [rad] ...and of this range of yaws is kept.
   MatchAlgorithm algorithm = MatchAlgorithm::kBranchAndBound;
@@ -44,9 +44,11 @@ class CascadeMatcher {
   CascadeMatcher(const MatcherConfig& config, const OccupancyGrid& grid,
                  const DistanceField& distances);
 
-  /// Candidates on free cells, best first; none for a scan without points.
+  /// Candidates on free cells, best first; none for a scan without points. `most`: other than the
+  /// configured number.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points,
-                                             const std::optional<MatchWindow>& window = {}) const;
+                                             const std::optional<MatchWindow>& window = {},
+                                             const std::optional<int>& most = {}) const;
 
   /// A match to be done in slices, by branch and bound; the matcher outlives it.
   [[nodiscard]] BranchAndBound search(const ScanPoints& points,
@@ -55,7 +57,7 @@ class CascadeMatcher {
   [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
 
  private:
-  [[nodiscard]] BestPlaces nothing_found() const;
+  [[nodiscard]] BestPlaces nothing_found(int most) const;
   [[nodiscard]] std::vector<std::vector<CellOffset>> turned(const ScanPoints& points,
                                                             const SearchSpace& space) const;
 

@@ -38,6 +38,14 @@ void append(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, doub
   points.range.push_back(static_cast<float>((p - origin).norm()));
 }
 
+void copy_point(const ScanPoints& from, std::size_t i, ScanPoints& to) {
+  to.x.push_back(from.x[i]);
+  to.y.push_back(from.y[i]);
+  to.origin_x.push_back(from.origin_x[i]);
+  to.origin_y.push_back(from.origin_y[i]);
+  to.range.push_back(from.range[i]);
+}
+
 }  // namespace
 
 void validate(const BeamSelection& selection) {
@@ -70,6 +78,14 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
   return points;
 }
 
+ScanPoints thinned(const ScanPoints& points, int count) {
+  const auto most = static_cast<std::size_t>(count);
+  if (points.size() <= most) return points;
+  ScanPoints even;
+  for (std::size_t k = 0; k < most; ++k) copy_point(points, k * points.size() / most, even);
+  return even;
+}
+
 ScanPoints farthest(const ScanPoints& points, double share) {
   if (points.empty()) return points;
   std::vector<float> ranges = points.range;
@@ -81,11 +97,7 @@ ScanPoints farthest(const ScanPoints& points, double share) {
   ScanPoints far;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points.range[i] < least) continue;
-    far.x.push_back(points.x[i]);
-    far.y.push_back(points.y[i]);
-    far.origin_x.push_back(points.origin_x[i]);
-    far.origin_y.push_back(points.origin_y[i]);
-    far.range.push_back(points.range[i]);
+    copy_point(points, i, far);
   }
   return far;
 }

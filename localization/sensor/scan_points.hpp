@@ -40,6 +40,9 @@ struct ScanPoints {
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
                                        Stamp reference, const BeamSelection& selection);
 
+/// At most `count` of the points, even over the scan.
+ScanPoints thinned(const ScanPoints& points, int count);
+
 /// The farthest `share` of the points, at least one if there is any, in their order.
 ScanPoints farthest(const ScanPoints& points, double share);
 

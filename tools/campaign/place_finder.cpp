@@ -25,8 +25,7 @@ std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points
   const localization::CreateContext context{config_.create, config_.merge, config_.posterior,
                                             config_.motion, endpoint_,     evidence_};
   std::vector<FoundPlace> found;
-  for (const auto& place :
-       refine_candidates(context, search_map(context, matcher_, points), points)) {
+  for (const auto& place : find_places(context, matcher_, points)) {
     found.push_back({place.T_map_base, place.newest.log_likelihood});
   }
   return found;

@@ -96,6 +96,20 @@ ScanPoints with_people(ScanPoints points) {
   return points;
 }
 
+TEST_F(CreateTest, SearchesDeeperWhereNothingFits) {
+  MatcherConfig matcher_config;
+  matcher_config.candidates = 1;
+  const CascadeMatcher matcher(matcher_config, grid_, distances_);
+  config_.far_share = 0.0;
+  const ScanPoints points = with_people(scan_from({3.0, 3.0, 0.4}));
+  config_.deep_below = -100.0;
+  EXPECT_EQ(find_places(context(), matcher, points).size(), 1U);
+  config_.deep_below = 0.0;
+  const auto deep = find_places(context(), matcher, points);
+  EXPECT_GT(deep.size(), 1U);
+  EXPECT_TRUE(find_places(context(), matcher, {}).empty());
+}
+
 TEST_F(CreateTest, SearchesByFarPointsForWhatPeopleHide) {
   MatcherConfig matcher_config;
   matcher_config.candidates = 3;

@@ -116,6 +116,21 @@ TEST(ProjectScan, GivesNothingWithoutOdometry) {
   EXPECT_FALSE(project_scan(scan, still(), Stamp(0), {}));
 }
 
+TEST(Thinned, TakesPointsEvenOverTheScan) {
+  ScanPoints points;
+  for (int i = 0; i < 10; ++i) {
+    const auto v = static_cast<float>(i);
+    points.x.push_back(v);
+    points.y.push_back(-v);
+    points.origin_x.push_back(0.0F);
+    points.origin_y.push_back(0.0F);
+    points.range.push_back(v);
+  }
+  EXPECT_EQ(thinned(points, 4).x, (std::vector<float>{0.0F, 2.0F, 5.0F, 7.0F}));
+  EXPECT_EQ(thinned(points, 4).y, (std::vector<float>{0.0F, -2.0F, -5.0F, -7.0F}));
+  EXPECT_EQ(thinned(points, 10).x, points.x);
+}
+
 TEST(Farthest, KeepsTheFarShareInItsOrder) {
   ScanPoints points;
   for (const float r : {4.0F, 1.0F, 3.0F, 2.0F, 5.0F}) {
