@@ -35,6 +35,7 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   last_match_.reset();
   pause_s_ = 0.0;
   searches_ = 0;
+  rescued_id_ = -1;
   selected_id_ = -1;
   probability_ = 0.0;
   unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
@@ -217,6 +218,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
 
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
   if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
+  if (rescued_id_ >= 0 && selected_id_ == rescued_id_) return true;  // a look-alike near by?
   if (probability_ >= config_.match.confident) return false;
   if (!last_match_ || searches_ < config_.match.at_once) return true;
   const double waited = seconds(now - *last_match_);
@@ -230,6 +232,7 @@ bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
 void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
   const int before = selected_id_;
   last_match_ = now;
+  rescued_id_ = -1;
   ++searches_;
   matched_at_ = T_odom_base;
   const ScanPoints& points = history_.back().points;

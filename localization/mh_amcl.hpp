@@ -94,6 +94,7 @@ class MhAmcl final : public Localizer {
   std::optional<Stamp> last_match_;
   std::optional<Stamp> better_since_;  ///< Mode `paper`: another population is better since then.
   SE2 matched_at_;                     ///< Odometry at the last match.
+  int rescued_id_ = -1;                ///< The newest population that a rescue listed.
   int searches_ = 0;                   ///< Since the last alarm.
   double pause_s_ = 0.0;               ///< Pause after the last match.
 };

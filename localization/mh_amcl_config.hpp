@@ -32,7 +32,7 @@ struct RescueConfig {
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Refined at most.
   double gain = 3.0;        ///< [nats] A place found must be so much better.
-  double cost = 12.0;       ///< [nats] A place found begins with the output's weight less this.
+  double cost = 14.0;       ///< [nats] A place found begins with the output's weight less this.
 };
 
 /// Which parts the pipeline is made of.

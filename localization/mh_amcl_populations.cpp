@@ -27,6 +27,7 @@ void MhAmcl::rescue(const ScanPoints& points) {
   const Eigen::Matrix3d information = scan_information(tracking_, points, pose) + slack;
   const Evidence before{output->log_likelihood, output->quality};
   spawn({pose, information.inverse()}, output->log_weight - config_.rescue.cost, before);
+  rescued_id_ = hypotheses_.back().id;
 }
 
 /// Lists the places where the newest scan fits, unless they are far behind those already listed.

@@ -99,6 +99,25 @@ TEST(MhAmcl, NamesTheTwinOfAnAmbiguousPlace) {
   EXPECT_LT(distance(twin, {7.0, 5.0, 0.0}), 0.2);
 }
 
+TEST(MhAmcl, DoesNotTakeALookAlikeNearByForASlip) {
+  // After the kidnap the scan looks the same half a metre from where the robot was.
+  OccupancyGrid room = test::office();
+  test::fill(room, 0.2, 0.2, 9.8, 7.8, CellState::kFree);
+  const SE2 twin{7.0, 5.0, 0.3 - std::numbers::pi};
+  const SE2 before = twin * SE2{-0.4, 0.3, 0.3};
+  MhAmcl localizer({}, room, 1);
+  localizer.initialize(known(before));
+  test::GridDrive drive(room, before);
+  for (int i = 0; i < 10; ++i) drive.step(localizer, {});
+  ASSERT_FALSE(localizer.estimate()->lost);
+  drive.kidnap({3.0, 3.0, 0.3});
+  for (int i = 0; i < 5; ++i) {
+    drive.step(localizer, {});
+    EXPECT_TRUE(localizer.estimate()->lost);
+  }
+  EXPECT_GT(localizer.estimate()->alternatives.at(0).share, 0.1);
+}
+
 TEST(MhAmcl, RepeatsItselfBitForBit) {
   const auto run = [](std::uint64_t seed) {
     MhAmcl localizer({}, test::office(), seed);
