@@ -1,6 +1,7 @@
 /// Drives a localizer through a world of cells: exact odometry from the start, scans without noise.
 #pragma once
 
+#include <algorithm>
 #include <numbers>
 
 #include "localization/localizer.hpp"
@@ -41,6 +42,16 @@ class GridDrive {
     rear.ranges.assign(whole.ranges.end() - quarter, whole.ranges.end());
     rear.ranges.insert(rear.ranges.end(), whole.ranges.begin(), whole.ranges.begin() + quarter);
     localizer.on_scan(rear);
+  }
+  /// The same with a kidnap to `pose` in the middle of the scan: its later half comes from there.
+  void step_torn(localization::Localizer& localizer, const SE2& u, const SE2& pose) {
+    drive(localizer, u);
+    localization::LaserScan torn = scan_at(grid_, truth_, now_);
+    const localization::LaserScan after = scan_at(grid_, pose, now_);
+    const auto half = static_cast<std::ptrdiff_t>(torn.ranges.size() / 2);
+    std::copy(after.ranges.begin() + half, after.ranges.end(), torn.ranges.begin() + half);
+    localizer.on_scan(torn);
+    kidnap(pose);
   }
   /// Lets time pass and the robot move without a word to anybody.
   void skip(localization::Stamp time, const SE2& u) {
