@@ -10,67 +10,103 @@
 
 #include "sim/robot/lidar_discovery.hpp"
 #include "sim/robot/link_mass.hpp"
+#include "sim/robot/mount_wheels.hpp"
 #include "sim/robot/part_points.hpp"
+#include "sim/robot/skid_steer.hpp"
 #include "sim/robot/supports.hpp"
 #include "sim/robot/urdf_parts.hpp"
 #include "sim/robot/wheel_discovery.hpp"
+#include "sim/robot/xacro/expand.hpp"
+#include "sim/robot/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {
 
+constexpr double kSameSize = 0.02;  // Relative; nearer sizes are the same.
+
+/// Those of the environment last.
+std::vector<std::string> all_search_paths(const RobotOptions& options) {
+  std::vector<std::string> paths = options.search_paths;
+  for (const std::string& path : package_paths_of_environment()) paths.push_back(path);
+  return paths;
+}
+
 /// The stages of loading share these.
 class RobotLoader {
  public:
-  RobotLoader(const std::string& path, const std::vector<std::string>& search_paths)
-      : file_(read_urdf(path)), finder_(path, search_paths), frames_(link_frames(*file_.model)) {
+  RobotLoader(const std::string& path, const RobotOptions& options)
+      : packages_(path, all_search_paths(options)),
+        finder_(packages_),
+        file_(read_urdf(path, packages_, options)),
+        tags_(find_drive_tags(file_, packages_, options)),
+        frames_(link_frames(*file_.model)) {
     robot_.name = file_.model->getName();
     robot_.path = std::filesystem::absolute(path).lexically_normal().string();
+    robot_.warnings = file_.warnings;
   }
 
   RobotModel load() {
-    const std::vector<std::string> joints = find_drive_joints(file_, frames_);
-    for (const std::string& joint : joints) add_wheel(*file_.model->joints_.at(joint));
+    const DriveJoints drive = find_drive_joints(file_, frames_, finder_, tags_, robot_.warnings);
+    robot_.wheels_found_by = drive.found_by;
+    robot_.wheels = mount_wheels(file_, frames_, finder_, tags_, drive, robot_.warnings);
     put_base_on_floor();
     measure_drive();
     collect_parts();
     add_masses();
+    lock_joints();
     find_casters(robot_, swivels());
     balance(robot_);
-    robot_.lidar = find_lidar(file_, frames_);
+    robot_.lidars = find_lidars(file_, frames_);
+    if (!robot_.lidars.empty()) robot_.lidar = robot_.lidars.front();
     measure_extent();
+    if (robot_.wheels.size() > 2) steer_by_skidding();
     robot_.frames = frames_;
     return std::move(robot_);
   }
 
  private:
-  void add_wheel(const urdf::Joint& joint);
+  void compare_separation();
+  void steer_by_skidding();
+  void lock_joints();
   void put_base_on_floor();
   void measure_drive();
   void collect_parts();
   void add_masses();
+  std::vector<BodyMass> chassis_masses(bool guess);
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const std::string& link) const;
   [[nodiscard]] std::set<std::string> swivels() const;
   void measure_extent();
   DriveWheel* wheel_on(const std::string& link);
 
-  UrdfFile file_;
+  PackageFinder packages_;
   MeshFinder finder_;
+  UrdfFile file_;
+  DriveTags tags_;
   LinkFrames frames_;
   RobotModel robot_;
 };
 
-void RobotLoader::add_wheel(const urdf::Joint& joint) {
-  const urdf::Link& link = *file_.model->links_.at(joint.child_link_name);
-  DriveWheel wheel;
-  wheel.joint = joint.name;
-  wheel.link = link.name;
-  wheel.p_base_wheel = frames_.at(link.name).translation();
-  wheel.radius = wheel_radius(file_, link, frames_, finder_);
-  if (joint.limits) {
-    wheel.effort_max = joint.limits->effort;
-    wheel.speed_max = joint.limits->velocity;
+void RobotLoader::compare_separation() {
+  if (!tags_.separation) return;
+  if (std::abs(*tags_.separation / robot_.wheel_separation - 1.0) < kSameSize) return;
+  robot_.warnings.push_back(
+      fmt::format("the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels count",
+                  robot_.wheel_separation, tags_.dialect, *tags_.separation));
+}
+
+/// Wheel speeds and odometry go by the track that turns come out right with.
+void RobotLoader::steer_by_skidding() {
+  strengthen_motors(robot_);
+  robot_.track = ideal_skid_track(robot_);
+  robot_.track = measured_skid_track(robot_);
+}
+
+/// Joints that could move, but are not driven.
+void RobotLoader::lock_joints() {
+  for (const auto& [name, joint] : file_.model->joints_) {
+    const bool driven = wheel_on(joint->child_link_name) != nullptr;
+    if (joint->type != urdf::Joint::FIXED && !driven) robot_.locked_joints.push_back(name);
   }
-  robot_.wheels.push_back(wheel);
 }
 
 /// Frame base is the root link's, moved down to where the wheels touch.
@@ -95,11 +131,8 @@ void RobotLoader::measure_drive() {
     robot_.wheel_radius += wheel.radius / count;
     robot_.p_base_axle += wheel.p_base_wheel.head<2>() / count;
   }
-  robot_.track = left - right;
-  if (robot_.wheels.size() > 2) {
-    robot_.warnings.emplace_back(
-        "skid-steered: turns slip, so that wheel odometry of turns is poor");
-  }
+  robot_.wheel_separation = robot_.track = left - right;
+  compare_separation();
 }
 
 void RobotLoader::collect_parts() {
@@ -136,17 +169,8 @@ std::vector<Eigen::Vector3d> RobotLoader::points_of(const std::string& link) con
 }
 
 void RobotLoader::add_masses() {
-  std::vector<BodyMass> chassis;
-  for (const auto& [name, link] : file_.model->links_) {
-    const BodyMass body = link_mass(*link, frames_, points_of(name), robot_.warnings);
-    if (DriveWheel* wheel = wheel_on(name)) {
-      wheel->mass = body.mass;
-      wheel->inertia_spin = body.inertia(1, 1);
-      wheel->inertia_tilt = 0.5 * (body.inertia(0, 0) + body.inertia(2, 2));
-    } else if (body.mass > 0.0) {
-      chassis.push_back(body);
-    }
-  }
+  std::vector<BodyMass> chassis = chassis_masses(false);
+  if (chassis.empty()) chassis = chassis_masses(true);
   const BodyMass sum = lumped(chassis);
   if (sum.mass <= 0.0) {
     throw std::runtime_error(fmt::format(
@@ -157,11 +181,31 @@ void RobotLoader::add_masses() {
   robot_.inertia = sum.inertia;
 }
 
-/// Links on joints that could move, but are not driven.
+/// Masses of the links that are no wheels, and of wheels on the way. Links with neither <inertial>
+/// nor <collision> weigh nothing; with `guess` they weigh what their looks suggest.
+std::vector<BodyMass> RobotLoader::chassis_masses(bool guess) {
+  std::vector<BodyMass> chassis;
+  for (const auto& [name, link] : file_.model->links_) {
+    DriveWheel* wheel = wheel_on(name);
+    const bool mere_look = !link->inertial && link->collision_array.empty();
+    if (wheel == nullptr && mere_look && !guess) continue;
+    const BodyMass body = link_mass(*link, frames_, points_of(name), robot_.warnings);
+    if (wheel != nullptr) {
+      wheel->mass = body.mass;
+      wheel->inertia_spin = body.inertia(1, 1);
+      wheel->inertia_tilt = 0.5 * (body.inertia(0, 0) + body.inertia(2, 2));
+    } else if (body.mass > 0.0) {
+      chassis.push_back(body);
+    }
+  }
+  return chassis;
+}
+
+/// Links on locked joints.
 std::set<std::string> RobotLoader::swivels() const {
   std::set<std::string> links;
-  for (const auto& [name, joint] : file_.model->joints_) {
-    if (joint->type != urdf::Joint::FIXED) links.insert(joint->child_link_name);
+  for (const std::string& name : robot_.locked_joints) {
+    links.insert(file_.model->joints_.at(name)->child_link_name);
   }
   return links;
 }
@@ -177,10 +221,30 @@ void RobotLoader::measure_extent() {
   }
 }
 
+/// Errors that do not name the robot's file get its name.
+template <typename Work>
+auto naming_file(const std::string& path, Work work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    const std::string what = error.what();
+    if (what.find(std::filesystem::path(path).filename().string()) != std::string::npos) throw;
+    throw std::runtime_error(fmt::format("{}: {}", path, what));
+  }
+}
+
 }  // namespace
 
-RobotModel load_robot(const std::string& path, const std::vector<std::string>& search_paths) {
-  return RobotLoader(path, search_paths).load();
+RobotModel load_robot(const std::string& path, const RobotOptions& options) {
+  return naming_file(path, [&] { return RobotLoader(path, options).load(); });
+}
+
+ExpandedRobot expand_robot(const std::string& path, const RobotOptions& options) {
+  return naming_file(path, [&] {
+    const PackageFinder packages(path, all_search_paths(options));
+    xacro::Expansion expansion = xacro::expand(path, packages, options);
+    return ExpandedRobot{xml_text_of(*expansion.xml), std::move(expansion.warnings)};
+  });
 }
 
 }  // namespace castaway::sim

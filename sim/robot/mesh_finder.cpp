@@ -1,25 +1,13 @@
 #include "sim/robot/mesh_finder.hpp"
 
-#include <tinyxml.h>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace castaway::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> if_file(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
-  return fs::weakly_canonical(path).string();
-}
-
-/// The name in the folder's package.xml, empty if there is none.
-std::string package_name(const fs::path& folder) {
-  TiXmlDocument document((folder / "package.xml").string());
-  if (!document.LoadFile() || document.RootElement() == nullptr) return "";
-  const TiXmlElement* name = document.RootElement()->FirstChildElement("name");
-  return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
-}
 
 /// The text behind `prefix`; nothing if `uri` does not start with it.
 std::optional<std::string> after(const std::string& uri, const std::string& prefix) {
@@ -29,36 +17,45 @@ std::optional<std::string> after(const std::string& uri, const std::string& pref
 
 }  // namespace
 
-MeshFinder::MeshFinder(const std::string& urdf_path, const std::vector<std::string>& search_paths) {
-  for (fs::path folder = fs::absolute(urdf_path).parent_path();; folder = folder.parent_path()) {
-    ancestors_.push_back(folder);
-    if (folder == folder.parent_path()) break;
-  }
-  for (const std::string& path : search_paths) ancestors_.push_back(fs::absolute(path));
-}
-
 std::optional<std::string> MeshFinder::find(const std::string& uri) const {
-  if (const auto rest = after(uri, "package://")) return find_in_package(*rest);
-  if (const auto rest = after(uri, "model://")) return find_in_package(*rest);
-  if (const auto rest = after(uri, "file://")) return if_file(*rest);
-  if (fs::path(uri).is_absolute()) return if_file(uri);
-  for (const fs::path& folder : ancestors_) {
-    if (auto file = if_file(folder / uri)) return file;
+  if (const auto rest = after(uri, "package://")) return in_package(*rest);
+  if (const auto rest = after(uri, "model://")) return in_package(*rest);
+  const std::string path = after(uri, "file://").value_or(uri);
+  if (const std::size_t scheme = path.find("://"); scheme != std::string::npos) {
+    throw std::runtime_error(fmt::format(
+        "{}: the scheme {}:// is not known: use package://, model://, file:// or a path", uri,
+        path.substr(0, scheme)));
   }
-  return std::nullopt;
+  return fs::path(path).is_absolute() ? if_file(path) : relative(path);
 }
 
-std::optional<std::string> MeshFinder::find_in_package(const std::string& package_path) const {
+std::optional<std::string> MeshFinder::if_file(const fs::path& path) const {
+  const fs::path normal = path.lexically_normal();
+  if (!packages_->may_read(normal)) throw std::runtime_error(packages_->refusal(normal));
+  std::error_code ignored;
+  if (!fs::is_regular_file(normal, ignored)) return std::nullopt;
+  return normal.string();
+}
+
+std::optional<std::string> MeshFinder::in_package(const std::string& package_path) const {
   const std::size_t slash = package_path.find('/');
   if (slash == std::string::npos) return std::nullopt;
-  const std::string package = package_path.substr(0, slash);
-  const std::string rest = package_path.substr(slash + 1);
-  for (const fs::path& folder : ancestors_) {
-    if (folder.filename() == package || package_name(folder) == package) {
-      if (auto file = if_file(folder / rest)) return file;
+  const auto folder = packages_->find(package_path.substr(0, slash));
+  if (!folder) return std::nullopt;
+  return if_file(*folder / package_path.substr(slash + 1));
+}
+
+/// A place that is not allowed is an error only if the file is at no other either.
+std::optional<std::string> MeshFinder::relative(const std::string& path) const {
+  std::optional<fs::path> refused;
+  for (const fs::path& start : packages_->starts()) {
+    if (!packages_->may_read(start / path)) {
+      if (!refused) refused = start / path;
+    } else if (auto file = if_file(start / path)) {
+      return file;
     }
-    if (auto file = if_file(folder / package / rest)) return file;
   }
+  if (refused) throw std::runtime_error(packages_->refusal(*refused));
   return std::nullopt;
 }
 

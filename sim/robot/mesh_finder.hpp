@@ -1,27 +1,30 @@
 /// Files behind mesh URIs.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "sim/robot/package_finder.hpp"
 
 namespace castaway::sim {
 
-/// Resolves `package://`, `model://`, `file://` and relative URIs of one URDF file. A package is an
-/// ancestor folder of the file, or a folder beside one, that bears the package's name or whose
-/// package.xml does; then the same below the search paths.
+/// Resolves `package://`, `model://`, `file://`, absolute and relative URIs of one robot. Relative
+/// ones start at the file's folder, its package and the search paths.
 class MeshFinder {
  public:
-  MeshFinder(const std::string& urdf_path, const std::vector<std::string>& search_paths);
+  explicit MeshFinder(const PackageFinder& packages) : packages_(&packages) {}
 
   /// The file, absolute; nothing if it is nowhere.
+  /// @throws std::runtime_error if it lies where the robot has no business (see `PackageFinder`),
+  /// and on a scheme that is not known.
   [[nodiscard]] std::optional<std::string> find(const std::string& uri) const;
 
  private:
-  [[nodiscard]] std::optional<std::string> find_in_package(const std::string& package_path) const;
+  [[nodiscard]] std::optional<std::string> if_file(const std::filesystem::path& path) const;
+  [[nodiscard]] std::optional<std::string> in_package(const std::string& package_path) const;
+  [[nodiscard]] std::optional<std::string> relative(const std::string& path) const;
 
-  std::vector<std::filesystem::path> ancestors_;  ///< The file's folder first, then search paths.
+  const PackageFinder* packages_;
 };
 
 }  // namespace castaway::sim

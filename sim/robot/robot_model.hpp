@@ -61,6 +61,9 @@ struct LidarSpecs {
   double range_max = 0.0;       ///< [m]
   double rate_hz = 0.0;         ///< [Hz] 0: not given.
   std::optional<double> sigma;  ///< [m] Gaussian range noise.
+  int layers = 1;               ///< Above each other; more than one: a 3-D lidar.
+  double layer_min = 0.0;       ///< [rad] Elevation of the lowest layer.
+  double layer_max = 0.0;       ///< [rad] Elevation of the highest layer.
 };
 
 /// Where a lidar sits.
@@ -68,6 +71,7 @@ struct LidarMount {
   std::string link;
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
   std::optional<LidarSpecs> specs;  ///< Nothing: found by its name only.
+  std::string sensor{};             ///< Name of the sensor tag; empty: found by its link's name.
 };
 
 /// A robot. Chassis: all but the driven wheels.
@@ -82,12 +86,16 @@ struct RobotModel {
   std::vector<DriveWheel> wheels;                                ///< Two, or four if skid-steered.
   std::vector<Caster> casters;
   double wheel_radius = 0.03;             ///< [m] Mean of the driven wheels.
-  double track = 0.3;                     ///< [m] Between left and right.
+  double track = 0.3;                     ///< [m] As turns go: of skid steers more than...
+  double wheel_separation = 0.3;          ///< [m] ...between the middles of left and right wheels.
   Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the drive axle.
-  std::optional<LidarMount> lidar;
-  double footprint_radius = 0.2;                    ///< [m] Disc about base's origin.
-  double height = 0.2;                              ///< [m]
+  std::string wheels_found_by;            ///< "kinematics", or the dialect of the plug-in tags.
+  std::optional<LidarMount> lidar;        ///< The first of...
+  std::vector<LidarMount> lidars;         ///< ...all of them.
+  double footprint_radius = 0.2;          ///< [m] Disc about base's origin.
+  double height = 0.2;                    ///< [m]
   std::map<std::string, Eigen::Isometry3d> frames;  ///< `T_base_link` of every link.
+  std::vector<std::string> locked_joints;           ///< Could move, but are not driven.
   std::vector<std::string> warnings;                ///< What was repaired or guessed.
 };
 

@@ -18,6 +18,7 @@ constexpr double kSameCaster = 0.02;        // [m]
 constexpr double kMinCasterRadius = 0.005;  // [m]
 constexpr double kInnerShare = 0.15;        // Of the way from the axle to the casters.
 constexpr double kOuterShare = 0.85;
+constexpr double kWorthTelling = 0.001;  // [m]
 
 bool is_caster_name(std::string link) {
   std::transform(link.begin(), link.end(), link.begin(),
@@ -112,11 +113,14 @@ void balance(RobotModel& robot) {
   const double side = 0.25 * robot.track;
   const double y =
       std::clamp(robot.p_base_com.y(), robot.p_base_axle.y() - side, robot.p_base_axle.y() + side);
-  if (x == robot.p_base_com.x() && y == robot.p_base_com.y()) return;
-  robot.warnings.push_back(
-      fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: wheels and "
-                  "casters do not carry it",
-                  robot.p_base_com.x(), robot.p_base_com.y(), x, y));
+  const double moved = std::hypot(x - robot.p_base_com.x(), y - robot.p_base_com.y());
+  if (moved == 0.0) return;
+  if (moved > kWorthTelling) {
+    robot.warnings.push_back(
+        fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: wheels and "
+                    "casters do not carry it",
+                    robot.p_base_com.x(), robot.p_base_com.y(), x, y));
+  }
   robot.p_base_com.x() = x;
   robot.p_base_com.y() = y;
 }

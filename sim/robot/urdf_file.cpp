@@ -1,17 +1,20 @@
 #include "sim/robot/urdf_file.hpp"
 
-#include <fstream>
-#include <map>
-#include <sstream>
+#include <cmath>
 #include <stdexcept>
 
 #include <console_bridge/console.h>
 #include <fmt/format.h>
 
+#include "sim/robot/urdf_repairs.hpp"
+#include "sim/robot/xacro/expand.hpp"
+#include "sim/robot/xml_text.hpp"
+
 namespace castaway::sim {
 namespace {
 
-constexpr int kSubstitutionRounds = 5;  // Constants may name constants.
+constexpr std::size_t kMaxLinks = 2000;
+constexpr double kMaxOffset = 1000.0;  // [m]
 
 /// Keeps what urdfdom would print.
 class ConsoleCapture : public console_bridge::OutputHandler {
@@ -24,7 +27,7 @@ class ConsoleCapture : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
     if (!errors_.empty()) errors_ += "; ";
-    errors_ += text;
+    for (const char c : text) errors_ += c == '\n' ? ' ' : c;
   }
   [[nodiscard]] const std::string& errors() const { return errors_; }
 
@@ -32,88 +35,48 @@ class ConsoleCapture : public console_bridge::OutputHandler {
   std::string errors_;
 };
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot read this robot: check that the path names a URDF file", path));
+urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
+  const ConsoleCapture console;
+  urdf::ModelInterfaceSharedPtr model;
+  std::string problem;
+  try {
+    model = urdf::parseURDF(xml_text_of(*file.xml));
+    problem = console.errors();
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  return text.str();
+  if (model && model->getRoot()) return model;
+  throw std::runtime_error(fmt::format("{}: not a valid URDF: {}", file.path,
+                                       problem.empty() ? "it has no links" : problem));
 }
 
-std::unique_ptr<TiXmlDocument> parse_xml(const std::string& path, const std::string& text) {
-  auto document = std::make_unique<TiXmlDocument>();
-  document->Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document->Error()) {
-    throw std::runtime_error(fmt::format("{}:{}: not well-formed XML: {}", path,
-                                         document->ErrorRow(), document->ErrorDesc()));
+void require_sound(const UrdfFile& file) {
+  if (file.model->links_.size() > kMaxLinks) {
+    throw std::runtime_error(fmt::format("{}: {} links: at most {} make a robot", file.path,
+                                         file.model->links_.size(), kMaxLinks));
   }
-  const TiXmlElement* root = document->RootElement();
-  if (root == nullptr || root->ValueStr() != "robot") {
-    throw std::runtime_error(
-        fmt::format("{}: not a URDF file: its root element must be <robot>", path));
-  }
-  return document;
-}
-
-std::string attribute(const TiXmlElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? "" : value;
-}
-
-/// What stands for `${name}` and `$(arg name)`.
-std::map<std::string, std::string> constants(const TiXmlElement& root) {
-  std::map<std::string, std::string> result;
-  for (auto* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    const std::string name = attribute(*e, "name");
-    if (e->ValueStr() == "xacro:arg") result["$(arg " + name + ")"] = attribute(*e, "default");
-    if (e->ValueStr() == "xacro:property") result["${" + name + "}"] = attribute(*e, "value");
-  }
-  return result;
-}
-
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
-  }
-}
-
-/// Names the first thing that needs a real xacro processor; empty if there is none.
-std::string first_xacro(const TiXmlElement& root, const std::string& text) {
-  for (auto* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    const std::string& name = e->ValueStr();
-    if (name.starts_with("xacro:") && name != "xacro:arg" && name != "xacro:property") {
-      return fmt::format("<{}> in line {}", name, e->Row());
+  for (const auto& [name, joint] : file.model->joints_) {
+    const urdf::Vector3& p = joint->parent_to_joint_origin_transform.position;
+    for (const double x : {p.x, p.y, p.z}) {
+      if (std::abs(x) <= kMaxOffset) continue;  // False for nan.
+      throw std::runtime_error(fmt::format(
+          "{}: joint {}: its <origin> is at {}: give finite metres", file.path, name, x));
     }
   }
-  const std::size_t at = std::min(text.find("${"), text.find("$("));
-  if (at == std::string::npos) return "";
-  return text.substr(at, std::min<std::size_t>(text.find_first_of(")}", at) + 1 - at, 40));
 }
 
 }  // namespace
 
-UrdfFile read_urdf(const std::string& path) {
+UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
+                   const RobotOptions& options) {
   UrdfFile file;
   file.path = path;
-  std::string text = read_text(path);
-  file.xml = parse_xml(path, text);
-  for (int round = 0; round < kSubstitutionRounds; ++round) {
-    for (const auto& [what, by] : constants(*file.xml->RootElement())) replace_all(text, what, by);
-  }
-  file.xml = parse_xml(path, text);
-  const std::string xacro = first_xacro(*file.xml->RootElement(), text);
-  if (!xacro.empty()) {
-    throw std::runtime_error(fmt::format(
-        "{}: needs xacro ({}): expand it first: xacro {} > robot.urdf", path, xacro, path));
-  }
-  const ConsoleCapture console;
-  file.model = urdf::parseURDF(text);
-  if (!file.model) {
-    throw std::runtime_error(fmt::format("{}: not a valid URDF: {}", path, console.errors()));
-  }
+  xacro::Expansion expansion = xacro::expand(path, packages, options);
+  file.xml = std::move(expansion.xml);
+  file.warnings = std::move(expansion.warnings);
+  repair_urdf(*file.xml->RootElement(), path, file.warnings);
+  file.model = parse(file);
+  require_sound(file);
   return file;
 }
 

@@ -3,9 +3,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
+
+#include "sim/robot/package_finder.hpp"
+#include "sim/robot/robot_options.hpp"
 
 namespace castaway::sim {
 
@@ -13,11 +17,13 @@ namespace castaway::sim {
 struct UrdfFile {
   std::string path;
   urdf::ModelInterfaceSharedPtr model;
-  std::unique_ptr<TiXmlDocument> xml;
+  std::unique_ptr<TiXmlDocument> xml;  ///< Expanded and repaired.
+  std::vector<std::string> warnings;
 };
 
-/// Reads a file. Constants that it defines by `xacro:arg` and `xacro:property` are put in.
-/// @throws std::runtime_error naming file, line where known, and remedy.
-UrdfFile read_urdf(const std::string& path);
+/// Reads a file, expands what xacro it holds and repairs what urdfdom would stumble over.
+/// @throws std::runtime_error naming file, line or element, and remedy.
+UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
+                   const RobotOptions& options);
 
 }  // namespace castaway::sim

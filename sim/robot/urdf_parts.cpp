@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,7 +12,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kDefaultEdge = 0.05;  // [m] Of the box in place of a missing mesh.
+constexpr double kDefaultEdge = 0.05;     // [m] Of the box in place of a missing mesh.
+constexpr float kMaxMeshSize = 15.0F;     // [m] Of a mesh in metres.
+constexpr double kMaxPrimitive = 1000.0;  // [m]
 
 Eigen::Vector3d to_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
@@ -30,41 +33,82 @@ BoxShape inertia_box(const urdf::Link& link) {
 /// A shape and whether it stands in for a mesh.
 struct FoundShape {
   RobotShape shape;
-  std::string problem;  ///< Empty: as the file says.
+  std::string problem;    ///< Empty: as the file says.
+  bool stand_in = false;  ///< A box in place of a mesh.
 };
 
+/// A mesh as wide as a house was drawn in millimetres.
+FoundShape in_metres(MeshShape shape, const urdf::Link& link) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& v : load_mesh(shape.path, shape.scale).vertices) box.extend(v);
+  if (box.sizes().maxCoeff() < kMaxMeshSize) return {shape, ""};
+  const std::string what =
+      fmt::format("link {}: the mesh {} is {:.0f} m wide: taken for millimetres", link.name,
+                  shape.path, box.sizes().maxCoeff());
+  shape.scale *= 0.001;
+  return {shape, what};
+}
+
 FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const MeshFinder& finder) {
-  const auto path = finder.find(mesh.filename);
+  std::optional<std::string> path;
+  try {
+    path = finder.find(mesh.filename);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("link {}: mesh {}: {}", link.name, mesh.filename, error.what()));
+  }
   if (!path) {
     return {inertia_box(link),
             fmt::format("link {}: no mesh {}: a box stands for it; add its folder to the search "
                         "paths",
-                        link.name, mesh.filename)};
+                        link.name, mesh.filename),
+            true};
   }
-  const MeshShape shape{*path, to_vector(mesh.scale)};
   try {
-    load_mesh(shape.path, shape.scale);
-    return {shape, ""};
+    return in_metres({*path, to_vector(mesh.scale)}, link);
   } catch (const std::runtime_error& error) {
     return {inertia_box(link),
-            fmt::format("link {}: {}: a box stands for it", link.name, error.what())};
+            fmt::format("link {}: {}: a box stands for it", link.name, error.what()), true};
   }
 }
 
-FoundShape to_shape(const urdf::Geometry& geometry, const urdf::Link& link,
-                    const MeshFinder& finder) {
-  switch (geometry.type) {
-    case urdf::Geometry::SPHERE:
-      return {SphereShape{static_cast<const urdf::Sphere&>(geometry).radius}, ""};
-    case urdf::Geometry::BOX:
-      return {BoxShape{to_vector(static_cast<const urdf::Box&>(geometry).dim)}, ""};
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
-      return {CylinderShape{cylinder.radius, cylinder.length}, ""};
-    }
-    default:
-      return mesh_shape(static_cast<const urdf::Mesh&>(geometry), link, finder);
+FoundShape primitive(const urdf::Geometry& geometry) {
+  if (geometry.type == urdf::Geometry::SPHERE) {
+    return {SphereShape{static_cast<const urdf::Sphere&>(geometry).radius}, ""};
   }
+  if (geometry.type == urdf::Geometry::BOX) {
+    return {BoxShape{to_vector(static_cast<const urdf::Box&>(geometry).dim)}, ""};
+  }
+  const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+  return {CylinderShape{cylinder.radius, cylinder.length}, ""};
+}
+
+/// The edges or diameters of a primitive. [m]
+Eigen::Vector3d extent(const RobotShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->size;
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
+    return Eigen::Vector3d::Constant(2.0 * sphere->radius);
+  }
+  const auto& cylinder = std::get<CylinderShape>(shape);
+  return {2.0 * cylinder.radius, 2.0 * cylinder.radius, cylinder.height};
+}
+
+/// Nothing, and a warning, for shapes without volume, which some files use as place holders.
+std::optional<FoundShape> to_shape(const urdf::Geometry& geometry, const urdf::Link& link,
+                                   const MeshFinder& finder, std::vector<std::string>& warnings) {
+  if (geometry.type == urdf::Geometry::MESH) {
+    return mesh_shape(static_cast<const urdf::Mesh&>(geometry), link, finder);
+  }
+  FoundShape found = primitive(geometry);
+  const Eigen::Vector3d size = extent(found.shape);
+  if (!(size.minCoeff() >= 0.0 && size.maxCoeff() < kMaxPrimitive)) {
+    throw std::runtime_error(
+        fmt::format("link {}: a shape of {} x {} x {} m: give sizes above 0 and below {}",
+                    link.name, size.x(), size.y(), size.z(), kMaxPrimitive));
+  }
+  if (size.minCoeff() > 0.0) return found;
+  warnings.push_back(fmt::format("link {}: a shape without volume is left out", link.name));
+  return std::nullopt;
 }
 
 /// Collision or Visual.
@@ -73,14 +117,15 @@ std::optional<RobotPart> to_part(const Element& element, const urdf::Link& link,
                                  const LinkFrames& frames, const MeshFinder& finder,
                                  std::vector<std::string>& warnings) {
   if (!element || !element->geometry) return std::nullopt;
-  FoundShape found = to_shape(*element->geometry, link, finder);
-  RobotPart part{link.name, std::move(found.shape),
+  std::optional<FoundShape> found = to_shape(*element->geometry, link, finder, warnings);
+  if (!found) return std::nullopt;
+  RobotPart part{link.name, std::move(found->shape),
                  frames.at(link.name) * to_transform(element->origin), std::nullopt};
-  if (!found.problem.empty()) {
+  if (!found->problem.empty()) warnings.push_back(found->problem);
+  if (found->stand_in) {
     const Eigen::Isometry3d T_link_inertia =
         link.inertial ? to_transform(link.inertial->origin) : Eigen::Isometry3d::Identity();
     part.T_base_part = frames.at(link.name) * T_link_inertia;
-    warnings.push_back(found.problem);
   }
   return part;
 }

@@ -1,6 +1,7 @@
 #include "sim/robot/wheel_discovery.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -8,19 +9,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/robot/part_points.hpp"
-
 namespace castaway::sim {
 namespace {
 
 constexpr double kMirrorTolerance = 0.02;  // [m]
 constexpr double kAxisTolerance = 0.02;    // Of the cosine.
-constexpr double kMinHalfTrack = 0.02;     // [m]
+constexpr double kMinTrack = 0.04;         // [m]
+constexpr double kFloorTolerance = 0.03;   // [m]
 
 /// A joint that could carry a wheel.
 struct Candidate {
   std::string joint;
   Eigen::Vector3d p_root = Eigen::Vector3d::Zero();
+  double low = 0.0;  ///< [m] Its wheel's lowest point in the root link.
 };
 
 /// Left and right.
@@ -29,13 +30,19 @@ struct Pair {
   Candidate right;
 };
 
-bool moves(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+/// What may stand between a wheel and the chassis.
+enum class Hang { kFixed, kSuspension, kAny };
 
-/// True if all joints from the root down to the joint's parent link are fixed.
-bool on_chassis(const urdf::ModelInterface& model, const urdf::Joint& joint) {
+bool allows(Hang hang, const urdf::Joint& joint) {
+  if (joint.type == urdf::Joint::FIXED || hang == Hang::kAny) return true;
+  const bool bounded = joint.type == urdf::Joint::PRISMATIC || joint.type == urdf::Joint::REVOLUTE;
+  return hang == Hang::kSuspension && bounded;
+}
+
+bool hangs(const urdf::ModelInterface& model, const urdf::Joint& joint, Hang hang) {
   for (auto link = model.getLink(joint.parent_link_name); link->parent_joint;
        link = model.getLink(link->parent_joint->parent_link_name)) {
-    if (moves(*link->parent_joint)) return false;
+    if (!allows(hang, *link->parent_joint)) return false;
   }
   return true;
 }
@@ -46,114 +53,135 @@ bool turns_about_y(const urdf::Joint& joint, const LinkFrames& frames) {
   return std::abs(in_root.y()) > 1.0 - kAxisTolerance;
 }
 
-std::vector<Candidate> candidates(const urdf::ModelInterface& model, const LinkFrames& frames) {
-  std::vector<Candidate> result;
-  for (const auto& [name, joint] : model.joints_) {
-    if (joint->type != urdf::Joint::CONTINUOUS || joint->mimic) continue;
-    if (!on_chassis(model, *joint) || !turns_about_y(*joint, frames)) continue;
-    result.push_back({name, frames.at(joint->child_link_name).translation()});
+bool is_passive(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* word : {"caster", "castor", "passive", "idler"}) {
+    if (name.find(word) != std::string::npos) return true;
   }
-  return result;
+  return false;
 }
 
-bool mirrored(const Candidate& left, const Candidate& right) {
-  return left.p_root.y() > kMinHalfTrack &&
-         std::abs(left.p_root.x() - right.p_root.x()) < kMirrorTolerance &&
-         std::abs(left.p_root.z() - right.p_root.z()) < kMirrorTolerance &&
-         std::abs(left.p_root.y() + right.p_root.y()) < kMirrorTolerance;
-}
+/// Gathers candidates from one robot.
+class Gatherer {
+ public:
+  Gatherer(const UrdfFile& file, const LinkFrames& frames, const MeshFinder& finder)
+      : model_(*file.model), frames_(frames), finder_(finder) {}
 
-std::vector<Pair> mirrored_pairs(const std::vector<Candidate>& joints) {
-  std::vector<Pair> pairs;
-  for (const Candidate& left : joints) {
-    for (const Candidate& right : joints) {
-      if (mirrored(left, right)) pairs.push_back({left, right});
+  [[nodiscard]] std::vector<Candidate> among(const std::set<std::string>& names) const {
+    std::vector<Candidate> result;
+    for (const std::string& name : names) {
+      const auto joint = model_.joints_.find(name);
+      if (joint != model_.joints_.end() && joint->second->type != urdf::Joint::FIXED &&
+          turns_about_y(*joint->second, frames_)) {
+        result.push_back(candidate(*joint->second));
+      }
     }
+    return result;
   }
+
+  [[nodiscard]] std::vector<Candidate> hanging(Hang hang) const {
+    std::vector<Candidate> result;
+    for (const auto& [name, joint] : model_.joints_) {
+      const bool wheel = joint->type == urdf::Joint::CONTINUOUS && !joint->mimic &&
+                         !is_passive(name) && !is_passive(joint->child_link_name);
+      if (wheel && hangs(model_, *joint, hang) && turns_about_y(*joint, frames_)) {
+        result.push_back(candidate(*joint));
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Candidate candidate(const urdf::Joint& joint) const {
+    const urdf::Link& link = *model_.links_.at(joint.child_link_name);
+    const Eigen::Vector3d p = frames_.at(link.name).translation();
+    const auto shape = wheel_shape(link, frames_, finder_);
+    return {joint.name, p, p.z() - (shape ? shape->radius : 0.0)};
+  }
+
+  const urdf::ModelInterface& model_;
+  const LinkFrames& frames_;
+  const MeshFinder& finder_;
+};
+
+bool beside(const Candidate& left, const Candidate& right) {
+  return left.p_root.y() - right.p_root.y() > kMinTrack &&
+         std::abs(left.p_root.x() - right.p_root.x()) < kMirrorTolerance &&
+         std::abs(left.p_root.z() - right.p_root.z()) < kMirrorTolerance;
+}
+
+/// Each joint in one pair at most: the outermost ones pair up. The front pair first.
+std::vector<Pair> pairs_of(std::vector<Candidate> joints) {
+  std::sort(joints.begin(), joints.end(), [](const Candidate& a, const Candidate& b) {
+    return a.p_root.y() != b.p_root.y() ? a.p_root.y() > b.p_root.y() : a.joint < b.joint;
+  });
+  std::vector<Pair> pairs;
+  std::set<std::string> taken;
+  for (const Candidate& left : joints) {
+    if (taken.contains(left.joint)) continue;
+    const auto right = std::find_if(joints.rbegin(), joints.rend(), [&](const Candidate& c) {
+      return !taken.contains(c.joint) && beside(left, c);
+    });
+    if (right == joints.rend()) continue;
+    taken.insert({left.joint, right->joint});
+    pairs.push_back({left, *right});
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.left.p_root.x() > b.left.p_root.x();
+  });
   return pairs;
 }
 
-/// Texts of all elements below gazebo and ros2_control tags, and their joint attributes: drive
-/// plug-ins name their wheel joints there, each in its own dialect.
-void collect_texts(const TiXmlElement& element, std::set<std::string>& texts) {
-  if (element.GetText() != nullptr) texts.insert(element.GetText());
-  if (element.Attribute("name") != nullptr) texts.insert(element.Attribute("name"));
-  for (auto* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    collect_texts(*e, texts);
-  }
+/// Without those whose wheels do not come as far down as the others.
+std::vector<Pair> on_floor(std::vector<Pair> pairs) {
+  double floor = 1e9;
+  for (const Pair& pair : pairs) floor = std::min(floor, pair.left.low);
+  std::erase_if(pairs, [floor](const Pair& p) { return p.left.low > floor + kFloorTolerance; });
+  return pairs;
 }
 
-std::set<std::string> plugin_texts(const TiXmlElement& root) {
-  std::set<std::string> texts;
-  for (const char* tag : {"gazebo", "ros2_control", "transmission"}) {
-    for (auto* e = root.FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag)) {
-      collect_texts(*e, texts);
-    }
-  }
-  return texts;
+std::vector<Pair> named_pairs(const Gatherer& gatherer, const DriveTags& tags) {
+  std::set<std::string> names(tags.left.begin(), tags.left.end());
+  names.insert(tags.right.begin(), tags.right.end());
+  if (names.empty()) names.insert(tags.driven.begin(), tags.driven.end());
+  return on_floor(pairs_of(gatherer.among(names)));
 }
 
-/// The pairs that plug-ins name; all of them if none is named.
-std::vector<Pair> named_pairs(const std::vector<Pair>& pairs, const TiXmlElement& root) {
-  const std::set<std::string> texts = plugin_texts(root);
-  std::vector<Pair> named;
-  for (const Pair& pair : pairs) {
-    if (texts.contains(pair.left.joint) && texts.contains(pair.right.joint)) named.push_back(pair);
-  }
-  return named.empty() ? pairs : named;
-}
-
-/// Radius of a shape about a wheel's centre.
-double radius_of(const RobotPart& part, const Eigen::Vector3d& center) {
-  if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) return sphere->radius;
-  if (const auto* cylinder = std::get_if<CylinderShape>(&part.shape)) return cylinder->radius;
-  double radius = 0.0;
-  for (const Eigen::Vector3d& p : part_points(part)) {
-    radius = std::max(radius, std::abs(p.z() - center.z()));
-  }
-  return radius;
-}
-
-double largest_radius(const std::vector<RobotPart>& parts, const Eigen::Vector3d& center) {
-  double radius = 0.0;
-  for (const RobotPart& part : parts) radius = std::max(radius, radius_of(part, center));
-  return radius;
+[[noreturn]] void no_wheels(const UrdfFile& file, const Gatherer& gatherer) {
+  std::vector<std::string> found;
+  for (const Candidate& c : gatherer.hanging(Hang::kAny)) found.push_back(c.joint);
+  throw std::runtime_error(fmt::format(
+      "{}: no drive wheels: needs two joints of type continuous with their axes along y, left and "
+      "right of each other; found [{}]: check <joint type> and <axis>",
+      file.path, fmt::join(found, ", ")));
 }
 
 }  // namespace
 
-std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrames& frames) {
-  const std::vector<Candidate> joints = candidates(*file.model, frames);
-  const std::vector<Pair> pairs = mirrored_pairs(joints);
+DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
+                              const MeshFinder& finder, const DriveTags& tags,
+                              std::vector<std::string>& warnings) {
+  const Gatherer gatherer(file, frames, finder);
+  DriveJoints result;
+  result.found_by = tags.dialect;
+  std::vector<Pair> pairs = named_pairs(gatherer, tags);
   if (pairs.empty()) {
-    std::vector<std::string> found;
-    found.reserve(joints.size());
-    for (const Candidate& c : joints) found.push_back(c.joint);
-    throw std::runtime_error(fmt::format(
-        "{}: no drive wheels: needs two joints of type continuous with their axes along y, "
-        "mirrored left and right; found [{}]: check <joint type> and <axis>",
-        file.path, fmt::join(found, ", ")));
+    result.found_by = "kinematics";
+    for (const Hang hang : {Hang::kFixed, Hang::kSuspension}) {
+      if (pairs.empty()) pairs = on_floor(pairs_of(gatherer.hanging(hang)));
+    }
+    if (pairs.empty()) no_wheels(file, gatherer);
+    if (!tags.dialect.empty()) {
+      warnings.push_back(fmt::format(
+          "the {} tag names no pair of wheels of this robot: found by kinematics", tags.dialect));
+    }
   }
-  std::vector<std::string> result;
-  for (const Pair& pair : named_pairs(pairs, *file.xml->RootElement())) {
-    result.push_back(pair.left.joint);
-    result.push_back(pair.right.joint);
+  for (const Pair& pair : pairs) {
+    result.joints.push_back(pair.left.joint);
+    result.joints.push_back(pair.right.joint);
   }
   return result;
-}
-
-double wheel_radius(const UrdfFile& file, const urdf::Link& link, const LinkFrames& frames,
-                    const MeshFinder& finder) {
-  std::vector<std::string> ignored;  // The same warnings come with the parts.
-  const Eigen::Vector3d center = frames.at(link.name).translation();
-  double radius = largest_radius(collision_parts(link, frames, finder, ignored), center);
-  if (radius > 0.0) return radius;
-  radius = largest_radius(visual_parts(link, frames, finder, ignored), center);
-  if (radius > 0.0) return radius;
-  throw std::runtime_error(fmt::format(
-      "{}: link {} is a drive wheel without a shape: give it a <collision> so that its radius is "
-      "known",
-      file.path, link.name));
 }
 
 }  // namespace castaway::sim

@@ -1,22 +1,28 @@
 /// Finds the driven wheels of a URDF robot. Internal to sim/robot.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "sim/robot/urdf_parts.hpp"
+#include "sim/robot/drive_tags.hpp"
+#include "sim/robot/wheel_shape.hpp"
 
 namespace castaway::sim {
 
-/// Joints of the driven wheels: pairs of continuous joints that hang on the chassis and turn about
-/// y, mirrored left and right. A plug-in tag that names wheel joints decides where there are
-/// several pairs. Left, right, left, right...
-/// @throws std::runtime_error if there is no pair.
-std::vector<std::string> find_drive_joints(const UrdfFile& file, const LinkFrames& frames);
+/// The drive joints, left, right, left, right..., the front pair first, and how they were found.
+struct DriveJoints {
+  std::vector<std::string> joints;
+  std::string found_by;  ///< The dialect of the tags, or "kinematics".
+};
 
-/// Radius of a wheel, from the collision shape of its link, else from the visual one. [m]
-/// @throws std::runtime_error if it has neither.
-double wheel_radius(const UrdfFile& file, const urdf::Link& link, const LinkFrames& frames,
-                    const MeshFinder& finder);
+/// The joints that the tags name, wherever they hang, if they turn about y and make pairs. Without
+/// tags, or where theirs make none (a warning): continuous joints that hang on the chassis, else
+/// behind a suspension, turn about y, stand left and right of each other, reach the floor and are
+/// not called casters.
+/// @throws std::runtime_error if there is no pair.
+DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
+                              const MeshFinder& finder, const DriveTags& tags,
+                              std::vector<std::string>& warnings);
 
 }  // namespace castaway::sim

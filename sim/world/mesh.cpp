@@ -1,5 +1,7 @@
 #include "sim/world/mesh.hpp"
 
+#include <cstdint>
+#include <filesystem>
 #include <stdexcept>
 
 #include <assimp/config.h>
@@ -11,6 +13,9 @@
 
 namespace castaway::sim {
 namespace {
+
+constexpr std::uintmax_t kMaxBytes = 128U << 20U;
+constexpr std::size_t kMaxTriangles = 1000000;
 
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -46,9 +51,28 @@ void append(const aiScene& scene, const aiMesh& mesh, const Eigen::Vector3f& sca
   append_faces(mesh, base, scale.prod() < 0.0F, out);
 }
 
+/// Before anything of it is read.
+void refuse_huge_file(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (none || size <= kMaxBytes) return;
+  throw std::length_error(fmt::format("{}: a mesh of {} MiB: at most {} are read; simplify it",
+                                      path, size >> 20U, kMaxBytes >> 20U));
+}
+
+void refuse_huge_mesh(const std::string& path, const aiScene& scene) {
+  std::size_t triangles = 0;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) triangles += scene.mMeshes[i]->mNumFaces;
+  if (triangles <= kMaxTriangles) return;
+  throw std::length_error(
+      fmt::format("{}: a mesh of {} triangles: at most {} are kept; simplify it", path, triangles,
+                  kMaxTriangles));
+}
+
 }  // namespace
 
 TriangleMesh load_mesh(const std::string& path, const Eigen::Vector3d& scale) {
+  refuse_huge_file(path);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
@@ -58,6 +82,7 @@ TriangleMesh load_mesh(const std::string& path, const Eigen::Vector3d& scale) {
     throw std::runtime_error(
         fmt::format("{}: cannot read this mesh ({})", path, importer.GetErrorString()));
   }
+  refuse_huge_mesh(path, *scene);
   TriangleMesh mesh;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     append(*scene, *scene->mMeshes[i], scale.cast<float>(), mesh);

@@ -1,0 +1,23 @@
+/// XML from files of unknown origin.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <tinyxml.h>
+
+namespace castaway::sim {
+
+/// The text of a file of at most 16 MiB.
+/// @throws std::runtime_error naming the file and the remedy.
+std::string read_xml_text(const std::string& path);
+
+/// Parses XML. Document types (and with them entities), zero bytes, more than 200 levels and more
+/// than 200000 elements are refused before the parser, which recurses, sees them.
+/// @throws std::runtime_error naming file and line.
+std::unique_ptr<TiXmlDocument> parse_xml(const std::string& path, const std::string& text);
+
+/// A tree as indented text.
+std::string xml_text_of(const TiXmlDocument& document);
+
+}  // namespace castaway::sim
