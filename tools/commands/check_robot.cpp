@@ -1,70 +1,104 @@
 // castaway check-robot: what was understood of a robot's description.
 #include <memory>
-#include <numbers>
 
 #include <fmt/format.h>
 
-#include "sim/robot/load_robot.hpp"
-#include "sim/sensor/lidar_config.hpp"
+#include "sim/render/renderer.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/robot_report.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/run/build_robot.hpp"
 #include "tools/scenario/data_paths.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-void print_drive(const sim::RobotModel& robot) {
-  fmt::print("drive: {} wheels, radius {:.4f} m, track {:.4f} m, axle at x = {:.4f} m of base\n",
-             robot.wheels.size(), robot.wheel_radius, robot.track, robot.p_base_axle.x());
-  for (const sim::DriveWheel& wheel : robot.wheels) {
-    fmt::print("  wheel {} (joint {}): at ({:.3f}, {:.3f}, {:.3f}) m, {:.3f} kg\n", wheel.link,
-               wheel.joint, wheel.p_base_wheel.x(), wheel.p_base_wheel.y(), wheel.p_base_wheel.z(),
-               wheel.mass);
+constexpr int kWidth = 800;   // [px]
+constexpr int kHeight = 600;  // [px]
+
+/// What the command line says.
+struct CheckArguments {
+  RobotSpec robot;
+  std::vector<std::string> assignments;  ///< --arg name:=value
+  std::string out;
+  bool json = false;
+  bool expand = false;
+  bool no_picture = false;
+};
+
+/// `name:=value`, as ROS writes it, or `name=value`.
+void assign(const std::string& text, RobotSpec& robot) {
+  const std::size_t equals = text.find('=');
+  std::string name = text.substr(0, equals);
+  if (name.ends_with(':')) name.pop_back();
+  if (equals == std::string::npos || name.empty()) {
+    throw std::invalid_argument(fmt::format("--arg {}: write it as name:=value", text));
   }
-  for (const sim::Caster& caster : robot.casters) {
-    fmt::print("  caster at ({:.3f}, {:.3f}) m, radius {:.4f} m\n", caster.p_base_caster.x(),
-               caster.p_base_caster.y(), caster.radius);
-  }
+  robot.arguments[name] = text.substr(equals + 1);
 }
 
-void print_lidar(const sim::RobotModel& robot) {
-  if (!robot.lidar) {
-    fmt::print("lidar: none found; runs use one 0.2 m above base\n");
-    return;
+/// The file's name, or why there is no picture.
+std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
+  const std::string file = out.empty() ? robot.name + ".png" : out;
+  std::string png;
+  try {
+    png = sim::encode_png(sim::Renderer(kWidth, kHeight).render(robot_scene(robot)));
+  } catch (const std::runtime_error& error) {
+    return fmt::format("none: {}", error.what());
   }
-  const sim::LidarConfig lidar = sim::lidar_of(robot);
-  const Eigen::Vector3d p = lidar.T_base_laser.translation();
-  fmt::print(
-      "lidar: link {}, at ({:.3f}, {:.3f}, {:.3f}) m, {} beams of {:.3f} deg, {:.2f} to {:.2f} m, "
-      "{:.1f} Hz\n",
-      robot.lidar->link, p.x(), p.y(), p.z(), lidar.beams,
-      lidar.angle_increment * 180.0 / std::numbers::pi, lidar.range_min, lidar.range_max,
-      lidar.rate_hz);
+  write_file(file, png);
+  return file;
 }
 
-int check_robot(const std::string& text) {
-  const sim::RobotModel robot = sim::load_robot(find_robot(text, ".").string());
-  fmt::print("robot: {} ({})\n", robot.name, robot.path);
-  fmt::print(
-      "body: {:.3f} kg, centre of mass ({:.3f}, {:.3f}, {:.3f}) m, footprint radius {:.3f} m, "
-      "height {:.3f} m\n",
-      robot.chassis_mass, robot.p_base_com.x(), robot.p_base_com.y(), robot.p_base_com.z(),
-      robot.footprint_radius, robot.height);
-  fmt::print("links: {}, collision shapes: {}, visual shapes: {}\n", robot.frames.size(),
-             robot.collisions.size(), robot.visuals.size());
-  print_drive(robot);
-  print_lidar(robot);
-  for (const std::string& warning : robot.warnings) fmt::print("warning: {}\n", warning);
+int print_expanded(const RobotSpec& spec) {
+  const sim::ExpandedRobot expansion =
+      sim::expand_robot(find_robot(spec.file, ".").string(), robot_options(spec, "."));
+  fmt::print("{}", expansion.urdf);
+  for (const std::string& warning : expansion.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  return kDone;
+}
+
+int check_robot(CheckArguments arguments) {
+  for (const std::string& assignment : arguments.assignments) assign(assignment, arguments.robot);
+  if (arguments.expand) return print_expanded(arguments.robot);
+  const sim::RobotModel robot = build_robot(arguments.robot, ".");
+  const std::string picture =
+      arguments.no_picture ? "not asked for" : take_picture(robot, arguments.out);
+  if (arguments.json) {
+    auto json = robot_json(robot);
+    json["picture"] = picture;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}picture: {}\n", robot_text(robot), picture);
+  }
   return kDone;
 }
 
 }  // namespace
 
 void add_check_robot_command(CLI::App& app, std::function<int()>& chosen) {
-  auto robot = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("check-robot", "Print what is understood of a URDF");
-  command->add_option("robot", *robot, "A robot's name or a .urdf")->required();
-  command->footer("Example:\n  castaway check-robot my_robot.urdf");
-  command->callback([&chosen, robot] { chosen = [robot] { return check_robot(*robot); }; });
+  auto a = std::make_shared<CheckArguments>();
+  CLI::App* command =
+      app.add_subcommand("check-robot", "Print and picture what is understood of a robot");
+  command->add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro")->required();
+  command->add_option("--arg", a->assignments, "Argument of the xacro file: name:=value")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--search-path", a->robot.search_paths,
+                   "Folder that packages are looked for in (besides CASTAWAY_PACKAGE_PATH, "
+                   "ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
+      ->allow_extra_args(false);
+  command->add_option("--out", a->out, "Picture to write (default: <robot's name>.png)");
+  command->add_flag("--no-picture", a->no_picture, "Write no picture");
+  command->add_flag("--json", a->json, "Print JSON instead of words");
+  command->add_flag("--expand", a->expand, "Print the URDF that xacro expands to, nothing else");
+  command->footer(
+      "Examples:\n"
+      "  castaway check-robot my_robot.urdf\n"
+      "  castaway check-robot my_robot.urdf.xacro --arg prefix:=a_ --search-path ~/ws/src");
+  command->callback([&chosen, a] { chosen = [a] { return check_robot(*a); }; });
 }
 
 }  // namespace castaway::testbed

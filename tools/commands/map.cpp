@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/robot/load_robot.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/world/rasterise.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/run/build_robot.hpp"
 #include "tools/run/simulator_source.hpp"
 #include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/world_file.hpp"
@@ -26,11 +26,11 @@ struct MapArguments {
 int make_map(const MapArguments& arguments) {
   const std::filesystem::path file = find_world(arguments.world, ".");
   const WorldFile world = load_world(file);
-  const double height =
-      arguments.height ? *arguments.height
-                       : sim::lidar_of(sim::load_robot(find_robot(arguments.robot, ".").string()))
-                             .T_base_laser.translation()
-                             .z();
+  const double height = arguments.height
+                            ? *arguments.height
+                            : sim::lidar_of(build_robot({arguments.robot, {}, {}}, "."))
+                                  .T_base_laser.translation()
+                                  .z();
   const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
   const std::filesystem::path out = arguments.out.empty()
                                         ? std::filesystem::path(world.spec.name + ".yaml")

@@ -110,7 +110,7 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   shortcut("--seed", "seed", "Root seed of all random streams");
   shortcut("--duration", "duration_s", "Simulated time [s]");
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
-  shortcut("--robot", "robot", "A robot's name or a .urdf");
+  shortcut("--robot", "robot", "A robot's name, a .urdf or a .xacro");
   command->add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
       ->allow_extra_args(false);
   command->add_option("--out", arguments->out, "Run folder (default: runs/<scenario>/seed-<n>)");

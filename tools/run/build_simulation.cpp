@@ -6,10 +6,10 @@
 
 #include "localization/random.hpp"
 #include "localization/stamp.hpp"
-#include "sim/robot/load_robot.hpp"
 #include "sim/world/extrude.hpp"
 #include "sim/world/free_space.hpp"
 #include "sim/world/rasterise.hpp"
+#include "tools/run/build_robot.hpp"
 #include "tools/run/simulator_source.hpp"
 #include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/nearest.hpp"
@@ -126,7 +126,7 @@ struct LoadedRobot {
 
 LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot loaded;
-  loaded.robot = sim::load_robot(find_robot(scenario.robot, base).string());
+  loaded.robot = build_robot(scenario.robot, base);
   loaded.lidar = build_lidar(scenario.lidar, loaded.robot);
   return loaded;
 }

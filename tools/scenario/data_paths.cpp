@@ -23,14 +23,16 @@ std::vector<std::string> folders_in(const fs::path& path) {
   return names;
 }
 
-/// What to look for: `<data>/<kind>s/<text>/<file>`.
+/// What to look for: `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
-              const std::string& file) {
+              const std::vector<std::string>& files) {
   const fs::path shipped = data_root() / (kind + "s");
   for (const fs::path& candidate : {fs::path(text), base / text, shipped / text}) {
     if (text.empty()) break;
     if (fs::is_regular_file(candidate)) return candidate;
-    if (fs::is_regular_file(candidate / file)) return candidate / file;
+    for (const std::string& file : files) {
+      if (fs::is_regular_file(candidate / file)) return candidate / file;
+    }
   }
   throw std::runtime_error(fmt::format("{} '{}' not found: give a path, or one of: {}", kind, text,
                                        fmt::join(folders_in(shipped), ", ")));
@@ -44,11 +46,12 @@ fs::path data_root() {
 }
 
 fs::path find_world(const std::string& text, const fs::path& base) {
-  return find("world", text, base, "world.yaml");
+  return find("world", text, base, {"world.yaml"});
 }
 
 fs::path find_robot(const std::string& text, const fs::path& base) {
-  return find("robot", text, base, fs::path(text).filename().string() + ".urdf");
+  const std::string name = fs::path(text).filename().string();
+  return find("robot", text, base, {name + ".urdf", name + ".urdf.xacro", name + ".xacro"});
 }
 
 }  // namespace castaway::testbed

@@ -15,8 +15,9 @@ std::filesystem::path data_root();
 /// `<data>/worlds/<text>/world.yaml`. Throws std::runtime_error listing the worlds there are.
 std::filesystem::path find_world(const std::string& text, const std::filesystem::path& base);
 
-/// A robot's URDF: `text` itself if it exists, else relative to `base`, else
-/// `<data>/robots/<text>/<text>.urdf`. Throws std::runtime_error listing the robots there are.
+/// A robot's file: `text` itself if it exists (a folder means the .urdf, .urdf.xacro or .xacro in
+/// it that bears its name), else relative to `base`, else `<data>/robots/<text>`. Throws
+/// std::runtime_error listing the robots there are.
 std::filesystem::path find_robot(const std::string& text, const std::filesystem::path& base);
 
 }  // namespace castaway::testbed

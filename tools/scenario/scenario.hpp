@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,6 +14,13 @@
 #include "localization/mh_amcl_config.hpp"
 
 namespace castaway::testbed {
+
+/// The robot.
+struct RobotSpec {
+  std::string file = "waffle";                   ///< A robot's name, or a URDF or xacro file.
+  std::map<std::string, std::string> arguments;  ///< Of the xacro file.
+  std::vector<std::string> search_paths;         ///< Folders that its packages are looked for in.
+};
 
 /// Where the robot starts, and what the localizers are told.
 struct StartSpec {
@@ -84,8 +92,8 @@ struct OutputSpec {
 /// A run.
 struct Scenario {
   std::string name;
-  std::string world = "lab";     ///< A world's name, its path, or a ROS map's YAML file.
-  std::string robot = "waffle";  ///< A robot's name or a URDF file.
+  std::string world = "lab";  ///< A world's name, its path, or a ROS map's YAML file.
+  RobotSpec robot;
   std::uint64_t seed = 1;
   double duration_s = 120.0;  ///< [s]
   double physics_hz = 500.0;  ///< [Hz]

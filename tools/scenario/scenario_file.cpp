@@ -17,6 +17,26 @@ double not_negative(YamlReader& map, const std::string& key, double fallback) {
   return value;
 }
 
+RobotSpec read_robot(YamlReader& root) {
+  RobotSpec robot;
+  const std::optional<YamlReader> scalar = root.find("robot");
+  if (!scalar || scalar->is_scalar()) {
+    robot.file = root.get("robot", robot.file);
+    return robot;
+  }
+  YamlReader map = root.child("robot");
+  robot.file = map.require<std::string>("file");
+  if (map.has("args")) {
+    for (auto& [name, value] : map.child("args").entries()) {
+      robot.arguments[name] = value.as<std::string>();
+    }
+  }
+  if (map.has("search_paths")) {
+    robot.search_paths = map.require<std::vector<std::string>>("search_paths");
+  }
+  return robot;
+}
+
 StartSpec read_start(YamlReader& root) {
   StartSpec start;
   const std::optional<YamlReader> scalar = root.find("start");
@@ -133,7 +153,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   Scenario scenario;
   scenario.name = root.get("name", file.stem().string());
   scenario.world = root.get("world", scenario.world);
-  scenario.robot = root.get("robot", scenario.robot);
+  scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
   scenario.physics_hz = positive(root, "physics_hz", scenario.physics_hz);

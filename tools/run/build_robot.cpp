@@ -1,0 +1,46 @@
+#include "tools/run/build_robot.hpp"
+
+#include "tools/formats/file.hpp"
+#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/yaml_tree.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using sim::xacro::Dict;
+using sim::xacro::List;
+using sim::xacro::Value;
+
+Value to_value(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kScalar) return sim::xacro::from_literal(node.scalar);
+  if (node.kind == YamlNode::Kind::kList) {
+    List list;
+    for (const YamlNode& item : node.items) list.push_back(to_value(item));
+    return {list};
+  }
+  if (node.kind == YamlNode::Kind::kNull) return {};
+  Dict dict;
+  for (const YamlEntry& entry : node.entries) dict.push_back({entry.key, to_value(entry.value)});
+  return {dict};
+}
+
+}  // namespace
+
+sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::path& base) {
+  sim::RobotOptions options;
+  options.arguments = spec.arguments;
+  for (const std::string& path : spec.search_paths) {
+    const bool from_base = std::filesystem::is_directory(base / path);
+    options.search_paths.push_back(from_base ? (base / path).string() : path);
+  }
+  options.read_yaml = [](const std::string& path) {
+    return to_value(parse_yaml(read_file(path), path));
+  };
+  return options;
+}
+
+sim::RobotModel build_robot(const RobotSpec& spec, const std::filesystem::path& base) {
+  return sim::load_robot(find_robot(spec.file, base).string(), robot_options(spec, base));
+}
+
+}  // namespace castaway::testbed
