@@ -72,6 +72,7 @@ class RobotLoader {
   void measure_drive();
   void collect_parts();
   void add_masses();
+  void weigh_wheels();
   std::vector<BodyMass> chassis_masses(bool guess);
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const std::string& link) const;
   [[nodiscard]] std::set<std::string> swivels() const;
@@ -169,8 +170,15 @@ std::vector<Eigen::Vector3d> RobotLoader::points_of(const std::string& link) con
 }
 
 void RobotLoader::add_masses() {
+  weigh_wheels();
+  const std::size_t told = robot_.warnings.size();
   std::vector<BodyMass> chassis = chassis_masses(false);
-  if (chassis.empty()) chassis = chassis_masses(true);
+  double wheels = 0.0;
+  for (const DriveWheel& wheel : robot_.wheels) wheels += wheel.mass;
+  if (lumped(chassis).mass < wheels) {
+    robot_.warnings.resize(told);
+    chassis = chassis_masses(true);
+  }
   const BodyMass sum = lumped(chassis);
   if (sum.mass <= 0.0) {
     throw std::runtime_error(fmt::format(
@@ -181,22 +189,24 @@ void RobotLoader::add_masses() {
   robot_.inertia = sum.inertia;
 }
 
-/// Masses of the links that are no wheels, and of wheels on the way. Links with neither <inertial>
-/// nor <collision> weigh nothing; with `guess` they weigh what their looks suggest.
+void RobotLoader::weigh_wheels() {
+  for (DriveWheel& wheel : robot_.wheels) {
+    const urdf::Link& link = *file_.model->links_.at(wheel.link);
+    const BodyMass body = link_mass(link, frames_, points_of(wheel.link), robot_.warnings);
+    wheel.mass = body.mass;
+    wheel.inertia_spin = body.inertia(1, 1);
+    wheel.inertia_tilt = 0.5 * (body.inertia(0, 0) + body.inertia(2, 2));
+  }
+}
+
+/// Masses of the links that are no wheels. Those without <inertial> weigh nothing (many files keep
+/// the whole mass in one link); with `guess` they weigh what their shapes suggest.
 std::vector<BodyMass> RobotLoader::chassis_masses(bool guess) {
   std::vector<BodyMass> chassis;
   for (const auto& [name, link] : file_.model->links_) {
-    DriveWheel* wheel = wheel_on(name);
-    const bool mere_look = !link->inertial && link->collision_array.empty();
-    if (wheel == nullptr && mere_look && !guess) continue;
+    if (wheel_on(name) != nullptr || (!guess && !link->inertial)) continue;
     const BodyMass body = link_mass(*link, frames_, points_of(name), robot_.warnings);
-    if (wheel != nullptr) {
-      wheel->mass = body.mass;
-      wheel->inertia_spin = body.inertia(1, 1);
-      wheel->inertia_tilt = 0.5 * (body.inertia(0, 0) + body.inertia(2, 2));
-    } else if (body.mass > 0.0) {
-      chassis.push_back(body);
-    }
+    if (body.mass > 0.0) chassis.push_back(body);
   }
   return chassis;
 }

@@ -45,7 +45,7 @@ urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  if (model && model->getRoot()) return model;
+  if (model && model->getRoot() && problem.empty()) return model;
   throw std::runtime_error(fmt::format("{}: not a valid URDF: {}", file.path,
                                        problem.empty() ? "it has no links" : problem));
 }
