@@ -13,21 +13,26 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kDefaultEdge = 0.05;     // [m] Of the box in place of a missing mesh.
+constexpr double kLeastDensity = 50.0;    // [kg/m^3]
+constexpr double kMostDensity = 12000.0;  // [kg/m^3]
 constexpr float kMaxMeshSize = 15.0F;     // [m] Of a mesh in metres.
 constexpr double kMaxPrimitive = 1000.0;  // [m]
 
 Eigen::Vector3d to_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// The solid box with the link's mass and inertia; a small cube where that makes no sense.
+/// The solid box with the link's mass and inertia; a small cube where that makes no sense: where
+/// figures are made up the box would weigh like foam or like lead.
 BoxShape inertia_box(const urdf::Link& link) {
-  BoxShape box{Eigen::Vector3d::Constant(kDefaultEdge)};
-  if (!link.inertial || link.inertial->mass <= 0.0) return box;
+  const BoxShape cube{Eigen::Vector3d::Constant(kDefaultEdge)};
+  if (!link.inertial || link.inertial->mass <= 0.0) return cube;
   const Eigen::Vector3d moments(link.inertial->ixx, link.inertial->iyy, link.inertial->izz);
+  BoxShape box = cube;
   for (int axis = 0; axis < 3; ++axis) {
     const double squared = 6.0 * (moments.sum() - 2.0 * moments[axis]) / link.inertial->mass;
     if (squared > 0.0) box.size[axis] = std::clamp(std::sqrt(squared), 0.01, 1.0);
   }
-  return box;
+  const double density = link.inertial->mass / box.size.prod();
+  return density > kLeastDensity && density < kMostDensity ? box : cube;
 }
 
 /// A shape and whether it stands in for a mesh.

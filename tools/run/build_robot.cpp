@@ -1,11 +1,18 @@
 #include "tools/run/build_robot.hpp"
 
+#include <regex>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
 #include "tools/formats/file.hpp"
 #include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/yaml_tree.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+constexpr std::size_t kMaxYamlBytes = 1U << 20U;
 
 using sim::xacro::Dict;
 using sim::xacro::List;
@@ -24,6 +31,19 @@ Value to_value(const YamlNode& node) {
   return {dict};
 }
 
+/// Tags (`!degrees`) would be lost, and the figure be wrong.
+Value read_robot_yaml(const std::string& path) {
+  const std::string text = read_file(path);
+  const bool tagged = std::regex_search(text, std::regex(R"(:\s+!\w)"));
+  if (tagged || text.size() > kMaxYamlBytes) {
+    throw std::runtime_error(fmt::format(
+        "{}: {}", path,
+        tagged ? "tags like !degrees are not supported: write the value in radians and metres"
+               : "larger than 1 MiB: no robot's parameters"));
+  }
+  return to_value(parse_yaml(text, path));
+}
+
 }  // namespace
 
 sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::path& base) {
@@ -33,9 +53,7 @@ sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::pa
     const bool from_base = std::filesystem::is_directory(base / path);
     options.search_paths.push_back(from_base ? (base / path).string() : path);
   }
-  options.read_yaml = [](const std::string& path) {
-    return to_value(parse_yaml(read_file(path), path));
-  };
+  options.read_yaml = read_robot_yaml;
   return options;
 }
 

@@ -40,6 +40,23 @@ TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
   EXPECT_EQ(scenario.localizers.at(0).name, "mh_amcl");
 }
 
+TEST_F(ScenarioFileTest, NamesTheRobotInOneWordOrWithItsArguments) {
+  EXPECT_EQ(load("localizers: [mh_amcl]").scenario.robot.file, "waffle");
+  EXPECT_EQ(load("{robot: mule, localizers: [mh_amcl]}").scenario.robot.file, "mule");
+  const LoadedScenario loaded = load(R"(
+robot: {file: a.xacro, args: {size: 0.5, arms: true}, search_paths: [.., /opt]}
+localizers: [mh_amcl]
+)");
+  const RobotSpec& robot = loaded.scenario.robot;
+  EXPECT_EQ(robot.file, "a.xacro");
+  EXPECT_EQ(robot.arguments.at("size"), "0.5");
+  EXPECT_EQ(robot.arguments.at("arms"), "true");
+  EXPECT_EQ(robot.search_paths, (std::vector<std::string>{"..", "/opt"}));
+  EXPECT_EQ(load(loaded.effective).effective, loaded.effective);
+  expect_contains(error_of("{robot: {args: {a: 1}}, localizers: [mh_amcl]}"), "'file'");
+  expect_contains(error_of("{robot: {file: a, arg: {a: 1}}, localizers: [mh_amcl]}"), "args");
+}
+
 TEST_F(ScenarioFileTest, ReadsWhatIsWritten) {
   const Scenario scenario = load(R"(
 name: trial-7
