@@ -1,6 +1,7 @@
 #include "sim/drive_space.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -9,6 +10,11 @@
 #include "sim/world/rasterise.hpp"
 
 namespace castaway::sim {
+namespace {
+
+constexpr double kSliceStep = 0.04;  // [m] Thinner boards pass between two slices of a tall robot.
+
+}  // namespace
 
 Grid drive_grid(const SimulationConfig& config) {
   if (config.map.cells.empty()) {
@@ -16,7 +22,10 @@ Grid drive_grid(const SimulationConfig& config) {
   }
   Grid grid = config.map;
   const double height = config.robot.height;
-  mark_objects(grid, config.world, {0.02, 0.25 * height, 0.5 * height, 0.75 * height, height});
+  const int slices = std::max(4, static_cast<int>(std::ceil(height / kSliceStep)));
+  std::vector<double> heights{0.02};
+  for (int i = 1; i <= slices; ++i) heights.push_back(height * i / slices);
+  mark_objects(grid, config.world, heights);
   return grid;
 }
 

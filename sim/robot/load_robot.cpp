@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "sim/robot/lidar_discovery.hpp"
-#include "sim/robot/link_mass.hpp"
 #include "sim/robot/mount_wheels.hpp"
 #include "sim/robot/part_points.hpp"
+#include "sim/robot/robot_masses.hpp"
 #include "sim/robot/skid_steer.hpp"
 #include "sim/robot/supports.hpp"
 #include "sim/robot/urdf_parts.hpp"
@@ -52,7 +52,7 @@ class RobotLoader {
     put_base_on_floor();
     measure_drive();
     collect_parts();
-    add_masses();
+    add_masses(file_, frames_, robot_);
     lock_joints();
     find_casters(robot_, swivels());
     balance(robot_);
@@ -71,10 +71,6 @@ class RobotLoader {
   void put_base_on_floor();
   void measure_drive();
   void collect_parts();
-  void add_masses();
-  void weigh_wheels();
-  std::vector<BodyMass> chassis_masses(bool guess);
-  [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const std::string& link) const;
   [[nodiscard]] std::set<std::string> swivels() const;
   void measure_extent();
   DriveWheel* wheel_on(const std::string& link);
@@ -155,60 +151,6 @@ DriveWheel* RobotLoader::wheel_on(const std::string& link) {
   const auto wheel = std::find_if(robot_.wheels.begin(), robot_.wheels.end(),
                                   [&link](const DriveWheel& w) { return w.link == link; });
   return wheel == robot_.wheels.end() ? nullptr : &*wheel;
-}
-
-std::vector<Eigen::Vector3d> RobotLoader::points_of(const std::string& link) const {
-  std::vector<Eigen::Vector3d> points;
-  for (const auto* parts : {&robot_.collisions, &robot_.visuals}) {
-    for (const RobotPart& part : *parts) {
-      if (part.link != link) continue;
-      for (const Eigen::Vector3d& p : part_points(part)) points.push_back(p);
-    }
-    if (!points.empty()) break;
-  }
-  return points;
-}
-
-void RobotLoader::add_masses() {
-  weigh_wheels();
-  const std::size_t told = robot_.warnings.size();
-  std::vector<BodyMass> chassis = chassis_masses(false);
-  double wheels = 0.0;
-  for (const DriveWheel& wheel : robot_.wheels) wheels += wheel.mass;
-  if (lumped(chassis).mass < wheels) {
-    robot_.warnings.resize(told);
-    chassis = chassis_masses(true);
-  }
-  const BodyMass sum = lumped(chassis);
-  if (sum.mass <= 0.0) {
-    throw std::runtime_error(fmt::format(
-        "{}: nothing but wheels: give the chassis a <collision> or an <inertial>", file_.path));
-  }
-  robot_.chassis_mass = sum.mass;
-  robot_.p_base_com = sum.p_base_com;
-  robot_.inertia = sum.inertia;
-}
-
-void RobotLoader::weigh_wheels() {
-  for (DriveWheel& wheel : robot_.wheels) {
-    const urdf::Link& link = *file_.model->links_.at(wheel.link);
-    const BodyMass body = link_mass(link, frames_, points_of(wheel.link), robot_.warnings);
-    wheel.mass = body.mass;
-    wheel.inertia_spin = body.inertia(1, 1);
-    wheel.inertia_tilt = 0.5 * (body.inertia(0, 0) + body.inertia(2, 2));
-  }
-}
-
-/// Masses of the links that are no wheels. Those without <inertial> weigh nothing (many files keep
-/// the whole mass in one link); with `guess` they weigh what their shapes suggest.
-std::vector<BodyMass> RobotLoader::chassis_masses(bool guess) {
-  std::vector<BodyMass> chassis;
-  for (const auto& [name, link] : file_.model->links_) {
-    if (wheel_on(name) != nullptr || (!guess && !link->inertial)) continue;
-    const BodyMass body = link_mass(*link, frames_, points_of(name), robot_.warnings);
-    if (body.mass > 0.0) chassis.push_back(body);
-  }
-  return chassis;
 }
 
 /// Links on locked joints.
