@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/robot/urdf_repairs.hpp"
+#include "sim/robot/urdf_tree.hpp"
 #include "sim/robot/xacro/expand.hpp"
 #include "sim/robot/xml_text.hpp"
 
@@ -75,6 +76,7 @@ UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
   file.xml = std::move(expansion.xml);
   file.warnings = std::move(expansion.warnings);
   repair_urdf(*file.xml->RootElement(), path, file.warnings);
+  require_tree(*file.xml->RootElement(), path);
   file.model = parse(file);
   require_sound(file);
   return file;

@@ -87,6 +87,11 @@ std::vector<BadRobot> xml_cases() {
           {"ZeroBytes", std::string("<robot\0name=\"r\"/>", 17), {"zero byte"}}};
 }
 
+std::string fixed(const std::string& name, const std::string& parent, const std::string& child) {
+  return "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/></joint>";
+}
+
 std::vector<BadRobot> urdf_cases() {
   return {{"NoLinks", robot(""), {"r.urdf.xacro", "not a valid URDF"}},
           {"LinkWithoutName", robot("<link/>"), {"not a valid URDF"}},
@@ -96,11 +101,11 @@ std::vector<BadRobot> urdf_cases() {
                          "<child link=\"base_link\"/></joint>"),
            {"ghost"}},
           {"TwoRoots", robot(kBody + "<link name=\"other\"/>"), {"base_link", "other"}},
-          {"Loop",
-           robot("<link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"fixed\"><parent "
-                 "link=\"a\"/><child link=\"b\"/></joint><joint name=\"k\" type=\"fixed\"><parent "
-                 "link=\"b\"/><child link=\"a\"/></joint>"),
-           {"not a valid URDF"}},
+          {"Loop", robot(fixed("j", "a", "b") + fixed("k", "b", "a")), {"joint", "loop"}},
+          {"LoopBeside", with(fixed("j", "a", "b") + fixed("k", "b", "a")), {"form a loop"}},
+          {"TwoParents",
+           with("<link name=\"a\"/>" + fixed("j", "base_link", "a") + fixed("k", "left", "a")),
+           {"link a hangs on two joints", "j and k"}},
           {"UnknownJointType",
            robot(kBody + "<link name=\"b\"/><joint name=\"j\" type=\"magic\"><parent "
                          "link=\"base_link\"/><child link=\"b\"/></joint>"),
