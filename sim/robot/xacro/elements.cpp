@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMaxDepth = 1000;
 constexpr int kMaxElements = 200000;
+constexpr std::size_t kMaxBytes = 64U << 20U;
 const std::string kPrefix = "xacro:";
 
 /// True if anything in a tree needs to be expanded.
@@ -77,6 +78,7 @@ void Expander::expand_children(const TiXmlNode& from, Scope& scope, TiXmlNode& t
     } else if (const auto* text = node->ToText()) {
       TiXmlText copied(text_in(scope, text->ValueStr()));
       copied.SetCDATA(text->CDATA());
+      bytes_ += copied.ValueStr().size();
       to.InsertEndChild(copied);
     }
   }
@@ -90,10 +92,7 @@ void Expander::expand_element(const Element& from, Scope& scope, TiXmlNode& to) 
       throw std::invalid_argument(
           fmt::format("nested deeper than {}: does a macro or an include repeat itself?", depth_));
     }
-    if (++elements_ > kMaxElements) {
-      throw std::invalid_argument(
-          fmt::format("more than {} elements: does a macro call itself?", kMaxElements));
-    }
+    count(from);
     const bool xacro = from.ValueStr().starts_with(kPrefix);
     xacro ? dispatch(from, scope, to) : copy(from, scope, to);
     --depth_;
@@ -103,10 +102,31 @@ void Expander::expand_element(const Element& from, Scope& scope, TiXmlNode& to) 
   }
 }
 
+/// Refuses what would fill the memory.
+void Expander::count(const Element& output) {
+  for (auto* a = output.FirstAttribute(); a != nullptr; a = a->Next()) {
+    bytes_ += a->ValueStr().size();
+  }
+  if (++elements_ <= kMaxElements && bytes_ <= kMaxBytes) return;
+  throw std::invalid_argument(
+      fmt::format("more than {} elements or {} MiB: does a macro repeat itself?", kMaxElements,
+                  kMaxBytes >> 20U));
+}
+
+void Expander::count_tree(const TiXmlNode& output) {
+  if (output.ToText() != nullptr) bytes_ += output.ValueStr().size();
+  if (output.ToElement() != nullptr) count(*output.ToElement());
+  for (auto* node = output.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    count_tree(*node);
+  }
+}
+
 void Expander::copy(const Element& from, Scope& scope, TiXmlNode& to) {
   Element shell(from.ValueStr());
   for (auto* a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
-    shell.SetAttribute(a->NameTStr(), text_in(scope, a->ValueStr()));
+    const std::string text = text_in(scope, a->ValueStr());
+    bytes_ += text.size();
+    shell.SetAttribute(a->NameTStr(), text);
   }
   expand_children(from, scope, *to.InsertEndChild(shell));
 }
@@ -150,6 +170,7 @@ void Expander::insert_block(const Element& from, Scope& scope, TiXmlNode& to) {
     return;
   }
   for (auto* node = block->holder->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    count_tree(*node);
     to.InsertEndChild(*node);
   }
 }

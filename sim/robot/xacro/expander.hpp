@@ -31,6 +31,8 @@ class Expander {
   void dispatch(const Element& from, Scope& scope, TiXmlNode& to);
   void choose(const Element& from, Scope& scope, TiXmlNode& to, bool wanted);
   void insert_block(const Element& from, Scope& scope, TiXmlNode& to);
+  void count(const Element& output);
+  void count_tree(const TiXmlNode& output);
 
   // definitions.cpp: properties, arguments, macros, and how texts are evaluated.
   void define_property(const Element& from, Scope& scope);
@@ -62,7 +64,8 @@ class Expander {
   std::vector<std::string> warnings_;
   int depth_ = 0;
   int calls_ = 0;
-  int elements_ = 0;
+  int elements_ = 0;        ///< Looked at or put out.
+  std::size_t bytes_ = 0;   ///< Of texts put out.
   bool must_find_ = false;  ///< In the name of an include: a missing package is an error.
 };
 

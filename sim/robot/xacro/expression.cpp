@@ -45,7 +45,7 @@ class Evaluator {
       case Kind::kIndex:
         return index(child(tree, 0), child(tree, 1));
       case Kind::kList:
-        return {list(tree, 0)};
+        return bounded({list(tree, 0)});
       case Kind::kDict:
         return dictionary(tree);
       case Kind::kCall:
@@ -85,7 +85,7 @@ class Evaluator {
     for (std::size_t i = 0; i + 1 < tree.children.size(); i += 2) {
       dict.push_back({to_text(child(tree, i)), child(tree, i + 1)});
     }
-    return {dict};
+    return bounded({dict});
   }
 
   [[nodiscard]] Value named(const Syntax& tree) const {
@@ -127,7 +127,7 @@ class Evaluator {
       if (argument.kind != Kind::kKeyword) throw std::invalid_argument("dict() needs name=value");
       dict.push_back({argument.text, child(argument, 0)});
     }
-    return {dict};
+    return bounded({dict});
   }
 
   const Surroundings& surroundings_;

@@ -96,11 +96,8 @@ std::optional<Value> joined(const std::string& sign, const Value& a, const Value
 
 Value checked_length(Value value) {
   const auto* text = std::get_if<std::string>(&value.data);
-  const auto* list = std::get_if<List>(&value.data);
-  const std::size_t length = text != nullptr ? text->size() : list != nullptr ? list->size() : 0;
-  if (length <= kMaxLength) return value;
-  throw std::invalid_argument(
-      fmt::format("{} of {}: at most {} are kept", type_name(value), length, kMaxLength));
+  if (text == nullptr || text->size() <= kMaxLength) return bounded(std::move(value));
+  throw std::invalid_argument(fmt::format("a text longer than {} characters", kMaxLength));
 }
 
 /// Negative, zero or positive, as a is less than, equal to or more than b.

@@ -8,7 +8,7 @@
 namespace castaway::sim::xacro {
 
 /// `a <sign> b` for + - * / // % ** == != < <= > >= in, "not in". Integers that overflow become
-/// floats; texts and lists longer than 65536 are refused.
+/// floats; texts longer than 65536 characters and large lists are refused.
 /// @throws std::invalid_argument naming the operator and the types where it has no meaning.
 Value binary(const std::string& sign, const Value& a, const Value& b);
 

@@ -11,6 +11,8 @@
 namespace castaway::sim::xacro {
 namespace {
 
+constexpr std::size_t kMaxWeight = 200000;
+
 /// The text without white space at its ends.
 std::string stripped(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -36,6 +38,19 @@ std::string quoted(const Value& value) {
 std::string float_text(double number) {
   const std::string text = fmt::format("{}", number);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// Items and characters of a value.
+std::size_t weight(const Value& value) {
+  std::size_t sum = 1;
+  if (const auto* text = std::get_if<std::string>(&value.data)) sum += text->size();
+  if (const auto* list = std::get_if<List>(&value.data)) {
+    for (const Value& item : *list) sum += weight(item);
+  }
+  if (const auto* dict = std::get_if<Dict>(&value.data)) {
+    for (const DictEntry& entry : *dict) sum += entry.key.size() + weight(entry.value);
+  }
+  return sum;
 }
 
 std::string list_text(const List& list) {
@@ -138,6 +153,12 @@ bool equal(const Value& a, const Value& b) {
     return std::equal(list->begin(), list->end(), other.begin(), other.end(), equal);
   }
   return to_text(a) == to_text(b);
+}
+
+Value bounded(Value value) {
+  if (weight(value) <= kMaxWeight) return value;
+  throw std::invalid_argument(fmt::format(
+      "{} of more than {} items and characters: make it smaller", type_name(value), kMaxWeight));
 }
 
 const Value* find_key(const Dict& dict, const std::string& key) {

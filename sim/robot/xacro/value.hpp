@@ -53,6 +53,10 @@ std::int64_t to_integer(const Value& value);
 /// Python's `==`: numbers by value, whatever their types.
 bool equal(const Value& a, const Value& b);
 
+/// The value, if it is not too large: lists in lists grow fast.
+/// @throws std::invalid_argument if it holds more than 200000 items and characters.
+Value bounded(Value value);
+
 /// The entry of a key; null if there is none.
 const Value* find_key(const Dict& dict, const std::string& key);
 

@@ -237,6 +237,34 @@ TEST_F(Expand, RefusesTextsThatGrow) {
   EXPECT_THAT(error(bomb + "<x v=\"${p39}\"/>"), HasSubstr("65536"));
 }
 
+TEST_F(Expand, RefusesBlocksAndListsThatDouble) {
+  std::string blocks = "<a/>";
+  std::string lists = R"(<xacro:property name="l0" value="${[1]}"/>)";
+  for (int i = 0; i < 40; ++i) {
+    blocks.insert(0, "<xacro:d><q>").append("</q></xacro:d>");
+    const std::string l = "l" + std::to_string(i);
+    lists += "<xacro:property name=\"l" + std::to_string(i + 1) + "\" value=\"${[" + l + ", " + l +
+             "]}\"/>";
+  }
+  EXPECT_THAT(error(R"(<xacro:macro name="d" params="**b"><w><xacro:insert_block name="b"/>
+                       <xacro:insert_block name="b"/></w></xacro:macro>)" +
+                    blocks),
+              HasSubstr("more than 200000 elements"));
+  EXPECT_THAT(error(lists + R"(<x v="${len(l40)}"/>)"), HasSubstr("make it smaller"));
+}
+
+TEST_F(Expand, RefusesMoreTextThanMemoryHolds) {
+  const std::string text(60000, 'x');
+  EXPECT_THAT(error("<xacro:macro name=\"m\" params=\"n\"><xacro:if value=\"${n > 0}\"><x v=\"" +
+                    text + "\"/><xacro:m n=\"${n - 1}\"/></xacro:if></xacro:macro>" +
+                    [] {
+                      std::string calls;
+                      for (int i = 0; i < 20; ++i) calls += "<xacro:m n=\"90\"/>";
+                      return calls;
+                    }()),
+              HasSubstr("64 MiB"));
+}
+
 TEST_F(Expand, RefusesFilesOutside) {
   write("secret.xacro", robot("<x/>"));
   EXPECT_THAT(error(R"(<xacro:include filename="../../secret.xacro"/>)"),
