@@ -19,6 +19,14 @@ std::string point(const Eigen::Vector3d& p) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x(), p.y(), p.z());
 }
 
+/// Names with commas, at most ten of them.
+std::string first_of(std::vector<std::string> names) {
+  constexpr std::size_t kShown = 10;
+  const bool more = names.size() > kShown;
+  if (more) names.resize(kShown);
+  return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
+}
+
 /// What a run would use of a lidar.
 sim::LidarConfig config_of(const sim::RobotModel& robot, const sim::LidarMount& lidar) {
   sim::RobotModel alone = robot;
@@ -34,9 +42,15 @@ void add_body(const sim::RobotModel& robot, Lines out) {
                  mass, robot.chassis_mass, point(robot.p_base_com));
   fmt::format_to(out, "size: footprint radius {:.3f} m, height {:.3f} m\n", robot.footprint_radius,
                  robot.height);
-  fmt::format_to(out, "links: {}, collision shapes: {}, visual shapes: {}, locked joints: {}\n",
-                 robot.frames.size(), robot.collisions.size(), robot.visuals.size(),
-                 robot.locked_joints.size());
+  std::vector<std::string> links;
+  for (const auto& [link, T_base_link] : robot.frames) links.push_back(link);
+  fmt::format_to(out, "links: {} ({})\n", links.size(), first_of(links));
+  if (!robot.locked_joints.empty()) {
+    fmt::format_to(out, "locked joints: {} ({})\n", robot.locked_joints.size(),
+                   first_of(robot.locked_joints));
+  }
+  fmt::format_to(out, "shapes: {} that collide, {} to be seen\n", robot.collisions.size(),
+                 robot.visuals.size());
 }
 
 void add_drive(const sim::RobotModel& robot, Lines out) {
