@@ -35,6 +35,8 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   last_match_.reset();
   pause_s_ = 0.0;
   searches_ = 0;
+  search_.reset();
+  deeper_ = false;
   rescued_id_ = -1;
   selected_id_ = -1;
   probability_ = 0.0;
@@ -80,6 +82,8 @@ void MhAmcl::restart_motion() {
   last_reseed_ = {};
   last_match_.reset();
   better_since_.reset();
+  search_.reset();
+  deeper_ = false;
   history_.clear();
   panorama_.clear();
   estimate_.reset();
@@ -214,9 +218,14 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
     hypothesis.quality = evidence.quality;
   }
   advance_unlisted(config_.posterior, e, listed, cue, unlisted_);
+  if (const Hypothesis* output = selected()) {
+    doubt_output(config_.posterior, output->log_likelihood, listed_log_weight(hypotheses_),
+                 unlisted_);
+  }
 }
 
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
+  if (search_ || deeper_) return true;
   if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
   if (rescued_id_ >= 0 && selected_id_ == rescued_id_) return true;  // a look-alike near by?
   if (probability_ >= config_.match.confident) return false;
@@ -233,10 +242,11 @@ void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
   const int before = selected_id_;
   last_match_ = now;
   rescued_id_ = -1;
-  ++searches_;
   matched_at_ = T_odom_base;
   const ScanPoints& points = history_.back().points;
-  const bool grown = paper_ ? spawn_by_quality(points) : spawn_places(points);
+  if (!paper_ && !search_) begin_search(points, T_odom_base);
+  if (!paper_ && !search_->step(config_.match.slice)) return;
+  const bool grown = paper_ ? spawn_by_quality(points) : end_search(points, T_odom_base);
   merge_all();
   const bool changed = grown && selected_id_ != before;
   pause_s_ = changed ? config_.match.first_pause_s

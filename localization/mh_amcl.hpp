@@ -13,6 +13,7 @@
 #include "localization/hypotheses/correct_by_rays.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/hypothesis.hpp"
+#include "localization/hypotheses/map_search.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "localization/sensor/lidar_panorama.hpp"
@@ -43,11 +44,14 @@ class MhAmcl final : public Localizer {
   void destroy_all();
   void reseed_all();
   void correct(Hypothesis& hypothesis, const ScanPoints& points);
+  [[nodiscard]] CreateContext create_context() const;
   void rescue(const ScanPoints& points);
   void weigh(const ScanPoints& points, const SE2& T_odom_base);
   [[nodiscard]] bool match_due(Stamp now, const SE2& T_odom_base) const;
   void create(Stamp now, const SE2& T_odom_base);
-  bool spawn_places(const ScanPoints& points);
+  void begin_search(const ScanPoints& points, const SE2& T_odom_base);
+  bool end_search(const ScanPoints& points, const SE2& T_odom_base);
+  bool spawn_places(std::vector<WeighedPlace> places, const ScanPoints& points);
   void spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
   void reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner);
   void choose();
@@ -96,6 +100,8 @@ class MhAmcl final : public Localizer {
   SE2 matched_at_;                     ///< Odometry at the last match.
   int rescued_id_ = -1;                ///< The newest population that a rescue listed.
   int searches_ = 0;                   ///< Since the last alarm.
+  std::optional<MapSearch> search_;    ///< Mode `improved`: the search that is going on.
+  bool deeper_ = false;                ///< The last search found nothing that fits well.
   double pause_s_ = 0.0;               ///< Pause after the last match.
 };
 

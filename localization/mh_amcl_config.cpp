@@ -30,6 +30,7 @@ void validate(const MhAmclConfig& config) {
   require_positive(config.correct_rate_hz, "correct_rate_hz");
   require_positive(config.reseed_rate_hz, "reseed_rate_hz");
   require_positive(config.max_distance, "max_distance");
+  if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
   validate(config.beams);
   validate(config.motion);

@@ -16,7 +16,8 @@ namespace castaway::localization {
 
 /// When the matcher is asked.
 struct MatchScheduleConfig {
-  double confident = 0.9;  ///< Not while the output is at least so probable.
+  double confident = 0.9;       ///< Not while the output is at least so probable.
+  std::int64_t slice = 300000;  ///< Tiles searched with one scan; about 20 ms.
   int at_once = 2;  ///< Searches in a row after an alarm, scan by scan: the first scan may be torn.
   double moved_m = 0.1;     ///< [m] Then not before the robot moved so far since the last match...
   double turned_rad = 0.1;  ///< [rad] ...or turned so far...

@@ -18,9 +18,7 @@ void MhAmcl::rescue(const ScanPoints& points) {
   std::vector<Candidate> candidates = matcher_.match(points, window);
   candidates.resize(
       std::min(candidates.size(), static_cast<std::size_t>(config_.rescue.candidates)));
-  const CreateContext context{config_.create, config_.merge, config_.posterior,
-                              config_.motion, endpoint_,     evidence_};
-  const std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
+  const std::vector<WeighedPlace> places = refine_candidates(create_context(), candidates, points);
   if (places.empty() || places[0].newest.log_likelihood < now + config_.rescue.gain) return;
   const SE2 pose = places[0].T_map_base;
   const Eigen::Matrix3d slack = Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
@@ -30,13 +28,33 @@ void MhAmcl::rescue(const ScanPoints& points) {
   rescued_id_ = hypotheses_.back().id;
 }
 
+CreateContext MhAmcl::create_context() const {
+  return {config_.create, config_.merge, config_.posterior, config_.motion, endpoint_, evidence_};
+}
+
+void MhAmcl::begin_search(const ScanPoints& points, const SE2& T_odom_base) {
+  const SearchDepth depth = deeper_ ? SearchDepth::kDeep : SearchDepth::kUsual;
+  search_.emplace(config_.create, matcher_, points, T_odom_base, depth);
+  deeper_ = false;
+  if (depth == SearchDepth::kUsual) ++searches_;
+}
+
+/// Takes what the search found; whether anything was listed. Where nothing fits well, the next scan
+/// is searched deeper.
+bool MhAmcl::end_search(const ScanPoints& points, const SE2& T_odom_base) {
+  const CreateContext context = create_context();
+  const std::vector<WeighedPlace> places = refine_candidates(
+      context, sorted_out(context, search_->candidates(T_odom_base), points), points);
+  deeper_ = search_->depth() == SearchDepth::kUsual && fits_badly(config_.create, places);
+  search_.reset();
+  return spawn_places(places, points);
+}
+
 /// Lists the places where the newest scan fits, unless they are far behind those already listed.
-bool MhAmcl::spawn_places(const ScanPoints& points) {
-  const CreateContext context{config_.create, config_.merge, config_.posterior,
-                              config_.motion, endpoint_,     evidence_};
+bool MhAmcl::spawn_places(std::vector<WeighedPlace> places, const ScanPoints& points) {
+  const CreateContext context = create_context();
   const std::size_t before = hypotheses_.size();
   double best = listed_log_weight(hypotheses_);
-  std::vector<WeighedPlace> places = find_places(context, matcher_, points);
   if (!places.empty()) {
     lower_usual(config_.posterior, places[0].newest.log_likelihood, unlisted_);
   }

@@ -1,10 +1,10 @@
 #include "localization/hypotheses/create.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <functional>
 #include <limits>
-#include <set>
+#include <queue>
 
 namespace castaway::localization {
 namespace {
@@ -23,38 +23,32 @@ SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMem
 
 constexpr int kGlance = 24;  // beams that sort out long lists
 
+bool better(const Candidate& a, const Candidate& b) { return a.score > b.score; }
+
 /// The best `most` candidates by the evidence of their coarse pose, which becomes their score.
+/// Looked at in the order of their bounds, so that most of a long list needs no rays.
 void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
             std::vector<Candidate>& candidates) {
-  for (Candidate& candidate : candidates) {
-    candidate.score = evidence.evaluate(points, candidate.T_map_base).log_likelihood;
+  for (Candidate& c : candidates) c.score = evidence.bound(points, c.T_map_base);
+  std::stable_sort(candidates.begin(), candidates.end(), better);
+  std::priority_queue<double, std::vector<double>, std::greater<>> kept;  // the worst on top
+  const auto count = static_cast<std::size_t>(most);
+  auto end = candidates.begin();
+  for (; end != candidates.end(); ++end) {
+    if (kept.size() == count && end->score < kept.top()) break;
+    end->score = evidence.evaluate(points, end->T_map_base).log_likelihood;
+    kept.push(end->score);
+    if (kept.size() > count) kept.pop();
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
-  if (candidates.size() > static_cast<std::size_t>(most)) {
-    candidates.erase(candidates.begin() + most, candidates.end());
-  }
-}
-
-/// Adds what is not yet listed.
-void join(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) {
-  const auto key = [](const SE2& pose) { return std::array{pose.x, pose.y, pose.yaw}; };
-  std::set<std::array<double, 3>> known;
-  for (const Candidate& candidate : candidates) known.insert(key(candidate.T_map_base));
-  for (const Candidate& candidate : more) {
-    if (known.insert(key(candidate.T_map_base)).second) candidates.push_back(candidate);
-  }
+  std::stable_sort(candidates.begin(), end, better);
+  candidates.resize(kept.size());
 }
 
 }  // namespace
 
-std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
-                                  const ScanPoints& points, const std::optional<int>& most) {
+std::vector<Candidate> sorted_out(const CreateContext& context, std::vector<Candidate> candidates,
+                                  const ScanPoints& points) {
   const CreateConfig& config = context.config;
-  std::vector<Candidate> candidates = matcher.match(points, {}, most);
-  if (config.far_share > 0.0) {
-    join(matcher.match(farthest(points, config.far_share), {}, most), candidates);
-  }
   if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
     screen(context.evidence, thinned(points, kGlance), config.looked_at, candidates);
   }
@@ -85,12 +79,8 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
   return distinct;
 }
 
-std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
-                                      const ScanPoints& points) {
-  auto places = refine_candidates(context, search_map(context, matcher, points), points);
-  if (places.empty() || places[0].newest.log_likelihood >= context.config.deep_below) return places;
-  return refine_candidates(
-      context, search_map(context, matcher, points, context.config.deep_candidates), points);
+bool fits_badly(const CreateConfig& config, const std::vector<WeighedPlace>& places) {
+  return places.empty() || places[0].newest.log_likelihood < config.deep_below;
 }
 
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,

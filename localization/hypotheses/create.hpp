@@ -23,9 +23,9 @@ struct CreateConfig {
   double far_share = 0.5;  ///< The map is searched again by this share of the end points, the
                            ///< farthest: people only shorten beams. 0: not again.
   double deep_below =
-      -6.0;  ///< Where the best place found scores less, the map is searched again...
-  int deep_candidates = 500;  ///< ...for so many places, which rays sort out: in a crowd the right
-                              ///< one is far down the list.
+      -3.0;  ///< Where the best place found scores less, the map is searched again...
+  int deep_candidates = 3000;  ///< ...for so many places, by the far end points, and rays sort
+                               ///< them out: in a crowd the right one is far down the list.
   int looked_at = 150;  ///< Candidates whose evidence is taken; the best by a share of the beams.
   int refined = 40;     ///< Candidates refined; the best by the evidence of their coarse pose.
   int keep = 30;        ///< Candidates weighed on older scans; the best by the newest one.
@@ -50,10 +50,10 @@ struct WeighedPlace {
   double log_weight = 0.0;
 };
 
-/// Searches the whole map by all end points and by the far ones for `most` candidates each; the
-/// best of both by their evidence, at most `refined`.
-std::vector<Candidate> search_map(const CreateContext& context, const CascadeMatcher& matcher,
-                                  const ScanPoints& points, const std::optional<int>& most = {});
+/// The best candidates by rays as well as end points, at most `refined`: many are sorted out by a
+/// few beams, fewer by all of them.
+std::vector<Candidate> sorted_out(const CreateContext& context, std::vector<Candidate> candidates,
+                                  const ScanPoints& points);
 
 /// Refines candidates on the newest scan of the history (not empty) and joins those that meet; best
 /// first, at most `keep`. Weights are not set.
@@ -61,9 +61,8 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const std::vector<Candidate>& candidates,
                                             const ScanPoints& points);
 
-/// Searches the whole map, deeper where nothing fits well, and refines what is found.
-std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
-                                      const ScanPoints& points);
+/// Whether not even the best of the places fits well, so that a deep search is due.
+bool fits_badly(const CreateConfig& config, const std::vector<WeighedPlace>& places);
 
 /// Log-weight of a place that fits the newest scan of the history (not empty).
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,

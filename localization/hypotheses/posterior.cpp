@@ -26,7 +26,9 @@ double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& un
 
 double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement) {
   if (!agreement) return 0.0;
-  return std::min(0.0, config.agreeing_slope * (config.agreeing - *agreement));
+  const double against = config.agreeing_slope * (*agreement - config.agreeing);
+  const double in_favour = config.disagreeing_slope * (config.disagreeing - *agreement);
+  return std::max(0.0, in_favour) - std::max(0.0, against);
 }
 
 void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
@@ -39,6 +41,12 @@ void advance_unlisted(const PosteriorConfig& config, double new_share, double li
 void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted) {
   const double gap = best_found - unlisted.usual;
   if (gap < 0.0) unlisted.usual += config.usual_match_rate * gap;
+}
+
+void doubt_output(const PosteriorConfig& config, double log_likelihood, double listed,
+                  Unlisted& unlisted) {
+  if (log_likelihood >= config.hopeless) return;
+  unlisted.log_weight = std::max(unlisted.log_weight, listed);
 }
 
 void bound_unlisted(const PosteriorConfig& config, double best_found, double listed,

@@ -13,17 +13,21 @@ namespace castaway::localization {
 
 /// Parameters of the posterior. Log-likelihoods and weights are in nats.
 struct PosteriorConfig {
-  double independent_m = 0.6;        ///< [m] After so much way a scan is new.
+  double independent_m = 1.2;        ///< [m] After so much way a scan is new.
   double independent_rad = 0.6;      ///< [rad] After so much turning a scan is new.
   double least_independence = 0.15;  ///< Of a scan at rest.
   double unlisted_drop =
       6.0;  ///< An unlisted place is worth this much less than a usual right one...
   double unlisted_minimum = -22.0;  ///< ...but never less than this.
-  double kidnap = -6.0;    ///< Log-probability of leaving the listed places from scan to scan.
+  double kidnap = -8.0;    ///< Log-probability of leaving the listed places from scan to scan.
   double agreeing = 0.65;  ///< Scans in a row that agree better than this (`scan_agreement`)
                            ///< speak against a kidnap between them...
   double agreeing_slope = 30.0;    ///< ...by so many nats per unit.
-  double usual_start = -3.0;       ///< Log-likelihood of a right pose, until experience tells.
+  double disagreeing = 0.5;        ///< Scans that agree worse than this speak for one...
+  double disagreeing_slope = 8.0;  ///< ...by so many nats per unit.
+  double hopeless = -24.0;    ///< Where the output's scan is less likely than this, a kidnap is
+                              ///< at least as likely as none.
+  double usual_start = -3.0;  ///< Log-likelihood of a right pose, until experience tells.
   double usual_match_rate = 0.25;  ///< Weight of a whole search that finds nothing so good.
   double missed = -3.0;  ///< Log-odds that a whole search misses the right place if the best one
                          ///< found fits perfectly...
@@ -36,8 +40,8 @@ struct PosteriorConfig {
 /// Share of a scan that counts as new after moving so far since the one before.
 double independence(const PosteriorConfig& config, double moved_m, double turned_rad);
 
-/// What the agreement of two scans in a row says for a kidnap between them: 0 or less; 0 if
-/// nothing is known.
+/// What the agreement of two scans in a row says for a kidnap between them (log-odds); 0 if nothing
+/// is known.
 double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement);
 
 /// Log of the sum of exponentials; -infinity of nothing.
@@ -60,6 +64,10 @@ void advance_unlisted(const PosteriorConfig& config, double new_share, double li
 /// Takes the best log-likelihood that a search of the whole map found. The right place was among
 /// those searched, so it can hardly score better: in a crowd a right pose is worth less than usual.
 void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted);
+
+/// Takes the log-likelihood of the newest scan at the output.
+void doubt_output(const PosteriorConfig& config, double log_likelihood, double listed,
+                  Unlisted& unlisted);
 
 /// After a search of the whole map an unlisted place is one that the search missed; the better the
 /// best place found fits, the less likely that is.

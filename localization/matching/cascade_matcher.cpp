@@ -51,22 +51,23 @@ std::vector<std::vector<CellOffset>> CascadeMatcher::turned(const ScanPoints& po
 }
 
 BranchAndBound CascadeMatcher::search(const ScanPoints& points,
-                                      const std::optional<MatchWindow>& window) const {
+                                      const std::optional<MatchWindow>& window,
+                                      const std::optional<int>& most) const {
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  return {pyramid_, space, turned(points, space), nothing_found(config_.candidates)};
+  return {pyramid_, space, turned(points, space), nothing_found(most.value_or(config_.candidates))};
 }
 
 std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
                                              const std::optional<MatchWindow>& window,
                                              const std::optional<int>& most) const {
   if (points.empty()) return {};
-  BestPlaces best = nothing_found(most.value_or(config_.candidates));
-  const SearchSpace space = search_space(field_.frame(), yaws_, window);
   if (!window && config_.algorithm == MatchAlgorithm::kBranchAndBound) {
-    BranchAndBound whole(pyramid_, space, turned(points, space), std::move(best));
+    BranchAndBound whole = search(points, window, most);
     while (!whole.complete()) whole.step(kSlice);
     return candidates(whole.best(), points.size());
   }
+  BestPlaces best = nothing_found(most.value_or(config_.candidates));
+  const SearchSpace space = search_space(field_.frame(), yaws_, window);
   score_all(pyramid_.front(), space, turned(points, space), best);
   return candidates(best, points.size());
 }

@@ -44,15 +44,18 @@ class CascadeMatcher {
   CascadeMatcher(const MatcherConfig& config, const OccupancyGrid& grid,
                  const DistanceField& distances);
 
+  [[nodiscard]] const MatcherConfig& config() const { return config_; }
   /// Candidates on free cells, best first; none for a scan without points. `most`: other than the
   /// configured number.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points,
                                              const std::optional<MatchWindow>& window = {},
                                              const std::optional<int>& most = {}) const;
 
-  /// A match to be done in slices, by branch and bound; the matcher outlives it.
+  /// A match to be done in slices, by branch and bound whatever is configured; the matcher outlives
+  /// it.
   [[nodiscard]] BranchAndBound search(const ScanPoints& points,
-                                      const std::optional<MatchWindow>& window = {}) const;
+                                      const std::optional<MatchWindow>& window = {},
+                                      const std::optional<int>& most = {}) const;
   /// What a search of a scan with so many points has found so far.
   [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
 

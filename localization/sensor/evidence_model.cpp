@@ -30,4 +30,9 @@ Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base
   return {std::max(scaled, config_.minimum), std::min(1.0, hits / n)};
 }
 
+double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {
+  constexpr double kRounding = 1e-3;  // sums in single precision
+  return std::max(endpoint_.log_likelihood(points, T_map_base) + kRounding, config_.minimum);
+}
+
 }  // namespace castaway::localization

@@ -11,8 +11,10 @@ void append(const ScanPoints& points, const SE2& T_now_then, ScanPoints& all) {
         T_now_then * Eigen::Vector2d(points.origin_x[i], points.origin_y[i]);
     all.x.push_back(static_cast<float>(end.x()));
     all.y.push_back(static_cast<float>(end.y()));
+    all.z.push_back(points.z[i]);
     all.origin_x.push_back(static_cast<float>(origin.x()));
     all.origin_y.push_back(static_cast<float>(origin.y()));
+    all.origin_z.push_back(points.origin_z[i]);
     all.range.push_back(points.range[i]);
   }
 }

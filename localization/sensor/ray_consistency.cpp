@@ -17,14 +17,15 @@ struct CellRay {
 bool meets_wall(const CellRay& ray, const DistanceField& distances) {
   const GridFrame& frame = distances.frame();
   const auto scale = static_cast<float>(1.0 / frame.resolution);
-  float t = 0.0F;
+  const float* values = distances.values().data();
+  const auto width = static_cast<float>(frame.width);
+  const auto height = static_cast<float>(frame.height);
   bool inside = true;  // of what the ray begins in
-  while (t < ray.length) {
-    const Eigen::Vector2f p = ray.from + t * ray.direction;
-    if (p.x() < 0.0F || p.y() < 0.0F) return false;
-    const Eigen::Vector2i cell = p.cast<int>();
-    if (!frame.contains(cell)) return false;
-    const float d = distances.values()[frame.index(cell)] * scale;
+  for (float t = 0.0F; t < ray.length;) {
+    const float x = ray.from.x() + t * ray.direction.x();
+    const float y = ray.from.y() + t * ray.direction.y();
+    if (!(x >= 0.0F && y >= 0.0F && x < width && y < height)) return false;
+    const float d = values[static_cast<int>(y) * frame.width + static_cast<int>(x)] * scale;
     if (d >= 0.5F) inside = false;
     if (d < 0.5F && !inside) return true;
     t += std::max(d - 1.0F, 0.5F);

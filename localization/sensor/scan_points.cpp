@@ -29,20 +29,24 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& valid, int most
 void append(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
             double range) {
   const Eigen::Vector3d end(range * std::cos(angle), range * std::sin(angle), 0.0);
-  const Eigen::Vector2d p = (T_reference_laser * end).head<2>();
-  const Eigen::Vector2d origin = T_reference_laser.translation().head<2>();
+  const Eigen::Vector3d p = T_reference_laser * end;
+  const Eigen::Vector3d origin = T_reference_laser.translation();
   points.x.push_back(static_cast<float>(p.x()));
   points.y.push_back(static_cast<float>(p.y()));
+  points.z.push_back(static_cast<float>(p.z()));
   points.origin_x.push_back(static_cast<float>(origin.x()));
   points.origin_y.push_back(static_cast<float>(origin.y()));
-  points.range.push_back(static_cast<float>((p - origin).norm()));
+  points.origin_z.push_back(static_cast<float>(origin.z()));
+  points.range.push_back(static_cast<float>((p - origin).head<2>().norm()));
 }
 
 void copy_point(const ScanPoints& from, std::size_t i, ScanPoints& to) {
   to.x.push_back(from.x[i]);
   to.y.push_back(from.y[i]);
+  to.z.push_back(from.z[i]);
   to.origin_x.push_back(from.origin_x[i]);
   to.origin_y.push_back(from.origin_y[i]);
+  to.origin_z.push_back(from.origin_z[i]);
   to.range.push_back(from.range[i]);
 }
 

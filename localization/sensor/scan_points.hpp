@@ -20,12 +20,15 @@ struct BeamSelection {
 void validate(const BeamSelection& selection);
 
 /// Valid beams in the frame of base at a reference time: structure of arrays, all of one length. A
-/// beam runs from its origin (where the lidar was when it was taken) to its end point.
+/// beam runs from its origin (where the lidar was when it was taken) to its end point. A planar map
+/// is asked about x and y alone.
 struct ScanPoints {
   std::vector<float> x;         ///< [m] End points.
   std::vector<float> y;         ///< [m]
+  std::vector<float> z;         ///< [m]
   std::vector<float> origin_x;  ///< [m]
   std::vector<float> origin_y;  ///< [m]
+  std::vector<float> origin_z;  ///< [m]
   std::vector<float> range;     ///< [m] Length of the beam in the plane.
   double valid_share = 1.0;     ///< Of the lidar's beams: those with a valid range.
 
@@ -33,10 +36,10 @@ struct ScanPoints {
   [[nodiscard]] bool empty() const { return x.empty(); }
 };
 
-/// Projects a scan into the plane of base as it is at `reference`: every beam is taken from where
-/// the lidar was at the beam's own time (3-D mount, motion through `T_odom_base`), then projected
-/// down. No returns, NaN and ranges outside of the lidar's limits are left out. Nothing if the
-/// motion is not known at the scan's or the reference time.
+/// Brings a scan into the frame of base as it is at `reference`: every beam is taken from where the
+/// lidar was at the beam's own time (3-D mount, motion through `T_odom_base`). No returns, NaN and
+/// ranges outside of the lidar's limits are left out. Nothing if the motion is not known at the
+/// scan's or the reference time.
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
                                        Stamp reference, const BeamSelection& selection);
 

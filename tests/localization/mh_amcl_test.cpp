@@ -49,6 +49,18 @@ TEST(MhAmcl, FindsItselfFromAnUnknownStart) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
+TEST(MhAmcl, FindsItselfOnTheMoveThoughTheSearchTakesManyScans) {
+  MhAmclConfig config;
+  config.match.slice = 200;
+  MhAmcl localizer(config, test::office(), 1);
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
+  EXPECT_FALSE(localizer.estimate());  // It goes on searching.
+  for (int i = 0; i < 75; ++i) drive.step(localizer, kForward);
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_FALSE(localizer.estimate()->lost);
+}
+
 TEST(MhAmcl, BecomesConfidentStandingStill) {
   MhAmcl localizer({}, test::office(), 1);
   test::GridDrive drive(test::office(), kStart);
@@ -289,6 +301,9 @@ TEST(MhAmclPublished, SelectsOnlyWhenTheMatcherRuns) {
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
   config.correct_rate_hz = 0.0;
+  EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
+  config = {};
+  config.match.slice = 0;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   EXPECT_THROW(MhAmcl({}, OccupancyGrid{}, 1), std::invalid_argument);
 }

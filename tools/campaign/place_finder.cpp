@@ -1,5 +1,6 @@
 #include "tools/campaign/place_finder.hpp"
 
+#include "localization/hypotheses/map_search.hpp"
 #include "localization/map/ray_cast.hpp"
 
 namespace castaway::testbed {

@@ -3,6 +3,7 @@
 #include "localization/filter/correct.hpp"
 #include "localization/filter/predict.hpp"
 #include "localization/motion/odometry_noise.hpp"
+#include "localization/sensor/endpoint_model.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -20,7 +21,7 @@ TEST(Predict, MovesEveryParticleByTheStep) {
 TEST(Correct, MultipliesTheWeightByTheLikelihood) {
   const OccupancyGrid grid = test::string_map({"...#..."}, 0.1);
   const EndpointModel model({}, DistanceField(grid, 5.0));
-  const ScanPoints points{{0.3F}, {0.0F}, {0.0F}, {0.0F}, {0.3F}};
+  const ScanPoints points{{0.3F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.3F}};
   ParticleSet particles{{{0.05, 0.05, 0}, {0.25, 0.05, 0}}, {-1.0, -2.0}};
   correct(particles, model, points);
   EXPECT_DOUBLE_EQ(particles.log_weights[0],

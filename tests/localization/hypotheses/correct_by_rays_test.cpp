@@ -11,7 +11,7 @@ namespace {
 
 // A wall half a metre ahead of the first particle; the second stands one cell farther on.
 const OccupancyGrid kGrid = test::string_map({"..........#........."}, 0.05);
-const ScanPoints kPoints{{0.5F}, {0.0F}, {0.0F}, {0.0F}, {0.5F}};
+const ScanPoints kPoints{{0.5F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.5F}};
 
 Hypothesis two(double log_weight) {
   Hypothesis h;

@@ -1,6 +1,7 @@
 #include "localization/hypotheses/create.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -85,50 +86,34 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
   EXPECT_NEAR(weigh_backwards(context(), history, place), before - 9.0, 1e-9);
 }
 
-/// People all around on one side: their beams end a metre from the robot.
-ScanPoints with_people(ScanPoints points) {
-  for (std::size_t i = 0; i < points.size() / 3; ++i) {
-    const float scale = 1.0F / points.range[i];
-    points.x[i] *= scale;
-    points.y[i] *= scale;
-    points.range[i] = 1.0F;
+TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
+  const ScanPoints points = test::with_people(scan_from({3.0, 3.0, 0.4}));
+  std::vector<Candidate> candidates;
+  for (double x = 0.6; x < 9.0; x += 0.4) {
+    for (double yaw = -3.0; yaw < 3.0; yaw += 0.4) candidates.push_back({{x, 3.0, yaw}, 0.5});
   }
-  return points;
+  config_.refined = 20;
+  config_.looked_at = 1000;
+  const std::vector<Candidate> kept = sorted_out(context(), candidates, points);
+  std::vector<double> all;
+  for (const Candidate& c : candidates) {
+    all.push_back(evidence_.evaluate(points, c.T_map_base).log_likelihood);
+  }
+  std::sort(all.begin(), all.end(), std::greater<>());
+  ASSERT_EQ(kept.size(), 20U);
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_DOUBLE_EQ(kept[i].score, all[i]) << i;
+  EXPECT_TRUE(sorted_out(context(), {}, points).empty());
 }
 
-TEST_F(CreateTest, SearchesDeeperWhereNothingFits) {
-  MatcherConfig matcher_config;
-  matcher_config.candidates = 1;
-  const CascadeMatcher matcher(matcher_config, grid_, distances_);
-  config_.far_share = 0.0;
-  const ScanPoints points = with_people(scan_from({3.0, 3.0, 0.4}));
-  config_.deep_below = -100.0;
-  EXPECT_EQ(find_places(context(), matcher, points).size(), 1U);
-  config_.deep_below = 0.0;
-  const auto deep = find_places(context(), matcher, points);
-  EXPECT_GT(deep.size(), 1U);
-  EXPECT_TRUE(find_places(context(), matcher, {}).empty());
-}
-
-TEST_F(CreateTest, SearchesByFarPointsForWhatPeopleHide) {
-  MatcherConfig matcher_config;
-  matcher_config.candidates = 3;
-  const CascadeMatcher matcher(matcher_config, grid_, distances_);
+TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
   const SE2 truth{3.0, 3.0, 0.4};
-  const ScanPoints points = with_people(scan_from(truth));
-  const auto found = [&](const std::vector<Candidate>& candidates) {
-    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-      return distance(candidate.T_map_base, truth) < 0.3 &&
-             yaw_distance(candidate.T_map_base, truth) < 0.1;
-    });
-  };
-  const std::vector<Candidate> near_and_far = search_map(context(), matcher, points);
-  EXPECT_TRUE(found(near_and_far));
-  EXPECT_GT(near_and_far.size(), matcher.match(points).size());
-  EXPECT_TRUE(std::is_sorted(near_and_far.begin(), near_and_far.end(),
-                             [](const auto& a, const auto& b) { return a.score > b.score; }));
+  std::vector<Candidate> candidates = {{truth, 0.5}};
+  for (double x = 0.6; x < 9.0; x += 0.4) candidates.push_back({{x, 5.0, 2.0}, 0.5});
+  config_.looked_at = 3;
   config_.refined = 2;
-  EXPECT_EQ(search_map(context(), matcher, points).size(), 2U);
+  const auto kept = sorted_out(context(), candidates, test::with_people(scan_from(truth)));
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].T_map_base, truth);
 }
 
 }  // namespace

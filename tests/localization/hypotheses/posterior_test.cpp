@@ -29,8 +29,8 @@ TEST(LogSumExp, IsExactAndSurvivesExtremes) {
 TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
   const PosteriorConfig config;
   EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
-  EXPECT_DOUBLE_EQ(independence(config, 0.3, 0.0), 0.5);
-  EXPECT_DOUBLE_EQ(independence(config, 0.3, 0.18), 0.8);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.18), 0.8);
   EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
 }
 
@@ -45,14 +45,25 @@ TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
   Unlisted unlisted{-4.0, -2.0};
   advance_unlisted(config, 0.5, 3.0, -1.5, unlisted);
   // An unlisted place scores usual - 6 = -8; the cue makes a kidnap less likely by 1.5.
-  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 6.0 - 1.5 - 8.0}), 1e-12);
+  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
 }
 
-TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgree) {
+TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
   EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt), 0.0);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.3), 0.0);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65), 0.0);
   EXPECT_NEAR(kidnap_cue({}, 0.95), -9.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.25), 2.0, 1e-12);
+}
+
+TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
+  Unlisted unlisted{-20.0, -8.0};
+  doubt_output({}, -23.9, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -20.0);
+  doubt_output({}, -24.1, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
+  doubt_output({}, -25.0, -3.0, unlisted);  // It never speaks for the output.
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
 }
 
 TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {

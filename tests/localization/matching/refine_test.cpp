@@ -57,8 +57,10 @@ TEST(ScanInformation, KnowsNothingAlongAWall) {
   for (int i = -20; i <= 20; ++i) {
     points.x.push_back(0.05F * static_cast<float>(i));
     points.y.push_back(1.0F);
+    points.z.push_back(0.0F);
     points.origin_x.push_back(0.0F);
     points.origin_y.push_back(0.0F);
+    points.origin_z.push_back(0.0F);
     points.range.push_back(1.0F);
   }
   const Eigen::Matrix3d information = scan_information(model, points, {5.0, wall_y - 1.0, 0.0});

@@ -32,6 +32,20 @@ TEST_F(EvidenceModelTest, IsHopelessInAnotherRoom) {
   EXPECT_LT(evidence.quality, 0.5);
 }
 
+TEST_F(EvidenceModelTest, StaysBelowItsBound) {
+  const ScanPoints points = scan_from({3.0, 3.0, 0.4});
+  double closest = 100.0;
+  for (double x = 0.6; x < 9.0; x += 0.37) {
+    for (double yaw = -3.0; yaw < 3.0; yaw += 0.7) {
+      const SE2 pose{x, 3.0, yaw};
+      const double gap = model_.bound(points, pose) - model_.evaluate(points, pose).log_likelihood;
+      EXPECT_GE(gap, 0.0) << x << " " << yaw;
+      closest = std::min(closest, gap);
+    }
+  }
+  EXPECT_LT(closest, 0.01);
+}
+
 TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
   const SE2 pose{3.0, 3.0, 0.4};
   ScanPoints people = scan_from(pose);
@@ -51,7 +65,7 @@ TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
 
 TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
   const EvidenceConfig config;
-  ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
+  ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
   const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
   EXPECT_NEAR(on_wall, -12.0 * config.off_free_penalty, 1e-5);
 }

@@ -13,8 +13,10 @@ ScanPoints one_point(float x, float y, float origin_x) {
   ScanPoints points;
   points.x = {x};
   points.y = {y};
+  points.z = {0.1F};
   points.origin_x = {origin_x};
   points.origin_y = {0.0F};
+  points.origin_z = {0.3F};
   points.range = {x - origin_x};
   return points;
 }
@@ -37,6 +39,8 @@ TEST(LidarPanorama, MovesPointsOfOtherLidarsToWhereBaseIsNow) {
   EXPECT_NEAR(all.x[1], 0.0F, 1e-6F);
   EXPECT_NEAR(all.y[1], 4.0F, 1e-6F);
   EXPECT_NEAR(all.origin_y[1], 1.2F, 1e-6F);
+  EXPECT_FLOAT_EQ(all.z[1], 0.1F);
+  EXPECT_FLOAT_EQ(all.origin_z[1], 0.3F);
   EXPECT_FLOAT_EQ(all.range[1], -2.8F);
 }
 

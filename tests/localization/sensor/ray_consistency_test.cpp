@@ -9,7 +9,7 @@
 namespace castaway::localization {
 namespace {
 
-ScanPoints forward(float range) { return {{range}, {0.0F}, {0.0F}, {0.0F}, {range}}; }
+ScanPoints forward(float range) { return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}}; }
 
 bool through(const OccupancyGrid& grid, const SE2& pose, float range) {
   return beams_through_walls(forward(range), DistanceField(grid, 5.0), pose, {}).at(0);

@@ -47,7 +47,8 @@ TEST_F(ScanAgreementTest, SaysNothingOfScansWithoutACommonView) {
   EXPECT_FALSE(scan_agreement({}, {}, scan_from(pose_), {}));
   EXPECT_FALSE(scan_agreement({}, scan_from(pose_), {}, {}));
   ScanPoints few = scan_from(pose_);
-  for (auto* v : {&few.x, &few.y, &few.origin_x, &few.origin_y, &few.range}) v->resize(5);
+  for (auto* v : {&few.x, &few.y, &few.z, &few.origin_x, &few.origin_y, &few.origin_z, &few.range})
+    v->resize(5);
   EXPECT_FALSE(scan_agreement({}, few, few, {}));
 }
 

@@ -122,8 +122,10 @@ TEST(Thinned, TakesPointsEvenOverTheScan) {
     const auto v = static_cast<float>(i);
     points.x.push_back(v);
     points.y.push_back(-v);
+    points.z.push_back(0.1F);
     points.origin_x.push_back(0.0F);
     points.origin_y.push_back(0.0F);
+    points.origin_z.push_back(0.3F);
     points.range.push_back(v);
   }
   EXPECT_EQ(thinned(points, 4).x, (std::vector<float>{0.0F, 2.0F, 5.0F, 7.0F}));
@@ -136,8 +138,10 @@ TEST(Farthest, KeepsTheFarShareInItsOrder) {
   for (const float r : {4.0F, 1.0F, 3.0F, 2.0F, 5.0F}) {
     points.x.push_back(r);
     points.y.push_back(-r);
+    points.z.push_back(0.1F);
     points.origin_x.push_back(0.1F);
     points.origin_y.push_back(0.2F);
+    points.origin_z.push_back(0.3F);
     points.range.push_back(r);
   }
   const ScanPoints far = farthest(points, 0.5);

@@ -1,0 +1,50 @@
+/// A search of the whole map that may go on over several scans.
+///
+/// The cost of one scan stays bounded however large the map is: the search goes on in slices, and
+/// odometry carries what it has found to where base is by then.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "localization/hypotheses/create.hpp"
+
+namespace castaway::localization {
+
+/// How thoroughly the map is searched.
+enum class SearchDepth {
+  kUsual,  ///< By all end points and by the far ones, for the matcher's number of candidates each.
+  kDeep,   ///< By the far end points, for `CreateConfig::deep_candidates`.
+};
+
+/// One search of one scan. The matcher outlives it.
+class MapSearch {
+ public:
+  /// `T_odom_base` is odometry at the scan.
+  MapSearch(const CreateConfig& config, const CascadeMatcher& matcher, const ScanPoints& points,
+            const SE2& T_odom_base, SearchDepth depth);
+
+  /// Goes on for about `tiles` tiles (`BranchAndBound::step`); true when the search is complete.
+  bool step(std::int64_t tiles);
+  [[nodiscard]] SearchDepth depth() const { return depth_; }
+  /// What was found, as poses of base now, when odometry is at `T_odom_base`.
+  [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
+
+ private:
+  struct Part {
+    BranchAndBound search;
+    std::size_t points = 0;
+  };
+  void add(const ScanPoints& points, int most);
+
+  const CascadeMatcher* matcher_;
+  SE2 T_odom_base_;
+  SearchDepth depth_;
+  std::vector<Part> parts_;
+};
+
+/// Searches the whole map in one go, deeper where nothing fits well: the places found, refined.
+std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
+                                      const ScanPoints& points);
+
+}  // namespace castaway::localization

@@ -1,0 +1,122 @@
+#include "localization/hypotheses/map_search.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class MapSearchTest : public testing::Test {
+ protected:
+  using Pose = std::tuple<double, double, double>;
+  static std::set<Pose> poses(const std::vector<Candidate>& candidates) {
+    std::set<Pose> poses;
+    for (const auto& c : candidates) {
+      poses.emplace(c.T_map_base.x, c.T_map_base.y, c.T_map_base.yaw);
+    }
+    return poses;
+  }
+  std::vector<Candidate> found(const ScanPoints& points, SearchDepth depth) const {
+    MapSearch search(create_, matcher_, points, {}, depth);
+    EXPECT_TRUE(search.step(1 << 30));
+    return search.candidates({});
+  }
+  CreateContext context() const {
+    return {create_, merge_, posterior_, noise_, endpoint_, evidence_};
+  }
+
+  OccupancyGrid grid_ = test::office();
+  DistanceField distances_{grid_, 5.0};
+  MatcherConfig matcher_config_ = [] {
+    MatcherConfig config;
+    config.candidates = 10;
+    return config;
+  }();
+  CascadeMatcher matcher_{matcher_config_, grid_, distances_};
+  CreateConfig create_;
+  MergeConfig merge_;
+  PosteriorConfig posterior_;
+  OdometryNoiseConfig noise_;
+  EndpointModel endpoint_{{}, distances_};
+  EvidenceModel evidence_{{}, grid_, distances_};
+  SE2 truth_{3.0, 3.0, 0.4};
+  ScanPoints points_ = test::with_people(test::points_from(grid_, truth_));
+};
+
+TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
+  std::set<Pose> expected = poses(matcher_.match(points_));
+  expected.merge(poses(matcher_.match(farthest(points_, create_.far_share))));
+  const auto candidates = found(points_, SearchDepth::kUsual);
+  EXPECT_EQ(poses(candidates), expected);
+  EXPECT_EQ(candidates.size(), expected.size());  // each of them once
+}
+
+TEST_F(MapSearchTest, FindsByFarPointsWhatPeopleHide) {
+  const auto near_truth = [&](const std::vector<Candidate>& candidates) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return distance(c.T_map_base, truth_) < 0.3 && yaw_distance(c.T_map_base, truth_) < 0.1;
+    });
+  };
+  matcher_config_.candidates = 3;
+  matcher_ = CascadeMatcher(matcher_config_, grid_, distances_);
+  EXPECT_TRUE(near_truth(found(points_, SearchDepth::kUsual)));
+  create_.far_share = 0.0;
+  EXPECT_EQ(found(points_, SearchDepth::kUsual).size(), 3U);
+}
+
+TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
+  create_.deep_candidates = 25;
+  const ScanPoints far = farthest(points_, create_.far_share);
+  EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(far, {}, 25)));
+  create_.far_share = 0.0;
+  EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(points_, {}, 25)));
+}
+
+TEST_F(MapSearchTest, FindsTheSameInSlices) {
+  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kUsual);
+  int slices = 1;
+  while (!search.step(50)) ++slices;
+  EXPECT_GT(slices, 10);
+  EXPECT_EQ(poses(search.candidates({})), poses(found(points_, SearchDepth::kUsual)));
+}
+
+TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {
+  const SE2 T_odom_scan{5.0, 1.0, 0.7};
+  const SE2 u{0.3, 0.1, 0.5};
+  MapSearch search(create_, matcher_, points_, T_odom_scan, SearchDepth::kUsual);
+  ASSERT_TRUE(search.step(1 << 30));
+  const auto then = search.candidates(T_odom_scan);
+  const auto now = search.candidates(T_odom_scan * u);
+  ASSERT_EQ(then.size(), now.size());
+  for (std::size_t i = 0; i < then.size(); ++i) {
+    EXPECT_LT(distance(now[i].T_map_base, then[i].T_map_base * u), 1e-9);
+    EXPECT_LT(yaw_distance(now[i].T_map_base, then[i].T_map_base * u), 1e-9);
+    EXPECT_EQ(now[i].score, then[i].score);
+  }
+}
+
+TEST_F(MapSearchTest, HasNothingToDoWithoutPoints) {
+  MapSearch search(create_, matcher_, {}, {}, SearchDepth::kUsual);
+  EXPECT_TRUE(search.step(1));
+  EXPECT_TRUE(search.candidates({}).empty());
+}
+
+TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingFits) {
+  matcher_config_.candidates = 1;
+  matcher_ = CascadeMatcher(matcher_config_, grid_, distances_);
+  create_.far_share = 0.0;
+  create_.deep_below = -100.0;
+  EXPECT_EQ(find_places(context(), matcher_, points_).size(), 1U);
+  create_.deep_below = 0.0;
+  EXPECT_GT(find_places(context(), matcher_, points_).size(), 1U);
+  EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
+}
+
+}  // namespace
+}  // namespace castaway::localization
