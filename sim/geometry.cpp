@@ -40,14 +40,32 @@ Pose2 to_planar(const Eigen::Isometry3d& T_a_b) {
   return {T_a_b.translation().x(), T_a_b.translation().y(), std::atan2(R(1, 0), R(0, 0))};
 }
 
+Interpolation::Interpolation(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b)
+    : from_(a.translation()),
+      way_(b.translation() - a.translation()),
+      q_a_(a.linear()),
+      q_b_(b.linear()) {
+  const double d = q_a_.dot(q_b_);
+  if (d < 0.0) q_b_.coeffs() = -q_b_.coeffs();
+  if (std::abs(d) >= 1.0 - Eigen::NumTraits<double>::epsilon()) return;
+  angle_ = std::acos(std::abs(d));
+  sine_ = std::sin(angle_);
+}
+
+Eigen::Isometry3d Interpolation::at(double fraction) const {
+  const bool turns = angle_ > 0.0;
+  const double share_a = turns ? std::sin((1.0 - fraction) * angle_) / sine_ : 1.0 - fraction;
+  const double share_b = turns ? std::sin(fraction * angle_) / sine_ : fraction;
+  const Eigen::Quaterniond q(Eigen::Vector4d(share_a * q_a_.coeffs() + share_b * q_b_.coeffs()));
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = q.toRotationMatrix();
+  T.translation() = from_ + fraction * way_;
+  return T;
+}
+
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                               double fraction) {
-  const Eigen::Quaterniond q_a(a.linear());
-  const Eigen::Quaterniond q_b(b.linear());
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = q_a.slerp(fraction, q_b).toRotationMatrix();
-  T.translation() = a.translation() + fraction * (b.translation() - a.translation());
-  return T;
+  return Interpolation(a, b).at(fraction);
 }
 
 }  // namespace castaway::sim

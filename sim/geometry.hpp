@@ -36,7 +36,25 @@ Pose2 inverse(const Pose2& T_a_b);
 Eigen::Isometry3d to_isometry(const Pose2& T_a_b);
 /// The pose seen from above: x, y and the heading of b's x axis.
 Pose2 to_planar(const Eigen::Isometry3d& T_a_b);
-/// The transform a fraction of the way from `a` to `b`: straight in position, slerp in rotation.
+/// The way from one transform to another: straight in position, slerp in rotation. What all points
+/// of it share is computed once.
+class Interpolation {
+ public:
+  Interpolation(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
+
+  /// The transform a fraction of the way from `a` to `b`.
+  [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
+
+ private:
+  Eigen::Vector3d from_;
+  Eigen::Vector3d way_;
+  Eigen::Quaterniond q_a_;
+  Eigen::Quaterniond q_b_;  ///< With the sign that makes the way short.
+  double angle_ = 0.0;      ///< [rad] Between the quaternions; 0: too small to tell.
+  double sine_ = 0.0;       ///< Of it.
+};
+
+/// One point of it.
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                               double fraction);
 

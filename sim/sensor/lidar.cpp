@@ -20,6 +20,16 @@ std::chrono::nanoseconds to_nanoseconds(double seconds) {
 
 }  // namespace
 
+std::optional<RayHit> cast(const Surroundings& around, const Ray& ray, double max_distance,
+                           std::uint32_t guess) {
+  std::optional<RayHit> hit = around.fixed.cast(ray, max_distance, guess);
+  if (around.moving == nullptr) return hit;
+  std::optional<RayHit> nearer = around.moving->cast(ray, hit ? hit->distance : max_distance);
+  if (!nearer) return hit;
+  if (hit) nearer->primitive = hit->primitive;
+  return nearer;
+}
+
 Lidar::Lidar(const LidarConfig& config) : config_(config) {
   validate(config);
   for (int i = 0; i < config.beams; ++i) {
@@ -29,25 +39,32 @@ Lidar::Lidar(const LidarConfig& config) : config_(config) {
   }
 }
 
-Beam Lidar::cast(const RayScene& scene, const Eigen::Isometry3d& T_map_base, int index,
-                 Rng& rng) const {
-  const Ray ray{T_map_base * config_.T_base_laser.translation(),
-                T_map_base.linear() * directions_[static_cast<std::size_t>(index)]};
-  const double floor = distance_to_floor(ray);
+Ray Lidar::ray(const Eigen::Isometry3d& T_map_base, int index) const {
+  return {T_map_base * config_.T_base_laser.translation(),
+          T_map_base.linear() * directions_[static_cast<std::size_t>(index)]};
+}
+
+Beam Lidar::cast(const Surroundings& around, const Eigen::Isometry3d& T_map_base, int index,
+                 Rng& rng, std::uint32_t guess) const {
+  const Ray beam = ray(T_map_base, index);
+  const double floor = distance_to_floor(beam);
   const double limit = std::min(config_.range_max, floor);
-  const std::optional<RayHit> hit = scene.cast(ray, limit);
-  if (!hit && floor > config_.range_max) return {kInfinity, kHitNothing};
+  const std::optional<RayHit> hit = sim::cast(around, beam, limit, guess);
+  if (!hit && floor > config_.range_max) return {kInfinity, kHitNothing, guess};
   const double range = measured_range(config_.noise, hit ? hit->distance : floor, rng);
-  if (range > config_.range_max) return {kInfinity, kHitNothing};
+  const std::uint32_t primitive = hit ? hit->primitive : kNoPrimitive;
+  if (range > config_.range_max) return {kInfinity, kHitNothing, primitive};
   const int object = hit ? hit->object : kHitFloor;
-  if (range < config_.range_min) return {-kInfinity, object};
-  return {static_cast<float>(range), object};
+  if (range < config_.range_min) return {-kInfinity, object, primitive};
+  return {static_cast<float>(range), object, primitive};
+}
+
+double Motion::fraction(std::chrono::nanoseconds stamp) const {
+  return static_cast<double>((stamp - begin).count()) / static_cast<double>((end - begin).count());
 }
 
 Eigen::Isometry3d Motion::at(std::chrono::nanoseconds stamp) const {
-  const double fraction =
-      static_cast<double>((stamp - begin).count()) / static_cast<double>((end - begin).count());
-  return interpolate(T_map_base_begin, T_map_base_end, fraction);
+  return interpolate(T_map_base_begin, T_map_base_end, fraction(stamp));
 }
 
 LidarSweeper::LidarSweeper(const LidarConfig& config)
@@ -67,13 +84,18 @@ void LidarSweeper::begin_scan(const Motion& motion) {
   reading_.hit_object.reserve(static_cast<std::size_t>(lidar_.config().beams));
 }
 
-std::vector<Sweep> LidarSweeper::advance(const RayScene& scene, const Motion& motion, Rng& rng) {
+std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motion& motion,
+                                         Rng& rng) {
   std::vector<Sweep> done;
+  if (scan_stamp_ + time_increment_ * next_beam_ >= motion.end) return done;
+  const Interpolation path(motion.T_map_base_begin, motion.T_map_base_end);
   while (true) {
     const auto stamp = scan_stamp_ + time_increment_ * next_beam_;
     if (stamp >= motion.end) return done;
     if (next_beam_ == 0) begin_scan(motion);
-    const Beam beam = lidar_.cast(scene, motion.at(stamp), next_beam_, rng);
+    const Beam beam =
+        lidar_.cast(around, path.at(motion.fraction(stamp)), next_beam_, rng, last_primitive_);
+    last_primitive_ = beam.primitive;
     reading_.ranges.push_back(beam.range);
     reading_.hit_object.push_back(beam.object);
     if (++next_beam_ < lidar_.config().beams) continue;

@@ -35,15 +35,12 @@ struct RayScene::RayWalk {
   explicit RayWalk(const Ray& ray) : origin(ray.origin), inverse(safe_inverse(ray.direction)) {}
 
   [[nodiscard]] bool meets(const Node& node, double nearest) const {
-    double enter = 0.0;
-    double leave = nearest;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double t1 = (node.min[axis] - origin[axis]) * inverse[axis];
-      const double t2 = (node.max[axis] - origin[axis]) * inverse[axis];
-      enter = std::max(enter, std::min(t1, t2));
-      leave = std::min(leave, std::max(t1, t2));
-    }
-    return enter <= leave;
+    const Eigen::Array3d t1 = (node.min - origin).array() * inverse.array();
+    const Eigen::Array3d t2 = (node.max - origin).array() * inverse.array();
+    const Eigen::Array3d enter = t1.min(t2);
+    const Eigen::Array3d leave = t1.max(t2);
+    return std::max({enter[0], enter[1], enter[2], 0.0}) <=
+           std::min({leave[0], leave[1], leave[2], nearest});
   }
 
   Eigen::Vector3d origin;
@@ -111,14 +108,19 @@ std::size_t RayScene::split(std::vector<Item>& items, std::size_t first, std::si
 void RayScene::visit_leaf(const Node& node, const Ray& ray, RayHit& nearest) const {
   for (std::uint32_t i = node.second; i < node.second + node.count; ++i) {
     const double distance = intersect(primitives_[i], ray);
-    if (distance < nearest.distance) nearest = {distance, primitives_[i].object};
+    if (distance < nearest.distance) nearest = {distance, primitives_[i].object, i};
   }
 }
 
-std::optional<RayHit> RayScene::cast(const Ray& ray, double max_distance) const {
+std::optional<RayHit> RayScene::cast(const Ray& ray, double max_distance,
+                                     std::uint32_t guess) const {
   const RayWalk walk(ray);
-  RayHit nearest{max_distance, kNobody};
-  std::array<std::uint32_t, kStackSize> stack{};
+  RayHit nearest{max_distance, kNobody, kNoPrimitive};
+  if (guess < primitives_.size()) {
+    const double distance = intersect(primitives_[guess], ray);
+    if (distance < max_distance) nearest = {distance, primitives_[guess].object, guess};
+  }
+  std::array<std::uint32_t, kStackSize> stack;  // Not initialised: that would take its time.
   std::size_t depth = 0;
   if (!nodes_.empty()) stack[depth++] = 0;
   while (depth > 0) {

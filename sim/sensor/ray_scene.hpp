@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,10 +13,14 @@
 
 namespace castaway::sim {
 
+/// No primitive in particular.
+inline constexpr std::uint32_t kNoPrimitive = std::numeric_limits<std::uint32_t>::max();
+
 /// Where a ray ends.
 struct RayHit {
-  double distance = 0.0;  ///< [m]
-  int object = 0;         ///< `RayPrimitive::object` of what it met.
+  double distance = 0.0;                   ///< [m]
+  int object = 0;                          ///< `RayPrimitive::object` of what it met.
+  std::uint32_t primitive = kNoPrimitive;  ///< Index into `RayScene::primitives`.
 };
 
 /// Shapes under a tree of bounding boxes, split where the surface area heuristic is least and
@@ -25,8 +30,10 @@ class RayScene {
  public:
   explicit RayScene(std::vector<RayPrimitive> primitives);
 
-  /// The nearest hit within `max_distance` [m]; nothing if the way is clear.
-  [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, double max_distance) const;
+  /// The nearest hit within `max_distance` [m]; nothing if the way is clear. `guess`: a primitive
+  /// to try first, best the one that the beam before met; it saves time and changes no distance.
+  [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, double max_distance,
+                                           std::uint32_t guess = kNoPrimitive) const;
   [[nodiscard]] const std::vector<RayPrimitive>& primitives() const { return primitives_; }
 
  private:

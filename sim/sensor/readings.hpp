@@ -18,14 +18,36 @@ struct OdometryReading {
 /// What a beam hit, besides the index of an object in `WorldSpec::objects`.
 inline constexpr int kHitNothing = -1;
 inline constexpr int kHitFloor = -2;
+/// Person i is kHitPerson + i; there are never so many objects.
+inline constexpr int kHitPerson = 1 << 24;
+/// True if a beam ended on a person.
+constexpr bool is_person(int hit) { return hit >= kHitPerson; }
+
+/// Where a person was.
+struct PersonReading {
+  int person = 0;                                      ///< Its number.
+  Pose2 T_map_person;                                  ///< x where it faces.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
+  double gap =
+      0.0;  ///< [m] Between the robot's outline and the disc of the body; <= 0: they touch.
+};
+
+/// The robot ran into a person.
+struct PersonHit {
+  std::chrono::nanoseconds stamp{};
+  int person = 0;  ///< Its number.
+  Pose2 T_map_base_true;
+};
 
 /// One scan.
 struct LidarReading {
   std::chrono::nanoseconds stamp{};           ///< Of the first beam.
   std::chrono::nanoseconds time_increment{};  ///< Between two beams; 0 without sweep.
   std::vector<float> ranges;                  ///< [m] +inf: nothing within range, -inf: too close.
-  std::vector<int> hit_object;  ///< Same length: index of the object, or kHitNothing, kHitFloor.
-  Pose2 T_map_base_true;        ///< At the stamp.
+  /// Same length: index of the object, or kHitNothing, kHitFloor, kHitPerson + index of the person.
+  std::vector<int> hit_object;
+  Pose2 T_map_base_true;              ///< At the stamp.
+  std::vector<PersonReading> people;  ///< All there are, at the stamp or up to 50 ms later.
 };
 
 }  // namespace castaway::sim
