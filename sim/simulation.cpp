@@ -12,6 +12,7 @@
 #include "sim/drive_space.hpp"
 #include "sim/navigation/proximity_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
+#include "sim/people_stage.hpp"
 #include "sim/robot/robot_physics.hpp"
 #include "sim/sensor/lidar.hpp"
 #include "sim/world/free_space.hpp"
@@ -34,21 +35,22 @@ WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fract
   return {a.left + fraction * (b.left - a.left), a.right + fraction * (b.right - a.right)};
 }
 
-/// Order of deliveries at the same time: kidnap, odometry, scan.
+/// Order of deliveries at the same time: kidnap, odometry, scan, person hit.
 bool earlier(const SimFrame& a, const SimFrame& b) {
   return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
 }
 
 }  // namespace
 
-/// Time advances by physics steps [now, now + step). At the start of a step come kidnaps and
-/// control; then physics moves on, and the sensors read what they are due within the step.
+/// Time advances by physics steps [now, now + step). At the start of a step come kidnaps, people
+/// and control; then physics moves on, and the sensors read what they are due within the step.
 struct Simulation::State {
   State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
 
   void run_step();
   void kidnap_if_due();
-  void control_if_due();
+  void move_people();
+  void control();
   void read_odometry(const Motion& motion, const WheelAngles& before);
   void read_lidar(const Motion& motion);
   template <typename Work>
@@ -75,6 +77,8 @@ struct Simulation::State {
   WheelOdometry odometry;
   RouteRunner route;
   ProximityGuard guard;
+  PeopleStage people;
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> drive_pose;
   double distance = 0.0;
   std::deque<SimFrame> frames;
@@ -96,7 +100,8 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
       route(route_of(config.drive, config.robot),
             FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)),
-      guard(guard_of(config.drive, config.robot)) {}
+      guard(guard_of(config.drive, config.robot)),
+      people(config, start, streams.named) {}
 
 template <typename Work>
 void Simulation::State::measured(const char* stage, Work work) {
@@ -114,15 +119,25 @@ void Simulation::State::kidnap_if_due() {
     const FreeSpace free = kidnap_space(spec, config.robot, grid);
     const Pose2 to = kidnap_target(spec, from, free, streams.events);
     robot.teleport(to);
+    people.on_kidnap(to);
     frames.push_back({now, KidnapRecord{now, spec.kind, from, to}});
   }
 }
 
-void Simulation::State::control_if_due() {
-  if (now < next_control) return;
+void Simulation::State::move_people() {
+  if (!people.due(now)) return;
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  measured("people", [&] { people.advance(now, T_map_base, velocity, scene); });
+  for (const int person : people.take_hits()) {
+    frames.push_back({now, PersonHit{now, person, T_map_base}});
+  }
+}
+
+void Simulation::State::control() {
   next_control += kControlPeriod;
   if (!config.drive.by_estimate) {
-    robot.set_command(route.command(to_planar(robot.state().T_map_base)));
+    const Twist2 command = route.command(to_planar(robot.state().T_map_base));
+    robot.set_command(people.yielded(command, route, grid));
   } else if (drive_pose) {
     robot.set_command(guard.guarded(route.command(drive_pose)));
   } else {
@@ -141,7 +156,8 @@ void Simulation::State::read_odometry(const Motion& motion, const WheelAngles& b
 }
 
 void Simulation::State::read_lidar(const Motion& motion) {
-  for (Sweep& sweep : lidar.advance(scene, motion, streams.lidar)) {
+  for (Sweep& sweep : lidar.advance(people.around(scene), motion, streams.lidar)) {
+    sweep.reading.people = people.readings(sweep.reading.stamp, sweep.reading.T_map_base_true);
     if (config.drive.by_estimate) guard.on_scan(sweep.reading, config.lidar);
     frames.push_back({sweep.last_beam, std::move(sweep.reading)});
   }
@@ -149,15 +165,19 @@ void Simulation::State::read_lidar(const Motion& motion) {
 
 void Simulation::State::run_step() {
   kidnap_if_due();
-  measured("drive", [this] { control_if_due(); });
+  move_people();
+  if (now >= next_control) measured("drive", [this] { control(); });
   const RobotState before = robot.state();
   measured("physics", [this] { robot.step(); });
   const RobotState& after = robot.state();
   const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
-  distance += (after.T_map_base.translation() - before.T_map_base.translation()).head<2>().norm();
+  const Eigen::Vector2d way =
+      (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
+  distance += way.norm();
+  velocity = way / std::chrono::duration<double>(step).count();
   read_odometry(motion, before.wheels);
   measured("lidar", [&] { read_lidar(motion); });
-  std::stable_sort(frames.begin(), frames.end(), earlier);
+  if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;
 }
 
@@ -189,6 +209,17 @@ Pose2 Simulation::true_pose() const { return to_planar(state_->robot.state().T_m
 std::int64_t Simulation::collisions() const { return state_->robot.collisions(); }
 
 double Simulation::distance_driven() const { return state_->distance; }
+
+std::vector<std::pair<PersonBody, PersonState>> Simulation::people() const {
+  std::vector<std::pair<PersonBody, PersonState>> result;
+  const People* people = state_->people.people();
+  if (people == nullptr) return result;
+  const auto states = people->states(state_->people.fraction(state_->now));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    result.emplace_back(people->agents()[i].body, states[i]);
+  }
+  return result;
+}
 
 std::map<std::string, nanoseconds> Simulation::cpu_by_stage() const { return state_->cpu; }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,7 @@
 
 #include "sim/events/kidnap.hpp"
 #include "sim/geometry.hpp"
+#include "sim/people/people_config.hpp"
 #include "sim/random.hpp"
 #include "sim/robot/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
@@ -45,6 +47,7 @@ struct SimulationConfig {
   OdometryConfig odometry;
   DriveConfig drive;
   std::vector<KidnapSpec> kidnaps;
+  PeopleConfig people;
   Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
   bool random_start = false;  ///< Draws a pose in reachable free space.
   std::chrono::nanoseconds duration = std::chrono::seconds(120);
@@ -56,12 +59,14 @@ struct SimulationStreams {
   Rng lidar;
   Rng odometry;
   Rng events;
+  /// Streams by name, "people/..."; needed where there are people.
+  std::function<Rng(const std::string& name)> named{};
 };
 
 /// One delivery. A scan is delivered at the time of its last beam.
 struct SimFrame {
   std::chrono::nanoseconds stamp{};
-  std::variant<KidnapRecord, OdometryReading, LidarReading> data;
+  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit> data;
 };
 
 /// A run of the simulator. Same configuration, same streams: same frames, to the bit.
@@ -77,8 +82,8 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// The next delivery, in order of stamps; at the same time kidnap, odometry, scan. Nothing once
-  /// the run's duration is over.
+  /// The next delivery, in order of stamps; at the same time kidnap, odometry, scan, person hit.
+  /// Nothing once the run's duration is over.
   /// @throws std::runtime_error if a kidnap is impossible where the robot is.
   std::optional<SimFrame> next();
   /// What the driving localizer believes; without a pose the robot stops. Ignored unless
@@ -89,11 +94,13 @@ class Simulation {
   [[nodiscard]] Pose2 start_pose() const;
   /// True pose of base now.
   [[nodiscard]] Pose2 true_pose() const;
-  /// Contacts of the robot with the world begun so far, floor aside.
+  /// Contacts of the robot with the world begun so far, floor and people aside.
   [[nodiscard]] std::int64_t collisions() const;
   /// Way driven by the base so far, kidnaps aside. [m]
   [[nodiscard]] double distance_driven() const;
-  /// CPU time by stage: "physics", "lidar", "drive"; empty without a clock.
+  /// The people as they are now, by their bodies and states; none: empty.
+  [[nodiscard]] std::vector<std::pair<PersonBody, PersonState>> people() const;
+  /// CPU time by stage: "physics", "lidar", "drive", "people"; empty without a clock.
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const;
 
  private:

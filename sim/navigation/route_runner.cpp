@@ -11,6 +11,7 @@ RouteRunner::RouteRunner(RouteConfig config, FreeSpace free)
 
 void RouteRunner::next_waypoint() {
   follower_.reset();
+  detour_.reset();
   ++waypoint_;
   if (config_.loop && waypoint_ >= config_.waypoints.size()) waypoint_ = 0;
 }
@@ -23,11 +24,20 @@ void RouteRunner::plan(const Pose2& T_map_base) {
 Twist2 RouteRunner::command(const std::optional<Pose2>& T_map_base) {
   if (!T_map_base || waypoint_ >= config_.waypoints.size()) return {};
   const bool off = follower_ && follower_->off_path(*T_map_base) > config_.replan_distance;
+  if (off) detour_.reset();
   if (!follower_ || off) plan(*T_map_base);
   if (!follower_) return {};
-  const Twist2 twist = follower_->command(*T_map_base, free_);
+  const Twist2 twist = follower_->command(*T_map_base, detour_ ? *detour_ : free_);
   if (follower_->arrived(*T_map_base)) next_waypoint();
   return twist;
+}
+
+void RouteRunner::detour(const Pose2& T_map_base, FreeSpace free) {
+  if (waypoint_ >= config_.waypoints.size()) return;
+  auto path = plan_path(free, T_map_base.position(), config_.waypoints[waypoint_]);
+  if (!path || (path->front() - T_map_base.position()).norm() > config_.replan_distance) return;
+  follower_.emplace(config_.follower, std::move(*path));
+  detour_ = std::move(free);
 }
 
 std::vector<Eigen::Vector2d> RouteRunner::path() const {

@@ -29,6 +29,9 @@ class RouteRunner {
 
   /// The velocity to command at a pose; zero without one and at the end of the route.
   Twist2 command(const std::optional<Pose2>& T_map_base);
+  /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
+  /// with its path where there is none.
+  void detour(const Pose2& T_map_base, FreeSpace free);
   /// The path being driven; empty if none.
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const;
 
@@ -38,6 +41,7 @@ class RouteRunner {
 
   RouteConfig config_;
   FreeSpace free_;
+  std::optional<FreeSpace> detour_;  ///< Holds until the next waypoint.
   std::size_t waypoint_ = 0;
   std::optional<PathFollower> follower_;
 };

@@ -101,6 +101,7 @@ void add_data(const OdometryReading& r, Hash& hash) {
   hash.add(r.T_odom_base);
   hash.add(r.T_map_base_true);
 }
+void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
 void add_data(const LidarReading& r, Hash& hash) {
   for (const float range : r.ranges) hash.add(range);
   for (const int object : r.hit_object) hash.add(object);

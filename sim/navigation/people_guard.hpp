@@ -1,0 +1,32 @@
+/// Keeps a robot that knows where people are from running into them.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/geometry.hpp"
+#include "sim/navigation/proximity_guard.hpp"
+
+namespace castaway::sim {
+
+/// Slows down before people ahead, stops, and waits for them to go. Turns on the spot are free: the
+/// robot is a disc.
+class PeopleGuard {
+ public:
+  /// `person_radius` [m]: kept free around each.
+  PeopleGuard(const GuardConfig& config, double person_radius);
+
+  /// The velocity to drive with instead of `command`; `p_base`: people, in base. One call a control
+  /// period.
+  Twist2 guarded(const Twist2& command, const std::vector<Eigen::Vector2d>& p_base);
+  /// True once the robot has waited for `calls` calls in a row; then it counts anew.
+  bool waited(int calls);
+
+ private:
+  GuardConfig config_;
+  double reach_;  ///< [m] Between two middles that touch.
+  int waiting_ = 0;
+};
+
+}  // namespace castaway::sim

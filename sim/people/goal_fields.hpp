@@ -1,0 +1,49 @@
+/// Shortest ways from everywhere to a few places.
+///
+/// People share their goals, so that one search from each place (Dijkstra; A* with all starts at
+/// once) serves all who ever go there, and following a path costs nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/people/walk_space.hpp"
+#include "sim/random.hpp"
+
+namespace castaway::sim {
+
+/// Places to go to, and the ways there: on cells of `kCell`, around corners with room to spare.
+class GoalFields {
+ public:
+  static constexpr double kCell = 0.1;  ///< [m] At least; not finer than the walk space's grid.
+
+  /// Draws `places` places from the walk space, which must outlive this. @throws std::runtime_error
+  /// if nobody can walk anywhere.
+  GoalFields(const WalkSpace& space, int places, Rng& rng);
+
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& places() const { return places_; }
+  /// Where to walk to from `p_map` on the way to a place: a point of the path at most about 1.4 m
+  /// ahead that can be reached in a straight line. The first call for a place searches the ways.
+  [[nodiscard]] Eigen::Vector2d ahead(std::size_t place, const Eigen::Vector2d& p_map);
+
+ private:
+  using Index = std::uint32_t;
+
+  [[nodiscard]] Index cell_near(const Eigen::Vector2d& p_map) const;
+  [[nodiscard]] Eigen::Vector2d center(Index cell) const;
+  [[nodiscard]] bool is_free(int column, int row) const;
+  [[nodiscard]] std::vector<std::pair<Index, bool>> neighbours(Index cell) const;
+  void search(std::size_t place);
+  [[nodiscard]] float price(Index cell) const;
+
+  const WalkSpace& space_;
+  Grid grid_;
+  std::vector<Eigen::Vector2d> places_;
+  std::vector<std::vector<Index>> next_;  ///< By place: the next cell; empty until searched.
+};
+
+}  // namespace castaway::sim

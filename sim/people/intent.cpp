@@ -1,0 +1,134 @@
+#include "sim/people/intent.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <boost/random/uniform_int_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+
+#include "sim/people/reaction.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kTopSpeed = 1.3;       // Of the desired speed (Helbing and Molnar 1995).
+constexpr double kArrived = 0.7;        // [m]
+constexpr double kLongestRest = 6.0;    // [s]
+constexpr double kPatience = 4.0;       // [s] Of somebody who is stuck.
+constexpr double kAnchorEase = 1.0;     // [1/s] Speed wanted for a metre off the place.
+constexpr double kAnchorSpeed = 0.6;    // [m/s]
+constexpr double kAtPlace = 0.05;       // [m]
+constexpr double kSlotEase = 2.0;       // [1/s]
+constexpr double kSlotSpeed = 1.8;      // [m/s] Of people who keep up with a robot.
+constexpr double kFormationEase = 1.2;  // [1/s]
+constexpr double kTooFarBehind = 1.8;   // [m] Then the leader waits.
+constexpr double kWalking = 0.15;       // [m/s] Faster, people look where they go.
+constexpr std::array<double, 4> kAbreast = {0.0, 0.65, -0.65, 1.3};  // [m] Left of the leader.
+
+double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+Eigen::Vector2d eased(const Eigen::Vector2d& way, double ease, double most) {
+  const double distance = way.norm();
+  if (distance < kAtPlace) return Eigen::Vector2d::Zero();
+  return way / distance * std::min(ease * distance, most);
+}
+
+double facing(const Agent& agent, const RobotBody& robot) {
+  return heading_of(robot.T_map_base.position() - agent.state.position);
+}
+
+Intent stand_there(const Agent& agent) {
+  Intent intent;
+  intent.velocity = eased(agent.anchor - agent.state.position, kAnchorEase, kAnchorSpeed);
+  intent.heading = agent.anchor_heading;
+  intent.top_speed = kAnchorSpeed;
+  return intent;
+}
+
+Intent join_crowd(const Agent& agent, const RobotBody& robot) {
+  Intent intent;
+  const Eigen::Vector2d way = agent.slot - agent.state.position;
+  intent.velocity = robot.velocity + eased(way, kSlotEase, kSlotSpeed);
+  intent.heading = way.norm() > 0.5 ? heading_of(way) : facing(agent, robot);
+  intent.top_speed = kSlotSpeed;
+  intent.minds_robot = false;
+  return intent;
+}
+
+void next_goal(Agent& agent, const GoalFields& goals) {
+  boost::random::uniform_int_distribution<std::size_t> any(0, goals.places().size() - 1);
+  agent.goal = any(agent.rng);
+  agent.stuck_for = 0.0;
+}
+
+bool left_behind(const std::vector<Agent>& agents, std::size_t leader) {
+  const Agent& first = agents[leader];
+  for (std::size_t i = leader + 1; i < agents.size() && agents[i].leader == leader; ++i) {
+    if ((agents[i].state.position - first.state.position).norm() > kTooFarBehind) return true;
+  }
+  return false;
+}
+
+/// On the way to its goal, or resting there.
+Intent lead(std::size_t index, std::vector<Agent>& agents, const GoalFields& goals, double now) {
+  Agent& agent = agents[index];
+  Intent intent;
+  intent.top_speed = kTopSpeed * agent.body.desired_speed;
+  intent.heading = agent.state.heading;
+  if (now < agent.rests_until) return intent;
+  const Eigen::Vector2d to_goal = goals.places()[agent.goal] - agent.state.position;
+  if (to_goal.norm() < kArrived) {
+    agent.rests_until =
+        now + boost::random::uniform_real_distribution<double>(0.0, kLongestRest)(agent.rng);
+    next_goal(agent, goals);
+    return intent;
+  }
+  if (agent.stuck_for > kPatience) next_goal(agent, goals);
+  const double pace = left_behind(agents, index) ? 0.4 : 1.0;
+  const Eigen::Vector2d way = agent.waypoint - agent.state.position;
+  if (way.norm() < 1e-6) return intent;
+  intent.velocity = way.normalized() * pace * agent.body.desired_speed;
+  intent.heading = heading_of(way);
+  return intent;
+}
+
+/// Beside its leader; where that place is taken by a wall, along its own way to the same goal.
+Intent follow(std::size_t index, std::vector<Agent>& agents) {
+  Agent& agent = agents[index];
+  const Agent& leader = agents[agent.leader];
+  agent.goal = leader.goal;
+  const Eigen::Vector2d ahead = heading_vector(leader.state.heading);
+  const double aside = kAbreast[static_cast<std::size_t>(agent.rank) % kAbreast.size()];
+  const Eigen::Vector2d place =
+      leader.state.position + aside * Eigen::Vector2d(-ahead.y(), ahead.x());
+  Intent intent;
+  intent.top_speed = kTopSpeed * agent.body.desired_speed;
+  intent.heading = leader.state.heading;
+  Eigen::Vector2d way = place - agent.state.position;
+  if (way.norm() > kTooFarBehind) way = agent.waypoint - agent.state.position;
+  intent.velocity = leader.state.velocity + eased(way, kFormationEase, agent.body.desired_speed);
+  return intent;
+}
+
+}  // namespace
+
+Intent intend(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
+              const RobotBody& robot, double now) {
+  Agent& agent = agents[index];
+  if (agent.in_crowd) return join_crowd(agent, robot);
+  if (const auto reaction = react(agent, robot, now)) {
+    const bool walks = reaction->velocity.norm() > kWalking && !reaction->faces_robot;
+    return {reaction->velocity, walks ? heading_of(reaction->velocity) : facing(agent, robot),
+            kTopSpeed * agent.body.desired_speed, false};
+  }
+  if (agent.errand == Errand::kStanding) return stand_there(agent);
+  return agent.leader == index ? lead(index, agents, goals, now) : follow(index, agents);
+}
+
+void note_progress(const Intent& intent, double dt, Agent& agent) {
+  const bool stuck = intent.velocity.norm() > 0.3 && agent.state.velocity.norm() < 0.1;
+  agent.stuck_for = stuck ? agent.stuck_for + dt : 0.0;
+}
+
+}  // namespace castaway::sim

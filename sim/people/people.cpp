@@ -1,0 +1,186 @@
+#include "sim/people/people.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/people/gait.hpp"
+#include "sim/people/intent.hpp"
+#include "sim/people/person_rays.hpp"
+#include "sim/people/separation.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr int kPlaces = 16;         // To go to.
+constexpr int kLookEvery = 4;       // [steps] Ways and sights are looked up.
+constexpr double kTurnRate = 4.0;   // [rad/s]
+constexpr double kHitGap = 0.5;     // [s] Touches closer in time are one.
+constexpr double kInCrowd = 0.25;   // Of the interaction is left among people packed closely.
+constexpr double kAside = 0.1;      // [m] From a robot that was put down...
+constexpr int kAsideWays = 16;      // ...in so many directions...
+constexpr int kAsideRings = 8;      // ...and on so many rings...
+constexpr double kAsideRing = 0.2;  // [m] ...so far apart.
+
+GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
+  Rng rng = streams("people/places");
+  return {space, kPlaces, rng};
+}
+
+Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
+  const double length = v.norm();
+  return length > most ? Eigen::Vector2d(v * (most / length)) : v;
+}
+
+}  // namespace
+
+People::People(const PeopleConfig& config, const WorldSpec& world, const Grid& map,
+               const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams)
+    : space_((validate(config), body_grid(world, map))), goals_(goals_in(space_, streams)) {
+  agents_ = draw_people(config, space_, goals_, robot, streams);
+  for (const Agent& agent : agents_) before_.push_back(agent.state);
+  clear_for_.assign(agents_.size(), kHitGap);
+  if (config.blocked_share > 0.0) crowd_.emplace(config.blocked_share, lidar);
+}
+
+void People::note_hits(const RobotBody& robot) {
+  hits_.clear();
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    const double far = (agent.state.position - robot.T_map_base.position()).norm();
+    const bool touches =
+        far < robot.radius + agent.body.radius &&
+        distance_to(robot, agent.state.position).distance < agent.body.radius - 1e-6;
+    if (touches && clear_for_[i] >= kHitGap) hits_.push_back(static_cast<int>(i));
+    clear_for_[i] = touches ? 0.0 : clear_for_[i] + kPeriod;
+  }
+}
+
+void People::look_about(const RobotBody& robot) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if ((steps_ + static_cast<std::int64_t>(i)) % kLookEvery != 0) continue;
+    Agent& agent = agents_[i];
+    agent.sees_robot = space_.sees(agent.state.position, robot.T_map_base.position());
+    const bool walks = agent.errand == Errand::kWalking && !agent.in_crowd;
+    if (walks) agent.waypoint = goals_.ahead(agent.goal, agent.state.position);
+  }
+}
+
+Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool minds_robot) const {
+  const Agent& agent = agents_[index];
+  const Eigen::Vector2d& p = agent.state.position;
+  Eigen::Vector2d others = Eigen::Vector2d::Zero();
+  for (std::size_t j = 0; j < agents_.size(); ++j) {
+    if (j == index) continue;
+    others += social_force(forces_, agents_[j].state.position - p,
+                           agent.state.velocity - agents_[j].state.velocity);
+  }
+  if (agent.in_crowd) others *= kInCrowd;
+  const WallDistance wall = space_.wall(p);
+  const Eigen::Vector2d walls =
+      obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
+  if (!minds_robot) return others + walls;
+  if (agent.behaviour == Behaviour::kImpassive) {
+    const OutlineDistance outline = distance_to(robot, p);
+    return others + walls +
+           obstacle_force(forces_, outline.distance - agent.body.radius, outline.away);
+  }
+  return others + walls +
+         social_force(forces_, robot.T_map_base.position() - p,
+                      agent.state.velocity - robot.velocity);
+}
+
+void People::turn(std::size_t index, double wanted_heading) {
+  PersonState& state = agents_[index].state;
+  const double most = kTurnRate * kPeriod;
+  const double error = wrap_angle(wanted_heading - state.heading);
+  state.heading = wrap_angle(state.heading + std::clamp(error, -most, most));
+}
+
+std::vector<Intent> People::intents(const RobotBody& robot) {
+  const double now = static_cast<double>(steps_) * kPeriod;
+  std::vector<Intent> result;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    result.push_back(intend(i, agents_, goals_, robot, now));
+  }
+  return result;
+}
+
+/// Where everybody goes by the forces; nobody has moved while they are computed.
+void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
+  std::vector<Eigen::Vector2d> ways;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Eigen::Vector2d& v = agents_[i].state.velocity;
+    const Eigen::Vector2d acceleration =
+        driving_force(forces_, v, intents[i].velocity) + force(i, robot, intents[i].minds_robot);
+    ways.emplace_back(kPeriod * limited(v + kPeriod * acceleration, intents[i].top_speed));
+  }
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    before_[i] = agents_[i].state;
+    agents_[i].state.position = moved(space_, before_[i].position, ways[i]);
+  }
+}
+
+void People::step(const RobotBody& robot) {
+  note_hits(robot);
+  look_about(robot);
+  const std::vector<Intent> wanted = intents(robot);
+  move(wanted, robot);
+  separate(space_, robot, before_, agents_);
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    PersonState& state = agents_[i].state;
+    const Eigen::Vector2d way = state.position - before_[i].position;
+    state.velocity = limited(way / kPeriod, wanted[i].top_speed);
+    turn(i, wanted[i].heading);
+    walk(space_, before_[i], kPeriod, state);
+    note_progress(wanted[i], kPeriod, agents_[i]);
+  }
+  ++steps_;
+}
+
+void People::gather(const RobotBody& robot, const RayScene& standing) {
+  if (!crowd_) return;
+  const MovingScene people = scene(1.0);
+  crowd_->plan(robot, space_, {standing, people}, agents_);
+}
+
+void People::make_way(const RobotBody& robot) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const double wanted = agents_[i].body.radius + kAside;
+    const Eigen::Vector2d from = agents_[i].state.position;
+    const OutlineDistance outline = distance_to(robot, from);
+    if (outline.distance >= wanted) continue;
+    const double outwards = std::atan2(outline.away.y(), outline.away.x());
+    for (int k = 0; k < kAsideRings * kAsideWays; ++k) {  // On each ring the least turn first.
+      const int turn = (k % kAsideWays + 1) / 2 * (k % 2 == 0 ? 1 : -1);
+      const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
+      const double distance = kAsideRing * (k / kAsideWays + 1);
+      const Eigen::Vector2d p = from + distance * heading_vector(angle);
+      if (distance_to(robot, p).distance < wanted || !space_.clear(from, p)) continue;
+      agents_[i].state.position = p;
+      break;
+    }
+    stand(agents_[i].state);
+    before_[i] = agents_[i].state;
+  }
+}
+
+std::vector<PersonState> People::states(double fraction) const {
+  std::vector<PersonState> result;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    result.push_back(between(before_[i], agents_[i].state, fraction));
+  }
+  return result;
+}
+
+MovingScene People::scene(double fraction) const {
+  std::vector<MovingBody> bodies;
+  bodies.reserve(agents_.size());
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    bodies.push_back(person_rays(agents_[i].body, between(before_[i], agents_[i].state, fraction),
+                                 static_cast<int>(i)));
+  }
+  return MovingScene(std::move(bodies));
+}
+
+}  // namespace castaway::sim

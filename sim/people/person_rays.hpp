@@ -1,0 +1,13 @@
+/// What a lidar meets of a person.
+#pragma once
+
+#include "sim/people/person.hpp"
+#include "sim/sensor/moving_scene.hpp"
+
+namespace castaway::sim {
+
+/// Two upright legs at the feet up to `kTorsoBottom`, above it a torso, an ellipse of 0.45 x 0.28
+/// m, up to the shoulders, and a round head. Labelled kHitPerson + `index`.
+MovingBody person_rays(const PersonBody& body, const PersonState& state, int index);
+
+}  // namespace castaway::sim

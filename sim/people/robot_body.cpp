@@ -1,0 +1,85 @@
+#include "sim/people/robot_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sim/robot/part_points.hpp"
+
+namespace castaway::sim {
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// A. M. Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979.
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Eigen::Vector2d> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t base = hull.size() + 1;
+    for (const Eigen::Vector2d& p : points) {
+      while (hull.size() > base && cross(hull.back() - *(hull.end() - 2), p - hull.back()) <= 0.0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();  // The last point starts the other side.
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+std::vector<Eigen::Vector2d> circle(double radius) {
+  constexpr int kSides = 32;
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot) {
+  std::vector<Eigen::Vector2d> points;
+  for (const RobotPart& part : robot.collisions) {
+    for (const Eigen::Vector3d& p : part_points(part)) points.emplace_back(p.head<2>());
+  }
+  if (points.size() < 3) return circle(robot.footprint_radius);
+  return convex_hull(std::move(points));
+}
+
+OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map) {
+  const Eigen::Vector2d p = inverse(robot.T_map_base) * p_map;
+  double deepest = -std::numeric_limits<double>::infinity();  // Over the edges' half planes.
+  double nearest = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d out = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d from_nearest = Eigen::Vector2d::UnitX();
+  for (std::size_t i = 0; i < robot.outline.size(); ++i) {
+    const Eigen::Vector2d& a = robot.outline[i];
+    const Eigen::Vector2d edge = robot.outline[(i + 1) % robot.outline.size()] - a;
+    const Eigen::Vector2d normal = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+    const double side = normal.dot(p - a);
+    if (side > deepest) {
+      deepest = side;
+      out = normal;
+    }
+    const double along = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
+    const Eigen::Vector2d offset = p - (a + along * edge);
+    if (offset.norm() < nearest) {
+      nearest = offset.norm();
+      from_nearest = offset;
+    }
+  }
+  const Pose2 turn{0.0, 0.0, robot.T_map_base.yaw};
+  if (deepest <= 0.0 || nearest == 0.0) return {deepest, turn * out};
+  return {nearest, turn * Eigen::Vector2d(from_nearest / nearest)};
+}
+
+}  // namespace castaway::sim

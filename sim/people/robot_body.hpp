@@ -1,0 +1,35 @@
+/// The robot as people see it.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/geometry.hpp"
+
+namespace castaway::sim {
+
+struct RobotModel;
+
+/// Outline of a robot from above: a convex polygon in base, counter-clockwise. [m]
+/// @throws std::runtime_error if a mesh cannot be read.
+std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot);
+
+/// A robot in motion.
+struct RobotBody {
+  std::vector<Eigen::Vector2d> outline;                ///< [m] As of `robot_outline`.
+  double radius = 0.2;                                 ///< [m] Disc about base.
+  Pose2 T_map_base;                                    ///< True pose.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
+};
+
+/// A point's way out of a robot's outline.
+struct OutlineDistance {
+  double distance = 0.0;                            ///< [m] Negative: inside.
+  Eigen::Vector2d away = Eigen::Vector2d::UnitX();  ///< Unit: where the distance grows. In map.
+};
+
+/// From the outline of the robot to a point of map.
+OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map);
+
+}  // namespace castaway::sim

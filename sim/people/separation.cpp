@@ -1,0 +1,78 @@
+#include "sim/people/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace castaway::sim {
+namespace {
+
+constexpr int kRounds = 2;
+constexpr double kRobotRoom = 0.08;  // [m] That people keep from the robot...
+constexpr double kGiveWay = 0.02;    // [m] ...stepping back so far in a step: 0.4 m/s.
+
+Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
+  const double length = v.norm();
+  return length > most ? Eigen::Vector2d(v * (most / length)) : v;
+}
+
+/// Moves a person on to `target`, which stays within a step of where it was.
+void push(const WalkSpace& space, const Eigen::Vector2d& origin, const Eigen::Vector2d& target,
+          Agent& agent) {
+  const Eigen::Vector2d p = origin + limited(target - origin, WalkSpace::kMaxStep);
+  if (space.clear(p)) agent.state.position = p;
+}
+
+/// Pushes two who overlap apart by half each.
+void part(const WalkSpace& space, const std::vector<PersonState>& before, std::size_t i,
+          std::size_t j, std::vector<Agent>& agents) {
+  const Eigen::Vector2d offset = agents[j].state.position - agents[i].state.position;
+  const double touching = agents[i].body.radius + agents[j].body.radius;
+  const double squared = offset.squaredNorm();
+  if (squared >= touching * touching) return;
+  const double distance = std::sqrt(squared);
+  const Eigen::Vector2d apart = distance > 0.0
+                                    ? Eigen::Vector2d(offset * (0.5 * (touching / distance - 1.0)))
+                                    : Eigen::Vector2d(0.5 * touching, 0.0);
+  push(space, before[i].position, agents[i].state.position - apart, agents[i]);
+  push(space, before[j].position, agents[j].state.position + apart, agents[j]);
+}
+
+void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::Vector2d& origin,
+                  Agent& agent) {
+  const Eigen::Vector2d far = agent.state.position - robot.T_map_base.position();
+  const double wanted = agent.body.radius + kRobotRoom;
+  if (far.norm() > robot.radius + wanted) return;
+  const OutlineDistance outline = distance_to(robot, agent.state.position);
+  const double overlap = agent.body.radius - outline.distance;
+  const double back = std::max(overlap, std::min(wanted - outline.distance, kGiveWay));
+  if (back > 0.0) push(space, origin, agent.state.position + back * outline.away, agent);
+}
+
+}  // namespace
+
+Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
+                      const Eigen::Vector2d& way) {
+  const Eigen::Vector2d step = limited(way, WalkSpace::kMaxStep);
+  if (space.clear(from + step)) return from + step;
+  const Eigen::Vector2d away = space.wall(from + step).away;
+  const Eigen::Vector2d along = step - std::min(step.dot(away), 0.0) * away;
+  for (const Eigen::Vector2d& other :
+       {along, Eigen::Vector2d(step.x(), 0.0), Eigen::Vector2d(0.0, step.y())}) {
+    if (space.clear(from + other)) return from + other;
+  }
+  return from;
+}
+
+void separate(const WalkSpace& space, const RobotBody& robot,
+              const std::vector<PersonState>& before, std::vector<Agent>& agents) {
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < agents.size(); ++i) {
+      for (std::size_t j = i + 1; j < agents.size(); ++j) part(space, before, i, j, agents);
+    }
+  }
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    out_of_robot(space, robot, before[i].position, agents[i]);
+  }
+}
+
+}  // namespace castaway::sim

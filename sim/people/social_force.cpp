@@ -1,0 +1,44 @@
+#include "sim/people/social_force.hpp"
+
+#include <cmath>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kNegligible = 6.0;  // exp(-6) of a strength is left out.
+
+double decay(double x) { return x > kNegligible ? 0.0 : std::exp(-x); }
+
+}  // namespace
+
+Eigen::Vector2d driving_force(const SocialForceConfig& config, const Eigen::Vector2d& velocity,
+                              const Eigen::Vector2d& desired_velocity) {
+  return (desired_velocity - velocity) / config.relaxation;
+}
+
+Eigen::Vector2d social_force(const SocialForceConfig& config, const Eigen::Vector2d& offset,
+                             const Eigen::Vector2d& approach) {
+  const double d = offset.norm();
+  if (d == 0.0 || d > config.reach) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d e = offset / d;
+  const Eigen::Vector2d D = config.lambda * approach + e;
+  const double length = D.norm();
+  const double B = config.gamma * length;
+  if (d > kNegligible * B) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d t = D / length;
+  const Eigen::Vector2d left(-t.y(), t.x());
+  const double theta = std::atan2(left.dot(e), t.dot(e));
+  const double side = theta < 0.0 ? -1.0 : 1.0;
+  const double slow = config.n_prime * B * theta;
+  const double turn = config.n * B * theta;
+  return -config.social *
+         (decay(d / B + slow * slow) * t + side * decay(d / B + turn * turn) * left);
+}
+
+Eigen::Vector2d obstacle_force(const SocialForceConfig& config, double gap,
+                               const Eigen::Vector2d& away) {
+  if (gap > kNegligible * config.obstacle_range) return Eigen::Vector2d::Zero();
+  return config.obstacle * std::exp(-gap / config.obstacle_range) * away;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,129 @@
+#include "sim/people_stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/drive_setup.hpp"
+#include "sim/drive_space.hpp"
+#include "sim/world/grid_tools.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
+constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm meanwhile.
+constexpr nanoseconds kCrowd = milliseconds(500);
+constexpr int kPatience = 60;  // Calls of `yielded` for which the robot waits: 3 s.
+
+/// The drive grid with people marked who are within a few metres.
+Grid with_people(const Grid& drive_grid, const std::vector<Agent>& agents, const Pose2& robot) {
+  constexpr double kWithin = 4.0;
+  Grid grid = drive_grid;
+  for (const Agent& agent : agents) {
+    if ((agent.state.position - robot.position()).norm() > kWithin) continue;
+    const int reach = static_cast<int>(agent.body.radius / grid.resolution) + 1;
+    const CellIndex at = cell_of(grid, agent.state.position);
+    for (int row = at.row - reach; row <= at.row + reach; ++row) {
+      for (int column = at.column - reach; column <= at.column + reach; ++column) {
+        const Eigen::Vector2d offset = center_of(grid, {column, row}) - agent.state.position;
+        if (!grid.contains(column, row) || offset.norm() > agent.body.radius) continue;
+        grid.cells[flat_index(grid, {column, row})] = Cell::kOccupied;
+      }
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
+                         const NamedStreams& streams)
+    : yields_(config.people.robot_yields),
+      guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
+      drive_radius_(config.robot.footprint_radius + kDriveMargin) {
+  if (config.people.count() == 0) return;
+  if (!streams) {
+    throw std::invalid_argument(
+        "people: no random streams for them: give SimulationStreams::named");
+  }
+  robot_ = {robot_outline(config.robot), config.robot.footprint_radius, robot, {0.0, 0.0}};
+  people_ = std::make_unique<People>(config.people, config.world, config.map, config.lidar, robot_,
+                                     streams);
+}
+
+void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen::Vector2d& velocity,
+                          const RayScene& standing) {
+  if (!people_) return;
+  robot_.T_map_base = T_map_base;
+  robot_.velocity = velocity;
+  if (now >= next_crowd_) {
+    next_crowd_ += kCrowd;
+    people_->gather(robot_, standing);
+  }
+  if (now >= next_step_) {
+    next_step_ += kStep;
+    people_->step(robot_);
+    hits_.insert(hits_.end(), people_->hits().begin(), people_->hits().end());
+  }
+  if (now >= next_scene_) {
+    next_scene_ += kScene;
+    scene_ = people_->scene(fraction(now));
+  }
+}
+
+double PeopleStage::fraction(nanoseconds stamp) const {
+  const double past = static_cast<double>((stamp - (next_step_ - kStep)).count());
+  return std::clamp(past / static_cast<double>(kStep.count()), 0.0, 1.0);
+}
+
+void PeopleStage::on_kidnap(const Pose2& T_map_base) {
+  if (!people_) return;
+  robot_.T_map_base = T_map_base;
+  robot_.velocity.setZero();
+  people_->make_way(robot_);
+  scene_ = people_->scene(1.0);
+}
+
+Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route, const Grid& drive_grid) {
+  if (!people_ || !yields_) return command;
+  const Pose2 T_base_map = inverse(robot_.T_map_base);
+  std::vector<Eigen::Vector2d> p_base;
+  for (const Agent& agent : people_->agents()) {
+    p_base.emplace_back(T_base_map * agent.state.position);
+  }
+  const Twist2 twist = guard_.guarded(command, p_base);
+  if (guard_.waited(kPatience)) {
+    const Grid grid = with_people(drive_grid, people_->agents(), robot_.T_map_base);
+    route.detour(robot_.T_map_base, FreeSpace(grid, drive_radius_));
+  }
+  return twist;
+}
+
+Surroundings PeopleStage::around(const RayScene& standing) const {
+  return people_ ? Surroundings(standing, scene_) : Surroundings(standing);
+}
+
+std::vector<int> PeopleStage::take_hits() { return std::exchange(hits_, {}); }
+
+std::vector<PersonReading> PeopleStage::readings(nanoseconds stamp, const Pose2& T_map_base) const {
+  std::vector<PersonReading> result;
+  if (!people_) return result;
+  RobotBody robot = robot_;
+  robot.T_map_base = T_map_base;
+  const std::vector<PersonState> states = people_->states(fraction(stamp));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const PersonState& state = states[i];
+    const double gap =
+        distance_to(robot, state.position).distance - people_->agents()[i].body.radius;
+    result.push_back({static_cast<int>(i),
+                      {state.position.x(), state.position.y(), state.heading},
+                      state.velocity,
+                      gap});
+  }
+  return result;
+}
+
+}  // namespace castaway::sim

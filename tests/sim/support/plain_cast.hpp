@@ -1,0 +1,21 @@
+/// Ray casts the plain way: a loop over all shapes, each met by formulas of its own in long double.
+/// What the scenes are held against.
+#pragma once
+
+#include <vector>
+
+#include "sim/sensor/moving_scene.hpp"
+#include "sim/sensor/ray_scene.hpp"
+
+namespace castaway::sim {
+
+/// Distance along the ray to a solid or triangle, 0 from inside a solid, kNoHit if it is not met:
+/// boxes by their six faces, round shapes by the quadratic formula, triangles by signed volumes.
+double plain_distance(const RayPrimitive& primitive, const Ray& ray);
+double plain_distance(const UprightPart& part, const Ray& ray);
+
+/// The nearest of all; kNoHit if there is none within `max_distance`.
+double plain_cast(const std::vector<RayPrimitive>& primitives,
+                  const std::vector<MovingBody>& bodies, const Ray& ray, double max_distance);
+
+}  // namespace castaway::sim
