@@ -11,6 +11,7 @@
 #include "tools/formats/file.hpp"
 #include "tools/report/report.hpp"
 #include "tools/run/errors_sink.hpp"
+#include "tools/run/people_sink.hpp"
 #include "tools/run/summary_sink.hpp"
 #include "tools/run/timing_sink.hpp"
 #include "tools/run/trajectory_sink.hpp"
@@ -25,6 +26,9 @@ std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan,
   sinks.push_back(std::make_unique<TrajectorySink>(folder, plan.info));
   sinks.push_back(std::make_unique<SummarySink>(folder, plan.info));
   sinks.push_back(std::make_unique<TimingSink>(folder, plan.info));
+  if (plan.people_every_s > 0.0) {
+    sinks.push_back(std::make_unique<PeopleSink>(folder, plan.people_every_s));
+  }
   return sinks;
 }
 

@@ -25,6 +25,7 @@ struct RunPlan {
   std::optional<PictureConfig> pictures;  ///< Nothing: none are taken.
   PictureWorld picture_world;             ///< What pictures show besides the run.
   bool report = true;                     ///< Writes report.html.
+  double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
   bool json = false;                      ///< Prints summary.json instead of words.
 };
 

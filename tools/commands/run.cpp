@@ -88,6 +88,10 @@ int run_scenario(const RunArguments& arguments) {
                                          simulation_streams(scenario.seed), thread_cpu_time),
                          lidar, duration);
   plan.loop = loop_config(scenario, *source.start_pose());
+  if (scenario.people.config.count() > 0) {
+    plan.people_every_s = scenario.people.log_every_s;
+    plan.picture_world.moving = [&source] { return source.people_items(); };
+  }
   return execute(plan, source);
 }
 

@@ -36,6 +36,20 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
       figure(part(update, "mean"), "{:.2f} ms"), figure(part(update, "max"), "{:.2f} ms"));
 }
 
+/// How near people came; nothing where there were none.
+std::string people_line(const Json& summary) {
+  if (!summary.contains("people")) return "";
+  const Json& people = summary.at("people");
+  const Json& beams = people.at("beams_on_people");
+  return fmt::format(
+      "{} people: {} hit, closest {:.2f} m, within 0.45 m {} times, within 1.2 m {} times; on them "
+      "{:.1f} % of the beams, at most {:.1f} %\n\n",
+      people.at("people").get<int>(), people.at("collisions").get<int>(),
+      people.at("closest_m").get<double>(), people.at("intimate").at("intrusions").get<int>(),
+      people.at("personal").at("intrusions").get<int>(), 100.0 * beams.at("mean").get<double>(),
+      100.0 * beams.at("max").get<double>());
+}
+
 std::string cost_line(const Json& timing) {
   std::string text = fmt::format(
       "\n{} x real time ({} wall). CPU:", figure(timing.at("realtime_factor"), "{:.0f}"),
@@ -58,6 +72,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
                   summary.at("scenario").get<std::string>(),
                   summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
                   summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
+  text += people_line(summary);
   text +=
       fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
                   "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");

@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector3f;
 
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
+const Vector3f kPersonColor{0.55F, 0.30F, 0.60F};
 const Vector3f kTruthColor{0.0F, 0.0F, 0.0F};
 
 Vector3f lifted(const Eigen::Vector2d& p, double z) {
@@ -34,6 +35,25 @@ sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record) {
   }
   scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
   return scene;
+}
+
+/// A person on the map: the ellipse of its body with its nose.
+void add_person(const PersonTruth& person, sim::Scene& scene) {
+  constexpr int kSides = 20;
+  constexpr double kDepth = 0.16;   // [m]
+  constexpr double kWidth = 0.225;  // [m]
+  sim::SceneLines outline{{}, kPersonColor, 2.0F};
+  for (int side = 0; side < kSides; ++side) {
+    for (const int end : {side, side + 1}) {
+      const double angle = 2.0 * std::numbers::pi * end / kSides;
+      const Eigen::Vector2d p(kDepth * std::cos(angle), kWidth * std::sin(angle));
+      outline.points.push_back(lifted(person.T_map_person * p, 0.15));
+    }
+  }
+  for (const double x : {0.0, 1.6 * kDepth}) {
+    outline.points.push_back(lifted(person.T_map_person * Eigen::Vector2d(x, 0.0), 0.15));
+  }
+  scene.lines.push_back(std::move(outline));
 }
 
 /// A circle with an arrow in it, on the map.
@@ -130,6 +150,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
       add_particles(population, scene);
     }
   }
+  for (const PersonTruth& person : record.people.people) add_person(person, scene);
   if (record.T_map_base_true) add_robot(*record.T_map_base_true, radius, kTruthColor, z, scene);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;

@@ -31,7 +31,7 @@ sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record);
 
 /// The map (`map_item` of `world.map`) from above for a picture of `aspect` = width / height:
 /// particles in one colour a population, an arrow and outline for each localizer in its colour, the
-/// truth in black.
+/// truth in black, people as ellipses with a nose.
 sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
                      const ScanRecord& record, double aspect);
 

@@ -142,6 +142,7 @@ PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, Loa
   config.drive.max_speed = scenario.drive.max_speed;
   config.drive.max_turn_rate = scenario.drive.max_turn_rate;
   for (const KidnapEvent& event : scenario.kidnaps) config.kidnaps.push_back(build_kidnap(event));
+  config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;
   place_start(scenario.start, world, config);

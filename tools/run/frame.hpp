@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "localization/localizer.hpp"
 
@@ -22,15 +23,30 @@ inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp)
 struct RunEvent {
   Stamp stamp{};
   std::string kind;               ///< "kidnap", later "fault", "collision"...
-  std::string detail;             ///< What exactly, e.g. "teleport".
+  std::string detail;             ///< What exactly, e.g. "teleport", "person 3".
   std::optional<SE2> T_map_from;  ///< True pose of base before.
   std::optional<SE2> T_map_to;    ///< True pose of base after.
+};
+
+/// Where a person was.
+struct PersonTruth {
+  int id = 0;
+  SE2 T_map_person;                                    ///< x where it faces.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
+  double gap_m = 0.0;  ///< Between the robot's outline and its body; <= 0: they touch.
+};
+
+/// The people about at a scan.
+struct PeopleTruth {
+  std::vector<PersonTruth> people;
+  double beams_on_people = 0.0;  ///< Share of the scan's beams that ended on people.
 };
 
 /// A scan with the true pose of base at the scan's stamp, where it is known.
 struct ScanFrame {
   LaserScan scan;
   std::optional<SE2> T_map_base_true;
+  PeopleTruth people{};  ///< Empty where there are none, or nobody knows.
 };
 
 /// An odometry reading with the true pose of base at its stamp, where it is known.

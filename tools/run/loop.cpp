@@ -99,6 +99,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   record.T_map_base_true = frame.T_map_base_true;
   if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
   record.scan = frame.scan;
+  record.people = frame.people;
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     LocalizerRecord localizer;
     localizer.name = localizers_[i].name;

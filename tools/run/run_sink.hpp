@@ -28,6 +28,7 @@ struct ScanRecord {
   Stamp stamp{};                       ///< The scan's stamp.
   Stamp delivered{};                   ///< When the answers are there: the time of its last beam.
   std::optional<SE2> T_map_base_true;  ///< At the scan's stamp.
+  PeopleTruth people;                  ///< At the scan's stamp.
   SE2 T_odom_base;                     ///< Newest odometry at delivery.
   LaserScan scan;
   std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.

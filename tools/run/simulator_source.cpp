@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "localization/random.hpp"
+#include "sim/people/person_visuals.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -16,6 +17,19 @@ sim::Cell to_cell(std::int8_t p) {
 std::int8_t to_percent(sim::Cell cell) {
   if (cell == sim::Cell::kOccupied) return 100;
   return cell == sim::Cell::kFree ? std::int8_t{0} : std::int8_t{-1};
+}
+
+PeopleTruth people_of(const sim::LidarReading& reading) {
+  PeopleTruth truth;
+  for (const sim::PersonReading& person : reading.people) {
+    truth.people.push_back(
+        {person.person, to_se2(person.T_map_person), person.velocity, person.gap});
+  }
+  const auto hits =
+      std::count_if(reading.hit_object.begin(), reading.hit_object.end(), sim::is_person);
+  const auto beams = static_cast<double>(std::max<std::size_t>(reading.hit_object.size(), 1));
+  truth.beams_on_people = static_cast<double>(hits) / beams;
+  return truth;
 }
 
 }  // namespace
@@ -48,7 +62,8 @@ sim::Grid to_sim_grid(const RosMap& map) {
 
 sim::SimulationStreams simulation_streams(std::uint64_t seed) {
   using localization::substream;
-  return {substream(seed, "lidar"), substream(seed, "odometry"), substream(seed, "events")};
+  return {substream(seed, "lidar"), substream(seed, "odometry"), substream(seed, "events"),
+          [seed](const std::string& name) { return substream(seed, name); }};
 }
 
 SimulatorSource::SimulatorSource(sim::Simulation simulation, const sim::LidarConfig& lidar,
@@ -75,6 +90,11 @@ Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
     return {frame.stamp, OdometryFrame{{odometry->stamp, to_se2(odometry->T_odom_base)},
                                        to_se2(odometry->T_map_base_true)}};
   }
+  if (const auto* hit = std::get_if<sim::PersonHit>(&frame.data)) {
+    const SE2 T_map_base = to_se2(hit->T_map_base_true);
+    return {frame.stamp, RunEvent{hit->stamp, "collision", "person " + std::to_string(hit->person),
+                                  T_map_base, T_map_base}};
+  }
   return {frame.stamp, convert(std::get<sim::LidarReading>(frame.data))};
 }
 
@@ -88,7 +108,19 @@ ScanFrame SimulatorSource::convert(const sim::LidarReading& reading) const {
   scan.range_max = lidar_.range_max;
   scan.ranges = reading.ranges;
   scan.T_base_laser = lidar_.T_base_laser;
-  return {std::move(scan), to_se2(reading.T_map_base_true)};
+  return {std::move(scan), to_se2(reading.T_map_base_true), people_of(reading)};
+}
+
+std::vector<sim::SceneItem> SimulatorSource::people_items() const {
+  std::vector<sim::SceneItem> items;
+  int index = 0;
+  for (const auto& [body, state] : simulation_.people()) {
+    for (sim::SceneItem& item : sim::person_visuals(body, state, index)) {
+      items.push_back(std::move(item));
+    }
+    ++index;
+  }
+  return items;
 }
 
 void SimulatorSource::set_drive_pose(const std::optional<SE2>& T_map_base) {

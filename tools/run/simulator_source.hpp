@@ -3,6 +3,7 @@
 #pragma once
 
 #include "localization/map/occupancy_grid.hpp"
+#include "sim/render/scene.hpp"
 #include "sim/simulation.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/sensor_source.hpp"
@@ -31,6 +32,8 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+  /// The people as they are now, for pictures.
+  [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 
  private:
   [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;

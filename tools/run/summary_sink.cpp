@@ -25,7 +25,29 @@ std::int64_t collisions(const RunHistory& history) {
                        [](const RunEvent& event) { return event.kind == "collision"; });
 }
 
-Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics, Stamp end) {
+/// Of the collisions, those with people.
+std::int64_t people_hit(const RunHistory& history) {
+  return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
+    return event.kind == "collision" && event.detail.starts_with("person ");
+  });
+}
+
+Json to_json(const PeopleMetrics& people, const RunHistory& history) {
+  Json root{{"people", people.people},
+            {"collisions", people_hit(history)},
+            {"closest_m", *people.closest_m},
+            {"closest_person", people.closest_person},
+            {"beams_on_people", {{"mean", people.beams_mean}, {"max", people.beams_max}}}};
+  for (std::size_t i = 0; i < kProxemicZones.size(); ++i) {
+    root[kProxemicZones[i].name] = {{"within_m", kProxemicZones[i].within_m},
+                                    {"intrusions", people.entries[i]},
+                                    {"share_of_time", people.share[i]}};
+  }
+  return root;
+}
+
+Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics,
+             const std::optional<PeopleMetrics>& people, Stamp end) {
   const RunInfo& info = history.info;
   const std::optional<double> distance_m = total_distance(history);
   Json root{{"castaway", CASTAWAY_VERSION},
@@ -36,8 +58,9 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"world", info.world},
             {"robot", info.robot},
             {"known_start", info.known_start},
-            {"collisions", collisions(history)},
-            {"localizers", Json::object()}};
+            {"collisions", collisions(history)}};
+  if (people) root["people"] = to_json(*people, history);
+  root["localizers"] = Json::object();
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     root["localizers"][info.localizers[i]] = to_json(metrics[i]);
   }
@@ -66,7 +89,8 @@ void SummarySink::finish(Stamp end, const RunTiming&) {
     metrics.push_back(history_.metrics(i, end));
   }
   write_events(log_events(history_, metrics), run_folder_ / "events.csv");
-  write_file(run_folder_ / "summary.json", summary(history_, metrics, end).dump(2) + "\n");
+  write_file(run_folder_ / "summary.json",
+             summary(history_, metrics, people_.metrics(), end).dump(2) + "\n");
 }
 
 }  // namespace castaway::testbed

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "tools/metrics/people_metrics.hpp"
 #include "tools/run/run_history.hpp"
 
 namespace castaway::testbed {
@@ -20,12 +21,16 @@ class SummarySink final : public RunSink {
 
   void on_event(const RunEvent& event) override { history_.add(event); }
   void on_odometry(const OdometryFrame& frame) override { history_.add(frame); }
-  void on_scan(const ScanRecord& record) override { history_.add(record); }
+  void on_scan(const ScanRecord& record) override {
+    history_.add(record);
+    people_.add(record.people);
+  }
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
   std::filesystem::path run_folder_;
   RunHistory history_;
+  PeopleMeter people_;
 };
 
 }  // namespace castaway::testbed

@@ -12,6 +12,7 @@
 
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "sim/people/people_config.hpp"
 
 namespace castaway::testbed {
 
@@ -71,6 +72,12 @@ struct KidnapEvent {
   std::optional<Eigen::Vector3d> pose;  ///< ...or to this one: x [m], y [m], yaw [rad].
 };
 
+/// People, and how they are logged.
+struct PeopleSpec {
+  sim::PeopleConfig config;
+  double log_every_s = 0.5;  ///< [s] Between two rows of a person in people.csv; 0: no such file.
+};
+
 /// A localizer of the run.
 struct LocalizerSpec {
   std::string name;  ///< Unique; names its files.
@@ -103,6 +110,7 @@ struct Scenario {
   LidarSpec lidar;
   OdometrySpec odometry;
   std::vector<KidnapEvent> kidnaps;
+  PeopleSpec people;
   std::vector<LocalizerSpec> localizers;
   OutputSpec outputs;
 };

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "tools/scenario/people_spec.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -163,6 +165,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.lidar = read_lidar(root);
   scenario.odometry = read_odometry(root);
   scenario.kidnaps = read_events(root);
+  scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers");
   scenario.outputs = read_outputs(root);
   document.reject_unknown_keys();

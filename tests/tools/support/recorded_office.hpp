@@ -57,7 +57,8 @@ inline void write_office(const RecordedPlace& place, const std::filesystem::path
       T_odom_base = odometry->odometry.T_odom_base;
       continue;
     }
-    const auto& [scan, truth] = std::get<ScanFrame>(frame.data);
+    const LaserScan& scan = std::get<ScanFrame>(frame.data).scan;
+    const std::optional<SE2>& truth = std::get<ScanFrame>(frame.data).T_map_base_true;
     const std::string pose =
         fmt::format(" {} {} {}", T_odom_base.x, T_odom_base.y, T_odom_base.yaw);
     log += fmt::format("ROBOTLASER1 0 {} {} {} 12 0.01 0 {}", scan.angle_min,
