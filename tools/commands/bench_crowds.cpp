@@ -1,0 +1,78 @@
+// castaway bench crowds: does anybody ever pass a wall?
+#include <cstdio>
+#include <memory>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "localization/stamp.hpp"
+#include "tools/campaign/crowd_hours.hpp"
+#include "tools/commands/bench.hpp"
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct CrowdArguments {
+  CrowdHoursConfig config;
+  bool json = false;
+};
+
+int bench_crowds(CrowdArguments arguments) {
+  arguments.config.people.behaviour.reset();  // All kinds.
+  const bool progress = isatty(STDERR_FILENO) != 0;
+  const std::chrono::nanoseconds begin = thread_cpu_time();
+  const CrowdHours seen = watch_crowd(arguments.config, [&](int hour) {
+    if (progress) fmt::print(stderr, "\r{} h", hour);
+  });
+  if (progress) fmt::print(stderr, "\r      \r");
+  const double cpu_s = localization::seconds(thread_cpu_time() - begin);
+  if (arguments.json) {
+    const nlohmann::ordered_json json{
+        {"hours", seen.hours},           {"person_hours", seen.person_hours},
+        {"through_walls", seen.through}, {"inside_walls", seen.inside},
+        {"walked_km", seen.walked_km},   {"closest_pair_m", seen.closest_pair_m},
+        {"robot_hits", seen.robot_hits}, {"cpu_s", cpu_s}};
+    fmt::print("{}\n", json.dump(1));
+    return kDone;
+  }
+  fmt::print(
+      "{:.1f} h of {} people ({:.0f} person-hours), {:.0f} km walked: {} steps through walls, {} "
+      "into walls\nclosest two middles {:.2f} m, {} hit by a robot that minds nobody; {:.0f} s of "
+      "CPU, {:.0f} x real time\n",
+      seen.hours, arguments.config.people.count(), seen.person_hours, seen.walked_km, seen.through,
+      seen.inside, seen.closest_pair_m, seen.robot_hits, cpu_s, 3600.0 * seen.hours / cpu_s);
+  return seen.through + seen.inside == 0 ? kDone : kRunFailed;
+}
+
+}  // namespace
+
+void add_bench_crowds(CLI::App& bench, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<CrowdArguments>();
+  arguments->config.people.walking = 20;
+  arguments->config.people.in_groups = 0.3;
+  CLI::App* command =
+      bench.add_subcommand("crowds", "Hours of people in a world: does anybody pass a wall?");
+  CrowdHoursConfig& config = arguments->config;
+  command->add_option("--hours", config.hours, "Simulated time [h]")->check(CLI::PositiveNumber);
+  command->add_option("--people", config.people.walking, "How many walk")
+      ->check(CLI::Range(1, 200));
+  command->add_option("--crowd", config.people.blocked_share, "Share of beams to block")
+      ->check(CLI::Range(0.0, 0.6));
+  command->add_option("--world", config.world, "A world's name or path, or a ROS map's .yaml");
+  command->add_option("--seed", config.seed, "Root seed of all random streams");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer(
+      "People of all behaviours, a third of them in groups, and a robot that drives its route "
+      "whoever\nis in the way. Every step is held against the world's true shapes at four "
+      "heights.\n"
+      "Exit code 1 if anybody passed or entered a wall. Example:\n"
+      "  castaway bench crowds --hours 100");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return bench_crowds(*arguments); }; });
+}
+
+}  // namespace castaway::testbed
