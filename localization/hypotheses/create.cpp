@@ -35,8 +35,10 @@ void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
   const auto count = static_cast<std::size_t>(most);
   auto end = candidates.begin();
   for (; end != candidates.end(); ++end) {
-    if (kept.size() == count && end->score < kept.top()) break;
-    end->score = evidence.evaluate(points, end->T_map_base).log_likelihood;
+    const bool full = kept.size() == count;
+    const double least = full ? kept.top() : -std::numeric_limits<double>::infinity();
+    if (end->score <= least) break;
+    end->score = evidence.log_likelihood_above(least, points, end->T_map_base);
     kept.push(end->score);
     if (kept.size() > count) kept.pop();
   }

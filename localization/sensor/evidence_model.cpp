@@ -2,32 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace castaway::localization {
 
 EvidenceModel::EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
                              const DistanceField& distances)
-    : config_(config), grid_(grid), distances_(distances), endpoint_(config.endpoint, distances) {}
+    : config_(config),
+      grid_(grid),
+      distances_(distances),
+      endpoint_(config.endpoint, distances),
+      through_wall_(std::log(config.through_wall) - std::log1p(config.through_wall)) {}
 
 Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return {};
   const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
-  const std::vector<bool> through =
-      beams_through_walls(points, distances_, T_map_base, config_.rays);
+  const RayConsistency rays(distances_, T_map_base, config_.rays);
   const double floor = config_.endpoint.floor;
-  const double worst = std::log(config_.through_wall) - std::log1p(config_.through_wall);
   double sum = 0.0;
   double hits = 0.0;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const double l = beams[i];
-    sum += through[i] ? std::min(l, worst) : l;
+    sum += l > through_wall_ && rays.through_wall(points, i) ? through_wall_ : l;
     hits += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
   }
-  const auto n = static_cast<double>(beams.size());
-  double mean = sum / n;
+  return {scaled(sum, beams.size(), T_map_base),
+          std::min(1.0, hits / static_cast<double>(beams.size()))};
+}
+
+double EvidenceModel::log_likelihood_above(double least, const ScanPoints& points,
+                                           const SE2& T_map_base) const {
+  if (points.empty()) return 0.0;
+  const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
+  const RayConsistency rays(distances_, T_map_base, config_.rays);
+  double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
+  double value = scaled(sum, beams.size(), T_map_base);
+  for (std::size_t i = 0; i < beams.size() && value > least; ++i) {
+    const double l = beams[i];
+    if (l <= through_wall_ || !rays.through_wall(points, i)) continue;
+    sum += through_wall_ - l;
+    value = scaled(sum, beams.size(), T_map_base);
+  }
+  return value;
+}
+
+double EvidenceModel::scaled(double sum, std::size_t beams, const SE2& T_map_base) const {
+  double mean = sum / static_cast<double>(beams);
   if (grid_.at(T_map_base.translation()) != CellState::kFree) mean -= config_.off_free_penalty;
-  const double scaled = config_.endpoint.independent_beams * mean;
-  return {std::max(scaled, config_.minimum), std::min(1.0, hits / n)};
+  return std::max(config_.endpoint.independent_beams * mean, config_.minimum);
 }
 
 double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {

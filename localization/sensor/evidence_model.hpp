@@ -31,14 +31,21 @@ class EvidenceModel {
                 const DistanceField& distances);
   /// What the scan says of the pose. Without beams: neutral, quality 0.
   [[nodiscard]] Evidence evaluate(const ScanPoints& points, const SE2& T_map_base) const;
+  /// The log-likelihood alone, if it is above `least`; otherwise something that is not, found out
+  /// by as few rays as it takes.
+  [[nodiscard]] double log_likelihood_above(double least, const ScanPoints& points,
+                                            const SE2& T_map_base) const;
   /// What the log-likelihood is at most, at a tenth of the cost: without a look at the rays.
   [[nodiscard]] double bound(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
+  [[nodiscard]] double scaled(double sum, std::size_t beams, const SE2& T_map_base) const;
+
   EvidenceConfig config_;
   const OccupancyGrid& grid_;
   const DistanceField& distances_;
   EndpointModel endpoint_;
+  double through_wall_ = 0.0;  ///< [nats] A beam through a wall.
 };
 
 }  // namespace castaway::localization

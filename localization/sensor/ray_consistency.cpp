@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "localization/sensor/pose_in_cells.hpp"
-
 namespace castaway::localization {
 namespace {
 
@@ -35,23 +33,20 @@ bool meets_wall(const CellRay& ray, const DistanceField& distances) {
 
 }  // namespace
 
-std::vector<bool> beams_through_walls(const ScanPoints& points, const DistanceField& distances,
-                                      const SE2& T_map_base, const RayConsistencyConfig& config) {
-  const GridFrame& frame = distances.frame();
-  const PoseInCells pose(frame, T_map_base);
-  const auto scale = static_cast<float>(1.0 / frame.resolution);
-  std::vector<bool> through(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float r = points.range[i];
-    const float margin =
-        std::max(static_cast<float>(config.margin), static_cast<float>(config.margin_share) * r);
-    if (r <= margin) continue;
-    const Eigen::Vector2f from(pose.x(points.origin_x[i], points.origin_y[i]),
-                               pose.y(points.origin_x[i], points.origin_y[i]));
-    const Eigen::Vector2f to(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i]));
-    through[i] = meets_wall({from, (to - from) / (r * scale), (r - margin) * scale}, distances);
-  }
-  return through;
+RayConsistency::RayConsistency(const DistanceField& distances, const SE2& T_map_base,
+                               const RayConsistencyConfig& config)
+    : distances_(distances), config_(config), pose_(distances.frame(), T_map_base) {}
+
+bool RayConsistency::through_wall(const ScanPoints& points, std::size_t i) const {
+  const auto scale = static_cast<float>(1.0 / distances_.frame().resolution);
+  const float r = points.range[i];
+  const float margin =
+      std::max(static_cast<float>(config_.margin), static_cast<float>(config_.margin_share) * r);
+  if (r <= margin) return false;
+  const Eigen::Vector2f from(pose_.x(points.origin_x[i], points.origin_y[i]),
+                             pose_.y(points.origin_x[i], points.origin_y[i]));
+  const Eigen::Vector2f to(pose_.x(points.x[i], points.y[i]), pose_.y(points.x[i], points.y[i]));
+  return meets_wall({from, (to - from) / (r * scale), (r - margin) * scale}, distances_);
 }
 
 }  // namespace castaway::localization

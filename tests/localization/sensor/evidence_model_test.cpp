@@ -46,6 +46,16 @@ TEST_F(EvidenceModelTest, StaysBelowItsBound) {
   EXPECT_LT(closest, 0.01);
 }
 
+TEST_F(EvidenceModelTest, StopsLookingBelowTheLeastOfInterest) {
+  const ScanPoints points = scan_from({3.0, 3.0, 0.4});
+  for (double x = 0.6; x < 9.0; x += 0.37) {
+    const SE2 pose{x, 3.0, 0.4};
+    const double all = model_.evaluate(points, pose).log_likelihood;
+    EXPECT_NEAR(model_.log_likelihood_above(all - 0.1, points, pose), all, 1e-9) << x;
+    EXPECT_LE(model_.log_likelihood_above(all + 0.1, points, pose), all + 0.1) << x;
+  }
+}
+
 TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
   const SE2 pose{3.0, 3.0, 0.4};
   ScanPoints people = scan_from(pose);
@@ -65,7 +75,8 @@ TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
 
 TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
   const EvidenceConfig config;
-  ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
+  ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F},
+                 {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
   const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
   EXPECT_NEAR(on_wall, -12.0 * config.off_free_penalty, 1e-5);
 }

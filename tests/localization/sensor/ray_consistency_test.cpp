@@ -9,10 +9,13 @@
 namespace castaway::localization {
 namespace {
 
-ScanPoints forward(float range) { return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}}; }
+ScanPoints forward(float range) {
+  return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}};
+}
 
 bool through(const OccupancyGrid& grid, const SE2& pose, float range) {
-  return beams_through_walls(forward(range), DistanceField(grid, 5.0), pose, {}).at(0);
+  const DistanceField distances(grid, 5.0);
+  return RayConsistency(distances, pose, {}).through_wall(forward(range), 0);
 }
 
 // Walls at x = 2.0..2.1 and x = 5.0..5.1.
@@ -23,23 +26,23 @@ OccupancyGrid corridor() {
   return test::string_map({row, row, row}, 0.1);
 }
 
-TEST(BeamsThroughWalls, FindsTheWallBeforeTheEndPoint) {
+TEST(RayConsistency, FindsTheWallBeforeTheEndPoint) {
   EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 4.45F));
   EXPECT_TRUE(through(corridor(), {3.55, 0.15, 3.141592653589793}, 3.0F));
 }
 
-TEST(BeamsThroughWalls, AllowsBeamsThatEndAtTheWallOrBefore) {
+TEST(RayConsistency, AllowsBeamsThatEndAtTheWallOrBefore) {
   EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.5F));
   EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 0.7F));
   EXPECT_FALSE(through(corridor(), {3.05, 0.15, 0.0}, 2.0F));
 }
 
-TEST(BeamsThroughWalls, AllowsAMarginBehindTheWall) {
+TEST(RayConsistency, AllowsAMarginBehindTheWall) {
   EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.7F));  // 0.25 m behind its front
   EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 1.9F));   // 0.45 m
 }
 
-TEST(BeamsThroughWalls, ForgivesTheObjectThatBaseStandsIn) {
+TEST(RayConsistency, ForgivesTheObjectThatBaseStandsIn) {
   std::string row(60, '.');
   row.replace(10, 6, "######");
   row[50] = '#';
@@ -48,7 +51,7 @@ TEST(BeamsThroughWalls, ForgivesTheObjectThatBaseStandsIn) {
   EXPECT_TRUE(through(grid, {1.25, 0.15, 0.0}, 4.4F));  // the wall behind it counts
 }
 
-TEST(BeamsThroughWalls, EndsQuietlyOffTheMap) {
+TEST(RayConsistency, EndsQuietlyOffTheMap) {
   EXPECT_FALSE(through(corridor(), {5.55, 0.15, 0.0}, 9.0F));
   EXPECT_FALSE(through(corridor(), {-3.0, -3.0, 0.0}, 1.0F));
 }

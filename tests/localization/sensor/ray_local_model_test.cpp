@@ -13,7 +13,9 @@ namespace {
 // Cells of 5 cm; a wall in column 10: centre at 0.525 m.
 OccupancyGrid wall() { return test::string_map({"..........#........."}, 0.05); }
 
-ScanPoints forward(float range) { return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}}; }
+ScanPoints forward(float range) {
+  return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}};
+}
 
 RayLocalScore score(float range) {
   return RayLocalModel({0.05}, wall()).evaluate(forward(range), {0.025, 0.025, 0.0});
