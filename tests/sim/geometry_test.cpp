@@ -38,5 +38,21 @@ TEST(Interpolate, TurnsTheShorterWay) {
   EXPECT_NEAR(to_planar(T).yaw, 3.0 + 0.25 * (2 * kPi - 6.0), 1e-12);
 }
 
+TEST(Interpolation, IsSlerpToTheBit) {
+  for (const double turn : {0.0, 1e-9, 1e-4, 0.3, 3.0}) {
+    const Eigen::Isometry3d a = to_isometry({1.0, 2.0, 0.7});
+    const Eigen::Isometry3d b =
+        to_isometry({1.1, 1.8, 0.7 + turn}) *
+        Eigen::AngleAxisd(0.01 * turn, Eigen::Vector3d(1.0, 2.0, 3.0).normalized());
+    const Interpolation way(a, b);
+    for (const double fraction : {0.0, 0.2, 0.5, 1.0}) {
+      const Eigen::Quaterniond q_a(a.linear());
+      const Eigen::Quaterniond q_b(b.linear());
+      const Eigen::Matrix3d expected = q_a.slerp(fraction, q_b).toRotationMatrix();
+      EXPECT_EQ(way.at(fraction).linear(), expected);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace castaway::sim

@@ -66,6 +66,26 @@ TEST(RouteRunner, PlansAnewAfterAJump) {
   EXPECT_LT((runner.path().front() - elsewhere.position()).norm(), 0.05);
 }
 
+TEST(RouteRunner, DetoursUntilTheNextWaypoint) {
+  RouteRunner runner(route({{2.5, -1.5}}, false), room());
+  Pose2 pose{-3.0, -2.0, 0.0};
+  runner.command(pose);
+  const auto passes = [&runner](const Eigen::Vector2d& p_map) {
+    for (const Eigen::Vector2d& p : runner.path()) {
+      if ((p - p_map).norm() < 0.3) return true;
+    }
+    return false;
+  };
+  const Eigen::Vector2d in_the_way(0.0, -1.8);
+  WorldSpec blocked = test_room();
+  blocked.objects.push_back(box_on_floor("crate", {0.6, 1.0, 1.0}, in_the_way));
+  ASSERT_TRUE(passes(in_the_way));
+  runner.detour(pose, FreeSpace(rasterise(blocked, 0.2, 0.05), 0.3));
+  EXPECT_FALSE(passes(in_the_way));
+  for (int i = 0; i < 1500; ++i) pose = moved(pose, runner.command(pose));
+  EXPECT_LT((pose.position() - Eigen::Vector2d(2.5, -1.5)).norm(), 0.15);
+}
+
 TEST(RouteRunner, TurnsOnTheSpotTowardsWhatIsBehind) {
   RouteRunner runner(route({{2.5, -1.5}}, false), room());
   const Twist2 twist = runner.command(Pose2{-3.0, -1.9, 3.0});
