@@ -30,6 +30,12 @@ struct MeshShape {
 /// The shape of a static object.
 using ObjectShape = std::variant<BoxShape, CylinderShape, MeshShape>;
 
+/// What a lidar's light meets.
+struct Surface {
+  double reflectivity = 0.6;  ///< Diffuse, at the lidar's wavelength, [0, 1]; black cloth 0.05.
+  bool glass = false;         ///< Light passes, but for what the lidar's profile says comes back.
+};
+
 /// One static object of a world.
 struct WorldObject {
   std::string name;  ///< Unique within the world; names it in errors.
@@ -37,6 +43,14 @@ struct WorldObject {
   Eigen::Isometry3d T_map_object = Eigen::Isometry3d::Identity();
   Eigen::Vector3f color{0.7F, 0.7F, 0.7F};  ///< RGB in [0, 1].
   bool in_map = true;                       ///< False: stands in the world, but not on the map.
+  Surface surface{};
+};
+
+/// A part of the floor on which wheels turn further than the robot moves.
+struct SlipZone {
+  std::string name;
+  std::vector<Eigen::Vector2d> outline;  ///< [m] A simple polygon in map.
+  double slip = 0.2;  ///< Share of the wheels' way that is lost on average, [0, 1).
 };
 
 /// A world.
@@ -45,6 +59,7 @@ struct WorldSpec {
   std::vector<WorldObject> objects;
   Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the floor and of the rasterised map.
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
+  std::vector<SlipZone> slip_zones;
 };
 
 }  // namespace castaway::sim
