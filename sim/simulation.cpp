@@ -14,7 +14,7 @@
 #include "sim/navigation/route_runner.hpp"
 #include "sim/people_stage.hpp"
 #include "sim/robot/robot_physics.hpp"
-#include "sim/sensor/lidar.hpp"
+#include "sim/sensor_stage.hpp"
 #include "sim/world/free_space.hpp"
 
 namespace castaway::sim {
@@ -29,10 +29,6 @@ nanoseconds period_of(double hz, const char* what) {
     throw std::invalid_argument(fmt::format("simulation: {} is {}: give 0 to 100000", what, hz));
   }
   return nanoseconds(std::llround(1e9 / hz));
-}
-
-WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fraction) {
-  return {a.left + fraction * (b.left - a.left), a.right + fraction * (b.right - a.right)};
 }
 
 /// Order of deliveries at the same time: kidnap, odometry, scan, person hit.
@@ -51,7 +47,6 @@ struct Simulation::State {
   void kidnap_if_due();
   void move_people();
   void control();
-  void read_odometry(const Motion& motion, const WheelAngles& before);
   void read_lidar(const Motion& motion);
   template <typename Work>
   void measured(const char* stage, Work work);
@@ -62,19 +57,15 @@ struct Simulation::State {
   std::map<std::string, nanoseconds> cpu;
 
   nanoseconds step;
-  nanoseconds odometry_period;
   nanoseconds now{};
   nanoseconds next_control{};
-  nanoseconds next_odometry{};
 
   Grid grid;
   Pose2 start;
   std::vector<KidnapSpec> kidnaps;
   std::size_t next_kidnap = 0;
   RobotPhysics robot;
-  RayScene scene;
-  LidarSweeper lidar;
-  WheelOdometry odometry;
+  SensorStage sensors;
   RouteRunner route;
   ProximityGuard guard;
   PeopleStage people;
@@ -90,14 +81,11 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       streams(random_streams),
       cpu_clock(std::move(clock)),
       step(period_of(config.physics_hz, "physics_hz")),
-      odometry_period(period_of(config.odometry.rate_hz, "odometry rate_hz")),
       grid(drive_grid(config)),
       start(castaway::sim::start_pose(config, grid, streams.events)),
       kidnaps(checked_kidnaps(config, grid)),
       robot(config.world, config.robot, start, limits_of(config.drive, config.robot), step),
-      scene(ray_primitives(config.world)),
-      lidar(config.lidar),
-      odometry(config.odometry, drive_geometry(config.robot), streams.odometry),
+      sensors(config, streams),
       route(route_of(config.drive, config.robot),
             FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)),
       guard(guard_of(config.drive, config.robot)),
@@ -127,7 +115,7 @@ void Simulation::State::kidnap_if_due() {
 void Simulation::State::move_people() {
   if (!people.due(now)) return;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  measured("people", [&] { people.advance(now, T_map_base, velocity, scene); });
+  measured("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
   for (const int person : people.take_hits()) {
     frames.push_back({now, PersonHit{now, person, T_map_base}});
   }
@@ -145,21 +133,12 @@ void Simulation::State::control() {
   }
 }
 
-void Simulation::State::read_odometry(const Motion& motion, const WheelAngles& before) {
-  for (; next_odometry < motion.end; next_odometry += odometry_period) {
-    const double fraction = static_cast<double>((next_odometry - motion.begin).count()) /
-                            static_cast<double>(step.count());
-    odometry.update(interpolate(before, robot.state().wheels, fraction), streams.odometry);
-    frames.push_back({next_odometry, OdometryReading{next_odometry, odometry.T_odom_base(),
-                                                     to_planar(motion.at(next_odometry))}});
-  }
-}
-
 void Simulation::State::read_lidar(const Motion& motion) {
-  for (Sweep& sweep : lidar.advance(people.around(scene), motion, streams.lidar)) {
-    sweep.reading.people = people.readings(sweep.reading.stamp, sweep.reading.T_map_base_true);
-    if (config.drive.by_estimate) guard.on_scan(sweep.reading, config.lidar);
-    frames.push_back({sweep.last_beam, std::move(sweep.reading)});
+  for (SimFrame& frame : sensors.read_lidar(people.around(sensors.scene()), motion)) {
+    auto& reading = std::get<LidarReading>(frame.data);
+    reading.people = people.readings(reading.stamp, reading.T_map_base_true);
+    if (config.drive.by_estimate) guard.on_scan(reading, config.lidar);
+    frames.push_back(std::move(frame));
   }
 }
 
@@ -175,7 +154,9 @@ void Simulation::State::run_step() {
       (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
   distance += way.norm();
   velocity = way / std::chrono::duration<double>(step).count();
-  read_odometry(motion, before.wheels);
+  for (SimFrame& frame : sensors.read_odometry(motion, before.wheels, after.wheels)) {
+    frames.push_back(std::move(frame));
+  }
   measured("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;

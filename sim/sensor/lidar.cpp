@@ -84,6 +84,12 @@ void LidarSweeper::begin_scan(const Motion& motion) {
   reading_.hit_object.reserve(static_cast<std::size_t>(lidar_.config().beams));
 }
 
+Beam LidarSweeper::next_beam(const Surroundings& around, const Eigen::Isometry3d& T_map_base,
+                             Rng& rng) {
+  if (covered_) return {kInfinity, kHitNothing, last_primitive_};
+  return lidar_.cast(around, T_map_base, next_beam_, rng, last_primitive_);
+}
+
 std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motion& motion,
                                          Rng& rng) {
   std::vector<Sweep> done;
@@ -93,8 +99,7 @@ std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motio
     const auto stamp = scan_stamp_ + time_increment_ * next_beam_;
     if (stamp >= motion.end) return done;
     if (next_beam_ == 0) begin_scan(motion);
-    const Beam beam =
-        lidar_.cast(around, path.at(motion.fraction(stamp)), next_beam_, rng, last_primitive_);
+    const Beam beam = next_beam(around, path.at(motion.fraction(stamp)), rng);
     last_primitive_ = beam.primitive;
     reading_.ranges.push_back(beam.range);
     reading_.hit_object.push_back(beam.object);

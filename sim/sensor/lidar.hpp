@@ -84,15 +84,19 @@ class LidarSweeper {
   /// Casts all beams due in [begin, end) of a motion; motions must follow each other without gaps
   /// in time. Returns the scans that were completed.
   std::vector<Sweep> advance(const Surroundings& around, const Motion& motion, Rng& rng);
+  /// While covered, every beam is +inf and nothing is drawn.
+  void set_covered(bool covered) { covered_ = covered; }
 
  private:
   void begin_scan(const Motion& motion);
+  Beam next_beam(const Surroundings& around, const Eigen::Isometry3d& T_map_base, Rng& rng);
 
   Lidar lidar_;
   std::chrono::nanoseconds period_{};
   std::chrono::nanoseconds time_increment_{};
   std::chrono::nanoseconds scan_stamp_{};
   int next_beam_ = 0;
+  bool covered_ = false;
   std::uint32_t last_primitive_ = kNoPrimitive;
   LidarReading reading_;
 };
