@@ -17,11 +17,6 @@
 
 namespace castaway::sim {
 
-/// A ball centred on its frame.
-struct SphereShape {
-  double radius = 0.5;  ///< [m]
-};
-
 /// The shape of a part of a robot.
 using RobotShape = std::variant<BoxShape, CylinderShape, SphereShape, MeshShape>;
 

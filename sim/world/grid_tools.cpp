@@ -98,6 +98,17 @@ class Components {
   std::vector<std::size_t> sizes_;
 };
 
+/// Free cells of another label made unknown.
+Grid only(const Grid& grid, const Components& components, int label) {
+  Grid result = grid;
+  for (std::size_t i = 0; i < result.cells.size(); ++i) {
+    if (result.cells[i] == Cell::kFree && components.labels()[i] != label) {
+      result.cells[i] = Cell::kUnknown;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin,
@@ -160,15 +171,14 @@ Grid eroded(const Grid& grid, double radius) {
 }
 
 Grid largest_component(const Grid& grid) {
-  Grid result = grid;
   const Components components(grid);
-  const int largest = components.largest();
-  for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    if (result.cells[i] == Cell::kFree && components.labels()[i] != largest) {
-      result.cells[i] = Cell::kUnknown;
-    }
-  }
-  return result;
+  return only(grid, components, components.largest());
+}
+
+Grid component_at(const Grid& grid, const Eigen::Vector2d& p_map) {
+  const Components components(grid);
+  if (cell_at(grid, p_map) != Cell::kFree) return only(grid, components, components.largest());
+  return only(grid, components, components.labels()[flat_index(grid, cell_of(grid, p_map))]);
 }
 
 }  // namespace castaway::sim

@@ -44,4 +44,7 @@ Grid eroded(const Grid& grid, double radius);
 /// The grid with all free cells but the largest 4-connected component made unknown.
 Grid largest_component(const Grid& grid);
 
+/// The same with the component that holds a point; the largest if the point is not free.
+Grid component_at(const Grid& grid, const Eigen::Vector2d& p_map);
+
 }  // namespace castaway::sim

@@ -6,6 +6,7 @@
 
 #include "sim/world/bullet_types.hpp"
 #include "sim/world/mesh.hpp"
+#include "sim/world/ramp.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -28,6 +29,18 @@ std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape) {
     triangles->addTriangle(vertex(i), vertex(i + 1), vertex(i + 2));
   }
   return triangles;
+}
+
+/// Without a margin, so that wheels roll on the very face.
+std::unique_ptr<btCollisionShape> hull_of(const RampShape& ramp) {
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (const RampTriangle& triangle : ramp_triangles(ramp)) {
+    for (const Eigen::Vector3d& p : triangle) hull->addPoint(to_bullet(p), false);
+  }
+  hull->optimizeConvexHull();
+  hull->setMargin(0.0);
+  hull->recalcLocalAabb();
+  return hull;
 }
 
 }  // namespace
@@ -57,7 +70,12 @@ void PhysicsWorld::add_objects(const WorldSpec& spec) {
   const bool gather = spec.objects.size() > kManyObjects;
   std::map<std::pair<int, int>, std::unique_ptr<btCompoundShape>> tiles;
   for (const WorldObject& object : spec.objects) {
+    if (!object.in_world) continue;
     std::unique_ptr<btCollisionShape> shape = shape_of(object.shape);
+    if (object.drivable) {  // Wheels meet the ground only.
+      add_static(std::move(shape), object.T_map_object, kGroundGroup);
+      continue;
+    }
     if (!gather || std::holds_alternative<MeshShape>(object.shape)) {
       add_static(std::move(shape), object.T_map_object, kObstacleGroup);
       continue;
@@ -103,6 +121,10 @@ std::unique_ptr<btCollisionShape> PhysicsWorld::shape_of(const ObjectShape& shap
     return std::make_unique<btCylinderShapeZ>(
         btVector3(cylinder->radius, cylinder->radius, 0.5 * cylinder->height));
   }
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
+    return std::make_unique<btSphereShape>(sphere->radius);
+  }
+  if (const auto* ramp = std::get_if<RampShape>(&shape)) return hull_of(*ramp);
   meshes_.push_back(triangles_of(std::get<MeshShape>(shape)));
   return std::make_unique<btBvhTriangleMeshShape>(meshes_.back().get(), true);
 }

@@ -82,12 +82,13 @@ Grid rasterise(const WorldSpec& world, double z, double resolution) {
   for (const WorldObject& object : world.objects) {
     if (object.in_map) painter.paint(slice(object, z));
   }
-  return largest_component(grid);
+  return world.inside ? component_at(grid, *world.inside) : largest_component(grid);
 }
 
 void mark_objects(Grid& grid, const WorldSpec& world, const std::vector<double>& heights) {
   Painter painter(grid);
   for (const WorldObject& object : world.objects) {
+    if (!object.in_world || object.drivable) continue;
     for (const double z : heights) painter.paint(slice(object, z));
   }
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/world/mesh.hpp"
+#include "sim/world/ramp.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -28,18 +29,6 @@ void append_chain(Iterator begin, Iterator end, std::vector<Eigen::Vector2d>& hu
     hull.push_back(*p);
   }
   hull.pop_back();
-}
-
-/// Convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  if (points.size() < 3) return points;
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Eigen::Vector2d> hull;
-  append_chain(points.begin(), points.end(), hull);
-  append_chain(points.rbegin(), points.rend(), hull);
-  return hull;
 }
 
 /// Where the edge from a to b crosses the height, if it does.
@@ -103,6 +92,22 @@ Slice cut(const CylinderShape& cylinder, const Eigen::Isometry3d& T, double z) {
   return cut_prism(low, high, z);
 }
 
+Slice cut(const SphereShape& sphere, const Eigen::Isometry3d& T, double z) {
+  const double height = z - T.translation().z();
+  Slice result;
+  if (std::abs(height) <= sphere.radius) {
+    const double radius = std::sqrt(sphere.radius * sphere.radius - height * height);
+    result.discs.push_back({T.translation().head<2>(), radius});
+  }
+  return result;
+}
+
+Slice cut(const RampShape& ramp, const Eigen::Isometry3d& T, double z) {
+  const RampCorners p = ramp_corners(ramp);
+  return cut_prism({T * p.low[0], T * p.right[0], T * p.right[1]},
+                   {T * p.low[1], T * p.left[0], T * p.left[1]}, z);
+}
+
 Slice cut(const MeshShape& shape, const Eigen::Isometry3d& T, double z) {
   const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
   const auto vertex = [&](std::size_t i) -> Eigen::Vector3d {
@@ -122,6 +127,17 @@ Slice cut(const MeshShape& shape, const Eigen::Isometry3d& T, double z) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  if (points.size() < 3) return points;
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Eigen::Vector2d> hull;
+  append_chain(points.begin(), points.end(), hull);
+  append_chain(points.rbegin(), points.rend(), hull);
+  return hull;
+}
 
 Slice slice(const WorldObject& object, double z) {
   return std::visit([&](const auto& shape) { return cut(shape, object.T_map_object, z); },

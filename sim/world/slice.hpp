@@ -37,6 +37,9 @@ struct Slice {
 /// @throws std::runtime_error if a mesh cannot be read.
 Slice slice(const WorldObject& object, double z);
 
+/// Convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
+
 /// True if the closed rectangle [min, max] and the figure have a point in common.
 bool touches(const ConvexOutline& outline, const Eigen::AlignedBox2d& rectangle);
 bool touches(const Disc& disc, const Eigen::AlignedBox2d& rectangle);

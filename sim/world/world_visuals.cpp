@@ -2,6 +2,7 @@
 
 #include "sim/render/primitives.hpp"
 #include "sim/world/mesh.hpp"
+#include "sim/world/ramp.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -10,6 +11,19 @@ TriangleMesh mesh_of(const BoxShape& box) { return box_mesh(box.size.cast<float>
 TriangleMesh mesh_of(const CylinderShape& c) {
   return cylinder_mesh(static_cast<float>(c.radius), static_cast<float>(c.height));
 }
+TriangleMesh mesh_of(const SphereShape& s) { return sphere_mesh(static_cast<float>(s.radius)); }
+TriangleMesh mesh_of(const RampShape& ramp) {
+  TriangleMesh mesh;
+  for (const RampTriangle& t : ramp_triangles(ramp)) {
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    for (const Eigen::Vector3d& p : t) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+      mesh.vertices.emplace_back(p.cast<float>());
+      mesh.normals.emplace_back(normal.cast<float>());
+    }
+  }
+  return mesh;
+}
 TriangleMesh mesh_of(const MeshShape& shape) { return load_mesh(shape.path, shape.scale); }
 
 }  // namespace
@@ -17,6 +31,7 @@ TriangleMesh mesh_of(const MeshShape& shape) { return load_mesh(shape.path, shap
 std::vector<SceneItem> world_visuals(const WorldSpec& world) {
   std::vector<SceneItem> items;
   for (const WorldObject& object : world.objects) {
+    if (!object.in_world) continue;
     SceneItem item;
     item.mesh = std::visit([](const auto& shape) { return mesh_of(shape); }, object.shape);
     item.T_map_mesh = object.T_map_object.cast<float>();

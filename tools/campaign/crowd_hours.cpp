@@ -87,7 +87,7 @@ double closest_pair(const std::vector<sim::Agent>& agents) {
 
 CrowdHours watch_crowd(const CrowdHoursConfig& config, const std::function<void(int)>& on_hour) {
   Scenario scenario;
-  scenario.world = config.world;
+  scenario.world.file = config.world;
   scenario.seed = config.seed;
   const sim::SimulationConfig simulation = build_simulation(scenario, ".").config;
   const sim::RayScene walls(sim::ray_primitives(simulation.world));

@@ -32,7 +32,7 @@ double between(double low, double high, sim::Rng& rng) {
 PreparedSimulation prepare(const KidnapTrialConfig& config) {
   validate(config);
   Scenario scenario;
-  scenario.world = config.world;
+  scenario.world.file = config.world;
   scenario.lidar.rate_hz = 10.0;
   scenario.lidar.range_max = 12.0;
   scenario.drive.route = "none";

@@ -7,9 +7,8 @@
 #include "sim/world/rasterise.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/run/build_robot.hpp"
+#include "tools/run/build_world.hpp"
 #include "tools/run/simulator_source.hpp"
-#include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/world_file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -21,16 +20,19 @@ struct MapArguments {
   std::optional<double> height;
   double resolution = 0.05;
   std::string out;
+  std::vector<std::string> search_paths;
 };
 
 int make_map(const MapArguments& arguments) {
-  const std::filesystem::path file = find_world(arguments.world, ".");
-  const WorldFile world = load_world(file);
   const double height = arguments.height
                             ? *arguments.height
                             : sim::lidar_of(build_robot({arguments.robot, {}, {}}, "."))
                                   .T_base_laser.translation()
                                   .z();
+  SurveyOptions options;
+  options.lidar_height = height;
+  const WorldFile world =
+      build_world({arguments.world, arguments.search_paths, {}}, ".", options).file;
   const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
   const std::filesystem::path out = arguments.out.empty()
                                         ? std::filesystem::path(world.spec.name + ".yaml")
@@ -55,6 +57,10 @@ void add_map_command(CLI::App& app, std::function<int()>& chosen) {
       ->check(CLI::Range(0.005, 1.0));
   command->add_option("--out", a->out,
                       "YAML file to write (default: <world>.yaml); the picture goes beside it");
+  command
+      ->add_option("--search-path", a->search_paths,
+                   "Folder that models of an SDF world are looked for in")
+      ->allow_extra_args(false);
   command->footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
   command->callback([&chosen, a] { chosen = [a] { return make_map(*a); }; });
 }

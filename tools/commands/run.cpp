@@ -72,8 +72,9 @@ int run_scenario(const RunArguments& arguments) {
     fmt::print(stderr, "castaway: warning: {}\n", warning);
   }
   RunPlan plan;
-  plan.info = {scenario.name, prepared.world_name,  prepared.config.robot.name,
-               scenario.seed, scenario.start.known, names_of(scenario.localizers)};
+  plan.info = {scenario.name,      prepared.world_name,  prepared.config.robot.name,
+               scenario.seed,      scenario.start.known, names_of(scenario.localizers),
+               prepared.difference};
   plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
                                             fmt::format("seed-{}", scenario.seed)
                                       : std::filesystem::path(arguments.out);

@@ -50,6 +50,18 @@ std::string people_line(const Json& summary) {
       100.0 * beams.at("max").get<double>());
 }
 
+/// How much the world differs from its map; nothing where it does not.
+std::string difference_line(const Json& summary) {
+  if (!summary.contains("difference")) return "";
+  const Json& difference = summary.at("difference");
+  return fmt::format(
+      "The world is not as mapped: {:.1f} % of the beams end elsewhere; {} moved, {} gone, {} new, "
+      "{} doors opened, {} closed\n\n",
+      100.0 * difference.at("beams").get<double>(), difference.at("moved").get<int>(),
+      difference.at("removed").get<int>(), difference.at("added").get<int>(),
+      difference.at("opened").get<int>(), difference.at("closed").get<int>());
+}
+
 std::string cost_line(const Json& timing) {
   std::string text = fmt::format(
       "\n{} x real time ({} wall). CPU:", figure(timing.at("realtime_factor"), "{:.0f}"),
@@ -72,6 +84,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
                   summary.at("scenario").get<std::string>(),
                   summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
                   summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
+  text += difference_line(summary);
   text += people_line(summary);
   text +=
       fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",

@@ -6,55 +6,16 @@
 
 #include "localization/random.hpp"
 #include "localization/stamp.hpp"
-#include "sim/world/extrude.hpp"
 #include "sim/world/free_space.hpp"
-#include "sim/world/rasterise.hpp"
 #include "tools/run/build_robot.hpp"
-#include "tools/run/simulator_source.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/run/build_world.hpp"
 #include "tools/scenario/nearest.hpp"
-#include "tools/scenario/ros_map_file.hpp"
-#include "tools/scenario/world_file.hpp"
-#include "tools/scenario/yaml_reader.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-constexpr double kMapResolution = 0.05;  // [m]
 constexpr int kRandomWaypoints = 30;
 constexpr double kRouteMargin = 0.1;  // [m] around the footprint
-
-/// A world with its map, routes and start, whatever it was made from.
-struct LoadedWorld {
-  WorldFile file;
-  sim::Grid grid;
-  RosMap map;
-  bool has_start = true;
-};
-
-bool is_ros_map(const std::filesystem::path& path) {
-  return YamlDocument::load(path).root().has("image");
-}
-
-LoadedWorld map_world(RosMap map, double wall_height) {
-  LoadedWorld world;
-  world.map = std::move(map);
-  world.grid = to_sim_grid(world.map);
-  world.file.spec = sim::extrude(world.grid, wall_height, world.map.name);
-  world.has_start = false;
-  return world;
-}
-
-LoadedWorld load_any_world(const Scenario& scenario, const std::filesystem::path& base,
-                           double lidar_height) {
-  const std::filesystem::path path = find_world(scenario.world, base);
-  if (is_ros_map(path)) return map_world(load_ros_map(path), scenario.wall_height);
-  LoadedWorld world;
-  world.file = load_world(path);
-  world.grid = sim::rasterise(world.file.spec, lidar_height, kMapResolution);
-  world.map = to_ros_map(world.grid, world.file.spec.name);
-  return world;
-}
 
 std::vector<Eigen::Vector2d> random_route(const sim::Grid& grid, double radius,
                                           std::uint64_t seed) {
@@ -131,6 +92,17 @@ LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path
   return loaded;
 }
 
+/// What stands where it was not mapped, and how much a lidar sees of that.
+std::optional<MapDifference> difference_of(const LoadedWorld& world,
+                                           const sim::LidarConfig& lidar) {
+  if (!differs_from_map(world.file.spec)) return std::nullopt;
+  const sim::PlaceView view{lidar.T_base_laser.translation().z(), lidar.range_max};
+  const sim::BeamChange beams = sim::changed_beams(world.file.spec, world.grid, view);
+  const WorldDifference layer = world.difference.value_or(WorldDifference{});
+  return MapDifference{beams.share,  layer.moved,  layer.removed,
+                       layer.opened, layer.closed, layer.added};
+}
+
 PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
@@ -148,6 +120,8 @@ PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, Loa
   place_start(scenario.start, world, config);
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
+  prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());
+  prepared.difference = difference_of(world, config.lidar);
   prepared.map = std::move(world.map);
   config.map = std::move(world.grid);
   config.world = std::move(world.file.spec);
@@ -181,14 +155,18 @@ sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot robot = load_any_robot(scenario, base);
-  const double lidar_height = robot.lidar.T_base_laser.translation().z();
-  return put_together(scenario, std::move(robot), load_any_world(scenario, base, lidar_height));
+  SurveyOptions options{robot.lidar.T_base_laser.translation().z(), scenario.wall_height};
+  options.seed = scenario.seed;
+  if (scenario.start.place == StartSpec::Place::kPose) {
+    options.inside = scenario.start.pose.head<2>();
+  }
+  return put_together(scenario, std::move(robot), build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map) {
   return put_together(scenario, load_any_robot(scenario, base),
-                      map_world(std::move(map), scenario.wall_height));
+                      world_of_map(std::move(map), scenario.wall_height));
 }
 
 }  // namespace castaway::testbed

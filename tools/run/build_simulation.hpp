@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "sim/simulation.hpp"
 #include "tools/formats/ros_map.hpp"
+#include "tools/run/run_sink.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace castaway::testbed {
@@ -15,7 +17,8 @@ struct PreparedSimulation {
   sim::SimulationConfig config;
   RosMap map;  ///< What the localizers are given.
   std::string world_name;
-  std::vector<std::string> warnings;  ///< Of the robot's description.
+  std::vector<std::string> warnings;        ///< Of the robot's description and of the world.
+  std::optional<MapDifference> difference;  ///< Nothing: the map shows the world as it is.
 };
 
 /// The robot's lidar with the scenario's changes. Throws std::invalid_argument where a figure is

@@ -40,14 +40,25 @@ struct RunTiming {
   std::map<std::string, double> cpu_s;  ///< By stage: physics, lidar, people, localizers, sinks.
 };
 
+/// How the world of a run differs from its map.
+struct MapDifference {
+  double beams = 0.0;  ///< Share of a lidar's beams that end elsewhere, by more than 0.2 m.
+  int moved = 0;       ///< Pieces of furniture.
+  int removed = 0;     ///< Pieces of furniture.
+  int opened = 0;      ///< Doors.
+  int closed = 0;      ///< Doors.
+  int added = 0;       ///< Objects.
+};
+
 /// Fixed facts of a run, known before its first frame.
 struct RunInfo {
   std::string scenario;  ///< Its name.
   std::string world;     ///< World or map name.
   std::string robot;     ///< Robot name, or "recorded".
   std::uint64_t seed = 0;
-  bool known_start = true;              ///< False: the localizers start anywhere.
-  std::vector<std::string> localizers;  ///< In order of `ScanRecord::localizers`.
+  bool known_start = true;                       ///< False: the localizers start anywhere.
+  std::vector<std::string> localizers;           ///< In order of `ScanRecord::localizers`.
+  std::optional<MapDifference> difference = {};  ///< Nothing: none is known of.
 };
 
 /// A consumer of a run. Calls come in order: `on_event` and `on_scan` by time, then `finish` once.

@@ -32,6 +32,12 @@ std::int64_t people_hit(const RunHistory& history) {
   });
 }
 
+Json to_json(const MapDifference& difference) {
+  return {{"beams", difference.beams},     {"moved", difference.moved},
+          {"removed", difference.removed}, {"opened", difference.opened},
+          {"closed", difference.closed},   {"added", difference.added}};
+}
+
 Json to_json(const PeopleMetrics& people, const RunHistory& history) {
   Json root{{"people", people.people},
             {"collisions", people_hit(history)},
@@ -59,6 +65,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"robot", info.robot},
             {"known_start", info.known_start},
             {"collisions", collisions(history)}};
+  if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < metrics.size(); ++i) {

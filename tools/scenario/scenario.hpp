@@ -13,6 +13,7 @@
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "sim/people/people_config.hpp"
+#include "sim/world/difference.hpp"
 
 namespace castaway::testbed {
 
@@ -21,6 +22,13 @@ struct RobotSpec {
   std::string file = "waffle";                   ///< A robot's name, or a URDF or xacro file.
   std::map<std::string, std::string> arguments;  ///< Of the xacro file.
   std::vector<std::string> search_paths;         ///< Folders that its packages are looked for in.
+};
+
+/// The world.
+struct WorldChoice {
+  std::string file = "lab";  ///< A world's name, its path, an SDF world, or a ROS map's YAML file.
+  std::vector<std::string> search_paths;  ///< Folders that an SDF's models are looked for in.
+  std::optional<sim::DifferenceSpec> differences;  ///< Instead of those of the world's file.
 };
 
 /// Where the robot starts, and what the localizers are told.
@@ -99,7 +107,7 @@ struct OutputSpec {
 /// A run.
 struct Scenario {
   std::string name;
-  std::string world = "lab";  ///< A world's name, its path, or a ROS map's YAML file.
+  WorldChoice world;
   RobotSpec robot;
   std::uint64_t seed = 1;
   double duration_s = 120.0;  ///< [s]

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tools/scenario/difference_spec.hpp"
 #include "tools/scenario/people_spec.hpp"
 
 namespace castaway::testbed {
@@ -37,6 +38,22 @@ RobotSpec read_robot(YamlReader& root) {
     robot.search_paths = map.require<std::vector<std::string>>("search_paths");
   }
   return robot;
+}
+
+WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
+  WorldChoice world;
+  const std::optional<YamlReader> scalar = root.find("world");
+  if (!scalar || scalar->is_scalar()) {
+    world.file = root.get("world", world.file);
+    return world;
+  }
+  YamlReader map = root.child("world");
+  world.file = map.require<std::string>("name");
+  if (map.has("search_paths")) {
+    world.search_paths = map.require<std::vector<std::string>>("search_paths");
+  }
+  if (map.has("differences")) world.differences = read_differences(map, folder);
+  return world;
 }
 
 StartSpec read_start(YamlReader& root) {
@@ -154,7 +171,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   YamlReader root = document.root();
   Scenario scenario;
   scenario.name = root.get("name", file.stem().string());
-  scenario.world = root.get("world", scenario.world);
+  scenario.world = read_world(root, file.parent_path());
   scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);

@@ -26,6 +26,7 @@
 #include <Eigen/Core>
 
 #include "sim/geometry.hpp"
+#include "sim/world/difference.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::testbed {
@@ -36,6 +37,7 @@ struct WorldFile {
   std::map<std::string, std::vector<Eigen::Vector2d>> routes;  ///< [m] By name; points in map.
   sim::Pose2 start;                                            ///< Of base in map.
   std::optional<std::filesystem::path> map;  ///< YAML file of its map; it need not exist.
+  sim::DifferenceSpec differences;           ///< What changed since; a scenario may say otherwise.
 };
 
 /// Reads a world; of a folder, its `world.yaml`. Throws std::runtime_error naming file, line, key

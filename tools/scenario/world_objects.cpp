@@ -1,37 +1,26 @@
 #include "tools/scenario/world_objects.hpp"
 
 #include <charconv>
-#include <cmath>
-#include <numbers>
+#include <iterator>
 
 #include <fmt/format.h>
 
 namespace castaway::testbed {
 namespace {
 
-using sim::BoxShape;
-using sim::CylinderShape;
-using sim::MeshShape;
-using sim::WorldObject;
+Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder);
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kTableTop = 0.03;  // [m] Thickness.
-
-double positive(YamlReader& reader, const std::string& key, double fallback) {
-  const double value = reader.get(key, fallback);
-  if (value <= 0.0) reader.find(key)->fail("must be above 0 (metres)");
-  return value;
+/// What is taken for furniture where the file does not say.
+bool is_furniture(const std::string& kind) {
+  return kind == "box" || kind == "cylinder" || kind == "sphere" || kind == "table" ||
+         kind == "chair" || kind == "shelf" || kind == "mesh";
 }
 
-double required_positive(YamlReader& reader, const std::string& key) {
-  (void)reader.require<double>(key);
-  return positive(reader, key, 1.0);
-}
-
-Eigen::Vector3d size_of(YamlReader& reader) {
-  const auto size = reader.require<Eigen::Vector3d>("size");
-  if (size.minCoeff() <= 0.0) reader.find("size")->fail("each edge must be above 0 (metres)");
-  return size;
+const char* standard_color(const std::string& kind) {
+  if (kind == "wall" || kind == "window") return "#e8e6e1";
+  if (kind == "glass") return "#bfe3ee";
+  if (kind == "door") return "#b98a5a";
+  return "#b3b3b3";
 }
 
 /// "#rrggbb"
@@ -48,130 +37,141 @@ Eigen::Vector3f color_of(YamlReader& reader, const char* fallback) {
          255.0F;
 }
 
-/// The frame of an object on the floor: x and y from `at`, turned by `yaw_deg`, z at its underside.
-Eigen::Isometry3d floor_frame(YamlReader& reader) {
-  const auto at = reader.require<Eigen::Vector2d>("at");
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.translation() << at, reader.get("bottom", 0.0);
-  T.rotate(Eigen::AngleAxisd(reader.get("yaw_deg", 0.0) * kDegree, Eigen::Vector3d::UnitZ()));
-  return T;
-}
-
-Eigen::Isometry3d shifted(const Eigen::Isometry3d& T, const Eigen::Vector3d& by) {
-  return T * Eigen::Translation3d(by);
-}
-
-/// Bodies without their names.
-using Bodies = std::vector<WorldObject>;
-
-WorldObject body(sim::ObjectShape shape, const Eigen::Isometry3d& T_map_object) {
-  return {"", std::move(shape), T_map_object};
-}
-
-Bodies read_box(YamlReader& reader) {
-  const Eigen::Vector3d size = size_of(reader);
-  return {body(BoxShape{size}, shifted(floor_frame(reader), {0.0, 0.0, 0.5 * size.z()}))};
-}
-
-Bodies read_cylinder(YamlReader& reader) {
-  const CylinderShape shape{required_positive(reader, "radius"),
-                            required_positive(reader, "height")};
-  return {body(shape, shifted(floor_frame(reader), {0.0, 0.0, 0.5 * shape.height}))};
-}
-
-Bodies read_table(YamlReader& reader) {
-  const Eigen::Vector3d size = size_of(reader);
-  const double leg = positive(reader, "leg", 0.05);
-  const double height = size.z() - kTableTop;
-  if (height <= 0.0) reader.find("size")->fail("a table is higher than its top of 0.03 m");
-  const Eigen::Isometry3d T_map_table = floor_frame(reader);
-  Bodies bodies{body(BoxShape{{size.x(), size.y(), kTableTop}},
-                     shifted(T_map_table, {0.0, 0.0, size.z() - 0.5 * kTableTop}))};
-  for (const double side_x : {-0.5, 0.5}) {
-    for (const double side_y : {-0.5, 0.5}) {
-      bodies.push_back(body(BoxShape{{leg, leg, height}},
-                            shifted(T_map_table, {side_x * (size.x() - leg),
-                                                  side_y * (size.y() - leg), 0.5 * height})));
-    }
-  }
-  return bodies;
-}
-
-Bodies read_mesh(YamlReader& reader, const std::filesystem::path& folder) {
-  const auto path = folder / reader.require<std::string>("file");
-  if (!std::filesystem::exists(path)) {
-    reader.find("file")->fail(fmt::format("there is no file {}", path.string()));
-  }
-  const double scale = positive(reader, "scale", 1.0);
-  const MeshShape shape{std::filesystem::absolute(path).lexically_normal().string(),
-                        Eigen::Vector3d::Constant(scale)};
-  return {body(shape, floor_frame(reader))};
-}
-
-/// How a wall's segments stand.
-struct WallProfile {
-  double thickness;
-  double height;
-  double bottom;
-};
-
-/// A box along the segment, longer by half the thickness at each end that is a corner.
-WorldObject wall_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to, bool corner_from,
-                         bool corner_to, const WallProfile& wall) {
-  const Eigen::Vector2d along = (to - from).normalized();
-  const Eigen::Vector2d begin = from - along * (corner_from ? 0.5 * wall.thickness : 0.0);
-  const Eigen::Vector2d end = to + along * (corner_to ? 0.5 * wall.thickness : 0.0);
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.translation() << 0.5 * (begin + end), wall.bottom + 0.5 * wall.height;
-  T.rotate(Eigen::AngleAxisd(std::atan2(along.y(), along.x()), Eigen::Vector3d::UnitZ()));
-  return body(BoxShape{{(end - begin).norm(), wall.thickness, wall.height}}, T);
-}
-
-Bodies read_wall(YamlReader& reader) {
-  std::vector<Eigen::Vector2d> points;
-  for (const YamlReader& point : reader.list("points")) {
-    points.push_back(point.as<Eigen::Vector2d>());
-    const std::size_t n = points.size();
-    if (n > 1 && points[n - 1] == points[n - 2]) point.fail("the same point twice");
-  }
-  const bool closed = reader.get("closed", false);
-  const WallProfile wall{positive(reader, "thickness", 0.1), positive(reader, "height", 2.4),
-                         reader.get("bottom", 0.0)};
-  if (points.size() < (closed ? 3U : 2U)) reader.fail("a wall needs `points`: 2, or 3 if closed");
-  Bodies bodies;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const bool is_last = i + 2 == points.size();
-    bodies.push_back(
-        wall_segment(points[i], points[i + 1], closed || i > 0, closed || !is_last, wall));
-  }
-  if (closed) bodies.push_back(wall_segment(points.back(), points.front(), true, true, wall));
-  return bodies;
-}
-
 Bodies read_bodies(const std::string& kind, YamlReader& reader,
                    const std::filesystem::path& folder) {
   if (kind == "box") return read_box(reader);
+  if (kind == "step") return read_step(reader);
+  if (kind == "ramp") return read_ramp(reader);
   if (kind == "cylinder") return read_cylinder(reader);
+  if (kind == "sphere") return read_sphere(reader);
   if (kind == "table") return read_table(reader);
+  if (kind == "chair") return read_chair(reader);
+  if (kind == "shelf") return read_shelf(reader);
   if (kind == "mesh") return read_mesh(reader, folder);
   if (kind == "wall") return read_wall(reader);
-  reader.fail("no such kind of object; known are box, cylinder, table, mesh, wall");
+  if (kind == "glass") return read_glass(reader);
+  if (kind == "window") return read_window(reader);
+  if (kind == "door") return read_door(reader);
+  if (kind == "repeat") return read_repeat(reader, folder);
+  reader.fail(
+      "no such kind of object; known are box, chair, cylinder, door, glass, mesh, ramp, repeat, "
+      "shelf, sphere, step, table, wall, window");
+}
+
+/// Where the object is to be found: in the world, on the map, or both.
+void read_presence(YamlReader& reader, const std::string& kind, Bodies& bodies) {
+  const bool in_world = reader.get("in_world", true);
+  if (kind == "door") {
+    if (!in_world) reader.find("in_world")->fail("a door is in the world; see `in_map`");
+    return;  // Its `in_map` is of its own.
+  }
+  const bool in_map = reader.get("in_map", true);
+  if (!in_world && !in_map) reader.fail("neither in the world nor on the map: leave it out");
+  for (sim::WorldObject& object : bodies.bodies) {
+    object.in_world = in_world;
+    object.in_map = in_map;
+  }
+}
+
+double read_reflectivity(YamlReader& reader, double fallback) {
+  const double value = reader.get("reflectivity", fallback);
+  if (value < 0.0 || value > 1.0) reader.find("reflectivity")->fail("must be from 0 to 1");
+  return value;
+}
+
+/// Keys that every kind takes.
+void read_common(YamlReader& reader, const std::string& kind, Bodies& bodies) {
+  const Eigen::Vector3f color = color_of(reader, standard_color(kind));
+  const double reflectivity = read_reflectivity(reader, sim::Surface{}.reflectivity);
+  const bool movable = reader.get("movable", is_furniture(kind));
+  const auto glass = reader.get_optional<bool>("glass");
+  const auto drivable = reader.get_optional<bool>("drivable");
+  for (sim::WorldObject& object : bodies.bodies) {
+    const bool leaf = object.name.starts_with("leaf");
+    object.color = object.surface.glass ? Eigen::Vector3f(0.75F, 0.89F, 0.93F) : color;
+    object.surface.reflectivity = reflectivity;
+    object.movable = movable;
+    if (glass && (kind != "door" || leaf)) object.surface.glass = *glass;
+    if (drivable) object.drivable = *drivable;
+  }
+  read_presence(reader, kind, bodies);
+}
+
+void give_names(const std::string& name, bool furniture, Bodies& bodies) {
+  const std::size_t count = bodies.bodies.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    sim::WorldObject& object = bodies.bodies[i];
+    const std::string part = bodies.named ? object.name : fmt::format("{}", i);
+    object.name = count == 1 ? name : fmt::format("{}/{}", name, part);
+    if (furniture) object.piece = name;
+  }
+  for (sim::Door& door : bodies.doors) door.name = name;
+}
+
+/// One copy of a group: moved, and named after its place.
+void append_copy(const Bodies& group, const Eigen::Isometry3d& T, const std::string& prefix,
+                 Bodies& out) {
+  for (sim::WorldObject object : group.bodies) {
+    object.T_map_object = T * object.T_map_object;
+    object.name = prefix + object.name;
+    if (!object.piece.empty()) object.piece = prefix + object.piece;
+    out.bodies.push_back(std::move(object));
+  }
+  for (sim::Door door : group.doors) {
+    door.T_map_hinge = T * door.T_map_hinge;
+    door.name = prefix + door.name;
+    out.doors.push_back(std::move(door));
+  }
+}
+
+Bodies read_group(YamlReader& reader, const std::filesystem::path& folder) {
+  Bodies group;
+  std::size_t index = 0;
+  for (YamlReader entry : reader.list("objects")) {
+    Bodies read = read_world_object(entry, index++, folder);
+    std::move(read.bodies.begin(), read.bodies.end(), std::back_inserter(group.bodies));
+    std::move(read.doors.begin(), read.doors.end(), std::back_inserter(group.doors));
+  }
+  if (group.bodies.empty()) reader.fail("nothing to repeat; give `objects`");
+  return group;
+}
+
+Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder) {
+  const auto count = reader.require<Eigen::Vector2d>("count");
+  const auto spacing = reader.get<Eigen::Vector2d>("spacing", Eigen::Vector2d::Zero());
+  if (count != count.array().round().matrix() || count.minCoeff() < 1.0 || count.prod() > 1e4) {
+    reader.find("count")->fail("give two whole numbers [along x, along y], each from 1");
+  }
+  const Eigen::Isometry3d T_map_group = floor_frame(reader);
+  const Bodies group = read_group(reader, folder);
+  if (static_cast<double>(group.bodies.size()) * count.prod() > kMaxBodies) {
+    reader.fail(fmt::format("more than {} bodies; repeat fewer", kMaxBodies));
+  }
+  Bodies result;
+  result.named = true;
+  for (int row = 0; row < static_cast<int>(count.y()); ++row) {
+    for (int column = 0; column < static_cast<int>(count.x()); ++column) {
+      const Eigen::Vector3d place(column * spacing.x(), row * spacing.y(), 0.0);
+      append_copy(group, shifted(T_map_group, place), fmt::format("{}-{}/", column, row), result);
+    }
+  }
+  return result;
 }
 
 }  // namespace
 
-std::vector<WorldObject> read_world_object(YamlReader& entry, std::size_t index,
-                                           const std::filesystem::path& folder) {
+Bodies read_world_object(YamlReader& entry, std::size_t index,
+                         const std::filesystem::path& folder) {
   auto [kind, reader] = entry.named();
   Bodies bodies = read_bodies(kind, reader, folder);
   const std::string name = reader.get("name", fmt::format("{}-{}", kind, index));
-  const Eigen::Vector3f color = color_of(reader, kind == "wall" ? "#e8e6e1" : "#b3b3b3");
-  const bool in_map = reader.get("in_map", true);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    bodies[i].name = bodies.size() == 1 ? name : fmt::format("{}/{}", name, i);
-    bodies[i].color = color;
-    bodies[i].in_map = in_map;
+  if (kind == "repeat") {
+    Bodies renamed;
+    append_copy(bodies, Eigen::Isometry3d::Identity(), name + "/", renamed);
+    return renamed;
   }
+  read_common(reader, kind, bodies);
+  give_names(name, is_furniture(kind), bodies);
   return bodies;
 }
 

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
+#include <string>
 
-#include "sim/world/world_spec.hpp"
-#include "tools/scenario/yaml_reader.hpp"
+#include "tools/scenario/object_reader.hpp"
 
 namespace castaway::testbed {
 
-/// The bodies of one entry of `objects`: a wall or a table has several. `index` names objects
-/// without a name; paths of meshes are relative to `folder`.
-std::vector<sim::WorldObject> read_world_object(YamlReader& entry, std::size_t index,
-                                                const std::filesystem::path& folder);
+/// At most so many bodies in a world: what `repeat` may grow to.
+inline constexpr std::size_t kMaxBodies = 20000;
+
+/// The bodies of one entry of `objects`, with names: a wall or a table has several, a `repeat` all
+/// of its copies. `index` names objects without a name; paths of meshes are relative to `folder`.
+Bodies read_world_object(YamlReader& entry, std::size_t index, const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

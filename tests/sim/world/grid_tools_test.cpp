@@ -92,5 +92,15 @@ TEST(GridTools, DiagonalCellsAreNotConnected) {
                                       "#?##"}));
 }
 
+TEST(GridTools, KeepsTheComponentOfAPoint) {
+  const Grid grid = grid_from_art({"...#.",  //
+                                   "...#.",  //
+                                   "...##"});
+  EXPECT_EQ(art_of(component_at(grid, {4.5, 2.5})), (std::vector<std::string>{"???#.",  //
+                                                                              "???#.",  //
+                                                                              "???##"}));
+  EXPECT_EQ(art_of(component_at(grid, {3.5, 0.5})), art_of(largest_component(grid)));
+}
+
 }  // namespace
 }  // namespace castaway::sim

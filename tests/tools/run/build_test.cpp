@@ -40,7 +40,7 @@ TEST(BuildSimulation, PullsUpAMapThatItIsHanded) {
   RosMap map{"box", 60, 40, 0.05, 0.0, 0.0, 0.0, std::vector<std::int8_t>(60 * 40, 0)};
   map.cells[0] = 100;
   Scenario scenario;
-  scenario.world = "nowhere";
+  scenario.world.file = "nowhere";
   scenario.drive.route = "none";
   const PreparedSimulation prepared = build_simulation(scenario, ".", map);
   EXPECT_EQ(prepared.world_name, "box");

@@ -33,7 +33,7 @@ class ScenarioFileTest : public testing::Test {
 TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
   const Scenario scenario = load("localizers: [mh_amcl]").scenario;
   EXPECT_EQ(scenario.name, "trial");
-  EXPECT_EQ(scenario.world, "lab");
+  EXPECT_EQ(scenario.world.file, "lab");
   EXPECT_EQ(scenario.seed, 1U);
   EXPECT_EQ(scenario.duration_s, 120.0);
   EXPECT_TRUE(scenario.start.known);

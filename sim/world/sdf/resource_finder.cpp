@@ -1,0 +1,100 @@
+#include "sim/world/sdf/resource_finder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/robot/xml_text.hpp"
+
+namespace castaway::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `uri` without its scheme.
+std::string path_of(const std::string& uri) {
+  const std::size_t scheme = uri.find("://");
+  if (scheme == std::string::npos) return uri;
+  const std::string name = uri.substr(0, scheme);
+  if (name == "model" || name == "package" || name == "file") return uri.substr(scheme + 3);
+  throw std::runtime_error(fmt::format(
+      "'{}' is not on this machine; download it and name its folder in `search_paths`", uri));
+}
+
+std::vector<std::string> folders_of_environment() {
+  std::vector<std::string> folders;
+  for (const char* name :
+       {"GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH"}) {
+    const char* value = std::getenv(name);
+    std::istringstream list(value == nullptr ? "" : value);
+    for (std::string folder; std::getline(list, folder, ':');) {
+      if (!folder.empty()) folders.push_back(folder);
+    }
+  }
+  return folders;
+}
+
+}  // namespace
+
+ResourceFinder::ResourceFinder(const fs::path& world,
+                               const std::vector<std::string>& search_paths) {
+  const fs::path folder = fs::absolute(world).parent_path();
+  std::vector<fs::path> wanted{folder, folder / "models", folder.parent_path() / "models"};
+  wanted.insert(wanted.end(), search_paths.begin(), search_paths.end());
+  for (const std::string& path : folders_of_environment()) wanted.emplace_back(path);
+  for (const fs::path& path : wanted) {
+    if (fs::is_directory(path)) folders_.push_back(fs::canonical(path));
+  }
+}
+
+bool ResourceFinder::may_read(const fs::path& path) const {
+  return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+           folder.end();
+  });
+}
+
+fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) const {
+  const fs::path path = path_of(uri);
+  std::vector<fs::path> starts{from};
+  starts.insert(starts.end(), folders_.begin(), folders_.end());
+  for (const fs::path& start : starts) {
+    std::error_code none;
+    const fs::path candidate = fs::weakly_canonical(start / path, none);
+    if (path.empty() || none || !fs::exists(candidate)) continue;
+    if (may_read(candidate)) return candidate;
+    throw std::runtime_error(
+        fmt::format("'{}' lies outside of the world's folder and the search paths; name its folder "
+                    "in `search_paths`",
+                    uri));
+  }
+  std::vector<std::string> folders;
+  for (const fs::path& folder : folders_) folders.push_back(folder.string());
+  throw std::runtime_error(fmt::format("'{}' not found in {}; name its folder in `search_paths`",
+                                       uri, fmt::join(folders, ", ")));
+}
+
+fs::path ResourceFinder::model_file(const fs::path& model) const {
+  if (!fs::is_directory(model)) return model;
+  fs::path file = model / "model.sdf";
+  const fs::path config = model / "model.config";
+  if (fs::is_regular_file(config)) {
+    const auto document = parse_xml(config.string(), read_xml_text(config.string()));
+    const TiXmlElement* entry = document->RootElement();
+    entry = entry == nullptr ? nullptr : entry->FirstChildElement("sdf");
+    for (; entry != nullptr; entry = entry->NextSiblingElement("sdf")) {
+      if (entry->GetText() != nullptr) file = fs::weakly_canonical(model / entry->GetText());
+    }
+  }
+  if (!fs::is_regular_file(file) || !may_read(fs::canonical(file))) {
+    throw std::runtime_error(fmt::format("{}: the model's folder has no {} within reach",
+                                         model.string(), file.filename().string()));
+  }
+  return file;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,103 @@
+#include "sim/world/ambiguity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/world/rasterise.hpp"
+#include "tests/sim/support/test_world.hpp"
+
+namespace castaway::sim {
+namespace {
+
+const PlaceView kView{0.2, 12.0, 72};
+
+Ambiguity of_world(const WorldSpec& world, const PlaceView& view = kView) {
+  const Grid map = rasterise(world, view.z, 0.05);
+  return ambiguity(RayScene(ray_primitives(world)), FreeSpace(map, 0.25), view);
+}
+
+WorldSpec walled(double half_x, double half_y) {
+  WorldSpec world;
+  world.min_corner = {-half_x - 0.1, -half_y - 0.1};
+  world.max_corner = {half_x + 0.1, half_y + 0.1};
+  const double x = half_x + 0.05;
+  const double y = half_y + 0.05;
+  world.objects = {box_on_floor("south", {2.0 * x + 0.1, 0.1, 1.0}, {0.0, -y}),
+                   box_on_floor("north", {2.0 * x + 0.1, 0.1, 1.0}, {0.0, y}),
+                   box_on_floor("west", {0.1, 2.0 * half_y, 1.0}, {-x, 0.0}),
+                   box_on_floor("east", {0.1, 2.0 * half_y, 1.0}, {x, 0.0})};
+  return world;
+}
+
+/// A square room with the same box in each corner: four-fold symmetric.
+WorldSpec symmetric() {
+  WorldSpec world = walled(4.0, 4.0);
+  for (int i = 0; i < 4; ++i) {
+    const double yaw = 1.5707963267948966 * i;
+    const Eigen::Vector2d p = Eigen::Rotation2Dd(yaw) * Eigen::Vector2d(2.7, 1.1);
+    world.objects.push_back(box_on_floor("b" + std::to_string(i), {0.9, 0.5, 1.0}, p, yaw));
+  }
+  return world;
+}
+
+TEST(Ambiguity, IsHighWhereAWorldIsSymmetric) {
+  const Ambiguity result = of_world(symmetric());
+  EXPECT_GT(result.places, 80);
+  EXPECT_GT(result.twins, 0.85);  // In the very middle the twins are less than 2 m apart.
+  EXPECT_GT(result.p90, 0.98);
+}
+
+TEST(Ambiguity, IsLowInARoomOfManyThings) {
+  WorldSpec world = test_room();
+  world.objects.push_back(box_on_floor("wing", {0.1, 2.5, 1.0}, {1.5, -1.8}));
+  world.objects.push_back(box_on_floor("trunk", {1.2, 0.5, 0.5}, {-3.2, 2.4}, 0.3));
+  const Ambiguity result = of_world(world);
+  EXPECT_LT(result.twins, 0.05);
+  EXPECT_LT(result.mean, of_world(symmetric()).mean - 0.1);
+}
+
+TEST(Ambiguity, IsOneWhereNothingIsInView) {
+  const Ambiguity blind = of_world(walled(20.0, 15.0), {0.2, 3.0, 72});
+  EXPECT_GT(blind.twins, 0.9);
+  EXPECT_GT(blind.mean, 0.95);
+}
+
+TEST(Ambiguity, FindsEqualRoomsInARow) {
+  WorldSpec world = walled(10.0, 3.0);
+  for (int i = 0; i < 5; ++i) {
+    const double x = -10.0 + 4.0 * i;
+    if (i > 0)
+      world.objects.push_back(box_on_floor("w" + std::to_string(i), {0.1, 4.0, 1.0}, {x, -1.0}));
+    world.objects.push_back(
+        box_on_floor("d" + std::to_string(i), {1.2, 0.6, 1.0}, {x + 2.3, -2.2}));
+  }
+  const Ambiguity rooms = of_world(world);
+  EXPECT_GT(rooms.twins, 0.4);  // In the rooms, not in the corridor along them.
+  EXPECT_GT(rooms.p90, 0.95);
+}
+
+TEST(Ambiguity, IsTheSameTwice) {
+  const Ambiguity a = of_world(symmetric());
+  const Ambiguity b = of_world(symmetric());
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.p90, b.p90);
+  EXPECT_EQ(a.twins, b.twins);
+}
+
+TEST(Places, LieOnALatticeOfFreeCells) {
+  const FreeSpace free(rasterise(walled(2.0, 2.0), 0.2, 0.05), 0.2);
+  const auto places = even_places(free, 1.0);
+  EXPECT_EQ(places.size(), 16U);
+  for (const Eigen::Vector2d& p : places) EXPECT_TRUE(free.contains(p));
+}
+
+TEST(Places, AreSeenFrom) {
+  const RayScene scene(ray_primitives(walled(2.0, 3.0)));
+  const auto ranges = scan_at(scene, {0.5, 0.0}, 0.0, {0.2, 2.5, 4});
+  ASSERT_EQ(ranges.size(), 4U);
+  EXPECT_NEAR(ranges[0], 1.5, 1e-6);
+  EXPECT_NEAR(ranges[1], 2.5, 1e-6);  // The wall at 3 m is out of range.
+  EXPECT_NEAR(ranges[2], 2.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace castaway::sim

@@ -1,0 +1,121 @@
+// castaway check-world: what was understood of a world.
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "sim/render/renderer.hpp"
+#include "sim/sensor/lidar_config.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/world_report.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/run/build_robot.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr int kWidth = 1000;  // [px]
+constexpr int kHeight = 750;  // [px]
+
+/// What the command line says.
+struct CheckArguments {
+  WorldChoice world;
+  std::string robot = "waffle";
+  std::string scenario;
+  double range_max = 12.0;
+  std::uint64_t seed = 1;
+  std::string out;
+  bool json = false;
+  bool no_picture = false;
+};
+
+std::string map_name(const std::string& file) {
+  const std::filesystem::path path(file);
+  return (path.parent_path() / (path.stem().string() + "-map.png")).string();
+}
+
+/// The files' names, or why there are no pictures.
+std::string take_pictures(const LoadedWorld& world, const std::string& out) {
+  const std::string file = out.empty() ? world.file.spec.name + ".png" : out;
+  std::string overview;
+  std::string map;
+  try {
+    sim::Renderer renderer(kWidth, kHeight);
+    overview = sim::encode_png(renderer.render(world_scene(world)));
+    map = sim::encode_png(renderer.render(world_map_scene(world)));
+  } catch (const std::runtime_error& error) {
+    return fmt::format("none: {}", error.what());
+  }
+  write_file(file, overview);
+  write_file(map_name(file), map);
+  return fmt::format("{}, {}", file, map_name(file));
+}
+
+/// Of a scenario: its world, seed and differences.
+void take_scenario(CheckArguments& arguments) {
+  const LoadedScenario loaded = load_scenario(arguments.scenario, {});
+  arguments.world = loaded.scenario.world;
+  arguments.seed = loaded.scenario.seed;
+}
+
+int check_world(CheckArguments arguments) {
+  std::filesystem::path base = ".";
+  if (!arguments.scenario.empty()) {
+    base = std::filesystem::path(arguments.scenario).parent_path();
+    take_scenario(arguments);
+  }
+  const double height =
+      sim::lidar_of(build_robot({arguments.robot, {}, {}}, ".")).T_base_laser.translation().z();
+  SurveyOptions options;
+  options.lidar_height = height;
+  options.seed = arguments.seed;
+  const LoadedWorld world = build_world(arguments.world, base, options);
+  const WorldFacts facts = world_facts(world, {height, arguments.range_max});
+  const std::string pictures =
+      arguments.no_picture ? "not asked for" : take_pictures(world, arguments.out);
+  if (arguments.json) {
+    auto json = world_json(world, facts);
+    json["pictures"] = pictures;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}pictures: {}\n", world_text(world, facts), pictures);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_check_world_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<CheckArguments>();
+  CLI::App* command = app.add_subcommand(
+      "check-world",
+      "Print and picture what is understood of a world, and how it is to localize in");
+  command
+      ->add_option("world", a->world.file, "A world's name or file (YAML, .sdf, .world, ROS map)")
+      ->capture_default_str();
+  command->add_option("--scenario", a->scenario,
+                      "Scenario whose world is checked, with its seed and its differences");
+  command
+      ->add_option("--search-path", a->world.search_paths,
+                   "Folder that models of an SDF world are looked for in (besides "
+                   "GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH)")
+      ->allow_extra_args(false);
+  command->add_option("--robot", a->robot, "Robot whose lidar's height is taken")
+      ->capture_default_str();
+  command->add_option("--range-max", a->range_max, "Of the lidar that sees places alike [m]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 200.0));
+  command->add_option("--out", a->out,
+                      "Picture to write (default: <world's name>.png); the map's goes beside it");
+  command->add_flag("--no-picture", a->no_picture, "Write no pictures");
+  command->add_flag("--json", a->json, "Print JSON instead of words");
+  command->footer(
+      "Examples:\n"
+      "  castaway check-world office\n"
+      "  castaway check-world my_world.sdf --search-path ~/models --out my_world.png\n"
+      "  castaway check-world --scenario worlds/lab/scenarios/moved.yaml --no-picture");
+  command->callback([&chosen, a] { chosen = [a] { return check_world(*a); }; });
+}
+
+}  // namespace castaway::testbed
