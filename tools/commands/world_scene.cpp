@@ -63,7 +63,7 @@ sim::Scene world_scene(const LoadedWorld& world) {
   scene.items.push_back(floor_of(spec));
   add_marks(world, scene);
   const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
-  const float reach = std::max(size.x(), 1.25F * size.y());
+  const float reach = 1.06F * std::max(size.x(), 1.25F * size.y());
   scene.camera.target = lifted(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
   scene.camera.target.y() -= 0.06F * size.y();
   scene.camera.eye = scene.camera.target + reach * Vector3f(-0.04F, -0.62F, 0.95F);

@@ -10,11 +10,9 @@
 ///       - cylinder: {at: [3, 1], radius: 0.2, height: 2.4}
 ///       - table: {at: [2, 2], size: [1.6, 0.8, 0.74], leg: 0.05}   # a top on four legs
 ///       - mesh: {at: [1, 1], file: meshes/chair.obj, scale: 1.0}
-///     routes: {loop: [[0, 0], [3, 0], [3, 2]]}       # [m] closed: the last point leads to the
-///     first
+///     routes: {loop: [[0, 0], [3, 0], [3, 2]]}       # [m] closed: the last leads to the first
 ///
-/// Every object also takes `name` (unique), `color`, `in_map` (false: only in the world) and
-/// `bottom`, the height of its underside above the floor [m].
+/// docs/worlds.md has all kinds of objects and their keys.
 #pragma once
 
 #include <filesystem>

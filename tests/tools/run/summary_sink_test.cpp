@@ -45,6 +45,21 @@ TEST(SummarySink, SaysWhatTheRunAmountsTo) {
   EXPECT_EQ(summary.at("/localizers/a/alarm/detection_delay_s/mean"_json_pointer), 0.6);
 }
 
+TEST(SummarySink, SaysHowTheWorldDiffersFromItsMap) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of({"a"});
+  info.difference = MapDifference{0.25, 3, 2, 0, 1, 4};
+  SummarySink sink(folder.path(), info);
+  play(sink);
+  const Json summary = Json::parse(read_file(folder.path() / "summary.json"));
+  EXPECT_EQ(summary.at("difference"), (Json{{"beams", 0.25},
+                                            {"moved", 3},
+                                            {"removed", 2},
+                                            {"opened", 0},
+                                            {"closed", 1},
+                                            {"added", 4}}));
+}
+
 TEST(SummarySink, WritesEventsByTheTimeOfTheirAnswers) {
   const TemporaryFolder folder;
   SummarySink sink(folder.path(), run_of({"a"}));

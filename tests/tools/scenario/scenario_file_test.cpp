@@ -40,6 +40,24 @@ TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
   EXPECT_EQ(scenario.localizers.at(0).name, "mh_amcl");
 }
 
+TEST_F(ScenarioFileTest, NamesTheWorldInOneWordOrWithItsDifferences) {
+  const WorldChoice plain = load("{world: home, localizers: [mh_amcl]}").scenario.world;
+  EXPECT_EQ(plain.file, "home");
+  EXPECT_FALSE(plain.differences.has_value());
+  const std::string text =
+      "{world: {name: w.sdf, search_paths: [models], differences: {remove: 0.2}}, localizers: "
+      "[mh_amcl]}";
+  const LoadedScenario loaded = load(text);
+  EXPECT_EQ(loaded.scenario.world.file, "w.sdf");
+  EXPECT_EQ(loaded.scenario.world.search_paths, std::vector<std::string>{"models"});
+  ASSERT_TRUE(loaded.scenario.world.differences.has_value());
+  EXPECT_EQ(loaded.scenario.world.differences->remove, 0.2);
+  EXPECT_EQ(load(loaded.effective).scenario.world.differences->remove, 0.2);
+  EXPECT_EQ(load(text, {"world=lab"}).scenario.world.file, "lab");
+  EXPECT_EQ(load(text, {"world.differences.remove=0.5"}).scenario.world.differences->remove, 0.5);
+  expect_contains(error_of("{world: {nam: lab}, localizers: [mh_amcl]}"), "'name'");
+}
+
 TEST_F(ScenarioFileTest, NamesTheRobotInOneWordOrWithItsArguments) {
   EXPECT_EQ(load("localizers: [mh_amcl]").scenario.robot.file, "waffle");
   EXPECT_EQ(load("{robot: mule, localizers: [mh_amcl]}").scenario.robot.file, "mule");

@@ -1,0 +1,86 @@
+#include "tools/run/build_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/world/grid_tools.hpp"
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+const std::string kRoom =
+    "name: room\nextent: {min: [0, 0], max: [6, 4]}\nstart: [1, 1, 0]\nobjects:\n"
+    "  - wall: {points: [[0.1, 0.1], [5.9, 0.1], [5.9, 3.9], [0.1, 3.9]], closed: true}\n"
+    "  - box: {name: crate, at: [4, 3], size: [0.4, 0.4, 0.4]}\n";
+
+TEST(BuildWorld, SurveysTheWorldAsItsFileHasIt) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom);
+  const LoadedWorld world = build_world({"w.yaml", {}, {}}, folder.path(), {});
+  EXPECT_EQ(world.grid.width, 120);
+  EXPECT_EQ(sim::cell_at(world.grid, {4.0, 3.0}), sim::Cell::kOccupied);
+  EXPECT_FALSE(world.difference.has_value());
+  EXPECT_FALSE(differs_from_map(world.file.spec));
+  EXPECT_TRUE(world.has_start);
+}
+
+TEST(BuildWorld, ChangesItAfterTheSurvey) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom + "differences: {changes: [{remove: {name: crate}}]}\n");
+  const LoadedWorld world = build_world({"w.yaml", {}, {}}, folder.path(), {});
+  EXPECT_EQ(sim::cell_at(world.grid, {4.0, 3.0}), sim::Cell::kOccupied);
+  ASSERT_TRUE(world.difference.has_value());
+  EXPECT_EQ(world.difference->removed, 1);
+  EXPECT_TRUE(differs_from_map(world.file.spec));
+}
+
+TEST(BuildWorld, TakesTheScenariosDifferencesInPlaceOfTheFiles) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom + "differences: {remove: 1}\n");
+  sim::DifferenceSpec boxes;
+  boxes.add_boxes = 1;
+  const LoadedWorld world = build_world({"w.yaml", {}, boxes}, folder.path(), {});
+  ASSERT_TRUE(world.difference.has_value());
+  EXPECT_EQ(world.difference->removed, 0);
+  EXPECT_EQ(world.difference->added, 1);
+  const LoadedWorld plain = build_world({"w.yaml", {}, sim::DifferenceSpec{}}, folder.path(), {});
+  EXPECT_FALSE(plain.difference.has_value());
+}
+
+TEST(BuildWorld, SaysWhatANameCouldMean) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom + "differences: {changes: [{remove: {name: crates}}]}\n");
+  const std::string error = error_of([&] { build_world({"w.yaml", {}, {}}, folder.path(), {}); });
+  EXPECT_TRUE(contains(error, "no object 'crates'"));
+  EXPECT_TRUE(contains(error, "'crate'"));
+}
+
+TEST(BuildWorld, SurveysTheSpaceAroundAGivenPointOfAnSdfWorld) {
+  const TemporaryFolder folder;
+  std::string walls;
+  const auto wall = [&walls](const std::string& pose, const std::string& size) {
+    walls += "<collision name='c" + std::to_string(walls.size()) + "'><pose>" + pose +
+             " 0.5 0 0 0</pose><geometry><box><size>" + size +
+             " 1</size></box></geometry></collision>";
+  };
+  wall("0 2", "4 0.1");
+  wall("0 -2", "4 0.1");
+  wall("2 0", "0.1 4.1");
+  wall("-2 0", "0.1 4.1");
+  wall("20 0", "0.1 4.1");  // The large open space is outside.
+  folder.put("w.sdf",
+             "<sdf version='1.6'><world name='w'><model name='m'><static>1</static>"
+             "<link name='l'>" +
+                 walls + "</link></model></world></sdf>");
+  SurveyOptions options;
+  const LoadedWorld outside = build_world({"w.sdf", {}, {}}, folder.path(), options);
+  EXPECT_FALSE(outside.has_start);
+  EXPECT_EQ(sim::cell_at(outside.grid, {0.0, 0.0}), sim::Cell::kUnknown);
+  options.inside = Eigen::Vector2d(0.0, 0.0);
+  const LoadedWorld inside = build_world({"w.sdf", {}, {}}, folder.path(), options);
+  EXPECT_EQ(sim::cell_at(inside.grid, {0.0, 0.0}), sim::Cell::kFree);
+  EXPECT_EQ(sim::cell_at(inside.grid, {10.0, 0.0}), sim::Cell::kUnknown);
+}
+
+}  // namespace
+}  // namespace castaway::testbed
