@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/ground.hpp"
 #include "sim/world/rasterise.hpp"
 
 namespace castaway::sim {
@@ -25,8 +26,16 @@ Grid drive_grid(const SimulationConfig& config) {
   const int slices = std::max(4, static_cast<int>(std::ceil(height / kSliceStep)));
   std::vector<double> heights{0.02};
   for (int i = 1; i <= slices; ++i) heights.push_back(height * i / slices);
+  const std::vector<float> ground = ground_heights(config.world, grid);
+  free_raised(grid, ground);
   mark_objects(grid, config.world, heights);
+  mark_ledges(grid, ground);
   return grid;
+}
+
+Grid landing_grid(const SimulationConfig& config, Grid drive_grid) {
+  mark_raised(drive_grid, ground_heights(config.world, drive_grid));
+  return drive_grid;
 }
 
 Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng) {

@@ -9,9 +9,14 @@
 
 namespace castaway::sim {
 
-/// The run's map with every object of the world marked that the robot's body could meet.
+/// The run's map with every object of the world marked that the robot's body could meet; ramps and
+/// platforms are free, but for their ledges.
 /// @throws std::invalid_argument if there is no map.
 Grid drive_grid(const SimulationConfig& config);
+
+/// Where a robot can be put down: the drive grid without ramps and platforms, since it is put onto
+/// the floor.
+Grid landing_grid(const SimulationConfig& config, Grid drive_grid);
 
 /// The pose the run starts from: as given, or drawn.
 /// @throws std::runtime_error if the robot would stand in something, or nothing is free.

@@ -60,7 +60,8 @@ struct Simulation::State {
   nanoseconds now{};
   nanoseconds next_control{};
 
-  Grid grid;
+  Grid grid;     ///< Where it drives...
+  Grid landing;  ///< ...and where it is put down.
   Pose2 start;
   std::vector<KidnapSpec> kidnaps;
   std::size_t next_kidnap = 0;
@@ -82,8 +83,9 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       cpu_clock(std::move(clock)),
       step(period_of(config.physics_hz, "physics_hz")),
       grid(drive_grid(config)),
-      start(castaway::sim::start_pose(config, grid, streams.events)),
-      kidnaps(checked_kidnaps(config, grid)),
+      landing(landing_grid(config, grid)),
+      start(castaway::sim::start_pose(config, landing, streams.events)),
+      kidnaps(checked_kidnaps(config, landing)),
       robot(config.world, config.robot, start, limits_of(config.drive, config.robot), step),
       sensors(config, streams),
       route(route_of(config.drive, config.robot),
@@ -104,7 +106,7 @@ void Simulation::State::kidnap_if_due() {
          std::chrono::duration<double>(now).count() >= kidnaps[next_kidnap].at_s) {
     const KidnapSpec& spec = kidnaps[next_kidnap++];
     const Pose2 from = to_planar(robot.state().T_map_base);
-    const FreeSpace free = kidnap_space(spec, config.robot, grid);
+    const FreeSpace free = kidnap_space(spec, config.robot, landing);
     const Pose2 to = kidnap_target(spec, from, free, streams.events);
     robot.teleport(to);
     people.on_kidnap(to);

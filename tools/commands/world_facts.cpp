@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/ground.hpp"
 #include "sim/world/rasterise.hpp"
 #include "tools/commands/world_report.hpp"
 
@@ -13,12 +14,21 @@ namespace {
 constexpr double kRadius = 0.25;     // [m] Of the disc that ambiguity is looked for with.
 constexpr double kTightRoute = 0.3;  // [m]
 
+/// Where a robot stands on the floor itself.
+sim::Grid on_the_floor(const LoadedWorld& world, sim::Grid grid) {
+  sim::mark_raised(grid, sim::ground_heights(world.file.spec, grid));
+  return grid;
+}
+
 /// The map with all that a low robot could run into.
 sim::Grid obstacles(const LoadedWorld& world) {
   sim::Grid grid = world.grid;
   std::vector<double> heights;
   for (double z = 0.02; z < 0.35; z += 0.04) heights.push_back(z);
+  const std::vector<float> ground = sim::ground_heights(world.file.spec, grid);
+  sim::free_raised(grid, ground);
   sim::mark_objects(grid, world.file.spec, heights);
+  sim::mark_ledges(grid, ground);
   return grid;
 }
 
@@ -65,9 +75,11 @@ WorldFacts world_facts(const LoadedWorld& world, const sim::PlaceView& view) {
   WorldFacts facts;
   const auto free = std::count(world.grid.cells.begin(), world.grid.cells.end(), sim::Cell::kFree);
   facts.free_area = static_cast<double>(free) * world.grid.resolution * world.grid.resolution;
-  const sim::FreeSpace space(obstacles(world), kRadius);
+  const sim::Grid drive = obstacles(world);
+  const sim::FreeSpace way(drive, kRadius);
+  const sim::FreeSpace space(on_the_floor(world, drive), kRadius);
   for (const auto& [name, route] : world.file.routes) {
-    facts.routes.push_back(facts_of(name, route, space));
+    facts.routes.push_back(facts_of(name, route, way));
   }
   facts.change = sim::changed_beams(world.file.spec, world.grid, view);
   facts.ambiguity =
