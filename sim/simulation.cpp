@@ -48,6 +48,8 @@ struct Simulation::State {
   void move_people();
   void control();
   void read_lidar(const Motion& motion);
+  template <typename Reading>
+  void deliver(const std::vector<Reading>& readings);
   template <typename Work>
   void measured(const char* stage, Work work);
 
@@ -135,11 +137,16 @@ void Simulation::State::control() {
   }
 }
 
+template <typename Reading>
+void Simulation::State::deliver(const std::vector<Reading>& readings) {
+  for (const Reading& reading : readings) frames.push_back({reading.stamp, reading});
+}
+
 void Simulation::State::read_lidar(const Motion& motion) {
-  for (SimFrame& frame : sensors.read_lidar(people.around(sensors.scene()), motion)) {
+  for (SimFrame& frame : sensors.read_lidars(people.around(sensors.scene()), motion)) {
     auto& reading = std::get<LidarReading>(frame.data);
     reading.people = people.readings(reading.stamp, reading.T_map_base_true);
-    if (config.drive.by_estimate) guard.on_scan(reading, config.lidar);
+    if (config.drive.by_estimate) guard.on_scan(reading, sensors.lidars()[reading.lidar]);
     frames.push_back(std::move(frame));
   }
 }
@@ -156,9 +163,8 @@ void Simulation::State::run_step() {
       (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
   distance += way.norm();
   velocity = way / std::chrono::duration<double>(step).count();
-  for (SimFrame& frame : sensors.read_odometry(motion, before.wheels, after.wheels)) {
-    frames.push_back(std::move(frame));
-  }
+  deliver(sensors.read_faults(motion));
+  deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
   measured("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
 #include "sim/geometry.hpp"
 #include "sim/people/people_config.hpp"
@@ -43,10 +44,12 @@ struct SimulationConfig {
   WorldSpec world;
   Grid map;  ///< What the robot's planner knows; objects missing on it are avoided all the same.
   RobotModel robot;
-  LidarConfig lidar;
+  LidarConfig lidar;                       ///< The first; people and guards go by it.
+  std::vector<LidarConfig> more_lidars{};  ///< Further ones, with other names.
   OdometryConfig odometry;
   DriveConfig drive;
   std::vector<KidnapSpec> kidnaps;
+  std::vector<FaultSpec> faults{};
   PeopleConfig people;
   Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
   bool random_start = false;  ///< Draws a pose in reachable free space.
@@ -59,14 +62,15 @@ struct SimulationStreams {
   Rng lidar;
   Rng odometry;
   Rng events;
-  /// Streams by name, "people/..."; needed where there are people.
+  /// Streams by name, "people/...", "lidar/...", "odometry/..."; needed for people and for sensors
+  /// with more than plain noise.
   std::function<Rng(const std::string& name)> named{};
 };
 
 /// One delivery. A scan is delivered at the time of its last beam.
 struct SimFrame {
   std::chrono::nanoseconds stamp{};
-  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit> data;
+  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord> data;
 };
 
 /// A run of the simulator. Same configuration, same streams: same frames, to the bit.

@@ -12,32 +12,42 @@ constexpr double kSideReach = 1.5;  // [m] Within which sides are compared.
 }  // namespace
 
 void ProximityGuard::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
-  points_.clear();
+  if (points_.size() <= scan.lidar) points_.resize(scan.lidar + 1);
+  std::vector<Eigen::Vector2d>& points = points_[scan.lidar];
+  points.clear();
+  const auto beams = static_cast<std::size_t>(lidar.beams);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
     if (!std::isfinite(range) || scan.hit_object[i] == kHitFloor) continue;
-    const double angle = lidar.angle_min + lidar.angle_increment * static_cast<double>(i);
-    const Eigen::Vector3d p_laser(range * std::cos(angle), range * std::sin(angle), 0.0);
-    points_.emplace_back((lidar.T_base_laser * p_laser).head<2>());
+    const double angle = lidar.angle_min + lidar.angle_increment * static_cast<double>(i % beams);
+    const double elevation = lidar.elevations[i / beams];
+    const double level = range * std::cos(elevation);
+    const Eigen::Vector3d p_laser(level * std::cos(angle), level * std::sin(angle),
+                                  range * std::sin(elevation));
+    points.emplace_back((lidar.T_base_laser * p_laser).head<2>());
   }
 }
 
 /// Way ahead until the disc of the robot meets a point.
 double ProximityGuard::gap_ahead() const {
   double gap = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector2d& p : points_) {
-    if (p.x() <= 0.0 || std::abs(p.y()) >= config_.radius) continue;
-    const double front = std::sqrt(config_.radius * config_.radius - p.y() * p.y());
-    gap = std::min(gap, p.x() - front);
+  for (const auto& points : points_) {
+    for (const Eigen::Vector2d& p : points) {
+      if (p.x() <= 0.0 || std::abs(p.y()) >= config_.radius) continue;
+      const double front = std::sqrt(config_.radius * config_.radius - p.y() * p.y());
+      gap = std::min(gap, p.x() - front);
+    }
   }
   return gap;
 }
 
 double ProximityGuard::roomier_side() const {
   double balance = 0.0;
-  for (const Eigen::Vector2d& p : points_) {
-    const double nearness = std::max(kSideReach - p.norm(), 0.0);
-    balance -= nearness * p.normalized().y();
+  for (const auto& points : points_) {
+    for (const Eigen::Vector2d& p : points) {
+      const double nearness = std::max(kSideReach - p.norm(), 0.0);
+      balance -= nearness * p.normalized().y();
+    }
   }
   return balance >= 0.0 ? 1.0 : -1.0;
 }

@@ -21,8 +21,9 @@ struct GuardConfig {
   int escape_calls = 60;          ///< Calls for which an escape lasts.
 };
 
-/// Slows down before obstacles in the newest scan. Blocked, the robot turns to the roomier side and
-/// drives off that way for a while, whatever its commands are: it would turn back to the wall.
+/// Slows down before obstacles in the newest scan of each lidar. Blocked, the robot turns to the
+/// roomier side and drives off that way for a while, whatever its commands are: it would turn back
+/// to the wall.
 class ProximityGuard {
  public:
   explicit ProximityGuard(const GuardConfig& config) : config_(config) {}
@@ -37,7 +38,7 @@ class ProximityGuard {
   [[nodiscard]] double roomier_side() const;
 
   GuardConfig config_;
-  std::vector<Eigen::Vector2d> points_;  ///< [m] In base.
+  std::vector<std::vector<Eigen::Vector2d>> points_;  ///< [m] In base, by lidar.
   int escape_left_ = 0;
   double escape_side_ = 1.0;  ///< 1: left, -1: right.
 };

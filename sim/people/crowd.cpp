@@ -43,7 +43,7 @@ void assign(const std::vector<Eigen::Vector2d>& places, std::vector<Agent>& agen
 Crowd::Crowd(double blocked_share, const LidarConfig& lidar)
     : wanted_(blocked_share),
       aim_(blocked_share),
-      lidar_(lidar),
+      lidar_(level_slice(lidar)),
       stride_(std::max(1, lidar.beams / kBeams)) {}
 
 std::vector<Crowd::Sight> Crowd::sights(const RobotBody& robot, const Surroundings& around) const {

@@ -1,18 +1,17 @@
 #include "sim/sensor/lidar.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include <boost/random/normal_distribution.hpp>
 
 namespace castaway::sim {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// Where a ray meets the floor, z = 0.
-double distance_to_floor(const Ray& ray) {
-  return ray.direction.z() < 0.0 ? std::max(-ray.origin.z() / ray.direction.z(), 0.0) : kNoHit;
-}
 
 std::chrono::nanoseconds to_nanoseconds(double seconds) {
   return std::chrono::nanoseconds(std::llround(seconds * 1e9));
@@ -20,22 +19,22 @@ std::chrono::nanoseconds to_nanoseconds(double seconds) {
 
 }  // namespace
 
-std::optional<RayHit> cast(const Surroundings& around, const Ray& ray, double max_distance,
-                           std::uint32_t guess) {
-  std::optional<RayHit> hit = around.fixed.cast(ray, max_distance, guess);
-  if (around.moving == nullptr) return hit;
-  std::optional<RayHit> nearer = around.moving->cast(ray, hit ? hit->distance : max_distance);
-  if (!nearer) return hit;
-  if (hit) nearer->primitive = hit->primitive;
-  return nearer;
-}
-
-Lidar::Lidar(const LidarConfig& config) : config_(config) {
+Lidar::Lidar(const LidarConfig& config, Surfaces surfaces, Rng pattern) : config_(config) {
   validate(config);
-  for (int i = 0; i < config.beams; ++i) {
-    const double angle = config.angle_min + config.angle_increment * i;
-    directions_.emplace_back(config.T_base_laser.linear() *
-                             Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
+  if (any(config.light) || config.intensity != Intensity::kNone) {
+    light_.emplace(config.light, std::move(surfaces), config.range_max);
+  }
+  const Eigen::Matrix3d R_base_laser = config.T_base_laser.linear();
+  boost::random::normal_distribution<double> offset(0.0, config.noise.beam_bias_sigma);
+  for (const double elevation : config.elevations) {
+    const double level = std::cos(elevation);
+    for (int i = 0; i < config.beams; ++i) {
+      const double angle = config.angle_min + config.angle_increment * i;
+      const Eigen::Vector3d direction(level * std::cos(angle), level * std::sin(angle),
+                                      std::sin(elevation));
+      directions_.emplace_back(R_base_laser * direction);
+      if (config.noise.beam_bias_sigma > 0.0) offsets_.push_back(offset(pattern));
+    }
   }
 }
 
@@ -44,19 +43,43 @@ Ray Lidar::ray(const Eigen::Isometry3d& T_map_base, int index) const {
           T_map_base.linear() * directions_[static_cast<std::size_t>(index)]};
 }
 
+Eigen::Vector3d Lidar::across(const Eigen::Isometry3d& T_map_base, const Ray& beam) const {
+  const Eigen::Vector3d up = T_map_base.linear() * config_.T_base_laser.linear().col(2);
+  return up.cross(beam.direction).normalized();
+}
+
+float Lidar::intensity(const Echo& echo) const {
+  const double reflected = echo.reflectivity * echo.cosine;
+  if (config_.intensity == Intensity::kReflectivity) return static_cast<float>(reflected);
+  if (config_.intensity == Intensity::kNone || echo.object == kHitNothing) return 0.0F;
+  const double range = std::max(echo.range, config_.range_min);
+  return static_cast<float>(reflected / std::max(range * range, 1e-6));
+}
+
+/// Where a line meets something, noise is drawn even if its light is lost: no effect shifts it.
+Beam Lidar::report(const Echo& echo, int index, Rng& rng) const {
+  if (!echo.met && echo.object == kHitNothing) return {kInfinity, kHitNothing, echo.primitive};
+  double range = echo.range;
+  if (echo.met) {
+    const double offset = offsets_.empty() ? 0.0 : offsets_[static_cast<std::size_t>(index)];
+    const double true_range = std::min(echo.range, config_.range_max);
+    range = measured_range(config_.noise, true_range, offset, rng);
+  }
+  if (echo.object == kHitNothing || range > config_.range_max) {
+    return {kInfinity, kHitNothing, echo.primitive};
+  }
+  if (range < config_.range_min) return {-kInfinity, echo.object, echo.primitive};
+  return {static_cast<float>(range), echo.object, echo.primitive, intensity(echo)};
+}
+
 Beam Lidar::cast(const Surroundings& around, const Eigen::Isometry3d& T_map_base, int index,
-                 Rng& rng, std::uint32_t guess) const {
+                 LidarDraws& draws, std::uint32_t guess) const {
   const Ray beam = ray(T_map_base, index);
-  const double floor = distance_to_floor(beam);
-  const double limit = std::min(config_.range_max, floor);
-  const std::optional<RayHit> hit = sim::cast(around, beam, limit, guess);
-  if (!hit && floor > config_.range_max) return {kInfinity, kHitNothing, guess};
-  const double range = measured_range(config_.noise, hit ? hit->distance : floor, rng);
-  const std::uint32_t primitive = hit ? hit->primitive : kNoPrimitive;
-  if (range > config_.range_max) return {kInfinity, kHitNothing, primitive};
-  const int object = hit ? hit->object : kHitFloor;
-  if (range < config_.range_min) return {-kInfinity, object, primitive};
-  return {static_cast<float>(range), object, primitive};
+  if (!light_) {
+    return report(first_echo(around, beam, config_.range_max, guess), index, draws.noise);
+  }
+  const Echo echo = light_->echo(around, beam, across(T_map_base, beam), draws, guess);
+  return report(echo, index, draws.noise);
 }
 
 double Motion::fraction(std::chrono::nanoseconds stamp) const {
@@ -67,8 +90,12 @@ Eigen::Isometry3d Motion::at(std::chrono::nanoseconds stamp) const {
   return interpolate(T_map_base_begin, T_map_base_end, fraction(stamp));
 }
 
-LidarSweeper::LidarSweeper(const LidarConfig& config)
-    : lidar_(config), period_(to_nanoseconds(1.0 / config.rate_hz)) {
+LidarSweeper::LidarSweeper(const LidarConfig& config, const Surfaces& surfaces,
+                           const LidarDraws& draws)
+    : lidar_(config, surfaces, draws.pattern),
+      draws_(draws),
+      period_(to_nanoseconds(1.0 / config.rate_hz)),
+      last_primitives_(config.elevations.size(), kNoPrimitive) {
   if (!config.sweep) return;
   const double turn = std::abs(config.angle_increment) / (2.0 * std::numbers::pi);
   time_increment_ = std::chrono::nanoseconds(
@@ -76,22 +103,33 @@ LidarSweeper::LidarSweeper(const LidarConfig& config)
 }
 
 void LidarSweeper::begin_scan(const Motion& motion) {
+  const LidarConfig& config = lidar_.config();
+  const std::size_t layers = config.elevations.size();
+  const std::size_t beams = static_cast<std::size_t>(config.beams) * layers;
   reading_ = {};
   reading_.stamp = scan_stamp_;
   reading_.time_increment = time_increment_;
+  reading_.layers = static_cast<int>(layers);
   reading_.T_map_base_true = to_planar(motion.at(scan_stamp_));
-  reading_.ranges.reserve(static_cast<std::size_t>(lidar_.config().beams));
-  reading_.hit_object.reserve(static_cast<std::size_t>(lidar_.config().beams));
+  reading_.ranges.assign(beams, kInfinity);
+  reading_.hit_object.assign(beams, kHitNothing);
+  if (config.intensity != Intensity::kNone) reading_.intensities.assign(beams, 0.0F);
 }
 
-Beam LidarSweeper::next_beam(const Surroundings& around, const Eigen::Isometry3d& T_map_base,
-                             Rng& rng) {
-  if (covered_) return {kInfinity, kHitNothing, last_primitive_};
-  return lidar_.cast(around, T_map_base, next_beam_, rng, last_primitive_);
+/// The beams of all layers at one angle.
+void LidarSweeper::cast_column(const Surroundings& around, const Eigen::Isometry3d& T_map_base) {
+  for (std::size_t layer = 0; layer < last_primitives_.size(); ++layer) {
+    const int index = static_cast<int>(layer) * lidar_.config().beams + next_beam_;
+    const auto at = static_cast<std::size_t>(index);
+    const Beam beam = lidar_.cast(around, T_map_base, index, draws_, last_primitives_[layer]);
+    last_primitives_[layer] = beam.primitive;
+    reading_.ranges[at] = beam.range;
+    reading_.hit_object[at] = beam.object;
+    if (!reading_.intensities.empty()) reading_.intensities[at] = beam.intensity;
+  }
 }
 
-std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motion& motion,
-                                         Rng& rng) {
+std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motion& motion) {
   std::vector<Sweep> done;
   if (scan_stamp_ + time_increment_ * next_beam_ >= motion.end) return done;
   const Interpolation path(motion.T_map_base_begin, motion.T_map_base_end);
@@ -99,10 +137,7 @@ std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motio
     const auto stamp = scan_stamp_ + time_increment_ * next_beam_;
     if (stamp >= motion.end) return done;
     if (next_beam_ == 0) begin_scan(motion);
-    const Beam beam = next_beam(around, path.at(motion.fraction(stamp)), rng);
-    last_primitive_ = beam.primitive;
-    reading_.ranges.push_back(beam.range);
-    reading_.hit_object.push_back(beam.object);
+    if (!covered_) cast_column(around, path.at(motion.fraction(stamp)));
     if (++next_beam_ < lidar_.config().beams) continue;
     done.push_back({stamp, std::move(reading_)});
     next_beam_ = 0;

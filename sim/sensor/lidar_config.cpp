@@ -1,6 +1,8 @@
 #include "sim/sensor/lidar_config.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -26,15 +28,50 @@ void validate(const LidarConfig& c) {
   require(c.range_min >= 0.0, "range_min", c.range_min, "give 0 or more");
   require(c.range_max > c.range_min, "range_max", c.range_max, "give more than range_min");
   require(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
-  require(c.noise.sigma >= 0.0, "noise.sigma", c.noise.sigma, "give 0 or more");
+  require(!c.elevations.empty() && c.elevations.size() <= 1024, "number of elevations",
+          static_cast<double>(c.elevations.size()), "give 1 to 1024 layers");
+  for (const double elevation : c.elevations) {
+    require(std::abs(elevation) < 0.5 * std::numbers::pi, "elevation", elevation,
+            "give less than a right angle, in radians");
+  }
+  const int layers = static_cast<int>(c.elevations.size());
+  const int planar = c.planar_layer.value_or(0);
+  require(planar >= 0 && planar < layers, "localize_layer", planar,
+          "give the number of a layer, 0 the first");
+  validate(c.noise);
+  validate(c.light);
 }
 
-LidarConfig lidar_of(const RobotModel& robot) {
+int level_layer(const LidarConfig& config) {
+  if (config.planar_layer) return *config.planar_layer;
+  const auto& e = config.elevations;
+  const auto level = std::min_element(e.begin(), e.end(),
+                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return static_cast<int>(level - e.begin());
+}
+
+LidarConfig level_slice(LidarConfig config) {
+  config.elevations = {config.elevations[static_cast<std::size_t>(level_layer(config))]};
+  config.planar_layer.reset();
+  return config;
+}
+
+namespace {
+
+std::vector<double> elevations_of(const LidarSpecs& specs) {
+  if (specs.layers <= 1) return {0.0};
+  std::vector<double> elevations;
+  const double step = (specs.layer_max - specs.layer_min) / (specs.layers - 1);
+  for (int i = 0; i < specs.layers; ++i) elevations.push_back(specs.layer_min + step * i);
+  return elevations;
+}
+
+LidarConfig config_of(const LidarMount& mount) {
   LidarConfig config;
-  if (!robot.lidar) return config;
-  config.T_base_laser = robot.lidar->T_base_laser;
-  if (!robot.lidar->specs) return config;
-  const LidarSpecs& specs = *robot.lidar->specs;
+  config.T_base_laser = mount.T_base_laser;
+  config.frame = mount.link;
+  if (!mount.specs) return config;
+  const LidarSpecs& specs = *mount.specs;
   config.beams = specs.samples;
   config.angle_min = specs.angle_min;
   const double sweep = specs.angle_max - specs.angle_min;
@@ -46,7 +83,28 @@ LidarConfig lidar_of(const RobotModel& robot) {
   if (specs.range_max > 0.0) config.range_max = specs.range_max;
   if (specs.rate_hz > 0.0) config.rate_hz = specs.rate_hz;
   if (specs.sigma) config.noise.sigma = *specs.sigma;
+  config.elevations = elevations_of(specs);
   return config;
+}
+
+}  // namespace
+
+LidarConfig lidar_of(const RobotModel& robot) {
+  return robot.lidar ? config_of(*robot.lidar) : LidarConfig{};
+}
+
+std::vector<LidarConfig> lidars_of(const RobotModel& robot) {
+  if (robot.lidars.size() < 2) return {lidar_of(robot)};
+  std::vector<LidarConfig> lidars;
+  for (const LidarMount& mount : robot.lidars) {
+    lidars.push_back(config_of(mount));
+    lidars.back().name = mount.sensor.empty() ? mount.link : mount.sensor;
+    const auto same = std::count_if(lidars.begin(), lidars.end(), [&](const LidarConfig& other) {
+      return other.frame != mount.link && other.name == lidars.back().name;
+    });
+    if (same > 0) lidars.back().name += "_" + mount.link;  // One macro, used twice.
+  }
+  return lidars;
 }
 
 }  // namespace castaway::sim

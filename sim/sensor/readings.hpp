@@ -2,9 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "sim/geometry.hpp"
+#include "sim/sensor/surfaces.hpp"
 
 namespace castaway::sim {
 
@@ -14,14 +16,6 @@ struct OdometryReading {
   Pose2 T_odom_base;  ///< Accumulated from the start of the run; continuous, drifting.
   Pose2 T_map_base_true;
 };
-
-/// What a beam hit, besides the index of an object in `WorldSpec::objects`.
-inline constexpr int kHitNothing = -1;
-inline constexpr int kHitFloor = -2;
-/// Person i is kHitPerson + i; there are never so many objects.
-inline constexpr int kHitPerson = 1 << 24;
-/// True if a beam ended on a person.
-constexpr bool is_person(int hit) { return hit >= kHitPerson; }
 
 /// Where a person was.
 struct PersonReading {
@@ -39,15 +33,21 @@ struct PersonHit {
   Pose2 T_map_base_true;
 };
 
-/// One scan.
+/// One scan, of a 3-D lidar one turn of all layers.
 struct LidarReading {
-  std::chrono::nanoseconds stamp{};           ///< Of the first beam.
+  std::chrono::nanoseconds stamp{};           ///< Of the first beam, by the lidar's clock.
   std::chrono::nanoseconds time_increment{};  ///< Between two beams; 0 without sweep.
+  int layers = 1;                             ///< Beams come layer by layer, lowest index first.
   std::vector<float> ranges;                  ///< [m] +inf: nothing within range, -inf: too close.
-  /// Same length: index of the object, or kHitNothing, kHitFloor, kHitPerson + index of the person.
+  /// Same length: index of the object, or kHitNothing, kHitFloor, kHitDust, kHitPerson + index of
+  /// the person.
   std::vector<int> hit_object;
-  Pose2 T_map_base_true;              ///< At the stamp.
+  std::vector<float> intensities{};   ///< Same length, or empty if the lidar tells none.
+  Pose2 T_map_base_true;              ///< When the first beam was taken.
   std::vector<PersonReading> people;  ///< All there are, at the stamp or up to 50 ms later.
+  std::size_t lidar = 0;              ///< Index into `SimulationConfig::lidars`.
+  /// Error of the mount that the localizers are told: told T_base_laser = this * the true one.
+  std::optional<Pose2> mount_error{};
 };
 
 }  // namespace castaway::sim

@@ -28,6 +28,16 @@ Pose2 arc(double way, double turn) {
 
 }  // namespace
 
+void validate(const SlipConfig& c) {
+  require(c.rate >= 0.0, "slip.rate", c.rate, "give 0 or more events a metre");
+  require(c.length >= 0.0, "slip.length", c.length, "give 0 or more metres");
+  require(c.share >= 0.0 && c.share <= 0.5, "slip.share", c.share, "give 0 to 0.5");
+  require(c.collision_length >= 0.0, "slip.collision_length", c.collision_length,
+          "give 0 or more metres");
+  require(c.zone_spread >= 0.0 && c.zone_spread <= 1.0, "slip.zone_spread", c.zone_spread,
+          "give 0 to 1");
+}
+
 void validate(const OdometryConfig& c) {
   require(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
   require(c.ticks_per_turn >= 0, "ticks_per_turn", c.ticks_per_turn, "give 0 or more");
@@ -37,6 +47,8 @@ void validate(const OdometryConfig& c) {
           "give 0 to 0.2");
   require(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
   require(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
+  validate(c.slip);
+  if (c.gyro) validate(*c.gyro);
 }
 
 OdometryConfig ideal_odometry() {
@@ -44,6 +56,7 @@ OdometryConfig ideal_odometry() {
   config.ticks_per_turn = 0;
   config.radius_sigma = config.track_sigma = 0.0;
   config.drift_along = config.drift_yaw_deg = 0.0;
+  config.slip.zones = false;
   return config;
 }
 
@@ -57,7 +70,11 @@ WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& 
   believed_.radius_left *= 1.0 + config.radius_sigma * gaussian(rng);
   believed_.radius_right *= 1.0 + config.radius_sigma * gaussian(rng);
   believed_.track *= 1.0 + config.track_sigma * gaussian(rng);
-  T_odom_axle_ = {truth.p_base_axle.x(), truth.p_base_axle.y(), 0.0};
+  reset();
+}
+
+void WheelOdometry::reset() {
+  T_odom_axle_ = {believed_.p_base_axle.x(), believed_.p_base_axle.y(), 0.0};
 }
 
 double WheelOdometry::measured(double angle) const {
@@ -66,7 +83,7 @@ double WheelOdometry::measured(double angle) const {
   return tick * std::floor(angle / tick);
 }
 
-void WheelOdometry::update(const WheelAngles& angles, Rng& rng) {
+void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<double> turn) {
   const WheelAngles now{measured(angles.left), measured(angles.right)};
   const double left = (now.left - last_.left) * believed_.radius_left;
   const double right = (now.right - last_.right) * believed_.radius_right;
@@ -74,8 +91,8 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng) {
   const double root = std::sqrt(0.5 * (std::abs(left) + std::abs(right)));
   const double yaw_sigma = config_.drift_yaw_deg * std::numbers::pi / 180.0;
   const double way = 0.5 * (left + right) + config_.drift_along * root * gaussian(rng);
-  const double turn = (right - left) / believed_.track + yaw_sigma * root * gaussian(rng);
-  T_odom_axle_ = T_odom_axle_ * arc(way, turn);
+  const double by_wheels = (right - left) / believed_.track + yaw_sigma * root * gaussian(rng);
+  T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
 }
 
 Pose2 WheelOdometry::T_odom_base() const {

@@ -116,8 +116,10 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
 TEST(Includes, RunMetricsAndFormatsLinkWithoutTheSimulator) {
   const std::set<std::string> conversions = {
       "tools/run/build_robot.cpp",      "tools/run/build_robot.hpp",
+      "tools/run/build_sensors.cpp",    "tools/run/build_sensors.hpp",
       "tools/run/build_simulation.cpp", "tools/run/build_simulation.hpp",
       "tools/run/build_world.cpp",      "tools/run/build_world.hpp",
+      "tools/run/scan_truth.cpp",       "tools/run/scan_truth.hpp",
       "tools/run/simulator_source.cpp", "tools/run/simulator_source.hpp"};
   EXPECT_EQ(
       violations(

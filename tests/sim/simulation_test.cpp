@@ -102,6 +102,7 @@ void add_data(const OdometryReading& r, Hash& hash) {
   hash.add(r.T_map_base_true);
 }
 void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
+void add_data(const FaultRecord& r, Hash& hash) { hash.add(r.T_map_base_true); }
 void add_data(const LidarReading& r, Hash& hash) {
   for (const float range : r.ranges) hash.add(range);
   for (const int object : r.hit_object) hash.add(object);
@@ -166,7 +167,7 @@ TEST(Simulation, ScansFitTheWorldAtTheTruePose) {
   const auto scans = all_of<LidarReading>(run(config, 1));
   const Lidar lidar(config.lidar);
   const RayScene scene(ray_primitives(config.world));
-  Rng rng;
+  LidarDraws rng;
   for (std::size_t i = 0; i < scans.size(); i += 7) {
     for (int beam = 0; beam < 360; beam += 11) {
       const auto expected = lidar.cast(scene, to_isometry(scans[i].T_map_base_true), beam, rng);

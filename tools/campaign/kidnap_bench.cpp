@@ -58,10 +58,10 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<Locali
   RunInfo info;
   for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
   PlayedTrial played(info);
-  const sim::LidarConfig lidar = trial.simulation.lidar;
+  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(trial.simulation);
   const Stamp duration = trial.simulation.duration;
   SimulatorSource source(
-      sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidar,
+      sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidars,
       duration);
   std::vector<NamedLocalizer> localizers = build_localizers(specs, stage.map, trial.seed);
   std::vector<std::unique_ptr<RunSink>> sinks;

@@ -50,11 +50,11 @@ void play(const Scenario& scenario, const std::filesystem::path& base,
   RunInfo info;
   info.known_start = scenario.start.known;
   for (const PublishedVariant& variant : variants) info.localizers.push_back(variant.name);
-  const sim::LidarConfig lidar = prepared.config.lidar;
+  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config),
                                          simulation_streams(scenario.seed), thread_cpu_time),
-                         lidar, duration);
+                         lidars, duration);
   std::vector<std::unique_ptr<RunSink>> sinks;
   sinks.push_back(std::make_unique<ScoreSink>(std::move(info), scores));
   Loop(loop_config(scenario, *source.start_pose()), localizers, sinks).run(source);

@@ -12,6 +12,8 @@
 #include "tools/report/report.hpp"
 #include "tools/run/errors_sink.hpp"
 #include "tools/run/people_sink.hpp"
+#include "tools/run/points_sink.hpp"
+#include "tools/run/scans_sink.hpp"
 #include "tools/run/summary_sink.hpp"
 #include "tools/run/timing_sink.hpp"
 #include "tools/run/trajectory_sink.hpp"
@@ -28,6 +30,10 @@ std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan,
   sinks.push_back(std::make_unique<TimingSink>(folder, plan.info));
   if (plan.people_every_s > 0.0) {
     sinks.push_back(std::make_unique<PeopleSink>(folder, plan.people_every_s));
+  }
+  if (plan.label_name) sinks.push_back(std::make_unique<ScansSink>(folder, plan.label_name));
+  if (plan.points_every_s > 0.0) {
+    sinks.push_back(std::make_unique<PointsSink>(folder, plan.points_every_s));
   }
   return sinks;
 }

@@ -26,7 +26,9 @@ struct RunPlan {
   PictureWorld picture_world;             ///< What pictures show besides the run.
   bool report = true;                     ///< Writes report.html.
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
-  bool json = false;                      ///< Prints summary.json instead of words.
+  std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
+  double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
+  bool json = false;                             ///< Prints summary.json instead of words.
 };
 
 /// Runs, writes the run folder, prints the result. Returns the exit code; throws std::exception if

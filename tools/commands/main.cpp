@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   add_map_command(app, chosen);
   add_check_robot_command(app, chosen);
   add_check_world_command(app, chosen);
+  add_lidars_command(app, chosen);
   add_bench_command(app, chosen);
   try {
     app.parse(argc, argv);

@@ -59,6 +59,24 @@ void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared,
   world.map = prepared.map;
 }
 
+/// Lidars that would tell none tell the power that they receive; no range changes by it.
+void tell_intensities(sim::SimulationConfig& config) {
+  const auto tell = [](sim::LidarConfig& lidar) {
+    if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
+  };
+  tell(config.lidar);
+  for (sim::LidarConfig& lidar : config.more_lidars) tell(lidar);
+}
+
+void add_scan_outputs(const OutputSpec& outputs, sim::WorldSpec world, SimulatorSource& source,
+                      RunPlan& plan) {
+  if (outputs.scans) {
+    plan.label_name = [world = std::move(world)](int label) { return sim::hit_name(world, label); };
+  }
+  plan.points_every_s = outputs.points_every_s;
+  if (outputs.points_every_s > 0.0) source.keep_clouds();
+}
+
 int run_scenario(const RunArguments& arguments) {
   const std::filesystem::path file = arguments.scenario.empty()
                                          ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
@@ -83,11 +101,14 @@ int run_scenario(const RunArguments& arguments) {
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
   add_pictures(scenario.outputs, prepared, plan);
-  const sim::LidarConfig lidar = prepared.config.lidar;
+  if (scenario.outputs.scans) tell_intensities(prepared.config);
+  sim::WorldSpec world = prepared.config.world;
+  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config),
                                          simulation_streams(scenario.seed), thread_cpu_time),
-                         lidar, duration);
+                         std::move(lidars), duration);
+  add_scan_outputs(scenario.outputs, std::move(world), source, plan);
   plan.loop = loop_config(scenario, *source.start_pose());
   if (scenario.people.config.count() > 0) {
     plan.people_every_s = scenario.people.log_every_s;

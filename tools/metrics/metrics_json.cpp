@@ -58,6 +58,12 @@ Json to_json(const Calibration& calibration) {
   return json;
 }
 
+Json to_json(const FaultMetrics& metrics) {
+  return {{"mean_error_m", figure(metrics.mean_error_m)},
+          {"wrong_confident_share", figure(metrics.wrong_confident_share)},
+          {"alarm", metrics.alarm}};
+}
+
 Json to_json(const LocalizerMetrics& metrics) {
   const auto& delay = metrics.detection_delay_s;
   return {{"position_error_m", error_figures(metrics.position_error_m)},

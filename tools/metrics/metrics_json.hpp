@@ -3,12 +3,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
 
 namespace castaway::testbed {
 
 /// Brier score and reliability diagram.
 nlohmann::ordered_json to_json(const Calibration& calibration);
+
+/// What a fault of a sensor did to a localizer.
+nlohmann::ordered_json to_json(const FaultMetrics& metrics);
 
 /// The entry of one localizer; keys in the order of the documented format.
 nlohmann::ordered_json to_json(const LocalizerMetrics& metrics);

@@ -8,6 +8,7 @@
 #include "localization/stamp.hpp"
 #include "sim/world/free_space.hpp"
 #include "tools/run/build_robot.hpp"
+#include "tools/run/build_sensors.hpp"
 #include "tools/run/build_world.hpp"
 #include "tools/scenario/nearest.hpp"
 
@@ -47,18 +48,6 @@ std::vector<Eigen::Vector2d> route_of(const Scenario& scenario, const LoadedWorl
                                        world.file.spec.name, name, suggestion(name, known)));
 }
 
-sim::OdometryConfig build_odometry(const OdometrySpec& spec) {
-  sim::OdometryConfig config =
-      spec.profile == "ideal" ? sim::ideal_odometry() : sim::OdometryConfig{};
-  config.ticks_per_turn = spec.ticks_per_turn.value_or(config.ticks_per_turn);
-  config.radius_sigma = spec.radius_sigma.value_or(config.radius_sigma);
-  config.track_sigma = spec.track_sigma.value_or(config.track_sigma);
-  config.drift_along = spec.drift_along.value_or(config.drift_along);
-  config.drift_yaw_deg = spec.drift_yaw_deg.value_or(config.drift_yaw_deg);
-  sim::validate(config);
-  return config;
-}
-
 sim::KidnapSpec build_kidnap(const KidnapEvent& event) {
   sim::KidnapSpec spec;
   spec.at_s = event.at_s;
@@ -79,16 +68,16 @@ void place_start(const StartSpec& start, const LoadedWorld& world, sim::Simulati
                         (start.place == StartSpec::Place::kWorld && !world.has_start);
 }
 
-/// A robot and its lidar.
+/// A robot and its lidars.
 struct LoadedRobot {
   sim::RobotModel robot;
-  sim::LidarConfig lidar;
+  std::vector<sim::LidarConfig> lidars;
 };
 
 LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot loaded;
   loaded.robot = build_robot(scenario.robot, base);
-  loaded.lidar = build_lidar(scenario.lidar, loaded.robot);
+  loaded.lidars = build_lidars(scenario, loaded.robot);
   return loaded;
 }
 
@@ -107,7 +96,10 @@ PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, Loa
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
-  config.lidar = robot.lidar;
+  config.lidar = robot.lidars.front();
+  config.more_lidars.assign(robot.lidars.begin() + 1, robot.lidars.end());
+  config.faults = scenario.faults;
+  check_faults(config.faults, robot.lidars);
   config.odometry = build_odometry(scenario.odometry);
   config.drive.waypoints = route_of(scenario, world, config.robot);
   config.drive.by_estimate = scenario.drive.by != "truth";
@@ -130,32 +122,9 @@ PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, Loa
 
 }  // namespace
 
-sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
-  sim::LidarConfig lidar = sim::lidar_of(robot);
-  if (spec.beams) {
-    lidar.angle_increment *= static_cast<double>(lidar.beams) / *spec.beams;
-    lidar.beams = *spec.beams;
-  }
-  lidar.range_min = spec.range_min.value_or(lidar.range_min);
-  lidar.range_max = spec.range_max.value_or(lidar.range_max);
-  lidar.rate_hz = spec.rate_hz.value_or(lidar.rate_hz);
-  lidar.noise.sigma = spec.range_sigma.value_or(lidar.noise.sigma);
-  lidar.sweep = spec.sweep;
-  if (spec.mount_xyz) lidar.T_base_laser.translation() = *spec.mount_xyz;
-  if (spec.mount_rpy) {
-    lidar.T_base_laser.linear() =
-        (Eigen::AngleAxisd(spec.mount_rpy->z(), Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(spec.mount_rpy->y(), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(spec.mount_rpy->x(), Eigen::Vector3d::UnitX()))
-            .toRotationMatrix();
-  }
-  sim::validate(lidar);
-  return lidar;
-}
-
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot robot = load_any_robot(scenario, base);
-  SurveyOptions options{robot.lidar.T_base_laser.translation().z(), scenario.wall_height};
+  SurveyOptions options{robot.lidars.front().T_base_laser.translation().z(), scenario.wall_height};
   options.seed = scenario.seed;
   if (scenario.start.place == StartSpec::Place::kPose) {
     options.inside = scenario.start.pose.head<2>();

@@ -21,13 +21,9 @@ struct PreparedSimulation {
   std::optional<MapDifference> difference;  ///< Nothing: the map shows the world as it is.
 };
 
-/// The robot's lidar with the scenario's changes. Throws std::invalid_argument where a figure is
-/// out of its range.
-sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot);
-
 /// Loads world and robot and puts everything together. `base` is the folder that relative paths of
 /// the scenario start from, besides the current one. A world made of objects is surveyed at the
-/// lidar's height; a ROS map is extruded and handed to the localizers as it is. Throws
+/// first lidar's height; a ROS map is extruded and handed to the localizers as it is. Throws
 /// std::runtime_error or std::invalid_argument naming what is wrong.
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base);
 

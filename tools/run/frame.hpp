@@ -22,7 +22,7 @@ inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp)
 /// Something that happened to the robot and that no localizer is told.
 struct RunEvent {
   Stamp stamp{};
-  std::string kind;               ///< "kidnap", later "fault", "collision"...
+  std::string kind;               ///< "kidnap", "collision", "fault on", "fault off"...
   std::string detail;             ///< What exactly, e.g. "teleport", "person 3".
   std::optional<SE2> T_map_from;  ///< True pose of base before.
   std::optional<SE2> T_map_to;    ///< True pose of base after.
@@ -42,11 +42,27 @@ struct PeopleTruth {
   double beams_on_people = 0.0;  ///< Share of the scan's beams that ended on people.
 };
 
+/// A point that a beam measured.
+struct CloudPoint {
+  Eigen::Vector3f p_base = Eigen::Vector3f::Zero();  ///< [m]
+  float intensity = 0.0F;
+  int label = 0;
+};
+
+/// What is known of a scan besides what a localizer is told.
+struct ScanTruth {
+  std::string frame;               ///< Frame id of the lidar.
+  std::vector<float> intensities;  ///< By beam; empty if the lidar tells none.
+  std::vector<int> labels;         ///< By beam: what it hit. Empty: nobody knows.
+  std::vector<CloudPoint> cloud;   ///< Returns of all layers; empty unless they are asked for.
+};
+
 /// A scan with the true pose of base at the scan's stamp, where it is known.
 struct ScanFrame {
   LaserScan scan;
   std::optional<SE2> T_map_base_true;
   PeopleTruth people{};  ///< Empty where there are none, or nobody knows.
+  ScanTruth truth{};
 };
 
 /// An odometry reading with the true pose of base at its stamp, where it is known.

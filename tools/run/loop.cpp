@@ -100,6 +100,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
   record.scan = frame.scan;
   record.people = frame.people;
+  record.truth = frame.truth;
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     LocalizerRecord localizer;
     localizer.name = localizers_[i].name;

@@ -31,7 +31,11 @@ void RunHistory::add(const ScanRecord& record) {
       row.lost = estimate->lost;
       row.probability = estimate->probability;
     }
-    rows[i].push_back(row);
+    // Scans of several lidars are delivered out of the order of their first beams.
+    const auto after =
+        std::upper_bound(rows[i].begin(), rows[i].end(), row.stamp,
+                         [](Stamp stamp, const MetricRow& other) { return stamp < other.stamp; });
+    rows[i].insert(after, row);
   }
 }
 

@@ -12,7 +12,7 @@ namespace castaway::testbed {
 struct RunHistory {
   RunInfo info;
   std::vector<RunEvent> events;
-  std::vector<std::vector<MetricRow>> rows;  ///< By localizer, in order of `info.localizers`.
+  std::vector<std::vector<MetricRow>> rows;  ///< By localizer, as in `info`; by stamp.
   Stamp first_stamp = Stamp::max();          ///< Of all that was delivered; max: nothing was.
 
   explicit RunHistory(RunInfo run) : info(std::move(run)), rows(info.localizers.size()) {}

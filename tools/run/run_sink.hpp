@@ -31,6 +31,7 @@ struct ScanRecord {
   PeopleTruth people;                  ///< At the scan's stamp.
   SE2 T_odom_base;                     ///< Newest odometry at delivery.
   LaserScan scan;
+  ScanTruth truth;                          ///< Besides the scan.
   std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.
 };
 

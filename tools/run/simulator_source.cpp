@@ -5,6 +5,7 @@
 
 #include "localization/random.hpp"
 #include "sim/people/person_visuals.hpp"
+#include "tools/run/scan_truth.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -30,6 +31,11 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
   const auto beams = static_cast<double>(std::max<std::size_t>(reading.hit_object.size(), 1));
   truth.beams_on_people = static_cast<double>(hits) / beams;
   return truth;
+}
+
+std::string name_of(const sim::FaultRecord& fault) {
+  const std::string kind = sim::to_string(fault.kind);
+  return fault.lidar.empty() ? kind : kind + " " + fault.lidar;
 }
 
 }  // namespace
@@ -66,9 +72,9 @@ sim::SimulationStreams simulation_streams(std::uint64_t seed) {
           [seed](const std::string& name) { return substream(seed, name); }};
 }
 
-SimulatorSource::SimulatorSource(sim::Simulation simulation, const sim::LidarConfig& lidar,
+SimulatorSource::SimulatorSource(sim::Simulation simulation, std::vector<sim::LidarConfig> lidars,
                                  Stamp duration)
-    : simulation_(std::move(simulation)), lidar_(lidar), duration_(duration) {}
+    : simulation_(std::move(simulation)), lidars_(std::move(lidars)), duration_(duration) {}
 
 std::optional<Frame> SimulatorSource::next() {
   if (pending_) return std::exchange(pending_, std::nullopt);
@@ -95,20 +101,18 @@ Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
     return {frame.stamp, RunEvent{hit->stamp, "collision", "person " + std::to_string(hit->person),
                                   T_map_base, T_map_base}};
   }
+  if (const auto* fault = std::get_if<sim::FaultRecord>(&frame.data)) {
+    const SE2 T_map_base = to_se2(fault->T_map_base_true);
+    return {frame.stamp, RunEvent{fault->stamp, fault->begins ? "fault on" : "fault off",
+                                  name_of(*fault), T_map_base, T_map_base}};
+  }
   return {frame.stamp, convert(std::get<sim::LidarReading>(frame.data))};
 }
 
 ScanFrame SimulatorSource::convert(const sim::LidarReading& reading) const {
-  LaserScan scan;
-  scan.stamp = reading.stamp;
-  scan.time_increment = reading.time_increment;
-  scan.angle_min = lidar_.angle_min;
-  scan.angle_increment = lidar_.angle_increment;
-  scan.range_min = lidar_.range_min;
-  scan.range_max = lidar_.range_max;
-  scan.ranges = reading.ranges;
-  scan.T_base_laser = lidar_.T_base_laser;
-  return {std::move(scan), to_se2(reading.T_map_base_true), people_of(reading)};
+  const sim::LidarConfig& lidar = lidars_[reading.lidar];
+  return {planar_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
+          scan_truth(reading, lidar, clouds_)};
 }
 
 std::vector<sim::SceneItem> SimulatorSource::people_items() const {

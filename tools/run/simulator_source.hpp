@@ -4,6 +4,7 @@
 
 #include "localization/map/occupancy_grid.hpp"
 #include "sim/render/scene.hpp"
+#include "sim/sensor_stage.hpp"
 #include "sim/simulation.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/sensor_source.hpp"
@@ -24,14 +25,16 @@ sim::SimulationStreams simulation_streams(std::uint64_t seed);
 /// Plays a simulation. Collisions become events.
 class SimulatorSource final : public SensorSource {
  public:
-  /// `lidar` is the one that the simulation was configured with.
-  SimulatorSource(sim::Simulation simulation, const sim::LidarConfig& lidar, Stamp duration);
+  /// `lidars` are those that the simulation was configured with (`sim::all_lidars`).
+  SimulatorSource(sim::Simulation simulation, std::vector<sim::LidarConfig> lidars, Stamp duration);
 
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>& T_map_base) override;
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+  /// From now on scans bring their points in space.
+  void keep_clouds() { clouds_ = true; }
   /// The people as they are now, for pictures.
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 
@@ -40,7 +43,8 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] ScanFrame convert(const sim::LidarReading& reading) const;
 
   sim::Simulation simulation_;
-  sim::LidarConfig lidar_;
+  std::vector<sim::LidarConfig> lidars_;
+  bool clouds_ = false;
   Stamp duration_;
   std::int64_t collisions_ = 0;
   std::optional<Frame> pending_;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/csv.hpp"
+#include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/run/event_log.hpp"
 
@@ -52,6 +53,22 @@ Json to_json(const PeopleMetrics& people, const RunHistory& history) {
   return root;
 }
 
+Json faults_json(const RunHistory& history, Stamp end) {
+  Json list = Json::array();
+  for (const FaultWindow& window : fault_windows(history.events, end)) {
+    Json fault{{"fault", window.fault},
+               {"begin_s", seconds(window.begin)},
+               {"end_s", seconds(window.end)},
+               {"localizers", Json::object()}};
+    for (std::size_t i = 0; i < history.rows.size(); ++i) {
+      fault["localizers"][history.info.localizers[i]] =
+          to_json(measure_fault(history.rows[i], window));
+    }
+    list.push_back(std::move(fault));
+  }
+  return list;
+}
+
 Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics,
              const std::optional<PeopleMetrics>& people, Stamp end) {
   const RunInfo& info = history.info;
@@ -67,6 +84,8 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"collisions", collisions(history)}};
   if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);
+  const Json faults = faults_json(history, end);
+  if (!faults.empty()) root["faults"] = faults;
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     root["localizers"][info.localizers[i]] = to_json(metrics[i]);

@@ -17,6 +17,8 @@ TrajectorySink::TrajectorySink(const std::filesystem::path& run_folder, const Ru
 
 void TrajectorySink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == localizers_.size());
+  if (record.stamp <= newest_) return;
+  newest_ = record.stamp;
   if (record.T_map_base_true) truth_.write(tum_line({record.stamp, *record.T_map_base_true}));
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;

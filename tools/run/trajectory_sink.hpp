@@ -9,7 +9,8 @@
 
 namespace castaway::testbed {
 
-/// Writes one trajectory for the truth and one a localizer; scans without a pose leave no line.
+/// Writes one trajectory for the truth and one a localizer; scans without a pose leave no line,
+/// nor do those whose stamp is not after all before (of a second lidar, of a clock set back).
 /// A slash in a localizer's name becomes an underscore in its file's.
 class TrajectorySink final : public RunSink {
  public:
@@ -23,6 +24,7 @@ class TrajectorySink final : public RunSink {
  private:
   AtomicFile truth_;
   std::deque<AtomicFile> localizers_;
+  Stamp newest_ = Stamp::min();
 };
 
 }  // namespace castaway::testbed

@@ -12,7 +12,9 @@
 
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "sim/events/fault.hpp"
 #include "sim/people/people_config.hpp"
+#include "sim/sensor/gyro.hpp"
 #include "sim/world/difference.hpp"
 
 namespace castaway::testbed {
@@ -51,26 +53,39 @@ struct DriveSpec {
   double max_turn_rate = 1.0;  ///< [rad/s]
 };
 
-/// What differs from the lidar of the robot's description.
+/// A lidar: what differs from its profile, or from the robot's description.
 struct LidarSpec {
-  std::optional<int> beams;                  ///< Over the same field of view.
+  std::string name;               ///< Of one of several; empty: the robot's only one.
+  std::string profile = "robot";  ///< "robot": as its description says, "ideal": the same without
+                                  ///< any error, or a device of `lidars/`.
+  std::optional<int> beams;       ///< Over the same field of view.
+  std::optional<double> angle_min_deg;       ///< [deg] Of the first beam.
+  std::optional<double> fov_deg;             ///< [deg] From the first beam to the last.
   std::optional<double> range_min;           ///< [m]
   std::optional<double> range_max;           ///< [m]
   std::optional<double> rate_hz;             ///< [Hz]
-  std::optional<double> range_sigma;         ///< [m]
-  bool sweep = true;                         ///< Each beam at its own time.
+  std::optional<double> range_sigma;         ///< [m] The same as noise.sigma_m.
+  std::optional<bool> sweep;                 ///< Each beam at its own time; nothing: it does.
+  std::vector<double> elevations_deg;        ///< [deg] Of the layers; none: as they are.
+  std::optional<int> localize_layer;         ///< Which the localizers see; nothing: most level.
+  std::optional<std::string> intensity;      ///< "none", "power" or "reflectivity".
+  std::map<std::string, double> noise;       ///< By key, as in `lidar_noise.hpp`.
+  std::optional<bool> glass;                 ///< Light passes glass.
   std::optional<Eigen::Vector3d> mount_xyz;  ///< [m] In base.
   std::optional<Eigen::Vector3d> mount_rpy;  ///< [rad] Roll, pitch, yaw in base.
 };
 
 /// Wheel odometry.
 struct OdometrySpec {
-  std::string profile = "default";      ///< "default" or "ideal"; the rest differs from it.
+  std::string profile = "default";      ///< A profile's name; the rest differs from it.
   std::optional<int> ticks_per_turn;    ///< 0: continuous.
   std::optional<double> radius_sigma;   ///< Relative.
   std::optional<double> track_sigma;    ///< Relative.
   std::optional<double> drift_along;    ///< [m/sqrt(m)]
   std::optional<double> drift_yaw_deg;  ///< [deg/sqrt(m)]
+  std::map<std::string, double> slip;   ///< By key, as in `odometry_spec.hpp`.
+  std::optional<bool> slip_zones;       ///< Wheels slip in the world's slip zones.
+  std::optional<sim::GyroConfig> gyro;  ///< Nothing: the profile's, if it has one.
 };
 
 /// A scheduled kidnap.
@@ -102,6 +117,8 @@ struct OutputSpec {
   int snapshot_width = 960;        ///< [px]
   int snapshot_height = 720;       ///< [px]
   bool report = true;              ///< report.html
+  bool scans = false;              ///< scans.csv and labels.csv
+  double points_every_s = 0.0;     ///< [s] Between two PLY files of a lidar; 0: none.
 };
 
 /// A run.
@@ -115,9 +132,11 @@ struct Scenario {
   double wall_height = 2.0;   ///< [m] Of a world made from a map.
   StartSpec start;
   DriveSpec drive;
-  LidarSpec lidar;
+  LidarSpec lidar;                ///< Changes every lidar of the robot's description...
+  std::vector<LidarSpec> lidars;  ///< ...or these are all that there are.
   OdometrySpec odometry;
   std::vector<KidnapEvent> kidnaps;
+  std::vector<sim::FaultSpec> faults;
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;
   OutputSpec outputs;

@@ -3,6 +3,9 @@
 #include <stdexcept>
 
 #include "tools/scenario/difference_spec.hpp"
+#include "tools/scenario/fault_events.hpp"
+#include "tools/scenario/lidar_spec.hpp"
+#include "tools/scenario/odometry_spec.hpp"
 #include "tools/scenario/people_spec.hpp"
 
 namespace castaway::testbed {
@@ -92,32 +95,6 @@ DriveSpec read_drive(YamlReader& root) {
   return drive;
 }
 
-LidarSpec read_lidar(YamlReader& root) {
-  LidarSpec lidar;
-  YamlReader map = root.child("lidar");
-  lidar.beams = map.get_optional<int>("beams");
-  lidar.range_min = map.get_optional<double>("range_min");
-  lidar.range_max = map.get_optional<double>("range_max");
-  lidar.rate_hz = map.get_optional<double>("rate_hz");
-  lidar.range_sigma = map.get_optional<double>("range_sigma");
-  lidar.sweep = map.get("sweep", lidar.sweep);
-  lidar.mount_xyz = map.get_optional<Eigen::Vector3d>("mount_xyz");
-  lidar.mount_rpy = map.get_optional<Eigen::Vector3d>("mount_rpy");
-  return lidar;
-}
-
-OdometrySpec read_odometry(YamlReader& root) {
-  OdometrySpec odometry;
-  YamlReader map = root.child("odometry");
-  odometry.profile = map.choice("profile", odometry.profile, {"default", "ideal"});
-  odometry.ticks_per_turn = map.get_optional<int>("ticks_per_turn");
-  odometry.radius_sigma = map.get_optional<double>("radius_sigma");
-  odometry.track_sigma = map.get_optional<double>("track_sigma");
-  odometry.drift_along = map.get_optional<double>("drift_along");
-  odometry.drift_yaw_deg = map.get_optional<double>("drift_yaw_deg");
-  return odometry;
-}
-
 KidnapEvent read_kidnap(YamlReader body) {
   KidnapEvent kidnap;
   (void)body.choice("kind", "teleport", {"teleport"});
@@ -132,20 +109,28 @@ KidnapEvent read_kidnap(YamlReader body) {
   return kidnap;
 }
 
-std::vector<KidnapEvent> read_events(YamlReader& root) {
-  std::vector<KidnapEvent> kidnaps;
+void read_events(YamlReader& root, Scenario& scenario) {
   for (YamlReader event : root.list("events")) {
     auto [kind, body] = event.named();
-    if (kind != "kidnap") event.fail("unknown event '" + kind + "'; known: kidnap");
-    kidnaps.push_back(read_kidnap(body));
+    if (kind == "kidnap") {
+      scenario.kidnaps.push_back(read_kidnap(body));
+    } else if (kind == "fault") {
+      scenario.faults.push_back(read_fault(body));
+    } else {
+      event.fail("unknown event '" + kind + "'; known: fault, kidnap");
+    }
   }
-  return kidnaps;
 }
 
 OutputSpec read_outputs(YamlReader& root) {
   OutputSpec outputs;
   YamlReader map = root.child("outputs");
   outputs.report = map.get("report", outputs.report);
+  outputs.scans = map.get("scans", outputs.scans);
+  if (map.has("points")) {
+    YamlReader points = map.child("points");
+    outputs.points_every_s = positive(points, "every_s", 1.0);
+  }
   const std::optional<YamlReader> scalar = map.find("snapshots");
   if (scalar && scalar->is_scalar()) {
     outputs.snapshots = scalar->as<bool>();
@@ -180,8 +165,9 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.start = read_start(root);
   scenario.drive = read_drive(root);
   scenario.lidar = read_lidar(root);
+  scenario.lidars = read_lidars(root);
   scenario.odometry = read_odometry(root);
-  scenario.kidnaps = read_events(root);
+  read_events(root, scenario);
   scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers");
   scenario.outputs = read_outputs(root);

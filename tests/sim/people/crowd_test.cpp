@@ -19,7 +19,7 @@ double reached(double wanted, int people, double lidar_height) {
   const RayScene walls(ray_primitives(hall.world));
   People crowd(config, hall.world, hall.map, lidar, robot, named_streams(3));
   const Lidar caster(lidar);
-  Rng rng;
+  LidarDraws rng;
   int on_people = 0;
   int beams = 0;
   for (int step = 0; step < 1200; ++step) {

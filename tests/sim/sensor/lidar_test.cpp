@@ -38,7 +38,7 @@ LidarConfig four_beams() {
 std::vector<float> scan(const LidarConfig& config, const Pose2& T_map_base = {}) {
   const Lidar lidar(config);
   const RayScene scene = two_walls();
-  Rng rng(1);
+  LidarDraws rng{Rng(1)};
   std::vector<float> ranges;
   for (int i = 0; i < config.beams; ++i) {
     ranges.push_back(lidar.cast(scene, to_isometry(T_map_base), i, rng).range);
@@ -79,7 +79,7 @@ TEST(Lidar, TiltedDownSeesTheFloor) {
   LidarConfig config = four_beams();
   config.T_base_laser =
       Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitY());
-  Rng rng(1);
+  LidarDraws rng{Rng(1)};
   const Beam beam = Lidar(config).cast(two_walls(), Eigen::Isometry3d::Identity(), 0, rng);
   EXPECT_NEAR(beam.range, 0.6, 1e-6);
   EXPECT_EQ(beam.object, kHitFloor);
@@ -88,7 +88,7 @@ TEST(Lidar, TiltedDownSeesTheFloor) {
 TEST(Lidar, SaysWhatItHit) {
   const Lidar lidar(four_beams());
   const RayScene scene = two_walls();
-  Rng rng(1);
+  LidarDraws rng{Rng(1)};
   EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 0, rng).object, 0);
   EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 1, rng).object, 1);
   EXPECT_EQ(lidar.cast(scene, Eigen::Isometry3d::Identity(), 2, rng).object, kHitNothing);
@@ -106,7 +106,7 @@ TEST(Lidar, NoiseHasItsSigma) {
   config.noise.sigma = 0.02;
   const Lidar lidar(config);
   const RayScene scene = two_walls();
-  Rng rng(4);
+  LidarDraws rng{Rng(4)};
   constexpr int kBeams = 20000;
   double sum = 0.0;
   double squares = 0.0;
@@ -122,11 +122,10 @@ TEST(Lidar, NoiseHasItsSigma) {
 TEST(LidarSweeper, CastsEachBeamAtItsOwnTime) {
   LidarSweeper sweeper(four_beams());  // 10 Hz: a beam every 25 ms.
   const RayScene scene = two_walls();
-  Rng rng(1);
   // At 4 m/s along x, the beam ahead of the next scan comes 0.1 s later.
   const Motion motion{nanoseconds(0), milliseconds(200), to_isometry({-1.0, 0.0, 0.0}),
                       to_isometry({-0.2, 0.0, 0.0})};
-  const auto scans = sweeper.advance(scene, motion, rng);
+  const auto scans = sweeper.advance(scene, motion);
   ASSERT_EQ(scans.size(), 2U);
   EXPECT_EQ(scans[0].last_beam, milliseconds(75));
   EXPECT_EQ(scans[1].reading.stamp, milliseconds(100));
@@ -139,33 +138,31 @@ TEST(LidarSweeper, CastsEachBeamAtItsOwnTime) {
 TEST(LidarSweeper, ATurningRobotSkewsTheScan) {
   LidarConfig config = four_beams();
   const RayScene scene = two_walls();
-  Rng rng(1);
   // Turning back as fast as the beam turns, every beam looks ahead.
   const Motion motion{nanoseconds(0), milliseconds(100), to_isometry({}),
                       to_isometry({0.0, 0.0, -kPi * 0.999999})};
   config.rate_hz = 20.0;
   config.angle_increment = kPi / 2;
-  const auto scans = LidarSweeper(config).advance(scene, motion, rng);
+  const auto scans = LidarSweeper(config).advance(scene, motion);
   ASSERT_EQ(scans.size(), 2U);
   // A beam every 12.5 ms; the robot turns by -22.5 degrees meanwhile: 67.5 degrees remain.
   EXPECT_NEAR(scans[0].reading.ranges[1], 1.0 / std::sin(67.5 * kPi / 180.0), 1e-4);
   config.sweep = false;
-  EXPECT_NEAR(LidarSweeper(config).advance(scene, motion, rng)[0].reading.ranges[1], 1.0, 1e-9);
+  EXPECT_NEAR(LidarSweeper(config).advance(scene, motion)[0].reading.ranges[1], 1.0, 1e-9);
 }
 
 TEST(LidarSweeper, SplittingTheMotionChangesNothing) {
   const RayScene scene = two_walls();
   LidarConfig config;
-  LidarSweeper whole(config);
-  LidarSweeper split(config);
-  Rng rng_a(3);
-  Rng rng_b(3);
+  const LidarDraws draws{Rng(3)};
+  LidarSweeper whole(config, {}, draws);
+  LidarSweeper split(config, {}, draws);
   const auto at = [](int ms) { return to_isometry({0.001 * ms, 0.0, 0.0}); };
-  const auto a = whole.advance(scene, {milliseconds(0), milliseconds(300), at(0), at(300)}, rng_a);
+  const auto a = whole.advance(scene, {milliseconds(0), milliseconds(300), at(0), at(300)});
   std::vector<Sweep> b;
   for (int ms = 0; ms < 300; ms += 2) {
     const Motion motion{milliseconds(ms), milliseconds(ms + 2), at(ms), at(ms + 2)};
-    for (Sweep& s : split.advance(scene, motion, rng_b)) b.push_back(std::move(s));
+    for (Sweep& s : split.advance(scene, motion)) b.push_back(std::move(s));
   }
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {

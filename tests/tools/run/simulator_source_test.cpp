@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/stamp.hpp"
+#include "tools/run/build_sensors.hpp"
 #include "tools/run/build_simulation.hpp"
 
 namespace castaway::testbed {
@@ -17,8 +18,8 @@ SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
   scenario.kidnaps = {{1.5, 3.0, std::nullopt}};
   scenario.lidar = lidar;
   PreparedSimulation prepared = build_simulation(scenario, ".");
-  const sim::LidarConfig config = prepared.config.lidar;
-  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed)), config,
+  const std::vector<sim::LidarConfig> configs = sim::all_lidars(prepared.config);
+  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed)), configs,
           localization::from_seconds(3.0)};
 }
 

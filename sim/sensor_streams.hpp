@@ -1,0 +1,18 @@
+/// The random streams of a run's sensors, by name.
+#pragma once
+
+#include <string>
+
+#include "sim/sensor/beam_light.hpp"
+#include "sim/simulation.hpp"
+
+namespace castaway::sim {
+
+/// The stream `name`. @throws std::invalid_argument if the run has none by name.
+Rng named_stream(const SimulationStreams& streams, const std::string& name);
+
+/// The streams of a lidar: the noise of the one named "lidar" is the run's lidar stream, all others
+/// are "lidar/<name>/<effect>". Without streams by name, effects that need them are an error.
+LidarDraws lidar_draws(const SimulationStreams& streams, const LidarConfig& lidar);
+
+}  // namespace castaway::sim

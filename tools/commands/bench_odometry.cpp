@@ -1,0 +1,86 @@
+// castaway bench odometry: how far odometry drifts, simulated and recorded.
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/campaign/odometry_bench.hpp"
+#include "tools/commands/bench.hpp"
+#include "tools/run/carmen_source.hpp"
+#include "tools/scenario/odometry_spec.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct OdometryArguments {
+  std::vector<std::string> logs;
+  OdometryBenchConfig config;
+  bool json = false;
+};
+
+std::vector<DriftSegment> recorded_drift(const std::string& log, double length_m) {
+  CarmenSource source(log);
+  Frames frames;
+  while (auto frame = source.next()) frames.push_back(std::move(*frame));
+  return drift_segments(frames, length_m);
+}
+
+/// A row; false if there is nothing to tell.
+bool add_row(const std::string& name, const std::vector<DriftSegment>& segments, bool words,
+             nlohmann::ordered_json& json) {
+  const auto mean = mean_drift(segments);
+  if (!mean) return false;
+  if (words) {
+    fmt::print("{:<40} {:>8} {:>8.2f} {:>8.3f}\n", name, segments.size(), mean->percent,
+               mean->deg_per_m);
+    std::fflush(stdout);
+  }
+  json.push_back({{"name", name},
+                  {"segments", segments.size()},
+                  {"percent", mean->percent},
+                  {"deg_per_m", mean->deg_per_m}});
+  return true;
+}
+
+int bench_odometry(const OdometryArguments& arguments) {
+  const bool words = !arguments.json;
+  auto json = nlohmann::ordered_json::array();
+  if (words) {
+    fmt::print("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
+               "segments", "%", "deg/m");
+  }
+  for (const std::string& profile : kOdometryProfiles) {
+    (void)add_row(profile, simulated_drift(profile, arguments.config), words, json);
+  }
+  for (const std::string& log : arguments.logs) {
+    if (add_row(log, recorded_drift(log, arguments.config.length_m), words, json)) continue;
+    throw std::runtime_error(
+        fmt::format("{}: no {} m with reference poses (TRUEPOS): give a log that has them", log,
+                    arguments.config.length_m));
+  }
+  if (!words) fmt::print("{}\n", json.dump(1));
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_odometry(CLI::App& bench, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<OdometryArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "odometry", "Drift of the odometry profiles, and of recorded logs with reference poses");
+  command->add_option("logs", arguments->logs, "CARMEN logs with TRUEPOS, .gz too");
+  command->add_option("--seeds", arguments->config.seeds, "Robots of each profile")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--duration", arguments->config.duration_s, "Simulated time of each [s]")
+      ->check(CLI::Range(1.0, 1e5));
+  command->add_option("--length", arguments->config.length_m, "Of a segment [m]")
+      ->check(CLI::Range(0.1, 1e4));
+  command->add_flag("--json", arguments->json, "Print JSON instead of words");
+  command->footer("Example:\n  castaway bench odometry intel.log.gz --seeds 4");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return bench_odometry(*arguments); }; });
+}
+
+}  // namespace castaway::testbed
