@@ -68,13 +68,40 @@ void tell_intensities(sim::SimulationConfig& config) {
   for (sim::LidarConfig& lidar : config.more_lidars) tell(lidar);
 }
 
-void add_scan_outputs(const OutputSpec& outputs, sim::WorldSpec world, SimulatorSource& source,
-                      RunPlan& plan) {
-  if (outputs.scans) {
-    plan.label_name = [world = std::move(world)](int label) { return sim::hit_name(world, label); };
-  }
+void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, RunPlan& plan) {
   plan.points_every_s = outputs.points_every_s;
-  if (outputs.points_every_s > 0.0) source.keep_clouds();
+  if (!outputs.scans) return;
+  tell_intensities(prepared.config);
+  plan.label_name = [world = prepared.config.world](int label) {
+    return sim::hit_name(world, label);
+  };
+}
+
+/// All of the plan that is known before the simulation starts.
+RunPlan plan_of(const RunArguments& arguments, const LoadedScenario& loaded,
+                PreparedSimulation& prepared) {
+  const Scenario& scenario = loaded.scenario;
+  RunPlan plan;
+  plan.info = {scenario.name,      prepared.world_name,  prepared.config.robot.name,
+               scenario.seed,      scenario.start.known, names_of(scenario.localizers),
+               prepared.difference};
+  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
+                                            fmt::format("seed-{}", scenario.seed)
+                                      : std::filesystem::path(arguments.out);
+  plan.scenario_yaml = loaded.effective;
+  plan.json = arguments.json;
+  plan.localizers =
+      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  add_pictures(scenario.outputs, prepared, plan);
+  add_scan_outputs(scenario.outputs, prepared, plan);
+  return plan;
+}
+
+SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
+  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  const Stamp duration = prepared.config.duration;
+  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed), thread_cpu_time),
+          std::move(lidars), duration};
 }
 
 int run_scenario(const RunArguments& arguments) {
@@ -89,26 +116,9 @@ int run_scenario(const RunArguments& arguments) {
   for (const std::string& warning : prepared.warnings) {
     fmt::print(stderr, "castaway: warning: {}\n", warning);
   }
-  RunPlan plan;
-  plan.info = {scenario.name,      prepared.world_name,  prepared.config.robot.name,
-               scenario.seed,      scenario.start.known, names_of(scenario.localizers),
-               prepared.difference};
-  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
-                                            fmt::format("seed-{}", scenario.seed)
-                                      : std::filesystem::path(arguments.out);
-  plan.scenario_yaml = loaded.effective;
-  plan.json = arguments.json;
-  plan.localizers =
-      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
-  add_pictures(scenario.outputs, prepared, plan);
-  if (scenario.outputs.scans) tell_intensities(prepared.config);
-  sim::WorldSpec world = prepared.config.world;
-  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
-  const Stamp duration = prepared.config.duration;
-  SimulatorSource source(sim::Simulation(std::move(prepared.config),
-                                         simulation_streams(scenario.seed), thread_cpu_time),
-                         std::move(lidars), duration);
-  add_scan_outputs(scenario.outputs, std::move(world), source, plan);
+  RunPlan plan = plan_of(arguments, loaded, prepared);
+  SimulatorSource source = source_of(std::move(prepared), scenario.seed);
+  if (plan.points_every_s > 0.0) source.keep_clouds();
   plan.loop = loop_config(scenario, *source.start_pose());
   if (scenario.people.config.count() > 0) {
     plan.people_every_s = scenario.people.log_every_s;

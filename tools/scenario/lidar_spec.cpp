@@ -1,5 +1,6 @@
 #include "tools/scenario/lidar_spec.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -58,5 +58,29 @@ TEST(ProximityGuard, LeavesTurnsOnTheSpotAlone) {
   EXPECT_EQ(guard_that_sees(0.3F, kFar, kFar).guarded({0.0, 0.7}).w, 0.7);
 }
 
+TEST(ProximityGuard, RemembersTheNewestScanOfEachLidar) {
+  ProximityGuard guard = guard_that_sees(0.3F, kFar, kFar);
+  LidarReading clear;
+  clear.lidar = 1;
+  guard.on_scan(clear, LidarConfig{});
+  EXPECT_EQ(guard.guarded({0.5, 0.0}).v, 0.0);
+}
+
+/// A beam 60 degrees down ends half its range ahead.
+TEST(ProximityGuard, LaysTheBeamsOfLayersDown) {
+  LidarConfig lidar;
+  lidar.T_base_laser = Eigen::Isometry3d::Identity();
+  lidar.beams = 1;
+  lidar.angle_min = 0.0;
+  lidar.elevations = {0.0, -std::numbers::pi / 3};
+  LidarReading scan;
+  scan.layers = 2;
+  scan.ranges = {kFar, 1.0F};
+  scan.hit_object = {0, 0};
+  ProximityGuard guard(GuardConfig{});
+  guard.on_scan(scan, lidar);
+  EXPECT_NEAR(guard.guarded({0.6, 0.2}).v, 0.3, 1e-6);  // As 0.5 m ahead.
+}
+
 }  // namespace
 }  // namespace castaway::sim

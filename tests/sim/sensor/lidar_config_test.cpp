@@ -39,5 +39,43 @@ TEST(LidarConfig, AFullCircleDoesNotRepeatItsFirstBeam) {
   EXPECT_NEAR(lidar_of(robot).angle_increment, kPi / 180.0, 1e-9);
 }
 
+TEST(LidarConfig, LayersComeFromTheDescription) {
+  RobotModel robot;
+  robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};
+  robot.lidar->specs->angle_max = 3.0;
+  EXPECT_EQ(lidar_of(robot).elevations, std::vector<double>{0.0});
+  robot.lidar->specs->layers = 3;
+  robot.lidar->specs->layer_min = -0.2;
+  robot.lidar->specs->layer_max = 0.4;
+  const std::vector<double> elevations = lidar_of(robot).elevations;
+  ASSERT_EQ(elevations.size(), 3U);
+  EXPECT_NEAR(elevations[1], 0.1, 1e-12);
+}
+
+TEST(LidarConfig, TheMostLevelLayerStandsForAllUnlessOneIsChosen) {
+  LidarConfig config;
+  config.elevations = {-0.3, -0.1, 0.05, 0.2};
+  EXPECT_EQ(level_layer(config), 2);
+  EXPECT_EQ(level_slice(config).elevations, std::vector<double>{0.05});
+  config.planar_layer = 0;
+  EXPECT_EQ(level_layer(config), 0);
+  EXPECT_EQ(level_slice(config).elevations, std::vector<double>{-0.3});
+  config.planar_layer = 4;
+  EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
+TEST(LidarConfig, LidarsOfOneMacroGetNamesOfTheirOwn) {
+  RobotModel robot;
+  for (const char* link : {"front", "rear"}) {
+    robot.lidars.push_back({link, Eigen::Isometry3d::Identity(), std::nullopt, "scanner"});
+  }
+  robot.lidar = robot.lidars.front();
+  const auto lidars = lidars_of(robot);
+  ASSERT_EQ(lidars.size(), 2U);
+  EXPECT_EQ(lidars[0].name, "scanner");
+  EXPECT_EQ(lidars[1].name, "scanner_rear");
+  EXPECT_EQ(lidars[1].frame, "rear");
+}
+
 }  // namespace
 }  // namespace castaway::sim

@@ -1,5 +1,6 @@
 #include "tools/run/trajectory_sink.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -62,6 +63,15 @@ TEST(TrajectorySink, LinesHaveEightColumnsOneSpaceApartAndAUnitQuaternion) {
                 0.0, 1e-8);
   }
   EXPECT_EQ(count, 20);
+}
+
+TEST(TrajectorySink, StampsGrowWhateverTheOrderOfScans) {
+  const TemporaryFolder folder;
+  TrajectorySink sink(folder.path(), run_of({"a"}));
+  for (const double t : {1.0, 2.0, 1.5, 2.0, 3.0}) sink.on_scan(record_at(t, {"a"}));
+  sink.finish(Stamp{}, {});
+  const std::string text = read_file(folder.path() / "truth.tum");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
 }
 
 TEST(TrajectorySink, LeavesNothingOfARunThatDoesNotEnd) {
