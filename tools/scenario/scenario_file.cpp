@@ -164,8 +164,8 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.wall_height = positive(root, "wall_height", scenario.wall_height);
   scenario.start = read_start(root);
   scenario.drive = read_drive(root);
-  scenario.lidar = read_lidar(root);
   scenario.lidars = read_lidars(root);
+  if (scenario.lidars.empty()) scenario.lidar = read_lidar(root);
   scenario.odometry = read_odometry(root);
   read_events(root, scenario);
   scenario.people = read_people(root);

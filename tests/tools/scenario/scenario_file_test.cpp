@@ -124,6 +124,29 @@ TEST_F(ScenarioFileTest, ItsEffectiveTextReproducesIt) {
   EXPECT_EQ(second.scenario.kidnaps.at(0).at_s, 3.0);
 }
 
+TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
+  const LoadedScenario first = load(
+      "lidars: [front, {rear: {profile: lds-01, mount_xyz: [-0.2, 0, 0.1]}}]\n"
+      "odometry: {profile: slippery, gyro: {}}\n"
+      "events: [{fault: {kind: lidar-late, at_s: 3, for_s: 2, lidar: rear}}]\n"
+      "outputs: {scans: true, points: {every_s: 2}}\nlocalizers: [amcl]");
+  const LoadedScenario second = load(first.effective);
+  EXPECT_EQ(second.effective, first.effective);
+  ASSERT_EQ(second.scenario.lidars.size(), 2U);
+  EXPECT_EQ(second.scenario.lidars[1].profile, "lds-01");
+  EXPECT_TRUE(second.scenario.odometry.gyro.has_value());
+  ASSERT_EQ(second.scenario.faults.size(), 1U);
+  EXPECT_EQ(second.scenario.faults[0].lidar, "rear");
+  EXPECT_TRUE(second.scenario.outputs.scans);
+  EXPECT_EQ(second.scenario.outputs.points_every_s, 2.0);
+}
+
+/// With a list of lidars, nobody would read the one for the robot's own.
+TEST_F(ScenarioFileTest, TakesOneLidarOrAList) {
+  EXPECT_THROW((void)load("lidar: {rate_hz: 5}\nlidars: [front]\nlocalizers: [amcl]"),
+               std::runtime_error);
+}
+
 TEST_F(ScenarioFileTest, OverridesReachIntoLists) {
   const Scenario scenario =
       load("events: [{kidnap: {at_s: 3}}]\nlocalizers: [mh_amcl]", {"events.0.kidnap.at_s=8"})
