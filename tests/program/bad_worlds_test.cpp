@@ -240,5 +240,35 @@ INSTANTIATE_TEST_SUITE_P(Worlds, BadWorlds, testing::ValuesIn(world_cases()), te
 INSTANTIATE_TEST_SUITE_P(Maps, BadWorlds, testing::ValuesIn(map_cases()), test_name);
 INSTANTIATE_TEST_SUITE_P(Sdf, BadWorlds, testing::ValuesIn(sdf_cases()), test_name);
 
+/// Worlds that load, but cannot be run in.
+TEST(RunInABadWorld, SaysWhyNot) {
+  const fs::path folder = fresh_folder();
+  const std::string run = "run --duration 1 --set events=[] --set outputs.snapshots=false --world ";
+  std::ofstream(folder / "wall.yaml")
+      << kHead << "objects: [box: {at: [2, 2], size: [0.5, 0.5, 1]}]\n";
+  const Outcome wall = castaway(folder, run + "wall.yaml");
+  EXPECT_EQ(wall.exit_code, 2);
+  expect_contains(wall.err, "stands in an obstacle");
+  std::ofstream(folder / "full.yaml")
+      << kHead << "objects: [box: {at: [2, 1.5], size: [4, 3, 1]}]\n";
+  const Outcome full = castaway(folder, run + "full.yaml");
+  EXPECT_EQ(full.exit_code, 2);
+  expect_contains(full.err, "no place");
+}
+
+/// A sparse file: nothing of it is read.
+TEST(HugeMesh, IsRefusedBeforeItIsRead) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "big.stl") << "x";
+  fs::resize_file(folder / "big.stl", 1ULL << 32U);
+  std::ofstream(folder / "w.yaml") << kHead << "objects: [mesh: {at: [1, 1], file: big.stl}]\n";
+  std::ofstream(folder / "w.sdf") << sdf(model("<mesh><uri>big.stl</uri></mesh>"));
+  for (const char* file : {"w.yaml", "w.sdf"}) {
+    const Outcome outcome = castaway(folder, std::string("check-world --no-picture ") + file);
+    EXPECT_EQ(outcome.exit_code, 2);
+    expect_contains(outcome.err, "4096 MiB");
+  }
+}
+
 }  // namespace
 }  // namespace castaway::test

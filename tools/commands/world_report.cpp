@@ -128,8 +128,9 @@ std::string world_text(const LoadedWorld& world, const WorldFacts& facts) {
   const Lines out(text);
   const sim::WorldSpec& spec = world.file.spec;
   const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
-  fmt::format_to(out, "world: {}, {:.1f} m x {:.1f} m from ({}, {}), {:.1f} m2 free\n", spec.name,
-                 size.x(), size.y(), spec.min_corner.x(), spec.min_corner.y(), facts.free_area);
+  fmt::format_to(out, "world: {}, {:.1f} m x {:.1f} m from ({:.2f}, {:.2f}), {:.1f} m2 free\n",
+                 spec.name, size.x(), size.y(), spec.min_corner.x(), spec.min_corner.y(),
+                 facts.free_area);
   add_objects(spec, out);
   add_floor(world, facts, out);
   fmt::format_to(out,

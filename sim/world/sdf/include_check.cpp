@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/robot/xml_text.hpp"
+#include "sim/world/sdf/scenery.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -61,7 +62,8 @@ class IncludeCheck {
          element = element->NextSiblingElement()) {
       const TiXmlElement* uri =
           element->ValueStr() == "include" ? element->FirstChildElement("uri") : nullptr;
-      if (uri != nullptr && uri->GetText() != nullptr) uris.emplace_back(uri->GetText());
+      const bool named = uri != nullptr && uri->GetText() != nullptr;
+      if (named && !is_scenery(uri->GetText())) uris.emplace_back(uri->GetText());
       collect(*element, uris);
     }
   }

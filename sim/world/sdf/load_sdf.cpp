@@ -12,6 +12,7 @@
 
 #include "sim/world/footprint.hpp"
 #include "sim/world/sdf/include_check.hpp"
+#include "sim/world/sdf/scenery.hpp"
 #include "sim/world/sdf/sdf_bodies.hpp"
 
 namespace castaway::sim {
@@ -55,9 +56,36 @@ sdf::ParserConfig quiet_config(const ResourceFinder& finder, const fs::path& fol
 
 void throw_first(const sdf::Errors& errors, const std::string& path) {
   if (errors.empty()) return;
-  const auto& error = errors.front();
+  const sdf::Error& error = errors.front();
   const std::string line = error.LineNumber() ? fmt::format(":{}", *error.LineNumber()) : "";
   throw std::runtime_error(fmt::format("{}{}: {}", path, line, one_line(error.Message())));
+}
+
+/// Masses are of no use here, and wrong ones would be errors.
+void remove_masses(const sdf::ElementPtr& parent) {
+  std::vector<sdf::ElementPtr> masses;
+  for (sdf::ElementPtr e = parent->GetFirstElement(); e; e = e->GetNextElement()) {
+    if (e->GetName() == "inertial") {
+      masses.push_back(e);
+    } else {
+      remove_masses(e);
+    }
+  }
+  for (const sdf::ElementPtr& mass : masses) parent->RemoveChild(mass);
+}
+
+/// The tree of a file, its includes taken in.
+sdf::SDFPtr read_tree(const std::string& path, const sdf::ParserConfig& config) {
+  auto tree = std::make_shared<sdf::SDF>();
+  sdf::init(tree);
+  sdf::Errors errors;
+  const auto text = without_scenery(path);
+  const bool read = text ? sdf::readString(*text, config, tree, errors)
+                         : sdf::readFile(path, config, tree, errors);
+  throw_first(errors, path);
+  if (!read) throw std::runtime_error(path + ": is no SDF file");
+  remove_masses(tree->Root());
+  return tree;
 }
 
 bool is_floor(const WorldObject& object) { return bounds(object).max().z() <= kFloor; }
@@ -86,12 +114,14 @@ SdfWorld load_sdf(const std::string& path, const std::vector<std::string>& searc
   check_includes(path, finder);
   const Silence silence;
   sdf::Root root;
-  throw_first(root.Load(path, quiet_config(finder, fs::absolute(path).parent_path())), path);
+  const sdf::ParserConfig config = quiet_config(finder, fs::absolute(path).parent_path());
+  throw_first(root.Load(read_tree(path, config), config), path);
   SdfBodies bodies(finder, path);
   SdfWorld result;
   result.spec.name = fs::path(path).stem().string();
   if (root.WorldCount() > 0) {
-    result.spec.name = root.WorldByIndex(0)->Name();
+    const std::string& name = root.WorldByIndex(0)->Name();
+    if (name != "default") result.spec.name = name;
     bodies.add(*root.WorldByIndex(0));
   } else if (root.Model() != nullptr) {
     bodies.add(*root.Model(), Eigen::Isometry3d::Identity());

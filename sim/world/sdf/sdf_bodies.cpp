@@ -149,8 +149,10 @@ ObjectShape SdfBodies::mesh_of(const sdf::Mesh& mesh, const std::string& name) {
   MeshShape shape;
   shape.scale = {scale.X(), scale.Y(), scale.Z()};
   try {
-    const std::filesystem::path from(mesh.FilePath().empty() ? path_ : mesh.FilePath());
-    shape.path = finder_.find(mesh.Uri(), from.parent_path()).string();
+    const bool has_file = std::filesystem::is_regular_file(mesh.FilePath());
+    const std::filesystem::path from =
+        std::filesystem::absolute(has_file ? mesh.FilePath() : path_).parent_path();
+    shape.path = finder_.find(mesh.Uri(), from).string();
     (void)load_mesh(shape.path, shape.scale);
   } catch (const std::exception& error) {
     fail(name, error.what());

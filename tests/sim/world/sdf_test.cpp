@@ -165,6 +165,19 @@ TEST_F(SdfFiles, SaysWhatItDoesNotTake) {
   EXPECT_THAT(world.warnings[1], testing::HasSubstr("plane that is not the ground"));
 }
 
+/// Sun and ground are on the network in half of all worlds; masses are wrong in the other half.
+TEST_F(SdfFiles, NeedsNeitherSunNorGroundNorMasses) {
+  const SdfWorld world = load(
+      "<include><uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground "
+      "Plane</uri></include>"
+      "<include><uri>model://sun</uri></include>"
+      "<model name='m'><static>1</static><link name='l'><inertial><mass>1</mass><inertia>"
+      "<ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial><collision name='c'><geometry>" +
+      std::string(kBox) + "</geometry></collision></link></model>");
+  EXPECT_EQ(world.spec.objects.size(), 1U);
+  EXPECT_TRUE(world.warnings.empty());
+}
+
 TEST_F(SdfFiles, TakesFlatBoxesForFloor) {
   const SdfWorld world = load("<model name='floor'><static>1</static>" +
                               link("<box><size>50 50 0.1</size></box>", "0 0 -0.05 0 0 0") +
