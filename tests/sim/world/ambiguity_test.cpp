@@ -8,11 +8,12 @@
 namespace castaway::sim {
 namespace {
 
-const PlaceView kView{0.2, 12.0, 72};
+const PlaceView kView{0.2, 12.0, 36};
 
 Ambiguity of_world(const WorldSpec& world, const PlaceView& view = kView) {
   const Grid map = rasterise(world, view.z, 0.05);
-  return ambiguity(RayScene(ray_primitives(world)), FreeSpace(map, 0.25), view);
+  return ambiguity(RayScene(ray_primitives(world)), FreeSpace(map, 0.25), view,
+                   {2.0, 0.5, 0.9, 40});
 }
 
 WorldSpec walled(double half_x, double half_y) {
@@ -41,7 +42,7 @@ WorldSpec symmetric() {
 
 TEST(Ambiguity, IsHighWhereAWorldIsSymmetric) {
   const Ambiguity result = of_world(symmetric());
-  EXPECT_GT(result.places, 80);
+  EXPECT_GT(result.places, 25);
   EXPECT_GT(result.twins, 0.85);  // In the very middle the twins are less than 2 m apart.
   EXPECT_GT(result.p90, 0.98);
 }
@@ -56,7 +57,7 @@ TEST(Ambiguity, IsLowInARoomOfManyThings) {
 }
 
 TEST(Ambiguity, IsOneWhereNothingIsInView) {
-  const Ambiguity blind = of_world(walled(20.0, 15.0), {0.2, 3.0, 72});
+  const Ambiguity blind = of_world(walled(20.0, 15.0), {0.2, 3.0, 36});
   EXPECT_GT(blind.twins, 0.9);
   EXPECT_GT(blind.mean, 0.95);
 }
