@@ -166,7 +166,7 @@ TEST(Ramp, LetsABodySlideByTheLawOfFriction) {
 }
 
 TEST(Step, StopsWhatCannotClimbIt) {
-  const auto reached = [](double height) {
+  const auto reached = [](double height) -> Eigen::Vector3d {
     WorldSpec world = ramp_world(0.3);
     world.objects = {box_on_floor("step", {4.0, 4.0, height}, {3.0, 0.0})};
     world.objects[0].drivable = true;
