@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/drive_space.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -27,6 +29,15 @@ RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
   route.loop = drive.loop;
   route.follower.limits = limits_of(drive, robot);
   return route;
+}
+
+NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) {
+  NavigatorConfig config;
+  config.route = route_of(drive, robot);
+  config.local.limits = config.route.follower.limits;
+  config.local.radius = robot.footprint_radius;
+  config.plan_margin = kDriveMargin;
+  return config;
 }
 
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot) {

@@ -1,7 +1,8 @@
 /// What drives the robot in a simulated run.
 #pragma once
 
-#include "sim/navigation/proximity_guard.hpp"
+#include "sim/navigation/navigator.hpp"
+#include "sim/navigation/people_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/robot/twist_ramp.hpp"
 #include "sim/simulation.hpp"
@@ -14,7 +15,10 @@ TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot);
 /// The route asked for, driven within those limits.
 RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot);
 
-/// What keeps a robot that drives by an estimate off obstacles.
+/// How that route is driven by an estimate.
+NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot);
+
+/// What keeps a robot that drives by the truth off people.
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot);
 
 }  // namespace castaway::sim

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -47,29 +46,16 @@ Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rn
         "start: no free place for a robot of radius {:.2f} m: check the map and its scale",
         radius));
   }
-  // Half a cell of erosion is caution, not contact.
-  const FreeSpace free(drive_grid, std::max(radius - drive_grid.resolution, 0.0));
-  if (free.contains(config.start.position())) return config.start;
+  if (standing_space(config.robot, drive_grid).contains(config.start.position()))
+    return config.start;
   throw std::runtime_error(fmt::format(
       "start: at ({}, {}) a robot of radius {:.2f} m stands in an obstacle or outside of the free "
       "space: move it",
       config.start.x, config.start.y, radius));
 }
 
-FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Grid& drive_grid) {
-  return {drive_grid, robot.footprint_radius + spec.margin_m};
-}
-
-std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& grid) {
-  std::vector<KidnapSpec> kidnaps = config.kidnaps;
-  std::stable_sort(kidnaps.begin(), kidnaps.end(),
-                   [](const KidnapSpec& a, const KidnapSpec& b) { return a.at_s < b.at_s; });
-  Rng unused;
-  for (const KidnapSpec& spec : kidnaps) {
-    if (spec.kind != KidnapKind::kTeleportTo) continue;
-    kidnap_target(spec, config.start, kidnap_space(spec, config.robot, grid), unused);
-  }
-  return kidnaps;
+FreeSpace standing_space(const RobotModel& robot, const Grid& drive_grid) {
+  return {drive_grid, std::max(robot.footprint_radius - drive_grid.resolution, 0.0)};
 }
 
 }  // namespace castaway::sim

@@ -22,11 +22,8 @@ Grid landing_grid(const SimulationConfig& config, Grid drive_grid);
 /// @throws std::runtime_error if the robot would stand in something, or nothing is free.
 Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng);
 
-/// Free space for a kidnap of this robot.
-FreeSpace kidnap_space(const KidnapSpec& spec, const RobotModel& robot, const Grid& drive_grid);
-
-/// The run's kidnaps, by time. @throws std::runtime_error if a given target is in collision.
-std::vector<KidnapSpec> checked_kidnaps(const SimulationConfig& config, const Grid& drive_grid);
+/// Where the robot can stand without contact: half a cell of erosion is caution.
+FreeSpace standing_space(const RobotModel& robot, const Grid& drive_grid);
 
 /// Room that the planner keeps around the footprint. [m]
 inline constexpr double kDriveMargin = 0.04;

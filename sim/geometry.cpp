@@ -28,6 +28,12 @@ Pose2 inverse(const Pose2& T_a_b) {
   return {-c * T_a_b.x - s * T_a_b.y, s * T_a_b.x - c * T_a_b.y, wrap_angle(-T_a_b.yaw)};
 }
 
+Pose2 arc(double way, double turn) {
+  const double half = 0.5 * turn;
+  const double chord = std::abs(half) < 1e-9 ? way : way * std::sin(half) / half;
+  return {chord * std::cos(half), chord * std::sin(half), turn};
+}
+
 Eigen::Isometry3d to_isometry(const Pose2& T_a_b) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = Eigen::AngleAxisd(T_a_b.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();

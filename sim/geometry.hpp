@@ -32,6 +32,10 @@ Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b);
 /// `T_b_a` of `T_a_b`.
 Pose2 inverse(const Pose2& T_a_b);
 
+/// The pose after `way` [m] along a circle that turns the heading by `turn` [rad], from the
+/// identity.
+Pose2 arc(double way, double turn);
+
 /// The pose lifted to 3-D: z, roll and pitch are 0.
 Eigen::Isometry3d to_isometry(const Pose2& T_a_b);
 /// The pose seen from above: x, y and the heading of b's x axis.

@@ -25,6 +25,8 @@ class OdometrySensor {
   /// @throws std::invalid_argument if the settings cannot be.
   OdometrySensor(const SimulationConfig& config, const SimulationStreams& streams);
 
+  /// Begins anew, from the identity.
+  void reset() { odometry_.reset(); }
   /// What arrives; nothing while a fault loses readings. Calls come in order of stamps.
   std::optional<OdometryReading> read(const DriveState& state);
 

@@ -91,9 +91,7 @@ Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route, const Gri
   if (!people_ || !yields_) return command;
   const Pose2 T_base_map = inverse(robot_.T_map_base);
   std::vector<Eigen::Vector2d> p_base;
-  for (const Agent& agent : people_->agents()) {
-    p_base.emplace_back(T_base_map * agent.state.position);
-  }
+  for (const Eigen::Vector2d& p_map : positions()) p_base.emplace_back(T_base_map * p_map);
   const Twist2 twist = guard_.guarded(command, p_base);
   if (guard_.waited(kPatience)) {
     const Grid grid = with_people(drive_grid, people_->agents(), robot_.T_map_base);
@@ -104,6 +102,13 @@ Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route, const Gri
 
 Surroundings PeopleStage::around(const RayScene& standing) const {
   return people_ ? Surroundings(standing, scene_) : Surroundings(standing);
+}
+
+std::vector<Eigen::Vector2d> PeopleStage::positions() const {
+  std::vector<Eigen::Vector2d> result;
+  if (!people_) return result;
+  for (const Agent& agent : people_->agents()) result.push_back(agent.state.position);
+  return result;
 }
 
 std::vector<int> PeopleStage::take_hits() { return std::exchange(hits_, {}); }

@@ -38,6 +38,8 @@ class PeopleStage {
   /// Where people are at a time within a step of now.
   [[nodiscard]] std::vector<PersonReading> readings(std::chrono::nanoseconds stamp,
                                                     const Pose2& T_map_base) const;
+  /// Where in map they stand or walk. [m]
+  [[nodiscard]] std::vector<Eigen::Vector2d> positions() const;
   /// Nothing if there are none.
   [[nodiscard]] const People* people() const { return people_.get(); }
   /// How far between its last step and its next one `stamp` is, in [0, 1].

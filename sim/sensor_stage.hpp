@@ -25,6 +25,9 @@ class SensorStage {
   /// While covered, the lidars see nothing: every beam is +inf. They go on turning.
   void set_covered(bool covered);
 
+  /// Odometry begins anew, from the identity.
+  void reset_odometry() { odometry_.reset(); }
+
   /// Faults that begin or end within a motion.
   std::vector<FaultRecord> read_faults(const Motion& motion);
   /// What the wheels say within a motion, in order of stamps; their angles at its begin and end.

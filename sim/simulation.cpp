@@ -10,19 +10,19 @@
 
 #include "sim/drive_setup.hpp"
 #include "sim/drive_space.hpp"
-#include "sim/navigation/proximity_guard.hpp"
-#include "sim/navigation/route_runner.hpp"
+#include "sim/drive_stage.hpp"
+#include "sim/kidnap_stage.hpp"
 #include "sim/people_stage.hpp"
-#include "sim/robot/robot_physics.hpp"
+#include "sim/robot/sim_robot.hpp"
 #include "sim/sensor_stage.hpp"
-#include "sim/world/free_space.hpp"
 
 namespace castaway::sim {
 namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds kControlPeriod = std::chrono::milliseconds(50);
+constexpr double kRightWithin = 0.5;      // [m] An output nearer to the truth is right...
+constexpr double kRightWithinYaw = 0.35;  // [rad] ...and so is its heading.
 
 nanoseconds period_of(double hz, const char* what) {
   if (!(hz > 0.0) || hz > 1e5) {
@@ -31,7 +31,17 @@ nanoseconds period_of(double hz, const char* what) {
   return nanoseconds(std::llround(1e9 / hz));
 }
 
-/// Order of deliveries at the same time: kidnap, odometry, scan, person hit.
+SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose2& start,
+                    nanoseconds step) {
+  const TwistLimits limits = limits_of(config.drive, config.robot);
+  if (config.drive_model == DriveModel::kPhysics) {
+    return SimRobot(RobotPhysics(config.world, config.robot, start, limits, step));
+  }
+  return SimRobot(
+      KinematicRobot(config.robot, standing_space(config.robot, grid), start, limits, step));
+}
+
+/// Order of deliveries at the same time: that of the kinds in `SimFrame`.
 bool earlier(const SimFrame& a, const SimFrame& b) {
   return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
 }
@@ -44,12 +54,14 @@ struct Simulation::State {
   State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
 
   void run_step();
-  void kidnap_if_due();
+  void kidnap();
+  [[nodiscard]] bool localized() const;
   void move_people();
-  void control();
+  void command();
+  void move_robot();
+  void deliver(const std::vector<OdometryReading>& readings);
+  void deliver(std::vector<SimFrame> scans);
   void read_lidar(const Motion& motion);
-  template <typename Reading>
-  void deliver(const std::vector<Reading>& readings);
   template <typename Work>
   void measured(const char* stage, Work work);
 
@@ -60,20 +72,17 @@ struct Simulation::State {
 
   nanoseconds step;
   nanoseconds now{};
-  nanoseconds next_control{};
 
   Grid grid;     ///< Where it drives...
   Grid landing;  ///< ...and where it is put down.
   Pose2 start;
-  std::vector<KidnapSpec> kidnaps;
-  std::size_t next_kidnap = 0;
-  RobotPhysics robot;
+  SimRobot robot;
   SensorStage sensors;
-  RouteRunner route;
-  ProximityGuard guard;
+  KidnapStage kidnaps;
+  DriveStage drive;
   PeopleStage people;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
-  std::optional<Pose2> drive_pose;
+  std::optional<Pose2> watched;
   double distance = 0.0;
   std::deque<SimFrame> frames;
 };
@@ -87,12 +96,10 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       grid(drive_grid(config)),
       landing(landing_grid(config, grid)),
       start(castaway::sim::start_pose(config, landing, streams.events)),
-      kidnaps(checked_kidnaps(config, landing)),
-      robot(config.world, config.robot, start, limits_of(config.drive, config.robot), step),
+      robot(make_robot(config, grid, start, step)),
       sensors(config, streams),
-      route(route_of(config.drive, config.robot),
-            FreeSpace(grid, config.robot.footprint_radius + kDriveMargin)),
-      guard(guard_of(config.drive, config.robot)),
+      kidnaps(config, landing, sensors.scene(), streams.named),
+      drive(config, grid),
       people(config, start, streams.named) {}
 
 template <typename Work>
@@ -103,17 +110,23 @@ void Simulation::State::measured(const char* stage, Work work) {
   cpu[stage] += cpu_clock() - before;
 }
 
-void Simulation::State::kidnap_if_due() {
-  while (next_kidnap < kidnaps.size() &&
-         std::chrono::duration<double>(now).count() >= kidnaps[next_kidnap].at_s) {
-    const KidnapSpec& spec = kidnaps[next_kidnap++];
-    const Pose2 from = to_planar(robot.state().T_map_base);
-    const FreeSpace free = kidnap_space(spec, config.robot, landing);
-    const Pose2 to = kidnap_target(spec, from, free, streams.events);
-    robot.teleport(to);
-    people.on_kidnap(to);
-    frames.push_back({now, KidnapRecord{now, spec.kind, from, to}});
+bool Simulation::State::localized() const {
+  if (!watched) return false;
+  const Pose2 error = inverse(to_planar(robot.state().T_map_base)) * *watched;
+  return error.position().norm() < kRightWithin && std::abs(error.yaw) < kRightWithinYaw;
+}
+
+void Simulation::State::kidnap() {
+  const auto positions = [this] { return people.positions(); };
+  const KidnapOutcome outcome = kidnaps.advance(
+      {now, to_planar(robot.state().T_map_base), distance, localized(), positions}, streams.events);
+  if (outcome.done) {
+    robot.teleport(outcome.done->T_map_to);
+    people.on_kidnap(outcome.done->T_map_to);
+    if (kidnaps.was_power_cycle()) sensors.reset_odometry();
+    frames.push_back({now, *outcome.done});
   }
+  if (outcome.picked_up) frames.push_back({now, *outcome.picked_up});
 }
 
 void Simulation::State::move_people() {
@@ -125,45 +138,64 @@ void Simulation::State::move_people() {
   }
 }
 
-void Simulation::State::control() {
-  next_control += kControlPeriod;
-  if (!config.drive.by_estimate) {
-    const Twist2 command = route.command(to_planar(robot.state().T_map_base));
-    robot.set_command(people.yielded(command, route, grid));
-  } else if (drive_pose) {
-    robot.set_command(guard.guarded(route.command(drive_pose)));
-  } else {
-    robot.set_command({});
+void Simulation::State::command() {
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  robot.set_command(drive.command(now, T_map_base, people));
+  for (std::string& what : drive.take_events()) {
+    frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
   }
 }
 
-template <typename Reading>
-void Simulation::State::deliver(const std::vector<Reading>& readings) {
-  for (const Reading& reading : readings) frames.push_back({reading.stamp, reading});
+void Simulation::State::move_robot() {
+  if (kidnaps.holds()) {
+    robot.step_held(kidnaps.held_at(now + step), kidnaps.wheels());
+  } else {
+    robot.step();
+  }
 }
 
-void Simulation::State::read_lidar(const Motion& motion) {
-  for (SimFrame& frame : sensors.read_lidars(people.around(sensors.scene()), motion)) {
-    auto& reading = std::get<LidarReading>(frame.data);
-    reading.people = people.readings(reading.stamp, reading.T_map_base_true);
-    if (config.drive.by_estimate) guard.on_scan(reading, sensors.lidars()[reading.lidar]);
+/// A robot that is switched off says nothing.
+void Simulation::State::deliver(const std::vector<OdometryReading>& readings) {
+  if (kidnaps.is_off()) return;
+  for (const OdometryReading& reading : readings) {
+    drive.on_odometry(reading);
+    frames.push_back({reading.stamp, reading});
+  }
+}
+
+void Simulation::State::deliver(std::vector<SimFrame> scans) {
+  if (kidnaps.is_off()) return;
+  for (SimFrame& frame : scans) {
+    const auto& scan = std::get<LidarReading>(frame.data);
+    drive.on_scan(scan, sensors.lidars()[scan.lidar]);
     frames.push_back(std::move(frame));
   }
 }
 
+void Simulation::State::read_lidar(const Motion& motion) {
+  sensors.set_covered(kidnaps.covered());
+  std::vector<SimFrame> scans = sensors.read_lidars(people.around(sensors.scene()), motion);
+  for (SimFrame& frame : scans) {
+    auto& reading = std::get<LidarReading>(frame.data);
+    reading.people = people.readings(reading.stamp, reading.T_map_base_true);
+  }
+  deliver(std::move(scans));
+}
+
 void Simulation::State::run_step() {
-  kidnap_if_due();
+  kidnap();
   move_people();
-  if (now >= next_control) measured("drive", [this] { control(); });
   const RobotState before = robot.state();
-  measured("physics", [this] { robot.step(); });
+  if (drive.due(now)) measured("drive", [this] { command(); });
+  measured("physics", [this] { move_robot(); });
   const RobotState& after = robot.state();
   const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
   const Eigen::Vector2d way =
       (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
-  distance += way.norm();
+  if (!kidnaps.holds()) distance += way.norm();
   velocity = way / std::chrono::duration<double>(step).count();
-  deliver(sensors.read_faults(motion));
+  for (const FaultRecord& fault : sensors.read_faults(motion))
+    frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
   measured("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
@@ -188,7 +220,11 @@ std::optional<SimFrame> Simulation::next() {
 }
 
 void Simulation::set_drive_pose(const std::optional<Pose2>& T_map_base) {
-  state_->drive_pose = T_map_base;
+  state_->drive.set_pose(T_map_base);
+}
+
+void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base) {
+  state_->watched = T_map_base;
 }
 
 Pose2 Simulation::start_pose() const { return state_->start; }

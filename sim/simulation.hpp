@@ -17,6 +17,7 @@
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
 #include "sim/geometry.hpp"
+#include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/random.hpp"
 #include "sim/robot/robot_model.hpp"
@@ -32,11 +33,19 @@ namespace castaway::sim {
 struct DriveConfig {
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: the robot stands still.
   bool loop = true;                        ///< Starts again after the last waypoint.
+  std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints; may be empty.
   bool by_estimate = false;                ///< Drives by `set_drive_pose`; false: by the true pose.
   double max_speed = 0.5;                  ///< [m/s] The wheels' own limit applies too.
   double max_turn_rate = 1.0;              ///< [rad/s]
   double max_acceleration = 0.5;           ///< [m/s^2]
   double max_turn_acceleration = 2.0;      ///< [rad/s^2]
+  double wait_s = 0.0;                     ///< [s] The robot stands still at first.
+};
+
+/// By what the robot moves.
+enum class DriveModel : std::uint8_t {
+  kPhysics,    ///< Bullet: masses, contacts, motors.
+  kKinematic,  ///< Exactly as commanded; obstacles stop it.
 };
 
 /// All that a simulated run depends on, besides its random streams.
@@ -55,6 +64,7 @@ struct SimulationConfig {
   bool random_start = false;  ///< Draws a pose in reachable free space.
   std::chrono::nanoseconds duration = std::chrono::seconds(120);
   double physics_hz = 500.0;  ///< [Hz] Rounded to whole nanoseconds a step.
+  DriveModel drive_model = DriveModel::kPhysics;
 };
 
 /// One stream of random numbers for each consumer.
@@ -67,10 +77,26 @@ struct SimulationStreams {
   std::function<Rng(const std::string& name)> named{};
 };
 
+/// The robot was lifted from the floor. A kidnap's record follows when it stands again.
+struct PickUpRecord {
+  std::chrono::nanoseconds stamp{};
+  KidnapKind kind = KidnapKind::kCarry;
+  Pose2 T_map_base;  ///< True pose of base.
+};
+
+/// The robot recovered from not getting on, or stopped short.
+struct DriveRecord {
+  std::chrono::nanoseconds stamp{};
+  std::string what;  ///< "wait", "re-plan", "back up", "spin" or "emergency stop".
+  Pose2 T_map_base;  ///< True pose of base.
+};
+
 /// One delivery. A scan is delivered at the time of its last beam.
 struct SimFrame {
   std::chrono::nanoseconds stamp{};
-  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord> data;
+  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord, PickUpRecord,
+               DriveRecord>
+      data;
 };
 
 /// A run of the simulator. Same configuration, same streams: same frames, to the bit.
@@ -86,13 +112,18 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// The next delivery, in order of stamps; at the same time kidnap, odometry, scan, person hit.
+  /// The next delivery, in order of stamps; at the same time kidnap, odometry, scan, person hit,
+  /// pick-up, driving.
   /// Nothing once the run's duration is over.
   /// @throws std::runtime_error if a kidnap is impossible where the robot is.
   std::optional<SimFrame> next();
   /// What the driving localizer believes; without a pose the robot stops. Ignored unless
   /// `DriveConfig::by_estimate`.
   void set_drive_pose(const std::optional<Pose2>& T_map_base);
+
+  /// The output of the localizer that kidnaps on being localized go by; nothing while it has none
+  /// or says it is lost.
+  void set_watched_pose(const std::optional<Pose2>& T_map_base);
 
   /// True pose of base at the start of the run.
   [[nodiscard]] Pose2 start_pose() const;

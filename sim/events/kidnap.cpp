@@ -1,51 +1,56 @@
 #include "sim/events/kidnap.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "sim/world/free_space.hpp"
-
 namespace castaway::sim {
 namespace {
 
-Pose2 checked_target(const KidnapSpec& spec, const FreeSpace& free) {
-  if (!spec.target) {
-    throw std::runtime_error(fmt::format(
-        "kidnap at {} s: to a given pose, but none is given: add its target", spec.at_s));
-  }
-  const Pose2 target = *spec.target;
-  if (!free.contains(target.position())) {
-    throw std::runtime_error(fmt::format(
-        "kidnap at {} s: target ({}, {}) is nearer than {:.2f} m to an obstacle, or cut off from "
-        "the free space: choose another",
-        spec.at_s, target.x, target.y, free.radius()));
-  }
-  return target;
+[[noreturn]] void refuse(const KidnapSpec& spec, const std::string& what) {
+  throw std::invalid_argument(fmt::format("kidnap {}: {}", describe(spec.when), what));
 }
 
-Pose2 random_target(const KidnapSpec& spec, const Pose2& T_map_from, const FreeSpace& free,
-                    Rng& rng) {
-  const auto target = free.sample(rng, T_map_from.position(), spec.min_distance_m);
-  if (!target) {
-    throw std::runtime_error(
-        fmt::format("kidnap at {} s: no free place {} m or more away from ({:.2f}, {:.2f}): lower "
-                    "min_distance_m",
-                    spec.at_s, spec.min_distance_m, T_map_from.x, T_map_from.y));
-  }
-  return *target;
+void check(const KidnapSpec& spec, const Bounds& bounds, const char* name, double limit) {
+  if (bounds.min > 0.0 && bounds.min <= bounds.max && bounds.max <= limit) return;
+  refuse(spec, fmt::format("{} from {} to {}: give bounds in order, above 0 and up to {:.4g}", name,
+                           bounds.min, bounds.max, limit));
 }
 
 }  // namespace
 
 std::string to_string(KidnapKind kind) {
-  return kind == KidnapKind::kTeleportTo ? "teleport_to" : "teleport";
+  switch (kind) {
+    case KidnapKind::kTeleportRandom:
+      return "teleport";
+    case KidnapKind::kTeleportTo:
+      return "teleport_to";
+    case KidnapKind::kLookAlike:
+      return "look_alike";
+    case KidnapKind::kNudge:
+      return "nudge";
+    case KidnapKind::kTurn:
+      return "turn";
+    case KidnapKind::kCarry:
+      return "carry";
+    default:
+      return "spin";
+  }
 }
 
-Pose2 kidnap_target(const KidnapSpec& spec, const Pose2& T_map_from, const FreeSpace& free,
-                    Rng& rng) {
-  return spec.kind == KidnapKind::kTeleportTo ? checked_target(spec, free)
-                                              : random_target(spec, T_map_from, free, rng);
+void validate(const KidnapSpec& spec) {
+  validate(spec.when);
+  if (spec.kind == KidnapKind::kTeleportTo && !spec.target) {
+    refuse(spec, "to a given pose, but none is given: add its target");
+  }
+  if (!(spec.min_distance_m >= 0.0)) {
+    refuse(spec, fmt::format("min_distance_m is {}: give 0 or more", spec.min_distance_m));
+  }
+  if (spec.kind == KidnapKind::kNudge) check(spec, spec.nudge, "distance_m", 100.0);
+  if (spec.kind == KidnapKind::kTurn) check(spec, spec.turn, "angle", std::numbers::pi + 1e-3);
+  validate(spec.lift);
 }
 
 }  // namespace castaway::sim

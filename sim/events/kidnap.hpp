@@ -2,45 +2,63 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "sim/events/kidnap_trigger.hpp"
+#include "sim/events/lift.hpp"
 #include "sim/geometry.hpp"
-#include "sim/random.hpp"
 
 namespace castaway::sim {
 
-class FreeSpace;
-
 /// What happens to the robot.
-enum class KidnapKind {
+enum class KidnapKind : std::uint8_t {
   kTeleportRandom,  ///< To a random pose in reachable free space, far enough away.
   kTeleportTo,      ///< To `target`.
+  kLookAlike,       ///< To the pose, far enough away, whose scan is most like the present one.
+  kNudge,           ///< Pushed aside: `nudge` far, through free space, heading kept to 0.3 rad.
+  kTurn,            ///< Turned in place by `turn`, to either side.
+  kCarry,           ///< Lifted, carried through free space to `target` or a random pose, put down.
+  kSpin,            ///< Lifted while its wheels go on, and put down where it was.
 };
 
-/// A scheduled kidnap. It moves the truth only: odometry and wheels notice nothing.
+/// From and to.
+struct Bounds {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// A scheduled kidnap. It moves the truth only: odometry goes on from where it was.
 struct KidnapSpec {
   KidnapKind kind = KidnapKind::kTeleportRandom;
-  double at_s = 30.0;           ///< [s] Since the start of the run.
-  double min_distance_m = 3.0;  ///< [m] Of the new place from the old one (random only).
-  double margin_m = 0.05;       ///< [m] Room around the robot's footprint.
-  std::optional<Pose2> target;  ///< Needed by kTeleportTo.
+  KidnapTrigger when{};
+  double min_distance_m = 3.0;    ///< [m] Of the new place from the old one (random, look-alike).
+  double margin_m = 0.05;         ///< [m] Room around the robot's footprint.
+  std::optional<Pose2> target{};  ///< Needed by kTeleportTo; where kCarry goes.
+  Bounds nudge{0.3, 1.0};         ///< [m]
+  Bounds turn{0.785, 3.1416};     ///< [rad] In (0, pi].
+  LiftConfig lift{};              ///< Of kCarry and kSpin.
+  /// Sensors off from pick-up to put-down, odometry from zero afterwards.
+  bool power_cycle = false;
 };
 
 /// A kidnap that happened.
 struct KidnapRecord {
-  std::chrono::nanoseconds stamp{};
+  std::chrono::nanoseconds stamp{};  ///< The robot stands there.
   KidnapKind kind = KidnapKind::kTeleportRandom;
-  Pose2 T_map_from;  ///< True pose of base before.
-  Pose2 T_map_to;    ///< True pose of base after.
+  Pose2 T_map_from;                  ///< True pose of base before.
+  Pose2 T_map_to;                    ///< True pose of base after.
+  std::chrono::nanoseconds since{};  ///< It was taken; equals `stamp` where that takes no time.
+  /// [m] Of kLookAlike: mean difference of the two scans' ranges, each at most 1 m.
+  std::optional<double> unlikeness{};
 };
 
-/// "teleport" or "teleport_to": as logs and scenarios name it.
+/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin": as logs and scenarios
+/// name it.
 std::string to_string(KidnapKind kind);
 
-/// Where the robot goes. `free` is the free space of the robot's footprint plus the margin.
-/// @throws std::runtime_error if there is no such place or the target is in collision.
-Pose2 kidnap_target(const KidnapSpec& spec, const Pose2& T_map_from, const FreeSpace& free,
-                    Rng& rng);
+/// @throws std::invalid_argument naming the field and the remedy.
+void validate(const KidnapSpec& spec);
 
 }  // namespace castaway::sim

@@ -48,7 +48,8 @@ Twist2 PathFollower::command(const Pose2& T_map_base, const FreeSpace& free) {
   const Eigen::Vector2d p_map = T_map_base.position();
   advance(p_map);
   if (arrived(T_map_base)) return {};
-  const Eigen::Vector2d p_base = inverse(T_map_base) * target(p_map, free);
+  aim_ = target(p_map, free);
+  const Eigen::Vector2d p_base = inverse(T_map_base) * *aim_;
   const double error = std::atan2(p_base.y(), p_base.x());
   turning_ = std::abs(error) > (turning_ ? config_.turn_until : config_.turn_above);
   const double max_turn = config_.limits.max_turn_rate;

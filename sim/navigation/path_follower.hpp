@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,6 +37,8 @@ class PathFollower {
   [[nodiscard]] bool arrived(const Pose2& T_map_base) const;
   /// Distance from the part of the path being followed. [m]
   [[nodiscard]] double off_path(const Pose2& T_map_base) const;
+  /// The point of map that the last command aimed at; none before the first.
+  [[nodiscard]] const std::optional<Eigen::Vector2d>& aim() const { return aim_; }
   [[nodiscard]] const std::vector<Eigen::Vector2d>& path() const { return path_; }
 
  private:
@@ -47,6 +50,7 @@ class PathFollower {
   std::vector<double> way_to_end_;  ///< [m] From each point of the path.
   std::size_t nearest_ = 0;         ///< Point of the path nearest to the robot; only moves on.
   bool turning_ = false;
+  std::optional<Eigen::Vector2d> aim_;
 };
 
 }  // namespace castaway::sim

@@ -6,9 +6,15 @@
 #include <Eigen/Core>
 
 #include "sim/geometry.hpp"
-#include "sim/navigation/proximity_guard.hpp"
 
 namespace castaway::sim {
+
+/// How near is too near.
+struct GuardConfig {
+  double radius = 0.25;       ///< [m] Of the robot, about base.
+  double margin = 0.1;        ///< [m] Kept free ahead of it.
+  double deceleration = 0.3;  ///< [m/s^2] With which it brakes.
+};
 
 /// Slows down before people ahead, stops, and waits for them to go. Turns on the spot are free: the
 /// robot is a disc.

@@ -32,6 +32,10 @@ class RouteRunner {
   /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
   /// with its path where there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);
+  /// The point of map that the last command aimed at; nothing without a path.
+  [[nodiscard]] std::optional<Eigen::Vector2d> target() const {
+    return follower_ ? follower_->aim() : std::nullopt;
+  }
   /// The path being driven; empty if none.
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const;
 

@@ -12,10 +12,6 @@
 
 namespace castaway::sim {
 
-/// The random stream of a name: "people/places", "people/walking/3"... Each person has its own, so
-/// that one more person shifts the draws of no other.
-using NamedStreams = std::function<Rng(const std::string& name)>;
-
 /// All people of `config`, in its order, apart from each other and from the robot. @throws
 /// std::runtime_error if there is no room for somebody, naming whom.
 std::vector<Agent> draw_people(const PeopleConfig& config, const WalkSpace& space,

@@ -27,6 +27,7 @@ struct RobotPhysics::Body {
   void place_all(const Eigen::Isometry3d& T_map_base);
   [[nodiscard]] bool is_left(const WheelBody& wheel) const;
   void drive();
+  void turn_wheels(HeldWheels held);
   void read_state();
   void count_collisions();
 
@@ -83,13 +84,20 @@ void RobotPhysics::Body::place(btRigidBody& body, const Eigen::Isometry3d& T_map
 }
 
 void RobotPhysics::Body::place_all(const Eigen::Isometry3d& T_map_base) {
-  twist = {};
   place(*chassis, T_map_base * at(robot.p_base_com));
   for (WheelBody& wheel : wheels) {
     wheel.rest();
     const Eigen::Isometry3d T_base_wheel =
         at(wheel.model().p_base_wheel) * Eigen::AngleAxisd(wheel.angle(), Eigen::Vector3d::UnitY());
     place(wheel.body(), T_map_base * T_base_wheel);
+  }
+}
+
+void RobotPhysics::Body::turn_wheels(HeldWheels held) {
+  twist = held_twist(held, twist, ramped(twist, command, limits, time_step), time_step);
+  for (WheelBody& wheel : wheels) {
+    const double side = is_left(wheel) ? -0.5 : 0.5;
+    wheel.turn((twist.v + side * robot.track * twist.w) / wheel.model().radius * time_step);
   }
 }
 
@@ -159,7 +167,14 @@ void RobotPhysics::step() {
   body_->count_collisions();
 }
 
+void RobotPhysics::step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels) {
+  body_->turn_wheels(wheels);
+  body_->place_all(T_map_base);
+  body_->read_state();
+}
+
 void RobotPhysics::teleport(const Pose2& T_map_base) {
+  body_->twist = {};
   body_->place_all(to_isometry(T_map_base));
   body_->read_state();
 }

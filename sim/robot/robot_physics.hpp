@@ -7,19 +7,14 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/events/lift.hpp"
 #include "sim/geometry.hpp"
 #include "sim/robot/robot_model.hpp"
+#include "sim/robot/robot_state.hpp"
 #include "sim/robot/twist_ramp.hpp"
-#include "sim/sensor/wheel_odometry.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
-
-/// Where a robot is.
-struct RobotState {
-  Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
-  WheelAngles wheels;  ///< Means of each side.
-};
 
 /// Rigid bodies on hinges: the chassis and the driven wheels, which collide as balls of the wheel's
 /// radius with the floor only (their true shape belongs to the chassis); casters are balls without
@@ -38,6 +33,9 @@ class RobotPhysics {
   void set_command(const Twist2& command);
   /// Advances by one time step.
   void step();
+  /// Advances by one time step in somebody's hands: base is at `T_map_base` at its end, nothing
+  /// collides.
+  void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels);
   /// Puts the robot elsewhere, standing still. Wheel angles stay; so does the count of collisions.
   void teleport(const Pose2& T_map_base);
 

@@ -26,6 +26,8 @@ class WheelBody {
 
   /// Turns at `speed` [rad/s] from the next step of `dt` [s] on, as far as the motor's torque goes.
   void drive(double speed, double dt);
+  /// Turns by an angle [rad] outside of physics: the robot is held.
+  void turn(double angle) { angle_ += angle; }
   /// Reads the angle after a step.
   void read_angle();
   /// Forgets what the controller still had to catch up with.

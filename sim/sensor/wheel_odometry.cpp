@@ -19,13 +19,6 @@ void require(bool condition, const char* field, double value, const char* remedy
   throw std::invalid_argument(fmt::format("odometry: {} is {}: {}", field, value, remedy));
 }
 
-/// Motion of the axle's middle along an arc of length `way` that turns by `turn`.
-Pose2 arc(double way, double turn) {
-  const double half = 0.5 * turn;
-  const double chord = std::abs(half) < 1e-9 ? way : way * std::sin(half) / half;
-  return {chord * std::cos(half), chord * std::sin(half), turn};
-}
-
 }  // namespace
 
 void validate(const SlipConfig& c) {
@@ -93,6 +86,10 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<do
   const double way = 0.5 * (left + right) + config_.drift_along * root * gaussian(rng);
   const double by_wheels = (right - left) / believed_.track + yaw_sigma * root * gaussian(rng);
   T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
+}
+
+void WheelOdometry::reset() {
+  T_odom_axle_ = {believed_.p_base_axle.x(), believed_.p_base_axle.y(), 0.0};
 }
 
 Pose2 WheelOdometry::T_odom_base() const {

@@ -18,6 +18,11 @@ bool FreeSpace::contains(const Eigen::Vector2d& p_map) const {
   return cell_at(grid_, p_map) == Cell::kFree;
 }
 
+double FreeSpace::clearance_at(const Eigen::Vector2d& p_map) const {
+  const CellIndex cell = cell_of(grid_, p_map);
+  return grid_.contains(cell.column, cell.row) ? clearance_[flat_index(grid_, cell)] : 0.0;
+}
+
 bool FreeSpace::contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
   const double step = 0.5 * grid_.resolution;
   const int steps = static_cast<int>(std::ceil((b - a).norm() / step));

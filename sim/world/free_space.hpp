@@ -37,6 +37,8 @@ class FreeSpace {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// Distance from each cell to the nearest obstacle. [m]
   [[nodiscard]] const std::vector<float>& clearance() const { return clearance_; }
+  /// The same at a point of map; 0 outside of the grid. [m]
+  [[nodiscard]] double clearance_at(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] double radius() const { return radius_; }
 
  private:

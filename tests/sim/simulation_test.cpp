@@ -1,8 +1,10 @@
 #include "sim/simulation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +49,7 @@ TEST(Simulation, DeliversEverySensorAtItsRate) {
 
 TEST(Simulation, DeliversInOrderAndScansWithTheirLastBeam) {
   auto config = test_simulation();
-  config.kidnaps = {{KidnapKind::kTeleportRandom, 2.0, 2.0, 0.05, std::nullopt}};
+  config.kidnaps = {{.when = {.value = 2.0}, .min_distance_m = 2.0}};
   const auto frames = run(config, 1);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     ASSERT_LE(frames[i - 1].stamp, frames[i].stamp);
@@ -97,6 +99,8 @@ class Hash {
 };
 
 void add_data(const KidnapRecord& r, Hash& hash) { hash.add(r.T_map_to); }
+void add_data(const DriveRecord& r, Hash& hash) { hash.add(r.T_map_base); }
+void add_data(const PickUpRecord& r, Hash& hash) { hash.add(r.T_map_base); }
 void add_data(const OdometryReading& r, Hash& hash) {
   hash.add(r.T_odom_base);
   hash.add(r.T_map_base_true);
@@ -159,6 +163,99 @@ TEST(Simulation, AKidnapMovesTheTruthFarAndOdometryNotAtAll) {
   const auto& after = odometry[400];
   ASSERT_EQ(after.stamp, seconds(4));
   EXPECT_NEAR(after.T_map_base_true.x, kidnaps[0].T_map_to.x, 1e-9);
+}
+
+/// Kidnaps of all kinds, one every four seconds, the last one with a power cycle.
+SimulationConfig many_kidnaps() {
+  SimulationConfig config = noisy_kidnap_simulation();
+  config.duration = seconds(40);
+  const std::vector<KidnapKind> kinds{KidnapKind::kNudge, KidnapKind::kTurn, KidnapKind::kLookAlike,
+                                      KidnapKind::kSpin, KidnapKind::kCarry};
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    config.kidnaps.push_back({.kind = kinds[i],
+                              .when = {.value = 8.0 + 4.0 * static_cast<double>(i)},
+                              .min_distance_m = 2.0,
+                              .lift = {.height = 0.3, .seconds = 2.0},
+                              .power_cycle = kinds[i] == KidnapKind::kCarry});
+  }
+  return config;
+}
+
+TEST(Simulation, DoesKidnapsOfAllKindsAndRepeatsThemToTheBit) {
+  for (const DriveModel model : {DriveModel::kPhysics, DriveModel::kKinematic}) {
+    SimulationConfig config = many_kidnaps();
+    config.drive_model = model;
+    const auto frames = run(config, 5);
+    EXPECT_EQ(all_of<KidnapRecord>(frames).size(), 6U);
+    EXPECT_EQ(all_of<PickUpRecord>(frames).size(), 2U);
+    EXPECT_EQ(hash_of(frames), hash_of(run(config, 5)));
+  }
+}
+
+TEST(Simulation, ALiftedRobotIsInTheAirAndItsWheelsGoOn) {
+  SimulationConfig config = test_simulation();
+  config.kidnaps = {
+      {.kind = KidnapKind::kSpin, .when = {.value = 4.0}, .lift = {.height = 0.3, .seconds = 3.0}}};
+  const auto frames = run(config, 1);
+  const auto kidnaps = all_of<KidnapRecord>(frames);
+  ASSERT_EQ(kidnaps.size(), 1U);
+  EXPECT_EQ(kidnaps[0].since, seconds(4));
+  EXPECT_EQ(kidnaps[0].stamp, seconds(7));
+  const auto odometry = all_of<OdometryReading>(frames);
+  const Pose2 wheels = inverse(odometry[400].T_odom_base) * odometry[690].T_odom_base;
+  EXPECT_GT(wheels.position().norm() + std::abs(wheels.yaw), 0.3);
+  EXPECT_LT((odometry[690].T_map_base_true.position() - kidnaps[0].T_map_from.position()).norm(),
+            1e-6);
+}
+
+TEST(Simulation, APowerCycleIsSilentAndOdometryBeginsAnew) {
+  SimulationConfig config = test_simulation();
+  config.kidnaps = {{.kind = KidnapKind::kSpin, .when = {.value = 4.0}, .power_cycle = true}};
+  for (const SimFrame& frame : run(config, 1)) {
+    const bool sensor = std::holds_alternative<LidarReading>(frame.data) ||
+                        std::holds_alternative<OdometryReading>(frame.data);
+    ASSERT_TRUE(!sensor || frame.stamp < seconds(4) || frame.stamp >= seconds(8));
+    const auto* odometry = std::get_if<OdometryReading>(&frame.data);
+    if (odometry != nullptr && frame.stamp == seconds(8)) {
+      EXPECT_LT(odometry->T_odom_base.position().norm(), 0.02);
+    }
+  }
+}
+
+TEST(Simulation, ACoveredLidarSeesNothingWhileItIsCarried) {
+  SimulationConfig config = test_simulation();
+  config.kidnaps = {{.kind = KidnapKind::kSpin,
+                     .when = {.value = 4.0},
+                     .lift = {.seconds = 2.0, .covered = true}}};
+  const auto scans = all_of<LidarReading>(run(config, 1));
+  const auto seen = [](const LidarReading& scan) {
+    return std::count_if(scan.ranges.begin(), scan.ranges.end(),
+                         [](float range) { return std::isfinite(range); });
+  };
+  EXPECT_GT(seen(scans[39]), 300);
+  EXPECT_EQ(seen(scans[50]), 0);
+  EXPECT_GT(seen(scans[60]), 300);
+}
+
+TEST(Simulation, KidnapsOnceTheWatchedLocalizerIsRightAndSure) {
+  SimulationConfig config = test_simulation();
+  config.kidnaps = {{.when = {KidnapTrigger::On::kLocalized, 2.0}, .min_distance_m = 2.0}};
+  Simulation wrong(config, test_streams(1));
+  while (const auto frame = wrong.next()) {
+    EXPECT_FALSE(std::holds_alternative<KidnapRecord>(frame->data));
+    wrong.set_watched_pose(wrong.true_pose() * Pose2{0.6, 0.0, 0.0});
+  }
+  Simulation right(config, test_streams(1));
+  std::optional<nanoseconds> kidnapped;
+  while (const auto frame = right.next()) {
+    if (std::holds_alternative<KidnapRecord>(frame->data)) kidnapped = frame->stamp;
+    right.set_watched_pose(frame->stamp < seconds(3)
+                               ? std::nullopt
+                               : std::optional(right.true_pose() * Pose2{0.4, 0.0, 0.3}));
+  }
+  ASSERT_TRUE(kidnapped);
+  EXPECT_GE(*kidnapped, seconds(5));
+  EXPECT_LE(*kidnapped, seconds(5) + milliseconds(20));
 }
 
 TEST(Simulation, ScansFitTheWorldAtTheTruePose) {

@@ -57,7 +57,8 @@ sim::WorldObject person(const Eigen::Vector2d& p_map, std::size_t number) {
 /// Whether the robot can stand at its start and at the kidnap's target, and drive off.
 bool can_drive(const sim::SimulationConfig& config) {
   const sim::KidnapSpec& kidnap = config.kidnaps.front();
-  const sim::FreeSpace free = sim::kidnap_space(kidnap, config.robot, sim::drive_grid(config));
+  const sim::FreeSpace free(sim::drive_grid(config),
+                            config.robot.footprint_radius + kidnap.margin_m);
   return free.contains(config.start.position()) && free.contains(kidnap.target->position());
 }
 
@@ -85,7 +86,7 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
       sim::limits_of(base.drive, base.robot).max_speed * (config_.lead_s + kLeadSpread);
   sim::KidnapSpec kidnap;
   kidnap.kind = sim::KidnapKind::kTeleportTo;
-  kidnap.at_s = config_.lead_s + between(-kLeadSpread, kLeadSpread, rng);
+  kidnap.when.value = config_.lead_s + between(-kLeadSpread, kLeadSpread, rng);
   kidnap.target = sampled(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
 }
@@ -136,7 +137,8 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   }
   for (int tries = 0; tries < kTries; ++tries) {
     config.kidnaps = {draw_kidnap(rng, config.start)};
-    config.duration = localization::from_seconds(config.kidnaps.front().at_s + config_.window_s);
+    config.duration =
+        localization::from_seconds(config.kidnaps.front().when.value + config_.window_s);
     if (obstacles == 0 || add_people(obstacles, people, config)) return trial;
   }
   throw std::runtime_error(

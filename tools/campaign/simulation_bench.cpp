@@ -90,7 +90,8 @@ SimulationCost time_simulation(const SimulationCostSpec& spec) {
   config.lidar.angle_increment *= static_cast<double>(config.lidar.beams) / spec.beams;
   config.lidar.beams = spec.beams;
   config.people.walking = spec.people;
-  config.physics_hz = 240.0;
+  config.physics_hz = spec.kinematic ? 100.0 : 240.0;
+  if (spec.kinematic) config.drive_model = sim::DriveModel::kKinematic;
   config.duration = localization::from_seconds(spec.duration_s);
   sim::Simulation staged(config, simulation_streams(kSeed), thread_cpu_time);
   while (staged.next()) {

@@ -6,12 +6,14 @@
 
 namespace castaway::testbed {
 
-/// A run without localizers: physics at 240 Hz, a lidar of 10 Hz, the robot driving.
+/// A run without localizers: a lidar of 10 Hz, the robot driving, by physics at 240 Hz or
+/// kinematically at 100 Hz.
 struct SimulationCostSpec {
   int people = 0;
   int beams = 360;
   int obstacles = 0;         ///< 0: in the lab; else so many boxes in a hall with 1.7 m^2 for each.
   double duration_s = 60.0;  ///< [s] Simulated.
+  bool kinematic = false;    ///< No masses, no contacts.
 };
 
 /// What it took.

@@ -82,8 +82,8 @@ RunPlan plan_of(const RunArguments& arguments, const LoadedScenario& loaded,
                 PreparedSimulation& prepared) {
   const Scenario& scenario = loaded.scenario;
   RunPlan plan;
-  plan.info = {scenario.name,      prepared.world_name,  prepared.config.robot.name,
-               scenario.seed,      scenario.start.known, names_of(scenario.localizers),
+  plan.info = {scenario.name,      prepared.world_name,   prepared.config.robot.name,
+               scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
                prepared.difference};
   plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
                                             fmt::format("seed-{}", scenario.seed)

@@ -62,6 +62,17 @@ std::string difference_line(const Json& summary) {
       difference.at("opened").get<int>(), difference.at("closed").get<int>());
 }
 
+/// What kept the robot from getting on; nothing where nothing did.
+std::string driving_line(const Json& summary) {
+  if (!summary.contains("driving")) return "";
+  std::string text;
+  for (const auto& [what, count] : summary.at("driving").items()) {
+    if (count.get<int>() == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", count.get<int>(), what);
+  }
+  return text.empty() ? text : text + "\n\n";
+}
+
 std::string cost_line(const Json& timing) {
   std::string text = fmt::format(
       "\n{} x real time ({} wall). CPU:", figure(timing.at("realtime_factor"), "{:.0f}"),
@@ -86,6 +97,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
                   summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
   text += difference_line(summary);
   text += people_line(summary);
+  text += driving_line(summary);
   text +=
       fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
                   "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");

@@ -59,8 +59,8 @@ void measure_detection(LocalizerMetrics& metrics) {
   std::vector<double> delays;
   for (const RecoveryWindow& window : metrics.windows) {
     if (window.unknown_start || !window.scored) continue;
-    if (window.noticed) {
-      delays.push_back(seconds(*window.noticed - window.begin));
+    if (const auto delay = window.detection_delay_s()) {
+      delays.push_back(*delay);
     } else {
       ++metrics.undetected;
     }
@@ -79,7 +79,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
   if (rows.empty()) return;
   Stamp watched = end - rows.front().stamp;
   for (const RecoveryWindow& window : metrics.windows) {
-    watched -= excused_until(window, config) - window.begin;
+    watched -= excused_until(window, config) - window.taken;
   }
   if (watched <= Stamp::zero() || !metrics.tracking_error_m) return;
   bool was_lost = false;
@@ -87,7 +87,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
     const bool onset = row.lost && !was_lost;
     const bool excused = std::any_of(
         metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
-          return row.answered() >= window.begin && row.answered() < excused_until(window, config);
+          return row.answered() >= window.taken && row.answered() < excused_until(window, config);
         });
     if (onset && is_right(row, config) && !excused) ++metrics.false_alarms;
     was_lost = row.lost;
@@ -98,10 +98,12 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
 
 }  // namespace
 
-LocalizerMetrics measure(const std::vector<MetricRow>& rows, const std::vector<RunEvent>& events,
+LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<RunEvent>& events,
                          bool known_start, Stamp end, const RecoveryConfig& config) {
   LocalizerMetrics metrics;
-  metrics.windows = recovery_windows(rows, kidnaps_of(events), known_start, end, config);
+  const std::vector<RunEvent> kidnaps = kidnaps_of(events);
+  const std::vector<MetricRow> rows = with_torn_marked(all, kidnaps);
+  metrics.windows = recovery_windows(rows, kidnaps, known_start, end, config);
   measure_errors(rows, metrics);
   measure_recovery(metrics);
   measure_wrong_lock(rows, config, metrics);

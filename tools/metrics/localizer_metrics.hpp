@@ -2,7 +2,8 @@
 /// summary.json mean.
 ///
 /// Rows are scans. A row is scored if its truth is known; the truth of a scan is that at the stamp
-/// of its first beam, and so is the estimate's. The answer is there when the last beam is:
+/// of its first beam, and so is the estimate's. A scan that a kidnap tore is not scored: its beams
+/// saw two places. The answer is there when the last beam is:
 /// recoveries and alarms are timed by that.
 #pragma once
 
@@ -37,8 +38,8 @@ struct LocalizerMetrics {
   /// it is not: error from 0.5 m or from 0.35 rad on.
   std::optional<double> wrong_lock_share;
 
-  /// From a kidnap to the first row that raises the alarm or is right; kidnaps that are counted in
-  /// `events` and are noticed before the next one.
+  /// From a kidnap's beginning to the first row that raises the alarm or is right; kidnaps that are
+  /// counted in `events` and are noticed before the next one.
   std::optional<Statistics> detection_delay_s;
   int undetected = 0;  ///< Kidnaps counted in `events` that are not noticed.
   /// Alarms raised while the output was right, outside of the times that `tracking_error_m` leaves
@@ -55,7 +56,7 @@ struct LocalizerMetrics {
 };
 
 /// All that is measured of one localizer. `end`: the end of the run.
-LocalizerMetrics measure(const std::vector<MetricRow>& rows, const std::vector<RunEvent>& events,
+LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<RunEvent>& events,
                          bool known_start, Stamp end, const RecoveryConfig& config = {});
 
 }  // namespace castaway::testbed

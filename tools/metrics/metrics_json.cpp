@@ -46,6 +46,24 @@ Json bin_figures(const Calibration& calibration, std::size_t index) {
           {"interval", {figure(interval.low), figure(interval.high)}}};
 }
 
+Json window_figures(const RecoveryWindow& window) {
+  return {{"kind", window.kind},
+          {"taken_s", figure(seconds(window.taken))},
+          {"at_s", figure(seconds(window.begin))},
+          {"scored", window.scored},
+          {"recovered", window.recovered.has_value()},
+          {"time_s", window.recovered ? figure(seconds(*window.recovered - window.begin)) : Json()},
+          {"distance_m", window.recovered ? figure(window.distance_m) : Json()},
+          {"detection_delay_s", figure(window.detection_delay_s())},
+          {"wrong_lock_s", figure(window.wrong_lock_s)}};
+}
+
+Json each_window(const std::vector<RecoveryWindow>& windows) {
+  Json list = Json::array();
+  for (const RecoveryWindow& window : windows) list.push_back(window_figures(window));
+  return list;
+}
+
 }  // namespace
 
 Json to_json(const Calibration& calibration) {
@@ -74,7 +92,8 @@ Json to_json(const LocalizerMetrics& metrics) {
             {"recovered", metrics.recovered},
             {"success", figure(metrics.success)},
             {"time_s", event_figures(metrics.recovery_time_s)},
-            {"distance_m", event_figures(metrics.recovery_distance_m)}}},
+            {"distance_m", event_figures(metrics.recovery_distance_m)},
+            {"each", each_window(metrics.windows)}}},
           {"wrong_lock_share", figure(metrics.wrong_lock_share)},
           {"alarm",
            {{"detection_delay_s",

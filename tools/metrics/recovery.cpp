@@ -28,7 +28,7 @@ std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& row
   std::optional<std::size_t> first;
   for (std::size_t i = range.last; i > range.first; --i) {
     const MetricRow& row = rows[i - 1];
-    if (!row.T_map_base_true) continue;
+    if (!row.T_map_base_true || row.torn) continue;
     if (!is_right(row, config)) break;
     first = i - 1;
   }
@@ -41,11 +41,24 @@ std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, RowRange r
                                   const RecoveryWindow& window, const RecoveryConfig& config) {
   for (std::size_t i = 0; i < range.last; ++i) {
     const MetricRow& row = rows[i];
-    if (row.answered() < window.begin || row.answered() > window.end) continue;
+    if (row.answered() < window.taken || row.answered() > window.end) continue;
     const bool alarm = row.T_map_base_estimate && row.lost;
     if (alarm || (row.stamp >= window.begin && is_right(row, config))) return row.answered();
   }
   return std::nullopt;
+}
+
+/// Each row stands for the time to the next one, within the window.
+double wrong_lock(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
+                  const RecoveryConfig& config) {
+  double wrong_s = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Stamp from = std::max(rows[i].stamp, window.taken);
+    const Stamp to = i + 1 < rows.size() ? std::min(rows[i + 1].stamp, window.end) : window.end;
+    const bool wrong = !rows[i].lost && pose_error(rows[i]) && !is_right(rows[i], config);
+    if (wrong && to > from) wrong_s += seconds(to - from);
+  }
+  return wrong_s;
 }
 
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
@@ -56,9 +69,15 @@ void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven
     window.distance_m = driven[*right] - driven[range.first];
   }
   window.noticed = first_notice(rows, range, window, config);
+  window.wrong_lock_s = wrong_lock(rows, window, config);
 }
 
 }  // namespace
+
+std::optional<double> RecoveryWindow::detection_delay_s() const {
+  if (unknown_start || !noticed) return std::nullopt;
+  return seconds(*noticed - taken);
+}
 
 bool is_right(const MetricRow& row, const RecoveryConfig& config) {
   const auto error = pose_error(row);
@@ -70,12 +89,17 @@ std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
                                              Stamp end, const RecoveryConfig& config) {
   std::vector<RecoveryWindow> windows;
   if (rows.empty()) return windows;
-  if (!known_start) windows.push_back({.begin = rows.front().stamp, .unknown_start = true});
-  for (const RunEvent& kidnap : kidnaps) windows.push_back({.begin = kidnap.stamp});
+  if (!known_start) {
+    const Stamp start = rows.front().stamp;
+    windows.push_back({.taken = start, .begin = start, .kind = "start", .unknown_start = true});
+  }
+  for (const RunEvent& kidnap : kidnaps) {
+    windows.push_back({.taken = kidnap.begun(), .begin = kidnap.stamp, .kind = kidnap.detail});
+  }
   const std::vector<double> driven = driven_distance(rows, kidnaps);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const bool is_last = i + 1 == windows.size();
-    windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].begin;
+    windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].taken;
     windows[i].scored = windows[i].end - windows[i].begin >= config.min_left;
     score(rows, driven, rows_in(rows, windows[i], is_last), config, windows[i]);
   }

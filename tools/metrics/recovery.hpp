@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tools/metrics/run_rows.hpp"
@@ -19,18 +20,24 @@ struct RecoveryConfig {
 
 /// The time from a kidnap (or unknown start) to the next kidnap or the end of the run.
 struct RecoveryWindow {
-  Stamp begin{};
-  Stamp end{};
+  Stamp taken{};       ///< The kidnap began: the robot was lifted.
+  Stamp begin{};       ///< It was over: the robot stands, and recovery is timed from here.
+  Stamp end{};         ///< The next one begins, or the run is over.
+  std::string kind{};  ///< Of the kidnap, as `RunEvent::detail`; "start" of an unknown start.
   bool unknown_start = false;  ///< False: a kidnap.
   bool scored = true;          ///< False: shorter than `min_left`; nobody could recover.
   std::optional<Stamp>
       recovered{};                 ///< Answer of the first row after which all to `end` are right.
   std::optional<Stamp> noticed{};  ///< First answer that raises the alarm or is right.
   double distance_m = 0.0;         ///< Driven from `begin` to `recovered`. [m]
+  double wrong_lock_s = 0.0;       ///< Of the window from `taken` on: output wrong, no alarm. [s]
+
+  /// From `taken` to `noticed`; nothing for a start, and where it was not noticed. [s]
+  [[nodiscard]] std::optional<double> detection_delay_s() const;
 
   /// The part in which the localizer cannot be held to be tracking: up to its recovery.
   [[nodiscard]] bool is_lost_at(Stamp stamp) const {
-    return stamp >= begin && stamp < recovered.value_or(end);
+    return stamp >= taken && stamp < recovered.value_or(end);
   }
 };
 

@@ -9,25 +9,26 @@ namespace {
 using localization::distance;
 
 /// Distance from row to row; every kidnap between them ends one piece of the way and begins
-/// another.
+/// another. A robot that is held does not drive.
 double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEvent>& kidnaps) {
   const double by_odometry = distance(from.T_odom_base, to.T_odom_base);
   if (!from.T_map_base_true || !to.T_map_base_true) return by_odometry;
   double driven = 0.0;
-  SE2 T_map_base = *from.T_map_base_true;
+  std::optional<SE2> T_map_base = from.T_map_base_true;  // Nothing while it is held.
   for (const RunEvent& kidnap : kidnaps) {
-    if (kidnap.stamp <= from.stamp || kidnap.stamp > to.stamp) continue;
+    if (kidnap.stamp <= from.stamp || kidnap.begun() > to.stamp) continue;
     if (!kidnap.T_map_from || !kidnap.T_map_to) return by_odometry;
-    driven += distance(T_map_base, *kidnap.T_map_from);
-    T_map_base = *kidnap.T_map_to;
+    const bool lifted = kidnap.begun() > from.stamp;
+    if (lifted && T_map_base) driven += distance(*T_map_base, *kidnap.T_map_from);
+    T_map_base = kidnap.stamp <= to.stamp ? kidnap.T_map_to : std::nullopt;
   }
-  return driven + distance(T_map_base, *to.T_map_base_true);
+  return driven + (T_map_base ? distance(*T_map_base, *to.T_map_base_true) : 0.0);
 }
 
 }  // namespace
 
 std::optional<PoseError> pose_error(const MetricRow& row) {
-  if (!row.T_map_base_true || !row.T_map_base_estimate) return std::nullopt;
+  if (!row.T_map_base_true || !row.T_map_base_estimate || row.torn) return std::nullopt;
   return PoseError{distance(*row.T_map_base_true, *row.T_map_base_estimate),
                    localization::yaw_distance(*row.T_map_base_true, *row.T_map_base_estimate)};
 }
@@ -37,6 +38,17 @@ std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   std::copy_if(events.begin(), events.end(), std::back_inserter(kidnaps),
                [](const RunEvent& event) { return event.kind == "kidnap"; });
   return kidnaps;
+}
+
+std::vector<MetricRow> with_torn_marked(std::vector<MetricRow> rows,
+                                        const std::vector<RunEvent>& kidnaps) {
+  for (MetricRow& row : rows) {
+    row.torn = std::any_of(kidnaps.begin(), kidnaps.end(), [&](const RunEvent& kidnap) {
+      const auto within = [&](Stamp stamp) { return stamp > row.stamp && stamp < row.answered(); };
+      return within(kidnap.stamp) || within(kidnap.begun());
+    });
+  }
+  return rows;
 }
 
 std::vector<double> driven_distance(const std::vector<MetricRow>& rows,

@@ -18,6 +18,7 @@ struct MetricRow {
   bool lost = false;                       ///< The alarm.
   Stamp delivered{};                       ///< When the answer was there, if later than `stamp`.
   double probability = 0.0;                ///< In [0, 1]: stated, that the estimate is right.
+  bool torn = false;  ///< Part of the scan was taken before a kidnap and part after: not scored.
 
   /// When the answer was there: a recovery or an alarm counts from then on.
   [[nodiscard]] Stamp answered() const { return std::max(stamp, delivered); }
@@ -29,14 +30,19 @@ struct PoseError {
   double yaw_rad = 0.0;  ///< In [0, pi].
 };
 
-/// Nothing without truth or estimate.
+/// Nothing without truth or estimate, nor for a torn scan.
 std::optional<PoseError> pose_error(const MetricRow& row);
 
 /// When the robot was displaced.
 std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events);
 
+/// The rows with those marked whose scan a kidnap tore: it was lifted or put down between the
+/// first beam and the last. Such a scan has no one true pose.
+std::vector<MetricRow> with_torn_marked(std::vector<MetricRow> rows,
+                                        const std::vector<RunEvent>& kidnaps);
+
 /// Distance driven up to each row, 0 at the first: along the true path, along odometry where the
-/// truth is not known. A kidnap's jump does not count. [m]
+/// truth is not known. A kidnap's jump does not count, nor does a way that it is carried. [m]
 std::vector<double> driven_distance(const std::vector<MetricRow>& rows,
                                     const std::vector<RunEvent>& kidnaps);
 

@@ -34,10 +34,13 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
 LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
   LoopConfig config;
   if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
+  config.watch = scenario.events.watched;
   if (!scenario.start.known) return config;
   const double s = scenario.start.sigma_m;
   const double r = scenario.start.sigma_yaw;
-  config.start = {start, Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
+  const Eigen::Vector3d& wrong = scenario.start.wrong_by;
+  config.start = {start * SE2(wrong.x(), wrong.y(), wrong.z()),
+                  Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
   return config;
 }
 

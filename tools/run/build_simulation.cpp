@@ -4,60 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "localization/random.hpp"
 #include "localization/stamp.hpp"
-#include "sim/world/free_space.hpp"
+#include "tools/run/build_drive.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/run/build_sensors.hpp"
 #include "tools/run/build_world.hpp"
-#include "tools/scenario/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-constexpr int kRandomWaypoints = 30;
-constexpr double kRouteMargin = 0.1;  // [m] around the footprint
-
-std::vector<Eigen::Vector2d> random_route(const sim::Grid& grid, double radius,
-                                          std::uint64_t seed) {
-  const sim::FreeSpace space(grid, radius);
-  localization::Rng rng = localization::substream(seed, "route");
-  std::vector<Eigen::Vector2d> route;
-  for (int i = 0; i < kRandomWaypoints; ++i) {
-    const auto pose = space.sample(rng);
-    if (!pose) throw std::runtime_error("the world has no place where the robot fits");
-    route.emplace_back(pose->x, pose->y);
-  }
-  return route;
-}
-
-std::vector<Eigen::Vector2d> route_of(const Scenario& scenario, const LoadedWorld& world,
-                                      const sim::RobotModel& robot) {
-  const auto& routes = world.file.routes;
-  const std::string& name = scenario.drive.route;
-  if (name == "none") return {};
-  if (name == "random" || (name.empty() && routes.empty())) {
-    return random_route(world.grid, robot.footprint_radius + kRouteMargin, scenario.seed);
-  }
-  if (name.empty()) return routes.begin()->second;
-  const auto found = routes.find(name);
-  if (found != routes.end()) return found->second;
-  std::vector<std::string> known = {"random", "none"};
-  for (const auto& [other, points] : routes) known.push_back(other);
-  throw std::runtime_error(fmt::format("drive.route: world '{}' has no route '{}'; {}",
-                                       world.file.spec.name, name, suggestion(name, known)));
-}
-
-sim::KidnapSpec build_kidnap(const KidnapEvent& event) {
-  sim::KidnapSpec spec;
-  spec.at_s = event.at_s;
-  spec.min_distance_m = event.min_distance_m;
-  if (event.pose) {
-    spec.kind = sim::KidnapKind::kTeleportTo;
-    spec.target = sim::Pose2{event.pose->x(), event.pose->y(), event.pose->z()};
-  }
-  return spec;
-}
 
 void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
   config.start = world.file.start;
@@ -92,23 +46,23 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
                        layer.opened, layer.closed, layer.added};
 }
 
-PreparedSimulation put_together(const Scenario& scenario, LoadedRobot robot, LoadedWorld world) {
+PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
+                                LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
   config.lidar = robot.lidars.front();
   config.more_lidars.assign(robot.lidars.begin() + 1, robot.lidars.end());
-  config.faults = scenario.faults;
+  config.faults = scenario.events.faults;
   check_faults(config.faults, robot.lidars);
   config.odometry = build_odometry(scenario.odometry);
-  config.drive.waypoints = route_of(scenario, world, config.robot);
-  config.drive.by_estimate = scenario.drive.by != "truth";
-  config.drive.max_speed = scenario.drive.max_speed;
-  config.drive.max_turn_rate = scenario.drive.max_turn_rate;
-  for (const KidnapEvent& event : scenario.kidnaps) config.kidnaps.push_back(build_kidnap(event));
+  config.drive = build_drive(scenario, base,
+                             {&world.file.routes, &world.grid, world.file.spec.name}, config.robot);
+  config.kidnaps = scenario.events.kidnaps;
   config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;
+  if (scenario.kinematic) config.drive_model = sim::DriveModel::kKinematic;
   place_start(scenario.start, world, config);
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
@@ -129,12 +83,12 @@ PreparedSimulation build_simulation(const Scenario& scenario, const std::filesys
   if (scenario.start.place == StartSpec::Place::kPose) {
     options.inside = scenario.start.pose.head<2>();
   }
-  return put_together(scenario, std::move(robot), build_world(scenario.world, base, options));
+  return put_together(scenario, base, std::move(robot), build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map) {
-  return put_together(scenario, load_any_robot(scenario, base),
+  return put_together(scenario, base, load_any_robot(scenario, base),
                       world_of_map(std::move(map), scenario.wall_height));
 }
 

@@ -26,6 +26,10 @@ struct RunEvent {
   std::string detail;             ///< What exactly, e.g. "teleport", "person 3".
   std::optional<SE2> T_map_from;  ///< True pose of base before.
   std::optional<SE2> T_map_to;    ///< True pose of base after.
+  std::optional<Stamp> since{};   ///< When it began; nothing: at `stamp`, it took no time.
+
+  /// When it began.
+  [[nodiscard]] Stamp begun() const { return since.value_or(stamp); }
 };
 
 /// Where a person was.

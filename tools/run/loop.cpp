@@ -12,15 +12,19 @@ Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
     : config_(std::move(config)),
       localizers_(localizers),
       sinks_(sinks),
-      costs_(localizers.size()) {
-  if (config_.drive_by.empty()) return;
-  const auto found = std::find_if(localizers.begin(), localizers.end(), [&](const auto& named) {
-    return named.name == config_.drive_by;
-  });
-  if (found == localizers.end()) {
-    throw std::invalid_argument("drive.by names no localizer of the run: " + config_.drive_by);
+      costs_(localizers.size()),
+      driver_(index_of(config_.drive_by, "drive.by")),
+      watched_(index_of(config_.watch, "kidnap.localizer")) {}
+
+/// Nothing without a name.
+std::optional<std::size_t> Loop::index_of(const std::string& name, const char* key) const {
+  if (name.empty()) return std::nullopt;
+  const auto found = std::find_if(localizers_.begin(), localizers_.end(),
+                                  [&](const auto& named) { return named.name == name; });
+  if (found == localizers_.end()) {
+    throw std::invalid_argument(std::string(key) + " names no localizer of the run: " + name);
   }
-  driver_ = static_cast<std::size_t>(found - localizers.begin());
+  return static_cast<std::size_t>(found - localizers_.begin());
 }
 
 void Loop::run(SensorSource& source) {
@@ -69,17 +73,29 @@ void Loop::take(SensorSource& source, const OdometryFrame& frame) {
     localizers_[i].localizer->on_odometry(frame.odometry);
     costs_[i].since_scan += thread_cpu_time() - begin;
   }
-  drive(source, frame.odometry);
+  report(source, frame.odometry);
   tell_sinks([&](RunSink& sink) { sink.on_odometry(frame); });
 }
 
-/// Hands the driving localizer's output to the source, carried on by odometry since its scan.
-void Loop::drive(SensorSource& source, const Odometry& odometry) const {
-  if (!driver_) return;
-  const auto estimate = localizers_[*driver_].localizer->estimate();
-  const auto T_odom_scan = estimate ? T_odom_base_.at(estimate->stamp) : std::nullopt;
-  if (!T_odom_scan) return source.set_drive_pose(std::nullopt);
-  source.set_drive_pose(estimate->T_map_base * T_odom_scan->inverse() * odometry.T_odom_base);
+/// An output carried on by odometry since its scan; nothing where odometry does not reach back.
+std::optional<SE2> Loop::carried_on(const localization::Estimate& estimate,
+                                    const Odometry& odometry) const {
+  const auto T_odom_scan = T_odom_base_.at(estimate.stamp);
+  if (!T_odom_scan) return std::nullopt;
+  return estimate.T_map_base * T_odom_scan->inverse() * odometry.T_odom_base;
+}
+
+/// Hands outputs to the source: the driving localizer's, and the watched one's while it is sure.
+void Loop::report(SensorSource& source, const Odometry& odometry) const {
+  if (driver_) {
+    const auto estimate = localizers_[*driver_].localizer->estimate();
+    source.set_drive_pose(estimate ? carried_on(*estimate, odometry) : std::nullopt);
+  }
+  if (watched_) {
+    const auto estimate = localizers_[*watched_].localizer->estimate();
+    const bool sure = estimate && !estimate->lost;
+    source.set_watched_pose(sure ? carried_on(*estimate, odometry) : std::nullopt);
+  }
 }
 
 void Loop::take(const ScanFrame& frame, Stamp delivered) {

@@ -26,6 +26,7 @@ struct LoopConfig {
   /// Where the localizers start; nothing: anywhere on the map.
   std::optional<localization::PoseWithCovariance> start;
   std::string drive_by;  ///< Localizer whose output the source is told; empty: none.
+  std::string watch;     ///< Localizer whose sure output the source is told; empty: none.
   /// Called after every scan with the time reached.
   std::function<void(Stamp)> on_progress;
 };
@@ -33,8 +34,8 @@ struct LoopConfig {
 /// One run. Sees to the order of calls and measures the CPU time around them.
 class Loop {
  public:
-  /// Localizers and sinks must outlive the loop. Throws std::invalid_argument if `drive_by` names
-  /// no localizer.
+  /// Localizers and sinks must outlive the loop. Throws std::invalid_argument if `drive_by` or
+  /// `watch` names no localizer.
   Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
        std::vector<std::unique_ptr<RunSink>>& sinks);
 
@@ -46,7 +47,10 @@ class Loop {
   void take(SensorSource& source, const OdometryFrame& frame);
   void take(const RunEvent& event);
   void take(const ScanFrame& frame, Stamp delivered);
-  void drive(SensorSource& source, const Odometry& odometry) const;
+  [[nodiscard]] std::optional<std::size_t> index_of(const std::string& name, const char* key) const;
+  void report(SensorSource& source, const Odometry& odometry) const;
+  [[nodiscard]] std::optional<SE2> carried_on(const localization::Estimate& estimate,
+                                              const Odometry& odometry) const;
   ScanRecord record_of(const ScanFrame& frame, Stamp delivered);
   template <typename Body>
   void tell_sinks(Body&& body);
@@ -62,6 +66,7 @@ class Loop {
   std::vector<Cost> costs_;
   localization::TransformBuffer T_odom_base_;
   std::optional<std::size_t> driver_;
+  std::optional<std::size_t> watched_;
   std::chrono::nanoseconds localizers_cpu_{};
   std::chrono::nanoseconds sinks_cpu_{};
 };

@@ -20,6 +20,9 @@ class SensorSource {
   /// Tells the source what the driving localizer believes; ignored unless it drives by that
   /// localizer.
   virtual void set_drive_pose(const std::optional<SE2>& T_map_base) = 0;
+  /// Tells the source where the watched localizer says it is; nothing while it has no answer or
+  /// says it is lost. Ignored by sources that do not care.
+  virtual void set_watched_pose(const std::optional<SE2>& T_map_base) = 0;
   /// True pose of base at the start, for a known start; `nullopt` where nobody knows it.
   [[nodiscard]] virtual std::optional<SE2> start_pose() const = 0;
   /// Total simulated or recorded time, for progress. Zero if unknown.

@@ -89,12 +89,23 @@ std::optional<Frame> SimulatorSource::next() {
 
 Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame.data)) {
-    return {frame.stamp, RunEvent{kidnap->stamp, "kidnap", sim::to_string(kidnap->kind),
-                                  to_se2(kidnap->T_map_from), to_se2(kidnap->T_map_to)}};
+    return {frame.stamp,
+            RunEvent{kidnap->stamp, "kidnap", sim::to_string(kidnap->kind),
+                     to_se2(kidnap->T_map_from), to_se2(kidnap->T_map_to), kidnap->since}};
+  }
+  if (const auto* pick_up = std::get_if<sim::PickUpRecord>(&frame.data)) {
+    const SE2 T_map_base = to_se2(pick_up->T_map_base);
+    return {frame.stamp, RunEvent{pick_up->stamp, "pick-up", sim::to_string(pick_up->kind),
+                                  T_map_base, T_map_base}};
   }
   if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
     return {frame.stamp, OdometryFrame{{odometry->stamp, to_se2(odometry->T_odom_base)},
                                        to_se2(odometry->T_map_base_true)}};
+  }
+  if (const auto* driving = std::get_if<sim::DriveRecord>(&frame.data)) {
+    const SE2 T_map_base = to_se2(driving->T_map_base);
+    return {frame.stamp,
+            RunEvent{driving->stamp, "driving", driving->what, T_map_base, T_map_base}};
   }
   if (const auto* hit = std::get_if<sim::PersonHit>(&frame.data)) {
     const SE2 T_map_base = to_se2(hit->T_map_base_true);
@@ -129,6 +140,10 @@ std::vector<sim::SceneItem> SimulatorSource::people_items() const {
 
 void SimulatorSource::set_drive_pose(const std::optional<SE2>& T_map_base) {
   simulation_.set_drive_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
+}
+
+void SimulatorSource::set_watched_pose(const std::optional<SE2>& T_map_base) {
+  simulation_.set_watched_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
 }
 
 std::optional<SE2> SimulatorSource::start_pose() const { return to_se2(simulation_.start_pose()); }

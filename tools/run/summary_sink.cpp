@@ -26,6 +26,15 @@ std::int64_t collisions(const RunHistory& history) {
                        [](const RunEvent& event) { return event.kind == "collision"; });
 }
 
+/// How often the robot recovered from not getting on, by behaviour, and stopped short.
+Json driving_figures(const RunHistory& history) {
+  Json counts{{"wait", 0}, {"re-plan", 0}, {"back up", 0}, {"spin", 0}, {"emergency stop", 0}};
+  for (const RunEvent& event : history.events) {
+    if (event.kind == "driving") counts[event.detail] = counts[event.detail].get<int>() + 1;
+  }
+  return counts;
+}
+
 /// Of the collisions, those with people.
 std::int64_t people_hit(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
@@ -81,7 +90,8 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"world", info.world},
             {"robot", info.robot},
             {"known_start", info.known_start},
-            {"collisions", collisions(history)}};
+            {"collisions", collisions(history)},
+            {"driving", driving_figures(history)}};
   if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);
   const Json faults = faults_json(history, end);

@@ -13,6 +13,7 @@
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "sim/events/fault.hpp"
+#include "sim/events/kidnap.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/sensor/gyro.hpp"
 #include "sim/world/difference.hpp"
@@ -42,15 +43,22 @@ struct StartSpec {
   bool known = true;                    ///< False: the localizers start anywhere on the map.
   double sigma_m = 0.1;                 ///< [m] Uncertainty that a known start is given with...
   double sigma_yaw = 0.05;              ///< [rad] ...and of its yaw.
+  /// What they are told is wrong by this, in base: x [m], y [m], yaw [rad].
+  Eigen::Vector3d wrong_by{0.0, 0.0, 0.0};
+
+  /// The localizers are told the truth.
+  [[nodiscard]] bool told() const { return known && wrong_by.isZero(0.0); }
 };
 
 /// Where the robot drives.
 struct DriveSpec {
-  std::string
-      route;  ///< A route of the world, "random" or "none"; empty: the first one, else random.
+  std::string route;      ///< A route of the world, "random", "explore" or "none"; empty: the first
+                          ///< one, else random.
+  std::string twist_log;  ///< File of recorded commands to drive by instead; empty: none.
   std::string by = "truth";    ///< "truth" or the name of a localizer.
   double max_speed = 0.5;      ///< [m/s]
   double max_turn_rate = 1.0;  ///< [rad/s]
+  double wait_s = 0.0;         ///< [s] Stands still at first.
 };
 
 /// A lidar: what differs from its profile, or from the robot's description.
@@ -88,11 +96,11 @@ struct OdometrySpec {
   std::optional<sim::GyroConfig> gyro;  ///< Nothing: the profile's, if it has one.
 };
 
-/// A scheduled kidnap.
-struct KidnapEvent {
-  double at_s = 0.0;                    ///< [s] Since the start.
-  double min_distance_m = 3.0;          ///< [m] To a random pose at least so far away...
-  std::optional<Eigen::Vector3d> pose;  ///< ...or to this one: x [m], y [m], yaw [rad].
+/// What happens to the robot and when.
+struct EventSpecs {
+  std::vector<sim::KidnapSpec> kidnaps;
+  std::vector<sim::FaultSpec> faults;
+  std::string watched;  ///< Localizer that kidnaps on being localized go by; empty: none does.
 };
 
 /// People, and how they are logged.
@@ -128,15 +136,15 @@ struct Scenario {
   RobotSpec robot;
   std::uint64_t seed = 1;
   double duration_s = 120.0;  ///< [s]
-  double physics_hz = 500.0;  ///< [Hz]
+  double physics_hz = 500.0;  ///< [Hz] Steps of the simulation.
+  bool kinematic = false;     ///< The robot moves exactly as commanded; no masses, no contacts.
   double wall_height = 2.0;   ///< [m] Of a world made from a map.
   StartSpec start;
   DriveSpec drive;
   LidarSpec lidar;                ///< Changes every lidar of the robot's description...
   std::vector<LidarSpec> lidars;  ///< ...or these are all that there are.
   OdometrySpec odometry;
-  std::vector<KidnapEvent> kidnaps;
-  std::vector<sim::FaultSpec> faults;
+  EventSpecs events;
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;
   OutputSpec outputs;

@@ -1,15 +1,20 @@
 #include "tools/scenario/scenario_file.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "tools/scenario/difference_spec.hpp"
 #include "tools/scenario/fault_events.hpp"
+#include "tools/scenario/kidnap_events.hpp"
 #include "tools/scenario/lidar_spec.hpp"
+#include "tools/scenario/nearest.hpp"
 #include "tools/scenario/odometry_spec.hpp"
 #include "tools/scenario/people_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever they last.
 
 double positive(YamlReader& map, const std::string& key, double fallback) {
   const double value = map.get(key, fallback);
@@ -82,6 +87,9 @@ StartSpec read_start(YamlReader& root) {
   start.known = map.get("known", start.known);
   start.sigma_m = positive(map, "sigma_m", start.sigma_m);
   start.sigma_yaw = positive(map, "sigma_yaw", start.sigma_yaw);
+  start.wrong_by = map.get("wrong_by", start.wrong_by);
+  if (!start.known && !start.wrong_by.isZero(0.0))
+    map.fail("'wrong_by' needs a start that is known");
   return start;
 }
 
@@ -90,35 +98,41 @@ DriveSpec read_drive(YamlReader& root) {
   YamlReader map = root.child("drive");
   drive.route = map.get("route", drive.route);
   drive.by = map.get("by", drive.by);
+  drive.twist_log = map.get("twist_log", drive.twist_log);
+  if (!drive.twist_log.empty() && (drive.by != "truth" || !drive.route.empty())) {
+    map.fail("'twist_log' drives by itself; leave out 'by' and 'route'");
+  }
   drive.max_speed = positive(map, "max_speed", drive.max_speed);
   drive.max_turn_rate = positive(map, "max_turn_rate", drive.max_turn_rate);
+  drive.wait_s = not_negative(map, "wait_s", drive.wait_s);
   return drive;
 }
 
-KidnapEvent read_kidnap(YamlReader body) {
-  KidnapEvent kidnap;
-  (void)body.choice("kind", "teleport", {"teleport"});
-  kidnap.at_s = body.require<double>("at_s");
-  if (!(kidnap.at_s >= 0.0)) body.fail("'at_s' must not be negative");
-  kidnap.pose = body.get_optional<Eigen::Vector3d>("pose");
-  if (!kidnap.pose) {
-    kidnap.min_distance_m = not_negative(body, "min_distance_m", kidnap.min_distance_m);
-  } else if (body.has("min_distance_m")) {
-    body.fail("give 'pose' or 'min_distance_m', not both");
-  }
-  return kidnap;
-}
-
-void read_events(YamlReader& root, Scenario& scenario) {
+EventSpecs read_events(YamlReader& root) {
+  EventSpecs events;
   for (YamlReader event : root.list("events")) {
     auto [kind, body] = event.named();
     if (kind == "kidnap") {
-      scenario.kidnaps.push_back(read_kidnap(body));
+      read_kidnap(body, events);
     } else if (kind == "fault") {
-      scenario.faults.push_back(read_fault(body));
+      events.faults.push_back(read_fault(body));
     } else {
       event.fail("unknown event '" + kind + "'; known: fault, kidnap");
     }
+  }
+  return events;
+}
+
+/// Whoever is watched must ride along; by default the first one is.
+void choose_watched(const YamlReader& root, Scenario& scenario) {
+  std::string& watched = scenario.events.watched;
+  if (!waits_for_localizer(scenario.events)) return;
+  std::vector<std::string> names;
+  for (const LocalizerSpec& spec : scenario.localizers) names.push_back(spec.name);
+  if (names.empty()) root.fail("a kidnap waits for a localizer to be localized: give one");
+  if (watched.empty()) watched = names.front();
+  if (std::find(names.begin(), names.end(), watched) == names.end()) {
+    root.fail("a kidnap waits for localizer '" + watched + "'; " + suggestion(watched, names));
   }
 }
 
@@ -160,16 +174,19 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
-  scenario.physics_hz = positive(root, "physics_hz", scenario.physics_hz);
+  scenario.kinematic = root.choice("physics", "bullet", {"bullet", "kinematic"}) == "kinematic";
+  scenario.physics_hz =
+      positive(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
   scenario.wall_height = positive(root, "wall_height", scenario.wall_height);
   scenario.start = read_start(root);
   scenario.drive = read_drive(root);
   scenario.lidars = read_lidars(root);
   if (scenario.lidars.empty()) scenario.lidar = read_lidar(root);
   scenario.odometry = read_odometry(root);
-  read_events(root, scenario);
+  scenario.events = read_events(root);
   scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers");
+  choose_watched(root, scenario);
   scenario.outputs = read_outputs(root);
   document.reject_unknown_keys();
   return {std::move(scenario), document.effective()};

@@ -5,60 +5,49 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/world/free_space.hpp"
-#include "tests/sim/support/test_world.hpp"
-
 namespace castaway::sim {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
 
-FreeSpace hall() { return {make_grid(200, 100, 0.05, {0.0, 0.0}, Cell::kFree), 0.3}; }
-
 std::string error_of(const KidnapSpec& spec) {
-  Rng rng(1);
   try {
-    kidnap_target(spec, {5.0, 2.5, 0.0}, hall(), rng);
-  } catch (const std::runtime_error& error) {
+    validate(spec);
+  } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(Kidnap, GoesFarEnoughIntoFreeSpace) {
-  KidnapSpec spec;
-  spec.min_distance_m = 4.0;
-  const FreeSpace free = hall();
-  Rng rng(3);
-  for (int i = 0; i < 500; ++i) {
-    const Pose2 to = kidnap_target(spec, {2.0, 2.0, 0.0}, free, rng);
-    ASSERT_GE((to.position() - Eigen::Vector2d(2.0, 2.0)).norm(), 4.0);
-    ASSERT_TRUE(free.contains(to.position()));
-  }
-}
-
-TEST(Kidnap, GoesWhereItIsTold) {
-  KidnapSpec spec;
-  spec.kind = KidnapKind::kTeleportTo;
-  spec.target = Pose2{1.0, 2.0, 3.0};
-  Rng rng(1);
-  EXPECT_EQ(kidnap_target(spec, {}, hall(), rng), *spec.target);
-}
-
-TEST(Kidnap, SaysWhyItIsImpossible) {
-  KidnapSpec spec;
-  spec.min_distance_m = 50.0;
-  EXPECT_THAT(error_of(spec), AllOf(HasSubstr("30 s"), HasSubstr("50 m"), HasSubstr("lower")));
-  spec.kind = KidnapKind::kTeleportTo;
-  EXPECT_THAT(error_of(spec), HasSubstr("add its target"));
-  spec.target = Pose2{0.1, 2.0, 0.0};
-  EXPECT_THAT(error_of(spec), AllOf(HasSubstr("(0.1, 2)"), HasSubstr("obstacle")));
-}
-
 TEST(Kidnap, HasAName) {
   EXPECT_EQ(to_string(KidnapKind::kTeleportRandom), "teleport");
   EXPECT_EQ(to_string(KidnapKind::kTeleportTo), "teleport_to");
+  EXPECT_EQ(to_string(KidnapKind::kLookAlike), "look_alike");
+  EXPECT_EQ(to_string(KidnapKind::kNudge), "nudge");
+  EXPECT_EQ(to_string(KidnapKind::kTurn), "turn");
+  EXPECT_EQ(to_string(KidnapKind::kCarry), "carry");
+  EXPECT_EQ(to_string(KidnapKind::kSpin), "spin");
+}
+
+TEST(Kidnap, RunsByItsDefaults) {
+  for (const KidnapKind kind : {KidnapKind::kTeleportRandom, KidnapKind::kLookAlike,
+                                KidnapKind::kNudge, KidnapKind::kTurn, KidnapKind::kCarry}) {
+    EXPECT_EQ(error_of({.kind = kind}), "");
+  }
+}
+
+TEST(Kidnap, SaysWhatIsWrongWithIt) {
+  EXPECT_THAT(error_of({.kind = KidnapKind::kTeleportTo}),
+              AllOf(HasSubstr("at 30 s"), HasSubstr("add its target")));
+  EXPECT_THAT(error_of({.min_distance_m = -1.0}), HasSubstr("min_distance_m is -1"));
+  EXPECT_THAT(error_of({.kind = KidnapKind::kNudge, .nudge = {1.0, 0.5}}),
+              AllOf(HasSubstr("distance_m"), HasSubstr("in order")));
+  EXPECT_THAT(error_of({.kind = KidnapKind::kTurn, .turn = {0.0, 1.0}}), HasSubstr("angle"));
+  EXPECT_THAT(error_of({.kind = KidnapKind::kTurn, .turn = {1.0, 4.0}}), HasSubstr("3.1"));
+  EXPECT_THAT(error_of({.when = {KidnapTrigger::On::kPoisson, 0.0}}), HasSubstr("above 0"));
+  EXPECT_THAT(error_of({.kind = KidnapKind::kCarry, .lift = {.height = 9.0}}),
+              HasSubstr("lift_m is 9"));
 }
 
 }  // namespace

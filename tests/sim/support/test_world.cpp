@@ -79,7 +79,7 @@ SimulationConfig noisy_kidnap_simulation() {
   SimulationConfig config = test_simulation();
   config.odometry = OdometryConfig{};
   config.lidar.noise.sigma = 0.01;
-  config.kidnaps = {{KidnapKind::kTeleportRandom, 4.0, 2.0, 0.05, std::nullopt}};
+  config.kidnaps = {{.when = {.value = 4.0}, .min_distance_m = 2.0}};
   return config;
 }
 

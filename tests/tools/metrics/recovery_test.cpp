@@ -42,6 +42,39 @@ TEST(Recovery, IsTheFirstRowFromWhichAllAreRight) {
   EXPECT_NEAR(windows[0].distance_m, 0.6, 1e-12);  // 0.1 m a second
 }
 
+TEST(Recovery, OfACarriedRobotIsTimedFromWhereItWasPutDown) {
+  RunEvent carry = kidnap_at(8.0);
+  carry.since = from_seconds(4.0);
+  carry.detail = "carry";
+  auto rows = twenty_rows({4, 5, 6, 7, 8, 9});
+  rows[6].lost = true;
+  const RecoveryWindow window = windows_of(rows, {kidnap_at(1.0), carry})[1];
+  EXPECT_EQ(window.kind, "carry");
+  EXPECT_EQ(window.taken, from_seconds(4.0));
+  EXPECT_EQ(window.begin, from_seconds(8.0));
+  EXPECT_EQ(window.recovered, from_seconds(10.0));
+  EXPECT_EQ(window.noticed, from_seconds(6.0));
+  EXPECT_EQ(window.detection_delay_s(), 2.0);
+  EXPECT_TRUE(window.is_lost_at(from_seconds(4.0)));
+  EXPECT_FALSE(window.is_lost_at(from_seconds(10.0)));
+  EXPECT_EQ(windows_of(rows, {kidnap_at(1.0), carry})[0].end, from_seconds(4.0));
+}
+
+TEST(Recovery, IsNotUndoneByAScanThatTheNextKidnapTore) {
+  auto rows = twenty_rows({4, 9});
+  rows[9].torn = true;
+  const auto windows = windows_of(rows, {kidnap_at(4.0), kidnap_at(9.5)});
+  EXPECT_TRUE(windows[0].recovered.has_value());
+}
+
+TEST(Recovery, CountsTheTimeThatIsWrongWithoutAlarm) {
+  auto rows = twenty_rows({2, 4, 5, 6, 9});
+  rows[5].lost = true;
+  const auto windows = windows_of(rows, {kidnap_at(4.5), kidnap_at(9.5)});
+  EXPECT_EQ(windows[0].wrong_lock_s, 0.5 + 1.0 + 0.5);  // rows 4 and 6, and 9 up to the next kidnap
+  EXPECT_EQ(windows[1].wrong_lock_s, 0.5);
+}
+
 TEST(Recovery, NeedsEveryRowToTheEndToBeRight) {
   EXPECT_FALSE(windows_of(twenty_rows({4, 19}), {kidnap_at(4.0)})[0].recovered);
 }

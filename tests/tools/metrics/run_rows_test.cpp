@@ -50,10 +50,36 @@ TEST(Kidnaps, AreTheEventsOfThatKind) {
   EXPECT_EQ(kidnaps[1].stamp, from_seconds(4.0));
 }
 
+TEST(TornRows, AreThoseThatAKidnapFallsInto) {
+  std::vector<MetricRow> rows = right_rows(8);
+  for (MetricRow& row : rows) row.delivered = row.stamp + from_seconds(0.9);
+  RunEvent carry = kidnap_at(6.5);
+  carry.since = from_seconds(4.5);
+  rows = with_torn_marked(std::move(rows), {kidnap_at(1.5), kidnap_at(3.0), carry});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool torn = i == 1 || i == 4 || i == 6;
+    EXPECT_EQ(rows[i].torn, torn) << i;
+    EXPECT_EQ(pose_error(rows[i]).has_value(), !torn) << i;
+  }
+}
+
 TEST(DrivenDistance, FollowsTheTruthNotTheOdometry) {
   std::vector<MetricRow> rows{true_row(0.0, {0.0, 0.0, 0.0}), true_row(1.0, {3.0, 4.0, 0.0}),
                               true_row(2.0, {3.0, 3.0, 0.0})};
   EXPECT_EQ(driven_distance(rows, {}), (std::vector<double>{0.0, 5.0, 6.0}));
+}
+
+TEST(DrivenDistance, LeavesOutWhatTheRobotIsCarried) {
+  RunEvent carry = kidnap_at(2.5);
+  carry.since = from_seconds(0.5);
+  carry.T_map_from = SE2{0.2, 0.0, 0.0};
+  carry.T_map_to = SE2{9.0, 0.0, 0.0};
+  std::vector<MetricRow> rows{true_row(0.0, {0.0, 0.0, 0.0}), true_row(1.0, {3.0, 0.0, 0.0}),
+                              true_row(2.0, {7.0, 0.0, 0.0}), true_row(3.0, {9.3, 0.0, 0.0})};
+  const auto driven = driven_distance(rows, {carry});
+  EXPECT_NEAR(driven[1], 0.2, 1e-12);
+  EXPECT_NEAR(driven[2], 0.2, 1e-12);
+  EXPECT_NEAR(driven[3], 0.5, 1e-12);
 }
 
 TEST(DrivenDistance, FollowsOdometryWhereThereIsNoTruth) {

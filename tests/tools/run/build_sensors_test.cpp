@@ -25,7 +25,7 @@ sim::RobotModel two_eyed() {
 
 std::string error_of(const Scenario& scenario, const sim::RobotModel& robot) {
   try {
-    check_faults(scenario.faults, build_lidars(scenario, robot));
+    check_faults(scenario.events.faults, build_lidars(scenario, robot));
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -81,10 +81,10 @@ TEST(BuildLidars, RefusesFiguresOutOfRange) {
 
 TEST(CheckFaults, NamesTheLidarThatIsMeant) {
   Scenario scenario;
-  scenario.faults.resize(1);
-  scenario.faults[0].lidar = "raer";
+  scenario.events.faults.resize(1);
+  scenario.events.faults[0].lidar = "raer";
   EXPECT_NE(error_of(scenario, two_eyed()).find("'rear'"), std::string::npos);
-  scenario.faults[0].lidar = "rear";
+  scenario.events.faults[0].lidar = "rear";
   EXPECT_EQ(error_of(scenario, two_eyed()), "");
 }
 

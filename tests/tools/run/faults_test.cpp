@@ -34,7 +34,7 @@ Keeper run_with(sim::FaultKind kind) {
   fault.kind = kind;
   fault.at_s = 1.5;
   fault.mount_error = {0.1, 0.0, 0.1};
-  scenario.faults = {fault};
+  scenario.events.faults = {fault};
   PreparedSimulation prepared = build_simulation(scenario, ".");
   auto localizers = build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), 1);
   auto lidars = sim::all_lidars(prepared.config);

@@ -28,8 +28,8 @@ TEST(KidnapTrials, LeadFarAwayAndLastForTheWindow) {
     ASSERT_EQ(trial.simulation.kidnaps.size(), 1U);
     const sim::KidnapSpec& kidnap = trial.simulation.kidnaps[0];
     EXPECT_GE((kidnap.target->position() - trial.simulation.start.position()).norm(), 3.0);
-    EXPECT_LE(kidnap.at_s, 1.0);
-    EXPECT_NEAR(seconds(trial.simulation.duration), kidnap.at_s + 3.0, 1e-6);
+    EXPECT_LE(kidnap.when.value, 1.0);
+    EXPECT_NEAR(seconds(trial.simulation.duration), kidnap.when.value + 3.0, 1e-6);
     EXPECT_TRUE(people_in(trial).empty());
   }
 }

@@ -18,12 +18,14 @@ class ListSource final : public SensorSource {
     return frames_[next_++];
   }
   void set_drive_pose(const std::optional<SE2>& pose) override { told.push_back(pose); }
+  void set_watched_pose(const std::optional<SE2>& pose) override { watched.push_back(pose); }
   [[nodiscard]] std::optional<SE2> start_pose() const override { return SE2{}; }
   [[nodiscard]] Stamp duration() const override { return Stamp(1000); }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
     return {{"physics", std::chrono::seconds(2)}};
   }
   std::vector<std::optional<SE2>> told;
+  std::vector<std::optional<SE2>> watched;
 
  private:
   std::vector<Frame> frames_;
@@ -100,6 +102,25 @@ TEST_F(LoopTest, LeavesAnUnknownStartToTheLocalizer) {
   EXPECT_FALSE(sink_->records[0].localizers[0].estimate);
 }
 
+/// Answers every scan and says that it is lost.
+class AlwaysLost final : public localization::Localizer {
+ public:
+  void initialize(const std::optional<localization::PoseWithCovariance>&) override {}
+  void on_odometry(const Odometry&) override {}
+  void on_scan(const LaserScan& laser) override {
+    estimate_.emplace();
+    estimate_->stamp = laser.stamp;
+    estimate_->lost = true;
+  }
+  [[nodiscard]] std::optional<localization::Estimate> estimate() const override {
+    return estimate_;
+  }
+  [[nodiscard]] localization::Diagnostics diagnostics() const override { return {}; }
+
+ private:
+  std::optional<localization::Estimate> estimate_;
+};
+
 /// Answers the first scan and drops all others.
 class FirstScanOnly final : public localization::Localizer {
  public:
@@ -148,7 +169,26 @@ TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {
   EXPECT_EQ(source_.told[2]->x, 8.0);  // 6 at the scan, 2 m by odometry since
 }
 
-TEST_F(LoopTest, RefusesADriverThatIsNotThere) {
+TEST_F(LoopTest, TellsWhereTheWatchedLocalizerIsSureToBe) {
+  config_.watch = "dead_reckoning";
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_TRUE(source_.told.empty());
+  ASSERT_EQ(source_.watched.size(), 3U);
+  EXPECT_FALSE(source_.watched[0]);
+  EXPECT_EQ(source_.watched[2]->x, 8.0);
+}
+
+TEST_F(LoopTest, SaysNothingOfAWatchedLocalizerThatIsLost) {
+  localizers_[0].localizer = std::make_unique<AlwaysLost>();
+  config_.watch = "dead_reckoning";
+  Loop(config_, localizers_, sinks_).run(source_);
+  for (const auto& pose : source_.watched) EXPECT_FALSE(pose);
+}
+
+TEST_F(LoopTest, RefusesADriverOrAWatchedOneThatIsNotThere) {
+  config_.watch = "nobody";
+  EXPECT_THROW(Loop(config_, localizers_, sinks_), std::invalid_argument);
+  config_.watch.clear();
   config_.drive_by = "nobody";
   EXPECT_THROW(Loop(config_, localizers_, sinks_), std::invalid_argument);
 }

@@ -8,7 +8,7 @@ namespace {
 // How fast is what the benchmark tells; here it only has to have measured something.
 
 TEST(SimulationBench, TellsWhatEveryStageTakes) {
-  const SimulationCost cost = time_simulation({3, 90, 0, 2.0});
+  const SimulationCost cost = time_simulation({3, 90, 0, 2.0, false});
   EXPECT_GT(cost.realtime_factor, 0.0);
   for (const char* stage : {"physics", "lidar", "people"}) {
     ASSERT_TRUE(cost.cpu_s.contains(stage)) << stage;
@@ -17,7 +17,13 @@ TEST(SimulationBench, TellsWhatEveryStageTakes) {
 }
 
 TEST(SimulationBench, RunsInAHallOfBoxes) {
-  const SimulationCost cost = time_simulation({0, 90, 60, 2.0});
+  const SimulationCost cost = time_simulation({0, 90, 60, 2.0, false});
+  EXPECT_GT(cost.realtime_factor, 0.0);
+}
+
+TEST(SimulationBench, RunsWithoutPhysics) {
+  const SimulationCost cost = time_simulation({0, 90, 0, 2.0, true});
+  EXPECT_TRUE(cost.spec.kinematic);
   EXPECT_GT(cost.realtime_factor, 0.0);
 }
 

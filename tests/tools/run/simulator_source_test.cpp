@@ -15,7 +15,7 @@ namespace {
 SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
   Scenario scenario;
   scenario.duration_s = 3.0;
-  scenario.kidnaps = {{1.5, 3.0, std::nullopt}};
+  scenario.events.kidnaps = {{.when = {.value = 1.5}}};
   scenario.lidar = lidar;
   PreparedSimulation prepared = build_simulation(scenario, ".");
   const std::vector<sim::LidarConfig> configs = sim::all_lidars(prepared.config);

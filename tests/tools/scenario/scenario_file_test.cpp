@@ -97,9 +97,9 @@ outputs: {snapshots: {every_s: 5, on_events: false}}
   EXPECT_EQ(scenario.drive.by, "mh_amcl");
   EXPECT_EQ(scenario.lidar.beams, 180);
   EXPECT_EQ(scenario.odometry.profile, "ideal");
-  ASSERT_EQ(scenario.kidnaps.size(), 2U);
-  EXPECT_EQ(scenario.kidnaps[0].min_distance_m, 5.0);
-  EXPECT_EQ(scenario.kidnaps[1].pose->y(), 4.0);
+  ASSERT_EQ(scenario.events.kidnaps.size(), 2U);
+  EXPECT_EQ(scenario.events.kidnaps[0].min_distance_m, 5.0);
+  EXPECT_EQ(scenario.events.kidnaps[1].target->y, 4.0);
   EXPECT_EQ(scenario.localizers[1].name, "amcl-recovery");
   const auto& amcl = std::get<localization::AmclConfig>(scenario.localizers[1].config);
   EXPECT_EQ(amcl.kld.max_particles, 900);
@@ -121,7 +121,7 @@ TEST_F(ScenarioFileTest, ItsEffectiveTextReproducesIt) {
   EXPECT_EQ(second.effective, first.effective);
   EXPECT_EQ(second.scenario.seed, 9U);
   EXPECT_EQ(second.scenario.lidar.beams, 90);
-  EXPECT_EQ(second.scenario.kidnaps.at(0).at_s, 3.0);
+  EXPECT_EQ(second.scenario.events.kidnaps.at(0).when.value, 3.0);
 }
 
 TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
@@ -151,7 +151,7 @@ TEST_F(ScenarioFileTest, OverridesReachIntoLists) {
   const Scenario scenario =
       load("events: [{kidnap: {at_s: 3}}]\nlocalizers: [mh_amcl]", {"events.0.kidnap.at_s=8"})
           .scenario;
-  EXPECT_EQ(scenario.kidnaps.at(0).at_s, 8.0);
+  EXPECT_EQ(scenario.events.kidnaps.at(0).when.value, 8.0);
 }
 
 TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {
@@ -178,6 +178,34 @@ TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
   expect_contains(error_of("localizers: [mh_amcl: {mode: paper, defects: [sumed_weights]}]"),
                   "summed_weights");
   expect_contains(error_of("localizers: [mh_amcl: {defects: [mount_ignored]}]"), "defects");
+}
+
+TEST_F(ScenarioFileTest, WatchesTheFirstLocalizerWhereAKidnapWaitsForOne) {
+  const std::string waiting = "events: [{kidnap: {when_localized_s: 5}}]\nlocalizers: ";
+  EXPECT_EQ(load(waiting + "[amcl, mh_amcl]").scenario.events.watched, "amcl");
+  EXPECT_EQ(load("{events: [{kidnap: {at_s: 5}}], localizers: [amcl]}").scenario.events.watched,
+            "");
+  expect_contains(error_of("{events: [{kidnap: {when_localized_s: 5, localizer: amlc}}], "
+                           "localizers: [amcl]}"),
+                  "did you mean 'amcl'");
+}
+
+TEST_F(ScenarioFileTest, TellsTheLocalizersAWrongPlaceIfAsked) {
+  const Scenario scenario = load("{start: {wrong_by: [1, 0, 0.5]}, localizers: [amcl]}").scenario;
+  EXPECT_TRUE(scenario.start.known);
+  EXPECT_FALSE(scenario.start.told());
+  EXPECT_EQ(scenario.start.wrong_by, Eigen::Vector3d(1.0, 0.0, 0.5));
+  EXPECT_TRUE(load("localizers: [amcl]").scenario.start.told());
+  expect_contains(error_of("{start: {known: false, wrong_by: [1, 0, 0]}, localizers: [amcl]}"),
+                  "known");
+}
+
+TEST_F(ScenarioFileTest, ChoosesWhatMovesTheRobot) {
+  EXPECT_FALSE(load("localizers: [amcl]").scenario.kinematic);
+  const Scenario kinematic = load("{physics: kinematic, localizers: [amcl]}").scenario;
+  EXPECT_TRUE(kinematic.kinematic);
+  EXPECT_EQ(kinematic.physics_hz, 100.0);
+  expect_contains(error_of("{physics: jolt, localizers: [amcl]}"), "kinematic");
 }
 
 TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {

@@ -1,0 +1,116 @@
+#include "sim/events/kidnap_target.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/random/bernoulli_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+
+#include "sim/events/look_alike.hpp"
+#include "sim/world/free_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr int kDraws = 200;        // Until a place is clear of people, or a push goes through.
+constexpr double kNudgeYaw = 0.3;  // [rad] A push turns the robot by up to this.
+
+using Found = std::optional<KidnapTarget>;
+
+double between(double low, double high, Rng& rng) {
+  return boost::random::uniform_real_distribution<double>(low, high)(rng);
+}
+
+bool is_clear(const KidnapScene& scene, const Pose2& T_map_base) {
+  return std::none_of(scene.people.begin(), scene.people.end(), [&](const Eigen::Vector2d& p_map) {
+    return (p_map - T_map_base.position()).norm() < scene.keep_clear;
+  });
+}
+
+/// `pose` where nobody stands in the way.
+Found unless_occupied(const KidnapScene& scene, const Pose2& pose) {
+  return is_clear(scene, pose) ? Found{{pose}} : std::nullopt;
+}
+
+[[noreturn]] void too_far(const KidnapSpec& spec, const Pose2& from) {
+  throw std::runtime_error(
+      fmt::format("kidnap {}: no free place {} m or more away from ({:.2f}, {:.2f}): lower "
+                  "min_distance_m",
+                  describe(spec.when), spec.min_distance_m, from.x, from.y));
+}
+
+Found given_target(const KidnapSpec& spec, const KidnapScene& scene) {
+  if (!scene.free.contains(spec.target->position())) {
+    throw std::runtime_error(fmt::format(
+        "kidnap {}: target ({}, {}) is nearer than {:.2f} m to an obstacle, or cut off from the "
+        "free space: choose another",
+        describe(spec.when), spec.target->x, spec.target->y, scene.free.radius()));
+  }
+  return unless_occupied(scene, *spec.target);
+}
+
+Found random_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+  for (int i = 0; i < kDraws; ++i) {
+    const auto pose = scene.free.sample(rng, scene.T_map_base.position(), spec.min_distance_m);
+    if (!pose) too_far(spec, scene.T_map_base);
+    if (is_clear(scene, *pose)) return Found{{*pose}};
+  }
+  return std::nullopt;
+}
+
+Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene) {
+  assert(scene.look_alikes != nullptr);
+  const auto twin = scene.look_alikes->most_alike(scene.T_map_base, spec.min_distance_m);
+  if (!twin) too_far(spec, scene.T_map_base);
+  if (!is_clear(scene, twin->T_map_base)) return std::nullopt;
+  return Found{{twin->T_map_base, twin->unlikeness}};
+}
+
+Found nudged(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+  const Pose2& from = scene.T_map_base;
+  for (int i = 0; i < kDraws; ++i) {
+    const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
+    const double way = between(spec.nudge.min, spec.nudge.max, rng);
+    const double turn = between(-kNudgeYaw, kNudgeYaw, rng);
+    const Pose2 to{from.x + way * std::cos(angle), from.y + way * std::sin(angle),
+                   wrap_angle(from.yaw + turn)};
+    const bool through = scene.free.contains_segment(from.position(), to.position());
+    if (through && is_clear(scene, to)) return Found{{to}};
+  }
+  return std::nullopt;
+}
+
+Found turned(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+  Pose2 to = scene.T_map_base;
+  if (!scene.free.contains(to.position())) return std::nullopt;
+  const double side = boost::random::bernoulli_distribution<double>(0.5)(rng) ? 1.0 : -1.0;
+  to.yaw = wrap_angle(to.yaw + side * between(spec.turn.min, spec.turn.max, rng));
+  return Found{{to}};
+}
+
+}  // namespace
+
+std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapScene& scene,
+                                          Rng& rng) {
+  switch (spec.kind) {
+    case KidnapKind::kTeleportTo:
+      return given_target(spec, scene);
+    case KidnapKind::kLookAlike:
+      return look_alike_target(spec, scene);
+    case KidnapKind::kNudge:
+      return nudged(spec, scene, rng);
+    case KidnapKind::kTurn:
+      return turned(spec, scene, rng);
+    case KidnapKind::kSpin:
+      return Found{{scene.T_map_base}};
+    case KidnapKind::kCarry:
+      return spec.target ? given_target(spec, scene) : random_target(spec, scene, rng);
+    default:
+      return random_target(spec, scene, rng);
+  }
+}
+
+}  // namespace castaway::sim

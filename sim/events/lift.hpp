@@ -1,0 +1,63 @@
+/// A robot in somebody's hands: lifted, carried, put down.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "sim/geometry.hpp"
+
+namespace castaway::sim {
+
+/// What wheels do in the air.
+enum class HeldWheels : std::uint8_t {
+  kDriven,  ///< Turn as commanded: the robot does not notice.
+  kFree,    ///< Coast to a stop within half a second or so.
+  kLocked,  ///< Stand still at once.
+};
+
+/// The velocity that held wheels turn with after `dt` [s], as if on the floor: from `now`, with
+/// `commanded` as what a drive would do.
+Twist2 held_twist(HeldWheels wheels, const Twist2& now, const Twist2& commanded, double dt);
+
+/// How a robot is lifted.
+struct LiftConfig {
+  double height = 0.6;   ///< [m] Of the wheels above the floor.
+  double seconds = 4.0;  ///< [s] From pick-up to put-down at least.
+  double speed = 1.2;    ///< [m/s] Of whoever carries it.
+  HeldWheels wheels = HeldWheels::kDriven;
+  bool covered = false;  ///< The lidars see nothing meanwhile.
+};
+
+/// @throws std::invalid_argument naming the field and the remedy.
+void validate(const LiftConfig& config);
+
+/// The way of a robot through the air: up, along a path with its heading turned evenly, down.
+class Lift {
+ public:
+  /// `path`: points of map between the poses, both included.
+  Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map_to,
+       const std::vector<Eigen::Vector2d>& path);
+
+  /// [s] From pick-up to put-down.
+  [[nodiscard]] double duration() const { return duration_; }
+  /// Pose of base `t` [s] after pick-up.
+  [[nodiscard]] Eigen::Isometry3d at(double t) const;
+  [[nodiscard]] const Pose2& T_map_to() const { return T_map_to_; }
+
+ private:
+  [[nodiscard]] Eigen::Vector2d along(double way) const;
+
+  LiftConfig config_;
+  Pose2 T_map_from_;
+  Pose2 T_map_to_;
+  std::vector<Eigen::Vector2d> path_;
+  std::vector<double> way_;  ///< [m] Up to each point of the path.
+  double rise_ = 0.0;        ///< [s] Up, and as long down.
+  double duration_ = 0.0;
+};
+
+}  // namespace castaway::sim

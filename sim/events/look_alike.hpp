@@ -1,0 +1,78 @@
+/// Where else in a world the lidar would see nearly the same.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/geometry.hpp"
+#include "sim/sensor/lidar_config.hpp"
+#include "sim/sensor/ray_scene.hpp"
+#include "sim/world/free_space.hpp"
+
+namespace castaway::sim {
+
+/// How the search goes.
+struct LookAlikeConfig {
+  double step = 0.25;        ///< [m] Between the places compared.
+  int beams = 72;            ///< Of a place's view all around; also the number of headings tried.
+  int fine_beams = 180;      ///< Of the views by which the best places are refined.
+  double cap = 1.0;          ///< [m] Two ranges differ by no more than this.
+  std::size_t refined = 24;  ///< Places that are refined.
+};
+
+/// A pose from which the world looks like from another.
+struct Twin {
+  Pose2 T_map_base;
+  double unlikeness = 0.0;  ///< [m] Mean difference of the ranges, each at most `cap`.
+};
+
+/// Views from places all over a world, to be held against the view from a pose. People are not
+/// seen. Views are level: a tilted lidar is taken for a level one at its place.
+class LookAlikes {
+ public:
+  /// `scene` must outlive it. `free`: where base can be. Casts `beams` rays from every place.
+  LookAlikes(const RayScene& scene, const FreeSpace& free, const LidarConfig& lidar,
+             const LookAlikeConfig& config = {});
+
+  /// The most alike pose at least `min_distance` [m] away; nothing if no place is so far away.
+  [[nodiscard]] std::optional<Twin> most_alike(const Pose2& T_map_base, double min_distance) const;
+  /// How much the views from two poses differ, as in `Twin`.
+  [[nodiscard]] double unlikeness(const Pose2& a, const Pose2& b) const;
+
+ private:
+  using View = std::vector<float>;
+  /// What is looked for.
+  struct Search {
+    Pose2 from;
+    double min_distance;  ///< [m]
+  };
+  /// A place of the search.
+  struct Place {
+    Eigen::Vector2d p_map_laser;
+    View view;  ///< [m] By direction in map, twice round: every heading is one stretch of it.
+  };
+
+  [[nodiscard]] Eigen::Vector2d p_map_laser(const Pose2& T_map_base) const;
+  [[nodiscard]] Pose2 base_of(const Eigen::Vector2d& p_map_laser, double yaw) const;
+  [[nodiscard]] View view(const Eigen::Vector2d& p_map_laser, double yaw, int beams) const;
+  [[nodiscard]] std::vector<float> seen_share(int beams) const;
+  [[nodiscard]] Twin best_heading(const Place& place, const View& wanted) const;
+  [[nodiscard]] std::vector<Twin> best_places(const Search& search) const;
+  [[nodiscard]] bool allowed(const Pose2& pose, const Search& search) const;
+  [[nodiscard]] Twin best_step(const Twin& twin, const Search& search, double way,
+                               double turn) const;
+  [[nodiscard]] Twin refined(Twin twin, const Search& search) const;
+
+  const RayScene* scene_;
+  FreeSpace free_;
+  LidarConfig lidar_;
+  LookAlikeConfig config_;
+  Eigen::Vector2d p_base_laser_;
+  std::vector<float> coarse_mask_;  ///< 1 where the lidar looks, by direction in base.
+  std::vector<float> fine_mask_;
+  std::vector<Place> places_;
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,93 @@
+#include "sim/navigation/dynamic_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace castaway::sim {
+namespace {
+
+constexpr int kSteps = 8;               // Of a roll-out.
+constexpr double kHeadingWeight = 0.3;  // [m/rad]
+constexpr double kRoomWeight = 1.0;     // Of each metre of comfort that is missing.
+constexpr double kFarAway = 10.0;       // [m] Room where there is nothing.
+constexpr double kLeastGain = 0.01;     // [m] Over standing still.
+
+double room_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points,
+               double radius) {
+  double nearest = kFarAway * kFarAway;
+  for (const Eigen::Vector2d& point : points) {
+    nearest = std::min(nearest, (point - p).squaredNorm());
+  }
+  return std::sqrt(nearest) - radius;
+}
+
+/// What can be met within the horizon.
+std::vector<Eigen::Vector2d> near(const std::vector<Eigen::Vector2d>& points, double reach) {
+  std::vector<Eigen::Vector2d> result;
+  for (const Eigen::Vector2d& p : points) {
+    if (p.squaredNorm() < reach * reach) result.push_back(p);
+  }
+  return result;
+}
+
+/// Cost of ending at a pose with so much room on the way.
+double cost(const DynamicWindowConfig& config, const Pose2& end, const Eigen::Vector2d& target,
+            double room) {
+  const Eigen::Vector2d p_end = inverse(end) * target;
+  const double heading = p_end.norm() < 0.05 ? 0.0 : std::abs(std::atan2(p_end.y(), p_end.x()));
+  return p_end.norm() + kHeadingWeight * heading +
+         kRoomWeight * std::max(config.comfort - room, 0.0);
+}
+
+/// The least room on the way; nothing if that is less than there must be. A robot that begins with
+/// less may only gain room.
+std::optional<double> room_along(const DynamicWindowConfig& config, const Twist2& twist,
+                                 const std::vector<Eigen::Vector2d>& points) {
+  double before = room_at({0.0, 0.0}, points, config.radius);
+  double least = before;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double t = config.horizon * i / kSteps;
+    const double room = room_at(arc(twist.v * t, twist.w * t).position(), points, config.radius);
+    if (room < config.margin && room <= before && twist.v != 0.0) return std::nullopt;
+    before = room;
+    least = std::min(least, room);
+  }
+  return least;
+}
+
+double sample(double low, double high, int i, int count) {
+  return low + (high - low) * i / (count - 1);
+}
+
+}  // namespace
+
+std::optional<Twist2> best_twist(const DynamicWindowConfig& config, const Twist2& current,
+                                 const Eigen::Vector2d& p_base_target,
+                                 const std::vector<Eigen::Vector2d>& p_base) {
+  const TwistLimits& limits = config.limits;
+  const auto points =
+      near(p_base, limits.max_speed * config.horizon + config.radius + config.comfort);
+  const double dv = limits.max_acceleration * config.window;
+  const double dw = limits.max_turn_acceleration * config.window;
+  const double still = room_at({0.0, 0.0}, points, config.radius);
+  double best_cost = cost(config, {}, p_base_target, still) - kLeastGain;
+  std::optional<Twist2> best;
+  for (int i = 0; i < config.speeds; ++i) {
+    const double v = sample(std::max(current.v - dv, 0.0),
+                            std::clamp(current.v + dv, 0.0, limits.max_speed), i, config.speeds);
+    for (int k = 0; k < config.turns; ++k) {
+      const double w = sample(std::max(current.w - dw, -limits.max_turn_rate),
+                              std::min(current.w + dw, limits.max_turn_rate), k, config.turns);
+      const auto room = room_along(config, {v, w}, points);
+      if (!room) continue;
+      const Pose2 end = arc(v * config.horizon, w * config.horizon);
+      const double rating = cost(config, end, p_base_target, *room);
+      if (rating >= best_cost) continue;
+      best_cost = rating;
+      best = Twist2{v, w};
+    }
+  }
+  return best;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,38 @@
+/// What a robot's lidars saw last, carried along as it moves.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/geometry.hpp"
+#include "sim/sensor/lidar_config.hpp"
+#include "sim/sensor/readings.hpp"
+
+namespace castaway::sim {
+
+/// The end points of each lidar's newest scan, seen from where odometry says the robot is by now.
+/// Nothing of it knows the truth.
+class LiveScan {
+ public:
+  /// Takes what odometry says, in order of stamps.
+  void on_odometry(const OdometryReading& reading);
+  /// Takes a scan. Beams that hit the floor by the look of their height are left out.
+  void on_scan(const LidarReading& scan, const LidarConfig& lidar);
+
+  /// End points in base as it is now. [m]
+  [[nodiscard]] std::vector<Eigen::Vector2d> p_base() const;
+  /// The odometry's newest pose; the identity before the first.
+  [[nodiscard]] Pose2 T_odom_base() const;
+
+ private:
+  [[nodiscard]] Pose2 odometry_at(std::chrono::nanoseconds stamp) const;
+
+  std::deque<OdometryReading> recent_;
+  std::vector<std::vector<Eigen::Vector2d>> p_odom_;  ///< By lidar.
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,94 @@
+#include "sim/navigation/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/world/grid_tools.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kStopRoom = 0.01;     // [m] From the footprint, beyond the way to brake.
+constexpr double kStopFrom = 0.1;      // [m/s] Slower, stopping is no emergency.
+constexpr double kMarkedWithin = 4.0;  // [m] End points that a new plan goes around.
+constexpr double kKeepAway = 0.05;     // [m] Around each.
+
+double plan_radius(const NavigatorConfig& config) {
+  return config.local.radius + config.plan_margin;
+}
+
+/// The map with end points marked.
+Grid with_points(const Grid& map, const Pose2& T_map_base,
+                 const std::vector<Eigen::Vector2d>& p_base) {
+  Grid grid = map;
+  for (const Eigen::Vector2d& p : p_base) {
+    if (p.norm() > kMarkedWithin) continue;
+    for (const Eigen::Vector2d& offset :
+         {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(kKeepAway, 0.0),
+          Eigen::Vector2d(-kKeepAway, 0.0), Eigen::Vector2d(0.0, kKeepAway),
+          Eigen::Vector2d(0.0, -kKeepAway)}) {
+      const CellIndex cell = cell_of(grid, T_map_base * Eigen::Vector2d(p + offset));
+      if (grid.contains(cell.column, cell.row)) {
+        grid.cells[flat_index(grid, cell)] = Cell::kOccupied;
+      }
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+Navigator::Navigator(const NavigatorConfig& config, const Grid& map)
+    : config_(config),
+      map_(map),
+      route_(config.route, FreeSpace(map, plan_radius(config))),
+      recoveries_(config.recoveries, config.local.radius + config.local.margin, config.period) {}
+
+void Navigator::replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
+  route_.detour(T_map_base, FreeSpace(with_points(map_, T_map_base, p_base), plan_radius(config_)));
+}
+
+Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
+  const Twist2 wanted = route_.command(T_map_base);
+  const auto target = route_.target();
+  if (!target) return {};
+  if (const auto recovery = recoveries_.watch(live_.T_odom_base())) {
+    events_.push_back(to_string(*recovery));
+    if (*recovery == Recovery::kReplan) replan(T_map_base, p_base);
+  }
+  if (const auto twist = recoveries_.command(live_.T_odom_base(), p_base)) return *twist;
+  if (wanted.v == 0.0) return wanted;  // A turn on the spot is free: the robot is a disc.
+  const Eigen::Vector2d p_base_target = inverse(T_map_base) * *target;
+  return best_twist(config_.local, last_, p_base_target, p_base).value_or(Twist2{});
+}
+
+/// Stops a robot that would run into something before it could brake.
+Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base) {
+  const double side = last_.v >= 0.0 ? 1.0 : -1.0;
+  const double brake = 0.5 * last_.v * last_.v / config_.local.limits.max_acceleration;
+  const double turn = last_.v != 0.0 ? last_.w / std::abs(last_.v) * brake : 0.0;
+  const Eigen::Vector2d stop = arc(side * brake, turn).position();
+  const double reach = config_.local.radius + kStopRoom;
+  const bool danger = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
+    return side * p.x() > 0.0 && std::min((p - stop).norm(), p.norm()) < reach;
+  });
+  const bool moves = std::abs(last_.v) > kStopFrom;
+  if (danger && moves && !stopping_) events_.emplace_back("emergency stop");
+  stopping_ = danger && (moves || stopping_);
+  return stopping_ && twist.v * side > 0.0 ? Twist2{0.0, twist.w} : twist;
+}
+
+Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
+  Twist2 twist;
+  if (T_map_base) {
+    const std::vector<Eigen::Vector2d> p_base = live_.p_base();
+    twist = stopped_short(drive(*T_map_base, p_base), p_base);
+  }
+  last_ = twist;
+  return twist;
+}
+
+std::vector<std::string> Navigator::take_events() { return std::exchange(events_, {}); }
+
+}  // namespace castaway::sim

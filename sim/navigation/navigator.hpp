@@ -1,0 +1,56 @@
+/// Drives a route by a pose that is believed and by what the lidar sees.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/geometry.hpp"
+#include "sim/navigation/dynamic_window.hpp"
+#include "sim/navigation/live_scan.hpp"
+#include "sim/navigation/recoveries.hpp"
+#include "sim/navigation/route_runner.hpp"
+#include "sim/world/grid.hpp"
+
+namespace castaway::sim {
+
+/// What a navigator needs to know.
+struct NavigatorConfig {
+  RouteConfig route;
+  DynamicWindowConfig local;
+  RecoveryTimes recoveries;
+  double plan_margin = 0.04;  ///< [m] Room that plans keep around the footprint.
+  double period = 0.05;       ///< [s] Between two commands.
+};
+
+/// A global plan on the map, the dynamic window towards it around what is there, recoveries where
+/// that does not get on, and an emergency stop below all of them. It knows the map, the believed
+/// pose, odometry and scans; not the truth.
+class Navigator {
+ public:
+  /// `map`: what the robot knows of the world.
+  Navigator(const NavigatorConfig& config, const Grid& map);
+
+  void on_odometry(const OdometryReading& reading) { live_.on_odometry(reading); }
+  void on_scan(const LidarReading& scan, const LidarConfig& lidar) { live_.on_scan(scan, lidar); }
+  /// The velocity to command, believed to be at `T_map_base`; zero without a pose.
+  Twist2 command(const std::optional<Pose2>& T_map_base);
+  /// Recoveries begun and "emergency stop"s since the last call.
+  [[nodiscard]] std::vector<std::string> take_events();
+
+ private:
+  Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
+  void replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
+  Twist2 stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base);
+
+  NavigatorConfig config_;
+  Grid map_;
+  RouteRunner route_;
+  LiveScan live_;
+  Recoveries recoveries_;
+  Twist2 last_;            ///< Commanded.
+  bool stopping_ = false;  ///< In an emergency.
+  std::vector<std::string> events_;
+};
+
+}  // namespace castaway::sim

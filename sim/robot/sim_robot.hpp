@@ -1,0 +1,47 @@
+/// The robot of a run, by whichever means it moves.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "sim/robot/kinematic_robot.hpp"
+#include "sim/robot/robot_physics.hpp"
+
+namespace castaway::sim {
+
+/// Either kind of robot.
+class SimRobot {
+ public:
+  explicit SimRobot(RobotPhysics robot) : robot_(std::move(robot)) {}
+  explicit SimRobot(KinematicRobot robot) : robot_(std::move(robot)) {}
+
+  /// The velocity to ramp to from the next step on.
+  void set_command(const Twist2& command) {
+    std::visit([&](auto& robot) { robot.set_command(command); }, robot_);
+  }
+  /// Advances by one time step.
+  void step() {
+    std::visit([](auto& robot) { robot.step(); }, robot_);
+  }
+  /// The same in somebody's hands, who holds base at `T_map_base` at its end.
+  void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels) {
+    std::visit([&](auto& robot) { robot.step_held(T_map_base, wheels); }, robot_);
+  }
+  /// Puts the robot elsewhere, standing still; wheel angles stay.
+  void teleport(const Pose2& T_map_base) {
+    std::visit([&](auto& robot) { robot.teleport(T_map_base); }, robot_);
+  }
+  [[nodiscard]] const RobotState& state() const {
+    return std::visit([](const auto& robot) -> const RobotState& { return robot.state(); }, robot_);
+  }
+  /// Contacts with the world begun so far, floor aside.
+  [[nodiscard]] std::int64_t collisions() const {
+    return std::visit([](const auto& robot) { return robot.collisions(); }, robot_);
+  }
+
+ private:
+  std::variant<RobotPhysics, KinematicRobot> robot_;
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,64 @@
+#include "sim/navigation/live_scan.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Four beams: ahead, left, behind, right of a laser in base.
+LidarConfig cross() {
+  LidarConfig lidar;
+  lidar.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.2) * Eigen::Isometry3d::Identity();
+  lidar.beams = 4;
+  lidar.angle_min = 0.0;
+  lidar.angle_increment = std::numbers::pi / 2;
+  return lidar;
+}
+
+LidarReading scan_at(milliseconds stamp, std::vector<float> ranges) {
+  LidarReading scan;
+  scan.stamp = stamp;
+  scan.hit_object.assign(ranges.size(), 0);
+  scan.ranges = std::move(ranges);
+  return scan;
+}
+
+TEST(LiveScan, CarriesEndPointsAlongAsTheRobotMoves) {
+  LiveScan live;
+  live.on_odometry({milliseconds(0), {5.0, 1.0, 0.0}, {}});
+  live.on_odometry({milliseconds(100), {5.5, 1.0, 0.0}, {}});
+  live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F}), cross());
+  const auto points = live.p_base();
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_NEAR((points[0] - Eigen::Vector2d(1.5, 0.0)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((points[1] - Eigen::Vector2d(-0.5, 1.0)).norm(), 0.0, 1e-6);
+  live.on_odometry({milliseconds(200), {5.5, 1.0, std::numbers::pi / 2}, {}});
+  EXPECT_NEAR((live.p_base()[0] - Eigen::Vector2d(0.0, -1.5)).norm(), 0.0, 1e-6);
+  EXPECT_EQ(live.T_odom_base().yaw, std::numbers::pi / 2);
+}
+
+TEST(LiveScan, LeavesOutWhatIsNoObstacle) {
+  LiveScan live;
+  const float inf = std::numeric_limits<float>::infinity();
+  live.on_scan(scan_at(milliseconds(0), {inf, -inf, NAN, 4.0F}), cross());
+  EXPECT_EQ(live.p_base().size(), 1U);
+  LidarConfig tilted = cross();
+  tilted.T_base_laser.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
+  live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 1.0F, 1.0F}), tilted);
+  EXPECT_EQ(live.p_base().size(), 3U);  // the one ahead ends at the floor
+}
+
+TEST(LiveScan, KnowsNothingBeforeTheFirstScan) {
+  const LiveScan live;
+  EXPECT_TRUE(live.p_base().empty());
+  EXPECT_EQ(live.T_odom_base(), Pose2{});
+}
+
+}  // namespace
+}  // namespace castaway::sim
