@@ -88,10 +88,6 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<do
   T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
 }
 
-void WheelOdometry::reset() {
-  T_odom_axle_ = {believed_.p_base_axle.x(), believed_.p_base_axle.y(), 0.0};
-}
-
 Pose2 WheelOdometry::T_odom_base() const {
   const Pose2 T_axle_base{-believed_.p_base_axle.x(), -believed_.p_base_axle.y(), 0.0};
   return T_odom_axle_ * T_axle_base;

@@ -115,6 +115,7 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
 
 TEST(Includes, RunMetricsAndFormatsLinkWithoutTheSimulator) {
   const std::set<std::string> conversions = {
+      "tools/run/build_drive.cpp",      "tools/run/build_drive.hpp",
       "tools/run/build_robot.cpp",      "tools/run/build_robot.hpp",
       "tools/run/build_sensors.cpp",    "tools/run/build_sensors.hpp",
       "tools/run/build_simulation.cpp", "tools/run/build_simulation.hpp",

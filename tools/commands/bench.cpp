@@ -11,6 +11,7 @@ void add_bench_command(CLI::App& app, std::function<int()>& chosen) {
   add_bench_kidnaps(*bench, chosen);
   add_bench_localization(*bench, chosen);
   add_bench_odometry(*bench, chosen);
+  add_bench_physics(*bench, chosen);
   add_bench_published(*bench, chosen);
   add_bench_simulation(*bench, chosen);
 }

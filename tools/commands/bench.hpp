@@ -10,6 +10,7 @@ void add_bench_crowds(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_localization(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_odometry(CLI::App& bench, std::function<int()>& chosen);
+void add_bench_physics(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_published(CLI::App& bench, std::function<int()>& chosen);
 void add_bench_simulation(CLI::App& bench, std::function<int()>& chosen);
 

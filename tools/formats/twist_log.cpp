@@ -37,9 +37,9 @@ std::string_view trimmed(std::string_view line) {
 
 }  // namespace
 
-std::vector<sim::TimedTwist> read_twist_log(const std::filesystem::path& path) {
+std::vector<TwistLine> read_twist_log(const std::filesystem::path& path) {
   std::istringstream stream(read_file(path));
-  std::vector<sim::TimedTwist> log;
+  std::vector<TwistLine> log;
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
@@ -51,7 +51,7 @@ std::vector<sim::TimedTwist> read_twist_log(const std::filesystem::path& path) {
     std::array<double, 3> values{};
     if (!parse(line, values)) fail("no command; write time [s], speed [m/s], turn rate [rad/s]");
     if (!log.empty() && values[0] < log.back().t_s) fail("goes back in time; sort the lines");
-    log.push_back({values[0], {values[1], values[2]}});
+    log.push_back({values[0], values[1], values[2]});
   }
   if (log.empty()) throw std::runtime_error(path.string() + ": holds no commands 't_s,v,w'");
   return log;

@@ -4,13 +4,18 @@
 #include <filesystem>
 #include <vector>
 
-#include "sim/navigation/twist_log.hpp"
-
 namespace castaway::testbed {
+
+/// A command.
+struct TwistLine {
+  double t_s = 0.0;  ///< [s] Since the start of the run.
+  double v = 0.0;    ///< [m/s] Forward.
+  double w = 0.0;    ///< [rad/s] Counter-clockwise.
+};
 
 /// Reads lines of time [s], forward speed [m/s] and turn rate [rad/s], in order of times; empty
 /// lines and lines from '#' on are skipped. Throws std::runtime_error naming file and line where
 /// one cannot be read, goes back in time, or where there is none.
-std::vector<sim::TimedTwist> read_twist_log(const std::filesystem::path& path);
+std::vector<TwistLine> read_twist_log(const std::filesystem::path& path);
 
 }  // namespace castaway::testbed

@@ -88,7 +88,9 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);
   } else {
-    drive.log = read_twist_log(found_file(spec.twist_log, base));
+    for (const TwistLine& line : read_twist_log(found_file(spec.twist_log, base))) {
+      drive.log.push_back({line.t_s, {line.v, line.w}});
+    }
   }
   return drive;
 }

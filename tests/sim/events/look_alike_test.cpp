@@ -120,10 +120,10 @@ TEST_F(LookAlikesTest, HoldOneScanAgainstAnotherAsTheLidarTakesThem) {
   const Pose2 a{2.5, 2.2, 0.7};
   const Pose2 b{6.0, 1.0, -1.1};
   double sum = 0.0;
-  Rng rng;
+  LidarDraws draws;
   for (int i = 0; i < 180; ++i) {
-    const float from_a = lidar.cast(scene_, to_isometry(a), i, rng).range;
-    const float from_b = lidar.cast(scene_, to_isometry(b), i, rng).range;
+    const float from_a = lidar.cast(scene_, to_isometry(a), i, draws).range;
+    const float from_b = lidar.cast(scene_, to_isometry(b), i, draws).range;
     const auto capped = [](float range) { return std::min(range, 8.0F); };
     sum += std::min(std::abs(capped(from_a) - capped(from_b)), 1.0F);
   }

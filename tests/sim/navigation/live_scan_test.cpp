@@ -54,6 +54,31 @@ TEST(LiveScan, LeavesOutWhatIsNoObstacle) {
   EXPECT_EQ(live.p_base().size(), 3U);  // the one ahead ends at the floor
 }
 
+TEST(LiveScan, RemembersTheNewestScanOfEachLidar) {
+  LiveScan live;
+  live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F}), cross());
+  LidarReading other = scan_at(milliseconds(50), {5.0F, NAN, NAN, NAN});
+  other.lidar = 1;
+  live.on_scan(other, cross());
+  EXPECT_EQ(live.p_base().size(), 5U);
+  live.on_scan(scan_at(milliseconds(100), {2.0F, NAN, NAN, NAN}), cross());
+  EXPECT_EQ(live.p_base().size(), 2U);
+}
+
+/// A beam 60 degrees up ends half its range ahead.
+TEST(LiveScan, LaysTheBeamsOfLayersDown) {
+  LidarConfig lidar = cross();
+  lidar.beams = 1;
+  lidar.elevations = {0.0, std::numbers::pi / 3};
+  LidarReading scan = scan_at(milliseconds(0), {4.0F, 1.0F});
+  scan.layers = 2;
+  LiveScan live;
+  live.on_scan(scan, lidar);
+  const auto points = live.p_base();
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[1].x(), 0.5, 1e-6);
+}
+
 TEST(LiveScan, KnowsNothingBeforeTheFirstScan) {
   const LiveScan live;
   EXPECT_TRUE(live.p_base().empty());

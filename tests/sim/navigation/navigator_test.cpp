@@ -99,7 +99,7 @@ TEST(Navigator, StopsShortAndCountsIt) {
     pose = pose * arc(0.05 * twist.v, 0.05 * twist.w);
     navigator.on_odometry({std::chrono::milliseconds(50 * i), pose, {}});
   }
-  ASSERT_GT(twist.v, 0.4);
+  ASSERT_GT(twist.v, 0.2);
   const auto ahead = static_cast<std::size_t>(180);  // angle_min is -pi
   for (std::size_t i = ahead - 10; i <= ahead + 10; ++i) scan.ranges[i] = 0.3F;
   scan.stamp = seconds(9);

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class TwistLogFile : public testing::Test {
  protected:
-  std::vector<sim::TimedTwist> read(const std::string& text) {
+  std::vector<TwistLine> read(const std::string& text) {
     const auto path = std::filesystem::path(testing::TempDir()) / "twists.csv";
     std::ofstream(path) << text;
     return read_twist_log(path);
@@ -32,10 +32,10 @@ class TwistLogFile : public testing::Test {
 TEST_F(TwistLogFile, HoldsCommandsByTime) {
   const auto log = read("t_s,v,w\n# begins\n0,0.5,0\r\n\n1.5,0.25,-0.75\n");
   ASSERT_EQ(log.size(), 2U);
-  EXPECT_EQ(log[0].twist.v, 0.5);
+  EXPECT_EQ(log[0].v, 0.5);
   EXPECT_EQ(log[1].t_s, 1.5);
-  EXPECT_EQ(log[1].twist.v, 0.25);
-  EXPECT_EQ(log[1].twist.w, -0.75);
+  EXPECT_EQ(log[1].v, 0.25);
+  EXPECT_EQ(log[1].w, -0.75);
 }
 
 TEST_F(TwistLogFile, SaysWhichLineIsWrong) {

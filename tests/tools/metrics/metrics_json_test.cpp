@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "localization/stamp.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -16,6 +18,13 @@ TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
   metrics.wrong_lock_share = 0.25;
   metrics.undetected = 1;
   metrics.false_alarms_per_h = 1.5;
+  metrics.windows = {{.taken = localization::from_seconds(2.0),
+                      .begin = localization::from_seconds(3.0),
+                      .kind = "carry",
+                      .recovered = localization::from_seconds(3.5),
+                      .noticed = localization::from_seconds(2.25),
+                      .distance_m = 0.125,
+                      .wrong_lock_s = 0.25}};
   const auto none = R"({"mean":null,"median":null,"p95":null,"rmse":null,"max":null})";
   const std::string text = to_json(metrics).dump();
   EXPECT_EQ(
@@ -25,7 +34,9 @@ TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
           R"("yaw_error_rad":)" + none + R"(,"tracking_error_m":)" + none +
           R"(,"recovery":{"events":3,"recovered":2,"success":0.666666667,)"
           R"("time_s":{"mean":6.0,"median":7.0,"p95":8.0,"max":10.0},)"
-          R"("distance_m":{"mean":null,"median":null,"p95":null,"max":null}},)"
+          R"("distance_m":{"mean":null,"median":null,"p95":null,"max":null},"each":[)"
+          R"({"kind":"carry","taken_s":2.0,"at_s":3.0,"scored":true,"recovered":true,)"
+          R"("time_s":0.5,"distance_m":0.125,"detection_delay_s":0.25,"wrong_lock_s":0.25}]},)"
           R"("wrong_lock_share":0.25,"alarm":{"detection_delay_s":{"mean":0.5,"max":0.75},)"
           R"("undetected":1,"false_per_h":1.5})");
 }

@@ -61,9 +61,11 @@ TEST(Recovery, OfACarriedRobotIsTimedFromWhereItWasPutDown) {
 }
 
 TEST(Recovery, IsNotUndoneByAScanThatTheNextKidnapTore) {
-  auto rows = twenty_rows({4, 9});
+  auto rows = twenty_rows({3, 9});
+  const std::vector<RunEvent> kidnaps{kidnap_at(3.0), kidnap_at(9.5)};
+  EXPECT_FALSE(windows_of(rows, kidnaps)[0].recovered.has_value());
   rows[9].torn = true;
-  const auto windows = windows_of(rows, {kidnap_at(4.0), kidnap_at(9.5)});
+  const auto windows = windows_of(rows, kidnaps);
   EXPECT_TRUE(windows[0].recovered.has_value());
 }
 
@@ -139,7 +141,8 @@ TEST(Recovery, OfAnUnknownStartBeginsAtTheFirstRow) {
 TEST(Recovery, OfNoRowsIsNothing) { EXPECT_TRUE(windows_of({}, {kidnap_at(1.0)}).empty()); }
 
 TEST(RecoveryWindow, IsLostUpToTheRecoveryOrItsEnd) {
-  RecoveryWindow window{.begin = from_seconds(4.0), .end = from_seconds(20.0)};
+  RecoveryWindow window{
+      .taken = from_seconds(4.0), .begin = from_seconds(4.0), .end = from_seconds(20.0)};
   EXPECT_FALSE(window.is_lost_at(from_seconds(3.9)));
   EXPECT_TRUE(window.is_lost_at(from_seconds(19.9)));
   EXPECT_FALSE(window.is_lost_at(from_seconds(20.0)));

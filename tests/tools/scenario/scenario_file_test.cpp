@@ -135,8 +135,8 @@ TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
   ASSERT_EQ(second.scenario.lidars.size(), 2U);
   EXPECT_EQ(second.scenario.lidars[1].profile, "lds-01");
   EXPECT_TRUE(second.scenario.odometry.gyro.has_value());
-  ASSERT_EQ(second.scenario.faults.size(), 1U);
-  EXPECT_EQ(second.scenario.faults[0].lidar, "rear");
+  ASSERT_EQ(second.scenario.events.faults.size(), 1U);
+  EXPECT_EQ(second.scenario.events.faults[0].lidar, "rear");
   EXPECT_TRUE(second.scenario.outputs.scans);
   EXPECT_EQ(second.scenario.outputs.points_every_s, 2.0);
 }

@@ -1,0 +1,62 @@
+// castaway bench physics: a robot's drive against closed forms.
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/campaign/physics_bench.hpp"
+#include "tools/commands/bench.hpp"
+#include "tools/run/build_robot.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct PhysicsArguments {
+  std::string robot = "waffle";
+  double physics_hz = 500.0;
+  bool json = false;
+};
+
+int bench_physics(const PhysicsArguments& arguments) {
+  RobotSpec spec;
+  spec.file = arguments.robot;
+  const auto checks = check_physics(build_robot(spec, "."), arguments.physics_hz);
+  if (arguments.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PhysicsCheck& check : checks) {
+      list.push_back({{"what", check.what},
+                      {"unit", check.unit},
+                      {"expected", check.expected},
+                      {"measured", check.measured}});
+    }
+    fmt::print("{}\n", list.dump(1));
+    return kDone;
+  }
+  fmt::print("{:<38} {:>10} {:>12} {:>12}\n", arguments.robot, "expected", "measured", "error");
+  for (const PhysicsCheck& check : checks) {
+    fmt::print("{:<38} {:>10.3f} {:>12.6f} {:>12.6f} {}\n", check.what, check.expected,
+               check.measured, check.measured - check.expected, check.unit);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_physics(CLI::App& bench, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<PhysicsArguments>();
+  CLI::App* command =
+      bench.add_subcommand("physics", "A robot's drive against what mechanics says in one line");
+  command->add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
+  command->add_option("--physics-hz", arguments->physics_hz, "Steps a second")
+      ->check(CLI::Range(100.0, 10000.0));
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer(
+      "A straight line, a stop, a turn in place, an arc and a slope.\n"
+      "Example:\n"
+      "  castaway bench physics --robot butler");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return bench_physics(*arguments); }; });
+}
+
+}  // namespace castaway::testbed
