@@ -123,23 +123,23 @@ TEST_F(KidnapStageTest, NeverPutsTheRobotIntoAnythingOrOutside) {
                                       KidnapKind::kTurn, KidnapKind::kLookAlike};
   std::vector<KidnapSpec> specs;
   for (const KidnapKind kind : kinds) {
-    const int times = kind == KidnapKind::kLookAlike ? 20 : 1000;
+    const int times = kind == KidnapKind::kLookAlike ? 20 : 3400;
     specs.push_back(
         {.kind = kind, .when = {KidnapTrigger::On::kTime, 1.0, times}, .min_distance_m = 2.0});
   }
   KidnapStage kidnaps = stage(specs);
   const FreeSpace touching(grid_, config_.robot.footprint_radius);
   std::map<KidnapKind, int> count;
-  for (nanoseconds now = seconds(1); now < seconds(1100); now += milliseconds(50)) {
+  for (nanoseconds now = seconds(1); now < seconds(3600); now += milliseconds(100)) {
     const KidnapOutcome outcome = at(kidnaps, now);
     if (!outcome.done) continue;
     T_map_base_ = outcome.done->T_map_to;
     ASSERT_TRUE(touching.contains(T_map_base_.position())) << to_string(outcome.done->kind);
     ++count[outcome.done->kind];
   }
-  EXPECT_EQ(count[KidnapKind::kTeleportRandom], 1000);
-  EXPECT_GT(count[KidnapKind::kNudge], 900);
-  EXPECT_EQ(count[KidnapKind::kTurn], 1000);
+  EXPECT_EQ(count[KidnapKind::kTeleportRandom], 3400);
+  EXPECT_GT(count[KidnapKind::kNudge], 3300);
+  EXPECT_EQ(count[KidnapKind::kTurn], 3400);
   EXPECT_EQ(count[KidnapKind::kLookAlike], 20);
 }
 

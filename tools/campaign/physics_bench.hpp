@@ -16,8 +16,8 @@ struct PhysicsCheck {
   double measured = 0.0;
 };
 
-/// Drives the robot by physics at `physics_hz` on an open floor and on a slope, at up to 0.5 m/s and
-/// 1 rad/s with 0.5 m/s^2 and 2 rad/s^2.
+/// Drives the robot by physics at `physics_hz` on an open floor and on a slope, at up to 0.5 m/s
+/// and 1 rad/s with 0.5 m/s^2 and 2 rad/s^2.
 std::vector<PhysicsCheck> check_physics(const sim::RobotModel& robot, double physics_hz);
 
 }  // namespace castaway::testbed
