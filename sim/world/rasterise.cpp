@@ -89,7 +89,7 @@ void mark_objects(Grid& grid, const WorldSpec& world, const std::vector<double>&
   Painter painter(grid);
   for (const WorldObject& object : world.objects) {
     if (!object.in_world || object.drivable) continue;
-    for (const double z : heights) painter.paint(slice(object, z));
+    for (const Slice& cut : slices(object, heights)) painter.paint(cut);
   }
 }
 

@@ -108,8 +108,7 @@ Slice cut(const RampShape& ramp, const Eigen::Isometry3d& T, double z) {
                    {T * p.low[1], T * p.left[0], T * p.left[1]}, z);
 }
 
-Slice cut(const MeshShape& shape, const Eigen::Isometry3d& T, double z) {
-  const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
+Slice cut(const TriangleMesh& mesh, const Eigen::Isometry3d& T, double z) {
   const auto vertex = [&](std::size_t i) -> Eigen::Vector3d {
     return T * mesh.vertices[mesh.indices[i]].cast<double>();
   };
@@ -126,6 +125,13 @@ Slice cut(const MeshShape& shape, const Eigen::Isometry3d& T, double z) {
   return result;
 }
 
+/// What is cut: a mesh is read once for all heights.
+template <typename Shape>
+const Shape& solid_of(const Shape& shape) {
+  return shape;
+}
+TriangleMesh solid_of(const MeshShape& shape) { return load_mesh(shape.path, shape.scale); }
+
 }  // namespace
 
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
@@ -139,9 +145,17 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-Slice slice(const WorldObject& object, double z) {
-  return std::visit([&](const auto& shape) { return cut(shape, object.T_map_object, z); },
-                    object.shape);
+std::vector<Slice> slices(const WorldObject& object, const std::vector<double>& heights) {
+  return std::visit(
+      [&](const auto& shape) {
+        const auto& solid = solid_of(shape);
+        std::vector<Slice> result;
+        for (const double z : heights) result.push_back(cut(solid, object.T_map_object, z));
+        return result;
+      },
+      object.shape);
 }
+
+Slice slice(const WorldObject& object, double z) { return slices(object, {z}).front(); }
 
 }  // namespace castaway::sim

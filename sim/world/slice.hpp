@@ -37,6 +37,9 @@ struct Slice {
 /// @throws std::runtime_error if a mesh cannot be read.
 Slice slice(const WorldObject& object, double z);
 
+/// The same at several heights, in their order; a mesh is read once.
+std::vector<Slice> slices(const WorldObject& object, const std::vector<double>& heights);
+
 /// Convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 

@@ -1,10 +1,12 @@
 #include "sim/world/rasterise.hpp"
 
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sim/world/grid_tools.hpp"
+#include "sim/world/slice.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {
@@ -80,6 +82,25 @@ TEST(Rasterise, OutlinesAMesh) {
                                       ".###.",  //
                                       ".#?#.",  //
                                       ".###."}));
+}
+
+TEST(Slices, AreThoseOfEachHeight) {
+  WorldObject cube;
+  cube.name = "cube";
+  cube.shape = MeshShape{CASTAWAY_TEST_DATA "/meshes/cube.obj", {2.8, 2.8, 1.0}};
+  const std::vector<double> heights{0.1, 0.4, 9.0};
+  for (const WorldObject& object : {cube, box_on_floor("box", {1.0, 2.0, 0.3}, {0.0, 0.0})}) {
+    const auto all = slices(object, heights);
+    ASSERT_EQ(all.size(), heights.size());
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const Slice one = slice(object, heights[i]);
+      EXPECT_EQ(all[i].outlines.size(), one.outlines.size());
+      ASSERT_EQ(all[i].segments.size(), one.segments.size());
+      for (std::size_t k = 0; k < one.segments.size(); ++k) {
+        EXPECT_EQ(all[i].segments[k].a, one.segments[k].a);
+      }
+    }
+  }
 }
 
 TEST(Rasterise, LeavesTheOutsideUnknown) {
