@@ -77,9 +77,10 @@ TEST(BenchSimulation, PrintsATable) {
   const Outcome words = castaway(folder, "bench simulation --quick --duration 2");
   ASSERT_EQ(words.exit_code, 0) << words.err;
   expect_contains(words.out, "hall, 60 boxes");
+  expect_contains(words.out, "lab, kinematic");
   const Outcome json = castaway(folder, "bench simulation --quick --duration 2 --json");
   const Json root = Json::parse(json.out);
-  EXPECT_EQ(root.at("runs").size(), 3U);
+  EXPECT_EQ(root.at("runs").size(), 4U);
   EXPECT_EQ(root.at("casts").size(), 4U);
 }
 

@@ -22,7 +22,8 @@ struct SimulationArguments {
 
 std::vector<SimulationCostSpec> specs(const SimulationArguments& arguments) {
   const double s = arguments.duration_s;
-  if (arguments.quick) return {{0, 360, 0, s}, {20, 360, 0, s}, {20, 360, 0, s, true}};
+  if (arguments.quick)
+    return {{0, 360, 0, s}, {20, 360, 0, s}, {0, 360, 60, s}, {20, 360, 0, s, true}};
   std::vector<SimulationCostSpec> all;
   for (const int people : {0, 5, 20, 50, 100, 200}) all.push_back({people, 360, 0, s});
   for (const int people : {0, 20, 200}) all.push_back({people, 360, 0, s, true});
@@ -102,7 +103,7 @@ void add_bench_simulation(CLI::App& bench, std::function<int()>& chosen) {
       "simulation", "What a simulated second costs over people, beams and obstacles");
   command->add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--quick", arguments->quick, "Three runs and rough figures");
+  command->add_flag("--quick", arguments->quick, "Four runs and rough figures");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
       "CPU time of one core; physics at 240 Hz (kinematic: steps of 10 ms), a lidar of 10 Hz, no "

@@ -1,10 +1,11 @@
 #include "tools/formats/twist_log.hpp"
 
-#include <fstream>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -15,9 +16,7 @@ using testing::HasSubstr;
 class TwistLogFile : public testing::Test {
  protected:
   std::vector<TwistLine> read(const std::string& text) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "twists.csv";
-    std::ofstream(path) << text;
-    return read_twist_log(path);
+    return read_twist_log(folder_.put("twists.csv", text));
   }
   std::string error_of(const std::string& text) {
     try {
@@ -27,6 +26,9 @@ class TwistLogFile : public testing::Test {
     }
     return "";
   }
+
+ private:
+  TemporaryFolder folder_;
 };
 
 TEST_F(TwistLogFile, HoldsCommandsByTime) {

@@ -1,10 +1,10 @@
 #include "tools/scenario/scenario_file.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -12,9 +12,7 @@ namespace {
 class ScenarioFileTest : public testing::Test {
  protected:
   LoadedScenario load(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "trial.yaml";
-    std::ofstream(file) << text;
-    return load_scenario(file, overrides);
+    return load_scenario(folder_.put("trial.yaml", text), overrides);
   }
   /// The error's text, empty if there is none.
   std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -28,6 +26,9 @@ class ScenarioFileTest : public testing::Test {
   static void expect_contains(const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
+
+ private:
+  TemporaryFolder folder_;
 };
 
 TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
