@@ -122,7 +122,7 @@ std::vector<BadWorld> map_cases() {
   const std::string good = "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n";
   const std::string pixels = "P5\n2 2\n255\nabcd";
   const std::string png = "\x89PNG\r\n\x1a\n";
-  const std::string header("\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\0\0\0\0", 23);
+  const std::string header("\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\0\0\0\0", 21);
   return {
       map_case("MissingImage", "image: no.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n", pixels,
                {"no.pgm"}),
