@@ -219,6 +219,12 @@ std::vector<BadWorld> sdf_cases() {
   };
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr const char* kLimit = "";  // Sanitizers reserve terabytes.
+#else
+constexpr const char* kLimit = "ulimit -v 4000000;";  // [kB] Nothing gigantic is ever allocated.
+#endif
+
 class BadWorlds : public testing::TestWithParam<BadWorld> {};
 
 TEST_P(BadWorlds, EndInOneLineAndCodeTwo) {
@@ -228,7 +234,7 @@ TEST_P(BadWorlds, EndInOneLineAndCodeTwo) {
     std::ofstream(folder / name, std::ios::binary) << text;
   }
   const Outcome outcome =
-      castaway(folder, "check-world " + GetParam().checked + " --no-picture", "ulimit -v 4000000;");
+      castaway(folder, "check-world " + GetParam().checked + " --no-picture", kLimit);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.out << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_LT(outcome.err.size(), 1200U) << outcome.err;
