@@ -42,7 +42,7 @@ void add_pictures(RunPlan& plan, const std::filesystem::path& folder,
                   std::vector<std::unique_ptr<RunSink>>& sinks) {
   auto sink = std::make_unique<PictureSink>(folder, plan.info, std::move(plan.picture_world),
                                             *plan.pictures);
-  if (sink->missing()) {
+  if (sink->missing() && !plan.quiet) {
     fmt::print(stderr, "castaway: warning: no pictures: {}\n", *sink->missing());
   }
   sinks.push_back(std::move(sink));
@@ -56,7 +56,7 @@ int execute(RunPlan& plan, SensorSource& source) {
   write_file(swap.folder() / "scenario.yaml", plan.scenario_yaml);
   if (plan.pictures) add_pictures(plan, swap.folder(), sinks);
   try {
-    Progress progress(source.duration());
+    Progress progress(source.duration(), plan.quiet);
     plan.loop.on_progress = [&progress](Stamp reached) { progress.show(reached); };
     Loop(plan.loop, plan.localizers, sinks).run(source);
     if (plan.report) write_report(swap.folder(), plan.map);
@@ -66,6 +66,7 @@ int execute(RunPlan& plan, SensorSource& source) {
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;
   }
+  if (plan.quiet) return kDone;
   fmt::print("{}", plan.json ? read_file(plan.folder / "summary.json") : describe_run(plan.folder));
   return kDone;
 }

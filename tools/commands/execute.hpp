@@ -29,6 +29,7 @@ struct RunPlan {
   std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
   bool json = false;                             ///< Prints summary.json instead of words.
+  bool quiet = false;                            ///< Prints nothing, no progress either.
 };
 
 /// Runs, writes the run folder, prints the result. Returns the exit code; throws std::exception if

@@ -2,17 +2,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
+#include "tools/campaign/progress_text.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 
-Progress::Progress(Stamp duration)
-    : duration_(duration), terminal_(isatty(fileno(stderr)) != 0), begin_(wall_time()) {}
+Progress::Progress(Stamp duration, bool quiet)
+    : duration_(duration), terminal_(!quiet && isatty(fileno(stderr)) != 0), begin_(wall_time()) {}
 
 Progress::~Progress() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
@@ -24,8 +27,29 @@ void Progress::show(Stamp reached) {
   if (!terminal_ || now - shown_ < kPause) return;
   shown_ = now;
   const double factor = localization::seconds(reached) / localization::seconds(now - begin_);
-  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.0f} x real time",
-             localization::seconds(reached), localization::seconds(duration_), factor);
+  const double left = localization::seconds(duration_ - reached) / std::max(factor, 1e-3);
+  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.0f} x real time   {} left",
+             localization::seconds(reached), localization::seconds(duration_), factor,
+             minutes_and_seconds(left));
+  std::fflush(stderr);
+}
+
+CampaignProgress::CampaignProgress(int all, std::string what)
+    : all_(all),
+      what_(std::move(what)),
+      terminal_(isatty(fileno(stderr)) != 0),
+      begin_(wall_time()) {}
+
+CampaignProgress::~CampaignProgress() {
+  if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void CampaignProgress::next(const std::string& result) {
+  ++done_;
+  if (!terminal_) return;
+  const double elapsed_s = localization::seconds(wall_time() - begin_);
+  fmt::print(stderr, "\r\033[K{}{}{}", progress_text(done_, all_, what_, elapsed_s),
+             result.empty() ? "" : "; ", result);
   std::fflush(stderr);
 }
 

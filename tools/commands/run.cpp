@@ -1,20 +1,16 @@
-// castaway run: a scenario, simulated.
+// castaway run: a scenario, simulated; with --seeds, many times.
 #include <memory>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "sim/render/primitives.hpp"
-#include "sim/robot/robot_visuals.hpp"
-#include "sim/world/world_visuals.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/execute.hpp"
-#include "tools/run/build_localizers.hpp"
-#include "tools/run/build_simulation.hpp"
-#include "tools/run/cpu_clock.hpp"
-#include "tools/run/map_conversion.hpp"
-#include "tools/run/simulator_source.hpp"
+#include "tools/commands/play.hpp"
+#include "tools/commands/run_seeds.hpp"
+#include "tools/commands/verdict_output.hpp"
+#include "tools/formats/file.hpp"
 #include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/scenario_file.hpp"
+#include "tools/scenario/expect_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -24,116 +20,85 @@ struct RunArguments {
   std::string scenario;
   std::vector<std::string> shortcuts;  ///< --seed and the like, as key=value.
   std::vector<std::string> sets;       ///< --set key=value
+  std::vector<std::string> expects;    ///< --expect "metric condition"
+  std::string seeds;
+  int workers = 1;
   std::string out;
+  std::string junit;
   bool json = false;
 };
 
-std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
-  std::vector<std::string> names;
-  for (const LocalizerSpec& spec : specs) names.push_back(spec.name);
-  return names;
+std::filesystem::path file_of(const RunArguments& arguments) {
+  if (!arguments.scenario.empty()) return arguments.scenario;
+  return data_root() / "worlds/lab/scenarios/kidnap.yaml";
 }
 
-/// The floor, just below z = 0.
-sim::SceneItem floor_item(const sim::WorldSpec& world) {
-  sim::SceneItem item;
-  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
-  item.T_map_mesh.translation().z() = -0.003F;
-  item.color = {0.80F, 0.77F, 0.72F};
-  return item;
-}
-
-void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared, RunPlan& plan) {
-  plan.map = prepared.map;
-  plan.report = outputs.report;
-  if (!outputs.snapshots) return;
-  plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
-                                outputs.snapshot_width, outputs.snapshot_height};
-  PictureWorld& world = plan.picture_world;
-  world.world = sim::world_visuals(prepared.config.world);
-  world.world.push_back(floor_item(prepared.config.world));
-  world.robot = sim::robot_visuals(prepared.config.robot);
-  world.min_corner = prepared.config.world.min_corner;
-  world.max_corner = prepared.config.world.max_corner;
-  world.robot_radius = prepared.config.robot.footprint_radius;
-  world.map = prepared.map;
-}
-
-/// Lidars that would tell none tell the power that they receive; no range changes by it.
-void tell_intensities(sim::SimulationConfig& config) {
-  const auto tell = [](sim::LidarConfig& lidar) {
-    if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
-  };
-  tell(config.lidar);
-  for (sim::LidarConfig& lidar : config.more_lidars) tell(lidar);
-}
-
-void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, RunPlan& plan) {
-  plan.points_every_s = outputs.points_every_s;
-  if (!outputs.scans) return;
-  tell_intensities(prepared.config);
-  plan.label_name = [world = prepared.config.world](int label) {
-    return sim::hit_name(world, label);
-  };
-}
-
-/// All of the plan that is known before the simulation starts.
-RunPlan plan_of(const RunArguments& arguments, const LoadedScenario& loaded,
-                PreparedSimulation& prepared) {
-  const Scenario& scenario = loaded.scenario;
-  RunPlan plan;
-  plan.info = {scenario.name,      prepared.world_name,   prepared.config.robot.name,
-               scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
-               prepared.difference};
-  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / scenario.name /
-                                            fmt::format("seed-{}", scenario.seed)
-                                      : std::filesystem::path(arguments.out);
-  plan.scenario_yaml = loaded.effective;
-  plan.json = arguments.json;
-  plan.localizers =
-      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
-  add_pictures(scenario.outputs, prepared, plan);
-  add_scan_outputs(scenario.outputs, prepared, plan);
-  return plan;
-}
-
-SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
-  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
-  const Stamp duration = prepared.config.duration;
-  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed), thread_cpu_time),
-          std::move(lidars), duration};
-}
-
-int run_scenario(const RunArguments& arguments) {
-  const std::filesystem::path file = arguments.scenario.empty()
-                                         ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
-                                         : std::filesystem::path(arguments.scenario);
+std::vector<std::string> overrides_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.shortcuts;
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
-  const LoadedScenario loaded = load_scenario(file, overrides);
-  const Scenario& scenario = loaded.scenario;
-  PreparedSimulation prepared = build_simulation(scenario, file.parent_path());
-  for (const std::string& warning : prepared.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
-  }
-  RunPlan plan = plan_of(arguments, loaded, prepared);
-  SimulatorSource source = source_of(std::move(prepared), scenario.seed);
-  if (plan.points_every_s > 0.0) source.keep_clouds();
-  plan.loop = loop_config(scenario, *source.start_pose());
-  if (scenario.people.config.count() > 0) {
-    plan.people_every_s = scenario.people.log_every_s;
-    plan.picture_world.moving = [&source] { return source.people_items(); };
-  }
-  return execute(plan, source);
+  return overrides;
 }
 
-}  // namespace
+/// Those of the command line.
+std::vector<Expectation> expectations_of(const RunArguments& arguments, const Scenario& scenario) {
+  std::vector<std::string> localizers;
+  for (const LocalizerSpec& spec : scenario.localizers) localizers.push_back(spec.name);
+  std::vector<Expectation> expectations;
+  for (const std::string& text : arguments.expects) {
+    try {
+      expectations.push_back(parse_expectation(text));
+      require_known_metric(expectations.back().metric, localizers);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("--expect: {}", error.what()));
+    }
+  }
+  return expectations;
+}
 
-void add_run_command(CLI::App& app, std::function<int()>& chosen) {
-  auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command =
-      app.add_subcommand("run", "Simulate a scenario; without one, the default kidnap");
-  command->add_option("scenario", arguments->scenario, "Scenario file (YAML)");
+int judge_run(const RunArguments& arguments, const Scenario& scenario,
+              const std::filesystem::path& folder) {
+  std::vector<Expectation> expectations = scenario.expect;
+  for (const Expectation& more : expectations_of(arguments, scenario)) {
+    expectations.push_back(more);
+  }
+  const std::vector<Check> checks = judge(expectations, {load_judged_run(folder)});
+  if (!arguments.junit.empty()) {
+    write_file(arguments.junit, junit_xml(scenario.name, junit_cases(scenario.name, checks)));
+  }
+  fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
+  return exit_code_of(checks);
+}
+
+int run_once(const RunArguments& arguments) {
+  const std::filesystem::path file = file_of(arguments);
+  const LoadedScenario loaded = load_scenario(file, overrides_of(arguments));
+  const Scenario& scenario = loaded.scenario;
+  static_cast<void>(expectations_of(arguments, scenario));  // Refused before the run, not after it.
+  PlayOptions options;
+  options.base = file.parent_path();
+  options.out =
+      arguments.out.empty() ? default_run_folder(scenario) : std::filesystem::path(arguments.out);
+  options.json = arguments.json;
+  const int exit_code = play(loaded, options);
+  return exit_code == kDone ? judge_run(arguments, scenario, options.out) : exit_code;
+}
+
+int run_many(const RunArguments& arguments) {
+  SeedsRequest request;
+  request.scenario = file_of(arguments);
+  request.overrides = overrides_of(arguments);
+  const Scenario scenario = load_scenario(request.scenario, request.overrides).scenario;
+  request.seeds = parse_seeds(arguments.seeds, scenario.seed);
+  request.workers = arguments.workers;
+  request.out = arguments.out.empty() ? default_run_folder(scenario).parent_path()
+                                      : std::filesystem::path(arguments.out);
+  request.expectations = expectations_of(arguments, scenario);
+  request.junit = arguments.junit;
+  request.json = arguments.json;
+  return run_seeds(request);
+}
+
+void add_shortcuts(CLI::App* command, const std::shared_ptr<RunArguments>& arguments) {
   const auto shortcut = [&](const std::string& flag, const std::string& key,
                             const std::string& text) {
     command->add_option_function<std::string>(
@@ -147,17 +112,45 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   shortcut("--duration", "duration_s", "Simulated time [s]");
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
   shortcut("--robot", "robot", "A robot's name, a .urdf or a .xacro");
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, std::function<int()>& chosen) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command =
+      app.add_subcommand("run", "Simulate a scenario; without one, the default kidnap");
+  command->add_option("scenario", arguments->scenario, "Scenario file (YAML)");
+  add_shortcuts(command, arguments);
   command->add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "Run folder (default: runs/<scenario>/seed-<n>)");
+  command
+      ->add_option("--expect", arguments->expects,
+                   "Besides the scenario's: METRIC CONDITION, \"mh_amcl.recovery.success >= 1\"")
+      ->allow_extra_args(false);
+  command->add_option("--seeds", arguments->seeds,
+                      "So many seeds from the scenario's on, or A..B: a folder for each and "
+                      "what they amount to");
+  command->add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--out", arguments->out,
+                      "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
+                      "above it)");
+  command->add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
   command->add_flag("--json", arguments->json, "Print summary.json instead of words");
   command->footer(
+      "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"
       "Examples:\n"
       "  castaway run\n"
       "  castaway run worlds/lab/scenarios/kidnap.yaml --seed 7 --out /tmp/kidnap\n"
+      "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return run_scenario(*arguments); }; });
+  command->callback([&chosen, arguments] {
+    chosen = [arguments] {
+      return arguments->seeds.empty() ? run_once(*arguments) : run_many(*arguments);
+    };
+  });
 }
 
 }  // namespace castaway::testbed

@@ -2,12 +2,24 @@
 
 #include <algorithm>
 
+#include "tools/metrics/bootstrap.hpp"
+
 namespace castaway::testbed {
 namespace {
 
 bool is_tracking(const std::vector<RecoveryWindow>& windows, Stamp stamp) {
   return std::none_of(windows.begin(), windows.end(),
                       [&](const RecoveryWindow& window) { return window.is_lost_at(stamp); });
+}
+
+constexpr double kBlock = 5.0;  // [s] Of rows that resemble each other.
+
+/// Rows of 5 s, by the mean time between two.
+std::size_t block_of(const std::vector<MetricRow>& rows) {
+  if (rows.size() < 2) return 1;
+  const double period =
+      seconds(rows.back().stamp - rows.front().stamp) / static_cast<double>(rows.size() - 1);
+  return period > 0.0 ? static_cast<std::size_t>(std::max(kBlock / period, 1.0)) : 1;
 }
 
 void measure_errors(const std::vector<MetricRow>& rows, LocalizerMetrics& metrics) {
@@ -21,9 +33,13 @@ void measure_errors(const std::vector<MetricRow>& rows, LocalizerMetrics& metric
     yaw.push_back(error->yaw_rad);
     if (is_tracking(metrics.windows, row.stamp)) tracking.push_back(error->position_m);
   }
-  metrics.position_error_m = statistics(std::move(position));
-  metrics.yaw_error_rad = statistics(std::move(yaw));
-  metrics.tracking_error_m = statistics(std::move(tracking));
+  const std::size_t block = block_of(rows);
+  const auto summed_up = [block](std::vector<double> sample, const char* name) {
+    return statistics_with_intervals(std::move(sample), {.stream = name, .block = block});
+  };
+  metrics.position_error_m = summed_up(std::move(position), "position_error_m");
+  metrics.yaw_error_rad = summed_up(std::move(yaw), "yaw_error_rad");
+  metrics.tracking_error_m = summed_up(std::move(tracking), "tracking_error_m");
 }
 
 void measure_recovery(LocalizerMetrics& metrics) {
@@ -39,8 +55,9 @@ void measure_recovery(LocalizerMetrics& metrics) {
   if (metrics.events > 0) {
     metrics.success = static_cast<double>(metrics.recovered) / metrics.events;
   }
-  metrics.recovery_time_s = statistics(std::move(times));
-  metrics.recovery_distance_m = statistics(std::move(distances));
+  metrics.recovery_time_s = statistics_with_intervals(std::move(times), {.stream = "time_s"});
+  metrics.recovery_distance_m =
+      statistics_with_intervals(std::move(distances), {.stream = "distance_m"});
 }
 
 void measure_wrong_lock(const std::vector<MetricRow>& rows, const RecoveryConfig& config,
@@ -53,6 +70,44 @@ void measure_wrong_lock(const std::vector<MetricRow>& rows, const RecoveryConfig
     if (!row.lost && !is_right(row, config)) ++wrong;
   }
   if (answered > 0) metrics.wrong_lock_share = static_cast<double>(wrong) / answered;
+}
+
+/// Each row stands for the time to the next one; the last to the end.
+void measure_wrong_lock_time(const std::vector<MetricRow>& rows, Stamp end,
+                             const RecoveryConfig& config, LocalizerMetrics& metrics) {
+  double stretch = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Stamp until = i + 1 < rows.size() ? rows[i + 1].stamp : std::max(end, rows[i].stamp);
+    const bool wrong = !rows[i].lost && pose_error(rows[i]) && !is_right(rows[i], config);
+    stretch = wrong ? stretch + seconds(until - rows[i].stamp) : 0.0;
+    if (wrong) metrics.wrong_lock_s += seconds(until - rows[i].stamp);
+    metrics.longest_wrong_lock_s = std::max(metrics.longest_wrong_lock_s, stretch);
+  }
+}
+
+void measure_availability(const std::vector<MetricRow>& rows, LocalizerMetrics& metrics) {
+  int scored = 0;
+  int available = 0;
+  for (const MetricRow& row : rows) {
+    if (!row.T_map_base_true || row.torn) continue;
+    ++scored;
+    if (row.T_map_base_estimate && !row.lost) ++available;
+  }
+  if (scored > 0) metrics.availability = static_cast<double>(available) / scored;
+}
+
+/// The trajectories as the TUM files hold them: a pose a stamp, the first one.
+std::optional<Ape> ape_of(const std::vector<MetricRow>& rows) {
+  std::vector<StampedPose> truth;
+  std::vector<StampedPose> estimate;
+  std::optional<Stamp> newest;
+  for (const MetricRow& row : rows) {
+    if (newest && row.stamp <= *newest) continue;
+    newest = row.stamp;
+    if (row.T_map_base_true) truth.push_back({row.stamp, *row.T_map_base_true});
+    if (row.T_map_base_estimate) estimate.push_back({row.stamp, *row.T_map_base_estimate});
+  }
+  return absolute_pose_error(truth, estimate);
 }
 
 void measure_detection(LocalizerMetrics& metrics) {
@@ -107,9 +162,14 @@ LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<Ru
   measure_errors(rows, metrics);
   measure_recovery(metrics);
   measure_wrong_lock(rows, config, metrics);
+  measure_wrong_lock_time(rows, end, config, metrics);
+  measure_availability(rows, metrics);
+  metrics.jumps = jumps_of(rows, metrics.windows);
   measure_detection(metrics);
   measure_false_alarms(rows, end, config, metrics);
   metrics.calibration = calibration_of(rows, config);
+  metrics.discrimination = discrimination_of(rows);
+  metrics.ape = ape_of(rows);
   return metrics;
 }
 

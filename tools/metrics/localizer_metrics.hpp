@@ -1,5 +1,4 @@
-/// How well a localizer did in a run. This is the one place that says what the figures of
-/// summary.json mean.
+/// How well a localizer did in a run. docs/metrics.md says the same for users.
 ///
 /// Rows are scans. A row is scored if its truth is known; the truth of a scan is that at the stamp
 /// of its first beam, and so is the estimate's. A scan that a kidnap tore is not scored: its beams
@@ -10,15 +9,22 @@
 #include <optional>
 #include <vector>
 
+#include "tools/metrics/ape.hpp"
 #include "tools/metrics/calibration.hpp"
+#include "tools/metrics/discrimination.hpp"
+#include "tools/metrics/output_jumps.hpp"
 #include "tools/metrics/recovery.hpp"
 #include "tools/metrics/statistics.hpp"
 
 namespace castaway::testbed {
 
+/// Version of these definitions; figures of two versions must not be compared. 1: without
+/// intervals, availability, jumps, discrimination and APE.
+inline constexpr int kMetricsVersion = 2;
+
 /// Figures of one localizer; nothing where there is nothing to measure.
 struct LocalizerMetrics {
-  /// Over all rows with truth and estimate.
+  /// Over all rows with truth and estimate. Intervals: bootstrap over blocks of 5 s.
   std::optional<Statistics> position_error_m;
   std::optional<Statistics> yaw_error_rad;
   /// Position error outside the times from a kidnap (or unknown start) to its recovery; where there
@@ -30,13 +36,19 @@ struct LocalizerMetrics {
   /// Those after which the error stays below 0.5 m and 0.35 rad from some row on, answered at least
   /// 5 s before the end of the window. A row without an estimate is wrong.
   int recovered = 0;
-  std::optional<double> success;              ///< recovered / events.
+  std::optional<double> success;              ///< recovered / events, interval of Wilson's.
   std::optional<Statistics> recovery_time_s;  ///< From the event to that row, recovered ones only.
   std::optional<Statistics> recovery_distance_m;  ///< Driven meanwhile, recovered ones only.
 
   /// Share of the scored rows with an estimate whose output says it is right (lost == false) while
   /// it is not: error from 0.5 m or from 0.35 rad on.
   std::optional<double> wrong_lock_share;
+
+  double wrong_lock_s = 0.0;          ///< [s] That, each row standing for the time to the next...
+  double longest_wrong_lock_s = 0.0;  ///< [s] ...and its longest stretch without a pause.
+  /// Share of the scored rows that have an estimate and no alarm.
+  std::optional<double> availability;
+  OutputJumps jumps;
 
   /// From a kidnap's beginning to the first row that raises the alarm or is right; kidnaps that are
   /// counted in `events` and are noticed before the next one.
@@ -51,6 +63,10 @@ struct LocalizerMetrics {
 
   /// Stated probability against what came of it, over all rows with truth and estimate.
   Calibration calibration;
+  /// How well quality, stated probability and covariance tell right from wrong, over the same rows.
+  Discrimination discrimination;
+  /// As evo computes it from the run's TUM files: torn scans are in, for evo knows of no kidnaps.
+  std::optional<Ape> ape;
 
   std::vector<RecoveryWindow> windows;  ///< What the recovery figures are made of.
 };

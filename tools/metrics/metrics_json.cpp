@@ -7,24 +7,54 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Nine digits after the point: far below what is measured, and the same text everywhere.
-Json figure(double value) { return std::round(value * 1e9) / 1e9; }
+Json figure(double value) { return json_figure(value); }
 
 Json figure(const std::optional<double>& value) { return value ? figure(*value) : Json(); }
 
+Json interval(const std::optional<Interval>& ends) {
+  return ends ? Json{figure(ends->low), figure(ends->high)} : Json();
+}
+
 Json error_figures(const std::optional<Statistics>& s) {
   if (!s) {
-    return {{"mean", nullptr},
-            {"median", nullptr},
-            {"p95", nullptr},
-            {"rmse", nullptr},
-            {"max", nullptr}};
+    return {{"mean", nullptr},           {"median", nullptr}, {"p95", nullptr},
+            {"rmse", nullptr},           {"max", nullptr},    {"mean_interval", nullptr},
+            {"median_interval", nullptr}};
   }
   return {{"mean", figure(s->mean)},
           {"median", figure(s->median)},
           {"p95", figure(s->p95)},
           {"rmse", figure(s->rmse)},
-          {"max", figure(s->max)}};
+          {"max", figure(s->max)},
+          {"mean_interval", interval(s->mean_interval)},
+          {"median_interval", interval(s->median_interval)}};
+}
+
+Json rate_interval(int successes, int trials) {
+  if (trials == 0) return nullptr;
+  const RateInterval ends = wilson_interval(successes, trials);
+  return {figure(ends.low), figure(ends.high)};
+}
+
+Json jump_figures(const OutputJumps& jumps) {
+  return {{"count", jumps.count},
+          {"while_tracking", jumps.while_tracking},
+          {"largest_m", figure(jumps.largest_m)}};
+}
+
+Json roc_figures(const Discrimination& areas) {
+  return {{"right", areas.right},
+          {"wrong", areas.wrong},
+          {"quality_auc", figure(areas.quality)},
+          {"probability_auc", figure(areas.probability)},
+          {"covariance_auc", figure(areas.covariance)}};
+}
+
+Json ape_figures(const std::optional<Ape>& ape) {
+  const auto of = [&](double Ape::*value) { return ape ? figure((*ape).*value) : Json(); };
+  return {{"pairs", ape ? ape->pairs : 0}, {"mean", of(&Ape::mean)}, {"median", of(&Ape::median)},
+          {"rmse", of(&Ape::rmse)},        {"std", of(&Ape::std)},   {"min", of(&Ape::min)},
+          {"max", of(&Ape::max)}};
 }
 
 Json event_figures(const std::optional<Statistics>& s) {
@@ -66,6 +96,8 @@ Json each_window(const std::vector<RecoveryWindow>& windows) {
 
 }  // namespace
 
+Json json_figure(double value) { return std::round(value * 1e9) / 1e9; }
+
 Json to_json(const Calibration& calibration) {
   Json json = {{"brier", figure(calibration.brier())},
                {"scans", calibration.scans()},
@@ -91,16 +123,24 @@ Json to_json(const LocalizerMetrics& metrics) {
            {{"events", metrics.events},
             {"recovered", metrics.recovered},
             {"success", figure(metrics.success)},
+            {"success_interval", rate_interval(metrics.recovered, metrics.events)},
             {"time_s", event_figures(metrics.recovery_time_s)},
             {"distance_m", event_figures(metrics.recovery_distance_m)},
             {"each", each_window(metrics.windows)}}},
           {"wrong_lock_share", figure(metrics.wrong_lock_share)},
+          {"wrong_lock_s",
+           {{"total", figure(metrics.wrong_lock_s)},
+            {"longest", figure(metrics.longest_wrong_lock_s)}}},
+          {"availability", figure(metrics.availability)},
+          {"jumps", jump_figures(metrics.jumps)},
+          {"ape_m", ape_figures(metrics.ape)},
           {"alarm",
            {{"detection_delay_s",
              {{"mean", delay ? figure(delay->mean) : Json()},
               {"max", delay ? figure(delay->max) : Json()}}},
             {"undetected", metrics.undetected},
             {"false_per_h", figure(metrics.false_alarms_per_h)}}},
+          {"discrimination", roc_figures(metrics.discrimination)},
           {"calibration", to_json(metrics.calibration)}};
 }
 

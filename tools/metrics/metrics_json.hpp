@@ -8,6 +8,10 @@
 
 namespace castaway::testbed {
 
+/// A figure with nine digits after the point: far below what is measured, and the same text
+/// everywhere.
+nlohmann::ordered_json json_figure(double value);
+
 /// Brier score and reliability diagram.
 nlohmann::ordered_json to_json(const Calibration& calibration);
 

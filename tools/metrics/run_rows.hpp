@@ -18,7 +18,9 @@ struct MetricRow {
   bool lost = false;                       ///< The alarm.
   Stamp delivered{};                       ///< When the answer was there, if later than `stamp`.
   double probability = 0.0;                ///< In [0, 1]: stated, that the estimate is right.
-  bool torn = false;  ///< Part of the scan was taken before a kidnap and part after: not scored.
+  double quality = 0.0;                    ///< In [0, 1]: how well the scan fits the map there.
+  double sigma_m = 0.0;  ///< sqrt((var_x + var_y) / 2) of the stated covariance. [m]
+  bool torn = false;     ///< Part of the scan was taken before a kidnap and part after: not scored.
 
   /// When the answer was there: a recovery or an alarm counts from then on.
   [[nodiscard]] Stamp answered() const { return std::max(stamp, delivered); }

@@ -25,8 +25,13 @@ std::optional<Statistics> statistics(std::vector<double> sample) {
     squares += value * value;
   }
   const auto count = static_cast<double>(sample.size());
-  return Statistics{sum / count, percentile(sample, 0.5), percentile(sample, 0.95),
-                    std::sqrt(squares / count), sample.back()};
+  return Statistics{sum / count,
+                    percentile(sample, 0.5),
+                    percentile(sample, 0.95),
+                    std::sqrt(squares / count),
+                    sample.back(),
+                    {},
+                    {}};
 }
 
 }  // namespace castaway::testbed

@@ -1,5 +1,7 @@
 #include "tools/run/cpu_clock.hpp"
 
+#include <sys/resource.h>
+
 #include <ctime>
 
 namespace castaway::testbed {
@@ -14,6 +16,12 @@ std::chrono::nanoseconds read(clockid_t clock) {
 }  // namespace
 
 std::chrono::nanoseconds thread_cpu_time() { return read(CLOCK_THREAD_CPUTIME_ID); }
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1000.0;  // Linux counts in kB.
+}
 
 std::chrono::nanoseconds wall_time() { return read(CLOCK_MONOTONIC); }
 

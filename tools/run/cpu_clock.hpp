@@ -1,4 +1,4 @@
-/// The clocks that measure a run. Nothing that they say reaches a result.
+/// The clocks that measure a run, and its memory. Nothing that they say reaches a result.
 #pragma once
 
 #include <chrono>
@@ -7,6 +7,9 @@ namespace castaway::testbed {
 
 /// CPU time of the calling thread.
 std::chrono::nanoseconds thread_cpu_time();
+
+/// Largest resident set of the process so far. [MB]
+double peak_memory_mb();
 
 /// Monotonic time, for the duration of a run.
 std::chrono::nanoseconds wall_time();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace castaway::testbed {
 
@@ -19,17 +20,17 @@ void RunHistory::add(const ScanRecord& record) {
   first_stamp = std::min(first_stamp, record.stamp);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
-    MetricRow row{record.stamp,
-                  record.T_odom_base,
-                  record.T_map_base_true,
-                  std::nullopt,
-                  false,
-                  record.delivered,
-                  0.0};
+    MetricRow row;
+    row.stamp = record.stamp;
+    row.T_odom_base = record.T_odom_base;
+    row.T_map_base_true = record.T_map_base_true;
+    row.delivered = record.delivered;
     if (estimate) {
       row.T_map_base_estimate = estimate->T_map_base;
       row.lost = estimate->lost;
       row.probability = estimate->probability;
+      row.quality = estimate->quality;
+      row.sigma_m = std::sqrt(0.5 * (estimate->covariance(0, 0) + estimate->covariance(1, 1)));
     }
     // Scans of several lidars are delivered out of the order of their first beams.
     const auto after =

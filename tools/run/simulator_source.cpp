@@ -80,6 +80,10 @@ std::optional<Frame> SimulatorSource::next() {
   if (pending_) return std::exchange(pending_, std::nullopt);
   const std::optional<sim::SimFrame> frame = simulation_.next();
   if (!frame) return std::nullopt;
+  if (stop_after_ > 0.0 && simulation_.distance_driven() >= stop_after_) {
+    duration_ = frame->stamp;
+    return std::nullopt;
+  }
   if (simulation_.collisions() == collisions_) return convert(*frame);
   collisions_ = simulation_.collisions();
   pending_ = convert(*frame);

@@ -34,6 +34,8 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+  /// The run ends once so much is driven, kidnaps aside; 0: it does not. [m]
+  void stop_after(double metres) { stop_after_ = metres; }
   /// From now on scans bring their points in space.
   void keep_clouds() { clouds_ = true; }
   /// The people as they are now, for pictures.
@@ -46,6 +48,7 @@ class SimulatorSource final : public SensorSource {
   sim::Simulation simulation_;
   std::vector<sim::LidarConfig> lidars_;
   bool clouds_ = false;
+  double stop_after_ = 0.0;
   Stamp duration_;
   std::int64_t collisions_ = 0;
   std::optional<Frame> pending_;

@@ -83,6 +83,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
   const RunInfo& info = history.info;
   const std::optional<double> distance_m = total_distance(history);
   Json root{{"castaway", CASTAWAY_VERSION},
+            {"metrics_version", kMetricsVersion},
             {"scenario", info.scenario},
             {"seed", info.seed},
             {"duration_s", seconds(end - std::min(history.first_stamp, end))},

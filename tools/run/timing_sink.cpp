@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/metrics/statistics.hpp"
+#include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -29,7 +30,8 @@ TimingSink::TimingSink(std::filesystem::path run_folder, RunInfo info)
     : run_folder_(std::move(run_folder)),
       history_(std::move(info)),
       csv_(run_folder_ / "timing.csv", {"stamp_s", "localizer", "stage", "cpu_ms"}),
-      update_ms_(history_.info.localizers.size()) {}
+      update_ms_(history_.info.localizers.size()),
+      stage_ms_(history_.info.localizers.size()) {}
 
 void TimingSink::on_scan(const ScanRecord& record) {
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
@@ -39,7 +41,10 @@ void TimingSink::on_scan(const ScanRecord& record) {
       csv_.number(milliseconds(time)).end_row();
     };
     row("update", localizer.update_cpu);
-    for (const auto& [stage, time] : localizer.stage_cpu) row(stage, time);
+    for (const auto& [stage, time] : localizer.stage_cpu) {
+      row(stage, time);
+      if (time.count() > 0) stage_ms_[i][stage].push_back(milliseconds(time));
+    }
     update_ms_[i].push_back(milliseconds(localizer.update_cpu));
   }
   history_.add(record);
@@ -54,9 +59,16 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
   root["cpu_s"] = {
       {"physics", 0.0}, {"lidar", 0.0}, {"people", 0.0}, {"localizers", 0.0}, {"sinks", 0.0}};
   for (const auto& [stage, cpu] : timing.cpu_s) root["cpu_s"][stage] = cpu;
+  root["memory_mb"] = {{"peak", peak_memory_mb()}};
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < update_ms_.size(); ++i) {
-    root["localizers"][history_.info.localizers[i]]["update_ms"] = update_figures(update_ms_[i]);
+    Json& localizer = root["localizers"][history_.info.localizers[i]];
+    localizer["update_ms"] = update_figures(update_ms_[i]);
+    localizer["stages_ms"] = Json::object();
+    for (const auto& [stage, sample] : stage_ms_[i]) {
+      localizer["stages_ms"][stage] = update_figures(sample);
+      localizer["stages_ms"][stage]["scans"] = sample.size();
+    }
   }
   write_file(run_folder_ / "timing.json", root.dump(2) + "\n");
 }

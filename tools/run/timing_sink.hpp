@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "tools/formats/csv.hpp"
 #include "tools/run/run_history.hpp"
@@ -10,7 +13,9 @@
 namespace castaway::testbed {
 
 /// timing.csv: stamp_s, localizer, stage ("update": the whole CPU time of a scan and the odometry
-/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as in FORMATS.md.
+/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as in FORMATS.md;
+/// beside `update_ms` the same of every stage, over the scans at which it ran (`scans`);
+/// `memory_mb.peak`: the largest resident set of the process so far.
 class TimingSink final : public RunSink {
  public:
   TimingSink(std::filesystem::path run_folder, RunInfo info);
@@ -24,7 +29,8 @@ class TimingSink final : public RunSink {
   std::filesystem::path run_folder_;
   RunHistory history_;
   CsvWriter csv_;
-  std::vector<std::vector<double>> update_ms_;  // By localizer.
+  std::vector<std::vector<double>> update_ms_;                        // By localizer.
+  std::vector<std::map<std::string, std::vector<double>>> stage_ms_;  // By localizer and stage.
 };
 
 }  // namespace castaway::testbed

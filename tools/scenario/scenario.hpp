@@ -17,6 +17,7 @@
 #include "sim/people/people_config.hpp"
 #include "sim/sensor/gyro.hpp"
 #include "sim/world/difference.hpp"
+#include "tools/metrics/expectation.hpp"
 
 namespace castaway::testbed {
 
@@ -136,6 +137,7 @@ struct Scenario {
   RobotSpec robot;
   std::uint64_t seed = 1;
   double duration_s = 120.0;  ///< [s]
+  double stop_after_m = 0.0;  ///< [m] The run ends once so much is driven; 0: it does not.
   double physics_hz = 500.0;  ///< [Hz] Steps of the simulation.
   bool kinematic = false;     ///< The robot moves exactly as commanded; no masses, no contacts.
   double wall_height = 2.0;   ///< [m] Of a world made from a map.
@@ -148,6 +150,7 @@ struct Scenario {
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;
   OutputSpec outputs;
+  std::vector<Expectation> expect;  ///< What a run must show; `castaway run` fails otherwise.
 };
 
 }  // namespace castaway::testbed

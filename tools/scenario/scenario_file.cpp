@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tools/scenario/difference_spec.hpp"
+#include "tools/scenario/expect_spec.hpp"
 #include "tools/scenario/fault_events.hpp"
 #include "tools/scenario/kidnap_events.hpp"
 #include "tools/scenario/lidar_spec.hpp"
@@ -123,12 +124,17 @@ EventSpecs read_events(YamlReader& root) {
   return events;
 }
 
+std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers) {
+  std::vector<std::string> names;
+  for (const LocalizerSpec& spec : localizers) names.push_back(spec.name);
+  return names;
+}
+
 /// Whoever is watched must ride along; by default the first one is.
 void choose_watched(const YamlReader& root, Scenario& scenario) {
   std::string& watched = scenario.events.watched;
   if (!waits_for_localizer(scenario.events)) return;
-  std::vector<std::string> names;
-  for (const LocalizerSpec& spec : scenario.localizers) names.push_back(spec.name);
+  const std::vector<std::string> names = names_of(scenario.localizers);
   if (names.empty()) root.fail("a kidnap waits for a localizer to be localized: give one");
   if (watched.empty()) watched = names.front();
   if (std::find(names.begin(), names.end(), watched) == names.end()) {
@@ -174,6 +180,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
+  scenario.stop_after_m = not_negative(root, "stop_after_m", scenario.stop_after_m);
   scenario.kinematic = root.choice("physics", "bullet", {"bullet", "kinematic"}) == "kinematic";
   scenario.physics_hz =
       positive(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
@@ -188,6 +195,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.localizers = read_localizers(root, "localizers");
   choose_watched(root, scenario);
   scenario.outputs = read_outputs(root);
+  scenario.expect = read_expectations(root, names_of(scenario.localizers));
   document.reject_unknown_keys();
   return {std::move(scenario), document.effective()};
 }

@@ -103,6 +103,40 @@ TEST(LocalizerMetrics, CompareStatedProbabilityAndOutcome) {
   EXPECT_EQ(metrics.calibration.bins[6].right, 2);
 }
 
+TEST(LocalizerMetrics, TellHowLongTheOutputWasWrongWithoutSayingSo) {
+  std::vector<MetricRow> rows = rows_with({2.0, 0.0, 2.0, 2.0, 2.0, 0.0, 2.0});
+  rows[6].lost = true;
+  const LocalizerMetrics metrics = measured(rows, {});
+  EXPECT_DOUBLE_EQ(metrics.wrong_lock_s, 4.0);
+  EXPECT_DOUBLE_EQ(metrics.longest_wrong_lock_s, 3.0);
+}
+
+TEST(LocalizerMetrics, AvailabilityIsTheShareOfScansAnsweredWithoutAlarm) {
+  std::vector<MetricRow> rows = rows_with({0.0, 3.0, 0.0, 0.0, 0.0});
+  rows[2].lost = true;
+  rows[3].T_map_base_estimate.reset();
+  rows[4].T_map_base_true.reset();  // not scored
+  EXPECT_DOUBLE_EQ(*measured(rows, {}).availability, 0.5);
+}
+
+TEST(LocalizerMetrics, ApeTakesTornScansToo) {
+  std::vector<MetricRow> rows = rows_with({0.0, 4.0, 0.0, 0.0});
+  rows[1].delivered = from_seconds(1.9);
+  const LocalizerMetrics metrics = measured(rows, {kidnap_at(1.5)});
+  EXPECT_EQ(metrics.position_error_m->max, 0.0);
+  EXPECT_EQ(metrics.ape->pairs, 4U);
+  EXPECT_EQ(metrics.ape->max, 4.0);
+}
+
+TEST(LocalizerMetrics, ErrorsHaveIntervalsOnceThereAreTwoBlocksOfFiveSeconds) {
+  EXPECT_FALSE(
+      measured(rows_with(std::vector<double>(9, 0.1)), {}).position_error_m->mean_interval);
+  const LocalizerMetrics metrics = measured(rows_with(std::vector<double>(10, 0.125)), {});
+  ASSERT_TRUE(metrics.position_error_m->mean_interval);
+  EXPECT_DOUBLE_EQ(metrics.position_error_m->mean_interval->low, 0.125);
+  EXPECT_DOUBLE_EQ(metrics.tracking_error_m->median_interval->high, 0.125);
+}
+
 TEST(FalseAlarms, AreOnsetsWhileTheOutputIsRight) {
   std::vector<MetricRow> rows = right_rows(36);
   rows[3].lost = rows[4].lost = true;  // one alarm of two rows

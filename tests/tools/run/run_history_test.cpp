@@ -16,5 +16,19 @@ TEST(RunHistory, KeepsRowsByStampHoweverScansAreDelivered) {
   }
 }
 
+TEST(RunHistory, RowsHoldWhatTheEstimateSaysOfItself) {
+  RunHistory history(run_of({"a", "silent"}));
+  ScanRecord record = record_at(0.0, {"a", "silent"});
+  record.localizers[0].estimate->covariance.diagonal() << 0.02, 0.06, 0.1;
+  record.localizers[1].estimate.reset();
+  history.add(record);
+  const MetricRow& row = history.rows[0][0];
+  EXPECT_EQ(row.quality, 0.75);
+  EXPECT_EQ(row.probability, 0.5);
+  EXPECT_DOUBLE_EQ(row.sigma_m, 0.2);  // sqrt((0.02 + 0.06) / 2)
+  EXPECT_EQ(row.answered(), record.delivered);
+  EXPECT_FALSE(history.rows[1][0].T_map_base_estimate);
+}
+
 }  // namespace
 }  // namespace castaway::testbed

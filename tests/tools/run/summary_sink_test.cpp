@@ -32,6 +32,7 @@ TEST(SummarySink, SaysWhatTheRunAmountsTo) {
   play(sink);
   const Json summary = Json::parse(read_file(folder.path() / "summary.json"));
   EXPECT_EQ(summary.at("castaway"), CASTAWAY_VERSION);
+  EXPECT_EQ(summary.at("metrics_version"), kMetricsVersion);
   EXPECT_EQ(summary.at("scenario"), "a-scenario");
   EXPECT_EQ(summary.at("world"), "a-world");
   EXPECT_EQ(summary.at("robot"), "a-robot");

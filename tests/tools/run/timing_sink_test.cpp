@@ -36,6 +36,12 @@ TEST(TimingSink, SumsUpWhatTheClockMeasured) {
   EXPECT_NEAR(update.at("p99"), 3.98, 1e-12);
   EXPECT_NEAR(update.at("max"), 4.0, 1e-12);
   EXPECT_EQ(timing.at("/localizers/silent/update_ms/max"_json_pointer), 0.0);
+  const Json& stage = timing.at("/localizers/a/stages_ms/match"_json_pointer);
+  EXPECT_EQ(stage.at("scans"), 3);
+  EXPECT_NEAR(stage.at("mean"), 0.5, 1e-12);
+  EXPECT_NEAR(stage.at("max"), 0.5, 1e-12);
+  EXPECT_TRUE(timing.at("/localizers/silent/stages_ms"_json_pointer).empty());
+  EXPECT_GT(timing.at("/memory_mb/peak"_json_pointer).get<double>(), 1.0);
   const std::string csv = read_file(folder.path() / "timing.csv");
   EXPECT_TRUE(contains(csv,
                        "stamp_s,localizer,stage,cpu_ms\n14.000000,a,update,4.000000\n"

@@ -1,0 +1,95 @@
+// Expectations, seeds and JUnit reports, as a CI job uses them.
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* const kScenario = R"(name: gate
+world: lab
+duration_s: 8
+physics: kinematic
+lidar: {rate_hz: 5, range_max: 12}
+localizers: [mh_amcl]
+outputs: {snapshots: false, report: false}
+expect:
+  mh_amcl.position_error_m.mean: "< 0.5"
+  collisions: {is: "== 0", for: max}
+)";
+
+fs::path folder_with_scenario(const std::string& more = "") {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "gate.yaml") << kScenario << more;
+  return folder;
+}
+
+TEST(Expectations, ThatAreMetExitWithZero) {
+  const fs::path folder = folder_with_scenario();
+  const Outcome outcome = castaway(folder, "run gate.yaml --out run --junit junit.xml");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.out, "Expectations: 2 of 2 met");
+  expect_contains(text_of(folder / "junit.xml"), "tests=\"2\" failures=\"0\" errors=\"0\"");
+  expect_contains(text_of(folder / "run/scenario.yaml"), "mh_amcl.position_error_m.mean");
+}
+
+TEST(Expectations, ThatAreNotMetExitWithThreeAndSayWhich) {
+  const fs::path folder = folder_with_scenario("  distance_m: \"> 1000\"\n");
+  const Outcome outcome = castaway(folder, "run gate.yaml --out run --junit junit.xml --json");
+  EXPECT_EQ(outcome.exit_code, 3);
+  expect_contains(outcome.err, "Expectations: 2 of 3 met");
+  expect_contains(outcome.err, "not met: distance_m is ");
+  expect_contains(outcome.err, "expected > 1000, missed by ");
+  expect_contains(outcome.err, "(seed 1), see run");
+  EXPECT_EQ(Json::parse(outcome.out).at("scenario"), "gate");
+  expect_contains(text_of(folder / "junit.xml"), "failures=\"1\"");
+}
+
+TEST(Expectations, OfTheCommandLineAreJudgedToo) {
+  const fs::path folder = folder_with_scenario();
+  const Outcome outcome = castaway(
+      folder, "run gate.yaml --out run --expect 'timing.localizers.mh_amcl.update_ms.mean < 0'");
+  EXPECT_EQ(outcome.exit_code, 3);
+  expect_contains(outcome.out, "Expectations: 2 of 3 met");
+}
+
+TEST(Expectations, OfUnknownMetricsAreRefusedBeforeTheRun) {
+  const fs::path folder = folder_with_scenario();
+  const Outcome outcome = castaway(folder, "run gate.yaml --out run --expect 'colisions == 0'");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "unknown metric 'colisions'; did you mean 'collisions'?");
+  EXPECT_FALSE(fs::exists(folder / "run"));
+}
+
+TEST(Seeds, LeaveTheSameBytesWhateverTheNumberOfWorkers) {
+  const fs::path folder = folder_with_scenario();
+  for (const char* workers : {"1", "3"}) {
+    const Outcome outcome = castaway(
+        folder, std::string("run gate.yaml --seeds 4..6 -j ") + workers + " --out w" + workers);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_contains(outcome.out, "gate: 3 seeds, 0 failed");
+    expect_contains(outcome.out, "Expectations: 4 of 4 met");  // one a seed, one for all
+    EXPECT_EQ(outcome.err, "");
+  }
+  for (const char* file :
+       {"summary.json", "seed-4/summary.json", "seed-5/errors.csv", "seed-6/truth.tum"}) {
+    EXPECT_FALSE(text_of(folder / "w1" / file).empty()) << file;
+    EXPECT_EQ(text_of(folder / "w1" / file), text_of(folder / "w3" / file)) << file;
+  }
+  const Json summary = Json::parse(text_of(folder / "w1/summary.json"));
+  EXPECT_EQ(summary.at("kind"), "seeds");
+  EXPECT_EQ(summary.at("seeds"), Json({4, 5, 6}));
+  EXPECT_EQ(summary.at("figures").at("distance_m").at("runs"), 3);
+}
+
+TEST(Seeds, ThatMakeNoSenseAreRefused) {
+  const fs::path folder = folder_with_scenario();
+  const Outcome outcome = castaway(folder, "run gate.yaml --seeds 5..4");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "--seeds '5..4': give a number of seeds");
+}
+
+}  // namespace
+}  // namespace castaway::test

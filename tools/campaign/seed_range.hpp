@@ -1,0 +1,19 @@
+/// Seeds of repeated runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace castaway::testbed {
+
+/// Consecutive seeds.
+struct SeedRange {
+  std::uint64_t first = 1;
+  int count = 1;
+};
+
+/// Reads "20" (so many from `base` on) or "5..24" (both included). Throws std::invalid_argument; at
+/// most 100000 seeds.
+SeedRange parse_seeds(const std::string& text, std::uint64_t base);
+
+}  // namespace castaway::testbed

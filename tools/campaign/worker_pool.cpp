@@ -1,0 +1,61 @@
+#include "tools/campaign/worker_pool.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace castaway::testbed {
+namespace {
+
+int done_by(const Job& job, int index) {
+  try {
+    return job(index);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "castaway: %s\n", error.what());
+    return 1;
+  }
+}
+
+pid_t started(const Job& job, int index) {
+  std::fflush(nullptr);  // What is buffered would be written twice.
+  const pid_t process = fork();
+  if (process < 0) {
+    throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno) +
+                             "; use fewer workers (-j)");
+  }
+  if (process > 0) return process;
+  const int code = done_by(job, index);
+  std::fflush(nullptr);
+  _exit(code);
+}
+
+}  // namespace
+
+void run_jobs(int count, int workers, const Job& job,
+              const std::function<void(int index, int exit_code)>& on_done) {
+  if (workers < 1) throw std::invalid_argument("the number of workers must be at least 1");
+  std::map<pid_t, int> running;
+  int next = 0;
+  while (next < count || !running.empty()) {
+    while (next < count && static_cast<int>(running.size()) < workers) {
+      running.emplace(started(job, next), next);
+      ++next;
+    }
+    int status = 0;
+    const pid_t process = waitpid(-1, &status, 0);
+    const auto found = running.find(process);
+    if (found == running.end()) continue;
+    const int index = found->second;
+    running.erase(found);
+    on_done(index, WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+  }
+}
+
+}  // namespace castaway::testbed

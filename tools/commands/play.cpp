@@ -1,0 +1,117 @@
+#include "tools/commands/play.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/render/primitives.hpp"
+#include "sim/robot/robot_visuals.hpp"
+#include "sim/world/world_visuals.hpp"
+#include "tools/commands/execute.hpp"
+#include "tools/run/build_localizers.hpp"
+#include "tools/run/build_simulation.hpp"
+#include "tools/run/cpu_clock.hpp"
+#include "tools/run/map_conversion.hpp"
+#include "tools/run/simulator_source.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
+  std::vector<std::string> names;
+  for (const LocalizerSpec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+/// The floor, just below z = 0.
+sim::SceneItem floor_item(const sim::WorldSpec& world) {
+  sim::SceneItem item;
+  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
+  item.T_map_mesh.translation().z() = -0.003F;
+  item.color = {0.80F, 0.77F, 0.72F};
+  return item;
+}
+
+void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared, RunPlan& plan) {
+  plan.map = prepared.map;
+  plan.report = outputs.report;
+  if (!outputs.snapshots) return;
+  plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
+                                outputs.snapshot_width, outputs.snapshot_height};
+  PictureWorld& world = plan.picture_world;
+  world.world = sim::world_visuals(prepared.config.world);
+  world.world.push_back(floor_item(prepared.config.world));
+  world.robot = sim::robot_visuals(prepared.config.robot);
+  world.min_corner = prepared.config.world.min_corner;
+  world.max_corner = prepared.config.world.max_corner;
+  world.robot_radius = prepared.config.robot.footprint_radius;
+  world.map = prepared.map;
+}
+
+/// Lidars that would tell none tell the power that they receive; no range changes by it.
+void tell_intensities(sim::SimulationConfig& config) {
+  const auto tell = [](sim::LidarConfig& lidar) {
+    if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
+  };
+  tell(config.lidar);
+  for (sim::LidarConfig& lidar : config.more_lidars) tell(lidar);
+}
+
+void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, RunPlan& plan) {
+  plan.points_every_s = outputs.points_every_s;
+  if (!outputs.scans) return;
+  tell_intensities(prepared.config);
+  plan.label_name = [world = prepared.config.world](int label) {
+    return sim::hit_name(world, label);
+  };
+}
+
+/// All of the plan that is known before the simulation starts.
+RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
+                PreparedSimulation& prepared) {
+  const Scenario& scenario = loaded.scenario;
+  RunPlan plan;
+  plan.info = {scenario.name,      prepared.world_name,   prepared.config.robot.name,
+               scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
+               prepared.difference};
+  plan.folder = options.out.empty() ? default_run_folder(scenario) : options.out;
+  plan.scenario_yaml = loaded.effective;
+  plan.json = options.json;
+  plan.quiet = options.quiet;
+  plan.localizers =
+      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  add_pictures(scenario.outputs, prepared, plan);
+  add_scan_outputs(scenario.outputs, prepared, plan);
+  return plan;
+}
+
+SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
+  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  const Stamp duration = prepared.config.duration;
+  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed), thread_cpu_time),
+          std::move(lidars), duration};
+}
+
+}  // namespace
+
+std::filesystem::path default_run_folder(const Scenario& scenario) {
+  return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
+}
+
+int play(const LoadedScenario& loaded, const PlayOptions& options) {
+  const Scenario& scenario = loaded.scenario;
+  PreparedSimulation prepared = build_simulation(scenario, options.base);
+  for (const std::string& warning : prepared.warnings) {
+    if (!options.quiet) fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  RunPlan plan = plan_of(options, loaded, prepared);
+  SimulatorSource source = source_of(std::move(prepared), scenario.seed);
+  source.stop_after(scenario.stop_after_m);
+  if (plan.points_every_s > 0.0) source.keep_clouds();
+  plan.loop = loop_config(scenario, *source.start_pose());
+  if (scenario.people.config.count() > 0) {
+    plan.people_every_s = scenario.people.log_every_s;
+    plan.picture_world.moving = [&source] { return source.people_items(); };
+  }
+  return execute(plan, source);
+}
+
+}  // namespace castaway::testbed

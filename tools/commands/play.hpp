@@ -1,0 +1,25 @@
+/// Plays a scenario in the simulator: what `run` and `experiment` share.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+
+/// Where a run goes and what it says.
+struct PlayOptions {
+  std::filesystem::path base;  ///< Folder of the scenario's file, for relative paths.
+  std::filesystem::path out;   ///< Run folder; empty: `default_run_folder`.
+  bool json = false;           ///< Prints summary.json instead of words.
+  bool quiet = false;          ///< Prints nothing, no progress and no warnings either.
+};
+
+/// runs/<scenario>/seed-<n>
+std::filesystem::path default_run_folder(const Scenario& scenario);
+
+/// Plays it and leaves its run folder. Returns the exit code, kDone or kRunFailed; throws
+/// std::exception for a scenario that cannot be built.
+int play(const LoadedScenario& loaded, const PlayOptions& options);
+
+}  // namespace castaway::testbed

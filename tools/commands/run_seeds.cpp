@@ -1,0 +1,137 @@
+#include "tools/commands/run_seeds.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/campaign/worker_pool.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/play.hpp"
+#include "tools/commands/progress.hpp"
+#include "tools/commands/seeds_summary.hpp"
+#include "tools/commands/verdict_output.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/metrics/aggregate.hpp"
+#include "tools/metrics/localizer_metrics.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t seed_of(const SeedsRequest& request, int index) {
+  return request.seeds.first + static_cast<std::uint64_t>(index);
+}
+
+std::filesystem::path folder_of(const SeedsRequest& request, int index) {
+  return request.out / fmt::format("seed-{}", seed_of(request, index));
+}
+
+LoadedScenario load(const SeedsRequest& request, int index) {
+  std::vector<std::string> overrides = request.overrides;
+  overrides.push_back(fmt::format("seed={}", seed_of(request, index)));
+  return load_scenario(request.scenario, overrides);
+}
+
+int play_seed(const SeedsRequest& request, int index) {
+  const PlayOptions options{request.scenario.parent_path(), folder_of(request, index), false, true};
+  return play(load(request, index), options);
+}
+
+/// Runs that are done, by index; nothing where a run failed.
+using Outcomes = std::vector<std::optional<JudgedRun>>;
+
+Outcomes play_all(const SeedsRequest& request) {
+  Outcomes outcomes(static_cast<std::size_t>(request.seeds.count));
+  CampaignProgress progress(request.seeds.count, "runs");
+  RecoveryTally tally;
+  run_jobs(
+      request.seeds.count, request.workers, [&](int index) { return play_seed(request, index); },
+      [&](int index, int exit_code) {
+        if (exit_code == kDone) {
+          const JudgedRun run = load_judged_run(folder_of(request, index));
+          tally.add(run.metrics);
+          outcomes[static_cast<std::size_t>(index)] = run;
+        }
+        progress.next(tally.text());
+      });
+  return outcomes;
+}
+
+Json summary_of(const SeedsRequest& request, const std::string& scenario,
+                const Outcomes& outcomes) {
+  std::vector<Json> summaries;
+  std::vector<MetricTable> tables;
+  Json seeds = Json::array();
+  Json failed = Json::array();
+  for (int i = 0; i < request.seeds.count; ++i) {
+    const auto& outcome = outcomes[static_cast<std::size_t>(i)];
+    (outcome ? seeds : failed).push_back(seed_of(request, i));
+    if (!outcome) continue;
+    summaries.push_back(Json::parse(read_file(outcome->folder / "summary.json")));
+    tables.push_back(metric_table(summaries.back()));
+  }
+  return {{"castaway", CASTAWAY_VERSION},
+          {"metrics_version", kMetricsVersion},
+          {"kind", "seeds"},
+          {"scenario", scenario},
+          {"seeds", seeds},
+          {"failed_seeds", failed},
+          {"localizers", pooled_recoveries(summaries)},
+          {"figures", aggregate_figures(tables)}};
+}
+
+Json timing_of(const std::vector<JudgedRun>& runs) {
+  std::vector<MetricTable> tables;
+  for (const JudgedRun& run : runs) {
+    MetricTable timing;
+    for (const auto& [name, value] : run.metrics) {
+      if (name.starts_with("timing.")) timing[name.substr(7)] = value;
+    }
+    tables.push_back(std::move(timing));
+  }
+  return {{"figures", aggregate_figures(tables)}};
+}
+
+std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
+  std::vector<JudgedRun> runs;
+  for (const auto& outcome : outcomes) {
+    if (outcome) runs.push_back(*outcome);
+  }
+  return runs;
+}
+
+void write_junit(const SeedsRequest& request, const std::string& scenario, const Outcomes& outcomes,
+                 const std::vector<Check>& checks) {
+  if (request.junit.empty()) return;
+  std::vector<JunitCase> cases = junit_cases(scenario, checks);
+  for (int i = 0; i < request.seeds.count; ++i) {
+    JunitCase run{
+        "castaway." + scenario, fmt::format("runs (seed {})", seed_of(request, i)), 0.0, {}, {}};
+    const auto& outcome = outcomes[static_cast<std::size_t>(i)];
+    if (outcome)
+      run.time_s = outcome->wall_s;
+    else
+      run.error = "the run failed";
+    cases.push_back(std::move(run));
+  }
+  write_file(request.junit, junit_xml(scenario, cases));
+}
+
+}  // namespace
+
+int run_seeds(const SeedsRequest& request) {
+  const Scenario scenario = load(request, 0).scenario;
+  std::vector<Expectation> expectations = scenario.expect;
+  expectations.insert(expectations.end(), request.expectations.begin(), request.expectations.end());
+  const Outcomes outcomes = play_all(request);
+  const std::vector<JudgedRun> runs = done_of(outcomes);
+  const Json summary = summary_of(request, scenario.name, outcomes);
+  write_file(request.out / "summary.json", summary.dump(2) + "\n");
+  write_file(request.out / "timing.json", timing_of(runs).dump(2) + "\n");
+  const std::vector<Check> checks = judge(expectations, runs);
+  write_junit(request, scenario.name, outcomes, checks);
+  fmt::print("{}", request.json ? summary.dump(2) + "\n" : describe_seeds(request.out));
+  fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
+  return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
+}
+
+}  // namespace castaway::testbed

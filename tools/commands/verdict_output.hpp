@@ -1,0 +1,26 @@
+/// What a command says and writes about expectations.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/formats/junit.hpp"
+#include "tools/metrics/verdict.hpp"
+
+namespace castaway::testbed {
+
+/// Reads summary.json and timing.json of a finished run.
+JudgedRun load_judged_run(const std::filesystem::path& run_folder);
+
+/// A case of a JUnit report for each check.
+std::vector<JunitCase> junit_cases(const std::string& scenario, const std::vector<Check>& checks);
+
+/// How many expectations are met; a line for each that is not. Empty without checks.
+std::string describe_checks(const std::vector<Check>& checks);
+
+/// kDone, or kExpectationNotMet if any check is not met.
+int exit_code_of(const std::vector<Check>& checks);
+
+}  // namespace castaway::testbed
