@@ -13,7 +13,7 @@ constexpr std::chrono::nanoseconds kPeriod = std::chrono::milliseconds(50);
 }  // namespace
 
 DriveStage::DriveStage(const SimulationConfig& config, const Grid& drive_grid)
-    : grid_(&drive_grid), wait_(std::llround(1e9 * config.drive.wait_s)), log_(config.drive.log) {
+    : wait_(std::llround(1e9 * config.drive.wait_s)), log_(config.drive.log) {
   if (config.drive.by_estimate) {
     navigator_.emplace(navigator_of(config.drive, config.robot), config.map);
   } else {
@@ -28,7 +28,7 @@ Twist2 DriveStage::command(std::chrono::nanoseconds now, const Pose2& T_map_base
   if (now < wait_) return {};
   if (!log_.empty()) return twist_at(log_, std::chrono::duration<double>(now).count());
   if (navigator_) return navigator_->command(believed_);
-  return people.yielded(route_->command(T_map_base), *route_, *grid_);
+  return people.yielded(route_->command(T_map_base), *route_);
 }
 
 void DriveStage::on_odometry(const OdometryReading& reading) {

@@ -35,7 +35,6 @@ class DriveStage {
   [[nodiscard]] std::vector<std::string> take_events();
 
  private:
-  const Grid* grid_;
   std::chrono::nanoseconds wait_;
   std::vector<TimedTwist> log_;
   std::optional<RouteRunner> route_;    ///< By the truth.

@@ -16,25 +16,18 @@ using std::chrono::nanoseconds;
 constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
 constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm meanwhile.
 constexpr nanoseconds kCrowd = milliseconds(500);
-constexpr int kPatience = 60;  // Calls of `yielded` for which the robot waits: 3 s.
+constexpr int kPatience = 60;          // Calls of `yielded` for which the robot waits: 3 s...
+constexpr int kLongestPatience = 480;  // ...and, in a throng, twice as long each time: 24 s.
 
-/// The drive grid with people marked who are within a few metres.
-Grid with_people(const Grid& drive_grid, const std::vector<Agent>& agents, const Pose2& robot) {
+/// The people within a few metres.
+std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Pose2& robot) {
   constexpr double kWithin = 4.0;
-  Grid grid = drive_grid;
+  std::vector<RoundObstacle> discs;
   for (const Agent& agent : agents) {
-    if ((agent.state.position - robot.position()).norm() > kWithin) continue;
-    const int reach = static_cast<int>(agent.body.radius / grid.resolution) + 1;
-    const CellIndex at = cell_of(grid, agent.state.position);
-    for (int row = at.row - reach; row <= at.row + reach; ++row) {
-      for (int column = at.column - reach; column <= at.column + reach; ++column) {
-        const Eigen::Vector2d offset = center_of(grid, {column, row}) - agent.state.position;
-        if (!grid.contains(column, row) || offset.norm() > agent.body.radius) continue;
-        grid.cells[flat_index(grid, {column, row})] = Cell::kOccupied;
-      }
-    }
+    const bool near = (agent.state.position - robot.position()).norm() <= kWithin;
+    if (near) discs.push_back({agent.state.position, agent.body.radius});
   }
-  return grid;
+  return discs;
 }
 
 }  // namespace
@@ -43,7 +36,7 @@ PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
                          const NamedStreams& streams)
     : yields_(config.people.robot_yields),
       guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
-      drive_radius_(config.robot.footprint_radius + kDriveMargin) {
+      patience_(kPatience) {
   if (config.people.count() == 0) return;
   if (!streams) {
     throw std::invalid_argument(
@@ -87,15 +80,17 @@ void PeopleStage::on_kidnap(const Pose2& T_map_base) {
   scene_ = people_->scene(1.0);
 }
 
-Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route, const Grid& drive_grid) {
+Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route) {
   if (!people_ || !yields_) return command;
   const Pose2 T_base_map = inverse(robot_.T_map_base);
   std::vector<Eigen::Vector2d> p_base;
   for (const Eigen::Vector2d& p_map : positions()) p_base.emplace_back(T_base_map * p_map);
   const Twist2 twist = guard_.guarded(command, p_base);
-  if (guard_.waited(kPatience)) {
-    const Grid grid = with_people(drive_grid, people_->agents(), robot_.T_map_base);
-    route.detour(robot_.T_map_base, FreeSpace(grid, drive_radius_));
+  if (twist.v == command.v) patience_ = kPatience;
+  if (guard_.waited(patience_)) {
+    patience_ = std::min(2 * patience_, kLongestPatience);
+    const std::vector<RoundObstacle> discs = discs_near(people_->agents(), robot_.T_map_base);
+    route.detour(robot_.T_map_base, route.free().with_discs(discs));
   }
   return twist;
 }

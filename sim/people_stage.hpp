@@ -29,7 +29,7 @@ class PeopleStage {
   /// The robot was put elsewhere.
   void on_kidnap(const Pose2& T_map_base);
   /// What the robot does instead of `command` because of people; may send `route` around them.
-  Twist2 yielded(const Twist2& command, RouteRunner& route, const Grid& drive_grid);
+  Twist2 yielded(const Twist2& command, RouteRunner& route);
 
   /// All that a beam can meet.
   [[nodiscard]] Surroundings around(const RayScene& standing) const;
@@ -49,7 +49,7 @@ class PeopleStage {
   std::unique_ptr<People> people_;
   bool yields_;
   PeopleGuard guard_;
-  double drive_radius_;  ///< [m] Room that the robot's planner keeps.
+  int patience_;  ///< Calls of `yielded` for which the robot waits before it looks for another way.
   RobotBody robot_;
   MovingScene scene_;
   std::vector<int> hits_;

@@ -56,7 +56,8 @@ Twist2 PathFollower::command(const Pose2& T_map_base, const FreeSpace& free) {
   if (turning_) return {0.0, std::clamp(kTurnGain * error, -max_turn, max_turn)};
   const double curvature = 2.0 * std::sin(error) / std::max(p_base.norm(), 0.05);
   const double braking = kBrakingShare * config_.limits.max_acceleration;
-  double v = std::min(config_.limits.max_speed, std::sqrt(2.0 * braking * way_to_end_[nearest_]));
+  const double way = std::max(way_to_end_[nearest_], (path_.back() - p_map).norm());
+  double v = std::min(config_.limits.max_speed, std::sqrt(2.0 * braking * way));
   v *= std::max(std::cos(error), 0.2);
   if (std::abs(curvature) * v > max_turn) v = max_turn / std::abs(curvature);
   return {v, curvature * v};

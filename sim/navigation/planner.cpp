@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <queue>
 
 namespace castaway::sim {
@@ -80,7 +81,7 @@ class AStar {
         const bool side_free =
             is_free({from.column + dx, from.row}) && is_free({from.column, from.row + dy});
         if ((dx == 0 && dy == 0) || !is_free(to) || !side_free) continue;
-        const double length = grid_.resolution * std::hypot(dx, dy);
+        const double length = grid_.resolution * (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
         const double cost = cost_[from_index] + length * price(flat_index(grid_, to));
         reach(to, from_index, static_cast<float>(cost));
       }

@@ -38,6 +38,8 @@ class RouteRunner {
   }
   /// The path being driven; empty if none.
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const;
+  /// Where it plans when nothing is in the way.
+  [[nodiscard]] const FreeSpace& free() const { return free_; }
 
  private:
   void plan(const Pose2& T_map_base);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <queue>
 #include <stdexcept>
+#include <utility>
 
 #include <boost/random/uniform_int_distribution.hpp>
 
@@ -19,6 +20,13 @@ constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 constexpr double kComfort = 0.5;        // [m] Wanted from the middle of the body to walls.
 constexpr double kComfortWeight = 3.0;  // Cost of a metre right at the wall, over one far off.
 constexpr std::array<int, 4> kLooks = {14, 9, 5, 2};  // [cells] Ahead.
+
+struct Step {
+  int dx;
+  int dy;
+};
+constexpr std::array<Step, 8> kSteps = {
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
 /// Cells of at least `GoalFields::kCell`, free where a person can stand all over them.
 Grid coarse(const WalkSpace& space) {
@@ -41,10 +49,18 @@ Grid coarse(const WalkSpace& space) {
 }  // namespace
 
 GoalFields::GoalFields(const WalkSpace& space, int places, Rng& rng)
-    : space_(space), grid_(coarse(space)), next_(static_cast<std::size_t>(places)) {
+    : space_(space),
+      grid_(coarse(space)),
+      cell_axes_(Eigen::Rotation2Dd(grid_.origin_yaw).toRotationMatrix() * grid_.resolution),
+      prices_(grid_.cells.size(), 0.0F),
+      exits_(grid_.cells.size(), 0),
+      next_(static_cast<std::size_t>(places)) {
   std::vector<Index> free;
   for (Index i = 0; i < grid_.cells.size(); ++i) {
-    if (grid_.cells[i] == Cell::kFree) free.push_back(i);
+    if (grid_.cells[i] != Cell::kFree) continue;
+    prices_[i] = price(i);
+    exits_[i] = exits(i);
+    free.push_back(i);
   }
   if (free.empty()) throw std::runtime_error("people: the world has no room to walk in");
   boost::random::uniform_int_distribution<std::size_t> any(0, free.size() - 1);
@@ -53,12 +69,13 @@ GoalFields::GoalFields(const WalkSpace& space, int places, Rng& rng)
 
 Eigen::Vector2d GoalFields::center(Index cell) const {
   const auto width = static_cast<Index>(grid_.width);
-  return center_of(grid_, {static_cast<int>(cell % width), static_cast<int>(cell / width)});
+  return grid_.origin + cell_axes_ * Eigen::Vector2d(cell % width + 0.5, cell / width + 0.5);
 }
 
 /// The free cell at a point or, next to it, the nearest one.
 GoalFields::Index GoalFields::cell_near(const Eigen::Vector2d& p_map) const {
   const CellIndex at = cell_of(grid_, p_map);
+  if (is_free(at.column, at.row)) return static_cast<Index>(flat_index(grid_, at));
   Index best = kNowhere;
   double best_distance = std::numeric_limits<double>::infinity();
   for (int dy = -2; dy <= 2; ++dy) {
@@ -88,49 +105,58 @@ bool GoalFields::is_free(int column, int row) const {
   return grid_.contains(column, row) && grid_.at(column, row) == Cell::kFree;
 }
 
-/// Free cells next to one from which it can be entered without cutting a corner, and whether they
-/// lie across.
-std::vector<std::pair<GoalFields::Index, bool>> GoalFields::neighbours(Index cell) const {
+/// Free cells next to one from which it can be entered without cutting a corner.
+std::uint16_t GoalFields::exits(Index cell) const {
   const int column = static_cast<int>(cell) % grid_.width;
   const int row = static_cast<int>(cell) / grid_.width;
-  std::vector<std::pair<Index, bool>> result;
-  for (int k = 0; k < 9; ++k) {
-    const int dx = k % 3 - 1;
-    const int dy = k / 3 - 1;
-    if (k == 4 || !is_free(column + dx, row + dy)) continue;
-    if (!is_free(column + dx, row) || !is_free(column, row + dy)) continue;
-    const std::size_t to = flat_index(grid_, {column + dx, row + dy});
-    result.emplace_back(static_cast<Index>(to), dx != 0 && dy != 0);
+  std::uint16_t result = 0;
+  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+    const auto [dx, dy] = kSteps[k];
+    const bool clear =
+        is_free(column + dx, row + dy) && is_free(column + dx, row) && is_free(column, row + dy);
+    if (clear) result = static_cast<std::uint16_t>(result | (1U << k));
   }
   return result;
 }
 
-void GoalFields::search(std::size_t place) {
-  using Candidate = std::pair<float, Index>;  // Ties by cell.
+/// Dijkstra's state: cells on the frontier, the least first, ties by cell.
+struct GoalFields::Frontier {
+  using Candidate = std::pair<float, Index>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
-  std::vector<float> cost(grid_.cells.size(), std::numeric_limits<float>::infinity());
-  std::vector<Index>& next = next_[place];
-  next.assign(grid_.cells.size(), kNowhere);
-  const Index goal = cell_near(places_[place]);
-  cost[goal] = 0.0F;
-  open.push({0.0F, goal});
-  while (!open.empty()) {
-    const auto [reached, cell] = open.top();
-    open.pop();
-    if (reached > cost[cell]) continue;
-    const float step = price(cell);
-    for (const auto& [to, across] : neighbours(cell)) {
-      const float whole = reached + step * (across ? std::numbers::sqrt2_v<float> : 1.0F);
-      if (whole >= cost[to]) continue;
-      cost[to] = whole;
-      next[to] = cell;
-      open.push({whole, to});
-    }
+  std::vector<float> cost;
+};
+
+/// Reaches out to a cell's neighbours.
+void GoalFields::spread(Index cell, Frontier& frontier, std::vector<Index>& next) const {
+  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+    if ((exits_[cell] & (1U << k)) == 0) continue;
+    const auto [dx, dy] = kSteps[k];
+    const float length = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
+    const float whole = frontier.cost[cell] + prices_[cell] * length;
+    const auto to = static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
+    if (whole >= frontier.cost[to]) continue;
+    frontier.cost[to] = whole;
+    next[to] = cell;
+    frontier.open.push({whole, to});
   }
 }
 
+std::vector<GoalFields::Index> GoalFields::search(Index goal) const {
+  Frontier frontier;
+  frontier.cost.assign(grid_.cells.size(), std::numeric_limits<float>::infinity());
+  frontier.cost[goal] = 0.0F;
+  frontier.open.push({0.0F, goal});
+  std::vector<Index> next(grid_.cells.size(), kNowhere);
+  while (!frontier.open.empty()) {
+    const auto [reached, cell] = frontier.open.top();
+    frontier.open.pop();
+    if (reached == frontier.cost[cell]) spread(cell, frontier, next);
+  }
+  return next;
+}
+
 Eigen::Vector2d GoalFields::ahead(std::size_t place, const Eigen::Vector2d& p_map) {
-  if (next_[place].empty()) search(place);
+  if (next_[place].empty()) next_[place] = search(cell_near(places_[place]));
   Index cell = cell_near(p_map);
   if (cell == kNowhere) return places_[place];
   std::array<Index, kLooks[0] + 1> path{};

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -32,16 +31,22 @@ class GoalFields {
 
  private:
   using Index = std::uint32_t;
+  struct Frontier;
 
   [[nodiscard]] Index cell_near(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] Eigen::Vector2d center(Index cell) const;
   [[nodiscard]] bool is_free(int column, int row) const;
-  [[nodiscard]] std::vector<std::pair<Index, bool>> neighbours(Index cell) const;
-  void search(std::size_t place);
+  [[nodiscard]] std::uint16_t exits(Index cell) const;
   [[nodiscard]] float price(Index cell) const;
+  /// By cell: the next one on the way to `goal`.
+  [[nodiscard]] std::vector<Index> search(Index goal) const;
+  void spread(Index cell, Frontier& frontier, std::vector<Index>& next) const;
 
   const WalkSpace& space_;
   Grid grid_;
+  Eigen::Matrix2d cell_axes_;         ///< [m] A step in columns and in rows, in map.
+  std::vector<float> prices_;         ///< By cell: of entering it straight. [m]
+  std::vector<std::uint16_t> exits_;  ///< By cell: which of the eight steps can be taken.
   std::vector<Eigen::Vector2d> places_;
   std::vector<std::vector<Index>> next_;  ///< By place: the next cell; empty until searched.
 };

@@ -15,7 +15,13 @@ namespace {
 constexpr double kTopSpeed = 1.3;       // Of the desired speed (Helbing and Molnar 1995).
 constexpr double kArrived = 0.7;        // [m]
 constexpr double kLongestRest = 6.0;    // [s]
-constexpr double kPatience = 4.0;       // [s] Of somebody who is stuck.
+constexpr double kPatience = 4.0;       // [s] Of somebody who is stuck...
+constexpr double kHardly = 0.1;         // [m/s] ...which is who gets on no faster...
+constexpr double kSmoothing = 2.0;      // [s] ...over so long: a throng jostles.
+constexpr double kInTheWay = 2.0;       // [m] Where a robot may be what holds people up.
+constexpr int kTries = 8;               // Goals looked at by who turns back.
+constexpr double kWants = 0.3;          // [m/s] Who wants less than that is not stuck.
+constexpr double kAmble = 0.5;          // [m/s]
 constexpr double kAnchorEase = 1.0;     // [1/s] Speed wanted for a metre off the place.
 constexpr double kAnchorSpeed = 0.6;    // [m/s]
 constexpr double kAtPlace = 0.05;       // [m]
@@ -59,7 +65,19 @@ Intent join_crowd(const Agent& agent, const RobotBody& robot) {
 void next_goal(Agent& agent, const GoalFields& goals) {
   boost::random::uniform_int_distribution<std::size_t> any(0, goals.places().size() - 1);
   agent.goal = any(agent.rng);
+  agent.headway = kAmble;
   agent.stuck_for = 0.0;
+}
+
+/// Another goal, by a way that does not lead on towards a robot that stands in the way.
+void turn_back(Agent& agent, GoalFields& goals, const RobotBody& robot) {
+  const Eigen::Vector2d from_robot = agent.state.position - robot.T_map_base.position();
+  for (int tries = 0; tries < kTries; ++tries) {
+    next_goal(agent, goals);
+    agent.waypoint = goals.ahead(agent.goal, agent.state.position);
+    const bool away = (agent.waypoint - agent.state.position).dot(from_robot) > 0.0;
+    if (away || from_robot.norm() > kInTheWay) return;
+  }
 }
 
 bool left_behind(const std::vector<Agent>& agents, std::size_t leader) {
@@ -71,7 +89,8 @@ bool left_behind(const std::vector<Agent>& agents, std::size_t leader) {
 }
 
 /// On the way to its goal, or resting there.
-Intent lead(std::size_t index, std::vector<Agent>& agents, const GoalFields& goals, double now) {
+Intent lead(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
+            const RobotBody& robot, double now) {
   Agent& agent = agents[index];
   Intent intent;
   intent.top_speed = kTopSpeed * agent.body.desired_speed;
@@ -84,7 +103,7 @@ Intent lead(std::size_t index, std::vector<Agent>& agents, const GoalFields& goa
     next_goal(agent, goals);
     return intent;
   }
-  if (agent.stuck_for > kPatience) next_goal(agent, goals);
+  if (agent.stuck_for > kPatience) turn_back(agent, goals, robot);
   const double pace = left_behind(agents, index) ? 0.4 : 1.0;
   const Eigen::Vector2d way = agent.waypoint - agent.state.position;
   if (way.norm() < 1e-6) return intent;
@@ -123,12 +142,15 @@ Intent intend(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
             kTopSpeed * agent.body.desired_speed, false};
   }
   if (agent.errand == Errand::kStanding) return stand_there(agent);
-  return agent.leader == index ? lead(index, agents, goals, now) : follow(index, agents);
+  return agent.leader == index ? lead(index, agents, goals, robot, now) : follow(index, agents);
 }
 
 void note_progress(const Intent& intent, double dt, Agent& agent) {
-  const bool stuck = intent.velocity.norm() > 0.3 && agent.state.velocity.norm() < 0.1;
-  agent.stuck_for = stuck ? agent.stuck_for + dt : 0.0;
+  const double wanted = intent.velocity.norm();
+  const double headway =
+      wanted > kWants ? agent.state.velocity.dot(intent.velocity) / wanted : kAmble;
+  agent.headway += std::min(dt / kSmoothing, 1.0) * (headway - agent.headway);
+  agent.stuck_for = agent.headway < kHardly ? agent.stuck_for + dt : 0.0;
 }
 
 }  // namespace castaway::sim

@@ -7,6 +7,7 @@
 #include "sim/people/gait.hpp"
 #include "sim/people/intent.hpp"
 #include "sim/people/person_rays.hpp"
+#include "sim/people/reaction.hpp"
 #include "sim/people/separation.hpp"
 
 namespace castaway::sim {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kPlaces = 16;         // To go to.
 constexpr int kLookEvery = 4;       // [steps] Ways and sights are looked up.
+constexpr double kSight = 5.0;      // [m] Nobody reacts to a robot that is further away.
 constexpr double kTurnRate = 4.0;   // [rad/s]
 constexpr double kHitGap = 0.5;     // [s] Touches closer in time are one.
 constexpr double kInCrowd = 0.25;   // Of the interaction is left among people packed closely.
@@ -60,34 +62,46 @@ void People::look_about(const RobotBody& robot) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if ((steps_ + static_cast<std::int64_t>(i)) % kLookEvery != 0) continue;
     Agent& agent = agents_[i];
-    agent.sees_robot = space_.sees(agent.state.position, robot.T_map_base.position());
+    const Eigen::Vector2d p_robot = robot.T_map_base.position();
+    agent.sees_robot = reacts(agent.behaviour) &&
+                       (p_robot - agent.state.position).norm() < kSight &&
+                       space_.sees(agent.state.position, p_robot);
     const bool walks = agent.errand == Errand::kWalking && !agent.in_crowd;
     if (walks) agent.waypoint = goals_.ahead(agent.goal, agent.state.position);
   }
 }
 
+/// What each feels of all the others: of two, each the opposite of what the other feels.
+std::vector<Eigen::Vector2d> People::mutual_forces() const {
+  std::vector<Eigen::Vector2d> sums(agents_.size(), Eigen::Vector2d::Zero());
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const PersonState& a = agents_[i].state;
+    for (std::size_t j = i + 1; j < agents_.size(); ++j) {
+      const PersonState& b = agents_[j].state;
+      const Eigen::Vector2d force =
+          social_force(forces_, b.position - a.position, a.velocity - b.velocity);
+      sums[i] += force;
+      sums[j] -= force;
+    }
+    if (agents_[i].in_crowd) sums[i] *= kInCrowd;
+  }
+  return sums;
+}
+
+/// Of all that is not another person.
 Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool minds_robot) const {
   const Agent& agent = agents_[index];
   const Eigen::Vector2d& p = agent.state.position;
-  Eigen::Vector2d others = Eigen::Vector2d::Zero();
-  for (std::size_t j = 0; j < agents_.size(); ++j) {
-    if (j == index) continue;
-    others += social_force(forces_, agents_[j].state.position - p,
-                           agent.state.velocity - agents_[j].state.velocity);
-  }
-  if (agent.in_crowd) others *= kInCrowd;
   const WallDistance wall = space_.wall(p);
   const Eigen::Vector2d walls =
       obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
-  if (!minds_robot) return others + walls;
+  if (!minds_robot) return walls;
   if (agent.behaviour == Behaviour::kImpassive) {
     const OutlineDistance outline = distance_to(robot, p);
-    return others + walls +
-           obstacle_force(forces_, outline.distance - agent.body.radius, outline.away);
+    return walls + obstacle_force(forces_, outline.distance - agent.body.radius, outline.away);
   }
-  return others + walls +
-         social_force(forces_, robot.T_map_base.position() - p,
-                      agent.state.velocity - robot.velocity);
+  return walls + social_force(forces_, robot.T_map_base.position() - p,
+                              agent.state.velocity - robot.velocity);
 }
 
 void People::turn(std::size_t index, double wanted_heading) {
@@ -108,11 +122,12 @@ std::vector<Intent> People::intents(const RobotBody& robot) {
 
 /// Where everybody goes by the forces; nobody has moved while they are computed.
 void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
+  const std::vector<Eigen::Vector2d> others = mutual_forces();
   std::vector<Eigen::Vector2d> ways;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Eigen::Vector2d& v = agents_[i].state.velocity;
-    const Eigen::Vector2d acceleration =
-        driving_force(forces_, v, intents[i].velocity) + force(i, robot, intents[i].minds_robot);
+    const Eigen::Vector2d acceleration = driving_force(forces_, v, intents[i].velocity) +
+                                         others[i] + force(i, robot, intents[i].minds_robot);
     ways.emplace_back(kPeriod * limited(v + kPeriod * acceleration, intents[i].top_speed));
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {

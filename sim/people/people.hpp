@@ -56,6 +56,7 @@ class People {
  private:
   void note_hits(const RobotBody& robot);
   void look_about(const RobotBody& robot);
+  [[nodiscard]] std::vector<Eigen::Vector2d> mutual_forces() const;
   [[nodiscard]] Eigen::Vector2d force(std::size_t index, const RobotBody& robot,
                                       bool minds_robot) const;
   std::vector<Intent> intents(const RobotBody& robot);

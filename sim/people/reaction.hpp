@@ -1,14 +1,12 @@
 /// What people do about the robot.
 ///
-/// | behaviour | rule |
-/// |---|---|
-/// | regular | minds the robot as it would another person (social force) |
-/// | impassive | walks around it as around a piece of furniture, whatever its speed |
-/// | surprised | within 3 m: stops and looks at it for 4 s; not again for 15 s |
-/// | curious | within 4 m: goes up to it, to 0.9 m, and looks on for up to 12 s; not again for 20 s
-/// | | scared | within 3 m: walks off from it, a quarter faster than it would, until it is 4 m away
-/// | | threatening | within 4 m: gets in its way, 0.8 m before its front, for up to 12 s; not again
-/// for 20 s |
+/// * regular: minds the robot as it would another person (social force);
+/// * impassive: walks around it as around a piece of furniture, whatever its speed;
+/// * surprised, within 3 m: stops and looks at it for 4 s; not again for 15 s;
+/// * curious, within 4 m: goes up to it, to 0.9 m, and looks on for up to 12 s; not again for 20 s;
+/// * scared, within 3 m: walks off, a quarter faster than it would, until it is 4 m away;
+/// * threatening, within 4 m: gets in its way, 0.8 m before its front, for up to 12 s; not again
+///   for 20 s.
 ///
 /// All but the first two need to see it; distances are between middles. In the manner of N.
 /// Perez-Higueras, R. Otero, F. Caballero and L. Merino, "HuNavSim: A ROS 2 Human Navigation
@@ -28,6 +26,11 @@ struct Reaction {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Wanted.
   bool faces_robot = true;                             ///< Looks at it; false: where it goes.
 };
+
+/// True of behaviours that mind a robot in sight.
+inline bool reacts(Behaviour behaviour) {
+  return behaviour != Behaviour::kRegular && behaviour != Behaviour::kImpassive;
+}
 
 /// The reaction of a person at time `now` [s]; nothing: it goes on with what it was about. Notes in
 /// the agent how long the robot will hold its attention.

@@ -58,7 +58,7 @@ std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot) {
 OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map) {
   const Eigen::Vector2d p = inverse(robot.T_map_base) * p_map;
   double deepest = -std::numeric_limits<double>::infinity();  // Over the edges' half planes.
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity();   // Squared, until all are seen.
   Eigen::Vector2d out = Eigen::Vector2d::UnitX();
   Eigen::Vector2d from_nearest = Eigen::Vector2d::UnitX();
   for (std::size_t i = 0; i < robot.outline.size(); ++i) {
@@ -72,11 +72,12 @@ OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map
     }
     const double along = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Eigen::Vector2d offset = p - (a + along * edge);
-    if (offset.norm() < nearest) {
-      nearest = offset.norm();
+    if (offset.squaredNorm() < nearest) {
+      nearest = offset.squaredNorm();
       from_nearest = offset;
     }
   }
+  nearest = std::sqrt(nearest);
   const Pose2 turn{0.0, 0.0, robot.T_map_base.yaw};
   if (deepest <= 0.0 || nearest == 0.0) return {deepest, turn * out};
   return {nearest, turn * Eigen::Vector2d(from_nearest / nearest)};

@@ -1,5 +1,6 @@
 #include "sim/world/free_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,7 +13,29 @@ namespace castaway::sim {
 FreeSpace::FreeSpace(const Grid& grid, double radius)
     : radius_(radius),
       clearance_(distance_to_obstacle(grid)),
-      grid_(largest_component(eroded(grid, radius))) {}
+      grid_(largest_component(eroded(grid, clearance_, radius))) {}
+
+FreeSpace FreeSpace::with_discs(std::span<const RoundObstacle> discs) const {
+  FreeSpace result = *this;
+  const double reach = radius_ + 0.5 * grid_.resolution;
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      const std::size_t i = flat_index(grid_, {column, row});
+      if (grid_.cells[i] != Cell::kFree) continue;
+      const Eigen::Vector2d p = center_of(grid_, {column, row});
+      for (const RoundObstacle& disc : discs) {
+        const double squared = (p - disc.center).squaredNorm();
+        const double matters = result.clearance_[i] + disc.radius;
+        if (squared >= matters * matters) continue;
+        const double gap = std::max(std::sqrt(squared) - disc.radius, 0.0);
+        result.clearance_[i] = static_cast<float>(gap);
+        if (gap < reach) result.grid_.cells[i] = Cell::kOccupied;
+      }
+    }
+  }
+  result.grid_ = largest_component(result.grid_);
+  return result;
+}
 
 bool FreeSpace::contains(const Eigen::Vector2d& p_map) const {
   return cell_at(grid_, p_map) == Cell::kFree;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,11 +14,20 @@
 
 namespace castaway::sim {
 
+/// Something round.
+struct RoundObstacle {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] In map.
+  double radius = 0.0;                               ///< [m]
+};
+
 /// The largest connected part of a grid's free space in which a disc can move about.
 class FreeSpace {
  public:
   /// `radius` [m]: of the disc. Unknown cells and everything outside count as obstacles.
   FreeSpace(const Grid& grid, double radius);
+
+  /// The same space with obstacles put into it.
+  [[nodiscard]] FreeSpace with_discs(std::span<const RoundObstacle> discs) const;
 
   /// True if a disc centred on `p_map` is free and can reach the rest of the free space.
   [[nodiscard]] bool contains(const Eigen::Vector2d& p_map) const;

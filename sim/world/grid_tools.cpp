@@ -161,8 +161,11 @@ std::vector<float> distance_to_obstacle(const Grid& grid) {
 }
 
 Grid eroded(const Grid& grid, double radius) {
+  return eroded(grid, distance_to_obstacle(grid), radius);
+}
+
+Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius) {
   Grid result = grid;
-  const std::vector<float> distance = distance_to_obstacle(grid);
   const double reach = radius + 0.5 * grid.resolution;
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     if (result.cells[i] == Cell::kFree && distance[i] < reach) result.cells[i] = Cell::kOccupied;

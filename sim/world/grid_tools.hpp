@@ -40,6 +40,8 @@ std::vector<float> distance_to_obstacle(const Grid& grid);
 /// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: where the centre
 /// of a disc can be. Errs on the safe side by up to half a cell.
 Grid eroded(const Grid& grid, double radius);
+/// The same where the distances to obstacles are known.
+Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius);
 
 /// The grid with all free cells but the largest 4-connected component made unknown.
 Grid largest_component(const Grid& grid);

@@ -86,6 +86,17 @@ TEST(RouteRunner, DetoursUntilTheNextWaypoint) {
   EXPECT_LT((pose.position() - Eigen::Vector2d(2.5, -1.5)).norm(), 0.15);
 }
 
+TEST(RouteRunner, DrivesUpToAPlaceThatIsAStepAway) {
+  RouteRunner runner(route({{0.0, -1.8}, {2.5, -1.5}}, false), room());
+  Pose2 pose{-0.25, -1.8, 0.0};
+  runner.command(pose);
+  const RoundObstacle around_it{{-0.25, -1.8},
+                                0.1};  // Its own place is taken: a path of one point.
+  runner.detour(pose, runner.free().with_discs({&around_it, 1}));
+  for (int i = 0; i < 1500; ++i) pose = moved(pose, runner.command(pose));
+  EXPECT_LT((pose.position() - Eigen::Vector2d(2.5, -1.5)).norm(), 0.15);
+}
+
 TEST(RouteRunner, TurnsOnTheSpotTowardsWhatIsBehind) {
   RouteRunner runner(route({{2.5, -1.5}}, false), room());
   const Twist2 twist = runner.command(Pose2{-3.0, -1.9, 3.0});

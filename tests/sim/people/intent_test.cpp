@@ -78,10 +78,35 @@ TEST_F(IntentTest, WhoIsStuckGoesElsewhere) {
   Agent agent = agent_at({0.0, 0.0});
   Intent intent;
   intent.velocity = {1.0, 0.0};
-  for (int i = 0; i < 10; ++i) note_progress(intent, 0.5, agent);
-  EXPECT_NEAR(agent.stuck_for, 5.0, 1e-12);
+  for (int i = 0; i < 40; ++i) note_progress(intent, 0.25, agent);
+  EXPECT_GT(agent.stuck_for, 5.0);
+  agents_ = {agent};
+  const std::size_t goal = agents_[0].goal;
+  for (int tries = 0; tries < 20 && agents_[0].goal == goal; ++tries) {
+    agents_[0].stuck_for = 5.0;
+    intent_of(0);
+    EXPECT_EQ(agents_[0].stuck_for, 0.0);
+  }
+  EXPECT_NE(agents_[0].goal, goal);
   agent.state.velocity = {0.5, 0.0};
-  note_progress(intent, 0.5, agent);
+  for (int i = 0; i < 4; ++i) note_progress(intent, 0.25, agent);
+  EXPECT_EQ(agent.stuck_for, 0.0);
+}
+
+TEST_F(IntentTest, WhoIsOnlyJostledIsStuck) {
+  Agent agent = agent_at({0.0, 0.0});
+  Intent intent;
+  intent.velocity = {1.0, 0.0};
+  for (int i = 0; i < 400; ++i) {
+    agent.state.velocity = {i % 4 < 2 ? 0.25 : -0.25, i % 2 == 0 ? 0.2 : -0.2};
+    note_progress(intent, 0.05, agent);
+  }
+  EXPECT_GT(agent.stuck_for, 5.0);
+}
+
+TEST_F(IntentTest, WhoWantsNothingIsNotStuck) {
+  Agent agent = agent_at({0.0, 0.0});
+  for (int i = 0; i < 400; ++i) note_progress({}, 0.05, agent);
   EXPECT_EQ(agent.stuck_for, 0.0);
 }
 

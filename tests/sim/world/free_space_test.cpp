@@ -25,6 +25,26 @@ TEST(FreeSpace, IsWhereADiscFitsInTheLargestRoom) {
   EXPECT_FALSE(free.contains({-5.0, 3.5}));
 }
 
+TEST(FreeSpace, LeavesOutRoundObstacles) {
+  const FreeSpace free(grid_from_art(std::vector<std::string>(9, ".........")), 0.6);
+  const RoundObstacle pillar{{4.5, 4.5}, 1.0};
+  const FreeSpace around = free.with_discs({&pillar, 1});
+  EXPECT_FALSE(around.contains({4.5, 4.5}));
+  EXPECT_FALSE(around.contains({4.5, 2.5}));  // A cell's half edge of caution.
+  EXPECT_TRUE(around.contains({4.5, 1.5}));
+  EXPECT_NEAR(around.clearance_at({4.5, 2.5}), 1.0, 1e-6);
+  EXPECT_NEAR(around.clearance_at({1.5, 1.5}), free.clearance_at({1.5, 1.5}), 1e-6);
+  EXPECT_EQ(free.with_discs({}).grid().cells, free.grid().cells);
+}
+
+TEST(FreeSpace, KeepsTheLargerSideOfAnObstacle) {
+  const FreeSpace free(grid_from_art({".........", ".........", "........."}), 0.1);
+  const RoundObstacle plug{{6.5, 1.5}, 1.6};
+  const FreeSpace around = free.with_discs({&plug, 1});
+  EXPECT_TRUE(around.contains({2.5, 1.5}));
+  EXPECT_FALSE(around.contains({8.5, 1.5}));
+}
+
 TEST(FreeSpace, SeesAlongSegments) {
   const FreeSpace free(grid_from_art({".....",  //
                                       "..#..",  //
