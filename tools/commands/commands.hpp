@@ -20,6 +20,7 @@ enum ExitCode : int {
 /// an exit code and throw std::exception for bad input.
 void add_run_command(CLI::App& app, std::function<int()>& chosen);
 void add_replay_command(CLI::App& app, std::function<int()>& chosen);
+void add_report_command(CLI::App& app, std::function<int()>& chosen);
 void add_evaluate_command(CLI::App& app, std::function<int()>& chosen);
 void add_map_command(CLI::App& app, std::function<int()>& chosen);
 void add_check_robot_command(CLI::App& app, std::function<int()>& chosen);

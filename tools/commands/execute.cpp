@@ -13,6 +13,7 @@
 #include "tools/run/errors_sink.hpp"
 #include "tools/run/people_sink.hpp"
 #include "tools/run/points_sink.hpp"
+#include "tools/run/recording_sink.hpp"
 #include "tools/run/scans_sink.hpp"
 #include "tools/run/summary_sink.hpp"
 #include "tools/run/timing_sink.hpp"
@@ -38,6 +39,15 @@ std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan,
   return sinks;
 }
 
+void add_recording(const RunPlan& plan, const std::filesystem::path& folder, Stamp duration,
+                   std::vector<std::unique_ptr<RunSink>>& sinks) {
+  if (!plan.report || !plan.player) return;
+  RecordingConfig config;
+  config.robot_radius_m = plan.picture_world.robot_radius;
+  config.detail_every_s = detail_period(seconds(duration));
+  sinks.push_back(std::make_unique<RecordingSink>(folder, plan.info, plan.map, config));
+}
+
 void add_pictures(RunPlan& plan, const std::filesystem::path& folder,
                   std::vector<std::unique_ptr<RunSink>>& sinks) {
   auto sink = std::make_unique<PictureSink>(folder, plan.info, std::move(plan.picture_world),
@@ -54,6 +64,8 @@ int execute(RunPlan& plan, SensorSource& source) {
   RunFolderSwap swap(plan.folder);
   std::vector<std::unique_ptr<RunSink>> sinks = table_sinks(plan, swap.folder());
   write_file(swap.folder() / "scenario.yaml", plan.scenario_yaml);
+  add_recording(plan, swap.folder(), source.duration(), sinks);
+  if (plan.film) sinks.push_back(std::make_unique<FilmSink>(*plan.film, plan.picture_world));
   if (plan.pictures) add_pictures(plan, swap.folder(), sinks);
   try {
     Progress progress(source.duration(), plan.quiet);
@@ -68,6 +80,7 @@ int execute(RunPlan& plan, SensorSource& source) {
   }
   if (plan.quiet) return kDone;
   fmt::print("{}", plan.json ? read_file(plan.folder / "summary.json") : describe_run(plan.folder));
+  if (plan.film && !plan.json) fmt::print("Film:       {}\n", plan.film->format.file.string());
   return kDone;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/formats/ros_map.hpp"
+#include "tools/report/film_sink.hpp"
 #include "tools/report/picture_sink.hpp"
 #include "tools/run/loop.hpp"
 
@@ -23,8 +24,10 @@ struct RunPlan {
   std::vector<NamedLocalizer> localizers;
   RosMap map;                             ///< What the localizers were given.
   std::optional<PictureConfig> pictures;  ///< Nothing: none are taken.
+  std::optional<FilmConfig> film;         ///< Nothing: none is made.
   PictureWorld picture_world;             ///< What pictures show besides the run.
   bool report = true;                     ///< Writes report.html.
+  bool player = true;                     ///< Records the run for the report's player.
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
   std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.

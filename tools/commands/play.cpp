@@ -30,13 +30,8 @@ sim::SceneItem floor_item(const sim::WorldSpec& world) {
   return item;
 }
 
-void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared, RunPlan& plan) {
-  plan.map = prepared.map;
-  plan.report = outputs.report;
-  if (!outputs.snapshots) return;
-  plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
-                                outputs.snapshot_width, outputs.snapshot_height};
-  PictureWorld& world = plan.picture_world;
+PictureWorld picture_world_of(const PreparedSimulation& prepared) {
+  PictureWorld world;
   world.world = sim::world_visuals(prepared.config.world);
   world.world.push_back(floor_item(prepared.config.world));
   world.robot = sim::robot_visuals(prepared.config.robot);
@@ -44,6 +39,23 @@ void add_pictures(const OutputSpec& outputs, const PreparedSimulation& prepared,
   world.max_corner = prepared.config.world.max_corner;
   world.robot_radius = prepared.config.robot.footprint_radius;
   world.map = prepared.map;
+  return world;
+}
+
+void add_pictures(const OutputSpec& outputs, const std::filesystem::path& video,
+                  const PreparedSimulation& prepared, RunPlan& plan) {
+  plan.map = prepared.map;
+  plan.report = outputs.report;
+  plan.player = outputs.player;
+  plan.picture_world.robot_radius = prepared.config.robot.footprint_radius;
+  if (outputs.snapshots || !video.empty()) plan.picture_world = picture_world_of(prepared);
+  if (outputs.snapshots) {
+    plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
+                                  outputs.snapshot_width, outputs.snapshot_height};
+  }
+  if (video.empty()) return;
+  const VideoSpec& film = outputs.video;
+  plan.film = FilmConfig{{video, film.width, film.height, film.fps}, film.view, film.speed};
 }
 
 /// Lidars that would tell none tell the power that they receive; no range changes by it.
@@ -78,7 +90,7 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   plan.quiet = options.quiet;
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
-  add_pictures(scenario.outputs, prepared, plan);
+  add_pictures(scenario.outputs, options.video, prepared, plan);
   add_scan_outputs(scenario.outputs, prepared, plan);
   return plan;
 }

@@ -25,6 +25,7 @@ struct RunArguments {
   int workers = 1;
   std::string out;
   std::string junit;
+  std::string video;  ///< File; empty: none.
   bool json = false;
 };
 
@@ -78,12 +79,16 @@ int run_once(const RunArguments& arguments) {
   options.base = file.parent_path();
   options.out =
       arguments.out.empty() ? default_run_folder(scenario) : std::filesystem::path(arguments.out);
+  options.video = arguments.video;
   options.json = arguments.json;
   const int exit_code = play(loaded, options);
   return exit_code == kDone ? judge_run(arguments, scenario, options.out) : exit_code;
 }
 
 int run_many(const RunArguments& arguments) {
+  if (!arguments.video.empty()) {
+    throw std::invalid_argument("--video films one run; leave --seeds away, or give one --seed");
+  }
   SeedsRequest request;
   request.scenario = file_of(arguments);
   request.overrides = overrides_of(arguments);
@@ -138,6 +143,8 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
                       "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
                       "above it)");
   command->add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
+  command->add_option("--video", arguments->video,
+                      "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
   command->add_flag("--json", arguments->json, "Print summary.json instead of words");
   command->footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"

@@ -28,6 +28,7 @@ RunFolderSwap::~RunFolderSwap() {
 
 void RunFolderSwap::commit() {
   fs::remove_all(target_ / "snapshots");
+  fs::remove(target_ / "recording.gz");
   for (const auto& entry : fs::directory_iterator(partial_)) {
     fs::rename(entry.path(), target_ / entry.path().filename());
   }

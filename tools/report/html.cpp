@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 namespace castaway::testbed {
-namespace {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
@@ -26,8 +25,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string escape_html(std::string_view text) {
   std::string escaped;

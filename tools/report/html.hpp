@@ -10,6 +10,9 @@ namespace castaway::testbed {
 /// Text that HTML takes as text, also in attributes.
 std::string escape_html(std::string_view text);
 
+/// Bytes as text of 64 signs, none of which means anything to HTML.
+std::string base64(std::string_view bytes);
+
 /// `data:` address of a PNG's bytes.
 std::string png_data_uri(std::string_view png);
 

@@ -21,14 +21,16 @@ Vector3f lifted(const Eigen::Vector2d& p, double z) {
 }
 
 /// World, robot at its true pose, what moves, and lidar hits.
-sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record) {
+sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record,
+                      const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
   scene.items = world.world;
   if (world.moving) {
     for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
   }
   if (!record.T_map_base_true) return scene;
-  const Eigen::Isometry3f T_map_base = localization::to_se3(*record.T_map_base_true).cast<float>();
+  const Eigen::Isometry3f T_map_base =
+      localization::to_se3(T_map_now.value_or(*record.T_map_base_true)).cast<float>();
   for (sim::SceneItem item : world.robot) {
     item.T_map_mesh = T_map_base * item.T_map_mesh;
     scene.items.push_back(std::move(item));
@@ -118,17 +120,19 @@ std::vector<Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base) {
   return hits;
 }
 
-sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record) {
-  sim::Scene scene = base_scene(world, record);
-  const SE2 T_map_base = record.T_map_base_true.value_or(SE2{});
+sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
+                       const std::optional<SE2>& T_map_now) {
+  sim::Scene scene = base_scene(world, record, T_map_now);
+  const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
   scene.camera.eye = lifted(T_map_base * Eigen::Vector2d(-1.9, 0.0), 1.7);
   scene.camera.target = lifted(T_map_base * Eigen::Vector2d(0.9, 0.0), 0.1);
   scene.camera.fov_y_deg = 60.0F;
   return scene;
 }
 
-sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record) {
-  sim::Scene scene = base_scene(world, record);
+sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
+                          const std::optional<SE2>& T_map_now) {
+  sim::Scene scene = base_scene(world, record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();
   scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);

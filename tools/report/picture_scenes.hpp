@@ -23,11 +23,14 @@ struct PictureWorld {
   std::optional<RosMap> map;             ///< None: no pictures from above.
 };
 
-/// The robot and its lidar hits from behind. Needs the truth.
-sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record);
+/// The robot at a pose (nothing: where it was at the scan) and the scan's hits, from behind the
+/// robot. Needs the truth.
+sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
+                       const std::optional<SE2>& T_map_base = std::nullopt);
 
-/// The whole world, the robot and its lidar hits from the south.
-sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record);
+/// The whole world with the same robot and hits, from the south.
+sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
+                          const std::optional<SE2>& T_map_base = std::nullopt);
 
 /// The map (`map_item` of `world.map`) from above for a picture of `aspect` = width / height:
 /// particles in one colour a population, an arrow and outline for each localizer in its colour, the

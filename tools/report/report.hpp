@@ -14,7 +14,8 @@ namespace castaway::testbed {
 /// for the same run.
 std::string render_report(const RunFolder& run, const std::optional<RosMap>& map);
 
-/// Reads a run's folder and writes `report.html` into it. Call it after all sinks have finished.
+/// Reads a run's folder and writes `report.html` into it. Without a map, the recording's is shown,
+/// if there is one. Call it after all sinks have finished.
 void write_report(const std::filesystem::path& run_folder, const std::optional<RosMap>& map);
 
 }  // namespace castaway::testbed

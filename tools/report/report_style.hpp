@@ -1,17 +1,32 @@
-/// The style sheet of report.html.
+/// The style sheet of report.html: light and dark, as the system has it or as `data-theme` of the
+/// page's root says.
 #pragma once
 
 namespace castaway::testbed {
 
+/// For the inside of a `<style>` element. Colours of localizers (c0 to c5) and of populations (p0
+/// to p5) are those of palette.hpp, brighter on dark ground.
 inline constexpr const char* kReportStyle = R"(
-:root { color-scheme: light dark; --page: #fbfbfa; --ink: #1d2328; --soft: #5c6670; --line: #d9dde0; --card: #ffffff;
-  --mark: #8a3ffc; --c0: #0072B2; --c1: #D55E00; --c2: #009E73; --c3: #CC79A7; --c4: #E69F00; --c5: #56B4E9; }
-@media (prefers-color-scheme: dark) { :root { --page: #14181b; --ink: #e6e9eb; --soft: #9aa5ae; --line: #343c43;
-  --card: #1c2226; --mark: #be95ff; --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5; } }
+:root { color-scheme: light; --page: #fbfbfa; --ink: #1d2328; --soft: #59636d; --line: #d9dde0; --card: #ffffff;
+  --mark: #8a3ffc; --link: #0b5c8f; --good: #00724f; --bad: #c1272d; --warn: #b36b00; --warn-text: #8f5500;
+  --free: #ffffff; --wall: #23292e; --unknown: #d5d9dc; --scan: #d0103a; --person: #7a3e86;
+  --c0: #0072B2; --c1: #D55E00; --c2: #009E73; --c3: #CC79A7; --c4: #E69F00; --c5: #56B4E9;
+  --p0: #4477AA; --p1: #EE6677; --p2: #228833; --p3: #CCBB44; --p4: #66CCEE; --p5: #AA3377; }
+:root[data-theme="dark"] { color-scheme: dark; --page: #14181b; --ink: #e6e9eb; --soft: #9fabb5; --line: #343c43;
+  --card: #1c2226; --mark: #be95ff; --link: #7cc4f2; --good: #4fd6a4; --bad: #ff7b72; --warn: #f0b04f; --warn-text: #f0b04f;
+  --free: #262d33; --wall: #e2e6e9; --unknown: #14181b; --scan: #ff5d7d; --person: #d8a3e2;
+  --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5;
+  --p0: #7fa8d6; --p1: #ff8a98; --p2: #55c268; --p3: #e0d264; --p4: #8fdcf7; --p5: #d970b0; }
+@media (prefers-color-scheme: dark) { :root:not([data-theme="light"]) { color-scheme: dark; --page: #14181b; --ink: #e6e9eb;
+  --soft: #9fabb5; --line: #343c43; --card: #1c2226; --mark: #be95ff; --link: #7cc4f2; --good: #4fd6a4; --bad: #ff7b72;
+  --warn: #f0b04f; --warn-text: #f0b04f; --free: #262d33; --wall: #e2e6e9; --unknown: #14181b; --scan: #ff5d7d;
+  --person: #d8a3e2; --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5;
+  --p0: #7fa8d6; --p1: #ff8a98; --p2: #55c268; --p3: #e0d264; --p4: #8fdcf7; --p5: #d970b0; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 1080px; padding: 1.2rem; background: var(--page); color: var(--ink);
+body { margin: 0 auto; max-width: 1180px; padding: 1.2rem; background: var(--page); color: var(--ink);
   font: 16px/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.7rem; margin: 0.3rem 0; } h2 { font-size: 1.2rem; margin: 2rem 0 0.6rem; }
+h1 { font-size: 1.7rem; margin: 0.3rem 0; overflow-wrap: anywhere; } h2 { font-size: 1.2rem; margin: 2rem 0 0.6rem; }
+a { color: var(--link); }
 p { margin: 0.4rem 0; } .soft { color: var(--soft); font-size: 0.9rem; }
 .lead p { font-size: 1.08rem; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; min-width: 60%; }
@@ -24,8 +39,9 @@ svg.map { max-height: 80vh; } svg text { fill: var(--soft); font: 11px system-ui
 svg text.marked { fill: var(--mark); } .limit { stroke: var(--soft); stroke-width: 1; stroke-dasharray: 2 3; }
 .curve, .path { fill: none; stroke-linejoin: round; } .curve { stroke-width: 1.7; }
 .path.truth { stroke: #000; opacity: 0.45; }
-.c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); }
-.c3 { stroke: var(--c3); } .c4 { stroke: var(--c4); } .c5 { stroke: var(--c5); }
+.c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); stroke-dasharray: 8 4; } .c2 { stroke: var(--c2); stroke-dasharray: 2 3; }
+.c3 { stroke: var(--c3); stroke-dasharray: 10 3 2 3; } .c4 { stroke: var(--c4); stroke-dasharray: 14 5; }
+.c5 { stroke: var(--c5); stroke-dasharray: 5 2 1 2; }
 .light.c0 { stroke: #0072B2; } .light.c1 { stroke: #D55E00; } .light.c2 { stroke: #009E73; }
 .light.c3 { stroke: #CC79A7; } .light.c4 { stroke: #E69F00; } .light.c5 { stroke: #56B4E9; }
 .legend { display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; margin: 0.4rem 0; font-size: 0.92rem; }

@@ -112,7 +112,8 @@ std::string event_table(const RunFolder& run) {
   std::string body;
   for (const ReportEvent& event : run.events) {
     if (event.kind.starts_with("alarm")) continue;
-    body += "<tr>" + cell(readable(event.stamp_s, "s")) + cell(escape_html(event.kind)) +
+    body += fmt::format("<tr data-time=\"{:.3f}\">", event.stamp_s) +
+            cell(readable(event.stamp_s, "s")) + cell(escape_html(event.kind)) +
             cell(escape_html(event.detail)) + cell(escape_html(event.localizer)) +
             cell(event.time_s ? readable(event.time_s, "s") : "") + "</tr>";
   }

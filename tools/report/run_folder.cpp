@@ -72,7 +72,7 @@ std::vector<ReportEvent> read_events(const Table& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     events.push_back({table.number(i, "stamp_s").value_or(0.0), table.text(i, "kind"),
                       table.text(i, "detail"), table.text(i, "localizer"),
-                      table.number(i, "time_s")});
+                      table.number(i, "time_s"), table.pose(i, "from_"), table.pose(i, "to_")});
   }
   return events;
 }
@@ -103,6 +103,8 @@ RunFolder load_run_folder(const std::filesystem::path& folder) {
   run.curves = read_curves(Table(folder / "errors.csv"));
   run.events = read_events(Table(folder / "events.csv"));
   read_pictures(folder / "snapshots", run);
+  const auto recording = folder / "recording.gz";
+  if (std::filesystem::exists(recording)) run.recording = read_file(recording);
   return run;
 }
 

@@ -29,6 +29,8 @@ struct ReportEvent {
   std::string detail;
   std::string localizer;
   std::optional<double> time_s;
+  std::optional<localization::SE2> T_map_from;  ///< Of a kidnap.
+  std::optional<localization::SE2> T_map_to;
 };
 
 /// One localizer's rows.
@@ -51,10 +53,11 @@ struct RunFolder {
   std::vector<ReportEvent> events;
   std::vector<ReportPicture> pictures;          ///< By name.
   std::optional<std::string> pictures_missing;  ///< Why there are none, if that is known.
+  std::string recording;                        ///< The bytes of recording.gz; empty: none.
 };
 
-/// Reads summary.json, errors.csv and events.csv, which must be there, timing.json and the
-/// pictures, which may. Throws std::runtime_error naming the file.
+/// Reads summary.json, errors.csv and events.csv, which must be there, timing.json, the
+/// recording and the pictures, which may. Throws std::runtime_error naming the file.
 RunFolder load_run_folder(const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

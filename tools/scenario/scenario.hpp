@@ -118,6 +118,15 @@ struct LocalizerSpec {
   bool relocalize_at_kidnap = false;
 };
 
+/// A film of the run; where it goes is said on the command line.
+struct VideoSpec {
+  int width = 1280;            ///< [px] Even.
+  int height = 720;            ///< [px] Even.
+  int fps = 20;                ///< [1/s]
+  double speed = 1.0;          ///< Seconds of the run in a second of film.
+  std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
+};
+
 /// What the run leaves behind, besides its tables.
 struct OutputSpec {
   bool snapshots = true;           ///< Pictures at all.
@@ -126,6 +135,8 @@ struct OutputSpec {
   int snapshot_width = 960;        ///< [px]
   int snapshot_height = 720;       ///< [px]
   bool report = true;              ///< report.html
+  bool player = true;              ///< In the report, and the recording.gz that it plays.
+  VideoSpec video;                 ///< With `castaway run --video FILE` only.
   bool scans = false;              ///< scans.csv and labels.csv
   double points_every_s = 0.0;     ///< [s] Between two PLY files of a lidar; 0: none.
 };

@@ -10,6 +10,7 @@
 #include "tools/scenario/lidar_spec.hpp"
 #include "tools/scenario/nearest.hpp"
 #include "tools/scenario/odometry_spec.hpp"
+#include "tools/scenario/output_spec.hpp"
 #include "tools/scenario/people_spec.hpp"
 
 namespace castaway::testbed {
@@ -140,31 +141,6 @@ void choose_watched(const YamlReader& root, Scenario& scenario) {
   if (std::find(names.begin(), names.end(), watched) == names.end()) {
     root.fail("a kidnap waits for localizer '" + watched + "'; " + suggestion(watched, names));
   }
-}
-
-OutputSpec read_outputs(YamlReader& root) {
-  OutputSpec outputs;
-  YamlReader map = root.child("outputs");
-  outputs.report = map.get("report", outputs.report);
-  outputs.scans = map.get("scans", outputs.scans);
-  if (map.has("points")) {
-    YamlReader points = map.child("points");
-    outputs.points_every_s = positive(points, "every_s", 1.0);
-  }
-  const std::optional<YamlReader> scalar = map.find("snapshots");
-  if (scalar && scalar->is_scalar()) {
-    outputs.snapshots = scalar->as<bool>();
-    return outputs;
-  }
-  YamlReader snapshots = map.child("snapshots");
-  outputs.snapshot_every_s = not_negative(snapshots, "every_s", outputs.snapshot_every_s);
-  outputs.snapshot_on_events = snapshots.get("on_events", outputs.snapshot_on_events);
-  outputs.snapshot_width = snapshots.get("width", outputs.snapshot_width);
-  outputs.snapshot_height = snapshots.get("height", outputs.snapshot_height);
-  for (const int size : {outputs.snapshot_width, outputs.snapshot_height}) {
-    if (size < 16 || size > 4096) snapshots.fail("'width' and 'height' must be in 16..4096");
-  }
-  return outputs;
 }
 
 }  // namespace

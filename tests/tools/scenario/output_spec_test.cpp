@@ -1,0 +1,69 @@
+#include "tools/scenario/output_spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+OutputSpec read(const std::string& text) {
+  YamlDocument document = YamlDocument::parse(text, "scenario.yaml");
+  YamlReader root = document.root();
+  const OutputSpec outputs = read_outputs(root);
+  document.reject_unknown_keys();
+  return outputs;
+}
+
+std::string refusal(const std::string& text) {
+  return error_of([&] { (void)read(text); });
+}
+
+TEST(OutputSpec, HasADefaultForEveryKey) {
+  const OutputSpec outputs = read("{}");
+  EXPECT_TRUE(outputs.report);
+  EXPECT_TRUE(outputs.player);
+  EXPECT_TRUE(outputs.snapshots);
+  EXPECT_FALSE(outputs.scans);
+  EXPECT_EQ(outputs.points_every_s, 0.0);
+  EXPECT_EQ(outputs.video.fps, 20);
+  EXPECT_EQ(outputs.video.view, "chase");
+}
+
+TEST(OutputSpec, ReadsAllKeys) {
+  const OutputSpec outputs = read(
+      "outputs: {report: false, player: false, scans: true, points: {every_s: 2}, snapshots: "
+      "{every_s: 5, on_events: false, width: 320, height: 240}, video: {width: 640, height: "
+      "360, fps: 25, speed: 4, view: map}}");
+  EXPECT_FALSE(outputs.report);
+  EXPECT_FALSE(outputs.player);
+  EXPECT_TRUE(outputs.scans);
+  EXPECT_EQ(outputs.points_every_s, 2.0);
+  EXPECT_EQ(outputs.snapshot_every_s, 5.0);
+  EXPECT_FALSE(outputs.snapshot_on_events);
+  EXPECT_EQ(outputs.snapshot_width, 320);
+  EXPECT_EQ(outputs.snapshot_height, 240);
+  EXPECT_EQ(outputs.video.width, 640);
+  EXPECT_EQ(outputs.video.height, 360);
+  EXPECT_EQ(outputs.video.fps, 25);
+  EXPECT_EQ(outputs.video.speed, 4.0);
+  EXPECT_EQ(outputs.video.view, "map");
+}
+
+TEST(OutputSpec, SnapshotsMayBeOneWord) {
+  EXPECT_FALSE(read("outputs: {snapshots: false}").snapshots);
+}
+
+TEST(OutputSpec, SaysWhatDoesNotDo) {
+  EXPECT_TRUE(contains(refusal("outputs: {snapshots: {width: 5}}"), "16..4096"));
+  EXPECT_TRUE(contains(refusal("outputs: {snapshots: {every_s: -1}}"), "must not be negative"));
+  EXPECT_TRUE(contains(refusal("outputs: {points: {every_s: 0}}"), "must be positive"));
+  EXPECT_TRUE(contains(refusal("outputs: {video: {width: 641}}"), "even"));
+  EXPECT_TRUE(contains(refusal("outputs: {video: {fps: 0}}"), "'fps'"));
+  EXPECT_TRUE(contains(refusal("outputs: {video: {speed: 0}}"), "'speed'"));
+  EXPECT_TRUE(contains(refusal("outputs: {video: {view: chaise}}"), "chase"));
+  EXPECT_TRUE(contains(refusal("outputs: {reprot: true}"), "report"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,85 @@
+#include "tools/report/player_section.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/metrics/recovery.hpp"
+#include "tools/report/curves_section.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/web_bundle.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const std::optional<localization::SE2>& pose) {
+  return pose ? Json{pose->x, pose->y} : Json();
+}
+
+Json page_of(const RunFolder& run) {
+  const RecoveryConfig right;
+  Json events = Json::array();
+  for (const ReportEvent& event : run.events) {
+    events.push_back({{"time", event.stamp_s},
+                      {"kind", event.kind},
+                      {"detail", event.detail},
+                      {"localizer", event.localizer},
+                      {"from", point(event.T_map_from)},
+                      {"to", point(event.T_map_to)}});
+  }
+  return {{"right_m", right.position_m}, {"right_rad", right.yaw_rad}, {"events", events}};
+}
+
+/// JSON that cannot end the script element that it stands in.
+std::string script_json(const Json& json) {
+  std::string safe;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace
+
+bool has_player(const RunFolder& run) { return web_bundle() && !run.recording.empty(); }
+
+std::string player_section(const RunFolder& run) {
+  if (!web_bundle()) {
+    return "<p class=\"soft\">This page has no player: castaway was built without Node.js. "
+           "Install nodejs and npm, configure and build again, then <code>castaway report</code> "
+           "on this folder.</p>\n";
+  }
+  if (run.recording.empty()) {
+    return "<p class=\"soft\">This page has no player: the run left no recording.gz "
+           "(<code>outputs.player</code>).</p>\n";
+  }
+  return "<div class=\"live\" hidden>\n" +
+         section("Player", "<div id=\"castaway-player\"></div>\n") +
+         section(
+             "Curves",
+             "<div class=\"curves-head\"><p class=\"soft\">A click moves the player; drag to "
+             "zoom all curves, double-click for all of the run. Dotted across: 0.5 m and 0.35 "
+             "rad (20°), above which an output is wrong. Dashed down: kidnaps and faults; dotted "
+             "down: recoveries; strips along the bottom: alarms.</p><button type=\"button\" "
+             "id=\"castaway-zoom\">All of the run</button></div>\n"
+             "<div id=\"castaway-curves\"></div>\n") +
+         "</div>\n";
+}
+
+std::string player_scripts(const RunFolder& run) {
+  if (!has_player(run)) return "";
+  return fmt::format(
+      "<script type=\"application/json\" id=\"castaway-page\">{}</script>\n"
+      "<script type=\"text/plain\" id=\"castaway-recording\">{}</script>\n<script>{}</script>\n",
+      script_json(page_of(run)), base64(run.recording), web_bundle()->script);
+}
+
+std::string player_style(const RunFolder& run) {
+  return has_player(run) ? std::string(web_bundle()->style) : "";
+}
+
+}  // namespace castaway::testbed

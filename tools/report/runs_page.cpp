@@ -1,0 +1,67 @@
+#include "tools/report/runs_page.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/formats/file.hpp"
+#include "tools/report/html.hpp"
+#include "tools/report/report_style.hpp"
+#include "tools/report/report_words.hpp"
+#include "tools/report/run_folder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The address of a file, seen from a page: a path whose signs no browser takes for others.
+std::string address(const fs::path& file, const fs::path& page) {
+  const fs::path folder = fs::absolute(page).parent_path();
+  std::string encoded;
+  for (const char c : fs::absolute(file).lexically_relative(folder).generic_string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                       (byte >= '0' && byte <= '9') ||
+                       std::string_view("/._-~").find(c) != std::string_view::npos;
+    encoded += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return encoded;
+}
+
+std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+
+/// A row a localizer; the run's own cells stand in the first.
+std::string rows_of(const fs::path& folder, const fs::path& page) {
+  const RunFolder run = load_run_folder(folder);
+  const auto& localizers = run.summary["localizers"];
+  std::string first = fmt::format("<td rowspan=\"{}\"><a href=\"{}\">{}, seed {}</a></td>",
+                                  std::max<std::size_t>(1, localizers.size()),
+                                  address(folder / "report.html", page),
+                                  escape_html(run.summary.value("scenario", "run")),
+                                  run.summary.value("seed", std::uint64_t{0}));
+  std::string rows;
+  for (const auto& [name, figures] : localizers.items()) {
+    rows += "<tr>" + first + "<td class=\"words\">" + describe_localizer(run, name) + "</td>" +
+            cell(readable(figure_at(figures, "/position_error_m/median"), "m")) +
+            cell(readable(figure_at(figures, "/position_error_m/p95"), "m")) +
+            cell(readable(figure_at(figures, "/recovery/time_s/max"), "s")) + "</tr>\n";
+    first.clear();
+  }
+  return rows.empty() ? "<tr>" + first + "<td colspan=\"4\">no localizer</td></tr>\n" : rows;
+}
+
+}  // namespace
+
+void write_runs_page(const std::vector<fs::path>& folders, const fs::path& page) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"><title>castaway: {0} runs</title><style>{1}"
+      "td.words {{ white-space: normal; text-align: left; min-width: 18rem; }} "
+      "td {{ vertical-align: top; }}</style></head>\n<body><h1>{0} runs</h1>\n"
+      "<div class=\"wide\"><table><thead><tr><th>run</th><th></th><th>position error, median</th>"
+      "<th>95 % below</th><th>slowest recovery</th></tr></thead><tbody>\n",
+      folders.size(), kReportStyle);
+  for (const fs::path& folder : folders) html += rows_of(folder, page);
+  write_file(page, html + "</tbody></table></div></body></html>\n");
+}
+
+}  // namespace castaway::testbed

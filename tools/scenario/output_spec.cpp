@@ -1,0 +1,62 @@
+#include "tools/scenario/output_spec.hpp"
+
+#include <optional>
+
+namespace castaway::testbed {
+namespace {
+
+void read_snapshots(YamlReader& map, OutputSpec& outputs) {
+  const std::optional<YamlReader> scalar = map.find("snapshots");
+  if (scalar && scalar->is_scalar()) {
+    outputs.snapshots = scalar->as<bool>();
+    return;
+  }
+  YamlReader snapshots = map.child("snapshots");
+  outputs.snapshot_every_s = snapshots.get("every_s", outputs.snapshot_every_s);
+  if (!(outputs.snapshot_every_s >= 0.0)) snapshots.fail("'every_s' must not be negative");
+  outputs.snapshot_on_events = snapshots.get("on_events", outputs.snapshot_on_events);
+  outputs.snapshot_width = snapshots.get("width", outputs.snapshot_width);
+  outputs.snapshot_height = snapshots.get("height", outputs.snapshot_height);
+  for (const int size : {outputs.snapshot_width, outputs.snapshot_height}) {
+    if (size < 16 || size > 4096) snapshots.fail("'width' and 'height' must be in 16..4096");
+  }
+}
+
+VideoSpec read_video(YamlReader& map) {
+  VideoSpec video;
+  if (!map.has("video")) return video;
+  YamlReader reader = map.child("video");
+  video.width = reader.get("width", video.width);
+  video.height = reader.get("height", video.height);
+  for (const int size : {video.width, video.height}) {
+    if (size < 16 || size > 4096 || size % 2 != 0) {
+      reader.fail("'width' and 'height' must be even and in 16..4096");
+    }
+  }
+  video.fps = reader.get("fps", video.fps);
+  if (video.fps < 1 || video.fps > 120) reader.fail("'fps' must be in 1..120");
+  video.speed = reader.get("speed", video.speed);
+  if (!(video.speed > 0.0)) reader.fail("'speed' must be positive");
+  video.view = reader.choice("view", video.view, {"chase", "overview", "map"});
+  return video;
+}
+
+}  // namespace
+
+OutputSpec read_outputs(YamlReader& root) {
+  OutputSpec outputs;
+  YamlReader map = root.child("outputs");
+  outputs.report = map.get("report", outputs.report);
+  outputs.player = map.get("player", outputs.player);
+  outputs.scans = map.get("scans", outputs.scans);
+  outputs.video = read_video(map);
+  if (map.has("points")) {
+    YamlReader points = map.child("points");
+    outputs.points_every_s = points.get("every_s", 1.0);
+    if (!(outputs.points_every_s > 0.0)) points.fail("'every_s' must be positive");
+  }
+  read_snapshots(map, outputs);
+  return outputs;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,20 @@
+/// What a run leaves behind as YAML.
+#pragma once
+
+#include "tools/scenario/scenario.hpp"
+#include "tools/scenario/yaml_reader.hpp"
+
+namespace castaway::testbed {
+
+/// Reads `outputs`; every key has a default.
+///
+///     outputs:
+///       report: true           # report.html
+///       player: true           # in it, and the recording.gz that it plays
+///       snapshots: {every_s: 0, on_events: true, width: 960, height: 720}   # or false
+///       video: {width: 1280, height: 720, fps: 20, speed: 1, view: chase}   # with --video FILE
+///       scans: false           # scans.csv, labels.csv
+///       points: {every_s: 1}   # PLY files of 3-D lidars
+OutputSpec read_outputs(YamlReader& root);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,65 @@
+// Starts the player of a report.
+import 'uplot/dist/uPlot.min.css';
+import './player.css';
+import {fromBase64, gunzip} from './bytes.js';
+import {element} from './dom.js';
+import {errorsOf, statesOf, stretches} from './measures.js';
+import {Player} from './player.js';
+import {Recording} from './recording.js';
+import {addThemeSwitch} from './theme.js';
+
+/** The text of an element of the page; null where there is none. */
+function textOf(id) {
+  return document.getElementById(id)?.textContent ?? null;
+}
+
+/** All that the player shows, from the page's texts. */
+async function load() {
+  const page = JSON.parse(textOf('castaway-page'));
+  const recording = new Recording(await gunzip(fromBase64(textOf('castaway-recording').trim())));
+  const errors = recording.localizers.map((localizer) => errorsOf(recording, localizer));
+  const states = recording.localizers.map((localizer, k) =>
+    statesOf(localizer, errors[k], page.right_m, page.right_rad));
+  const alarms = recording.localizers.map(({lost}) =>
+    stretches(Array.from(lost), recording.time, recording.time.at(-1)).filter(({state}) => state === 1));
+  const limits = {rightM: page.right_m, rightDeg: (page.right_rad * 180) / Math.PI};
+  return {recording, errors, states, alarms, limits, events: page.events};
+}
+
+/** Rows of tables that tell of a time lead there. */
+function linkRows(player) {
+  for (const row of document.querySelectorAll('tr[data-time]')) {
+    const time = Number(row.dataset.time);
+    const cell = row.cells[0];
+    cell.replaceChildren(element('button', {type: 'button', class: 'jump', click: () => {
+      player.act('seek', time);
+      player.place.scrollIntoView({block: 'start'});
+    }}, cell.textContent));
+  }
+}
+
+async function start() {
+  let recolor = () => {};
+  addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => recolor());
+  const place = document.getElementById('castaway-player');
+  if (!place || textOf('castaway-recording') === null) return;
+  try {
+    const run = await load();
+    const curves = document.getElementById('castaway-curves');
+    for (const still of document.querySelectorAll('.still')) still.hidden = true;
+    for (const live of document.querySelectorAll('.live')) live.hidden = false;
+    const player = new Player(place, curves, run);
+    document.getElementById('castaway-zoom')?.addEventListener('click', () => player.curves.resetZoom());
+    recolor = () => player.recolor();
+    linkRows(player);
+    place.dataset.ready = 'true';
+  } catch (error) {
+    for (const still of document.querySelectorAll('.still')) still.hidden = false;
+    for (const live of document.querySelectorAll('.live')) live.hidden = true;
+    place.hidden = false;
+    place.replaceChildren(element('p', {role: 'alert'}, `The player cannot start: ${error.message}`));
+    console.error(error);
+  }
+}
+
+start();

@@ -1,0 +1,48 @@
+// What is drawn over the curves: events, alarms, the border of right and wrong. Canvas pixels.
+import {pick} from './palette.js';
+
+/** Vertical lines at events: recoveries dotted, all others dashed. */
+export function drawMarks({ctx, bbox, valToPos}, marks, colors) {
+  ctx.save();
+  ctx.lineWidth = devicePixelRatio;
+  for (const mark of marks) {
+    const x = Math.round(valToPos(mark.time, 'x', true));
+    if (x < bbox.left || x > bbox.left + bbox.width) continue;
+    ctx.strokeStyle = colors[mark.color];
+    ctx.setLineDash(mark.sort === 'recovery' ? [1, 4] : [5, 4]);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+  }
+  ctx.restore();
+}
+
+/** A strip a localizer along the bottom while it says that it is lost. */
+export function drawAlarms({ctx, bbox, valToPos}, alarms, colors) {
+  const high = 4 * devicePixelRatio;
+  alarms.forEach((stretches, k) => {
+    ctx.fillStyle = pick(colors.localizers, k);
+    for (const {from, to} of stretches) {
+      const left = Math.max(bbox.left, valToPos(from, 'x', true));
+      const right = Math.min(bbox.left + bbox.width, valToPos(to, 'x', true));
+      if (right < left) continue;
+      const top = bbox.top + bbox.height - (k + 1) * (high + 1);
+      ctx.fillRect(left, top, Math.max(2, right - left), high);
+    }
+  });
+}
+
+/** A dotted line across. */
+export function drawLimit({ctx, bbox, valToPos}, limit, colors) {
+  const y = Math.round(valToPos(limit, 'y', true));
+  ctx.save();
+  ctx.strokeStyle = colors.soft;
+  ctx.lineWidth = devicePixelRatio;
+  ctx.setLineDash([2, 3]);
+  ctx.beginPath();
+  ctx.moveTo(bbox.left, y);
+  ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.restore();
+}

@@ -1,0 +1,103 @@
+// The slider of time with its marks, and a lane a localizer that says when it was right.
+import {clockText, element} from './dom.js';
+import {kFalseAlarm, kRight, kSaysLost, kStateWords, kUnknown, kWrong, stretches} from './measures.js';
+import {pick} from './palette.js';
+import {spread} from './marks.js';
+
+const kLane = 10;  // [px] Height of a bar...
+const kRow = 27;  // [px] ...and of the row with its name above.
+const kApart = 15;
+const kThumb = 8;  // [px] Half the slider's thumb: its middle never comes nearer to the ends.
+
+/** The slider and the lanes. `seek(time)` is called with every time that is chosen. */
+export class Timeline {
+  constructor(place, run, marks, colors, seek) {
+    this.run = run;
+    this.marks = marks;
+    this.colors = colors;
+    this.seek = seek;
+    const {time} = run.recording;
+    this.begin = time[0] ?? 0;
+    this.end = time.at(-1) ?? 0;
+    this.markRow = element('div', {class: 'marks', role: 'group', 'aria-label': 'Events'});
+    this.slider = element('input', {type: 'range', min: this.begin, max: this.end, step: 'any',
+      value: this.begin, 'aria-label': 'Time', input: () => seek(Number(this.slider.value))});
+    const names = run.recording.names.join(', ');
+    this.lanes = element('canvas', {class: 'lanes', role: 'img',
+      'aria-label': `When each localizer was right: ${names}`, click: (event) => this.click(event)});
+    place.append(this.markRow, this.slider, this.lanes);
+    this.lanes.style.height = `${run.states.length * kRow}px`;
+    new ResizeObserver(() => this.layOut()).observe(place);
+  }
+
+  x(time, width) {
+    return kThumb + ((time - this.begin) / Math.max(this.end - this.begin, 1e-9)) * (width - 2 * kThumb);
+  }
+
+  click(event) {
+    const share = (event.offsetX - kThumb) / (this.lanes.clientWidth - 2 * kThumb);
+    this.seek(this.begin + share * (this.end - this.begin));
+  }
+
+  layOut() {
+    const width = this.slider.clientWidth;
+    if (!width) return;
+    const kept = spread(this.marks, this.begin, this.end, width, kApart);
+    this.markRow.replaceChildren(...kept.map((mark) => element('button', {
+      type: 'button', class: `mark ${mark.sort}`, 'aria-label': `Jump to ${mark.label}`, title: mark.label,
+      style: `left: ${this.x(mark.time, width)}px`, click: () => this.seek(mark.time),
+    }, mark.symbol)));
+    this.draw();
+  }
+
+  draw() {
+    const {clientWidth: width, clientHeight: height} = this.lanes;
+    if (!width) return;
+    const ratio = devicePixelRatio || 1;
+    this.lanes.width = Math.round(width * ratio);
+    this.lanes.height = Math.round(height * ratio);
+    const context = this.lanes.getContext('2d');
+    context.scale(ratio, ratio);
+    this.run.states.forEach((states, k) => this.drawLane(context, states, k, width));
+  }
+
+  drawLane(context, states, k, width) {
+    const colors = this.colors();
+    const middle = (k + 1) * kRow - kLane / 2 - 1;
+    context.font = '12px system-ui, sans-serif';
+    context.fillStyle = colors.soft;
+    context.fillText(this.run.recording.names[k], kThumb, middle - kLane / 2 - 3);
+    for (const {state, from, to} of stretches(states, this.run.recording.time, this.end)) {
+      const left = this.x(from, width);
+      const wide = Math.max(1, this.x(to, width) - left);
+      if (state === kUnknown) continue;
+      context.fillStyle = state === kWrong ? colors.bad : pick(colors.localizers, k);
+      if (state === kRight) context.fillRect(left, middle - 2, wide, 4);
+      if (state === kWrong) context.fillRect(left, middle - kLane / 2, wide, kLane);
+      if (state === kSaysLost || state === kFalseAlarm) this.hatch(context, left, middle, wide);
+    }
+  }
+
+  hatch(context, left, middle, wide) {
+    context.save();
+    context.beginPath();
+    context.rect(left, middle - kLane / 2, wide, kLane);
+    context.clip();
+    context.strokeStyle = context.fillStyle;
+    context.lineWidth = 1.5;
+    for (let x = left - kLane; x < left + wide + kLane; x += 5) {
+      context.beginPath();
+      context.moveTo(x, middle + kLane / 2);
+      context.lineTo(x + kLane, middle - kLane / 2);
+      context.stroke();
+    }
+    context.restore();
+  }
+
+  show(time, scan) {
+    this.slider.value = time;
+    const words = this.run.states.map((states, k) =>
+      `${this.run.recording.names[k]} ${kStateWords[states[scan]] ?? ''}`);
+    this.slider.setAttribute('aria-valuetext', `${clockText(time)}: ${words.join(', ')}`);
+  }
+}

@@ -1,0 +1,216 @@
+// A real report, opened from disk and used. CASTAWAY_CHROMIUM: the browser; CASTAWAY_REPORT: the page;
+// CASTAWAY_SCREENSHOTS: folder that pictures are left in (optional).
+import assert from 'node:assert/strict';
+import {mkdirSync, writeFileSync} from 'node:fs';
+import {join, resolve} from 'node:path';
+import {after, before, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+import {Chromium} from './chromium.mjs';
+
+const url = pathToFileURL(resolve(process.env.CASTAWAY_REPORT)).href;
+const folder = process.env.CASTAWAY_SCREENSHOTS;
+let browser;
+
+before(async () => {
+  browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
+});
+after(() => browser.close());
+
+const kFrames = 'new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(() => r())))';
+
+async function open(options) {
+  browser.errors.length = 0;
+  browser.requests.length = 0;
+  await browser.open(url, options);
+  await browser.until("document.querySelector('#castaway-player[data-time]')");
+  await browser.evaluate(kFrames);
+}
+
+const time = () => browser.evaluate("Number(document.querySelector('#castaway-player').dataset.time)");
+
+/** What the map shows, as one number. */
+const mapSum = () => browser.evaluate(`(() => {
+  const canvas = document.querySelector('canvas.map');
+  const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  let sum = 0;
+  for (let i = 0; i < data.length; ++i) sum = (sum * 31 + data[i]) % 4294967291;
+  return sum;
+})()`);
+
+/** Does something in the page and waits until it is drawn. */
+async function act(expression) {
+  await browser.evaluate(expression);
+  await browser.evaluate(kFrames);
+}
+
+async function press(...key) {
+  await browser.key(...key);
+  await browser.evaluate(kFrames);
+}
+
+const focusMap = () => browser.evaluate("document.querySelector('canvas.map').focus()");
+
+async function picture(name, whole = false) {
+  if (!folder) return;
+  mkdirSync(folder, {recursive: true});
+  writeFileSync(join(folder, `${name}.png`), await browser.screenshot(whole));
+}
+
+function noErrors() {
+  assert.deepEqual(browser.errors, []);
+  assert.deepEqual(browser.requests.filter((asked) => !/^(file|data|blob):/.test(asked)), []);
+}
+
+for (const [name, options] of Object.entries({
+  'wide-light': {width: 1280, height: 900}, 'wide-dark': {width: 1280, height: 900, dark: true},
+  'narrow-light': {width: 390, height: 844, mobile: true},
+  'narrow-dark': {width: 390, height: 844, dark: true, mobile: true},
+})) {
+  test(`opens without an error and fits the window: ${name}`, async () => {
+    await open(options);
+    await press('ArrowRight');
+    const [ink, free] = await browser.evaluate(`['--ink', '--free'].map((name) =>
+      getComputedStyle(document.documentElement).getPropertyValue(name).trim())`);
+    assert.equal(free === '#ffffff', !options.dark);
+    assert.notEqual(ink, free);
+    assert.equal(await browser.evaluate('document.querySelectorAll(".uplot").length'), 6);
+    assert.ok(await browser.evaluate('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
+    await act(`document.querySelector('#castaway-player .mark.kidnap').click()`);
+    await picture(name);
+    await picture(`${name}-page`, true);
+    noErrors();
+  });
+}
+
+test('plays and stops', async () => {
+  await open();
+  const [before, map] = [await time(), await mapSum()];
+  await act("document.querySelector('.play').click()");
+  await browser.until(`Number(document.querySelector('#castaway-player').dataset.time) > ${before + 0.5}`);
+  await act("document.querySelector('.play').click()");
+  const stopped = await time();
+  assert.notEqual(await mapSum(), map);
+  await browser.evaluate(kFrames);
+  assert.equal(await time(), stopped);
+  noErrors();
+});
+
+test('is led by the keyboard', async () => {
+  await open();
+  await focusMap();
+  await press('End');
+  const end = await time();
+  await press('ArrowLeft');
+  const before = await time();
+  assert.ok(before < end && before > end - 0.5, `${before}, ${end}`);
+  await press('Home');
+  const begin = await time();
+  await press('ArrowRight');
+  assert.ok(await time() > begin);
+  const map = await mapSum();
+  await press('+');
+  assert.notEqual(await mapSum(), map);
+  await press('ArrowDown');
+  const event = await time();
+  await press(' ', 'Space');
+  await browser.until(`Number(document.querySelector('#castaway-player').dataset.time) > ${event}`);
+  await press(' ', 'Space');
+  noErrors();
+});
+
+test('scrubs by the slider, and the map with it', async () => {
+  await open();
+  const map = await mapSum();
+  await act(`(() => {
+    const slider = document.querySelector('.timeline input');
+    slider.value = 0.5 * slider.max;
+    slider.dispatchEvent(new Event('input'));
+  })()`);
+  assert.ok(await time() > 1);
+  assert.notEqual(await mapSum(), map);
+  assert.match(await browser.evaluate(
+    "document.querySelector('.timeline input').getAttribute('aria-valuetext')"), /mh_amcl/);
+});
+
+test('a mark and a row of the events lead to the kidnap', async () => {
+  await open();
+  const wanted = await browser.evaluate(`JSON.parse(document.getElementById('castaway-page').textContent)
+    .events.find((event) => event.kind === 'kidnap').time`);
+  await act("document.querySelector('#castaway-player .mark.kidnap').click()");
+  assert.ok(Math.abs(await time() - wanted) < 1e-3);
+  await press('Home');
+  await act(`[...document.querySelectorAll('tr[data-time]')].find((row) => /kidnap/.test(row.textContent))
+    .querySelector('button').click()`);
+  assert.ok(Math.abs(await time() - wanted) < 1e-3);
+});
+
+test('a click on a curve leads there; a drag zooms all curves', async () => {
+  await open();
+  await act("document.querySelector('.uplot').scrollIntoView()");
+  const box = await browser.evaluate(`(() => {
+    const {left, top, width, height} = document.querySelector('.uplot .u-over').getBoundingClientRect();
+    return {left, top, width, height};
+  })()`);
+  const at = (share) => [box.left + share * box.width, box.top + box.height / 2];
+  await browser.drag([at(0.5)]);
+  await browser.evaluate(kFrames);
+  const middle = await time();
+  assert.ok(middle > 1);
+  const heads = () => browser.evaluate(
+    "[...document.querySelectorAll('.playhead')].map((head) => head.style.transform)");
+  const before = await heads();
+  assert.equal(new Set(before).size, 1);
+  await browser.drag([at(0.4), at(0.45), at(0.6)]);
+  await browser.evaluate(kFrames);
+  await browser.evaluate(kFrames);
+  const after = await heads();
+  assert.equal(new Set(after).size, 1);
+  assert.notEqual(after[0], before[0]);
+  await act("document.getElementById('castaway-zoom').click()");
+  await browser.evaluate(kFrames);
+  assert.deepEqual(await heads(), before);
+  noErrors();
+});
+
+test('layers, zoom and following change the map', async () => {
+  await open();
+  await act("document.querySelector('#castaway-player .mark.kidnap').click()");
+  let map = await mapSum();
+  const changes = [
+    "document.querySelector('.layers input').click()", "document.querySelectorAll('.layers input')[3].click()",
+    "document.querySelector('[aria-label^=Closer]').click()",
+    "document.querySelector('[aria-label^=Follow]').click()",
+    "document.querySelector('[aria-label^=Whole]').click()"];
+  for (const change of changes) {
+    await act(change);
+    const now = await mapSum();
+    assert.notEqual(now, map, change);
+    map = now;
+  }
+  const box = await browser.evaluate(`(() => {
+    document.querySelector('canvas.map').scrollIntoView();
+    const {left, top, width, height} = document.querySelector('canvas.map').getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  })()`);
+  await browser.drag([box, [box[0] + 60, box[1] + 30]]);
+  await browser.evaluate(kFrames);
+  assert.notEqual(await mapSum(), map);
+});
+
+test('the switch changes the colours of page and map', async () => {
+  await open();
+  const map = await mapSum();
+  await act("document.querySelector('.theme').click()");  // auto -> light: the same
+  await act("document.querySelector('.theme').click()");  // -> dark
+  assert.equal(await browser.evaluate('document.documentElement.dataset.theme'), 'dark');
+  assert.notEqual(await mapSum(), map);
+  await act("document.querySelector('.theme').click()");
+  noErrors();
+});
+
+test('everything that is pressed has a name', async () => {
+  await open();
+  const nameless = await browser.evaluate(`[...document.querySelectorAll('button, select, input')].filter(
+    (it) => !it.getAttribute('aria-label') && !it.textContent.trim() && !it.closest('label')).length`);
+  assert.equal(nameless, 0);
+});

@@ -1,0 +1,14 @@
+// The recording that tests/tools/run/recording_fixture_test.cpp writes.
+import {readFileSync} from 'node:fs';
+import {fileURLToPath} from 'node:url';
+
+export function fixture() {
+  const file = fileURLToPath(new URL('../../tests/data/recording/small.bin', import.meta.url));
+  return new Uint8Array(readFileSync(file));
+}
+
+/** Numbers that are near enough to these. */
+export function near(found, wanted, tolerance = 1e-9) {
+  return found.length === wanted.length &&
+    wanted.every((value, i) => Math.abs(value - found[i]) <= tolerance);
+}
