@@ -9,11 +9,11 @@ namespace castaway::testbed {
 
 /// Where a run goes and what it says.
 struct PlayOptions {
-  std::filesystem::path base;   ///< Folder of the scenario's file, for relative paths.
-  std::filesystem::path out;    ///< Run folder; empty: `default_run_folder`.
-  std::filesystem::path video;  ///< Film of the run; empty: none.
-  bool json = false;            ///< Prints summary.json instead of words.
-  bool quiet = false;           ///< Prints nothing, no progress and no warnings either.
+  std::filesystem::path base;     ///< Folder of the scenario's file, for relative paths.
+  std::filesystem::path out;      ///< Run folder; empty: `default_run_folder`.
+  bool json = false;              ///< Prints summary.json instead of words.
+  bool quiet = false;             ///< Prints nothing, no progress and no warnings either.
+  std::filesystem::path video{};  ///< Film of the run; empty: none.
 };
 
 /// runs/<scenario>/seed-<n>

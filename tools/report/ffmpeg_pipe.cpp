@@ -47,6 +47,22 @@ std::vector<std::string> command(const FilmFormat& format, const std::string& ou
   return words;
 }
 
+/// Starts a program with these files as standard input and standard error; -1 if it cannot be.
+pid_t spawn(std::vector<std::string> words, int input, int errors) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = -1;
+  const int error =
+      posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? child : -1;
+}
+
 }  // namespace
 
 void validate(const FilmFormat& format) {
@@ -87,19 +103,10 @@ void FfmpegPipe::start() {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw std::runtime_error("no socket to ffmpeg");
   }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(words_), STDERR_FILENO);
-  std::vector<std::string> words = command(format_, partial_.string());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const int error = posix_spawnp(&ffmpeg_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  ffmpeg_ = spawn(command(format_, partial_.string()), ends[1], fileno(words_));
   ::close(ends[1]);
   socket_ = ends[0];
-  if (error == 0) return;
+  if (ffmpeg_ > 0) return;
   ::close(socket_);
   throw std::runtime_error(format_.file.string() +
                            ": a film needs ffmpeg, which cannot be started; install it "

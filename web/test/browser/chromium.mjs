@@ -108,6 +108,17 @@ export class Chromium {
     await mouse('mouseReleased', points.at(-1));
   }
 
+  /** Fingers on the screen, one list of points a moment; they leave it after the last. */
+  async touch(moments) {
+    await this.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 2});
+    const touch = (type, points) =>
+      this.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    await touch('touchStart', moments[0]);
+    for (const points of moments.slice(1)) await touch('touchMove', points);
+    await touch('touchEnd', []);
+    await this.send('Emulation.setTouchEmulationEnabled', {enabled: false});
+  }
+
   /** A PNG of the window, or of the whole page. */
   async screenshot(whole = false) {
     const {data} = await this.send('Page.captureScreenshot', {format: 'png', captureBeyondViewport: whole});

@@ -197,6 +197,27 @@ test('layers, zoom and following change the map', async () => {
   assert.notEqual(await mapSum(), map);
 });
 
+test('a finger moves the map, two zoom it, and the page stands still', async () => {
+  await open({width: 390, height: 844, mobile: true});
+  const [x, y] = await browser.evaluate(`(() => {
+    document.querySelector('canvas.map').scrollIntoView();
+    const {left, top, width, height} = document.querySelector('canvas.map').getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  })()`);
+  const scrolled = await browser.evaluate('scrollY');
+  const first = await mapSum();
+  await browser.touch([[[x, y]], [[x + 20, y + 30]], [[x + 40, y + 60]]]);
+  await browser.evaluate(kFrames);
+  const moved = await mapSum();
+  assert.notEqual(moved, first);
+  await browser.touch([[[x - 20, y], [x + 20, y]], [[x - 40, y], [x + 40, y]], [[x - 80, y], [x + 80, y]]]);
+  await browser.evaluate(kFrames);
+  assert.notEqual(await mapSum(), moved);
+  assert.equal(await browser.evaluate('scrollY'), scrolled);
+  await picture('narrow-zoomed');
+  noErrors();
+});
+
 test('the switch changes the colours of page and map', async () => {
   await open();
   const map = await mapSum();
