@@ -1,5 +1,6 @@
 #include "sim/people/social_force.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace castaway::sim {
@@ -26,6 +27,10 @@ Eigen::Vector2d social_force(const SocialForceConfig& config, const Eigen::Vecto
   const double B = config.gamma * length;
   if (d > kNegligible * B) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d t = D / length;
+  const double narrow = std::min(config.n, config.n_prime) * B;
+  // theta^2 >= 2 (1 - cos(theta)): what is certain to be negligible needs no arc tangent.
+  const double least = d / B + 2.0 * narrow * narrow * (1.0 - t.dot(e));
+  if (least > kNegligible + 1e-9) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d left(-t.y(), t.x());
   const double theta = std::atan2(left.dot(e), t.dot(e));
   const double side = theta < 0.0 ? -1.0 : 1.0;

@@ -5,7 +5,6 @@
 namespace castaway::sim {
 namespace {
 
-constexpr std::size_t kLeafSize = 2;
 constexpr double kPrecision = 1e-6;  // Of `reach_`: what single precision may lose, and more.
 constexpr double kLeastReach = 1e3;  // [m]
 constexpr float kNothing = 1e30F;
@@ -66,13 +65,13 @@ std::size_t BoxTree::split(std::span<Item> items, const Run& run) {
   return run.first + static_cast<std::size_t>(best - cost.begin());
 }
 
-/// Two to four runs that make up one: the largest box is split first.
+/// Up to four runs that make up one: the largest box is split first.
 std::vector<BoxTree::Run> BoxTree::children(std::span<Item> items, const Run& whole) {
   std::vector<Run> runs{whole};
   while (runs.size() < kWidth) {
     auto largest = runs.end();
     for (auto run = runs.begin(); run != runs.end(); ++run) {
-      if (run->last - run->first <= kLeafSize) continue;
+      if (run->last - run->first == 1) continue;
       if (largest == runs.end() || surface(run->box) > surface(largest->box)) largest = run;
     }
     if (largest == runs.end()) break;
@@ -100,11 +99,10 @@ std::uint32_t BoxTree::build(std::span<Item> items, const Run& whole) {
       nodes_[index].faces[low][i] = static_cast<float>(run.box.min()[axis]);
       nodes_[index].faces[low + 1][i] = static_cast<float>(run.box.max()[axis]);
     }
-    const std::size_t count = run.last - run.first;
-    const bool leaf = count <= kLeafSize;
-    const std::uint32_t first = leaf ? static_cast<std::uint32_t>(run.first) : build(items, run);
-    nodes_[index].first[lane] = first;
-    nodes_[index].count[lane] = leaf ? static_cast<std::uint32_t>(count) : 0;
+    const bool leaf = run.last - run.first == 1;
+    const auto first = static_cast<std::uint32_t>(run.first);
+    const std::uint32_t child = leaf ? first | kLeaf : build(items, run);
+    nodes_[index].child[lane] = child;
   }
   return index;
 }

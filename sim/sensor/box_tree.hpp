@@ -24,13 +24,14 @@ class BoxTree {
   /// The boxes' indices in the order in which `walk` names them.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// Calls `visit(first, last)` for runs [first, last) of `order` whose boxes the ray may meet
-  /// within `nearest` [m], the near ones first. `visit` returns how far [m] still matters.
+  /// Calls `visit(i)` for the places i of `order` whose boxes the ray may meet within `nearest`
+  /// [m], the near ones first. `visit` returns how far [m] still matters.
   template <typename Visit>
   void walk(const Ray& ray, double nearest, Visit visit) const;
 
  private:
   static constexpr int kWidth = 4;
+  static constexpr std::uint32_t kLeaf = 1U << 31U;
   // Three more than are taken off with each level, and a side of a split has an eighth or more of
   // its boxes: enough for billions.
   static constexpr std::size_t kStackSize = 512;
@@ -48,15 +49,13 @@ class BoxTree {
   /// Children; where there are fewer than four, boxes turned inside out, which no ray meets.
   struct Node {
     std::array<Lanes, 6> faces;               ///< x min, x max, y min, ... z max. [m]
-    std::array<std::uint32_t, kWidth> first;  ///< Of an inner child: its node. Else: of its run.
-    std::array<std::uint32_t, kWidth> count;  ///< Of the run; 0: an inner child.
+    std::array<std::uint32_t, kWidth> child;  ///< A node or, with `kLeaf`, a place in `order`.
   };
   /// What is still to be looked at. Arrays, since a compiler copies a struct of them in pieces
   /// that the processor must wait for.
   struct Stack {
     std::array<float, kStackSize> enter;  ///< [m] Not initialised: that would take its time.
-    std::array<std::uint32_t, kStackSize> first;
-    std::array<std::uint32_t, kStackSize> count;
+    std::array<std::uint32_t, kStackSize> child;
     std::size_t depth = 0;
   };
   /// A ray prepared for many boxes.
@@ -113,12 +112,10 @@ inline void BoxTree::push(const Node& node, const Probe& probe, float limit, Sta
     std::size_t at = stack.depth++;
     for (; at > bottom && stack.enter[at - 1] < from; --at) {
       stack.enter[at] = stack.enter[at - 1];
-      stack.first[at] = stack.first[at - 1];
-      stack.count[at] = stack.count[at - 1];
+      stack.child[at] = stack.child[at - 1];
     }
     stack.enter[at] = from;
-    stack.first[at] = node.first[lane];
-    stack.count[at] = node.count[lane];
+    stack.child[at] = node.child[lane];
   }
 }
 
@@ -126,7 +123,7 @@ template <typename Visit>
 void BoxTree::walk(const Ray& ray, double nearest, Visit visit) const {
   if (nodes_.empty()) return;
   if (is_far(ray.origin)) {
-    visit(std::uint32_t{0}, static_cast<std::uint32_t>(order_.size()));
+    for (std::uint32_t i = 0; i < order_.size(); ++i) visit(i);
     return;
   }
   const Probe probe(ray);
@@ -136,12 +133,11 @@ void BoxTree::walk(const Ray& ray, double nearest, Visit visit) const {
   while (stack.depth > 0) {
     const std::size_t top = --stack.depth;
     if (stack.enter[top] > limit) continue;
-    const std::uint32_t first = stack.first[top];
-    const std::uint32_t count = stack.count[top];
-    if (count == 0) {
-      push(nodes_[first], probe, limit, stack);
+    const std::uint32_t child = stack.child[top];
+    if ((child & kLeaf) == 0) {
+      push(nodes_[child], probe, limit, stack);
     } else {
-      limit = limit_of(visit(first, first + count));
+      limit = limit_of(visit(child & ~kLeaf));
     }
   }
 }

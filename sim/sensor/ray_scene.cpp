@@ -31,10 +31,8 @@ std::optional<RayHit> RayScene::cast(const Ray& ray, double max_distance,
     if (distance < nearest.distance) nearest = {distance, primitives_[i].object, i};
   };
   if (guess < primitives_.size()) visit(guess);
-  tree_.walk(ray, nearest.distance, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) {
-      if (i != guess) visit(i);
-    }
+  tree_.walk(ray, nearest.distance, [&](std::uint32_t i) {
+    if (i != guess) visit(i);
     return nearest.distance;
   });
   if (nearest.object == kNobody) return std::nullopt;

@@ -53,8 +53,8 @@ double entry(const Eigen::AlignedBox3d& box, const Ray& ray) {
 
 std::set<std::uint32_t> visited(const BoxTree& tree, const Ray& ray, double nearest) {
   std::set<std::uint32_t> result;
-  tree.walk(ray, nearest, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) result.insert(tree.order()[i]);
+  tree.walk(ray, nearest, [&](std::uint32_t i) {
+    result.insert(tree.order()[i]);
     return nearest;
   });
   return result;
@@ -113,11 +113,10 @@ TEST(BoxTree, StopsWhereNothingFurtherMatters) {
   }
   const BoxTree tree(boxes);
   int count = 0;
-  tree.walk({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 1e9,
-            [&](std::uint32_t first, std::uint32_t last) {
-              count += static_cast<int>(last - first);
-              return entry(boxes[tree.order()[first]], {});
-            });
+  tree.walk({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 1e9, [&](std::uint32_t i) {
+    ++count;
+    return entry(boxes[tree.order()[i]], {});
+  });
   EXPECT_LT(count, 5);
 }
 
