@@ -152,6 +152,7 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
       "  castaway run\n"
       "  castaway run worlds/lab/scenarios/kidnap.yaml --seed 7 --out /tmp/kidnap\n"
       "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
+      "  castaway run --video kidnap.mp4 --set outputs.video.view=overview\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
   command->callback([&chosen, arguments] {
     chosen = [arguments] {

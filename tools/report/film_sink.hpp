@@ -24,7 +24,7 @@ void validate(const FilmConfig& config);
 void put_into_corner(const sim::Image& inset, sim::Image& image);
 
 /// Takes a picture at the first odometry reading of every stretch of `speed` / fps seconds. It
-/// needs the truth; without any, no film appears. A picture takes 10 to 30 ms.
+/// needs the truth; without any, no film appears.
 class FilmSink final : public RunSink {
  public:
   /// Throws std::exception for a configuration that does not do, where ffmpeg or EGL is missing.

@@ -134,7 +134,8 @@ export class Curves {
     this.scan = scan;
     for (const {plot, head} of this.plots) {
       const x = plot.valToPos(time, 'x');
-      head.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+      // Of bbox: to ask the element for its width would lay the page out anew for every plot.
+      head.hidden = !(x >= 0 && x <= plot.bbox.width / devicePixelRatio);
       head.style.transform = `translateX(${x.toFixed(1)}px)`;
       if (scan !== undefined && plot.cursor.left < 0) plot.setLegend({idx: scan}, false);
     }
