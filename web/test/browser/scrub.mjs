@@ -1,4 +1,5 @@
-// How smoothly a report scrubs, time between frames and time that drawing one takes: node web/test/browser/scrub.mjs REPORT.html [CHROMIUM]
+// How smoothly a report scrubs: node web/test/browser/scrub.mjs REPORT.html [CHROMIUM]
+// Time between frames, time until the script has drawn one, CPU time of the page's thread.
 import {resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {Chromium} from './chromium.mjs';
@@ -9,6 +10,12 @@ const begin = performance.now();
 await browser.open(pathToFileURL(resolve(page)).href);
 await browser.until("document.querySelector('#castaway-player[data-time]')");
 console.log(`ready after ${Math.round(performance.now() - begin)} ms`);
+await browser.send('Performance.enable', {timeDomain: 'threadTicks'});
+const cpu = async () => {
+  const {metrics} = await browser.send('Performance.getMetrics');
+  return 1000 * metrics.find(({name}) => name === 'TaskDuration').value;
+};
+const cpuBefore = await cpu();
 const frames = await browser.evaluate(`(async () => {
   const slider = document.querySelector('.timeline input');
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
@@ -29,4 +36,5 @@ for (const [what, times] of Object.entries(frames)) {
   const at = (share) => `${times[Math.floor(share * (times.length - 1))].toFixed(1)} ms`;
   console.log(`300 frames, ${what}: median ${at(0.5)}, 95 % below ${at(0.95)}, longest ${at(1)}`);
 }
+console.log(`CPU time of the page's thread: ${((await cpu() - cpuBefore) / 300).toFixed(1)} ms a frame`);
 await browser.close();
