@@ -81,9 +81,8 @@ LookAlikes::View LookAlikes::view(const Eigen::Vector2d& p_map_laser, double yaw
 std::vector<float> LookAlikes::seen_share(int beams) const {
   std::vector<float> mask(static_cast<std::size_t>(beams), 0.0F);
   for (int i = 0; i < lidar_.beams; ++i) {
-    const double angle = lidar_.angle_min + lidar_.angle_increment * i;
     const Eigen::Vector3d beam =
-        lidar_.T_base_laser.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+        lidar_.T_base_laser.linear() * beam_direction(lidar_, static_cast<std::size_t>(i));
     const double turn = std::atan2(beam.y(), beam.x()) / kTurn * beams;
     const auto bin = (static_cast<int>(std::lround(turn)) % beams + beams) % beams;
     mask[static_cast<std::size_t>(bin)] = 1.0F;

@@ -31,16 +31,10 @@ void LiveScan::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
   if (p_odom_.size() <= scan.lidar) p_odom_.resize(scan.lidar + 1);
   std::vector<Eigen::Vector2d>& points = p_odom_[scan.lidar];
   points.clear();
-  const auto beams = static_cast<std::size_t>(lidar.beams);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
     if (!std::isfinite(range)) continue;
-    const double angle = lidar.angle_min + lidar.angle_increment * static_cast<double>(i % beams);
-    const double elevation = lidar.elevations[i / beams];
-    const double level = range * std::cos(elevation);
-    const Eigen::Vector3d p_laser(level * std::cos(angle), level * std::sin(angle),
-                                  range * std::sin(elevation));
-    const Eigen::Vector3d p_base = lidar.T_base_laser * p_laser;
+    const Eigen::Vector3d p_base = beam_point(lidar, i, range);
     if (p_base.z() > kFloor) points.push_back(T_odom_base * Eigen::Vector2d(p_base.head<2>()));
   }
 }

@@ -26,15 +26,10 @@ Lidar::Lidar(const LidarConfig& config, Surfaces surfaces, Rng pattern) : config
   }
   const Eigen::Matrix3d R_base_laser = config.T_base_laser.linear();
   boost::random::normal_distribution<double> offset(0.0, config.noise.beam_bias_sigma);
-  for (const double elevation : config.elevations) {
-    const double level = std::cos(elevation);
-    for (int i = 0; i < config.beams; ++i) {
-      const double angle = config.angle_min + config.angle_increment * i;
-      const Eigen::Vector3d direction(level * std::cos(angle), level * std::sin(angle),
-                                      std::sin(elevation));
-      directions_.emplace_back(R_base_laser * direction);
-      if (config.noise.beam_bias_sigma > 0.0) offsets_.push_back(offset(pattern));
-    }
+  const std::size_t beams = static_cast<std::size_t>(config.beams) * config.elevations.size();
+  for (std::size_t i = 0; i < beams; ++i) {
+    directions_.emplace_back(R_base_laser * beam_direction(config, i));
+    if (config.noise.beam_bias_sigma > 0.0) offsets_.push_back(offset(pattern));
   }
 }
 

@@ -42,6 +42,19 @@ void validate(const LidarConfig& c) {
   validate(c.light);
 }
 
+Eigen::Vector3d beam_direction(const LidarConfig& config, std::size_t index) {
+  const auto beams = static_cast<std::size_t>(config.beams);
+  const double angle =
+      config.angle_min + config.angle_increment * static_cast<double>(index % beams);
+  const double elevation = config.elevations[index / beams];
+  const double level = std::cos(elevation);
+  return {level * std::cos(angle), level * std::sin(angle), std::sin(elevation)};
+}
+
+Eigen::Vector3d beam_point(const LidarConfig& config, std::size_t index, double range) {
+  return config.T_base_laser * Eigen::Vector3d(range * beam_direction(config, index));
+}
+
 int level_layer(const LidarConfig& config) {
   if (config.planar_layer) return *config.planar_layer;
   const auto& e = config.elevations;

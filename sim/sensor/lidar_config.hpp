@@ -1,6 +1,7 @@
 /// What a lidar is and where it sits.
 #pragma once
 
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -38,6 +39,11 @@ struct LidarConfig {
 
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const LidarConfig& config);
+
+/// Where beam `index` of a scan, layer by layer, points in the laser's frame. Unit.
+Eigen::Vector3d beam_direction(const LidarConfig& config, std::size_t index);
+/// The point of base that lies `range` [m] along it.
+Eigen::Vector3d beam_point(const LidarConfig& config, std::size_t index, double range);
 
 /// The lidar that the robot's description carries; what it does not say keeps its default.
 LidarConfig lidar_of(const RobotModel& robot);

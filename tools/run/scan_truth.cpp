@@ -15,18 +15,12 @@ std::vector<T> layer_of(const std::vector<T>& values, std::size_t layer, std::si
 
 std::vector<CloudPoint> cloud_of(const sim::LidarReading& reading, const sim::LidarConfig& lidar) {
   std::vector<CloudPoint> cloud;
-  const auto beams = static_cast<std::size_t>(lidar.beams);
   for (std::size_t i = 0; i < reading.ranges.size(); ++i) {
     const double range = reading.ranges[i];
     if (!std::isfinite(range)) continue;
-    const double angle = lidar.angle_min + lidar.angle_increment * static_cast<double>(i % beams);
-    const double elevation = lidar.elevations[i / beams];
-    const double level = range * std::cos(elevation);
-    const Eigen::Vector3d p_laser(level * std::cos(angle), level * std::sin(angle),
-                                  range * std::sin(elevation));
     const float intensity = reading.intensities.empty() ? 0.0F : reading.intensities[i];
     cloud.push_back(
-        {(lidar.T_base_laser * p_laser).cast<float>(), intensity, reading.hit_object[i]});
+        {sim::beam_point(lidar, i, range).cast<float>(), intensity, reading.hit_object[i]});
   }
   return cloud;
 }

@@ -1,5 +1,6 @@
 #include "sim/sensor/lidar_config.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -62,6 +63,22 @@ TEST(LidarConfig, TheMostLevelLayerStandsForAllUnlessOneIsChosen) {
   EXPECT_EQ(level_slice(config).elevations, std::vector<double>{-0.3});
   config.planar_layer = 4;
   EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
+TEST(LidarConfig, BeamsPointByLayerAndAngle) {
+  LidarConfig config;
+  config.beams = 4;
+  config.angle_min = 0.0;
+  config.angle_increment = 0.5 * std::numbers::pi;
+  config.elevations = {0.0, std::numbers::pi / 6.0};
+  config.T_base_laser = Eigen::Translation3d(0.1, 0.0, 0.3);
+  const auto off = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (a - b).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(off(beam_direction(config, 1), {0.0, 1.0, 0.0}), 1e-15);
+  EXPECT_LT(off(beam_direction(config, 6), {-std::sqrt(0.75), 0.0, 0.5}), 1e-15);
+  EXPECT_LT(off(beam_point(config, 1, 2.0), {0.1, 2.0, 0.3}), 1e-15);
+  EXPECT_LT(off(beam_point(config, 6, 2.0), {0.1 - std::sqrt(3.0), 0.0, 1.3}), 1e-15);
 }
 
 TEST(LidarConfig, LidarsOfOneMacroGetNamesOfTheirOwn) {
