@@ -7,6 +7,9 @@
 namespace castaway::sim {
 namespace {
 
+constexpr double kAsideMost = 1.2;     // [m] Off the path, for people's sake.
+constexpr double kPassed = 0.3;        // [m] From a waypoint: somebody may stand there.
+constexpr double kBeyond = 0.1;        // [m] Of the horizon's way, to the target.
 constexpr double kBrakingShare = 0.6;  // Of the acceleration limit: the guard reacts late.
 
 }  // namespace
@@ -37,6 +40,11 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) 
   config.local.limits = config.route.follower.limits;
   config.local.radius = robot.footprint_radius;
   config.plan_margin = kDriveMargin;
+  config.route.replan_distance = kAsideMost;
+  config.route.follower.goal_tolerance = kPassed;
+  // A nearer target would be reached within the horizon: no velocity beyond it would gain anything.
+  double& lookahead = config.route.follower.lookahead;
+  lookahead = std::max(lookahead, config.local.limits.max_speed * config.local.horizon + kBeyond);
   return config;
 }
 

@@ -12,6 +12,12 @@ constexpr double kRoomWeight = 1.0;     // Of each metre of comfort that is miss
 constexpr double kFarAway = 10.0;       // [m] Room where there is nothing.
 constexpr double kLeastGain = 0.01;     // [m] Over standing still.
 
+/// What there is to meet.
+struct Obstacles {
+  std::vector<Eigen::Vector2d> points;
+  std::vector<Mover> movers;
+};
+
 double room_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points,
                double radius) {
   double nearest = kFarAway * kFarAway;
@@ -19,6 +25,17 @@ double room_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& poi
     nearest = std::min(nearest, (point - p).squaredNorm());
   }
   return std::sqrt(nearest) - radius;
+}
+
+/// Room to the movers that are not behind a robot at `pose` after `t` seconds.
+double room_to_movers(const Pose2& pose, double t, const std::vector<Mover>& movers,
+                      double radius) {
+  double room = kFarAway;
+  for (const Mover& mover : movers) {
+    const Eigen::Vector2d p = inverse(pose) * Eigen::Vector2d(mover.p + t * mover.velocity);
+    if (p.x() > 0.0) room = std::min(room, p.norm() - kMoverRadius - radius);
+  }
+  return room;
 }
 
 /// What can be met within the horizon.
@@ -40,17 +57,20 @@ double cost(const DynamicWindowConfig& config, const Pose2& end, const Eigen::Ve
 }
 
 /// The least room on the way; nothing if that is less than there must be. A robot that begins with
-/// less may only gain room.
+/// less room to what stands may only gain room; to what moves it waits for it.
 std::optional<double> room_along(const DynamicWindowConfig& config, const Twist2& twist,
-                                 const std::vector<Eigen::Vector2d>& points) {
-  double before = room_at({0.0, 0.0}, points, config.radius);
+                                 const Obstacles& obstacles) {
+  double before = room_at({0.0, 0.0}, obstacles.points, config.radius);
   double least = before;
   for (int i = 1; i <= kSteps; ++i) {
     const double t = config.horizon * i / kSteps;
-    const double room = room_at(arc(twist.v * t, twist.w * t).position(), points, config.radius);
-    if (room < config.margin && room <= before && twist.v != 0.0) return std::nullopt;
+    const Pose2 pose = arc(twist.v * t, twist.w * t);
+    const double room = room_at(pose.position(), obstacles.points, config.radius);
+    const double moving = room_to_movers(pose, t, obstacles.movers, config.radius);
+    const bool squeezed = room < config.margin && room <= before;
+    if (twist.v != 0.0 && (squeezed || moving < config.margin)) return std::nullopt;
     before = room;
-    least = std::min(least, room);
+    least = std::min({least, room, moving});
   }
   return least;
 }
@@ -63,13 +83,14 @@ double sample(double low, double high, int i, int count) {
 
 std::optional<Twist2> best_twist(const DynamicWindowConfig& config, const Twist2& current,
                                  const Eigen::Vector2d& p_base_target,
-                                 const std::vector<Eigen::Vector2d>& p_base) {
+                                 const std::vector<Eigen::Vector2d>& p_base,
+                                 const std::vector<Mover>& movers) {
   const TwistLimits& limits = config.limits;
-  const auto points =
-      near(p_base, limits.max_speed * config.horizon + config.radius + config.comfort);
+  const Obstacles obstacles{
+      near(p_base, limits.max_speed * config.horizon + config.radius + config.comfort), movers};
   const double dv = limits.max_acceleration * config.window;
   const double dw = limits.max_turn_acceleration * config.window;
-  const double still = room_at({0.0, 0.0}, points, config.radius);
+  const double still = room_at({0.0, 0.0}, obstacles.points, config.radius);
   double best_cost = cost(config, {}, p_base_target, still) - kLeastGain;
   std::optional<Twist2> best;
   for (int i = 0; i < config.speeds; ++i) {
@@ -78,7 +99,7 @@ std::optional<Twist2> best_twist(const DynamicWindowConfig& config, const Twist2
     for (int k = 0; k < config.turns; ++k) {
       const double w = sample(std::max(current.w - dw, -limits.max_turn_rate),
                               std::min(current.w + dw, limits.max_turn_rate), k, config.turns);
-      const auto room = room_along(config, {v, w}, points);
+      const auto room = room_along(config, {v, w}, obstacles);
       if (!room) continue;
       const Pose2 end = arc(v * config.horizon, w * config.horizon);
       const double rating = cost(config, end, p_base_target, *room);

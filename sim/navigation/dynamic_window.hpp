@@ -2,7 +2,8 @@
 ///
 /// D. Fox, W. Burgard, S. Thrun, "The Dynamic Window Approach to Collision Avoidance", IEEE
 /// Robotics & Automation Magazine 4(1), 1997. We roll each velocity out over a horizon in which the
-/// robot can stop, and rate it by where it ends and how near it comes to anything.
+/// robot can stop, and rate it by where it ends and how near it comes to anything. Beyond the
+/// paper: what moves is met where it will be.
 #pragma once
 
 #include <optional>
@@ -11,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "sim/geometry.hpp"
+#include "sim/navigation/movers.hpp"
 #include "sim/robot/twist_ramp.hpp"
 
 namespace castaway::sim {
@@ -28,9 +30,11 @@ struct DynamicWindowConfig {
 };
 
 /// The best velocity towards `p_base_target` among `p_base` obstacles [m], all in base, from
-/// `current` on. Nothing where none is safe, or none better than standing still.
+/// `current` on. `movers`, in base as it is now, are where they will be at each time of the
+/// roll-out. Nothing where none is safe, or none better than standing still.
 std::optional<Twist2> best_twist(const DynamicWindowConfig& config, const Twist2& current,
                                  const Eigen::Vector2d& p_base_target,
-                                 const std::vector<Eigen::Vector2d>& p_base);
+                                 const std::vector<Eigen::Vector2d>& p_base,
+                                 const std::vector<Mover>& movers = {});
 
 }  // namespace castaway::sim

@@ -10,8 +10,10 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kStopRoom = 0.01;     // [m] From the footprint, beyond the way to brake.
+constexpr double kStopPause = 0.5;     // [s] For which it then stands at least.
 constexpr double kStopFrom = 0.1;      // [m/s] Slower, stopping is no emergency.
 constexpr double kMarkedWithin = 4.0;  // [m] End points that a new plan goes around.
+constexpr double kMapped = 0.25;       // [m] Nearer to what the map has, a point is that.
 constexpr double kKeepAway = 0.05;     // [m] Around each.
 
 double plan_radius(const NavigatorConfig& config) {
@@ -37,12 +39,22 @@ Grid with_points(const Grid& map, const Pose2& T_map_base,
   return grid;
 }
 
+/// In another frame.
+std::vector<Mover> carried(std::vector<Mover> movers, const Pose2& T_b_a) {
+  const Pose2 turn{0.0, 0.0, T_b_a.yaw};
+  for (Mover& mover : movers) mover = {T_b_a * mover.p, turn * mover.velocity};
+  return movers;
+}
+
 }  // namespace
 
 Navigator::Navigator(const NavigatorConfig& config, const Grid& map)
     : config_(config),
       map_(map),
+      mapped_(map, kMapped),
       route_(config.route, FreeSpace(map, plan_radius(config))),
+      movers_(config.period),
+      passing_({.radius = config.local.radius}),
       recoveries_(config.recoveries, config.local.radius + config.local.margin, config.period) {}
 
 void Navigator::replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
@@ -51,16 +63,34 @@ void Navigator::replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2
 
 Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
   const Twist2 wanted = route_.command(T_map_base);
-  const auto target = route_.target();
-  if (!target) return {};
+  const auto lane = route_.lane();
+  if (!lane) return {};
   if (const auto recovery = recoveries_.watch(live_.T_odom_base())) {
     events_.push_back(to_string(*recovery));
     if (*recovery == Recovery::kReplan) replan(T_map_base, p_base);
   }
   if (const auto twist = recoveries_.command(live_.T_odom_base(), p_base)) return *twist;
   if (wanted.v == 0.0) return wanted;  // A turn on the spot is free: the robot is a disc.
-  const Eigen::Vector2d p_base_target = inverse(T_map_base) * *target;
-  return best_twist(config_.local, last_, p_base_target, p_base).value_or(Twist2{});
+  std::vector<Eigen::Vector2d> p_base_still = p_base;
+  std::erase_if(p_base_still,
+                [&](const Eigen::Vector2d& p) { return !velocity_at(p).isZero(0.0); });
+  const std::vector<Mover> movers = carried(seen_moving_, T_map_base);
+  DynamicWindowConfig local = config_.local;
+  local.limits.max_speed = passing_pace(*lane, movers, local.limits.max_speed);
+  const Eigen::Vector2d aim = passing_.aside(*lane, last_.v, movers, mapped_);
+  return best_twist(local, last_, inverse(T_map_base) * aim, p_base_still, seen_moving_)
+      .value_or(Twist2{});
+}
+
+/// Looks for who moves where the map has nothing.
+void Navigator::watch_movers(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
+  const Pose2 T_odom_base = live_.T_odom_base();
+  std::vector<Eigen::Vector2d> p_odom;
+  for (const Eigen::Vector2d& p : p_base) {
+    if (mapped_.clearance_at(T_map_base * p) > kMapped) p_odom.push_back(T_odom_base * p);
+  }
+  movers_.update(p_odom);
+  seen_moving_ = carried(movers_.moving(), inverse(T_odom_base));
 }
 
 /// Stops a robot that would run into something before it could brake.
@@ -74,15 +104,28 @@ Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Ve
     return side * p.x() > 0.0 && std::min((p - stop).norm(), p.norm()) < reach;
   });
   const bool moves = std::abs(last_.v) > kStopFrom;
-  if (danger && moves && !stopping_) events_.emplace_back("emergency stop");
-  stopping_ = danger && (moves || stopping_);
-  return stopping_ && twist.v * side > 0.0 ? Twist2{0.0, twist.w} : twist;
+  if (danger && moves && stop_left_ <= 0.0) events_.emplace_back("emergency stop");
+  if (danger && (moves || stop_left_ > 0.0)) {
+    stop_left_ = std::max(stop_left_,
+                          std::abs(last_.v) / config_.local.limits.max_acceleration + kStopPause);
+  }
+  stop_left_ -= config_.period;
+  return stop_left_ > 0.0 ? Twist2{0.0, 0.0} : twist;
+}
+
+/// Of the mover that the point is part of; zero of what stands. In base.
+Eigen::Vector2d Navigator::velocity_at(const Eigen::Vector2d& p_base) const {
+  for (const Mover& mover : seen_moving_) {
+    if ((mover.p - p_base).norm() < kMoverRadius) return mover.velocity;
+  }
+  return Eigen::Vector2d::Zero();
 }
 
 Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   Twist2 twist;
   if (T_map_base) {
     const std::vector<Eigen::Vector2d> p_base = live_.p_base();
+    watch_movers(*T_map_base, p_base);
     twist = stopped_short(drive(*T_map_base, p_base), p_base);
   }
   last_ = twist;

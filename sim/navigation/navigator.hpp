@@ -8,6 +8,8 @@
 #include "sim/geometry.hpp"
 #include "sim/navigation/dynamic_window.hpp"
 #include "sim/navigation/live_scan.hpp"
+#include "sim/navigation/movers.hpp"
+#include "sim/navigation/passing.hpp"
 #include "sim/navigation/recoveries.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/world/grid.hpp"
@@ -41,15 +43,21 @@ class Navigator {
  private:
   Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
   void replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
+  void watch_movers(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
+  [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base) const;
   Twist2 stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base);
 
   NavigatorConfig config_;
   Grid map_;
+  FreeSpace mapped_;  ///< Tells what the map has from what it has not.
   RouteRunner route_;
   LiveScan live_;
+  Movers movers_;
+  std::vector<Mover> seen_moving_;  ///< In base.
+  Passing passing_;
   Recoveries recoveries_;
-  Twist2 last_;            ///< Commanded.
-  bool stopping_ = false;  ///< In an emergency.
+  Twist2 last_;             ///< Commanded.
+  double stop_left_ = 0.0;  ///< [s] Of an emergency stop, once begun seen through to standing.
   std::vector<std::string> events_;
 };
 

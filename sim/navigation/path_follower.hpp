@@ -39,6 +39,8 @@ class PathFollower {
   [[nodiscard]] double off_path(const Pose2& T_map_base) const;
   /// The point of map that the last command aimed at; none before the first.
   [[nodiscard]] const std::optional<Eigen::Vector2d>& aim() const { return aim_; }
+  /// The point of the path that the robot has come to.
+  [[nodiscard]] const Eigen::Vector2d& nearest() const { return path_[nearest_]; }
   [[nodiscard]] const std::vector<Eigen::Vector2d>& path() const { return path_; }
 
  private:

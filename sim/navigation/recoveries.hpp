@@ -25,8 +25,8 @@ std::string to_string(Recovery recovery);
 
 /// How recoveries go.
 struct RecoveryTimes {
-  double patience = 4.0;        ///< [s] Without `progress`, the next behaviour begins.
-  double progress = 0.15;       ///< [m]
+  double patience = 10.0;       ///< [s] Without `progress`, the next behaviour begins...
+  double progress = 0.5;        ///< [m] ...as with the progress checker of Nav2, its defaults.
   double forget = 1.0;          ///< [m] After so much way it begins with the first one again.
   double wait = 3.0;            ///< [s]
   double back_up = 0.3;         ///< [m]

@@ -20,6 +20,12 @@ struct RouteConfig {
   FollowerConfig follower;
 };
 
+/// The stretch of path just ahead, in map. [m]
+struct Lane {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< What the robot has come to.
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();    ///< What it aims at.
+};
+
 /// Plans from waypoint to waypoint. A waypoint that is not free stands for the nearest free place;
 /// one within tolerance is done with. After a jump of the pose it plans anew.
 class RouteRunner {
@@ -32,9 +38,10 @@ class RouteRunner {
   /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
   /// with its path where there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);
-  /// The point of map that the last command aimed at; nothing without a path.
-  [[nodiscard]] std::optional<Eigen::Vector2d> target() const {
-    return follower_ ? follower_->aim() : std::nullopt;
+  /// Up to the point that the last command aimed at; nothing without a path.
+  [[nodiscard]] std::optional<Lane> lane() const {
+    if (!follower_ || !follower_->aim()) return std::nullopt;
+    return Lane{follower_->nearest(), *follower_->aim()};
   }
   /// The path being driven; empty if none.
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const;

@@ -77,5 +77,23 @@ TEST(DynamicWindow, ComesOffWhatIsTooNear) {
   EXPECT_GT(twist->v, 0.0);
 }
 
+TEST(DynamicWindow, MeetsWhoMovesWhereTheyWillBe) {
+  const Mover crossing{{0.9, -1.2}, {0.0, 1.2}};  // in the way a second from now
+  const auto twist = best_twist(kConfig, kRolling, {2.0, 0.0}, {}, {crossing});
+  ASSERT_TRUE(twist);
+  for (double t = 0.0; t <= kConfig.horizon; t += 0.2) {
+    const Eigen::Vector2d p = arc(twist->v * t, twist->w * t).position();
+    EXPECT_GT((crossing.p + t * crossing.velocity - p).norm(), kConfig.radius + kMoverRadius) << t;
+  }
+  const Mover leaving{{0.9, 0.0}, {0.0, 1.2}};  // in the way now, not then
+  const auto straight = best_twist(kConfig, kRolling, {2.0, 0.0}, {}, {leaving});
+  EXPECT_NEAR(straight->v, 0.5, 1e-9);
+}
+
+TEST(DynamicWindow, WaitsForWhoStandsTooNearAhead) {
+  EXPECT_FALSE(best_twist(kConfig, {}, {2.0, 0.0}, {}, {{{0.5, 0.0}, {-0.3, 0.0}}}));
+  EXPECT_TRUE(best_twist(kConfig, {}, {2.0, 0.0}, {}, {{{-0.5, 0.0}, {-0.3, 0.0}}}));
+}
+
 }  // namespace
 }  // namespace castaway::sim

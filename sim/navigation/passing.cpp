@@ -1,0 +1,89 @@
+#include "sim/navigation/passing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kStep = 0.1;         // [m] Between the offsets tried...
+constexpr int kSteps = 9;             // ...so many to each side.
+constexpr double kAsideCost = 0.3;    // Of each metre from where it would drive by itself...
+constexpr double kChangeCost = 0.2;   // ...of each metre from where it drove last...
+constexpr double kCrowdedCost = 4.0;  // ...and of each metre of room that is missing.
+constexpr double kSlowest = 0.4;      // [m/s] Reckoned with, even while it stands.
+constexpr double kFarthest = 5.0;     // [s] Meetings that are minded.
+constexpr double kLeastRoom = 0.05;   // [m] To what the map has...
+constexpr double kShortest = 0.8;     // [m] Lane along which it is worth while to keep aside.
+constexpr double kBeside = 1.2;       // [m] Further off the lane, nobody slows the robot down.
+constexpr double kPaceGap = 1.5;      // [m] From a mover at which the robot creeps...
+constexpr double kSlowPace = 0.2;     // [m/s] ...so slowly...
+constexpr double kPaceGain = 0.35;    // [1/s] ...and how much faster for each metre more.
+constexpr double kEnough = 0.2;       // [m] ...and where nobody makes it go there.
+
+Eigen::Vector2d left_of(const Eigen::Vector2d& along) { return {-along.y(), along.x()}; }
+
+}  // namespace
+
+double passing_pace(const Lane& lane, const std::vector<Mover>& movers, double max_speed) {
+  const Eigen::Vector2d way = lane.to - lane.from;
+  if (way.norm() < 1e-6) return max_speed;
+  const Eigen::Vector2d along = way.normalized();
+  double pace = max_speed;
+  for (const Mover& mover : movers) {
+    const Eigen::Vector2d p = mover.p - lane.from;
+    const double gap = p.dot(along);
+    const bool beside = std::abs(p.dot(left_of(along))) > kBeside;
+    const bool leaves = mover.velocity.dot(along) > pace;
+    if (gap < 0.0 || beside || leaves) continue;
+    pace = std::min(pace, std::max(kPaceGain * (gap - kPaceGap), kSlowPace));
+  }
+  return pace;
+}
+
+/// Room that is missing where movers are met, robot and mover keeping their ways.
+double Passing::crowding(double offset, const Lane& lane, double speed,
+                         const std::vector<Mover>& movers) const {
+  const double wanted = config_.radius + kMoverRadius + config_.room;
+  const Eigen::Vector2d along = (lane.to - lane.from).normalized();
+  double missing = 0.0;
+  for (const Mover& mover : movers) {
+    const double gap = (mover.p - lane.from).dot(along);
+    const double closing = speed - mover.velocity.dot(along);
+    if (gap < -wanted || gap > config_.ahead || closing <= 0.05) continue;
+    const double meeting = std::max(gap / closing, 0.0);
+    if (meeting > kFarthest) continue;
+    const Eigen::Vector2d p = mover.p + meeting * mover.velocity;
+    const double across = (p - lane.from).dot(left_of(along));
+    missing += std::max(wanted - std::abs(across - offset), 0.0);
+  }
+  return missing;
+}
+
+Eigen::Vector2d Passing::aside(const Lane& lane, double speed, const std::vector<Mover>& movers,
+                               const FreeSpace& mapped) {
+  const double length = (lane.to - lane.from).norm();
+  if (length < kShortest) return lane.to;  // The lane's end is to be reached.
+  const Eigen::Vector2d left = left_of((lane.to - lane.from) / length);
+  const auto room = [&](double offset) {
+    return mapped.clearance_at(lane.to + offset * left) - config_.radius;
+  };
+  const double own = room(-config_.right) > kEnough ? -config_.right : 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double chosen = 0.0;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const double offset = kStep * i;
+    if (i != 0 && room(offset) < kLeastRoom) continue;
+    const double cost = kAsideCost * std::abs(offset - own) +
+                        kChangeCost * std::abs(offset - offset_) +
+                        kCrowdedCost * crowding(offset, lane, std::max(speed, kSlowest), movers);
+    if (cost >= least) continue;
+    least = cost;
+    chosen = offset;
+  }
+  offset_ = chosen;
+  return lane.to + chosen * left;
+}
+
+}  // namespace castaway::sim
