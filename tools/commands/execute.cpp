@@ -78,7 +78,7 @@ int execute(RunPlan& plan, SensorSource& source) {
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;
   }
-  if (plan.quiet) return kDone;
+  if (plan.silent || plan.quiet) return kDone;
   fmt::print("{}", plan.json ? read_file(plan.folder / "summary.json") : describe_run(plan.folder));
   if (plan.film && !plan.json) fmt::print("Film:       {}\n", plan.film->format.file.string());
   return kDone;

@@ -32,6 +32,7 @@ struct RunPlan {
   std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
   bool json = false;                             ///< Prints summary.json instead of words.
+  bool silent = false;                           ///< Prints no result.
   bool quiet = false;                            ///< Prints nothing, no progress either.
 };
 

@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::function<int()> chosen;
   add_run_command(app, chosen);
+  add_experiment_command(app, chosen);
+  add_compare_command(app, chosen);
   add_replay_command(app, chosen);
   add_evaluate_command(app, chosen);
   add_report_command(app, chosen);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "localization/stamp.hpp"
 #include "sim/render/primitives.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/world/world_visuals.hpp"
@@ -87,6 +88,7 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   plan.folder = options.out.empty() ? default_run_folder(scenario) : options.out;
   plan.scenario_yaml = loaded.effective;
   plan.json = options.json;
+  plan.silent = options.silent;
   plan.quiet = options.quiet;
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
@@ -116,6 +118,7 @@ int play(const LoadedScenario& loaded, const PlayOptions& options) {
   }
   RunPlan plan = plan_of(options, loaded, prepared);
   SimulatorSource source = source_of(std::move(prepared), scenario.seed);
+  source.begin_at(localization::from_seconds(scenario.start.switch_on_s));
   source.stop_after(scenario.stop_after_m);
   if (plan.points_every_s > 0.0) source.keep_clouds();
   plan.loop = loop_config(scenario, *source.start_pose());

@@ -12,7 +12,8 @@ struct PlayOptions {
   std::filesystem::path base;     ///< Folder of the scenario's file, for relative paths.
   std::filesystem::path out;      ///< Run folder; empty: `default_run_folder`.
   bool json = false;              ///< Prints summary.json instead of words.
-  bool quiet = false;             ///< Prints nothing, no progress and no warnings either.
+  bool silent = false;            ///< Prints no result.
+  bool quiet = false;             ///< Prints nothing at all: no progress, no warnings.
   std::filesystem::path video{};  ///< Film of the run; empty: none.
 };
 

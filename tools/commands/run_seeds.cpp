@@ -32,7 +32,10 @@ LoadedScenario load(const SeedsRequest& request, int index) {
 }
 
 int play_seed(const SeedsRequest& request, int index) {
-  const PlayOptions options{request.scenario.parent_path(), folder_of(request, index), false, true};
+  PlayOptions options;
+  options.base = request.scenario.parent_path();
+  options.out = folder_of(request, index);
+  options.quiet = true;
   return play(load(request, index), options);
 }
 

@@ -67,7 +67,7 @@ std::string driving_line(const Json& summary) {
   if (!summary.contains("driving")) return "";
   std::string text;
   for (const auto& [what, count] : summary.at("driving").items()) {
-    if (count.get<int>() == 0) continue;
+    if (count.get<int>() == 0 || what == "recoveries") continue;
     text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", count.get<int>(), what);
   }
   return text.empty() ? text : text + "\n\n";

@@ -30,7 +30,7 @@ void add_figures(const Json& json, const std::string& path, MetricTable& table) 
 /// What a run can have besides its localizers' figures.
 Json empty_run() {
   Json run{{"duration_s", nullptr}, {"distance_m", nullptr}, {"collisions", nullptr}};
-  for (const char* what : {"wait", "re-plan", "back up", "spin", "emergency stop"}) {
+  for (const char* what : {"recoveries", "wait", "re-plan", "back up", "spin", "emergency stop"}) {
     run["driving"][what] = nullptr;
   }
   for (const char* what : {"beams", "moved", "removed", "opened", "closed", "added"}) {

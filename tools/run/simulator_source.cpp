@@ -33,6 +33,12 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
   return truth;
 }
 
+/// When what is delivered began: a scan with its first beam.
+Stamp begun(const Frame& frame) {
+  const auto* scan = std::get_if<ScanFrame>(&frame.data);
+  return scan != nullptr ? scan->scan.stamp : frame.stamp;
+}
+
 std::string name_of(const sim::FaultRecord& fault) {
   const std::string kind = sim::to_string(fault.kind);
   return fault.lidar.empty() ? kind : kind + " " + fault.lidar;
@@ -77,6 +83,12 @@ SimulatorSource::SimulatorSource(sim::Simulation simulation, std::vector<sim::Li
     : simulation_(std::move(simulation)), lidars_(std::move(lidars)), duration_(duration) {}
 
 std::optional<Frame> SimulatorSource::next() {
+  std::optional<Frame> frame = next_of_all();
+  while (frame && begun(*frame) < begin_) frame = next_of_all();
+  return frame;
+}
+
+std::optional<Frame> SimulatorSource::next_of_all() {
   if (pending_) return std::exchange(pending_, std::nullopt);
   const std::optional<sim::SimFrame> frame = simulation_.next();
   if (!frame) return std::nullopt;

@@ -34,6 +34,8 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+  /// The run begins then: what is delivered before, or began before, is left out.
+  void begin_at(Stamp stamp) { begin_ = stamp; }
   /// The run ends once so much is driven, kidnaps aside; 0: it does not. [m]
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on scans bring their points in space.
@@ -42,6 +44,7 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 
  private:
+  std::optional<Frame> next_of_all();
   [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;
   [[nodiscard]] ScanFrame convert(const sim::LidarReading& reading) const;
 
@@ -49,6 +52,7 @@ class SimulatorSource final : public SensorSource {
   std::vector<sim::LidarConfig> lidars_;
   bool clouds_ = false;
   double stop_after_ = 0.0;
+  Stamp begin_{};
   Stamp duration_;
   std::int64_t collisions_ = 0;
   std::optional<Frame> pending_;

@@ -28,9 +28,15 @@ std::int64_t collisions(const RunHistory& history) {
 
 /// How often the robot recovered from not getting on, by behaviour, and stopped short.
 Json driving_figures(const RunHistory& history) {
-  Json counts{{"wait", 0}, {"re-plan", 0}, {"back up", 0}, {"spin", 0}, {"emergency stop", 0}};
+  Json counts{{"recoveries", 0}, {"wait", 0}, {"re-plan", 0},
+              {"back up", 0},    {"spin", 0}, {"emergency stop", 0}};
+  const auto count = [&counts](const std::string& what) {
+    counts[what] = counts[what].get<int>() + 1;
+  };
   for (const RunEvent& event : history.events) {
-    if (event.kind == "driving") counts[event.detail] = counts[event.detail].get<int>() + 1;
+    if (event.kind != "driving") continue;
+    count(event.detail);
+    if (event.detail != "emergency stop") count("recoveries");
   }
   return counts;
 }

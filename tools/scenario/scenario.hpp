@@ -44,6 +44,7 @@ struct StartSpec {
   bool known = true;                    ///< False: the localizers start anywhere on the map.
   double sigma_m = 0.1;                 ///< [m] Uncertainty that a known start is given with...
   double sigma_yaw = 0.05;              ///< [rad] ...and of its yaw.
+  double switch_on_s = 0.0;  ///< [s] The run begins then, on the move; for an unknown start.
   /// What they are told is wrong by this, in base: x [m], y [m], yaw [rad].
   Eigen::Vector3d wrong_by{0.0, 0.0, 0.0};
 

@@ -90,8 +90,13 @@ StartSpec read_start(YamlReader& root) {
   start.sigma_m = positive(map, "sigma_m", start.sigma_m);
   start.sigma_yaw = positive(map, "sigma_yaw", start.sigma_yaw);
   start.wrong_by = map.get("wrong_by", start.wrong_by);
-  if (!start.known && !start.wrong_by.isZero(0.0))
+  if (!start.known && !start.wrong_by.isZero(0.0)) {
     map.fail("'wrong_by' needs a start that is known");
+  }
+  start.switch_on_s = not_negative(map, "switch_on_s", start.switch_on_s);
+  if (start.known && start.switch_on_s > 0.0) {
+    map.fail("'switch_on_s' needs 'known: false': nobody could tell where the robot is by then");
+  }
   return start;
 }
 

@@ -1,0 +1,131 @@
+#include "tools/campaign/comparison.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/metrics/metrics_json.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// What a run folder holds.
+struct Written {
+  std::string scenario = "s";
+  std::uint64_t seed = 1;
+  double error = 0.1;
+  std::string localizer = "a";
+  std::string duration = "60";
+  int version = kMetricsVersion;
+};
+
+void write_run(const fs::path& folder, const Written& run) {
+  Json summary{{"metrics_version", run.version},
+               {"scenario", run.scenario},
+               {"seed", run.seed},
+               {"collisions", 0}};
+  summary["localizers"][run.localizer] = to_json(LocalizerMetrics{});
+  summary["localizers"][run.localizer]["position_error_m"]["mean"] = run.error;
+  fs::create_directories(folder);
+  write_file(folder / "summary.json", summary.dump());
+  write_file(folder / "scenario.yaml", "name: " + run.scenario + "\nduration_s: " + run.duration +
+                                           "\nlocalizers: [" + run.localizer + "]\n");
+}
+
+/// Three seeds whose errors are `errors`.
+void write_runs(const fs::path& folder, const std::vector<double>& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    Written run;
+    run.seed = i + 1;
+    run.error = errors[i];
+    write_run(folder / ("seed-" + std::to_string(run.seed)), run);
+  }
+}
+
+std::string refused(const fs::path& a, const fs::path& b) {
+  try {
+    compare_runs(a, b);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+const MetricComparison& metric(const Comparison& comparison, const std::string& name) {
+  for (const MetricComparison& row : comparison.metrics) {
+    if (row.metric == name) return row;
+  }
+  throw std::out_of_range(name);
+}
+
+TEST(Comparison, IsOfPairsOfScenarioAndSeed) {
+  const TemporaryFolder folder;
+  write_runs(folder.path() / "a", {0.1, 0.5, 0.9});
+  write_runs(folder.path() / "b", {0.3, 0.7, 1.1, 9.0});
+  const Comparison comparison = compare_runs(folder.path() / "a", folder.path() / "b");
+  EXPECT_EQ(comparison.pairs, 3U);
+  EXPECT_EQ(comparison.unpaired, 1U);
+  const MetricComparison& error = metric(comparison, "a.position_error_m.mean");
+  EXPECT_EQ(error.pairs, 3U);
+  EXPECT_NEAR(error.baseline, 0.5, 1e-12);
+  EXPECT_NEAR(error.difference, 0.2, 1e-12);  // the same in every pair
+  ASSERT_TRUE(error.interval);
+  EXPECT_NEAR(error.interval->low, 0.2, 1e-9);
+  EXPECT_NEAR(error.interval->high, 0.2, 1e-9);
+  EXPECT_EQ(error.verdict(), -1);
+  EXPECT_EQ(metric(comparison, "collisions").verdict(), 0);
+}
+
+TEST(Comparison, SeesNoDifferenceWhereTheIntervalHoldsNone) {
+  const TemporaryFolder folder;
+  write_runs(folder.path() / "a", {0.1, 0.5, 0.9});
+  write_runs(folder.path() / "b", {0.3, 0.4, 0.9});
+  EXPECT_EQ(
+      metric(compare_runs(folder.path() / "a", folder.path() / "b"), "a.position_error_m.mean")
+          .verdict(),
+      0);
+}
+
+TEST(Comparison, OfOnePairHasNoInterval) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "a", {});
+  Written other;
+  other.error = 0.05;
+  write_run(folder.path() / "b", other);
+  const Json json = to_json(compare_runs(folder.path() / "a", folder.path() / "b"));
+  EXPECT_EQ(json.at("pairs"), 1);
+  const Json& error = json.at("metrics").at("a.position_error_m.mean");
+  EXPECT_EQ(error.at("difference"), -0.05);
+  EXPECT_TRUE(error.at("interval").is_null());
+}
+
+TEST(Comparison, RefusesWhatIsNotComparableAndSaysWhy) {
+  const TemporaryFolder folder;
+  const fs::path a = folder.path() / "a";
+  write_run(a, {});
+  const auto other = [&](const char* name, const Written& run) {
+    write_run(folder.path() / name, run);
+    return folder.path() / name;
+  };
+  EXPECT_TRUE(contains(refused(a, other("scenario", {.scenario = "t"})), "is of scenario 's'"));
+  EXPECT_TRUE(contains(refused(a, other("seed", {.seed = 2})), "no seed is common"));
+  EXPECT_TRUE(contains(refused(a, other("long", {.duration = "90"})), "'duration_s' differs"));
+  EXPECT_TRUE(contains(refused(a, other("old", {.version = 1})), "metrics of version 2"));
+  EXPECT_TRUE(contains(refused(a, other("name", {.localizer = "b"})), "no localizer in common"));
+  EXPECT_TRUE(contains(refused(a, folder.path() / "nothing"), "no run here"));
+}
+
+TEST(FindRuns, LeavesOutSummariesOfSeveralRuns) {
+  const TemporaryFolder folder;
+  write_runs(folder.path(), {0.1, 0.2});
+  write_file(folder.path() / "summary.json", R"({"kind": "seeds"})");
+  EXPECT_EQ(find_runs(folder.path()).size(), 2U);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,38 @@
+#include "tools/report/comparison_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+Comparison made_up() {
+  Comparison comparison{"before", "after", 20, 1, {}};
+  comparison.metrics = {{"a.error", 20, 0.2, 0.1, -0.1, Interval{-0.12, -0.08}, false},
+                        {"a.success", 20, 0.9, 0.8, -0.1, Interval{-0.2, -0.01}, true},
+                        {"a.<odd>", 1, 2.0, 3.0, 1.0, std::nullopt, false},
+                        {"collisions", 20, 0.0, 0.0, 0.0, Interval{0.0, 0.0}, false}};
+  return comparison;
+}
+
+TEST(ComparisonTable, SaysWhatIsBetterAndWorse) {
+  const TextTable table = comparison_table(made_up());
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"a.error", "20", "0.2", "0.1", "-0.1",
+                                                     "[-0.12, -0.08]", "better"}));
+  EXPECT_EQ(table.rows[1].back(), "worse");
+  EXPECT_EQ(table.rows[2].back(), "one pair");
+  EXPECT_EQ(table.rows[3].back(), "no difference seen");
+}
+
+TEST(ComparisonPage, ShowsTableAndDifferences) {
+  const std::string html = render_comparison({made_up()});
+  EXPECT_TRUE(contains(html, "after against before"));
+  EXPECT_TRUE(contains(html, "20 pairs"));
+  EXPECT_TRUE(contains(html, "a.&lt;odd&gt;"));
+  EXPECT_TRUE(contains(html, "-50 %"));
+  EXPECT_FALSE(contains(html, "nan"));  // a baseline of zero has no percent
+}
+
+}  // namespace
+}  // namespace castaway::testbed

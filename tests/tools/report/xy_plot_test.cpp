@@ -1,0 +1,35 @@
+#include "tools/report/xy_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+TEST(XyPlot, DrawsDotsAndLinesWhereTheyBelong) {
+  XyPlot plot{"a <title>", {"error, m", 0.001, 10.0, true}, {"quality", 0.0, 1.0, false}, {}};
+  plot.series = {{"dots", 1, false, {{0.001, 0.0}, {0.1, 0.5}}}, {"line", 2, true, {{10.0, 1.0}}}};
+  const std::string svg = render_xy_plot(plot);
+  EXPECT_TRUE(contains(svg, "aria-label=\"a &lt;title&gt;\""));
+  EXPECT_TRUE(contains(svg, "error, m"));
+  EXPECT_TRUE(contains(svg, "d=\"M58.0 296.0h0M282.0 155.0h0\""));  // a corner and the middle
+  EXPECT_TRUE(contains(svg, "d=\"M506.0 14.0\""));
+}
+
+TEST(XyPlot, CutsToItsAxes) {
+  XyPlot plot{"", {"x"}, {"y"}, {{"dots", 0, false, {{-5.0, 7.0}}}}};
+  EXPECT_TRUE(contains(render_xy_plot(plot), "d=\"M58.0 14.0h0\""));
+}
+
+TEST(EveryFew, KeepsEvenlySpacedOnes) {
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 10; ++i) points.emplace_back(i, 0.0);
+  EXPECT_EQ(every_few(points, 10), points);
+  const auto kept = every_few(points, 5);
+  ASSERT_EQ(kept.size(), 5U);
+  EXPECT_EQ(kept[4].first, 8.0);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,231 @@
+#include "tools/campaign/comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/formats/file.hpp"
+#include "tools/metrics/bootstrap.hpp"
+#include "tools/metrics/metrics_json.hpp"
+#include "tools/scenario/yaml_tree.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Pair = std::pair<const ComparedRun*, const ComparedRun*>;
+
+/// What is compared of each localizer.
+struct Compared {
+  const char* metric;
+  bool more_is_better;
+};
+constexpr std::array<Compared, 12> kOfLocalizers{{{"position_error_m.mean", false},
+                                                  {"tracking_error_m.mean", false},
+                                                  {"yaw_error_rad.mean", false},
+                                                  {"recovery.success", true},
+                                                  {"recovery.time_s.mean", false},
+                                                  {"wrong_lock_share", false},
+                                                  {"wrong_lock_s.longest", false},
+                                                  {"availability", true},
+                                                  {"jumps.while_tracking", false},
+                                                  {"alarm.detection_delay_s.mean", false},
+                                                  {"alarm.false_per_h", false},
+                                                  {"calibration.brier", false}}};
+constexpr std::array<Compared, 4> kOfRuns{{{"distance_m", true},
+                                           {"collisions", false},
+                                           {"driving.recoveries", false},
+                                           {"driving.emergency_stop", false}}};
+
+/// A run's own summary, not that of an experiment or of many seeds; null: there is none.
+Json run_summary(const fs::path& folder) {
+  if (!fs::exists(folder / "summary.json")) return nullptr;
+  Json summary = Json::parse(read_file(folder / "summary.json"));
+  return summary.contains("kind") ? Json() : summary;
+}
+
+ComparedRun compared_run(const fs::path& folder, const Json& summary) {
+  ComparedRun run{folder,
+                  summary.at("scenario").get<std::string>(),
+                  summary.at("seed").get<std::uint64_t>(),
+                  summary.value("metrics_version", 1),
+                  {},
+                  {}};
+  for (const auto& [name, figures] : summary.at("localizers").items()) {
+    run.localizers.push_back(name);
+  }
+  const bool timed = fs::exists(folder / "timing.json");
+  run.metrics =
+      metric_table(summary, timed ? Json::parse(read_file(folder / "timing.json")) : Json());
+  return run;
+}
+
+/// The scenario without what a comparison may differ in, key by key.
+std::map<std::string, std::string> conditions(const fs::path& run_folder) {
+  const fs::path file = run_folder / "scenario.yaml";
+  const YamlNode root = parse_yaml(read_file(file), file.string());
+  std::map<std::string, std::string> result;
+  const std::set<std::string> free{"localizers", "outputs", "expect", "seed"};
+  for (const YamlEntry& entry : root.entries) {
+    if (!free.contains(entry.key)) result[entry.key] = emit_yaml(entry.value);
+  }
+  return result;
+}
+
+void require_same_conditions(const Pair& pair) {
+  const auto a = conditions(pair.first->folder);
+  const auto b = conditions(pair.second->folder);
+  for (const auto* side : {&a, &b}) {
+    for (const auto& [key, value] : *side) {
+      if (a.contains(key) && b.contains(key) && a.at(key) == b.at(key)) continue;
+      throw std::invalid_argument(fmt::format(
+          "not comparable: '{}' differs between {} and {}; compare runs of one scenario", key,
+          (pair.first->folder / "scenario.yaml").string(),
+          (pair.second->folder / "scenario.yaml").string()));
+    }
+  }
+}
+
+void require_same_version(const Pair& pair) {
+  if (pair.first->metrics_version == pair.second->metrics_version) return;
+  throw std::invalid_argument(fmt::format(
+      "not comparable: {} has metrics of version {}, {} of version {}; run the older one again",
+      pair.first->folder.string(), pair.first->metrics_version, pair.second->folder.string(),
+      pair.second->metrics_version));
+}
+
+std::vector<Pair> paired(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
+  std::vector<Pair> pairs;
+  for (const ComparedRun& run : a) {
+    const auto found = std::find_if(b.begin(), b.end(), [&](const ComparedRun& other) {
+      return other.scenario == run.scenario && other.seed == run.seed;
+    });
+    if (found != b.end()) pairs.emplace_back(&run, &*found);
+  }
+  return pairs;
+}
+
+std::vector<std::string> common_localizers(const std::vector<Pair>& pairs) {
+  std::vector<std::string> names;
+  for (const std::string& name : pairs.front().first->localizers) {
+    const auto& others = pairs.front().second->localizers;
+    if (std::find(others.begin(), others.end(), name) != others.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void add_metric(const std::vector<Pair>& pairs, const std::string& metric, bool more_is_better,
+                Comparison& comparison) {
+  MetricComparison row;
+  row.metric = metric;
+  row.more_is_better = more_is_better;
+  std::vector<double> differences;
+  for (const auto& [a, b] : pairs) {
+    const auto in_a = a->metrics.find(metric);
+    const auto in_b = b->metrics.find(metric);
+    if (in_a == a->metrics.end() || in_b == b->metrics.end()) continue;
+    if (!in_a->second || !in_b->second) continue;
+    row.baseline += *in_a->second;
+    row.other += *in_b->second;
+    differences.push_back(*in_b->second - *in_a->second);
+  }
+  if (differences.empty()) return;
+  row.pairs = differences.size();
+  row.baseline /= static_cast<double>(row.pairs);
+  row.other /= static_cast<double>(row.pairs);
+  row.difference = row.other - row.baseline;
+  const auto intervals = bootstrap(differences, {.stream = "compare/" + metric});
+  if (intervals) row.interval = intervals->mean;
+  comparison.metrics.push_back(std::move(row));
+}
+
+std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
+  if (a.scenario != b.scenario) {
+    return fmt::format("not comparable: {} is of scenario '{}', {} of '{}'", a.folder.string(),
+                       a.scenario, b.folder.string(), b.scenario);
+  }
+  return fmt::format("not comparable: no seed is common, {} is of seed {}, {} of seed {}",
+                     a.folder.string(), a.seed, b.folder.string(), b.seed);
+}
+
+}  // namespace
+
+int MetricComparison::verdict() const {
+  if (!interval || (interval->low <= 0.0 && interval->high >= 0.0)) return 0;
+  return (difference > 0.0) == more_is_better ? 1 : -1;
+}
+
+std::vector<ComparedRun> find_runs(const fs::path& folder) {
+  std::set<fs::path> folders;
+  if (fs::exists(folder / "summary.json")) folders.insert(folder);
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.path().filename() == "summary.json") folders.insert(entry.path().parent_path());
+    }
+  }
+  std::vector<ComparedRun> runs;
+  for (const fs::path& candidate : folders) {
+    const Json summary = run_summary(candidate);
+    if (summary.is_object()) runs.push_back(compared_run(candidate, summary));
+  }
+  if (runs.empty()) {
+    throw std::runtime_error(fmt::format(
+        "{}: no run here; give a run folder, or one with run folders in it", folder.string()));
+  }
+  return runs;
+}
+
+Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
+  const std::vector<ComparedRun> a = find_runs(baseline);
+  const std::vector<ComparedRun> b = find_runs(other);
+  const std::vector<Pair> pairs = paired(a, b);
+  if (pairs.empty()) throw std::invalid_argument(no_pairs(a.front(), b.front()));
+  for (const Pair& pair : pairs) {
+    require_same_version(pair);
+    require_same_conditions(pair);
+  }
+  Comparison comparison{baseline, other, pairs.size(), a.size() + b.size() - 2 * pairs.size(), {}};
+  const std::vector<std::string> localizers = common_localizers(pairs);
+  if (localizers.empty()) {
+    throw std::invalid_argument(fmt::format("not comparable: {} and {} have no localizer in common",
+                                            baseline.string(), other.string()));
+  }
+  for (const Compared& compared : kOfRuns) {
+    add_metric(pairs, compared.metric, compared.more_is_better, comparison);
+  }
+  for (const std::string& name : localizers) {
+    for (const Compared& compared : kOfLocalizers) {
+      add_metric(pairs, name + "." + compared.metric, compared.more_is_better, comparison);
+    }
+    add_metric(pairs, "timing.localizers." + name + ".update_ms.mean", false, comparison);
+  }
+  return comparison;
+}
+
+Json to_json(const Comparison& comparison) {
+  Json json{{"kind", "comparison"},
+            {"baseline", comparison.baseline.string()},
+            {"other", comparison.other.string()},
+            {"pairs", comparison.pairs},
+            {"unpaired", comparison.unpaired},
+            {"metrics", Json::object()}};
+  for (const MetricComparison& row : comparison.metrics) {
+    Json& figures = json["metrics"][row.metric];
+    figures = {{"pairs", row.pairs},
+               {"baseline", json_figure(row.baseline)},
+               {"other", json_figure(row.other)},
+               {"difference", json_figure(row.difference)},
+               {"interval", nullptr},
+               {"verdict", row.verdict()}};
+    if (row.interval) {
+      figures["interval"] = {json_figure(row.interval->low), json_figure(row.interval->high)};
+    }
+  }
+  return json;
+}
+
+}  // namespace castaway::testbed

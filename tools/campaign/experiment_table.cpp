@@ -1,0 +1,180 @@
+#include "tools/campaign/experiment_table.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+/// A localizer's cell from its figures and its name.
+using Cell = std::function<std::string(const Json& figures, const std::string& name)>;
+
+std::string number(const Json& value, const char* format, double factor = 1.0) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), factor * value.get<double>()) : "-";
+}
+
+std::string with_interval(const Json& figures, const char* key, const char* format) {
+  const Json& ends = figures.at(fmt::format("{}_interval", key));
+  std::string text = number(figures.at(key), format);
+  if (ends.is_array()) {
+    text += fmt::format(" [{}, {}]", number(ends.at(0), format), number(ends.at(1), format));
+  }
+  return text;
+}
+
+/// Adds rows and keeps them as long as the head.
+class Builder {
+ public:
+  Builder(const Experiment& experiment, const Json& summary)
+      : experiment_(experiment), localizers_(summary.at("localizers")) {
+    table_.head = {"", "paper: MH-AMCL", "paper: AMCL"};
+    for (const auto& [name, figures] : localizers_.items()) table_.head.push_back(name);
+  }
+
+  void row(const std::string& label, const Cell& cell) {
+    std::vector<std::string> cells{label, "", ""};
+    for (const PaperFigure& figure : experiment_.paper) {
+      if (figure.label == label) cells = {label, figure.mh_amcl, figure.amcl};
+    }
+    for (const auto& [name, figures] : localizers_.items()) cells.push_back(cell(figures, name));
+    table_.rows.push_back(std::move(cells));
+  }
+
+  TextTable take() { return std::move(table_); }
+
+ private:
+  const Experiment& experiment_;
+  const Json& localizers_;
+  TextTable table_;
+};
+
+void add_tracking(const Json& timing, Builder& builder) {
+  builder.row("error, mean +- sd [m]", [](const Json& figures, const std::string&) {
+    const Json& error = figures.at("error_m");
+    return number(error.at("mean"), "{:.4f}") + " +- " + number(error.at("sd"), "{:.4f}");
+  });
+  builder.row("error, median [m]", [](const Json& figures, const std::string&) {
+    return number(figures.at("/error_m/median"_json_pointer), "{:.4f}");
+  });
+  builder.row("error, mean, 95 % over runs [m]", [](const Json& figures, const std::string&) {
+    return with_interval(figures.at("error_m"), "mean", "{:.4f}");
+  });
+  builder.row("CPU per update [ms]", [&timing](const Json&, const std::string& name) {
+    const Json& localizers = timing.at("localizers");
+    return localizers.contains(name)
+               ? number(localizers.at(name).at("update_ms").at("mean"), "{:.2f}")
+               : "-";
+  });
+  builder.row("hypotheses, mean (most)", [](const Json& figures, const std::string&) {
+    const Json& hypotheses = figures.at("hypotheses");
+    return number(hypotheses.at("mean"), "{:.2f}") + number(hypotheses.at("max"), " ({:.0f})");
+  });
+  builder.row("quality, mean", [](const Json& figures, const std::string&) {
+    return number(figures.at("/quality/mean"_json_pointer), "{:.3f}");
+  });
+  builder.row("uncertainty, mean [m]", [](const Json& figures, const std::string&) {
+    return number(figures.at("/sigma_m/mean"_json_pointer), "{:.4f}");
+  });
+}
+
+void add_recovery(Builder& builder) {
+  builder.row("recovery time, mean [s]", [](const Json& figures, const std::string&) {
+    return with_interval(figures.at("/recovery/time_s"_json_pointer), "mean", "{:.3f}");
+  });
+  builder.row("success", [](const Json& figures, const std::string&) {
+    const Json& recovery = figures.at("recovery");
+    const Json& ends = recovery.at("success_interval");
+    std::string text = number(recovery.at("success"), "{:.2f} %", 100.0);
+    if (ends.is_array()) {
+      text += fmt::format(" [{}, {}]", number(ends.at(0), "{:.1f}", 100.0),
+                          number(ends.at(1), "{:.1f}", 100.0));
+    }
+    return text;
+  });
+  builder.row("starts", [](const Json& figures, const std::string&) {
+    return number(figures.at("/recovery/events"_json_pointer), "{:.0f}");
+  });
+  builder.row("slowest [s]", [](const Json& figures, const std::string&) {
+    return number(figures.at("/recovery/time_s/max"_json_pointer), "{:.2f}");
+  });
+  for (const char* score : {"quality", "probability", "covariance"}) {
+    builder.row(
+        fmt::format("ROC area of the {}", score), [score](const Json& figures, const std::string&) {
+          return number(figures.at("discrimination").at(fmt::format("{}_auc", score)), "{:.3f}");
+        });
+  }
+  for (const char* score : {"quality", "sigma"}) {
+    builder.row(fmt::format("correlation of {} and error", score), [score](const Json& figures,
+                                                                           const std::string&) {
+      return number(figures.at("correlation").at(fmt::format("{}_error", score)), "{:.2f}");
+    });
+  }
+}
+
+/// Mean over the runs, with the range where there are several.
+std::string over_runs(const Json& runs, const char* key, const char* format) {
+  std::vector<double> values;
+  for (const Json& run : runs) {
+    if (run.at(key).is_number()) values.push_back(run.at(key).get<double>());
+  }
+  if (values.empty()) return "-";
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  std::string text = fmt::format(fmt::runtime(format), sum / static_cast<double>(values.size()));
+  if (values.size() == 1) return text;
+  return fmt::format("{} ({} to {})", text, fmt::format(fmt::runtime(format), *low),
+                     fmt::format(fmt::runtime(format), *high));
+}
+
+void add_driving(const Json& summary, Builder& builder) {
+  const auto row = [&](const char* label, const char* key, const char* format) {
+    builder.row(label, [&summary, key, format](const Json&, const std::string&) {
+      return over_runs(summary.at("driving"), key, format);
+    });
+  };
+  row("distance [m]", "distance_m", "{:.0f}");
+  row("time [h]", "time_h", "{:.2f}");
+  row("recovery behaviours", "recoveries", "{:.0f}");
+  row("collisions", "collisions", "{:.0f}");
+  row("emergency stops", "emergency_stops", "{:.0f}");
+  builder.row("error, mean +- sd [m]", [](const Json& figures, const std::string&) {
+    const Json& error = figures.at("error_m");
+    return number(error.at("mean"), "{:.4f}") + " +- " + number(error.at("sd"), "{:.4f}");
+  });
+}
+
+}  // namespace
+
+TextTable experiment_table(const Experiment& experiment, const Json& summary, const Json& timing) {
+  Builder builder(experiment, summary);
+  if (experiment.number == 1) add_tracking(timing, builder);
+  if (experiment.number == 2) add_recovery(builder);
+  if (experiment.number == 3) add_driving(summary, builder);
+  return builder.take();
+}
+
+std::string as_text(const TextTable& table) {
+  std::vector<std::size_t> widths(table.head.size(), 0);
+  const auto widen = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+  };
+  widen(table.head);
+  for (const auto& row : table.rows) widen(row);
+  std::string text;
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string padded = fmt::format("  {:<{}}", cells.at(0), widths[0]);
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      padded += fmt::format("   {:>{}}", cells[i], widths[i]);
+    }
+    text += padded + "\n";
+  };
+  line(table.head);
+  for (const auto& row : table.rows) line(row);
+  return text;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,189 @@
+// castaway experiment: the paper's experiments.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "tools/campaign/experiment_summary.hpp"
+#include "tools/campaign/experiment_table.hpp"
+#include "tools/campaign/worker_pool.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/play.hpp"
+#include "tools/commands/progress.hpp"
+#include "tools/commands/seeds_summary.hpp"
+#include "tools/commands/verdict_output.hpp"
+#include "tools/formats/csv.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/report/experiment_page.hpp"
+#include "tools/scenario/data_paths.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the command line says.
+struct ExperimentArguments {
+  int number = 1;
+  int repeats = 1;
+  bool quick = false;
+  int workers = 1;
+  std::string out;
+  std::string junit;
+  bool json = false;
+};
+
+std::filesystem::path out_of(const ExperimentArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return std::filesystem::path("runs") / fmt::format("experiment-{}", arguments.number);
+}
+
+int play_run(const ExperimentRun& run, const std::filesystem::path& out, bool quiet) {
+  const std::filesystem::path file = data_root() / run.scenario;
+  PlayOptions options;
+  options.base = file.parent_path();
+  options.out = out / run.folder;
+  options.silent = true;
+  options.quiet = quiet;
+  return play(load_scenario(file, run.overrides), options);
+}
+
+/// Exit codes by run. A single run is played here, for its own progress line.
+std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const std::filesystem::path& out,
+                          int workers) {
+  if (runs.size() == 1) return {play_run(runs[0], out, false)};
+  std::vector<int> codes(runs.size(), kRunFailed);
+  CampaignProgress progress(static_cast<int>(runs.size()), "runs");
+  RecoveryTally tally;
+  run_jobs(
+      static_cast<int>(runs.size()), workers,
+      [&](int index) { return play_run(runs[static_cast<std::size_t>(index)], out, true); },
+      [&](int index, int code) {
+        const auto i = static_cast<std::size_t>(index);
+        codes[i] = code;
+        if (code == kDone) tally.add(load_judged_run(out / runs[i].folder).metrics);
+        progress.next(tally.text());
+      });
+  return codes;
+}
+
+std::vector<ExperimentOutcome> outcomes_of(const std::vector<ExperimentRun>& runs,
+                                           const std::vector<int>& codes,
+                                           const std::filesystem::path& out) {
+  std::vector<ExperimentOutcome> outcomes;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (codes[i] != kDone) continue;
+    const std::filesystem::path folder = out / runs[i].folder;
+    outcomes.push_back({runs[i], folder, Json::parse(read_file(folder / "summary.json")),
+                        Json::parse(read_file(folder / "timing.json"))});
+  }
+  return outcomes;
+}
+
+/// What each part's scenario expects, of its own runs.
+std::vector<Check> judge_parts(const Experiment& experiment,
+                               const std::vector<ExperimentOutcome>& outcomes) {
+  std::vector<Check> checks;
+  for (const ExperimentPart& part : experiment.parts) {
+    const Scenario scenario = load_scenario(data_root() / part.scenario, part.overrides).scenario;
+    std::vector<JudgedRun> runs;
+    for (const ExperimentOutcome& outcome : outcomes) {
+      if (outcome.run.part == part.name) runs.push_back(load_judged_run(outcome.folder));
+    }
+    const std::vector<Check> of_part = judge(scenario.expect, runs);
+    checks.insert(checks.end(), of_part.begin(), of_part.end());
+  }
+  return checks;
+}
+
+/// runs.csv: a row for every run and localizer.
+void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::filesystem::path& path) {
+  CsvWriter csv(path, {"part", "seed", "localizer", "error_mean_m", "error_median_m", "recovered",
+                       "recovery_time_s", "distance_m", "collisions", "folder"});
+  for (const ExperimentOutcome& outcome : outcomes) {
+    for (const auto& [name, figures] : outcome.summary.at("localizers").items()) {
+      const auto number = [&figures = figures](const char* pointer) {
+        const Json& value = figures.at(Json::json_pointer(pointer));
+        return value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt;
+      };
+      csv.text(outcome.run.part).count(static_cast<std::int64_t>(outcome.run.seed)).text(name);
+      csv.number(number("/position_error_m/mean")).number(number("/position_error_m/median"));
+      csv.count(figures.at("/recovery/recovered"_json_pointer).get<std::int64_t>());
+      csv.number(number("/recovery/time_s/mean"));
+      csv.number(outcome.summary.at("distance_m").get<double>());
+      csv.count(outcome.summary.at("collisions").get<std::int64_t>()).text(outcome.run.folder);
+      csv.end_row();
+    }
+  }
+  csv.commit();
+}
+
+std::string command_of(const ExperimentArguments& arguments) {
+  return fmt::format("castaway experiment {} --seeds {}{}", arguments.number, arguments.repeats,
+                     arguments.quick ? " --quick" : "");
+}
+
+int run_experiment(const ExperimentArguments& arguments) {
+  const Experiment experiment =
+      paper_experiment(arguments.number, arguments.repeats, arguments.quick);
+  const std::vector<ExperimentRun> runs = runs_of(experiment);
+  const std::filesystem::path out = out_of(arguments);
+  const std::vector<int> codes = play_all(runs, out, arguments.workers);
+  const std::vector<ExperimentOutcome> outcomes = outcomes_of(runs, codes, out);
+  if (outcomes.empty()) return kRunFailed;
+  ExperimentPage page;
+  page.experiment = experiment;
+  page.rows = pooled_rows(outcomes);
+  page.summary = summarise(experiment, outcomes, page.rows);
+  const Json timing = timing_of(outcomes);
+  page.table = experiment_table(experiment, page.summary, timing);
+  page.example = example_run(outcomes);
+  page.command = command_of(arguments);
+  write_file(out / "summary.json", page.summary.dump(2) + "\n");
+  write_file(out / "timing.json", timing.dump(2) + "\n");
+  write_runs(outcomes, out / "runs.csv");
+  write_file(out / "report.html", render_experiment(page));
+  const std::vector<Check> checks = judge_parts(experiment, outcomes);
+  const std::string name = fmt::format("experiment-{}", arguments.number);
+  if (!arguments.junit.empty()) {
+    write_file(arguments.junit, junit_xml(name, junit_cases(name, checks)));
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", page.summary.dump(2));
+  } else {
+    fmt::print("Experiment {}, {}: {} runs, {} failed, {:.0f} s\n\n{}\nFolder: {}\nReport: {}\n",
+               experiment.number, experiment.title, runs.size(), runs.size() - outcomes.size(),
+               timing.at("wall_s").get<double>(), as_text(page.table), out.string(),
+               (out / "report.html").string());
+  }
+  fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
+  return outcomes.size() < runs.size() ? static_cast<int>(kRunFailed) : exit_code_of(checks);
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<ExperimentArguments>();
+  CLI::App* command = app.add_subcommand(
+      "experiment", "The paper's experiments: 1 tracking, 2 recovery, 3 an hour among people");
+  command->add_option("number", a->number, "1, 2 or 3")->required();
+  command->add_option("--seeds", a->repeats, "How often each of the paper's runs is made")
+      ->capture_default_str();
+  command->add_flag("--quick", a->quick, "Some seconds of it, to see that it works");
+  command->add_option("-j,--jobs", a->workers, "Runs at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
+  command->add_option("--junit", a->junit, "Write the expectations as JUnit XML");
+  command->add_flag("--json", a->json, "Print summary.json instead of words");
+  command->footer(
+      "Prints the paper's table with its figures and this run's; leaves summary.json, runs.csv, a "
+      "page with the paper's figures and a folder for every run. Exits with 3 where an expectation "
+      "of a scenario was not met.\n"
+      "Examples:\n"
+      "  castaway experiment 1\n"
+      "  castaway experiment 2 --seeds 10 -j 4\n"
+      "  castaway experiment 3 --out /tmp/an-hour");
+  command->callback([&chosen, a] { chosen = [a] { return run_experiment(*a); }; });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,107 @@
+#include "tools/report/comparison_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tools/report/experiment_page.hpp"
+#include "tools/report/html.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kWidth = 900.0;
+constexpr double kRow = 24.0;
+constexpr double kLeft = 330.0;
+constexpr double kTop = 10.0;
+constexpr double kMost = 100.0;  // [%] Beyond, a difference is drawn at the border.
+
+std::string verdict_of(const MetricComparison& row) {
+  if (!row.interval) return "one pair";
+  const int verdict = row.verdict();
+  if (verdict == 0) return "no difference seen";
+  return verdict > 0 ? "better" : "worse";
+}
+
+double x_of(double percent) {
+  const double clipped = std::clamp(percent, -kMost, kMost);
+  return kLeft + (clipped + kMost) / (2.0 * kMost) * (kWidth - kLeft - 20.0);
+}
+
+/// The difference and its interval in percent of the baseline.
+std::string bar(const MetricComparison& row, double y) {
+  const double scale = 100.0 / std::abs(row.baseline);
+  const int verdict = row.verdict();
+  const char* color = verdict == 0 ? "limit" : (verdict > 0 ? "c2" : "c1");
+  std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
+                                kLeft - 8, y + 4, escape_html(row.metric));
+  if (row.interval) {
+    svg += fmt::format(
+        "<line class=\"{}\" stroke-width=\"4\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" "
+        "y2=\"{:.1f}\"/>",
+        color, x_of(scale * row.interval->low), x_of(scale * row.interval->high), y, y);
+  }
+  return svg + fmt::format(
+                   "<circle class=\"{}\" fill=\"none\" stroke-width=\"3\" cx=\"{:.1f}\" "
+                   "cy=\"{:.1f}\" r=\"4\"/>",
+                   color, x_of(scale * row.difference), y);
+}
+
+/// Metrics whose baseline is not zero.
+std::string differences(const Comparison& comparison) {
+  std::string bars;
+  double y = kTop + 0.5 * kRow;
+  for (const MetricComparison& row : comparison.metrics) {
+    if (row.baseline == 0.0) continue;
+    bars += bar(row, y);
+    y += kRow;
+  }
+  const double bottom = y - 0.5 * kRow;
+  std::string grid;
+  for (const double percent : {-100.0, -50.0, 0.0, 50.0, 100.0}) {
+    grid += fmt::format(
+        "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.0f}\" y2=\"{2:.0f}\"/>"
+        "<text x=\"{0:.1f}\" y=\"{3:.0f}\" text-anchor=\"middle\">{4:+.0f} %</text>",
+        x_of(percent), kTop, bottom, bottom + 16, percent);
+  }
+  return fmt::format(
+      "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"differences in "
+      "percent of the baseline\">{}{}</svg>\n",
+      kWidth, bottom + 24, grid, bars);
+}
+
+}  // namespace
+
+TextTable comparison_table(const Comparison& comparison) {
+  TextTable table;
+  table.head = {"", "pairs", "baseline", "other", "difference", "95 %", ""};
+  for (const MetricComparison& row : comparison.metrics) {
+    const std::string interval =
+        row.interval ? fmt::format("[{:.4g}, {:.4g}]", row.interval->low, row.interval->high) : "-";
+    table.rows.push_back({row.metric, std::to_string(row.pairs),
+                          fmt::format("{:.4g}", row.baseline), fmt::format("{:.4g}", row.other),
+                          fmt::format("{:+.4g}", row.difference), interval, verdict_of(row)});
+  }
+  return table;
+}
+
+std::string render_comparison(const std::vector<Comparison>& comparisons) {
+  std::string body;
+  for (const Comparison& comparison : comparisons) {
+    body += fmt::format(
+        "<section><h2>{} against {}</h2>\n<p class=\"soft\">{} pairs of the same scenario and "
+        "seed, "
+        "{} runs without a counterpart left out. Intervals: bootstrap over the pairs, 95 %.</p>\n",
+        escape_html(comparison.other.string()), escape_html(comparison.baseline.string()),
+        comparison.pairs, comparison.unpaired);
+    body += html_table(comparison_table(comparison));
+    body +=
+        "<p class=\"soft\">Differences in percent of the baseline, with their intervals; where "
+        "the interval leaves out zero, green is better and orange worse.</p>\n";
+    body += differences(comparison) + "</section>\n";
+  }
+  return html_page("Comparison", body);
+}
+
+}  // namespace castaway::testbed

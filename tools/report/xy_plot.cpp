@@ -1,0 +1,115 @@
+#include "tools/report/xy_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tools/report/html.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kWidth = 520.0;
+constexpr double kHeight = 340.0;
+constexpr double kLeft = 58.0;
+constexpr double kRight = 14.0;
+constexpr double kTop = 14.0;
+constexpr double kBottom = 44.0;
+constexpr std::size_t kMostDots = 2500;
+
+/// Where along an axis a value lies, in [0, 1].
+double share(const PlotAxis& axis, double value) {
+  const auto scaled = [&](double v) { return axis.logarithmic ? std::log10(v) : v; };
+  const double clipped = std::clamp(value, axis.low, axis.high);
+  return (scaled(clipped) - scaled(axis.low)) / (scaled(axis.high) - scaled(axis.low));
+}
+
+double x_of(const XyPlot& plot, double value) {
+  return kLeft + share(plot.x, value) * (kWidth - kLeft - kRight);
+}
+
+double y_of(const XyPlot& plot, double value) {
+  return kHeight - kBottom - share(plot.y, value) * (kHeight - kTop - kBottom);
+}
+
+std::vector<double> ticks(const PlotAxis& axis) {
+  std::vector<double> values;
+  if (axis.logarithmic) {
+    for (double value = axis.low; value < 1.001 * axis.high; value *= 10.0) values.push_back(value);
+    return values;
+  }
+  for (int i = 0; i <= 4; ++i) values.push_back(axis.low + (axis.high - axis.low) * i / 4.0);
+  return values;
+}
+
+void add_axes(const XyPlot& plot, std::string& svg) {
+  for (const double value : ticks(plot.y)) {
+    svg += fmt::format(
+        "<line class=\"grid\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
+        "<text x=\"{3:.0f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:g}</text>",
+        kLeft, kWidth - kRight, y_of(plot, value), kLeft - 6, y_of(plot, value) + 4, value);
+  }
+  for (const double value : ticks(plot.x)) {
+    svg += fmt::format(
+        "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.0f}\" y2=\"{2:.0f}\"/>"
+        "<text x=\"{0:.1f}\" y=\"{3:.0f}\" text-anchor=\"middle\">{4:g}</text>",
+        x_of(plot, value), kTop, kHeight - kBottom, kHeight - kBottom + 16, value);
+  }
+  const double middle = kTop + 0.5 * (kHeight - kTop - kBottom);
+  svg += fmt::format(
+      "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>"
+      "<text x=\"12\" y=\"{:.0f}\" text-anchor=\"middle\" transform=\"rotate(-90 12 {:.0f})\">{}"
+      "</text>",
+      0.5 * (kLeft + kWidth - kRight), kHeight - 8, escape_html(plot.x.label), middle, middle,
+      escape_html(plot.y.label));
+}
+
+void add_line(const XyPlot& plot, const XySeries& series, std::string& svg) {
+  std::string path;
+  for (const auto& [x, y] : series.points) {
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x_of(plot, x), y_of(plot, y));
+  }
+  svg += fmt::format("<path class=\"curve c{}\" d=\"{}\"><title>{}</title></path>",
+                     series.color % 6, path, escape_html(series.name));
+}
+
+/// Dots are strokes of no length with round ends: one path for all of them.
+void add_dots(const XyPlot& plot, const XySeries& series, std::string& svg) {
+  std::string path;
+  for (const auto& [x, y] : every_few(series.points, kMostDots)) {
+    path += fmt::format("M{:.1f} {:.1f}h0", x_of(plot, x), y_of(plot, y));
+  }
+  svg += fmt::format(
+      "<path class=\"dots c{}\" fill=\"none\" stroke-width=\"4\" stroke-linecap=\"round\" "
+      "stroke-opacity=\"0.45\" d=\"{}\"><title>{}</title></path>",
+      series.color % 6, path, escape_html(series.name));
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> every_few(
+    const std::vector<std::pair<double, double>>& points, std::size_t most) {
+  if (points.size() <= most) return points;
+  std::vector<std::pair<double, double>> kept;
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(points[i * points.size() / most]);
+  return kept;
+}
+
+std::string render_xy_plot(const XyPlot& plot) {
+  std::string svg = fmt::format(
+      "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">", kWidth,
+      kHeight, escape_html(plot.title));
+  add_axes(plot, svg);
+  for (const XySeries& series : plot.series) {
+    if (series.points.empty()) continue;
+    if (series.line) {
+      add_line(plot, series, svg);
+    } else {
+      add_dots(plot, series, svg);
+    }
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace castaway::testbed
