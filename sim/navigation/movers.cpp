@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kCluster = 0.45;  // [m] From the middle of a cluster: two legs are one person.
 constexpr double kReach = 0.45;    // [m] Between two looks at the same one.
-constexpr double kSpan = 1.0;      // [s] Over which a velocity is taken: a stride and more.
+constexpr double kSpan = 1.5;      // [s] Over which a velocity is taken: a stride and more.
 constexpr double kLeast = 0.5;     // [s] Seen for less, it has no velocity.
 constexpr double kForget = 0.4;    // [s] Not seen for longer, it is gone.
 constexpr double kSlowest = 0.25;  // [m/s] Slower is standing.

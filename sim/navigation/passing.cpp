@@ -7,12 +7,14 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kStep = 0.1;         // [m] Between the offsets tried...
-constexpr int kSteps = 9;             // ...so many to each side.
-constexpr double kAsideCost = 0.3;    // Of each metre from where it would drive by itself...
-constexpr double kChangeCost = 0.2;   // ...of each metre from where it drove last...
+constexpr double kStep = 0.1;        // [m] Between the offsets tried...
+constexpr int kSteps = 9;            // ...so many to each side.
+constexpr double kAsideCost = 0.3;   // Of each metre from where it would drive by itself...
+constexpr double kChangeCost = 0.1;  // ...of each metre from where it drove last...
+constexpr double kCrossCost = 0.6;  // ...of those metres while somebody comes: no change of mind...
 constexpr double kCrowdedCost = 4.0;  // ...and of each metre of room that is missing.
 constexpr double kSlowest = 0.4;      // [m/s] Reckoned with, even while it stands.
+constexpr double kDrift = 0.4;        // [s] For which somebody's way across is carried on.
 constexpr double kFarthest = 5.0;     // [s] Meetings that are minded.
 constexpr double kLeastRoom = 0.05;   // [m] To what the map has...
 constexpr double kShortest = 0.8;     // [m] Lane along which it is worth while to keep aside.
@@ -54,7 +56,8 @@ double Passing::crowding(double offset, const Lane& lane, double speed,
     if (gap < -wanted || gap > config_.ahead || closing <= 0.05) continue;
     const double meeting = std::max(gap / closing, 0.0);
     if (meeting > kFarthest) continue;
-    const Eigen::Vector2d p = mover.p + meeting * mover.velocity;
+    // People keep their side rather than their drift, which is known to 0.3 m/s at best.
+    const Eigen::Vector2d p = mover.p + std::min(meeting, kDrift) * mover.velocity;
     const double across = (p - lane.from).dot(left_of(along));
     missing += std::max(wanted - std::abs(across - offset), 0.0);
   }
@@ -70,14 +73,17 @@ Eigen::Vector2d Passing::aside(const Lane& lane, double speed, const std::vector
     return mapped.clearance_at(lane.to + offset * left) - config_.radius;
   };
   const double own = room(-config_.right) > kEnough ? -config_.right : 0.0;
+  const double pace = std::max(speed, kSlowest);
+  const bool minded =
+      crowding(own, lane, pace, movers) > 0.0 || crowding(offset_, lane, pace, movers) > 0.0;
+  const double change = minded ? kCrossCost : kChangeCost;
   double least = std::numeric_limits<double>::infinity();
   double chosen = 0.0;
   for (int i = -kSteps; i <= kSteps; ++i) {
     const double offset = kStep * i;
     if (i != 0 && room(offset) < kLeastRoom) continue;
-    const double cost = kAsideCost * std::abs(offset - own) +
-                        kChangeCost * std::abs(offset - offset_) +
-                        kCrowdedCost * crowding(offset, lane, std::max(speed, kSlowest), movers);
+    const double cost = kAsideCost * std::abs(offset - own) + change * std::abs(offset - offset_) +
+                        kCrowdedCost * crowding(offset, lane, pace, movers);
     if (cost >= least) continue;
     least = cost;
     chosen = offset;

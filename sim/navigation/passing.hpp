@@ -14,7 +14,7 @@ namespace castaway::sim {
 /// How people are passed.
 struct PassingConfig {
   double radius = 0.25;  ///< [m] Of the robot.
-  double room = 0.35;    ///< [m] Wanted between it and a mover's disc.
+  double room = 0.25;    ///< [m] Wanted between it and a mover's disc.
   double ahead = 6.0;    ///< [m] Within which they are minded.
   double right = 0.4;    ///< [m] Kept to the right of the lane where there is room.
 };

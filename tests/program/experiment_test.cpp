@@ -67,6 +67,10 @@ TEST(Run, EndsAfterAWayAndBeginsOnTheMove) {
   EXPECT_LT(summary.at("duration_s").get<double>(), 30.0);
   const std::string truth = text_of(folder / "run/truth.tum");
   EXPECT_GE(std::stod(truth), 3.0);
+  const Outcome late = castaway(
+      folder, "run --duration 3 --set 'start={random: true, known: false, switch_on_s: 3}'");
+  EXPECT_EQ(late.exit_code, 2);
+  expect_contains(late.err, "'start.switch_on_s' must be less than 'duration_s'");
   const Outcome known = castaway(folder, "run --set start.switch_on_s=3");
   EXPECT_EQ(known.exit_code, 2);
   expect_contains(known.err, "'switch_on_s' needs 'known: false'");

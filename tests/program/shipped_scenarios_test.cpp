@@ -49,7 +49,7 @@ class ShippedScenarios : public testing::TestWithParam<std::string> {};
 TEST_P(ShippedScenarios, GiveTheSameBytesTwice) {
   const fs::path folder = fresh_folder();
   const std::string arguments = "run '" + (kWorlds / GetParam()).string() +
-                                "' --duration 3 --set outputs.snapshots=false "
+                                "' --duration 4 --set outputs.snapshots=false "
                                 "--set outputs.report=false --set expect=~ --out ";
   for (const char* out : {"a", "b"}) {
     const Outcome outcome = castaway(folder, arguments + out);

@@ -17,6 +17,11 @@ namespace {
 using Points = std::vector<std::pair<double, double>>;
 using Figure = double (*)(const ErrorRow&);
 
+/// Plots beside each other where there is room for two.
+constexpr const char* kPlots =
+    "<div class=\"pictures\" "
+    "style=\"grid-template-columns:repeat(auto-fit,minmax(min(420px,100%),1fr))\">";
+
 std::string section(const std::string& title, const std::string& body) {
   return fmt::format("<section><h2>{}</h2>\n{}</section>\n", title, body);
 }
@@ -131,13 +136,12 @@ std::string roc(const PooledRows& rows) {
 std::string right_from_wrong(const ExperimentPage& page) {
   const Figure quality = [](const ErrorRow& row) { return row.quality; };
   const Figure sigma = [](const ErrorRow& row) { return row.sigma_m; };
-  std::string html =
-      section("Quality and uncertainty against error, all runs",
-              legend(names_of(page)) + "<div class=\"pictures\">" +
-                  scatter(page, quality, {"quality", 0.0, 1.0, false}) +
-                  scatter(page, sigma, {"uncertainty, m", 0.001, 10.0, true}) + "</div>\n");
+  std::string html = section(
+      "Quality and uncertainty against error, all runs",
+      legend(names_of(page)) + kPlots + scatter(page, quality, {"quality", 0.0, 1.0, false}) +
+          scatter(page, sigma, {"uncertainty, m", 0.001, 10.0, true}) + "</div>\n");
   std::string curves = legend({"quality", "stated probability", "covariance"}) +
-                       "<p class=\"soft\">Right: error below 0.5 m.</p>\n<div class=\"pictures\">";
+                       "<p class=\"soft\">Right: error below 0.5 m.</p>\n" + kPlots;
   for (const PooledRows& rows : page.rows) curves += roc(rows);
   return html + section("Who tells right from wrong: ROC curves", curves + "</div>\n");
 }

@@ -167,6 +167,9 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
       positive(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
   scenario.wall_height = positive(root, "wall_height", scenario.wall_height);
   scenario.start = read_start(root);
+  if (scenario.start.switch_on_s >= scenario.duration_s) {
+    root.fail("'start.switch_on_s' must be less than 'duration_s'");
+  }
   scenario.drive = read_drive(root);
   scenario.lidars = read_lidars(root);
   if (scenario.lidars.empty()) scenario.lidar = read_lidar(root);

@@ -69,7 +69,6 @@ TEST(Navigator, RecoversWhereTheWayIsBarred) {
   EXPECT_EQ(run.collisions, 0);
   EXPECT_THAT(run.events, testing::Contains("wait"));
   EXPECT_THAT(run.events, testing::Contains("re-plan"));
-  EXPECT_THAT(run.events, testing::Contains("back up"));
 }
 
 TEST(Navigator, KeepsOffWallsWithAWrongPose) {

@@ -28,7 +28,9 @@ TEST(PaperExperiments, NeverRepeatARun) {
           std::filesystem::exists(std::filesystem::path(CASTAWAY_SOURCE_DIR) / run.scenario))
           << run.scenario;
     }
-    if (number == 2) EXPECT_EQ(seeds.size(), runs.size());  // every start is another one
+    if (number == 2) {
+      EXPECT_EQ(seeds.size(), runs.size());  // every start is another one
+    }
   }
 }
 
