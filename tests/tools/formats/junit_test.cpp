@@ -41,7 +41,8 @@ void expect_case(const Element& test) {
   EXPECT_NE(test.Attribute("name"), nullptr);
   EXPECT_NE(test.Attribute("classname"), nullptr);
   for (const auto* e = test.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    EXPECT_TRUE(std::set<std::string_view>({"failure", "error"}).contains(e->Value())) << e->Value();
+    EXPECT_TRUE(std::set<std::string_view>({"failure", "error"}).contains(e->Value()))
+        << e->Value();
     expect_attributes(*e, {"message", "type"});
   }
 }
