@@ -6,6 +6,7 @@
 namespace castaway::sim {
 
 double wrap_angle(double angle) {
+  if (angle >= -std::numbers::pi && angle < std::numbers::pi) return angle;
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double wrapped = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
   return wrapped >= std::numbers::pi ? wrapped - kTurn : wrapped;
@@ -80,17 +81,18 @@ Interpolation::Interpolation(const Eigen::Isometry3d& a, const Eigen::Isometry3d
   if (d < 0.0) q_b_.coeffs() = -q_b_.coeffs();
   if (std::abs(d) >= 1.0 - Eigen::NumTraits<double>::epsilon()) return;
   angle_ = std::acos(std::abs(d));
-  sine_ = sine(angle_);
+  per_sine_ = 1.0 / sine(angle_);
 }
 
 Eigen::Isometry3d Interpolation::at(double fraction) const {
   const bool turns = angle_ > 0.0;
-  const double share_a = turns ? sine((1.0 - fraction) * angle_) / sine_ : 1.0 - fraction;
-  const double share_b = turns ? sine(fraction * angle_) / sine_ : fraction;
+  const double share_a = turns ? sine((1.0 - fraction) * angle_) * per_sine_ : 1.0 - fraction;
+  const double share_b = turns ? sine(fraction * angle_) * per_sine_ : fraction;
   const Eigen::Quaterniond q(Eigen::Vector4d(share_a * q_a_.coeffs() + share_b * q_b_.coeffs()));
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T;
   T.linear() = q.toRotationMatrix();
   T.translation() = from_ + fraction * way_;
+  T.makeAffine();
   return T;
 }
 

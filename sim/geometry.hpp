@@ -55,7 +55,7 @@ class Interpolation {
   Eigen::Quaterniond q_a_;
   Eigen::Quaterniond q_b_;  ///< With the sign that makes the way short.
   double angle_ = 0.0;      ///< [rad] Between the quaternions; 0: too small to tell.
-  double sine_ = 0.0;       ///< Of it.
+  double per_sine_ = 1.0;   ///< 1 over its sine.
 };
 
 /// One point of it.

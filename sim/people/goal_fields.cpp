@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <queue>
 #include <stdexcept>
 #include <utility>
 
@@ -119,11 +118,20 @@ std::uint16_t GoalFields::exits(Index cell) const {
   return result;
 }
 
-/// Dijkstra's state: cells on the frontier, the least first, ties by cell.
+/// Dijkstra's state, with a bucket for every stretch of cost as long as the shortest step: within a
+/// bucket the order does not matter (R. B. Dial, "Algorithm 360: Shortest-Path Forest with
+/// Topological Ordering", 1969). A cell stands in every bucket that it was reached in.
 struct GoalFields::Frontier {
-  using Candidate = std::pair<float, Index>;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
+  void reach(Index cell, float whole) {
+    cost[cell] = whole;
+    const auto bucket = static_cast<std::size_t>(whole / width);
+    if (bucket >= buckets.size()) buckets.resize(bucket + 1);
+    buckets[bucket].push_back({whole, cell});
+  }
+
+  float width;
   std::vector<float> cost;
+  std::vector<std::vector<std::pair<float, Index>>> buckets{};
 };
 
 /// Reaches out to a cell's neighbours.
@@ -135,22 +143,22 @@ void GoalFields::spread(Index cell, Frontier& frontier, std::vector<Index>& next
     const float whole = frontier.cost[cell] + prices_[cell] * length;
     const auto to = static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
     if (whole >= frontier.cost[to]) continue;
-    frontier.cost[to] = whole;
     next[to] = cell;
-    frontier.open.push({whole, to});
+    frontier.reach(to, whole);
   }
 }
 
 std::vector<GoalFields::Index> GoalFields::search(Index goal) const {
-  Frontier frontier;
-  frontier.cost.assign(grid_.cells.size(), std::numeric_limits<float>::infinity());
-  frontier.cost[goal] = 0.0F;
-  frontier.open.push({0.0F, goal});
-  std::vector<Index> next(grid_.cells.size(), kNowhere);
-  while (!frontier.open.empty()) {
-    const auto [reached, cell] = frontier.open.top();
-    frontier.open.pop();
-    if (reached == frontier.cost[cell]) spread(cell, frontier, next);
+  constexpr float kUnreached = std::numeric_limits<float>::infinity();
+  const std::size_t cells = grid_.cells.size();
+  Frontier frontier{static_cast<float>(grid_.resolution), std::vector<float>(cells, kUnreached)};
+  std::vector<Index> next(cells, kNowhere);
+  frontier.reach(goal, 0.0F);
+  for (std::size_t bucket = 0; bucket < frontier.buckets.size(); ++bucket) {
+    for (std::size_t i = 0; i < frontier.buckets[bucket].size(); ++i) {  // Both may grow.
+      const auto [reached, cell] = frontier.buckets[bucket][i];
+      if (reached == frontier.cost[cell]) spread(cell, frontier, next);
+    }
   }
   return next;
 }

@@ -34,6 +34,19 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
+/// Of a point within an outline, in its frame: how far it is over the edge that is nearest to being
+/// left, and the way out there.
+OutlineDistance depth(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
+  OutlineDistance result{-std::numeric_limits<double>::infinity(), Eigen::Vector2d::UnitX()};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
+    const Eigen::Vector2d normal = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+    const double side = normal.dot(p - outline[i]);
+    if (side > result.distance) result = {side, normal};
+  }
+  return result;
+}
+
 std::vector<Eigen::Vector2d> circle(double radius) {
   constexpr int kSides = 32;
   std::vector<Eigen::Vector2d> points;
@@ -57,30 +70,26 @@ std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot) {
 
 OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map) {
   const Eigen::Vector2d p = inverse(robot.T_map_base) * p_map;
-  double deepest = -std::numeric_limits<double>::infinity();  // Over the edges' half planes.
-  double nearest = std::numeric_limits<double>::infinity();   // Squared, until all are seen.
-  Eigen::Vector2d out = Eigen::Vector2d::UnitX();
+  const Pose2 turn{0.0, 0.0, robot.T_map_base.yaw};
+  double nearest = std::numeric_limits<double>::infinity();  // Squared.
   Eigen::Vector2d from_nearest = Eigen::Vector2d::UnitX();
+  bool outside = false;
   for (std::size_t i = 0; i < robot.outline.size(); ++i) {
     const Eigen::Vector2d& a = robot.outline[i];
     const Eigen::Vector2d edge = robot.outline[(i + 1) % robot.outline.size()] - a;
-    const Eigen::Vector2d normal = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
-    const double side = normal.dot(p - a);
-    if (side > deepest) {
-      deepest = side;
-      out = normal;
-    }
+    outside = outside || cross(edge, p - a) < 0.0;
     const double along = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Eigen::Vector2d offset = p - (a + along * edge);
-    if (offset.squaredNorm() < nearest) {
-      nearest = offset.squaredNorm();
-      from_nearest = offset;
-    }
+    if (offset.squaredNorm() >= nearest) continue;
+    nearest = offset.squaredNorm();
+    from_nearest = offset;
   }
-  nearest = std::sqrt(nearest);
-  const Pose2 turn{0.0, 0.0, robot.T_map_base.yaw};
-  if (deepest <= 0.0 || nearest == 0.0) return {deepest, turn * out};
-  return {nearest, turn * Eigen::Vector2d(from_nearest / nearest)};
+  if (!outside || nearest == 0.0) {
+    const OutlineDistance within = depth(robot.outline, p);
+    return {within.distance, turn * within.away};
+  }
+  const double distance = std::sqrt(nearest);
+  return {distance, turn * Eigen::Vector2d(from_nearest / distance)};
 }
 
 }  // namespace castaway::sim

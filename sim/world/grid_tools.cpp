@@ -123,8 +123,8 @@ Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& 
 }
 
 CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map) {
-  const Pose2 T_map_grid{grid.origin.x(), grid.origin.y(), grid.origin_yaw};
-  const Eigen::Vector2d p = (inverse(T_map_grid) * p_map) / grid.resolution;
+  const Pose2 turn{0.0, 0.0, -grid.origin_yaw};
+  const Eigen::Vector2d p = (turn * Eigen::Vector2d(p_map - grid.origin)) / grid.resolution;
   return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
 }
 
