@@ -173,16 +173,19 @@ class TwinSearch {
 
 }  // namespace
 
-Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
-                    const AmbiguityConfig& config) {
+PlaceLikeness place_likeness(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
+                             const AmbiguityConfig& config) {
   const auto cells = std::count(free.grid().cells.begin(), free.grid().cells.end(), Cell::kFree);
   const double area = static_cast<double>(cells) * free.grid().resolution * free.grid().resolution;
   const double spacing = std::max(2.0 * kRadius, std::sqrt(area / config.most_places));
   const TwinSearch search(scene, free, view, config, std::max(kRadius, 0.5 * spacing));
-  std::vector<double> best;
-  for (const Eigen::Vector2d& place : even_places(free, spacing)) {
-    best.push_back(search.best(place));
-  }
+  PlaceLikeness result{even_places(free, spacing), {}};
+  for (const Eigen::Vector2d& place : result.places) result.likeness.push_back(search.best(place));
+  return result;
+}
+
+Ambiguity ambiguity_of(const PlaceLikeness& places, const AmbiguityConfig& config) {
+  std::vector<double> best = places.likeness;
   if (best.empty()) return {};
   std::sort(best.begin(), best.end());
   const auto count = static_cast<double>(best.size());
@@ -191,6 +194,11 @@ Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceVie
   return {std::accumulate(best.begin(), best.end(), 0.0) / count,
           best[static_cast<std::size_t>(0.9 * (count - 1.0))], static_cast<double>(twins) / count,
           static_cast<int>(best.size())};
+}
+
+Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
+                    const AmbiguityConfig& config) {
+  return ambiguity_of(place_likeness(scene, free, view, config), config);
 }
 
 }  // namespace castaway::sim

@@ -23,10 +23,23 @@ struct Ambiguity {
   int places = 0;      ///< Evenly spread over the free space.
 };
 
+/// Places evenly over the free space, and how alike each one's best match elsewhere is.
+struct PlaceLikeness {
+  std::vector<Eigen::Vector2d> places;  ///< [m] In map.
+  std::vector<double> likeness;         ///< In [0, 1].
+};
+
 /// Finds for each place the pose most like it: candidates on a lattice half as wide by the moduli
 /// of the scans' Fourier coefficients, which no turn changes; of forty by all headings of the
 /// lattice, the best four by steps in position and heading down to 3 cm and 0.3 degrees. A lower
 /// bound: a better one between the candidates may be missed. Deterministic; seconds for a building.
+PlaceLikeness place_likeness(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
+                             const AmbiguityConfig& config = {});
+
+/// What the places amount to.
+Ambiguity ambiguity_of(const PlaceLikeness& places, const AmbiguityConfig& config = {});
+
+/// Both at once.
 Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
                     const AmbiguityConfig& config = {});
 

@@ -1,9 +1,11 @@
 #include "tools/campaign/worker_pool.hpp"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -25,12 +27,15 @@ int done_by(const Job& job, int index) {
 
 pid_t started(const Job& job, int index) {
   std::fflush(nullptr);  // What is buffered would be written twice.
+  const pid_t parent = getpid();
   const pid_t process = fork();
   if (process < 0) {
     throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno) +
                              "; use fewer workers (-j)");
   }
   if (process > 0) return process;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // It died before it could be asked to take this one along.
   const int code = done_by(job, index);
   std::fflush(nullptr);
   _exit(code);
@@ -39,15 +44,18 @@ pid_t started(const Job& job, int index) {
 }  // namespace
 
 void run_jobs(int count, int workers, const Job& job,
-              const std::function<void(int index, int exit_code)>& on_done) {
+              const std::function<void(int index, int exit_code)>& on_done,
+              const std::function<bool()>& stopped) {
   if (workers < 1) throw std::invalid_argument("the number of workers must be at least 1");
   std::map<pid_t, int> running;
   int next = 0;
   while (next < count || !running.empty()) {
+    if (stopped && stopped()) count = next;
     while (next < count && static_cast<int>(running.size()) < workers) {
       running.emplace(started(job, next), next);
       ++next;
     }
+    if (running.empty()) return;
     int status = 0;
     const pid_t process = waitpid(-1, &status, 0);
     const auto found = running.find(process);

@@ -16,6 +16,8 @@
 #include "tools/run/recording_sink.hpp"
 #include "tools/run/scans_sink.hpp"
 #include "tools/run/summary_sink.hpp"
+#include "tools/run/tables_csv_sink.hpp"
+#include "tools/run/tables_hdf5_sink.hpp"
 #include "tools/run/timing_sink.hpp"
 #include "tools/run/trajectory_sink.hpp"
 
@@ -28,11 +30,17 @@ std::vector<std::unique_ptr<RunSink>> table_sinks(const RunPlan& plan,
   sinks.push_back(std::make_unique<ErrorsSink>(folder));
   sinks.push_back(std::make_unique<TrajectorySink>(folder, plan.info));
   sinks.push_back(std::make_unique<SummarySink>(folder, plan.info));
-  sinks.push_back(std::make_unique<TimingSink>(folder, plan.info));
+  if (plan.timing) sinks.push_back(std::make_unique<TimingSink>(folder, plan.info));
   if (plan.people_every_s > 0.0) {
     sinks.push_back(std::make_unique<PeopleSink>(folder, plan.people_every_s));
   }
   if (plan.label_name) sinks.push_back(std::make_unique<ScansSink>(folder, plan.label_name));
+  if (plan.tables_csv) {
+    sinks.push_back(std::make_unique<TablesCsvSink>(folder, plan.info.localizers, plan.labels));
+  }
+  if (plan.tables_hdf5) {
+    sinks.push_back(std::make_unique<TablesHdf5Sink>(folder, plan.info.localizers, plan.labels));
+  }
   if (plan.points_every_s > 0.0) {
     sinks.push_back(std::make_unique<PointsSink>(folder, plan.points_every_s));
   }
@@ -58,22 +66,42 @@ void add_pictures(RunPlan& plan, const std::filesystem::path& folder,
   sinks.push_back(std::move(sink));
 }
 
-}  // namespace
+using Sinks = std::vector<std::unique_ptr<RunSink>>;
 
-int execute(RunPlan& plan, SensorSource& source) {
-  RunFolderSwap swap(plan.folder);
-  std::vector<std::unique_ptr<RunSink>> sinks = table_sinks(plan, swap.folder());
-  write_file(swap.folder() / "scenario.yaml", plan.scenario_yaml);
-  add_recording(plan, swap.folder(), source.duration(), sinks);
+/// All that listens to the run, and the first of its files.
+Sinks begin_run(RunPlan& plan, const std::filesystem::path& folder, Stamp duration) {
+  Sinks sinks = table_sinks(plan, folder);
+  write_file(folder / "scenario.yaml", plan.scenario_yaml);
+  for (const SinkMaker& make : plan.more_sinks) sinks.push_back(make(folder, plan));
+  add_recording(plan, folder, duration, sinks);
   if (plan.film) sinks.push_back(std::make_unique<FilmSink>(*plan.film, plan.picture_world));
-  if (plan.pictures) add_pictures(plan, swap.folder(), sinks);
-  try {
+  if (plan.pictures) add_pictures(plan, folder, sinks);
+  return sinks;
+}
+
+void carry_out(RunPlan& plan, SensorSource& source, Sinks sinks, RunFolderSwap& swap) {
+  {
     Progress progress(source.duration(), plan.quiet);
     plan.loop.on_progress = [&progress](Stamp reached) { progress.show(reached); };
     Loop(plan.loop, plan.localizers, sinks).run(source);
-    if (plan.report) write_report(swap.folder(), plan.map);
-    sinks.clear();
-    swap.commit();
+  }
+  if (plan.report) write_report(swap.folder(), plan.map);
+  sinks.clear();
+  swap.commit();
+}
+
+}  // namespace
+
+void execute_run(RunPlan& plan, SensorSource& source) {
+  RunFolderSwap swap(plan.folder);
+  carry_out(plan, source, begin_run(plan, swap.folder(), source.duration()), swap);
+}
+
+int execute(RunPlan& plan, SensorSource& source) {
+  RunFolderSwap swap(plan.folder);
+  Sinks sinks = begin_run(plan, swap.folder(), source.duration());
+  try {
+    carry_out(plan, source, std::move(sinks), swap);
   } catch (const std::exception& error) {
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;

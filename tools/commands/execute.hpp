@@ -12,8 +12,15 @@
 #include "tools/report/film_sink.hpp"
 #include "tools/report/picture_sink.hpp"
 #include "tools/run/loop.hpp"
+#include "tools/run/scan_row.hpp"
 
 namespace castaway::testbed {
+
+struct RunPlan;
+
+/// Makes a sink that writes into a folder.
+using SinkMaker = std::function<std::unique_ptr<RunSink>(const std::filesystem::path& folder,
+                                                         const RunPlan& plan)>;
 
 /// A run ready to go.
 struct RunPlan {
@@ -31,10 +38,19 @@ struct RunPlan {
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
   std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
-  bool json = false;                             ///< Prints summary.json instead of words.
-  bool silent = false;                           ///< Prints no result.
-  bool quiet = false;                            ///< Prints nothing, no progress either.
+  std::vector<SinkMaker> more_sinks{};
+  std::shared_ptr<const LabelContext> labels{};  ///< Shared by sinks; nothing: no tables.
+  bool tables_csv = false;                       ///< tables/*.csv
+  bool tables_hdf5 = false;                      ///< tables.h5
+  bool timing = true;   ///< timing.json and timing.csv, which no repetition gives again.
+  bool json = false;    ///< Prints summary.json instead of words.
+  bool silent = false;  ///< Prints no result.
+  bool quiet = false;   ///< Prints nothing, no progress either.
 };
+
+/// Runs and writes the run folder; prints progress and warnings unless `quiet`. Throws
+/// std::exception where it fails.
+void execute_run(RunPlan& plan, SensorSource& source);
 
 /// Runs, writes the run folder, prints the result. Returns the exit code; throws std::exception if
 /// the folder cannot be written.

@@ -6,11 +6,12 @@
 #include "sim/render/primitives.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/world/world_visuals.hpp"
-#include "tools/commands/execute.hpp"
+#include "tools/commands/map_scores.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/run/map_conversion.hpp"
+#include "tools/run/scan_truth.hpp"
 #include "tools/run/simulator_source.hpp"
 
 namespace castaway::testbed {
@@ -77,6 +78,18 @@ void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, R
   };
 }
 
+void add_tables(const PlayOptions& options, const Scenario& scenario,
+                const PreparedSimulation& prepared, RunPlan& plan) {
+  plan.tables_csv = scenario.outputs.tables_csv;
+  plan.tables_hdf5 = scenario.outputs.tables_hdf5;
+  if (!plan.tables_csv && !plan.tables_hdf5 && options.sinks.empty()) return;
+  LabelContext labels{hit_legend(prepared.config.world), {}};
+  labels.ambiguity = options.scores
+                         ? *options.scores
+                         : map_scores(scenario, options.base, prepared.config.lidar).places;
+  plan.labels = std::make_shared<const LabelContext>(std::move(labels));
+}
+
 /// All of the plan that is known before the simulation starts.
 RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
                 PreparedSimulation& prepared) {
@@ -90,10 +103,13 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   plan.json = options.json;
   plan.silent = options.silent;
   plan.quiet = options.quiet;
+  plan.timing = options.timing;
+  plan.more_sinks = options.sinks;
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
   add_pictures(scenario.outputs, options.video, prepared, plan);
   add_scan_outputs(scenario.outputs, prepared, plan);
+  add_tables(options, scenario, prepared, plan);
   return plan;
 }
 
@@ -110,7 +126,11 @@ std::filesystem::path default_run_folder(const Scenario& scenario) {
   return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
 }
 
-int play(const LoadedScenario& loaded, const PlayOptions& options) {
+namespace {
+
+/// Makes ready and hands both to `body`.
+template <typename Body>
+auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
   const Scenario& scenario = loaded.scenario;
   PreparedSimulation prepared = build_simulation(scenario, options.base);
   for (const std::string& warning : prepared.warnings) {
@@ -126,7 +146,17 @@ int play(const LoadedScenario& loaded, const PlayOptions& options) {
     plan.people_every_s = scenario.people.log_every_s;
     plan.picture_world.moving = [&source] { return source.people_items(); };
   }
-  return execute(plan, source);
+  return body(plan, source);
+}
+
+}  // namespace
+
+void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
+  with_run(loaded, options, execute_run);
+}
+
+int play(const LoadedScenario& loaded, const PlayOptions& options) {
+  return with_run(loaded, options, execute);
 }
 
 }  // namespace castaway::testbed

@@ -4,33 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/world/ground.hpp"
-#include "sim/world/rasterise.hpp"
+#include "tools/commands/world_likeness.hpp"
 #include "tools/commands/world_report.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-constexpr double kRadius = 0.25;     // [m] Of the disc that ambiguity is looked for with.
 constexpr double kTightRoute = 0.3;  // [m]
-
-/// Where a robot stands on the floor itself.
-sim::Grid on_the_floor(const LoadedWorld& world, sim::Grid grid) {
-  sim::mark_raised(grid, sim::ground_heights(world.file.spec, grid));
-  return grid;
-}
-
-/// The map with all that a low robot could run into.
-sim::Grid obstacles(const LoadedWorld& world) {
-  sim::Grid grid = world.grid;
-  std::vector<double> heights;
-  for (double z = 0.02; z < 0.35; z += 0.04) heights.push_back(z);
-  const std::vector<float> ground = sim::ground_heights(world.file.spec, grid);
-  sim::free_raised(grid, ground);
-  sim::mark_objects(grid, world.file.spec, heights);
-  sim::mark_ledges(grid, ground);
-  return grid;
-}
 
 RouteFacts facts_of(const std::string& name, const std::vector<Eigen::Vector2d>& route,
                     const sim::FreeSpace& space) {
@@ -75,15 +55,13 @@ WorldFacts world_facts(const LoadedWorld& world, const sim::PlaceView& view) {
   WorldFacts facts;
   const auto free = std::count(world.grid.cells.begin(), world.grid.cells.end(), sim::Cell::kFree);
   facts.free_area = static_cast<double>(free) * world.grid.resolution * world.grid.resolution;
-  const sim::Grid drive = obstacles(world);
-  const sim::FreeSpace way(drive, kRadius);
-  const sim::FreeSpace space(on_the_floor(world, drive), kRadius);
+  const sim::FreeSpace way(obstacle_grid(world), kPlaceRadius);
+  const sim::FreeSpace space = place_space(world);
   for (const auto& [name, route] : world.file.routes) {
     facts.routes.push_back(facts_of(name, route, way));
   }
   facts.change = sim::changed_beams(world.file.spec, world.grid, view);
-  facts.ambiguity =
-      sim::ambiguity(sim::RayScene(sim::ray_primitives(world.file.spec)), space, view);
+  facts.ambiguity = sim::ambiguity_of(world_likeness(world, view));
   warn(world, space, facts);
   return facts;
 }

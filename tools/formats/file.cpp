@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "tools/formats/file_error.hpp"
+
 namespace castaway::testbed {
 
 std::string read_file(const std::filesystem::path& path) {
@@ -49,7 +51,7 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::fail() const {
-  throw std::runtime_error(
+  throw FileError(
       fmt::format("{}: cannot be written; check that its folder is writable and the disk not full",
                   path_.string()));
 }

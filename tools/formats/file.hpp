@@ -15,7 +15,7 @@ std::string read_file(const std::filesystem::path& path);
 /// temporary name in the same folder, then renamed.
 class AtomicFile {
  public:
-  /// Makes missing folders. Throws std::runtime_error if the folder is not writable.
+  /// Makes missing folders. Throws FileError, a std::runtime_error, if the folder is not writable.
   explicit AtomicFile(std::filesystem::path path);
   /// Removes what was written unless `commit` was called.
   ~AtomicFile();
@@ -23,7 +23,7 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
-  /// Puts the file in its place, over an older one. Throws std::runtime_error if it could not be
+  /// Puts the file in its place, over an older one. Throws FileError if it could not be
   /// written whole, e.g. because the disk is full.
   void commit();
 

@@ -18,6 +18,13 @@ void RunHistory::add(const OdometryFrame& frame) {
 void RunHistory::add(const ScanRecord& record) {
   assert(record.localizers.size() == rows.size());
   first_stamp = std::min(first_stamp, record.stamp);
+  if (rows.empty()) {
+    MetricRow row;
+    row.stamp = record.stamp;
+    row.T_odom_base = record.T_odom_base;
+    row.T_map_base_true = record.T_map_base_true;
+    path.push_back(row);
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     MetricRow row;

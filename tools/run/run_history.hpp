@@ -13,7 +13,8 @@ struct RunHistory {
   RunInfo info;
   std::vector<RunEvent> events;
   std::vector<std::vector<MetricRow>> rows;  ///< By localizer, as in `info`; by stamp.
-  Stamp first_stamp = Stamp::max();          ///< Of all that was delivered; max: nothing was.
+  std::vector<MetricRow> path;       ///< True poses by stamp, kept where no localizer rides along.
+  Stamp first_stamp = Stamp::max();  ///< Of all that was delivered; max: nothing was.
 
   explicit RunHistory(RunInfo run) : info(std::move(run)), rows(info.localizers.size()) {}
 

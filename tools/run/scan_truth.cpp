@@ -1,6 +1,9 @@
 #include "tools/run/scan_truth.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "sim/sensor/surfaces.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -25,7 +28,30 @@ std::vector<CloudPoint> cloud_of(const sim::LidarReading& reading, const sim::Li
   return cloud;
 }
 
+BeamClass class_of(const sim::WorldSpec& world, const sim::WorldObject& object) {
+  if (object.surface.glass) return BeamClass::kGlass;
+  if (object.in_map) return BeamClass::kStatic;
+  const bool leaf = std::any_of(world.doors.begin(), world.doors.end(), [&](const auto& door) {
+    return object.name == door.name + "/leaf";
+  });
+  if (leaf) return BeamClass::kDoor;
+  return object.movable ? BeamClass::kMoved : BeamClass::kUnmapped;
+}
+
 }  // namespace
+
+HitLegend hit_legend(const sim::WorldSpec& world) {
+  HitLegend legend;
+  legend.first_person = sim::kHitPerson;
+  for (std::size_t i = 0; i < world.objects.size(); ++i) {
+    const sim::WorldObject& object = world.objects[i];
+    legend.entries[static_cast<int>(i)] = {class_of(world, object), object.name};
+  }
+  legend.entries[sim::kHitFloor] = {BeamClass::kFloor, "floor"};
+  legend.entries[sim::kHitDust] = {BeamClass::kDust, "dust"};
+  legend.entries[sim::kHitCover] = {BeamClass::kCover, "cover"};
+  return legend;
+}
 
 LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar) {
   LaserScan scan;

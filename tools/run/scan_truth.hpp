@@ -3,7 +3,9 @@
 
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
+#include "sim/world/world_spec.hpp"
 #include "tools/run/frame.hpp"
+#include "tools/run/hit_legend.hpp"
 
 namespace castaway::testbed {
 
@@ -14,5 +16,8 @@ LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& 
 /// Intensities and labels of that layer; with `cloud`, the returns of all layers in base, as if
 /// taken at the stamp.
 ScanTruth scan_truth(const sim::LidarReading& reading, const sim::LidarConfig& lidar, bool cloud);
+
+/// What the labels of a world's beams mean.
+HitLegend hit_legend(const sim::WorldSpec& world);
 
 }  // namespace castaway::testbed

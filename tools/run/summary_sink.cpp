@@ -17,8 +17,9 @@ using Json = nlohmann::ordered_json;
 
 /// Whole run; nothing if there was no scan.
 std::optional<double> total_distance(const RunHistory& history) {
-  if (history.rows.empty() || history.rows.front().empty()) return std::nullopt;
-  return driven_distance(history.rows.front(), kidnaps_of(history.events)).back();
+  const std::vector<MetricRow>& rows = history.rows.empty() ? history.path : history.rows.front();
+  if (rows.empty()) return std::nullopt;
+  return driven_distance(rows, kidnaps_of(history.events)).back();
 }
 
 std::int64_t collisions(const RunHistory& history) {

@@ -43,7 +43,9 @@ std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& 
     });
     if (same > 1) item.fail("two localizers are called '" + specs.back().name + "'; give a 'name'");
   }
-  if (specs.empty()) root.fail("'" + key + "' is empty: name at least one, e.g. [mh_amcl, amcl]");
+  if (!root.has(key)) {
+    root.fail("needs the list '" + key + "', e.g. [mh_amcl, amcl], or [] for none");
+  }
   return specs;
 }
 

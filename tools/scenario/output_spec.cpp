@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "tools/scenario/nearest.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -41,6 +43,25 @@ VideoSpec read_video(YamlReader& map) {
   return video;
 }
 
+void read_tables(YamlReader& map, OutputSpec& outputs) {
+  const auto take = [&](const YamlReader& value) {
+    const auto kind = value.as<std::string>();
+    if (kind != "none" && kind != "csv" && kind != "hdf5") {
+      value.fail("'" + kind + "' is no kind of table; " +
+                 suggestion(kind, {"csv", "hdf5", "none"}));
+    }
+    outputs.tables_csv = outputs.tables_csv || kind == "csv";
+    outputs.tables_hdf5 = outputs.tables_hdf5 || kind == "hdf5";
+  };
+  const std::optional<YamlReader> list = map.find("tables");
+  if (!list || !list->is_list()) {
+    const std::string kind = map.get("tables", "none");
+    if (kind != "none") take(*map.find("tables"));
+    return;
+  }
+  for (const YamlReader& item : list->items()) take(item);
+}
+
 }  // namespace
 
 OutputSpec read_outputs(YamlReader& root) {
@@ -49,6 +70,7 @@ OutputSpec read_outputs(YamlReader& root) {
   outputs.report = map.get("report", outputs.report);
   outputs.player = map.get("player", outputs.player);
   outputs.scans = map.get("scans", outputs.scans);
+  read_tables(map, outputs);
   outputs.video = read_video(map);
   if (map.has("points")) {
     YamlReader points = map.child("points");

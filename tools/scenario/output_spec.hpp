@@ -14,6 +14,7 @@ namespace castaway::testbed {
 ///       snapshots: {every_s: 0, on_events: true, width: 960, height: 720}   # or false
 ///       video: {width: 1280, height: 720, fps: 20, speed: 1, view: chase}   # with --video FILE
 ///       scans: false           # scans.csv, labels.csv
+///       tables: hdf5           # or csv, none, [csv, hdf5]: every scan with labels, for learning
 ///       points: {every_s: 1}   # PLY files of 3-D lidars
 OutputSpec read_outputs(YamlReader& root);
 

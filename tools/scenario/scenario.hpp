@@ -139,6 +139,8 @@ struct OutputSpec {
   bool player = true;              ///< In the report, and the recording.gz that it plays.
   VideoSpec video;                 ///< With `castaway run --video FILE` only.
   bool scans = false;              ///< scans.csv and labels.csv
+  bool tables_csv = false;         ///< tables/*.csv
+  bool tables_hdf5 = false;        ///< tables.h5
   double points_every_s = 0.0;     ///< [s] Between two PLY files of a lidar; 0: none.
 };
 

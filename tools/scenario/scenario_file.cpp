@@ -154,10 +154,15 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides) {
   YamlDocument document = YamlDocument::load(file);
   for (const std::string& assignment : overrides) document.set(assignment);
+  return read_scenario(std::move(document), file.parent_path(), file.stem().string());
+}
+
+LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
+                             const std::string& name) {
   YamlReader root = document.root();
   Scenario scenario;
-  scenario.name = root.get("name", file.stem().string());
-  scenario.world = read_world(root, file.parent_path());
+  scenario.name = root.get("name", name);
+  scenario.world = read_world(root, folder);
   scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
@@ -179,6 +184,9 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
   scenario.localizers = read_localizers(root, "localizers");
   choose_watched(root, scenario);
   scenario.outputs = read_outputs(root);
+  if (scenario.localizers.empty() && scenario.outputs.report) {
+    root.fail("'outputs.report' shows localizers, and there are none: set it to false");
+  }
   scenario.expect = read_expectations(root, names_of(scenario.localizers));
   document.reject_unknown_keys();
   return {std::move(scenario), document.effective()};

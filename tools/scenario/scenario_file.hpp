@@ -23,8 +23,13 @@ struct LoadedScenario {
 LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides);
 
-/// Reads the list of localizers under `key`: names, or maps of one name to its settings. An empty
-/// list is an error.
+/// Reads a scenario from a document; `folder`: where its relative paths start; `name`: its name
+/// unless it says one. Throws as `load_scenario` does.
+LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
+                             const std::string& name);
+
+/// Reads the list of localizers under `key`: names, or maps of one name to its settings. `[]` means
+/// none; no list at all is an error.
 std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key);
 
 /// The localizer of a command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.

@@ -34,8 +34,9 @@ YamlNode& list_element(YamlNode& list, const std::string& part, const std::strin
 }
 
 /// The child of `node` named `part`, made if there is none. A scalar gives way to a map; one that
-/// is `part` itself (`- amcl`) becomes that key.
+/// is `part` itself (`- amcl`) becomes that key. Nothing becomes a list where `part` is 0.
 YamlNode& child(YamlNode& node, const std::string& part, const std::string& where) {
+  if (node.kind == Kind::kNull && part == "0") node.kind = Kind::kList;
   if (node.kind == Kind::kList) return list_element(node, part, where);
   if (node.kind != Kind::kMap) {
     node.kind = Kind::kMap;
@@ -63,9 +64,13 @@ void apply_override(YamlNode& root, const std::string& assignment) {
     throw std::invalid_argument(where + ": write it as key=value, e.g. lidar.rate_hz=10");
   }
   YamlNode value = parse_yaml(assignment.substr(equals + 1), where);
+  put_value(root, assignment.substr(0, equals), std::move(value), where);
+}
+
+void put_value(YamlNode& root, const std::string& path, YamlNode value, const std::string& where) {
   set_place(value, where);
   YamlNode* node = &root;
-  for (const std::string& part : split_path(assignment.substr(0, equals))) {
+  for (const std::string& part : split_path(path)) {
     if (part.empty()) throw std::invalid_argument(where + ": an empty key between two dots");
     node = &child(*node, part, where);
   }

@@ -20,6 +20,18 @@ std::vector<std::string> keys_of(const YamlNode& map) {
   return keys;
 }
 
+void know_all(YamlNode& node) {
+  node.known = keys_of(node);
+  for (YamlEntry& entry : node.entries) know_all(entry.value);
+  for (YamlNode& item : node.items) know_all(item);
+}
+
+void forget_known(YamlNode& node) {
+  node.known.clear();
+  for (YamlEntry& entry : node.entries) forget_known(entry.value);
+  for (YamlNode& item : node.items) forget_known(item);
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -71,6 +83,13 @@ YamlReader YamlReader::child(const std::string& key) {
 std::vector<YamlReader> YamlReader::list(const std::string& key) {
   const auto found = find(key);
   return found ? found->items() : std::vector<YamlReader>{};
+}
+
+YamlNode YamlReader::raw() const {
+  know_all(*node_);
+  YamlNode copy = *node_;
+  forget_known(copy);
+  return copy;
 }
 
 std::vector<YamlReader> YamlReader::items() const {

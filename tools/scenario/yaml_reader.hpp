@@ -73,6 +73,8 @@ class YamlReader {
   [[nodiscard]] YamlReader child(const std::string& key);
   /// The elements of the list under `key`; none where there is no such key.
   [[nodiscard]] std::vector<YamlReader> list(const std::string& key);
+  /// This value as it was written; all keys in it become known.
+  [[nodiscard]] YamlNode raw() const;
   /// The elements of this list.
   [[nodiscard]] std::vector<YamlReader> items() const;
   /// Keys and values of this map, for maps whose keys the user names: all become known.
@@ -126,6 +128,9 @@ class YamlDocument {
   /// `name` stands for the file in errors.
   static YamlDocument parse(const std::string& text, const std::string& name);
 
+  /// A tree that was parsed before.
+  explicit YamlDocument(YamlNode root) : root_(std::make_unique<YamlNode>(std::move(root))) {}
+
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
@@ -135,8 +140,6 @@ class YamlDocument {
   [[nodiscard]] std::string effective() const { return emit_yaml(*root_); }
 
  private:
-  explicit YamlDocument(YamlNode root) : root_(std::make_unique<YamlNode>(std::move(root))) {}
-
   std::unique_ptr<YamlNode> root_;
 };
 

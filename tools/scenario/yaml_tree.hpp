@@ -43,6 +43,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& name);
 /// The value is YAML. Throws std::invalid_argument where the path does not fit.
 void apply_override(YamlNode& root, const std::string& assignment);
 
+/// Puts `value` at `path` as `apply_override` does; `where` stands for its place in errors.
+void put_value(YamlNode& root, const std::string& path, YamlNode value, const std::string& where);
+
 /// The tree as block-style YAML text; parsing it gives the same tree.
 std::string emit_yaml(const YamlNode& root);
 

@@ -50,6 +50,14 @@ TEST(WorkerPool, AJobThatThrowsOrDiesHasFailed) {
   EXPECT_EQ(exit_codes(3, 1, job), expected);
 }
 
+TEST(WorkerPool, StartsNoMoreOnceItIsStopped) {
+  std::map<int, int> codes;
+  run_jobs(
+      9, 1, [](int index) { return index; }, [&](int index, int code) { codes[index] = code; },
+      [&codes] { return codes.size() == 3; });
+  EXPECT_EQ(codes, (std::map<int, int>{{0, 0}, {1, 1}, {2, 2}}));
+}
+
 TEST(WorkerPool, NeedsAWorker) {
   EXPECT_THROW(exit_codes(1, 0, [](int) { return 0; }), std::invalid_argument);
   EXPECT_TRUE(exit_codes(0, 1, [](int) { return 0; }).empty());

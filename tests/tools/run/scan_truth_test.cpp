@@ -64,6 +64,37 @@ TEST(ScanTruth, BelongsToThatLayer) {
   EXPECT_TRUE(truth.cloud.empty());
 }
 
+TEST(HitLegendOfAWorld, TellsWhatIsWhereTheMapHasIt) {
+  sim::WorldSpec world;
+  const auto add = [&world](const char* name, bool in_map, bool movable, bool glass) {
+    sim::WorldObject object;
+    object.name = name;
+    object.in_map = in_map;
+    object.movable = movable;
+    object.surface.glass = glass;
+    world.objects.push_back(object);
+  };
+  add("wall", true, false, false);
+  add("box", false, false, false);
+  add("chair", false, true, false);
+  add("door/leaf", false, false, false);
+  add("pane", true, false, true);
+  world.doors.push_back({});
+  world.doors.back().name = "door";
+  const HitLegend legend = hit_legend(world);
+  EXPECT_EQ(legend.class_of(0), BeamClass::kStatic);
+  EXPECT_EQ(legend.class_of(1), BeamClass::kUnmapped);
+  EXPECT_EQ(legend.class_of(2), BeamClass::kMoved);
+  EXPECT_EQ(legend.class_of(3), BeamClass::kDoor);
+  EXPECT_EQ(legend.class_of(4), BeamClass::kGlass);
+  EXPECT_EQ(legend.class_of(sim::kHitPerson + 2), BeamClass::kPerson);
+  EXPECT_EQ(legend.id_of(sim::kHitPerson + 2), 2);
+  EXPECT_EQ(legend.class_of(sim::kHitNothing), BeamClass::kNone);
+  EXPECT_EQ(legend.class_of(sim::kHitFloor), BeamClass::kFloor);
+  EXPECT_EQ(legend.class_of(sim::kHitDust), BeamClass::kDust);
+  EXPECT_EQ(legend.class_of(sim::kHitCover), BeamClass::kCover);
+}
+
 TEST(ScanTruth, ACloudHoldsTheReturnsOfAllLayersInBase) {
   const auto cloud = scan_truth(reading(), two_layers(), true).cloud;
   ASSERT_EQ(cloud.size(), 3U);

@@ -30,6 +30,16 @@ TEST(OutputSpec, HasADefaultForEveryKey) {
   EXPECT_EQ(outputs.video.view, "chase");
 }
 
+TEST(OutputSpec, TablesComeInTwoKinds) {
+  EXPECT_FALSE(read("{}").tables_csv || read("{}").tables_hdf5);
+  EXPECT_TRUE(read("outputs: {tables: csv}").tables_csv);
+  EXPECT_FALSE(read("outputs: {tables: csv}").tables_hdf5);
+  EXPECT_TRUE(read("outputs: {tables: [csv, hdf5]}").tables_csv);
+  EXPECT_TRUE(read("outputs: {tables: [csv, hdf5]}").tables_hdf5);
+  EXPECT_TRUE(contains(refusal("outputs: {tables: hdf}"),
+                       "'hdf' is no kind of table; did you mean 'hdf5'?"));
+}
+
 TEST(OutputSpec, ReadsAllKeys) {
   const OutputSpec outputs = read(
       "outputs: {report: false, player: false, scans: true, points: {every_s: 2}, snapshots: "

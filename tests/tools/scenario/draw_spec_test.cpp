@@ -1,0 +1,112 @@
+#include "tools/scenario/draw_spec.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using localization::substream;
+
+Draw read(const std::string& text) {
+  YamlDocument document = YamlDocument::parse("x: " + text, "d.yaml");
+  const Draw draw = read_draw(*document.root().find("x"));
+  document.reject_unknown_keys();
+  return draw;
+}
+
+std::string refusal(const std::string& text) {
+  return error_of([&] { read(text); });
+}
+
+/// `count` draws as numbers.
+std::vector<double> numbers(const std::string& text, int count) {
+  const Draw draw = read(text);
+  localization::Rng rng = substream(1, "draws");
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(drawn(draw, rng), "x"));
+  return values;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+TEST(Draw, AFixedValueIsItself) {
+  localization::Rng rng = substream(1, "draws");
+  EXPECT_EQ(emit_yaml(drawn(read("office"), rng)), "office\n");
+  EXPECT_EQ(emit_yaml(drawn(read("[1, 2]"), rng)), "[1, 2]\n");
+  EXPECT_EQ(emit_yaml(drawn(read("{value: {count: 3}}"), rng)), "count: 3\n");
+}
+
+TEST(Draw, ChoicesComeByTheirWeights) {
+  const Draw draw = read("{choice: [a, b, {c: 1}], weights: [3, 0, 1]}");
+  localization::Rng rng = substream(1, "draws");
+  std::map<std::string, int> counts;
+  constexpr int kDraws = 4000;
+  for (int i = 0; i < kDraws; ++i) ++counts[emit_yaml(drawn(draw, rng))];
+  EXPECT_EQ(counts.count("b\n"), 0U);
+  // Five sigma of a binomial count.
+  EXPECT_NEAR(counts["a\n"], 0.75 * kDraws, 5.0 * std::sqrt(kDraws * 0.75 * 0.25));
+  EXPECT_EQ(counts["a\n"] + counts["c: 1\n"], kDraws);
+}
+
+TEST(Draw, UniformNumbersKeepTheirLimitsAndTheirMean) {
+  constexpr int kDraws = 4000;
+  const auto values = numbers("{uniform: [2, 4]}", kDraws);
+  for (const double value : values) EXPECT_TRUE(value >= 2.0 && value <= 4.0) << value;
+  EXPECT_NEAR(mean_of(values), 3.0, 5.0 * 2.0 / std::sqrt(12.0 * kDraws));
+  auto logs = numbers("{log_uniform: [0.01, 100]}", kDraws);
+  for (double& value : logs) value = std::log10(value);
+  EXPECT_NEAR(mean_of(logs), 0.0, 5.0 * 4.0 / std::sqrt(12.0 * kDraws));
+}
+
+TEST(Draw, NormalNumbersKeepTheirLimits) {
+  constexpr int kDraws = 4000;
+  const auto values = numbers("{normal: {mean: 1, sd: 0.5, min: 0, max: 2}}", kDraws);
+  for (const double value : values) EXPECT_TRUE(value >= 0.0 && value <= 2.0) << value;
+  EXPECT_NEAR(mean_of(values), 1.0, 5.0 * 0.5 / std::sqrt(kDraws));
+  EXPECT_EQ(numbers("{normal: {mean: 0, sd: 0.001, min: 5, max: 6}}", 1)[0], 5.0);
+}
+
+TEST(Draw, WholeNumbersReachBothEnds) {
+  std::map<double, int> counts;
+  for (const double value : numbers("{integer: [-1, 2]}", 400)) ++counts[value];
+  EXPECT_EQ(counts.size(), 4U);
+  EXPECT_GT(counts[-1.0], 0);
+  EXPECT_GT(counts[2.0], 0);
+}
+
+TEST(Draw, NumbersAreWrittenShort) {
+  for (const double value : numbers("{uniform: [0, 1]}", 100)) {
+    EXPECT_LE(write_yaml(value).scalar.size(), 12U);
+  }
+}
+
+TEST(Draw, RefusesWhatCannotBeDrawn) {
+  EXPECT_TRUE(contains(refusal("{unifrom: [0, 1]}"),
+                       "d.yaml:1: x.unifrom: 'unifrom' is no way to draw a value; did you mean "
+                       "'uniform'?"));
+  EXPECT_TRUE(contains(refusal("{uniform: [2, 1]}"), "the lower end comes first"));
+  EXPECT_TRUE(contains(refusal("{log_uniform: [0, 1]}"), "needs positive ends"));
+  EXPECT_TRUE(contains(refusal("{integer: [1]}"), "takes two whole numbers"));
+  EXPECT_TRUE(contains(refusal("{integer: [1.5, 2]}"), "expected a whole number"));
+  EXPECT_TRUE(contains(refusal("{integer: [3, 2]}"), "the lower end comes first"));
+  EXPECT_TRUE(contains(refusal("{choice: []}"), "'choice' is empty"));
+  EXPECT_TRUE(contains(refusal("{choice: [1, 2], weights: [1]}"), "1 'weights' for 2 choices"));
+  EXPECT_TRUE(contains(refusal("{choice: [1], weights: [0]}"), "nor all be 0"));
+  EXPECT_TRUE(contains(refusal("{uniform: [0, 1], weights: [1]}"), "go with 'choice' only"));
+  EXPECT_TRUE(contains(refusal("{uniform: [0, 1], integer: [0, 1]}"), "give one of them"));
+  EXPECT_TRUE(contains(refusal("{normal: {mean: 1, sd: 0, min: 0, max: 1}}"), "'sd' must be"));
+  EXPECT_TRUE(contains(refusal("{normal: {mean: 1, sd: 1, min: 0}}"), "needs the key 'max'"));
+  EXPECT_TRUE(contains(refusal("{}"), "says not how it is drawn"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

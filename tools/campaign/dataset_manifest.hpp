@@ -1,0 +1,34 @@
+/// Which files a data set has, and what is in them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace castaway::testbed {
+
+/// A file of a data set.
+struct ManifestFile {
+  std::string path;  ///< From the data set's folder, with slashes.
+  std::uintmax_t bytes = 0;
+  std::string sha256;  ///< 64 hexadecimal digits.
+};
+
+/// Every file in a folder and below, by path. Throws std::runtime_error if one cannot be read.
+std::vector<ManifestFile> survey_files(const std::filesystem::path& folder);
+
+/// manifest.json, to be read by `read_manifest`.
+std::string manifest_text(const std::vector<ManifestFile>& files);
+
+/// SHA256SUMS, for `sha256sum -c`.
+std::string sums_text(const std::vector<ManifestFile>& files);
+
+/// Throws std::runtime_error naming the file and what is wrong with it.
+std::vector<ManifestFile> read_manifest(const std::filesystem::path& file);
+
+/// Holds a data set against its manifest.json. A line for each file that is missing, changed or not
+/// listed; none if all is as it should be. Throws std::runtime_error without a manifest.
+std::vector<std::string> verify_dataset(const std::filesystem::path& folder);
+
+}  // namespace castaway::testbed

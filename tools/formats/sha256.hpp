@@ -1,0 +1,17 @@
+/// SHA-256 (FIPS 180-4), as `sha256sum` prints it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace castaway::testbed {
+
+/// 64 hexadecimal digits in lower case.
+std::string sha256(std::string_view bytes);
+
+/// Of a file's bytes, read a piece at a time. Throws std::runtime_error naming the file if it
+/// cannot be read.
+std::string sha256_of_file(const std::filesystem::path& file);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,66 @@
+#include "tools/scenario/dataset_sample.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace castaway::testbed {
+namespace {
+
+/// In one line.
+std::string brief(const YamlNode& value) {
+  std::string text = emit_yaml(value);
+  for (char& c : text) c = c == '\n' ? ' ' : c;
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+/// Drawn values whose keys an error is about, or else all of them.
+std::string suspects(const SampledSequence& sequence, const std::string& error) {
+  std::string named;
+  std::string all;
+  for (const auto& [key, value] : sequence.drawn) {
+    const std::string text = fmt::format("{} = {}", key, value);
+    const std::string last = key.substr(key.find_last_of('.') + 1);
+    if (error.find(text) != std::string::npos) return "";
+    if (error.find("'" + last + "'") != std::string::npos) {
+      named += (named.empty() ? "" : ", ") + text;
+    }
+    all += (all.empty() ? "" : ", ") + text;
+  }
+  return named.empty() ? all : named;
+}
+
+}  // namespace
+
+std::string sequence_name(int index) { return fmt::format("{:06d}", index); }
+
+SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
+  const std::string stream = fmt::format("sequence/{}", index);
+  SampledSequence sequence;
+  sequence.index = index;
+  sequence.seed = localization::substream(spec.seed, stream)() >> 11U;
+  YamlNode scenario = spec.scenario;
+  try {
+    for (const VariedKey& key : spec.vary) {
+      localization::Rng rng = localization::substream(spec.seed, stream + "/" + key.path);
+      YamlNode value = drawn(key.draw, rng);
+      const std::string text = brief(value);
+      sequence.drawn.emplace_back(key.path, text);
+      put_value(scenario, key.path, std::move(value),
+                fmt::format("{}: sequence {}: {} = {}", key.where, index, key.path, text));
+    }
+    put_value(scenario, "seed", write_yaml(sequence.seed), "");
+    put_value(scenario, "name", write_yaml(spec.name + "-" + sequence_name(index)), "");
+    sequence.loaded = read_scenario(YamlDocument(std::move(scenario)), spec.base, spec.name);
+  } catch (const std::exception& error) {
+    const std::string what = error.what();
+    const std::string drawn = suspects(sequence, what);
+    if (what.find(fmt::format("sequence {}:", index)) != std::string::npos) throw;
+    throw std::runtime_error(fmt::format("{}: sequence {}: {}{}", spec.file, index, what,
+                                         drawn.empty() ? "" : " (drawn: " + drawn + ")"));
+  }
+  return sequence;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,129 @@
+#include "tools/scenario/dataset_spec.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/scenario/data_paths.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keys of a scenario that a data set sees to itself.
+const std::vector<std::string> kOwn{"seed", "name", "outputs", "expect"};
+
+/// A scenario's file: a path, or `<world>/<name>` of those that come along.
+fs::path find_scenario(const YamlReader& value, const fs::path& folder) {
+  const fs::path text = value.as<std::string>();
+  const fs::path shipped = data_root() / "worlds" / text.parent_path() / "scenarios" /
+                           (text.filename().string() + ".yaml");
+  for (const fs::path& candidate : {folder / text, text, shipped}) {
+    if (fs::is_regular_file(candidate)) return candidate;
+  }
+  value.fail(fmt::format(
+      "no scenario '{}': give the path of one, or <world>/<name> for worlds/<world>/scenarios/"
+      "<name>.yaml",
+      text.string()));
+}
+
+void drop(YamlNode& map, const std::string& key) {
+  map.entries.remove_if([&](const YamlEntry& entry) { return entry.key == key; });
+}
+
+YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) {
+  spec.base = folder;
+  const auto value = root.find("scenario");
+  if (!value) return parse_yaml("{}", "scenario");
+  if (value->is_map()) return value->raw();
+  const fs::path file = find_scenario(*value, folder);
+  spec.base = file.parent_path();
+  YamlDocument document = YamlDocument::load(file);
+  return document.root().raw();
+}
+
+/// What runs need and a data set does not, and the reverse.
+void fit(YamlNode& scenario, const YamlNode& outputs) {
+  for (const std::string& key : kOwn) drop(scenario, key);
+  if (scenario.find("localizers") == nullptr) {
+    put_value(scenario, "localizers", parse_yaml("[]", ""), "");
+  }
+  put_value(scenario, "outputs", outputs, outputs.where);
+  for (const char* unless_asked : {"report", "player", "snapshots"}) {
+    const std::string path = std::string("outputs.") + unless_asked;
+    if (outputs.find(unless_asked) == nullptr) put_value(scenario, path, write_yaml(false), "");
+  }
+}
+
+YamlNode read_dataset_outputs(YamlReader& root) {
+  const auto outputs = root.find("outputs");
+  if (!outputs) return parse_yaml("{tables: hdf5}", "outputs");
+  if (!outputs->is_map()) outputs->fail("expected a map, e.g. {tables: hdf5}");
+  return outputs->raw();
+}
+
+std::vector<VariedKey> read_vary(YamlReader& root) {
+  std::vector<VariedKey> vary;
+  for (auto& [path, value] : root.child("vary").entries()) {
+    const std::string head = path.substr(0, path.find('.'));
+    if (std::find(kOwn.begin(), kOwn.end(), head) != kOwn.end()) {
+      value.fail(fmt::format("'{}' cannot vary: a data set sees to it itself", head));
+    }
+    const std::string where = value.raw().where;
+    vary.push_back({path, read_draw(value), where});
+  }
+  return vary;
+}
+
+SplitSpec read_splits(YamlReader& root) {
+  SplitSpec splits;
+  YamlReader map = root.child("splits");
+  splits.train = map.get("train", splits.train);
+  splits.val = map.get("val", splits.val);
+  splits.test = map.get("test", splits.test);
+  splits.by_sequence = map.choice("by", "world", {"world", "sequence"}) == "sequence";
+  if (std::min({splits.train, splits.val, splits.test}) < 0.0 ||
+      !(splits.train + splits.val + splits.test > 0.0)) {
+    map.fail("'train', 'val' and 'test' are shares: none negative, not all 0");
+  }
+  return splits;
+}
+
+/// The text with the scenario within, whatever file it came from.
+std::string effective_text(YamlReader& root, const DatasetSpec& spec, const YamlNode& outputs) {
+  YamlNode tree = root.raw();
+  YamlNode scenario = spec.scenario;
+  drop(scenario, "outputs");
+  put_value(tree, "seed", write_yaml(spec.seed), "");
+  put_value(tree, "scenario", scenario, "");
+  put_value(tree, "outputs", outputs, "");
+  return emit_yaml(tree);
+}
+
+}  // namespace
+
+DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& overrides) {
+  YamlDocument document = YamlDocument::load(file);
+  YamlReader root = document.root();
+  DatasetSpec spec;
+  spec.file = file.string();
+  spec.name = root.get("name", file.stem().string());
+  spec.description = root.get("description", "");
+  spec.license = root.get("license", "");
+  spec.seed = root.get("seed", spec.seed);
+  if (overrides.seed) spec.seed = *overrides.seed;
+  spec.scenario = read_base(root, file.parent_path(), spec);
+  const YamlNode outputs = read_dataset_outputs(root);
+  spec.vary = read_vary(root);
+  spec.splits = read_splits(root);
+  document.reject_unknown_keys();
+  for (const std::string& assignment : overrides.scenario) {
+    apply_override(spec.scenario, assignment);
+  }
+  fit(spec.scenario, outputs);
+  spec.effective = effective_text(root, spec, outputs);
+  return spec;
+}
+
+}  // namespace castaway::testbed

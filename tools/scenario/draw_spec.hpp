@@ -1,0 +1,64 @@
+/// How a value of a data set is drawn, as YAML.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "localization/random.hpp"
+#include "tools/scenario/yaml_reader.hpp"
+
+namespace castaway::testbed {
+
+/// Always the same.
+struct FixedDraw {
+  YamlNode value;
+};
+
+/// One of several, by weight.
+struct ChoiceDraw {
+  std::vector<YamlNode> options;  ///< At least one.
+  std::vector<double> weights;    ///< As many, positive in sum.
+};
+
+/// Evenly between two numbers, or evenly between their logarithms.
+struct UniformDraw {
+  double low = 0.0;
+  double high = 1.0;
+  bool logarithmic = false;  ///< Then `low` is positive.
+};
+
+/// Normal; drawn again where it falls outside of the limits.
+struct NormalDraw {
+  double mean = 0.0;
+  double sd = 1.0;  ///< Positive.
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// A whole number, both ends included.
+struct IntegerDraw {
+  int low = 0;
+  int high = 1;
+};
+
+using Draw = std::variant<FixedDraw, ChoiceDraw, UniformDraw, NormalDraw, IntegerDraw>;
+
+/// Reads one:
+///
+///     12.5, office, [1, 2, 3]                         # fixed
+///     {value: {count: 3}}                             # fixed, a map
+///     {choice: [office, lab], weights: [3, 1]}
+///     {uniform: [0.5, 2]}
+///     {log_uniform: [0.01, 1]}
+///     {normal: {mean: 1, sd: 0.2, min: 0, max: 2}}    # min and max are needed
+///     {integer: [0, 8]}
+///
+/// Throws std::runtime_error naming file, line, key and remedy.
+Draw read_draw(YamlReader value);
+
+/// Draws a value; numbers that are not whole with six digits. A normal value that falls outside of
+/// its limits a thousand times is set to the nearer one.
+YamlNode drawn(const Draw& draw, localization::Rng& rng);
+
+}  // namespace castaway::testbed
