@@ -19,6 +19,7 @@ enum ExitCode : int {
 /// Adds a subcommand; `chosen` is set to its action when it is on the command line. Actions return
 /// an exit code and throw std::exception for bad input.
 void add_run_command(CLI::App& app, std::function<int()>& chosen);
+void add_dataset_command(CLI::App& app, std::function<int()>& chosen);
 void add_compare_command(CLI::App& app, std::function<int()>& chosen);
 void add_experiment_command(CLI::App& app, std::function<int()>& chosen);
 void add_replay_command(CLI::App& app, std::function<int()>& chosen);

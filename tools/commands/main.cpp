@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   add_run_command(app, chosen);
   add_experiment_command(app, chosen);
   add_compare_command(app, chosen);
+  add_dataset_command(app, chosen);
   add_replay_command(app, chosen);
   add_evaluate_command(app, chosen);
   add_report_command(app, chosen);

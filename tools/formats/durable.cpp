@@ -22,11 +22,15 @@ namespace fs = std::filesystem;
       path.string(), why));
 }
 
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
 void rename_durable(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   if (error) fail(to, error.message());
-  sync_path(to.parent_path());
+  sync_path(folder_of(to));
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ void write_durable(const fs::path& draft, const fs::path& path, std::string_view
   write_file(draft, bytes);
   sync_path(draft);
   std::error_code error;
-  fs::create_directories(path.parent_path(), error);
+  fs::create_directories(folder_of(path), error);
   if (error) fail(path, error.message());
   rename_durable(draft, path);
 }

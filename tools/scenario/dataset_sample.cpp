@@ -35,6 +35,15 @@ std::string suspects(const SampledSequence& sequence, const std::string& error) 
 
 std::string sequence_name(int index) { return fmt::format("{:06d}", index); }
 
+std::string sequence_trouble(const DatasetSpec& spec, const SampledSequence& sequence,
+                             const std::string& what) {
+  const std::string name = fmt::format("sequence {}:", sequence.index);
+  if (what.find(name) != std::string::npos) return what;
+  const std::string drawn = suspects(sequence, what);
+  return fmt::format("{}: {} {}{}", spec.file, name, what,
+                     drawn.empty() ? "" : " (drawn: " + drawn + ")");
+}
+
 SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
   const std::string stream = fmt::format("sequence/{}", index);
   SampledSequence sequence;
@@ -54,11 +63,7 @@ SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
     put_value(scenario, "name", write_yaml(spec.name + "-" + sequence_name(index)), "");
     sequence.loaded = read_scenario(YamlDocument(std::move(scenario)), spec.base, spec.name);
   } catch (const std::exception& error) {
-    const std::string what = error.what();
-    const std::string drawn = suspects(sequence, what);
-    if (what.find(fmt::format("sequence {}:", index)) != std::string::npos) throw;
-    throw std::runtime_error(fmt::format("{}: sequence {}: {}{}", spec.file, index, what,
-                                         drawn.empty() ? "" : " (drawn: " + drawn + ")"));
+    throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
   }
   return sequence;
 }

@@ -23,4 +23,9 @@ std::string sequence_name(int index);
 /// scenario that comes out cannot be.
 SampledSequence sample_sequence(const DatasetSpec& spec, int index);
 
+/// One line for something that is wrong with a sequence: file, sequence, what, and the drawn values
+/// that it may come from.
+std::string sequence_trouble(const DatasetSpec& spec, const SampledSequence& sequence,
+                             const std::string& what);
+
 }  // namespace castaway::testbed

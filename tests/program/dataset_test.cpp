@@ -1,0 +1,212 @@
+// Data sets: made, killed, gone on with, verified, made again.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "localization/random.hpp"
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* const kSpec = R"(name: little
+license: CC0-1.0
+scenario:
+  world: room.yaml
+  duration_s: 4
+  physics: kinematic
+  start: {random: true}
+  drive: {route: random}
+  lidar: {beams: 36, rate_hz: 5}
+  events:
+    - kidnap: {kind: teleport, at_s: 2.1, min_distance_m: 2}
+vary:
+  people.count: {integer: [0, 2]}
+  drive.max_speed: {uniform: [0.2, 0.6]}
+outputs: {tables: [csv, hdf5]}
+)";
+
+/// A specification, and a room of 6 m x 5 m with a pillar.
+fs::path folder_with_spec(const std::string& spec = kSpec) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "s.yaml") << spec;
+  std::ofstream(folder / "room.yaml")
+      << "image: room.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+         "free_thresh: 0.196\n";
+  std::ofstream image(folder / "room.pgm");
+  image << "P2\n60 50\n255\n";
+  for (int row = 0; row < 50; ++row) {
+    for (int column = 0; column < 60; ++column) {
+      const bool edge = row < 2 || row > 47 || column < 2 || column > 57;
+      const bool pillar = row > 15 && row < 22 && column > 12 && column < 20;
+      image << (edge || pillar ? 0 : 254) << '\n';
+    }
+  }
+  return folder;
+}
+
+/// Every file's bytes by path.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[entry.path().lexically_relative(folder).string()] = text_of(entry.path());
+  }
+  return files;
+}
+
+void expect_equal(const fs::path& a, const fs::path& b) {
+  const auto left = files_of(a);
+  const auto right = files_of(b);
+  for (const auto& [path, bytes] : left) {
+    ASSERT_TRUE(right.contains(path)) << path << " is missing in " << b;
+    EXPECT_EQ(bytes == right.at(path), true) << path;
+  }
+  EXPECT_EQ(left.size(), right.size());
+}
+
+TEST(Dataset, IsTheSameWhateverTheNumberOfWorkers) {
+  const fs::path folder = folder_with_spec();
+  const Outcome one = castaway(folder, "dataset s.yaml -n 3 --out one");
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.err, "");
+  expect_contains(one.out, "little: 3 sequences, 0.2 min");
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 3 -j 3 --out three").exit_code, 0);
+  expect_equal(folder / "one", folder / "three");
+  EXPECT_FALSE(fs::exists(folder / "one/.work"));
+  const auto files = files_of(folder / "one");
+  for (const char* path : {"README.md", "manifest.json", "SHA256SUMS", "dataset.yaml",
+                           "sequences.csv", "splits/train.txt", "maps/room.yaml", "maps/room.pgm",
+                           "plots/ranges.svg", "plots/coverage-room.png",
+                           "sequences/000002/tables.h5", "sequences/000002/tables/scans.csv",
+                           "sequences/000002/truth.tum", "sequences/000002/scenario.yaml"}) {
+    EXPECT_TRUE(files.contains(path)) << path;
+  }
+  EXPECT_FALSE(files.contains("sequences/000000/timing.json"));
+  EXPECT_FALSE(files.contains("sequences/000000/report.html"));
+}
+
+TEST(Dataset, IsMadeAgainFromItsOwnSpecification) {
+  const fs::path folder = folder_with_spec();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 3 --seed 5 --out set").exit_code, 0);
+  const Outcome again = castaway(folder, "dataset set/dataset.yaml -n 3 --out again --json");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out).at("sequences"), 3);
+  expect_equal(folder / "set", folder / "again");
+  const Outcome only = castaway(folder, "dataset set/dataset.yaml --only 2 --out two");
+  ASSERT_EQ(only.exit_code, 0) << only.err;
+  expect_equal(folder / "set/sequences/000002", folder / "two");
+  const Outcome full = castaway(folder, "dataset set/dataset.yaml --only 2 --out two");
+  EXPECT_EQ(full.exit_code, 2);
+  expect_contains(full.err, "two: is not empty");
+}
+
+TEST(Dataset, VerifiesEveryFile) {
+  const fs::path folder = folder_with_spec();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
+  const Outcome good = castaway(folder, "dataset --verify set");
+  EXPECT_EQ(good.exit_code, 0) << good.out;
+  expect_contains(good.out, "set: every file is as in its manifest.json");
+  if (std::system("sha256sum --version >/dev/null 2>&1") == 0) {
+    const std::string check =
+        "cd '" + (folder / "set").string() + "' && sha256sum -c --quiet SHA256SUMS";
+    EXPECT_EQ(std::system(check.c_str()), 0);
+  }
+  std::ofstream(folder / "set/sequences/000000/truth.tum") << "1 2 3";
+  fs::remove(folder / "set/maps/room.pgm");
+  std::ofstream(folder / "set/notes.txt") << "mine";
+  const Outcome bad = castaway(folder, "dataset --verify set");
+  EXPECT_EQ(bad.exit_code, 1);
+  expect_contains(bad.out, "maps/room.pgm: missing\n");
+  expect_contains(bad.out, "sequences/000000/truth.tum: changed: 5 bytes instead of ");
+  expect_contains(bad.out, "notes.txt: not listed in manifest.json\n");
+  expect_contains(bad.err, "3 of its files are not as in its manifest.json");
+}
+
+TEST(Dataset, KeepsToOneSpecificationAndGrows) {
+  const fs::path folder = folder_with_spec();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
+  const Outcome same = castaway(folder, "dataset s.yaml -n 1 --out set");
+  EXPECT_EQ(same.exit_code, 0);
+  expect_contains(same.out, "all 1 sequences were finished before");
+  const Outcome seed = castaway(folder, "dataset s.yaml -n 1 --seed 2 --out set");
+  EXPECT_EQ(seed.exit_code, 2);
+  expect_contains(seed.err, "set: was made with seed 1, not 2; choose another folder");
+  const Outcome other = castaway(folder, "dataset s.yaml -n 1 --set duration_s=3 --out set");
+  EXPECT_EQ(other.exit_code, 2);
+  expect_contains(other.err, "is 'duration_s: 4', now it would be 'duration_s: 3'");
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 2 --out set").exit_code, 0);
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 2 --out at-once").exit_code, 0);
+  expect_equal(folder / "set", folder / "at-once");
+}
+
+TEST(Dataset, FindsWhatCannotBeBeforeAnythingIsMade) {
+  const fs::path folder = folder_with_spec(
+      "scenario: {world: lab, duration_s: 5}\nvary:\n  drive.route: {choice: [loop, moon]}\n");
+  const Outcome outcome = castaway(folder, "dataset s.yaml -n 9 --out set");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "s.yaml: sequence ");
+  expect_contains(outcome.err, "drive.route = moon");
+  EXPECT_FALSE(fs::exists(folder / "set"));
+}
+
+TEST(Dataset, TellsTroubleWithTheDiskInOneLine) {
+  const fs::path folder = folder_with_spec();
+  std::ofstream(folder / "file") << "";
+  const Outcome outcome = castaway(folder, "dataset s.yaml -n 1 --out file/set");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_contains(outcome.err, "castaway: file/set: cannot be made (Not a directory)");
+}
+
+/// Starts it, kills it after a while, and says whether it was killed.
+bool killed_after(const fs::path& folder, std::chrono::microseconds wait) {
+  const pid_t process = fork();
+  if (process == 0) {
+    if (chdir(folder.c_str()) != 0) _exit(9);
+    if (freopen("/dev/null", "w", stdout) == nullptr) _exit(9);
+    execl(CASTAWAY_PROGRAM, "castaway", "dataset", "s.yaml", "-n", "6", "-j", "2", "--out", "set",
+          nullptr);
+    _exit(9);
+  }
+  std::this_thread::sleep_for(wait);
+  kill(process, SIGKILL);
+  int status = 0;
+  waitpid(process, &status, 0);
+  return WIFSIGNALED(status);
+}
+
+// CASTAWAY_KILLS says how often; 4 unless it does.
+TEST(Dataset, KilledAtAnyMomentItGoesOnAndComesOutTheSame) {
+  const fs::path folder = folder_with_spec();
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out whole").exit_code, 0);
+  const auto whole = std::chrono::steady_clock::now() - begin;
+  const char* wanted = std::getenv("CASTAWAY_KILLS");
+  const int kills = wanted != nullptr ? std::atoi(wanted) : 4;
+  localization::Rng rng = localization::substream(1, "kills");
+  int killed = 0;
+  for (int tries = 0; killed < kills; ++tries) {
+    const auto most = std::chrono::duration_cast<std::chrono::microseconds>(whole).count();
+    killed += killed_after(folder, std::chrono::microseconds(
+                                       rng() % static_cast<std::uint64_t>(std::max<long>(most, 1))))
+                  ? 1
+                  : 0;
+    if (!fs::exists(folder / "set/manifest.json")) continue;
+    expect_equal(folder / "whole", folder / "set");  // It was done before it could be killed.
+    fs::remove_all(folder / "set");
+  }
+  const Outcome last = castaway(folder, "dataset s.yaml -n 6 -j 2 --out set");
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  expect_equal(folder / "whole", folder / "set");
+}
+
+}  // namespace
+}  // namespace castaway::test

@@ -1,0 +1,84 @@
+// castaway dataset: many runs, drawn from a specification, as a data set.
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/campaign/dataset_manifest.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/dataset_run.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says besides.
+struct DatasetArguments {
+  DatasetRequest request;
+  std::string spec;
+  std::string out;
+  std::string verify;
+  std::uint64_t seed = 1;
+  int only = -1;
+};
+
+int verify(const std::string& folder) {
+  const std::vector<std::string> troubles = verify_dataset(folder);
+  for (const std::string& trouble : troubles) fmt::print("{}\n", trouble);
+  if (!troubles.empty()) {
+    fmt::print(stderr, "castaway: {}: {} of its files are not as in its manifest.json\n", folder,
+               troubles.size());
+    return kRunFailed;
+  }
+  fmt::print("{}: every file is as in its manifest.json\n", folder);
+  return kDone;
+}
+
+int dataset(DatasetArguments arguments, bool seeded) {
+  if (!arguments.verify.empty()) return verify(arguments.verify);
+  if (arguments.spec.empty()) {
+    throw std::invalid_argument("dataset: give a specification (datasets/*.yaml), or --verify DIR");
+  }
+  if (arguments.out.empty()) throw std::invalid_argument("dataset: say where with --out DIR");
+  DatasetRequest& request = arguments.request;
+  request.spec = arguments.spec;
+  request.out = arguments.out;
+  if (seeded) request.overrides.seed = arguments.seed;
+  return arguments.only >= 0 ? make_only(request, arguments.only) : make_dataset(request);
+}
+
+}  // namespace
+
+void add_dataset_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<DatasetArguments>();
+  CLI::App* command = app.add_subcommand(
+      "dataset", "Many runs drawn from a specification, as a data set with labels and a card");
+  command->add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
+  command->add_option("-n", a->request.sequences, "Sequences")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 999999));
+  command->add_option("-j", a->request.workers, "At a time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", a->out, "Folder to make, or to go on with");
+  const CLI::Option* seed =
+      command->add_option("--seed", a->seed, "Root of all draws, instead of the specification's");
+  command
+      ->add_option("--set", a->request.overrides.scenario,
+                   "key=value of the scenario that all sequences share")
+      ->allow_extra_args(false);
+  command->add_option("--only", a->only, "Makes this sequence alone, again, as folder --out")
+      ->check(CLI::Range(0, 999999));
+  command->add_option("--verify", a->verify,
+                      "Holds a data set's files against its manifest; makes nothing");
+  command->add_flag("--json", a->request.json, "Print JSON instead of words");
+  command->footer(
+      "A call that was stopped goes on where it was when it is made again.\n"
+      "Examples:\n"
+      "  castaway dataset datasets/office-people.yaml -n 100 -j 2 --out data/office\n"
+      "  castaway dataset --verify data/office\n"
+      "  castaway dataset data/office/dataset.yaml --only 42 --out again");
+  command->callback(
+      [&chosen, a, seed] { chosen = [a, seed] { return dataset(*a, seed->count() > 0); }; });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,192 @@
+#include "tools/commands/dataset_run.hpp"
+
+#include <sys/resource.h>
+
+#include <fmt/format.h>
+
+#include "tools/campaign/dataset_finish.hpp"
+#include "tools/campaign/dataset_folder.hpp"
+#include "tools/campaign/worker_notes.hpp"
+#include "tools/campaign/worker_pool.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/dataset_sequence.hpp"
+#include "tools/commands/progress.hpp"
+#include "tools/formats/durable.hpp"
+#include "tools/formats/file_error.hpp"
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr int kDiskTrouble = 4;  // Exit code of a worker; others would fare no better.
+
+/// Draws every sequence and builds every world: what cannot be is found before anything is made.
+void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
+  for (int i = 0; i < count; ++i) {
+    const SampledSequence sequence = sample_sequence(spec, i);
+    try {
+      worlds.check(sequence.loaded.scenario);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+    }
+  }
+}
+
+std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
+  std::vector<int> missing;
+  for (int i = 0; i < count; ++i) {
+    if (!folder.has_sequence(sequence_name(i))) missing.push_back(i);
+  }
+  return missing;
+}
+
+/// In a process of its own.
+int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
+            const WorkerNotes& notes, int index) {
+  try {
+    const std::string name = sequence_name(index);
+    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name));
+    folder.commit_sequence(name);
+    return kDone;
+  } catch (const FileError& error) {
+    notes.leave(error.what());
+    return kDiskTrouble;
+  } catch (const std::exception& error) {
+    notes.leave(error.what());
+    return kRunFailed;
+  }
+}
+
+/// How a pass over the missing sequences ended.
+struct Pass {
+  int made = 0;
+  int failed = 0;
+  bool disk_trouble = false;
+};
+
+/// Trouble with the disk is told once, by whoever met it first.
+void tell(const std::vector<std::string>& notes, bool told) {
+  for (const std::string& note : notes) {
+    if (!told) fmt::print(stderr, "castaway: {}\n", note);
+  }
+}
+
+Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
+                    const DatasetFolder& folder, const DatasetRequest& request,
+                    const std::vector<int>& missing) {
+  const auto count = static_cast<int>(missing.size());
+  CampaignProgress progress(count, "sequences");
+  WorkerNotes notes;
+  Pass pass;
+  const auto index_of = [&](int job) { return missing[static_cast<std::size_t>(job)]; };
+  run_jobs(
+      count, request.workers,
+      [&](int job) { return work_on(spec, worlds, folder, notes, index_of(job)); },
+      [&](int job, int code) {
+        const std::vector<std::string> lines = notes.take();
+        tell(lines, pass.disk_trouble);
+        if (code != kDone && lines.empty() && !pass.disk_trouble) {
+          fmt::print(stderr, "castaway: sequence {}: its process was ended\n", index_of(job));
+        }
+        ++(code == kDone ? pass.made : pass.failed);
+        pass.disk_trouble = pass.disk_trouble || code == kDiskTrouble;
+        progress.next("");
+      },
+      [&] { return pass.disk_trouble; });
+  return pass;
+}
+
+int incomplete(const DatasetFolder& folder, const DatasetRequest& request) {
+  const std::size_t missing = missing_sequences(folder, request.sequences).size();
+  fmt::print(stderr,
+             "castaway: {}: {} of {} sequences are finished; the same command goes on with the "
+             "rest\n",
+             folder.path().string(), static_cast<std::size_t>(request.sequences) - missing,
+             request.sequences);
+  return kRunFailed;
+}
+
+/// CPU time and memory of all workers that have ended.
+DatasetMaking workers_cost() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds_of = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  DatasetMaking making;
+  making.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  making.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
+  return making;
+}
+
+std::vector<std::string> names_of(int count) {
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) names.push_back(sequence_name(i));
+  return names;
+}
+
+int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
+            const DatasetRequest& request) {
+  const std::vector<int> missing = missing_sequences(folder, request.sequences);
+  for (const int index : missing) worlds.score(sample_sequence(spec, index).loaded.scenario);
+  const std::chrono::nanoseconds begin = wall_time();
+  const Pass pass = make_sequences(spec, worlds, folder, request, missing);
+  if (pass.failed > 0) return incomplete(folder, request);
+  DatasetMaking making = workers_cost();
+  making.made = pass.made;
+  making.workers = request.workers;
+  making.wall_s = seconds(wall_time() - begin);
+  const DatasetContents contents =
+      load_contents(folder, spec, names_of(request.sequences), worlds.maps());
+  finish_dataset(folder, contents);
+  fmt::print("{}", request.json ? dataset_json(folder, contents, making)
+                                : describe_dataset(folder, contents, making));
+  return kDone;
+}
+
+}  // namespace
+
+int make_dataset(const DatasetRequest& request) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const DatasetIdentity identity{CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
+  check_identity(request.out, identity);
+  DatasetWorlds worlds(spec.base);
+  check_all(spec, request.sequences, worlds);
+  try {
+    const DatasetFolder folder(request.out, identity);
+    if (!folder.is_finished()) return make_in(folder, spec, worlds, request);
+    fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
+               request.sequences);
+    return kDone;
+  } catch (const FileError& error) {
+    fmt::print(stderr, "castaway: {}\n", error.what());
+    return kRunFailed;
+  }
+}
+
+int make_only(const DatasetRequest& request, int index) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const SampledSequence sequence = sample_sequence(spec, index);
+  std::error_code none;
+  if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
+    throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
+  }
+  DatasetWorlds worlds(spec.base);
+  worlds.check(sequence.loaded.scenario);
+  worlds.score(sequence.loaded.scenario);
+  std::filesystem::path draft = request.out;
+  draft += ".work";
+  try {
+    std::filesystem::remove_all(draft, none);
+    make_sequence(spec, worlds, sequence, draft);
+    move_durable(draft, request.out);
+  } catch (const std::exception& error) {
+    std::filesystem::remove_all(draft, none);
+    fmt::print(stderr, "castaway: {}\n", error.what());
+    return kRunFailed;
+  }
+  fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
+  return kDone;
+}
+
+}  // namespace castaway::testbed
