@@ -23,6 +23,7 @@ void add_dataset_command(CLI::App& app, std::function<int()>& chosen);
 void add_compare_command(CLI::App& app, std::function<int()>& chosen);
 void add_experiment_command(CLI::App& app, std::function<int()>& chosen);
 void add_replay_command(CLI::App& app, std::function<int()>& chosen);
+void add_bag_command(CLI::App& app, std::function<int()>& chosen);
 void add_report_command(CLI::App& app, std::function<int()>& chosen);
 void add_evaluate_command(CLI::App& app, std::function<int()>& chosen);
 void add_map_command(CLI::App& app, std::function<int()>& chosen);

@@ -72,6 +72,9 @@ using Sinks = std::vector<std::unique_ptr<RunSink>>;
 Sinks begin_run(RunPlan& plan, const std::filesystem::path& folder, Stamp duration) {
   Sinks sinks = table_sinks(plan, folder);
   write_file(folder / "scenario.yaml", plan.scenario_yaml);
+  for (auto& sink : export_sinks(folder, plan.info, plan.map, plan.exports)) {
+    sinks.push_back(std::move(sink));
+  }
   for (const SinkMaker& make : plan.more_sinks) sinks.push_back(make(folder, plan));
   add_recording(plan, folder, duration, sinks);
   if (plan.film) sinks.push_back(std::make_unique<FilmSink>(*plan.film, plan.picture_world));

@@ -11,6 +11,7 @@
 #include "tools/formats/ros_map.hpp"
 #include "tools/report/film_sink.hpp"
 #include "tools/report/picture_sink.hpp"
+#include "tools/run/export_sinks.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/run/scan_row.hpp"
 
@@ -38,6 +39,7 @@ struct RunPlan {
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
   std::function<std::string(int)> label_name{};  ///< What beams hit, for scans.csv; empty: none.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
+  ExportConfig exports{};                        ///< Formats of other tools.
   std::vector<SinkMaker> more_sinks{};
   std::shared_ptr<const LabelContext> labels{};  ///< Shared by sinks; nothing: no tables.
   bool tables_csv = false;                       ///< tables/*.csv

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   add_dataset_command(app, chosen);
   add_replay_command(app, chosen);
   add_evaluate_command(app, chosen);
+  add_bag_command(app, chosen);
   add_report_command(app, chosen);
   add_map_command(app, chosen);
   add_check_robot_command(app, chosen);

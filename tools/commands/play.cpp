@@ -90,6 +90,38 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   plan.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
+McapCompression compression_of(const std::string& name) {
+  if (name == "none") return McapCompression::kNone;
+  return name == "lz4" ? McapCompression::kLz4 : McapCompression::kZstd;
+}
+
+/// A bag of the run; where the localizers start is known later.
+BagConfig bag_config(const BagSpec& spec, const PreparedSimulation& prepared) {
+  const sim::RobotModel& robot = prepared.config.robot;
+  BagConfig bag;
+  bag.compression = compression_of(spec.compression);
+  bag.particles = spec.particles;
+  bag.links = robot.frames;
+  for (const sim::LidarConfig& lidar : sim::all_lidars(prepared.config)) {
+    bag.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
+  }
+  bag.robot_file = robot.path;
+  bag.label_name = [world = prepared.config.world](int label) {
+    return sim::hit_name(world, label);
+  };
+  return bag;
+}
+
+void add_exports(const LoadedScenario& loaded, const PreparedSimulation& prepared, RunPlan& plan) {
+  const OutputSpec& outputs = loaded.scenario.outputs;
+  plan.exports.carmen = outputs.carmen;
+  plan.exports.kitti = outputs.kitti;
+  plan.exports.map = outputs.map;
+  if (!outputs.bag) return;
+  plan.exports.bag = bag_config(*outputs.bag, prepared);
+  plan.exports.bag->scenario_yaml = loaded.effective;
+}
+
 /// All of the plan that is known before the simulation starts.
 RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
                 PreparedSimulation& prepared) {
@@ -110,6 +142,7 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   add_pictures(scenario.outputs, options.video, prepared, plan);
   add_scan_outputs(scenario.outputs, prepared, plan);
   add_tables(options, scenario, prepared, plan);
+  add_exports(loaded, prepared, plan);
   return plan;
 }
 
@@ -142,6 +175,7 @@ auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body bod
   source.stop_after(scenario.stop_after_m);
   if (plan.points_every_s > 0.0) source.keep_clouds();
   plan.loop = loop_config(scenario, *source.start_pose());
+  if (plan.exports.bag && plan.loop.start) plan.exports.bag->start = plan.loop.start->T_map_base;
   if (scenario.people.config.count() > 0) {
     plan.people_every_s = scenario.people.log_every_s;
     plan.picture_world.moving = [&source] { return source.people_items(); };

@@ -6,10 +6,12 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/execute.hpp"
+#include "tools/run/bag_reading.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/carmen_source.hpp"
 #include "tools/run/map_conversion.hpp"
 #include "tools/run/recorded_source.hpp"
+#include "tools/scenario/bag_folder.hpp"
 #include "tools/scenario/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
@@ -24,6 +26,7 @@ struct ReplayArguments {
   std::string scans_used = "all";
   std::string splice;
   CarmenSourceConfig source;
+  BagTopicOptions topics;
   std::vector<std::string> localizers;
   std::uint64_t seed = 1;
   std::string out;
@@ -46,15 +49,21 @@ std::string describe(const ReplayArguments& a) {
   return text + "]\n";
 }
 
+/// What a log gives to a replay.
+struct OpenedLog {
+  std::unique_ptr<SensorSource> source;
+  RosMap map;
+  std::optional<SE2> start;
+};
+
 localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
-                                             const SensorSource& source) {
-  const std::optional<SE2> start = source.start_pose();
-  if (!start) {
-    throw std::runtime_error(
-        arguments.log +
-        ": no TRUEPOS at the first scan, so there is no true start; use --start unknown");
+                                             const OpenedLog& log) {
+  if (!log.start) {
+    throw std::runtime_error(arguments.log +
+                             ": holds no truth at the first scan, so there is no true start; use "
+                             "--start unknown");
   }
-  return {*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+  return {*log.start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
 /// "I:J" as two scans.
@@ -71,8 +80,8 @@ Splice parse_splice(const std::string& text) {
   return at;
 }
 
-/// The log, or two stretches of it.
-std::unique_ptr<SensorSource> open_log(const ReplayArguments& arguments) {
+/// The CARMEN log, or two stretches of it.
+std::unique_ptr<SensorSource> carmen_source(const ReplayArguments& arguments) {
   if (arguments.splice.empty()) {
     return std::make_unique<CarmenSource>(arguments.log, arguments.source);
   }
@@ -93,6 +102,57 @@ std::unique_ptr<SensorSource> open_log(const ReplayArguments& arguments) {
   return std::make_unique<RecordedSource>(std::move(part));
 }
 
+OpenedLog open_carmen(const ReplayArguments& arguments) {
+  if (!std::filesystem::exists(arguments.log)) {
+    throw std::runtime_error(arguments.log +
+                             ": cannot be read; check the path and its permissions");
+  }
+  if (arguments.map.empty()) {
+    throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
+  }
+  OpenedLog log;
+  log.map = load_ros_map(arguments.map);
+  log.source = carmen_source(arguments);
+  log.start = log.source->start_pose();
+  return log;
+}
+
+/// The map of --map, or the bag's own.
+RosMap map_of(const ReplayArguments& arguments, const BagInventory& bag,
+              const BagRecording& recording) {
+  if (!arguments.map.empty()) return load_ros_map(arguments.map);
+  if (!recording.map) {
+    throw std::runtime_error(arguments.log + ": holds no OccupancyGrid; name a map by --map");
+  }
+  RosMap map = *recording.map;
+  const auto run = bag.metadata.find("run");
+  const bool named = run != bag.metadata.end() && run->second.contains("world");
+  map.name = named ? run->second.at("world") : bag.files.front().stem().string();
+  return map;
+}
+
+OpenedLog open_bag(const ReplayArguments& arguments) {
+  if (!arguments.splice.empty() || arguments.source.from_scan != 0 ||
+      arguments.scans_used != "all") {
+    throw std::invalid_argument("--splice, --from-scan and --use take CARMEN logs, not bags");
+  }
+  const BagInventory bag = take_inventory(arguments.log, bag_files(arguments.log));
+  BagRecording recording = read_bag(bag, choose_topics(bag, arguments.topics));
+  for (const std::string& warning : recording.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  OpenedLog log;
+  log.map = map_of(arguments, bag, recording);
+  if (arguments.source.scans) {
+    recording.frames =
+        first_scans(recording.frames, static_cast<std::size_t>(*arguments.source.scans));
+  }
+  auto source = std::make_unique<RecordedSource>(std::move(recording.frames));
+  log.start = recording.start ? recording.start : source->start_pose();
+  log.source = std::move(source);
+  return log;
+}
+
 int replay_log(ReplayArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
   std::vector<LocalizerSpec> specs;
@@ -101,8 +161,8 @@ int replay_log(ReplayArguments arguments) {
   if (arguments.scans_used != "all") {
     arguments.source.selection = arguments.scans_used == "even" ? Scans::kEven : Scans::kOdd;
   }
-  const RosMap map = load_ros_map(arguments.map);
-  const std::unique_ptr<SensorSource> source = open_log(arguments);
+  OpenedLog log = is_bag(arguments.log) ? open_bag(arguments) : open_carmen(arguments);
+  const RosMap& map = log.map;
   RunPlan plan;
   plan.info.scenario = "replay-" + map.name;
   plan.info.world = map.name;
@@ -115,23 +175,34 @@ int replay_log(ReplayArguments arguments) {
                                       : std::filesystem::path(arguments.out);
   plan.scenario_yaml = describe(arguments);
   plan.json = arguments.json;
-  if (plan.info.known_start) plan.loop.start = known_start(arguments, *source);
+  if (plan.info.known_start) plan.loop.start = known_start(arguments, log);
   plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
   plan.map = map;
   if (arguments.pictures) {
     plan.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
     plan.picture_world.map = map;
   }
-  return execute(plan, *source);
+  return execute(plan, *log.source);
 }
 
 }  // namespace
 
 void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
   auto a = std::make_shared<ReplayArguments>();
-  CLI::App* command = app.add_subcommand("replay", "Localize a recorded CARMEN log");
-  command->add_option("log", a->log, "CARMEN log (.log, .carmen, .gz)")->required();
-  command->add_option("--map", a->map, "ROS map (.yaml)")->required();
+  CLI::App* command =
+      app.add_subcommand("replay", "Localize a recorded log: CARMEN, or a bag of ROS 2");
+  command
+      ->add_option("log", a->log,
+                   "CARMEN log (.log, .carmen, .gz), or a rosbag2: its folder or an .mcap file")
+      ->required();
+  command->add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
+  command
+      ->add_option("--scan-topic", a->topics.scans, "LaserScan topic of a bag; repeat for several")
+      ->allow_extra_args(false);
+  command->add_option("--odom-topic", a->topics.odometry,
+                      "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
+  command->add_option("--truth-topic", a->topics.truth,
+                      "Topic of the true pose (default: /ground_truth/odom, if there is one)");
   command->add_option("--start", a->start, "truth or unknown")
       ->check(CLI::IsMember({"truth", "unknown"}))
       ->capture_default_str();
@@ -157,10 +228,13 @@ void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
       ->add_option("--pictures-every", a->pictures_every_s, "Also a picture every so many seconds")
       ->check(CLI::NonNegativeNumber);
   command->footer(
-      "TRUEPOS lines are the truth of the metrics; no localizer sees them.\n"
-      "Example:\n"
+      "TRUEPOS lines, and the truth topic of a bag, are the truth of the metrics; no localizer "
+      "sees "
+      "them.\n"
+      "Examples:\n"
       "  castaway replay intel.log.gz --map intel.yaml --start unknown --localizer mh_amcl "
-      "--localizer amcl");
+      "--localizer amcl\n"
+      "  castaway replay rosbag2_2026_01_31 --map office.yaml --scan-topic /front/scan");
   command->callback([&chosen, a] { chosen = [a] { return replay_log(*a); }; });
 }
 

@@ -27,10 +27,14 @@ RunFolderSwap::~RunFolderSwap() {
 }
 
 void RunFolderSwap::commit() {
-  fs::remove_all(target_ / "snapshots");
-  fs::remove(target_ / "recording.gz");
+  for (const char* name : {"snapshots", "bag", "kitti", "recording.gz", "log.carmen"}) {
+    fs::remove_all(target_ / name);
+  }
   for (const auto& entry : fs::directory_iterator(partial_)) {
-    fs::rename(entry.path(), target_ / entry.path().filename());
+    const fs::path place = target_ / entry.path().filename();
+    if (entry.is_directory())
+      fs::remove_all(place);  // A folder takes the place of an empty one only.
+    fs::rename(entry.path(), place);
   }
 }
 

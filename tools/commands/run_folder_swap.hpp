@@ -17,8 +17,8 @@ class RunFolderSwap {
 
   /// Where to write.
   [[nodiscard]] const std::filesystem::path& folder() const { return partial_; }
-  /// Moves every file into the target. Files of an earlier run are replaced, its pictures and its
-  /// recording removed; other files stay.
+  /// Moves every file and folder into the target. Those of an earlier run are replaced; its
+  /// pictures, recording, bag and logs are removed; other files stay.
   void commit();
 
  private:

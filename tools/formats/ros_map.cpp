@@ -73,16 +73,19 @@ GrayImage map_image(const RosMap& map) {
   return image;
 }
 
+std::string ros_map_yaml(const RosMap& map, const std::string& image) {
+  return fmt::format(
+      "image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, {}]\n"
+      "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
+      image, yaml_number(map.resolution), yaml_number(map.origin_x), yaml_number(map.origin_y),
+      yaml_number(map.origin_yaw), kOccupiedThresh, kFreeThresh);
+}
+
 void write_ros_map(const RosMap& map, const std::filesystem::path& yaml_path) {
   std::filesystem::path image_path = yaml_path;
   image_path.replace_extension(".pgm");
   write_file(image_path, encode_pgm(map_image(map)));
-  write_file(yaml_path,
-             fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, {}]\n"
-                         "negate: 0\noccupied_thresh: {}\nfree_thresh: {}\n",
-                         image_path.filename().string(), yaml_number(map.resolution),
-                         yaml_number(map.origin_x), yaml_number(map.origin_y),
-                         yaml_number(map.origin_yaw), kOccupiedThresh, kFreeThresh));
+  write_file(yaml_path, ros_map_yaml(map, image_path.filename().string()));
 }
 
 }  // namespace castaway::testbed

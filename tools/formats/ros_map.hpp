@@ -58,6 +58,9 @@ RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::str
 /// 205 elsewhere.
 GrayImage map_image(const RosMap& map);
 
+/// The YAML file of a map whose picture is `image`, a path relative to it.
+std::string ros_map_yaml(const RosMap& map, const std::string& image);
+
 /// Writes `<stem>.yaml` and `<stem>.pgm` beside it; the same map gives the same bytes. `yaml_path`
 /// names the YAML file.
 void write_ros_map(const RosMap& map, const std::filesystem::path& yaml_path);

@@ -62,6 +62,19 @@ void read_tables(YamlReader& map, OutputSpec& outputs) {
   for (const YamlReader& item : list->items()) take(item);
 }
 
+/// A flag, or a map of what differs from the defaults.
+std::optional<BagSpec> read_bag(YamlReader& map) {
+  const std::optional<YamlReader> given = map.find("bag");
+  if (!given || given->is_scalar()) {
+    return map.get("bag", false) ? std::optional(BagSpec{}) : std::nullopt;
+  }
+  YamlReader reader = map.child("bag");
+  BagSpec bag;
+  bag.compression = reader.choice("compression", bag.compression, {"zstd", "lz4", "none"});
+  bag.particles = reader.get("particles", bag.particles);
+  return bag;
+}
+
 }  // namespace
 
 OutputSpec read_outputs(YamlReader& root) {
@@ -77,6 +90,10 @@ OutputSpec read_outputs(YamlReader& root) {
     outputs.points_every_s = points.get("every_s", 1.0);
     if (!(outputs.points_every_s > 0.0)) points.fail("'every_s' must be positive");
   }
+  outputs.bag = read_bag(map);
+  outputs.carmen = map.get("carmen", outputs.carmen);
+  outputs.kitti = map.get("kitti", outputs.kitti);
+  outputs.map = map.get("map", outputs.map);
   read_snapshots(map, outputs);
   return outputs;
 }

@@ -128,6 +128,12 @@ struct VideoSpec {
   std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
 };
 
+/// A bag of ROS 2 messages.
+struct BagSpec {
+  std::string compression = "zstd";  ///< "zstd", "lz4" or "none".
+  bool particles = false;            ///< All particles of all localizers.
+};
+
 /// What the run leaves behind, besides its tables.
 struct OutputSpec {
   bool snapshots = true;           ///< Pictures at all.
@@ -142,6 +148,10 @@ struct OutputSpec {
   bool tables_csv = false;         ///< tables/*.csv
   bool tables_hdf5 = false;        ///< tables.h5
   double points_every_s = 0.0;     ///< [s] Between two PLY files of a lidar; 0: none.
+  std::optional<BagSpec> bag;      ///< bag/; nothing: none.
+  bool carmen = false;             ///< log.carmen
+  bool kitti = false;              ///< kitti/
+  bool map = false;                ///< map/
 };
 
 /// A run.

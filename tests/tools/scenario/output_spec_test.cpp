@@ -60,6 +60,25 @@ TEST(OutputSpec, ReadsAllKeys) {
   EXPECT_EQ(outputs.video.view, "map");
 }
 
+TEST(OutputSpec, ReadsFormatsOfOtherTools) {
+  const OutputSpec none = read("{}");
+  EXPECT_FALSE(none.bag || none.carmen || none.kitti || none.map);
+  const OutputSpec all = read(
+      "outputs: {bag: {compression: lz4, particles: true}, carmen: true, kitti: true, map: true}");
+  ASSERT_TRUE(all.bag);
+  EXPECT_EQ(all.bag->compression, "lz4");
+  EXPECT_TRUE(all.bag->particles);
+  EXPECT_TRUE(all.carmen && all.kitti && all.map);
+}
+
+TEST(OutputSpec, ABagMayBeOneWord) {
+  ASSERT_TRUE(read("outputs: {bag: true}").bag);
+  EXPECT_EQ(read("outputs: {bag: true}").bag->compression, "zstd");
+  EXPECT_FALSE(read("outputs: {bag: false}").bag);
+  EXPECT_TRUE(contains(refusal("outputs: {bag: {compression: gzip}}"), "gzip"));
+  EXPECT_TRUE(contains(refusal("outputs: {bag: {particle: true}}"), "particles"));
+}
+
 TEST(OutputSpec, SnapshotsMayBeOneWord) {
   EXPECT_FALSE(read("outputs: {snapshots: false}").snapshots);
 }

@@ -1,0 +1,157 @@
+// Bags, CARMEN logs and maps that runs leave, read back by the program and by MRPT.
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kQuick = " --set outputs.snapshots=false --set outputs.report=false";
+const std::string kReplay =
+    " --start truth --seed 3 --localizer mh_amcl --localizer amcl --no-pictures --out again";
+
+/// Runs a kidnap of 16 s with these settings into `run`.
+void simulate(const fs::path& folder, const std::string& sets) {
+  const Outcome outcome =
+      castaway(folder,
+               "run --duration 16 --seed 3 --set events.0.kidnap.at_s=5 --set people.count=3 --out "
+               "run" +
+                   kQuick + sets);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+void expect_same_file(const fs::path& folder, const std::string& name) {
+  const std::string text = text_of(folder / "run" / name);
+  EXPECT_GT(text.size(), 1000U) << name;
+  EXPECT_EQ(text_of(folder / "again" / name), text) << name;
+}
+
+TEST(Bag, ReplayedIsTheRunToTheByte) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true");
+  const Outcome outcome = castaway(folder, "replay run" + kReplay);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const char* name : {"mh_amcl.tum", "amcl.tum", "truth.tum"}) {
+    expect_same_file(folder, name);
+  }
+  const Json run = Json::parse(text_of(folder / "run" / "summary.json"));
+  const Json again = Json::parse(text_of(folder / "again" / "summary.json"));
+  for (const char* part : {"position_error_m", "recovery", "tracking_error_m"}) {
+    EXPECT_EQ(again["localizers"]["mh_amcl"][part], run["localizers"]["mh_amcl"][part]) << part;
+  }
+}
+
+TEST(Bag, OfAnUpsideDownAndATurnedLidarIsReplayedToTheByte) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "two.yaml")
+      << "world: lab\nrobot: waffle\nlocalizers: [mh_amcl, amcl]\n"
+         "events: [{kidnap: {at_s: 5}}]\n"
+         "lidars:\n"
+         "  - front: {profile: tim571, mount_xyz: [0.1, 0.02, 0.2], mount_rpy: [3.1415, 0, 0.3]}\n"
+         "  - rear: {profile: lds-01, mount_xyz: [-0.1, 0, 0.2], mount_rpy: [0, 0, 2.7]}\n"
+         "outputs: {bag: {compression: lz4}, snapshots: false, report: false}\n";
+  const Outcome run = castaway(folder, "run two.yaml --duration 12 --seed 3 --out run");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome outcome = castaway(folder, "replay run/bag" + kReplay);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_same_file(folder, "mh_amcl.tum");
+  expect_same_file(folder, "amcl.tum");
+}
+
+TEST(Bag, IsDescribed) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true");
+  const Outcome words = castaway(folder, "bag run");
+  EXPECT_EQ(words.exit_code, 0);
+  expect_contains(words.out, "sensor_msgs/msg/LaserScan");
+  expect_contains(words.out, "run.world: lab");
+  const Outcome json = castaway(folder, "bag run/bag --json");
+  const Json bag = Json::parse(json.out);
+  std::uint64_t messages = 0;
+  for (const Json& topic : bag["topics"]) messages += topic["messages"].get<std::uint64_t>();
+  EXPECT_EQ(bag["messages"], messages);
+  EXPECT_EQ(bag["attachments"].size(), 4U);
+}
+
+TEST(Bag, CutShortIsReplayedAsFarAsItGoes) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true");
+  const std::string bytes = text_of(folder / "run" / "bag" / "lab_kidnap.mcap");
+  std::ofstream(folder / "cut.mcap", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+  const Outcome outcome = castaway(folder, "replay cut.mcap" + kReplay);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.err, "castaway: warning: cut.mcap: byte ");
+  const std::string whole = text_of(folder / "run" / "amcl.tum");
+  const std::string part = text_of(folder / "again" / "amcl.tum");
+  EXPECT_GT(part.size(), whole.size() / 4);
+  EXPECT_EQ(whole.substr(0, part.size()), part);
+}
+
+TEST(Bag, DamagedIsOneLineWithFileAndByte) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true");
+  std::string bytes = text_of(folder / "run" / "bag" / "lab_kidnap.mcap");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  std::ofstream(folder / "bad.mcap", std::ios::binary) << bytes;
+  const Outcome outcome = castaway(folder, "replay bad.mcap");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "castaway: bad.mcap: byte ");
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Bag, RefusesWhatItCannotDoInOneLine) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "a.db3") << "SQLite format 3";
+  std::ofstream(folder / "b.mcap") << "hello";
+  const auto refused = [&](const std::string& arguments, const std::string& why) {
+    const Outcome outcome = castaway(folder, arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    expect_contains(outcome.err, why);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  refused("replay a.db3", "ros2 bag convert -i a.db3");
+  refused("replay b.mcap", "b.mcap: is no MCAP file");
+  refused("replay gone.mcap", "gone.mcap: cannot be read");
+  refused("replay b.mcap --splice 1:2", "take CARMEN logs, not bags");
+  refused("bag b.mcap", "b.mcap: is no MCAP file");
+  std::ofstream(folder / "some.log") << "";
+  refused("replay some.log", "--map is missing");
+  refused("replay gone.log", "gone.log: cannot be read");
+  refused("run --set outputs.bag.compression=zip --out run", "'zip'");
+}
+
+/// Odometry and scans of a CARMEN log are the run's to the last digit, if beams are taken at once.
+TEST(CarmenLog, ReplayedGivesTheSameEstimates) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.carmen=true --set outputs.map=true --set lidar.sweep=false");
+  const Outcome outcome =
+      castaway(folder, "replay run/log.carmen --map run/map/map.yaml" + kReplay);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_same_file(folder, "amcl.tum");
+  expect_same_file(folder, "truth.tum");
+}
+
+TEST(CarmenLog, IsReadByMrpt) {
+  if (std::system("command -v carmen2rawlog >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "carmen2rawlog is not installed (apt-get install mrpt-apps)";
+  }
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.carmen=true");
+  const std::string in_folder = "cd '" + folder.string() + "' && ";
+  const std::string convert = "carmen2rawlog -q -w -i run/log.carmen -o out.rawlog >o.txt 2>&1";
+  ASSERT_EQ(std::system((in_folder + convert).c_str()), 0) << text_of(folder / "o.txt");
+  const std::string info = "rawlog-edit -i out.rawlog --info >info.txt 2>&1";
+  ASSERT_EQ(std::system((in_folder + info).c_str()), 0);
+  const std::string truth = text_of(folder / "run" / "truth.tum");
+  const auto scans = std::count(truth.begin(), truth.end(), '\n');
+  expect_contains(text_of(folder / "info.txt"), "ROBOTLASER1 /    " + std::to_string(scans) + " ");
+}
+
+}  // namespace
+}  // namespace castaway::test

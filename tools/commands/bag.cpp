@@ -1,0 +1,118 @@
+// castaway bag: what a bag of ROS 2 holds.
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/commands/commands.hpp"
+#include "tools/run/bag_json.hpp"
+#include "tools/run/bag_topics.hpp"
+#include "tools/scenario/bag_folder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// What the command line says.
+struct BagArguments {
+  std::string bag;
+  bool json = false;
+  bool messages = false;
+};
+
+double seconds_of(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
+
+nlohmann::ordered_json to_json(const BagInventory& bag) {
+  nlohmann::ordered_json json = {{"bag", bag.name},
+                                 {"start_ns", bag.start_ns},
+                                 {"duration_s", seconds_of(bag.end_ns - bag.start_ns)},
+                                 {"messages", bag.messages},
+                                 {"topics", nlohmann::ordered_json::array()},
+                                 {"attachments", nlohmann::ordered_json::array()},
+                                 {"metadata", bag.metadata}};
+  for (const BagTopicInfo& topic : bag.topics) {
+    json["topics"].push_back({{"name", topic.name},
+                              {"type", topic.type},
+                              {"encoding", topic.encoding},
+                              {"messages", topic.messages}});
+  }
+  for (const McapAttachmentInfo& attachment : bag.attachments) {
+    json["attachments"].push_back({{"name", attachment.name},
+                                   {"media_type", attachment.media_type},
+                                   {"bytes", attachment.size}});
+  }
+  return json;
+}
+
+void print_words(const BagInventory& bag) {
+  fmt::print("Bag:       {}\n", bag.name);
+  fmt::print("Duration:  {:.3f} s from {:.9f} s on\n", seconds_of(bag.end_ns - bag.start_ns),
+             seconds_of(bag.start_ns));
+  fmt::print("Messages:  {}\n", bag.messages);
+  for (const BagTopicInfo& topic : bag.topics) {
+    fmt::print("  {:>8}  {:<32} {}\n", topic.messages, topic.name, topic.type);
+  }
+  for (const McapAttachmentInfo& attachment : bag.attachments) {
+    fmt::print("Attached:  {} ({} bytes)\n", attachment.name, attachment.size);
+  }
+  for (const auto& [name, texts] : bag.metadata) {
+    for (const auto& [key, value] : texts) {
+      const std::string line = value.substr(0, value.find('\n'));
+      fmt::print("{}.{}: {}{}\n", name, key, line, line.size() < value.size() ? " ..." : "");
+    }
+  }
+}
+
+/// One line of JSON a message; of types that are not known, without its fields.
+void print_messages(const std::vector<std::filesystem::path>& files) {
+  using Json = nlohmann::ordered_json;
+  for (const auto& file : files) {
+    McapReader reader(file);
+    while (const auto message = reader.next()) {
+      const McapSchema* schema = reader.schema_of(*message->channel);
+      const std::string type = schema != nullptr ? schema->name : "";
+      Json json = {{"topic", message->channel->topic}, {"log_time_ns", message->log_time_ns}};
+      if (message->channel->encoding == "cdr") {
+        if (auto fields = message_json(type, message->data)) json["message"] = std::move(*fields);
+      }
+      fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+  }
+}
+
+int describe_bag(const BagArguments& arguments) {
+  const std::vector<std::filesystem::path> files = bag_files(arguments.bag);
+  if (arguments.messages) {
+    print_messages(files);
+    return kDone;
+  }
+  const BagInventory bag = take_inventory(arguments.bag, files);
+  for (const std::string& warning : bag.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n",
+               to_json(bag).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    print_words(bag);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_bag_command(CLI::App& app, std::function<int()>& chosen) {
+  auto a = std::make_shared<BagArguments>();
+  CLI::App* command =
+      app.add_subcommand("bag", "Say what a bag of ROS 2 (MCAP) holds: topics, types, counts");
+  command->add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
+      ->required();
+  command->add_flag("--json", a->json, "Print JSON");
+  command->add_flag("--messages", a->messages, "Print every message as a line of JSON");
+  command->footer(
+      "Examples:\n"
+      "  castaway bag runs/lab-kidnap/seed-1\n"
+      "  castaway bag rosbag2_2026_01_31 --messages | grep '\"/odom\"' | head");
+  command->callback([&chosen, a] { chosen = [a] { return describe_bag(*a); }; });
+}
+
+}  // namespace castaway::testbed

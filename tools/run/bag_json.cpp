@@ -1,0 +1,37 @@
+#include "tools/run/bag_json.hpp"
+
+#include <map>
+
+#include "tools/formats/cdr.hpp"
+#include "tools/formats/ros_message.hpp"
+#include "tools/formats/ros_visualization.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ToJson = Json (*)(std::string_view);
+
+template <typename Message>
+Json decoded(std::string_view data) {
+  return RosJson::of(CdrReader::decode<Message>(data));
+}
+
+template <typename... Messages>
+std::map<std::string, ToJson> table() {
+  return {{Messages::kType, &decoded<Messages>}...};
+}
+
+}  // namespace
+
+std::optional<Json> message_json(const std::string& type, std::string_view data) {
+  static const std::map<std::string, ToJson> kTypes =
+      table<ros::String, ros::Int32MultiArray, ros::PoseStamped, ros::PoseArray,
+            ros::PoseWithCovarianceStamped, ros::TFMessage, ros::LaserScan, ros::CompressedImage,
+            ros::OccupancyGrid, ros::Odometry, ros::Marker, ros::MarkerArray>();
+  const auto found = kTypes.find(type);
+  if (found == kTypes.end()) return std::nullopt;
+  return found->second(data);
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,157 @@
+// Bags of real runs, read by packages that are not ours: every message of every topic must be what our own reader makes
+// of it. CASTAWAY_PROGRAM: the program; CASTAWAY_MODULES: folder with the packages of web/package.json.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, readdirSync, rmSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {after, test} from 'node:test';
+
+const require = createRequire(join(process.env.CASTAWAY_MODULES, 'package.json'));
+const {McapIndexedReader, McapStreamReader} = require('@mcap/core');
+const {parse} = require('@foxglove/rosmsg');
+const {MessageReader} = require('@foxglove/rosmsg2-serialization');
+const {crc32} = require('@foxglove/crc');
+const fzstd = require('fzstd');
+const lz4 = require('lz4js');
+
+const folder = mkdtempSync(join(tmpdir(), 'castaway-bag-'));
+after(() => rmSync(folder, {recursive: true}));
+
+const decompressHandlers = {
+  zstd: (bytes, size) => fzstd.decompress(bytes, new Uint8Array(Number(size))),
+  lz4: (bytes, size) => lz4.decompress(bytes, Number(size)),
+};
+
+function castaway(...words) {
+  return execFileSync(process.env.CASTAWAY_PROGRAM, words, {encoding: 'utf8', maxBuffer: 1 << 30, stdio: 'pipe'});
+}
+
+/** A short run with people, a kidnap and two localizers; the bytes of its bag. */
+function bagOf(compression) {
+  const run = join(folder, compression);
+  const sets = {
+    'people.count': 3, 'events.0.kidnap.at_s': 1, 'outputs.snapshots': false, 'outputs.report': false,
+    'outputs.bag.compression': compression, 'outputs.bag.particles': true,
+  };
+  castaway('run', '--duration', '4', '--seed', '5', '--out', run,
+           ...Object.entries(sets).flatMap(([key, value]) => ['--set', `${key}=${value}`]));
+  const [name] = readdirSync(join(run, 'bag')).filter((file) => file.endsWith('.mcap'));
+  return {run, bytes: readFileSync(join(run, 'bag', name))};
+}
+
+/** As `castaway bag --messages` writes values. */
+function plain(value) {
+  if (typeof value === 'number') {
+    if (Number.isNaN(value)) return 'nan';
+    if (!Number.isFinite(value)) return value > 0 ? 'inf' : '-inf';
+    return value === 0 ? 0 : value;
+  }
+  if (ArrayBuffer.isView(value) || Array.isArray(value)) return Array.from(value, plain);
+  if (value !== null && typeof value === 'object') {
+    return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, plain(inner)]));
+  }
+  return value;
+}
+
+const readers = new Map();
+function decode(schema, data) {
+  if (!readers.has(schema.name)) {
+    const definition = parse(new TextDecoder().decode(schema.data), {ros2: true});
+    readers.set(schema.name, new MessageReader(definition));
+  }
+  return plain(readers.get(schema.name).readMessage(data));
+}
+
+/** Messages by topic, as our own reader sees them. */
+function oursByTopic(run) {
+  const topics = {};
+  for (const line of castaway('bag', run, '--messages').trimEnd().split('\n')) {
+    const {topic, log_time_ns: time, message} = JSON.parse(line);
+    assert.ok(message, `${topic} is decoded`);
+    (topics[topic] ??= []).push({time, message: plain(message)});
+  }
+  return topics;
+}
+
+function compare(theirs, ours) {
+  assert.deepEqual(Object.keys(theirs).sort(), Object.keys(ours).sort());
+  for (const topic of Object.keys(ours)) {
+    assert.equal(theirs[topic].length, ours[topic].length, topic);
+    for (let i = 0; i < ours[topic].length; ++i) assert.deepEqual(theirs[topic][i], ours[topic][i], `${topic} ${i}`);
+  }
+}
+
+async function readByIndex(bytes) {
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, size) => bytes.subarray(Number(offset), Number(offset + size)),
+  };
+  const reader = await McapIndexedReader.Initialize({readable, decompressHandlers});
+  const topics = {};
+  for await (const message of reader.readMessages({validateCrcs: true})) {
+    const channel = reader.channelsById.get(message.channelId);
+    const schema = reader.schemasById.get(channel.schemaId);
+    (topics[channel.topic] ??= []).push({time: Number(message.logTime), message: decode(schema, message.data)});
+  }
+  return {reader, topics};
+}
+
+function readAsStream(bytes) {
+  const reader = new McapStreamReader({decompressHandlers, validateCrcs: true});
+  reader.append(bytes);
+  const schemas = new Map();
+  const channels = new Map();
+  const topics = {};
+  const records = [];
+  for (let record; (record = reader.nextRecord());) {
+    records.push(record.type);
+    if (record.type === 'Schema') schemas.set(record.id, record);
+    if (record.type === 'Channel') channels.set(record.id, record);
+    if (record.type === 'DataEnd') checkDataEnd(bytes, record);
+    if (record.type !== 'Message') continue;
+    const channel = channels.get(record.channelId);
+    const schema = schemas.get(channel.schemaId);
+    (topics[channel.topic] ??= []).push({time: Number(record.logTime), message: decode(schema, record.data)});
+  }
+  assert.ok(reader.done());
+  return {topics, records};
+}
+
+function checkDataEnd(bytes, {dataSectionCrc}) {
+  const summaryStart = Number(new DataView(bytes.buffer, bytes.byteOffset).getBigUint64(bytes.length - 28, true));
+  assert.equal(crc32(bytes.subarray(0, summaryStart - 13)), dataSectionCrc);
+}
+
+for (const compression of ['zstd', 'lz4', 'none']) {
+  test(`a bag with ${compression} is read alike by index, as a stream and by us`, async () => {
+    const {run, bytes} = bagOf(compression);
+    const ours = oursByTopic(run);
+    for (const topic of ['/scan', '/odom', '/tf', '/tf_static', '/map', '/people', '/events', '/scan_labels',
+                         '/mh_amcl/amcl_pose', '/mh_amcl/particlecloud', '/mh_amcl/hypotheses', '/ground_truth/odom']) {
+      assert.ok(ours[topic]?.length > 0, `${topic} is there`);
+    }
+    const {reader, topics} = await readByIndex(bytes);
+    compare(topics, ours);
+    const stream = readAsStream(bytes);
+    compare(stream.topics, ours);
+
+    const counts = Object.values(ours).map((messages) => messages.length);
+    assert.equal(reader.header.profile, 'ros2');
+    assert.equal(Number(reader.statistics.messageCount), counts.reduce((a, b) => a + b));
+    assert.equal(reader.statistics.chunkCount, reader.chunkIndexes.length);
+    assert.ok(reader.chunkIndexes.every((chunk) => chunk.compression === (compression === 'none' ? '' : compression)));
+    assert.deepEqual(reader.attachmentIndexes.map(({name}) => name),
+                     ['scenario.yaml', 'map.yaml', 'map.pgm', 'waffle.urdf']);
+    assert.deepEqual(reader.metadataIndexes.map(({name}) => name), ['run', 'labels']);
+  });
+}
+
+test('attachments are the files of the run', async () => {
+  const {run, bytes} = bagOf('zstd');
+  const {reader} = await readByIndex(bytes);
+  for await (const attachment of reader.readAttachments({name: 'scenario.yaml', validateCrcs: true})) {
+    assert.equal(new TextDecoder().decode(attachment.data), readFileSync(join(run, 'scenario.yaml'), 'utf8'));
+  }
+});
