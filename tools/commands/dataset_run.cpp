@@ -18,7 +18,8 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kDiskTrouble = 4;  // Exit code of a worker; others would fare no better.
+constexpr int kTold = 4;            // Exit code of a worker that left a note of what went wrong.
+constexpr char kDiskTrouble = '!';  // Begins the note of one that others would fare no better than.
 
 /// Draws every sequence and builds every world: what cannot be is found before anything is made.
 void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
@@ -49,25 +50,28 @@ int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetF
     folder.commit_sequence(name);
     return kDone;
   } catch (const FileError& error) {
-    notes.leave(error.what());
-    return kDiskTrouble;
+    notes.leave(kDiskTrouble + std::string(error.what()));
   } catch (const std::exception& error) {
     notes.leave(error.what());
-    return kRunFailed;
   }
+  return kTold;
 }
 
 /// How a pass over the missing sequences ended.
 struct Pass {
   int made = 0;
   int failed = 0;
-  bool disk_trouble = false;
+  std::string disk_trouble{};  ///< What the first one met; empty: nobody met any.
 };
 
-/// Trouble with the disk is told once, by whoever met it first.
-void tell(const std::vector<std::string>& notes, bool told) {
+/// Trouble with the disk is told once, at the end.
+void take_notes(const std::vector<std::string>& notes, Pass& pass) {
   for (const std::string& note : notes) {
-    if (!told) fmt::print(stderr, "castaway: {}\n", note);
+    if (note.front() != kDiskTrouble) {
+      fmt::print(stderr, "castaway: {}\n", note);
+    } else if (pass.disk_trouble.empty()) {
+      pass.disk_trouble = note.substr(1);
+    }
   }
 }
 
@@ -83,26 +87,25 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
       count, request.workers,
       [&](int job) { return work_on(spec, worlds, folder, notes, index_of(job)); },
       [&](int job, int code) {
-        const std::vector<std::string> lines = notes.take();
-        tell(lines, pass.disk_trouble);
-        if (code != kDone && lines.empty() && !pass.disk_trouble) {
+        take_notes(notes.take(), pass);
+        if (code != kDone && code != kTold) {
           fmt::print(stderr, "castaway: sequence {}: its process was ended\n", index_of(job));
         }
         ++(code == kDone ? pass.made : pass.failed);
-        pass.disk_trouble = pass.disk_trouble || code == kDiskTrouble;
         progress.next("");
       },
-      [&] { return pass.disk_trouble; });
+      [&] { return !pass.disk_trouble.empty(); });
   return pass;
 }
 
-int incomplete(const DatasetFolder& folder, const DatasetRequest& request) {
+int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
+  folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
   fmt::print(stderr,
              "castaway: {}: {} of {} sequences are finished; the same command goes on with the "
              "rest\n",
-             folder.path().string(), static_cast<std::size_t>(request.sequences) - missing,
-             request.sequences);
+             pass.disk_trouble.empty() ? folder.path().string() : pass.disk_trouble,
+             static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   return kRunFailed;
 }
 
@@ -131,7 +134,7 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   for (const int index : missing) worlds.score(sample_sequence(spec, index).loaded.scenario);
   const std::chrono::nanoseconds begin = wall_time();
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
-  if (pass.failed > 0) return incomplete(folder, request);
+  if (pass.failed > 0) return incomplete(folder, request, pass);
   DatasetMaking making = workers_cost();
   making.made = pass.made;
   making.workers = request.workers;

@@ -1,6 +1,6 @@
 #include "tools/commands/run_folder_swap.hpp"
 
-#include <stdexcept>
+#include "tools/formats/file_error.hpp"
 
 namespace castaway::testbed {
 
@@ -15,8 +15,8 @@ RunFolderSwap::RunFolderSwap(fs::path target) : target_(std::move(target)) {
   fs::create_directories(target_, error);
   if (!error) fs::create_directories(partial_, error);
   if (error) {
-    throw std::runtime_error(target_.string() + ": cannot be made (" + error.message() +
-                             "); choose another folder with --out");
+    throw FileError(target_.string() + ": cannot be made (" + error.message() +
+                    "); choose another folder with --out");
   }
 }
 
