@@ -31,7 +31,7 @@ scenario:
 vary:
   people.count: {integer: [0, 2]}
   drive.max_speed: {uniform: [0.2, 0.6]}
-outputs: {tables: [csv, hdf5]}
+outputs: {bag: true, tables: [csv, hdf5], carmen: true, kitti: true, map: true}
 )";
 
 /// A specification, and a room of 6 m x 5 m with a pillar.
@@ -83,11 +83,12 @@ TEST(Dataset, IsTheSameWhateverTheNumberOfWorkers) {
   expect_equal(folder / "one", folder / "three");
   EXPECT_FALSE(fs::exists(folder / "one/.work"));
   const auto files = files_of(folder / "one");
-  for (const char* path : {"README.md", "manifest.json", "SHA256SUMS", "dataset.yaml",
-                           "sequences.csv", "splits/train.txt", "maps/room.yaml", "maps/room.pgm",
-                           "plots/ranges.svg", "plots/coverage-room.png",
-                           "sequences/000002/tables.h5", "sequences/000002/tables/scans.csv",
-                           "sequences/000002/truth.tum", "sequences/000002/scenario.yaml"}) {
+  for (const char* path :
+       {"README.md", "manifest.json", "SHA256SUMS", "dataset.yaml", "sequences.csv",
+        "splits/train.txt", "maps/room.yaml", "maps/room.pgm", "plots/ranges.svg",
+        "plots/coverage-room.png", "sequences/000002/tables.h5",
+        "sequences/000002/tables/scans.csv", "sequences/000002/truth.tum",
+        "sequences/000002/bag/metadata.yaml", "sequences/000002/scenario.yaml"}) {
     EXPECT_TRUE(files.contains(path)) << path;
   }
   EXPECT_FALSE(files.contains("sequences/000000/timing.json"));

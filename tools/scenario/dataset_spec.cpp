@@ -58,8 +58,8 @@ void fit(YamlNode& scenario, const YamlNode& outputs) {
 
 YamlNode read_dataset_outputs(YamlReader& root) {
   const auto outputs = root.find("outputs");
-  if (!outputs) return parse_yaml("{tables: hdf5}", "outputs");
-  if (!outputs->is_map()) outputs->fail("expected a map, e.g. {tables: hdf5}");
+  if (!outputs) return parse_yaml("{bag: true, tables: hdf5}", "outputs");
+  if (!outputs->is_map()) outputs->fail("expected a map, e.g. {bag: true, tables: hdf5}");
   return outputs->raw();
 }
 

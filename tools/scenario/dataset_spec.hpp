@@ -55,12 +55,12 @@ struct DatasetOverrides {
 ///     vary:                          # `read_draw` says how
 ///       people.count: {integer: [0, 12]}
 ///       world: {choice: [office, home]}
-///     outputs: {tables: hdf5}        # instead of those of the scenario
+///     outputs: {bag: true, tables: hdf5}   # instead of those of the scenario
 ///     splits: {train: 0.8, val: 0.1, test: 0.1, by: world}
 ///
-/// Without `outputs` a sequence has tables only; without `localizers` in the scenario none rides
-/// along. Throws std::runtime_error or std::invalid_argument naming file, line, key, value and
-/// remedy.
+/// Without `outputs` a sequence has a bag and tables; without `localizers` in the scenario none
+/// rides along. Throws std::runtime_error or std::invalid_argument naming file, line, key, value
+/// and remedy.
 DatasetSpec load_dataset_spec(const std::filesystem::path& file,
                               const DatasetOverrides& overrides = {});
 

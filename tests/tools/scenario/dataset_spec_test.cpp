@@ -23,7 +23,7 @@ std::string refusal(const std::string& text) {
   return error_of([&] { load_dataset_spec(folder.put("s.yaml", text)); });
 }
 
-TEST(DatasetSpec, HasTablesAndNoLocalizersUnlessToldOtherwise) {
+TEST(DatasetSpec, HasABagTablesAndNoLocalizersUnlessToldOtherwise) {
   const TemporaryFolder folder;
   const DatasetSpec spec = load_dataset_spec(folder.put("s.yaml", kSpec));
   EXPECT_EQ(spec.name, "small");
@@ -35,6 +35,7 @@ TEST(DatasetSpec, HasTablesAndNoLocalizersUnlessToldOtherwise) {
   EXPECT_EQ(spec.scenario.find("localizers")->items.size(), 0U);
   EXPECT_EQ(spec.scenario.find("outputs")->find("report")->scalar, "false");
   EXPECT_EQ(spec.scenario.find("outputs")->find("tables")->scalar, "hdf5");
+  EXPECT_EQ(spec.scenario.find("outputs")->find("bag")->scalar, "true");
 }
 
 TEST(DatasetSpec, ItsEffectiveTextStandsForIt) {
