@@ -17,7 +17,7 @@ constexpr Format kFormats[] = {
     {"/scenario.yaml", "`scenario.yaml` | what reproduces the run",
      "The run again, with pictures and a report:\n\n```\n"
      "castaway run sequences/000000/scenario.yaml --out again --set outputs.report=true "
-     "--set outputs.snapshots.every_s=10 --set localizers=[mh_amcl]\n```\n"},
+     "--set outputs.snapshots.every_s=10 --set 'localizers=[mh_amcl]'\n```\n"},
     {"/tables.h5", "`tables.h5` | scans with labels, odometry, people, events (HDF5)",
      "```python\n"
      "import h5py\n"
