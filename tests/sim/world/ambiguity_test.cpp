@@ -84,6 +84,20 @@ TEST(Ambiguity, IsTheSameTwice) {
   EXPECT_EQ(a.twins, b.twins);
 }
 
+TEST(Ambiguity, IsThatOfItsPlaces) {
+  const WorldSpec world = symmetric();
+  const RayScene scene(ray_primitives(world));
+  const FreeSpace free(rasterise(world, 0.2, 0.05), 0.2);
+  const PlaceLikeness places = place_likeness(scene, free, {});
+  ASSERT_EQ(places.places.size(), places.likeness.size());
+  double sum = 0.0;
+  for (const double likeness : places.likeness) sum += likeness;
+  const Ambiguity whole = ambiguity_of(places);
+  EXPECT_EQ(whole.places, static_cast<int>(places.places.size()));
+  EXPECT_NEAR(whole.mean, sum / static_cast<double>(places.places.size()), 1e-12);
+  EXPECT_EQ(ambiguity_of({}).places, 0);
+}
+
 TEST(Places, LieOnALatticeOfFreeCells) {
   const FreeSpace free(rasterise(walled(2.0, 2.0), 0.2, 0.05), 0.2);
   const auto places = even_places(free, 1.0);

@@ -26,6 +26,16 @@ void play(SummarySink& sink) {
   sink.finish(from_seconds(20.0), {});
 }
 
+TEST(SummarySink, KnowsTheWayWithoutALocalizer) {
+  const TemporaryFolder folder;
+  SummarySink sink(folder.path(), run_of({}));
+  for (int t = 0; t <= 20; ++t) sink.on_scan(record_at(t, {}));
+  sink.finish(from_seconds(20.0), {});
+  const Json summary = Json::parse(read_file(folder.path() / "summary.json"));
+  EXPECT_NEAR(summary.at("distance_m").get<double>(), 2.0, 1e-9);
+  EXPECT_TRUE(summary.at("localizers").empty());
+}
+
 TEST(SummarySink, SaysWhatTheRunAmountsTo) {
   const TemporaryFolder folder;
   SummarySink sink(folder.path(), run_of({"a"}));

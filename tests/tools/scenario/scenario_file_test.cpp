@@ -253,6 +253,17 @@ TEST_F(ScenarioFileTest, SaysWhoIsToldOfKidnaps) {
   EXPECT_TRUE(scenario.localizers[2].relocalize_at_kidnap);
 }
 
+TEST(Scenario, NeedsNoLocalizersWhereItIsSaid) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& text) {
+    return load_scenario(folder.put("s.yaml", text), {}).scenario;
+  };
+  EXPECT_TRUE(load("localizers: []\noutputs: {report: false}\n").localizers.empty());
+  EXPECT_TRUE(contains(error_of([&] { load("localizers: []\n"); }),
+                       "'outputs.report' shows localizers, and there are none"));
+  EXPECT_TRUE(contains(error_of([&] { load("world: lab\n"); }), "needs the list 'localizers'"));
+}
+
 TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_EQ(parse_localizer("mh_amcl").name, "mh_amcl");
   EXPECT_FALSE(parse_localizer("amcl").relocalize_at_kidnap);

@@ -126,5 +126,13 @@ TEST(YamlReader, NamesAFileThatIsNotThere) {
       contains(error_of([] { YamlDocument::load("/no/such.yaml"); }), "/no/such.yaml: cannot"));
 }
 
+TEST(YamlReader, RawValuesKeepTheirKeysWhateverTheyAre) {
+  YamlDocument document = YamlDocument::parse("free: {any: {thing: 1}}\n", "f.yaml");
+  YamlNode copy = document.root().find("free")->raw();
+  document.reject_unknown_keys();
+  YamlDocument again(copy);
+  EXPECT_TRUE(contains(error_of([&] { again.reject_unknown_keys(); }), "unknown key 'any'"));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -51,6 +51,19 @@ TEST(YamlOverride, ReachesMapsAndLists) {
   EXPECT_EQ(root.find("seed")->where, "--set seed=2");
 }
 
+TEST(YamlOverride, BeginsAListAtIndexNought) {
+  YamlNode root = parse_yaml("seed: 1\n", "f");
+  apply_override(root, "events.0.kidnap.at_s=3");
+  EXPECT_EQ(emit_yaml(root), "seed: 1\nevents:\n  -\n    kidnap:\n      at_s: 3\n");
+}
+
+TEST(YamlOverride, PutsValuesWithAPlaceOfTheirOwn) {
+  YamlNode root = parse_yaml("seed: 1\n", "f");
+  put_value(root, "people.count", yaml_scalar("3"), "spec.yaml:7");
+  EXPECT_EQ(emit_yaml(root), "seed: 1\npeople:\n  count: 3\n");
+  EXPECT_EQ(root.find("people")->find("count")->where, "spec.yaml:7");
+}
+
 TEST(YamlOverride, GivesANameSettingsAndReplacesAText) {
   YamlNode root = parse_yaml("start: unknown\nlocalizers: [mh_amcl, amcl]\n", "f");
   apply_override(root, "start.pose=[1, 2, 3]");
