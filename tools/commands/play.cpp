@@ -101,6 +101,7 @@ BagConfig bag_config(const BagSpec& spec, const PreparedSimulation& prepared) {
   BagConfig bag;
   bag.compression = compression_of(spec.compression);
   bag.particles = spec.particles;
+  bag.snapshots = spec.snapshots;
   bag.links = robot.frames;
   for (const sim::LidarConfig& lidar : sim::all_lidars(prepared.config)) {
     bag.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});

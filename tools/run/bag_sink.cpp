@@ -62,7 +62,8 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
       true_odom_(bag_.add_topic<ros::Odometry>("/ground_truth/odom")),
       true_pose_(bag_.add_topic<ros::PoseStamped>("/ground_truth/scan_pose")),
       people_(bag_.add_topic<ros::MarkerArray>("/people")),
-      events_(bag_.add_topic<ros::String>("/events")) {
+      events_(bag_.add_topic<ros::String>("/events")),
+      snapshots_(run_folder) {
   add_localizers(info.localizers);
   attach_inputs(map);
   describe(info);
@@ -192,15 +193,33 @@ void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
   bag_.publish(topics.particles, record.delivered, particles_message(record.stamp, populations));
 }
 
+/// Pictures are taken after this sink has seen a scan: they are logged with the next one.
+void BagSink::write_snapshots(Stamp delivered) {
+  if (!config_.snapshots) return;
+  for (Snapshot& snapshot : snapshots_.fresh()) {
+    const auto [topic, first] = views_.try_emplace(snapshot.view);
+    if (first) {
+      topic->second =
+          bag_.add_topic<ros::CompressedImage>("/snapshot/" + topic_part(snapshot.view));
+    }
+    bag_.publish(
+        topic->second, delivered,
+        ros::CompressedImage{
+            ros_header(snapshot.stamp, "map"), "png", {snapshot.png.begin(), snapshot.png.end()}});
+  }
+}
+
 void BagSink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == localizers_.size());
+  write_snapshots(record.delivered);
   write_scan(record);
   write_truth(record);
   write_map_frame(record);
   for (std::size_t i = 0; i < localizers_.size(); ++i) write_localizer(record, i);
 }
 
-void BagSink::finish(Stamp, const RunTiming&) {
+void BagSink::finish(Stamp end, const RunTiming&) {
+  write_snapshots(end);
   if (config_.label_name) {
     std::map<std::string, std::string> names;
     for (const int label : labels_) names[std::to_string(label)] = config_.label_name(label);

@@ -14,6 +14,7 @@
 #include "tools/run/bag_frames.hpp"
 #include "tools/run/bag_writer.hpp"
 #include "tools/run/run_sink.hpp"
+#include "tools/run/snapshot_feed.hpp"
 
 namespace castaway::testbed {
 
@@ -21,6 +22,7 @@ namespace castaway::testbed {
 struct BagConfig {
   McapCompression compression = McapCompression::kZstd;
   bool particles = false;                          ///< All particles of all localizers.
+  bool snapshots = false;                          ///< The run's pictures.
   std::map<std::string, Eigen::Isometry3d> links;  ///< T_base_link of the robot's links.
   std::vector<BagLidar> lidars;
   std::filesystem::path robot_file;              ///< Attached; empty: none.
@@ -60,6 +62,7 @@ class BagSink final : public RunSink {
   void write_scan(const ScanRecord& record);
   void write_truth(const ScanRecord& record);
   void write_map_frame(const ScanRecord& record);
+  void write_snapshots(Stamp delivered);
   void write_localizer(const ScanRecord& record, std::size_t index);
 
   BagConfig config_;
@@ -77,6 +80,8 @@ class BagSink final : public RunSink {
   std::map<std::string, LidarTopics> lidars_;
   localization::TransformBuffer T_odom_base_;
   std::optional<OdometryFrame> last_;
+  SnapshotFeed snapshots_;
+  std::map<std::string, std::uint16_t> views_;  ///< Topics of pictures.
   std::set<int> labels_;
 };
 

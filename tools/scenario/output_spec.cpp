@@ -72,6 +72,7 @@ std::optional<BagSpec> read_bag(YamlReader& map) {
   BagSpec bag;
   bag.compression = reader.choice("compression", bag.compression, {"zstd", "lz4", "none"});
   bag.particles = reader.get("particles", bag.particles);
+  bag.snapshots = reader.get("snapshots", bag.snapshots);
   return bag;
 }
 

@@ -16,7 +16,7 @@ namespace castaway::testbed {
 ///       scans: false           # scans.csv, labels.csv
 ///       tables: hdf5           # or csv, none, [csv, hdf5]: every scan with labels, for learning
 ///       points: {every_s: 1}   # PLY files of 3-D lidars
-///       bag: {compression: zstd, particles: false}   # bag/; or true, or false
+///       bag: {compression: zstd, particles: false, snapshots: false}   # bag/; or true, false
 ///       carmen: false          # log.carmen
 ///       kitti: false           # kitti/poses.txt, kitti/times.txt
 ///       map: false             # map/map.yaml, map/map.pgm

@@ -132,6 +132,7 @@ struct VideoSpec {
 struct BagSpec {
   std::string compression = "zstd";  ///< "zstd", "lz4" or "none".
   bool particles = false;            ///< All particles of all localizers.
+  bool snapshots = false;            ///< The run's pictures, if it takes any.
 };
 
 /// What the run leaves behind, besides its tables.

@@ -185,6 +185,19 @@ TEST_F(BagSinkTest, WritesParticlesWhereAskedTo) {
   EXPECT_NEAR(clouds[0].poses[1].position.y, 0.3, 1e-12);
 }
 
+TEST_F(BagSinkTest, WritesPicturesWhereAskedTo) {
+  BagConfig with = config();
+  with.snapshots = true;
+  std::filesystem::create_directories(folder() / "snapshots");
+  std::ofstream(folder() / "snapshots" / "t0000.200-time-map.png") << "a picture";
+  write(with);
+  const auto pictures = messages_of<ros::CompressedImage>(folder(), "/snapshot/map");
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].format, "png");
+  EXPECT_EQ(std::string(pictures[0].data.begin(), pictures[0].data.end()), "a picture");
+  EXPECT_EQ(pictures[0].header.stamp.nanosec, 200'000'000U);
+}
+
 TEST_F(BagSinkTest, WritesPeopleEventsAndTheMap) {
   write(config());
   const auto people = messages_of<ros::MarkerArray>(folder(), "/people");

@@ -64,10 +64,12 @@ TEST(OutputSpec, ReadsFormatsOfOtherTools) {
   const OutputSpec none = read("{}");
   EXPECT_FALSE(none.bag || none.carmen || none.kitti || none.map);
   const OutputSpec all = read(
-      "outputs: {bag: {compression: lz4, particles: true}, carmen: true, kitti: true, map: true}");
+      "outputs: {bag: {compression: lz4, particles: true, snapshots: true}, carmen: true, kitti: "
+      "true, map: true}");
   ASSERT_TRUE(all.bag);
   EXPECT_EQ(all.bag->compression, "lz4");
   EXPECT_TRUE(all.bag->particles);
+  EXPECT_TRUE(all.bag->snapshots);
   EXPECT_TRUE(all.carmen && all.kitti && all.map);
 }
 

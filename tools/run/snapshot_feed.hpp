@@ -1,0 +1,34 @@
+/// The pictures of a run as they appear in its folder.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/run/frame.hpp"
+
+namespace castaway::testbed {
+
+/// A picture: snapshots/t<stamp>-<occasion>-<view>.png
+struct Snapshot {
+  Stamp stamp{};
+  std::string view;  ///< "chase", "overview" or "map".
+  std::string png;
+};
+
+/// Looks for new pictures.
+class SnapshotFeed {
+ public:
+  explicit SnapshotFeed(const std::filesystem::path& run_folder)
+      : folder_(run_folder / "snapshots") {}
+
+  /// Those that were not there at the call before, by name. Other files are passed over.
+  std::vector<Snapshot> fresh();
+
+ private:
+  std::filesystem::path folder_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace castaway::testbed
