@@ -21,12 +21,10 @@ ros::Odometry odometry_message(Stamp stamp, const std::string& frame, const SE2&
   return message;
 }
 
-ros::TFMessage transform_message(Stamp stamp, const std::string& parent, const std::string& child,
-                                 const SE2& T_parent_child) {
-  const ros::Pose pose = to_ros_pose(T_parent_child);
-  return {{{ros_header(stamp, parent),
-            child,
-            {{pose.position.x, pose.position.y, pose.position.z}, pose.orientation}}}};
+ros::TFMessage transform_message(const ros::Header& header, const std::string& child,
+                                 const ros::Pose& pose) {
+  const ros::Point& p = pose.position;
+  return {{{header, child, {{p.x, p.y, p.z}, pose.orientation}}}};
 }
 
 ros::Int32MultiArray labels_message(const std::vector<int>& labels) {
@@ -122,7 +120,7 @@ void BagSink::on_odometry(const OdometryFrame& frame) {
   ros::Odometry odometry = odometry_message(stamp, "odom", T_odom_base);
   if (last_) odometry.twist.twist = twist_between(last_->odometry.T_odom_base, T_odom_base, dt_s);
   bag_.publish(odom_, stamp, odometry);
-  bag_.publish(tf_, stamp, transform_message(stamp, "odom", kBaseFrame, T_odom_base));
+  bag_.publish(tf_, stamp, transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
   if (frame.T_map_base_true) {
     ros::Odometry truth = odometry_message(stamp, "map", *frame.T_map_base_true);
     if (last_ && last_->T_map_base_true) {
@@ -173,8 +171,8 @@ void BagSink::write_map_frame(const ScanRecord& record) {
   const std::optional<SE2> T_odom_base = T_odom_base_.at(estimate.stamp);
   if (!T_odom_base) return;
   bag_.publish(tf_, record.delivered,
-               transform_message(estimate.stamp, "map", "odom",
-                                 estimate.T_map_base * T_odom_base->inverse()));
+               transform_message(ros_header(estimate.stamp, "map"), "odom",
+                                 to_ros_pose(estimate.T_map_base * T_odom_base->inverse())));
 }
 
 void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {

@@ -1,5 +1,7 @@
 #include "tools/run/event_json.hpp"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 namespace castaway::testbed {
@@ -15,7 +17,13 @@ std::optional<SE2> pose_of(const Json& json, const char* key) {
   return SE2{pose.at(0).get<double>(), pose.at(1).get<double>(), pose.at(2).get<double>()};
 }
 
-Stamp stamp_of(const Json& json) { return localization::from_seconds(json.get<double>()); }
+/// Nothing of a time that no run reaches.
+std::optional<Stamp> stamp_of(const Json& json) {
+  constexpr double kLongest = 1e9;
+  const auto time_s = json.get<double>();
+  return std::abs(time_s) < kLongest ? std::optional(localization::from_seconds(time_s))
+                                     : std::nullopt;
+}
 
 }  // namespace
 
@@ -33,7 +41,9 @@ std::optional<RunEvent> event_of_json(const std::string& text) {
     RunEvent event;
     event.kind = json.at("kind").get<std::string>();
     event.detail = json.at("detail").get<std::string>();
-    event.stamp = stamp_of(json.at("stamp_s"));
+    const std::optional<Stamp> stamp = stamp_of(json.at("stamp_s"));
+    if (!stamp) return std::nullopt;
+    event.stamp = *stamp;
     if (json.contains("since_s")) event.since = stamp_of(json.at("since_s"));
     event.T_map_from = pose_of(json, "from");
     event.T_map_to = pose_of(json, "to");

@@ -13,7 +13,8 @@ namespace castaway::testbed {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr double kFastest = 20.0;  // [m/s] Faster is no drive but a kidnap.
+constexpr double kLongestSweep = 10.0;  // [s] A driver that says more does not know.
+constexpr double kFastest = 20.0;       // [m/s] Faster is no drive but a kidnap.
 
 std::optional<double> number_in(const std::map<std::string, std::string>& texts,
                                 const std::string& key) {
@@ -181,8 +182,11 @@ LaserScan from_ros_scan(const ros::LaserScan& message,
   scan.stamp = from_ros_time(message.header.stamp);
   scan.angle_min = exact_number(message.angle_min, exact, "castaway.angle_min");
   scan.angle_increment = exact_number(message.angle_increment, exact, "castaway.angle_increment");
-  scan.time_increment = localization::from_seconds(
-      exact_number(message.time_increment, exact, "castaway.time_increment"));
+  const double time_increment_s =
+      exact_number(message.time_increment, exact, "castaway.time_increment");
+  const double sweep_s = time_increment_s * static_cast<double>(message.ranges.size());
+  const bool sensible = sweep_s >= 0.0 && sweep_s <= kLongestSweep;
+  scan.time_increment = localization::from_seconds(sensible ? time_increment_s : 0.0);
   scan.range_min = exact_number(message.range_min, exact, "castaway.range_min");
   scan.range_max = exact_number(message.range_max, exact, "castaway.range_max");
   scan.ranges = message.ranges;

@@ -40,8 +40,8 @@ std::array<double, 36> to_ros_covariance(const Eigen::Matrix3d& covariance);
 ros::Twist twist_between(const SE2& from, const SE2& to, double dt_s);
 
 ros::LaserScan to_ros_scan(const LaserScan& scan, const ScanTruth& truth, const std::string& frame);
-/// Stamps as they are; the mount is left alone. `exact` may hold the numbers that the message
-/// rounds, as `exact_scan_numbers` gives them.
+/// Stamps as they are; the mount is left alone; a sweep of more than 10 s or backwards is none.
+/// `exact` may hold the numbers that the message rounds, as `exact_scan_numbers` gives them.
 LaserScan from_ros_scan(const ros::LaserScan& message,
                         const std::map<std::string, std::string>& exact);
 /// Name, numbers and mount of a lidar at full length: a LaserScan holds its angles as 32 bits, and

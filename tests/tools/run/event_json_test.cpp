@@ -27,7 +27,8 @@ TEST(EventJson, IsReadBack) {
 
 TEST(EventJson, TakesNothingElseForAnEvent) {
   for (const char* text : {"", "[]", "{}", "{\"kind\":1}", "hello", "{\"kind\":\"a\"}",
-                           R"({"kind":"a","detail":"b","stamp_s":1,"from":[1]})"}) {
+                           R"({"kind":"a","detail":"b","stamp_s":1,"from":[1]})",
+                           R"({"kind":"a","detail":"b","stamp_s":1e300})"}) {
     EXPECT_FALSE(event_of_json(text)) << text;
   }
 }

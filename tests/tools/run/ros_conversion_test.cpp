@@ -103,6 +103,14 @@ TEST(RosConversion, TakesNoNumberThatRoundsToAnother) {
   EXPECT_EQ(from_ros_scan(message, exact).range_max, 10.0);
 }
 
+TEST(RosConversion, TakesNoSweepThatNoLidarHas) {
+  ros::LaserScan message = to_ros_scan(scan(), {}, "laser");
+  for (const float increment : {1e30F, -1.0F, 4.0F}) {
+    message.time_increment = increment;
+    EXPECT_EQ(from_ros_scan(message, {}).time_increment, Stamp(0)) << increment;
+  }
+}
+
 TEST(RosConversion, PutsAPlanarCovarianceAmongTheThirtySix) {
   Eigen::Matrix3d covariance;
   covariance << 1, 2, 3, 2, 4, 5, 3, 5, 6;
