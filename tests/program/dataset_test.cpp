@@ -130,6 +130,47 @@ TEST(Dataset, VerifiesEveryFile) {
   expect_contains(bad.out, "sequences/000000/truth.tum: changed: 5 bytes instead of ");
   expect_contains(bad.out, "notes.txt: not listed in manifest.json\n");
   expect_contains(bad.err, "3 of its files are not as in its manifest.json");
+  const Outcome json = castaway(folder, "dataset --verify set --json");
+  EXPECT_EQ(json.exit_code, 1);
+  EXPECT_EQ(Json::parse(json.out).at("troubles").size(), 3U);
+}
+
+/// The pieces of Python in a card.
+std::vector<std::string> snippets(const std::string& card) {
+  const std::string begin = "```python\n";
+  std::vector<std::string> found;
+  for (std::size_t at = card.find(begin); at != std::string::npos; at = card.find(begin, at + 1)) {
+    const std::size_t from = at + begin.size();
+    found.push_back(card.substr(from, card.find("```", from) - from));
+  }
+  return found;
+}
+
+/// A Python that has what the card's pieces import; empty if there is none.
+std::string python_with_readers() {
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    const std::string import = std::string(python) + " -c 'import h5py, numpy, pandas' 2>/dev/null";
+    if (std::system(import.c_str()) == 0) return python;
+  }
+  return "";
+}
+
+TEST(Dataset, IsReadByThePythonOfItsCard) {
+  const std::string python = python_with_readers();
+  if (python.empty()) GTEST_SKIP() << "no python3 with h5py and pandas (python3-h5py, -pandas)";
+  const fs::path folder = folder_with_spec();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
+  const auto pieces = snippets(text_of(folder / "set/README.md"));
+  ASSERT_EQ(pieces.size(), 2U);
+  // Both read the same ranges and classes, but for the digits that text keeps.
+  const std::string compare =
+      "\nassert np.array_equal(classes, from_h5[1]) and ranges.shape == (20, 36)\n"
+      "assert np.allclose(ranges, from_h5[0], atol=1e-4)\n";
+  std::ofstream(folder / "set/read.py") << pieces[0] << "\nfrom_h5 = (ranges, classes)\n"
+                                        << pieces[1] << compare;
+  const std::string run = "cd '" + (folder / "set").string() + "' && " + python + " read.py";
+  EXPECT_EQ(std::system((run + " >read.txt").c_str()), 0);
+  expect_contains(text_of(folder / "set/read.txt"), "(20, 36)");
 }
 
 TEST(Dataset, KeepsToOneSpecificationAndGrows) {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/campaign/dataset_manifest.hpp"
 #include "tools/commands/commands.hpp"
@@ -21,8 +22,14 @@ struct DatasetArguments {
   int only = -1;
 };
 
-int verify(const std::string& folder) {
+int verify(const std::string& folder, bool json) {
   const std::vector<std::string> troubles = verify_dataset(folder);
+  if (json) {
+    const nlohmann::ordered_json root{
+        {"kind", "dataset-verify"}, {"folder", folder}, {"troubles", troubles}};
+    fmt::print("{}\n", root.dump(2));
+    return troubles.empty() ? kDone : kRunFailed;
+  }
   for (const std::string& trouble : troubles) fmt::print("{}\n", trouble);
   if (!troubles.empty()) {
     fmt::print(stderr, "castaway: {}: {} of its files are not as in its manifest.json\n", folder,
@@ -34,7 +41,7 @@ int verify(const std::string& folder) {
 }
 
 int dataset(DatasetArguments arguments, bool seeded) {
-  if (!arguments.verify.empty()) return verify(arguments.verify);
+  if (!arguments.verify.empty()) return verify(arguments.verify, arguments.request.json);
   if (arguments.spec.empty()) {
     throw std::invalid_argument("dataset: give a specification (datasets/*.yaml), or --verify DIR");
   }
