@@ -21,9 +21,17 @@ namespace fs = std::filesystem;
       path.string(), path.string()));
 }
 
+[[noreturn]] void refuse_ros1(const fs::path& path) {
+  throw std::runtime_error(
+      fmt::format("{}: is a bag of ROS 1; convert it to a ROS 2 bag of MCAP first, e.g. by "
+                  "rosbags-convert of the Python package rosbags",
+                  path.string()));
+}
+
 /// A file that can be read, or an error.
 fs::path checked(const fs::path& file) {
   if (file.extension() == ".db3") refuse_sqlite(file);
+  if (file.extension() == ".bag") refuse_ros1(file);
   if (file.extension() == ".zstd" || file.extension() == ".zst") {
     throw std::runtime_error(
         fmt::format("{}: is compressed as a whole file; unpack it first: zstd -d {}", file.string(),
@@ -63,7 +71,7 @@ std::vector<fs::path> files_by_name(const fs::path& folder) {
 bool is_bag(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored) || path.extension() == ".mcap" ||
-         path.extension() == ".db3";
+         path.extension() == ".db3" || path.extension() == ".bag";
 }
 
 std::vector<fs::path> bag_files(const fs::path& path) {

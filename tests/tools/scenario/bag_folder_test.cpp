@@ -19,6 +19,7 @@ TEST(BagFolder, TellsABagFromALog) {
   EXPECT_TRUE(is_bag(folder.path()));
   EXPECT_TRUE(is_bag("a.mcap"));
   EXPECT_TRUE(is_bag("a.db3"));
+  EXPECT_TRUE(is_bag("a.bag"));
   EXPECT_FALSE(is_bag("log.carmen.gz"));
 }
 
@@ -48,6 +49,7 @@ TEST(BagFolder, NamesTheRemedyForOtherKinds) {
   };
   EXPECT_TRUE(contains(refusal(folder.put("a.db3", "")), "ros2 bag convert -i"));
   EXPECT_TRUE(contains(refusal(folder.path()), "ros2 bag convert -i"));
+  EXPECT_TRUE(contains(refusal("old.bag"), "old.bag: is a bag of ROS 1"));
   folder.put("s/metadata.yaml", metadata("sqlite3", "a.db3"));
   EXPECT_TRUE(contains(refusal(folder.path() / "s"), "is a sqlite3 bag"));
   folder.put("z/a.mcap.zstd", "");
