@@ -131,11 +131,14 @@ std::vector<std::string> names_of(int count) {
 int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
             const DatasetRequest& request) {
   const std::vector<int> missing = missing_sequences(folder, request.sequences);
-  for (const int index : missing) worlds.score(sample_sequence(spec, index).loaded.scenario);
+  for (const int index : missing) worlds.ask_scores(sample_sequence(spec, index).loaded.scenario);
+  worlds.find_scores(request.workers, folder.path() / ".work");
   const std::chrono::nanoseconds begin = wall_time();
+  const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
   if (pass.failed > 0) return incomplete(folder, request, pass);
   DatasetMaking making = workers_cost();
+  making.cpu_s -= cpu_before;
   making.made = pass.made;
   making.workers = request.workers;
   making.wall_s = seconds(wall_time() - begin);
@@ -176,10 +179,12 @@ int make_only(const DatasetRequest& request, int index) {
   }
   DatasetWorlds worlds(spec.base);
   worlds.check(sequence.loaded.scenario);
-  worlds.score(sequence.loaded.scenario);
+  worlds.ask_scores(sequence.loaded.scenario);
   std::filesystem::path draft = request.out;
   draft += ".work";
   try {
+    std::filesystem::remove_all(draft, none);
+    worlds.find_scores(1, draft);
     std::filesystem::remove_all(draft, none);
     make_sequence(spec, worlds, sequence, draft);
     move_durable(draft, request.out);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/campaign/worker_pool.hpp"
+#include "tools/formats/file.hpp"
+#include "tools/formats/file_error.hpp"
 #include "tools/run/build_simulation.hpp"
 
 namespace castaway::testbed {
@@ -56,12 +59,37 @@ std::string DatasetWorlds::score_key(const Scenario& scenario) const {
                      judged_range(range_of(scenario, lidar)));
 }
 
-void DatasetWorlds::score(const Scenario& scenario) {
-  const std::string key = score_key(scenario);
-  if (scores_.contains(key)) return;
+void DatasetWorlds::ask_scores(const Scenario& scenario) {
+  asked_.try_emplace(score_key(scenario), scenario);
+}
+
+MapScores DatasetWorlds::judged(const Scenario& scenario) const {
   sim::LidarConfig lidar = built(scenario).lidar;
   lidar.range_max = range_of(scenario, lidar);
-  scores_.emplace(key, map_scores(scenario, base_, lidar));
+  return map_scores(scenario, base_, lidar);
+}
+
+void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts) {
+  std::vector<std::pair<std::string, Scenario>> jobs(asked_.begin(), asked_.end());
+  asked_.clear();
+  const auto file_of = [&](int job) { return drafts / fmt::format("scores-{}", job); };
+  int failed = 0;
+  run_jobs(
+      static_cast<int>(jobs.size()), workers,
+      [&](int job) {
+        const Scenario& scenario = jobs[static_cast<std::size_t>(job)].second;
+        write_file(file_of(job), scores_text(judged(scenario)));
+        return 0;
+      },
+      [&](int job, int code) {
+        failed += code == 0 ? 0 : 1;
+        if (code != 0) return;
+        scores_.insert_or_assign(jobs[static_cast<std::size_t>(job)].first,
+                                 parse_scores(read_file(file_of(job))));
+      });
+  if (failed > 0) {
+    throw FileError(drafts.string() + ": what was found out of the maps cannot be kept there");
+  }
 }
 
 const MapScores& DatasetWorlds::scores(const Scenario& scenario) const {

@@ -20,10 +20,14 @@ class DatasetWorlds {
   /// Builds the scenario unless one with the same world, robot, lidars and route was built before.
   /// Throws what `build_simulation` throws.
   void check(const Scenario& scenario);
-  /// Finds out how alike the places of its map look, unless it is known. `check` it first.
-  void score(const Scenario& scenario);
+  /// Asks how alike the places of its map look. `check` it first.
+  void ask_scores(const Scenario& scenario);
+  /// Finds out whatever was asked, `workers` maps at a time, each in a process of its own.
+  /// `drafts`: a folder for what they find; what is left there may go. Throws FileError where that
+  /// fails: the worlds were built before.
+  void find_scores(int workers, const std::filesystem::path& drafts);
 
-  /// What `score` found.
+  /// What `find_scores` found.
   [[nodiscard]] const MapScores& scores(const Scenario& scenario) const;
   /// The world's name, as in summaries. `check` it first.
   [[nodiscard]] const std::string& world(const Scenario& scenario) const;
@@ -39,9 +43,11 @@ class DatasetWorlds {
 
   [[nodiscard]] const Built& built(const Scenario& scenario) const;
   [[nodiscard]] std::string score_key(const Scenario& scenario) const;
+  [[nodiscard]] MapScores judged(const Scenario& scenario) const;
 
   std::filesystem::path base_;
   std::map<std::string, Built> built_;
+  std::map<std::string, Scenario> asked_;
   std::map<std::string, MapScores> scores_;
   std::map<std::string, RosMap> maps_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/world/ambiguity.hpp"
@@ -24,5 +25,9 @@ double judged_range(double range_max);
 /// world; seconds for a building.
 MapScores map_scores(const Scenario& scenario, const std::filesystem::path& base,
                      const sim::LidarConfig& lidar);
+
+/// To hand them from one process to another, and back without loss.
+std::string scores_text(const MapScores& scores);
+MapScores parse_scores(const std::string& text);
 
 }  // namespace castaway::testbed
