@@ -1,77 +1,12 @@
-// Data sets: made, killed, gone on with, verified, made again.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <csignal>
-#include <map>
-#include <thread>
-
+// Data sets: made, verified, read, made again.
 #include <nlohmann/json.hpp>
 
-#include "localization/random.hpp"
-#include "tests/program/program.hpp"
+#include "tests/program/dataset_files.hpp"
 
 namespace castaway::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* const kSpec = R"(name: little
-license: CC0-1.0
-scenario:
-  world: room.yaml
-  duration_s: 4
-  physics: kinematic
-  start: {random: true}
-  drive: {route: random}
-  lidar: {beams: 36, rate_hz: 5}
-  events:
-    - kidnap: {kind: teleport, at_s: 2.1, min_distance_m: 2}
-vary:
-  people.count: {integer: [0, 2]}
-  drive.max_speed: {uniform: [0.2, 0.6]}
-outputs: {bag: true, tables: [csv, hdf5], carmen: true, kitti: true, map: true}
-)";
-
-/// A specification, and a room of 6 m x 5 m with a pillar.
-fs::path folder_with_spec(const std::string& spec = kSpec) {
-  const fs::path folder = fresh_folder();
-  std::ofstream(folder / "s.yaml") << spec;
-  std::ofstream(folder / "room.yaml")
-      << "image: room.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
-         "free_thresh: 0.196\n";
-  std::ofstream image(folder / "room.pgm");
-  image << "P2\n60 50\n255\n";
-  for (int row = 0; row < 50; ++row) {
-    for (int column = 0; column < 60; ++column) {
-      const bool edge = row < 2 || row > 47 || column < 2 || column > 57;
-      const bool pillar = row > 15 && row < 22 && column > 12 && column < 20;
-      image << (edge || pillar ? 0 : 254) << '\n';
-    }
-  }
-  return folder;
-}
-
-/// Every file's bytes by path.
-std::map<std::string, std::string> files_of(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    files[entry.path().lexically_relative(folder).string()] = text_of(entry.path());
-  }
-  return files;
-}
-
-void expect_equal(const fs::path& a, const fs::path& b) {
-  const auto left = files_of(a);
-  const auto right = files_of(b);
-  for (const auto& [path, bytes] : left) {
-    ASSERT_TRUE(right.contains(path)) << path << " is missing in " << b;
-    EXPECT_EQ(bytes == right.at(path), true) << path;
-  }
-  EXPECT_EQ(left.size(), right.size());
-}
 
 TEST(Dataset, IsTheSameWhateverTheNumberOfWorkers) {
   const fs::path folder = folder_with_spec();
@@ -179,6 +114,8 @@ TEST(Dataset, KeepsToOneSpecificationAndGrows) {
   const Outcome same = castaway(folder, "dataset s.yaml -n 1 --out set");
   EXPECT_EQ(same.exit_code, 0);
   expect_contains(same.out, "all 1 sequences were finished before");
+  const Outcome json = castaway(folder, "dataset s.yaml -n 1 --out set --json");
+  EXPECT_EQ(Json::parse(json.out).at("timing").at("made"), 0);
   const Outcome seed = castaway(folder, "dataset s.yaml -n 1 --seed 2 --out set");
   EXPECT_EQ(seed.exit_code, 2);
   expect_contains(seed.err, "set: was made with seed 1, not 2; choose another folder");
@@ -206,48 +143,6 @@ TEST(Dataset, TellsTroubleWithTheDiskInOneLine) {
   const Outcome outcome = castaway(folder, "dataset s.yaml -n 1 --out file/set");
   EXPECT_EQ(outcome.exit_code, 1);
   expect_contains(outcome.err, "castaway: file/set: cannot be made (Not a directory)");
-}
-
-/// Starts it, kills it after a while, and says whether it was killed.
-bool killed_after(const fs::path& folder, std::chrono::microseconds wait) {
-  const pid_t process = fork();
-  if (process == 0) {
-    if (chdir(folder.c_str()) != 0) _exit(9);
-    if (freopen("/dev/null", "w", stdout) == nullptr) _exit(9);
-    execl(CASTAWAY_PROGRAM, "castaway", "dataset", "s.yaml", "-n", "6", "-j", "2", "--out", "set",
-          nullptr);
-    _exit(9);
-  }
-  std::this_thread::sleep_for(wait);
-  kill(process, SIGKILL);
-  int status = 0;
-  waitpid(process, &status, 0);
-  return WIFSIGNALED(status);
-}
-
-// CASTAWAY_KILLS says how often; 4 unless it does.
-TEST(Dataset, KilledAtAnyMomentItGoesOnAndComesOutTheSame) {
-  const fs::path folder = folder_with_spec();
-  const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out whole").exit_code, 0);
-  const auto whole = std::chrono::steady_clock::now() - begin;
-  const char* wanted = std::getenv("CASTAWAY_KILLS");
-  const int kills = wanted != nullptr ? std::atoi(wanted) : 4;
-  localization::Rng rng = localization::substream(1, "kills");
-  int killed = 0;
-  for (int tries = 0; killed < kills; ++tries) {
-    const auto most = std::chrono::duration_cast<std::chrono::microseconds>(whole).count();
-    killed += killed_after(folder, std::chrono::microseconds(
-                                       rng() % static_cast<std::uint64_t>(std::max<long>(most, 1))))
-                  ? 1
-                  : 0;
-    if (!fs::exists(folder / "set/manifest.json")) continue;
-    expect_equal(folder / "whole", folder / "set");  // It was done before it could be killed.
-    fs::remove_all(folder / "set");
-  }
-  const Outcome last = castaway(folder, "dataset s.yaml -n 6 -j 2 --out set");
-  ASSERT_EQ(last.exit_code, 0) << last.err;
-  expect_equal(folder / "whole", folder / "set");
 }
 
 }  // namespace

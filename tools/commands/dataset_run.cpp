@@ -11,7 +11,6 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/dataset_sequence.hpp"
 #include "tools/commands/progress.hpp"
-#include "tools/formats/durable.hpp"
 #include "tools/formats/file_error.hpp"
 #include "tools/run/cpu_clock.hpp"
 
@@ -161,40 +160,19 @@ int make_dataset(const DatasetRequest& request) {
   try {
     const DatasetFolder folder(request.out, identity);
     if (!folder.is_finished()) return make_in(folder, spec, worlds, request);
-    fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
-               request.sequences);
+    if (!request.json) {
+      fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
+                 request.sequences);
+      return kDone;
+    }
+    const DatasetContents contents =
+        load_contents(folder, spec, names_of(request.sequences), worlds.maps());
+    fmt::print("{}", dataset_json(folder, contents, {}));
     return kDone;
   } catch (const FileError& error) {
     fmt::print(stderr, "castaway: {}\n", error.what());
     return kRunFailed;
   }
-}
-
-int make_only(const DatasetRequest& request, int index) {
-  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
-  const SampledSequence sequence = sample_sequence(spec, index);
-  std::error_code none;
-  if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
-    throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
-  }
-  DatasetWorlds worlds(spec.base);
-  worlds.check(sequence.loaded.scenario);
-  worlds.ask_scores(sequence.loaded.scenario);
-  std::filesystem::path draft = request.out;
-  draft += ".work";
-  try {
-    std::filesystem::remove_all(draft, none);
-    worlds.find_scores(1, draft);
-    std::filesystem::remove_all(draft, none);
-    make_sequence(spec, worlds, sequence, draft);
-    move_durable(draft, request.out);
-  } catch (const std::exception& error) {
-    std::filesystem::remove_all(draft, none);
-    fmt::print(stderr, "castaway: {}\n", error.what());
-    return kRunFailed;
-  }
-  fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
-  return kDone;
 }
 
 }  // namespace castaway::testbed

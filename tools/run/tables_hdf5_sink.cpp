@@ -79,6 +79,22 @@ void TablesHdf5Sink::add_beams(const std::string& group, const ScanRecord& recor
       file_.add({group + "/intensities", Type::kFloat32, beams, "", "scan by beam"});
 }
 
+void TablesHdf5Sink::describe_lidar(const std::string& group, const ScanRecord& record) {
+  const LaserScan& scan = record.scan;
+  const Eigen::Vector3d mount = scan.T_base_laser.translation();
+  const std::vector<std::pair<const char*, double>> numbers_of{
+      {"angle_min_rad", scan.angle_min},
+      {"angle_increment_rad", scan.angle_increment},
+      {"time_increment_s", seconds(scan.time_increment)},
+      {"range_min_m", scan.range_min},
+      {"range_max_m", scan.range_max},
+      {"mount_x_m", mount.x()},
+      {"mount_y_m", mount.y()},
+      {"mount_z_m", mount.z()}};
+  file_.set_attribute(group, "frame", record.truth.frame);
+  for (const auto& [name, value] : numbers_of) file_.set_attribute(group, name, value);
+}
+
 TablesHdf5Sink::LidarTables TablesHdf5Sink::add_lidar(const ScanRecord& record) {
   const std::string group = group_of(record.scan.lidar);
   const auto add = [&](const char* name, Type type, int columns, const char* unit,
@@ -103,16 +119,7 @@ TablesHdf5Sink::LidarTables TablesHdf5Sink::add_lidar(const ScanRecord& record) 
             "scan by localizer of /localizers: 1 from 0.5 m or 0.35 rad on; 255: unknown");
   }
   add_beams(group, record, tables);
-  const LaserScan& scan = record.scan;
-  file_.set_attribute(group, "frame", record.truth.frame);
-  file_.set_attribute(group, "angle_min_rad", scan.angle_min);
-  file_.set_attribute(group, "angle_increment_rad", scan.angle_increment);
-  file_.set_attribute(group, "time_increment_s", seconds(scan.time_increment));
-  file_.set_attribute(group, "range_min_m", scan.range_min);
-  file_.set_attribute(group, "range_max_m", scan.range_max);
-  file_.set_attribute(group, "mount_x_m", scan.T_base_laser.translation().x());
-  file_.set_attribute(group, "mount_y_m", scan.T_base_laser.translation().y());
-  file_.set_attribute(group, "mount_z_m", scan.T_base_laser.translation().z());
+  describe_lidar(group, record);
   return tables;
 }
 

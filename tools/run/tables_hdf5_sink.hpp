@@ -46,6 +46,7 @@ class TablesHdf5Sink final : public RunSink {
 
   LidarTables add_lidar(const ScanRecord& record);
   void add_beams(const std::string& group, const ScanRecord& record, LidarTables& tables);
+  void describe_lidar(const std::string& group, const ScanRecord& record);
   void write_people(const ScanRecord& record);
   void write_events();
   void write_legend();

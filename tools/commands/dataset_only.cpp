@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "tools/commands/commands.hpp"
+#include "tools/commands/dataset_run.hpp"
+#include "tools/commands/dataset_sequence.hpp"
+#include "tools/formats/durable.hpp"
+
+namespace castaway::testbed {
+
+int make_only(const DatasetRequest& request, int index) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const SampledSequence sequence = sample_sequence(spec, index);
+  std::error_code none;
+  if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
+    throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
+  }
+  DatasetWorlds worlds(spec.base);
+  worlds.check(sequence.loaded.scenario);
+  worlds.ask_scores(sequence.loaded.scenario);
+  std::filesystem::path draft = request.out;
+  draft += ".work";
+  try {
+    std::filesystem::remove_all(draft, none);
+    worlds.find_scores(1, draft);
+    std::filesystem::remove_all(draft, none);
+    make_sequence(spec, worlds, sequence, draft);
+    move_durable(draft, request.out);
+  } catch (const std::exception& error) {
+    std::filesystem::remove_all(draft, none);
+    fmt::print(stderr, "castaway: {}\n", error.what());
+    return kRunFailed;
+  }
+  fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
+  return kDone;
+}
+
+}  // namespace castaway::testbed
