@@ -99,7 +99,8 @@ void BagCollector::take_transforms(const McapMessage& message) {
       const auto& p = edge.transform.translation;
       const SE2 pose = from_ros_pose({{p.x, p.y, p.z}, edge.transform.rotation});
       odom_edges_[{parent, edge.child_frame_id}].push_back(
-          {Stamp(message.log_time_ns), stamp_of(edge.header, message.log_time_ns), pose});
+          {Stamp(message.log_time_ns), stamp_of(edge.header, message.log_time_ns), pose,
+           recording_.frames.size()});
     }
   }
 }

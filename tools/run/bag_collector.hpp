@@ -30,6 +30,7 @@ class BagCollector {
     Stamp logged{};
     Stamp stamp{};
     SE2 T_odom_base;
+    std::size_t before = 0;  ///< Index of the frame that it came before.
   };
   using Edge = std::pair<std::string, std::string>;
 
@@ -40,7 +41,8 @@ class BagCollector {
   void take_event(const McapMessage& message);
   void mount(std::size_t frame, const std::string& lidar_frame);
   void mount_the_rest();
-  void odometry_from_transforms();
+  void choose_odometry_edge();
+  void insert_odometry();
   void add_truth();
   void set_times();
   [[nodiscard]] std::optional<SE2> truth_at(Stamp stamp) const;
@@ -52,7 +54,7 @@ class BagCollector {
   TfTree tree_;
   std::string base_frame_;
   std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of a scan, its frame.
-  std::map<Edge, std::vector<TfReading>> odom_edges_;
+  std::map<Edge, std::vector<TfReading>> odom_edges_;      ///< After the choice: the chosen one.
   std::map<std::string, Eigen::Isometry3d> exact_mounts_;  ///< By lidar.
   std::map<Stamp, SE2> truth_;
   std::map<Stamp, SE2> scan_truth_;

@@ -48,30 +48,43 @@ void BagCollector::mount_the_rest() {
   }
 }
 
-void BagCollector::odometry_from_transforms() {
+void BagCollector::choose_odometry_edge() {
   if (!topics_.odometry.empty()) return;
+  if (odom_edges_.size() == 1) {
+    base_frame_ = odom_edges_.begin()->first.second;
+    return;
+  }
   if (odom_edges_.empty()) {
     throw std::runtime_error(fmt::format(
         "{}: /tf holds no edge from a frame 'odom'; name an Odometry topic by --odom-topic",
         bag_.name));
   }
-  auto chosen = odom_edges_.begin();
-  if (odom_edges_.size() > 1) {
-    std::string edges;
-    for (const auto& [edge, readings] : odom_edges_) {
-      edges += fmt::format("{}{} -> {}", edges.empty() ? "" : ", ", edge.first, edge.second);
-    }
-    throw std::runtime_error(
-        fmt::format("{}: /tf holds {} edges that could be odometry ({}); record an Odometry topic "
-                    "and name it by --odom-topic",
-                    bag_.name, odom_edges_.size(), edges));
+  std::string edges;
+  for (const auto& [edge, readings] : odom_edges_) {
+    edges += fmt::format("{}{} -> {}", edges.empty() ? "" : ", ", edge.first, edge.second);
   }
-  base_frame_ = chosen->first.second;
-  for (const TfReading& reading : chosen->second) {
-    Frame& frame = recording_.frames.emplace_back();
+  throw std::runtime_error(
+      fmt::format("{}: /tf holds {} edges that could be odometry ({}); record an Odometry topic "
+                  "and name it by --odom-topic",
+                  bag_.name, odom_edges_.size(), edges));
+}
+
+/// Puts odometry of /tf where it came among the other frames: at one log time, too.
+void BagCollector::insert_odometry() {
+  if (odom_edges_.empty()) return;
+  Frames merged;
+  std::size_t next = 0;
+  const auto move_up_to = [&](std::size_t end) {
+    for (; next < end; ++next) merged.push_back(std::move(recording_.frames[next]));
+  };
+  for (const TfReading& reading : odom_edges_.begin()->second) {
+    move_up_to(reading.before);
+    Frame& frame = merged.emplace_back();
     frame.stamp = reading.logged;
     frame.data = OdometryFrame{{reading.stamp, reading.T_odom_base}, std::nullopt};
   }
+  move_up_to(recording_.frames.size());
+  recording_.frames = std::move(merged);
 }
 
 std::optional<SE2> BagCollector::truth_at(Stamp stamp) const {
@@ -118,8 +131,9 @@ void BagCollector::set_times() {
 }
 
 BagRecording BagCollector::finish() {
-  odometry_from_transforms();
+  choose_odometry_edge();
   mount_the_rest();
+  insert_odometry();
   const auto holds = [&](auto kind) {
     return std::any_of(recording_.frames.begin(), recording_.frames.end(), [](const Frame& frame) {
       return std::holds_alternative<decltype(kind)>(frame.data);

@@ -88,6 +88,32 @@ TEST(BagReading, TakesOdometryFromTheTree) {
   EXPECT_TRUE(recording.warnings.empty());
 }
 
+TEST(BagReading, KeepsTheOrderOfTheFileAtOneTime) {
+  const BagRecording recording = recording_of([](ForeignBag& bag) {
+    for (const double t : {1.0, 1.1}) {
+      bag.add("/tf", ns(t), ros_edge(t, "odom", "base_footprint", t));
+      bag.add("/scan", ns(t), ros_scan_at(t, "base_footprint"));
+    }
+  });
+  ASSERT_EQ(recording.frames.size(), 4U);
+  EXPECT_EQ(odometry_in(recording, 0).odometry.T_odom_base.x, 1.0);
+  EXPECT_EQ(scan_in(recording, 1).scan.stamp, Stamp(0));
+  EXPECT_EQ(odometry_in(recording, 2).odometry.T_odom_base.x, 1.1);
+  EXPECT_EQ(scan_in(recording, 3).scan.stamp, milliseconds(100));
+}
+
+TEST(BagReading, NamesEdgesThatCouldBeOdometry) {
+  const std::string error = error_of([] {
+    recording_of([](ForeignBag& bag) {
+      bag.add("/tf", ns(1.0), ros_edge(1.0, "a/odom", "a/base", 0.0));
+      bag.add("/tf", ns(1.0), ros_edge(1.0, "b/odom", "b/base", 0.0));
+      bag.add("/scan", ns(1.0), ros_scan_at(1.0, "a/base"));
+    });
+  });
+  EXPECT_TRUE(
+      contains(error, "2 edges that could be odometry (a/odom -> a/base, b/odom -> b/base)"));
+}
+
 TEST(BagReading, BringsTwoClocksTogether) {
   const BagRecording recording = recording_of([](ForeignBag& bag) {
     bag.add("/odom", ns(5000.25), ros_odometry_at(1.0, 1.0));

@@ -2,16 +2,16 @@
 // of it. CASTAWAY_PROGRAM: the program; CASTAWAY_MODULES: folder with the packages of web/package.json.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readFileSync, readdirSync, rmSync} from 'node:fs';
+import {mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, test} from 'node:test';
 
 const require = createRequire(join(process.env.CASTAWAY_MODULES, 'package.json'));
-const {McapIndexedReader, McapStreamReader} = require('@mcap/core');
+const {McapIndexedReader, McapStreamReader, McapWriter} = require('@mcap/core');
 const {parse} = require('@foxglove/rosmsg');
-const {MessageReader} = require('@foxglove/rosmsg2-serialization');
+const {MessageReader, MessageWriter} = require('@foxglove/rosmsg2-serialization');
 const {crc32} = require('@foxglove/crc');
 const fzstd = require('fzstd');
 const lz4 = require('lz4js');
@@ -28,11 +28,11 @@ function castaway(...words) {
   return execFileSync(process.env.CASTAWAY_PROGRAM, words, {encoding: 'utf8', maxBuffer: 1 << 30, stdio: 'pipe'});
 }
 
-/** A short run with people, a kidnap and two localizers; the bytes of its bag. */
-function bagOf(compression) {
+/** A short run with people, a kidnap after so many seconds and two localizers; the bytes of its bag. */
+function bagOf(compression, kidnapAt = 1) {
   const run = join(folder, compression);
   const sets = {
-    'people.count': 3, 'events.0.kidnap.at_s': 1, 'outputs.snapshots': false, 'outputs.report': false,
+    'people.count': 3, 'events.0.kidnap.at_s': kidnapAt, 'outputs.snapshots': false, 'outputs.report': false,
     'outputs.bag.compression': compression, 'outputs.bag.particles': true,
   };
   castaway('run', '--duration', '4', '--seed', '5', '--out', run,
@@ -155,3 +155,48 @@ test('attachments are the files of the run', async () => {
     assert.equal(new TextDecoder().decode(attachment.data), readFileSync(join(run, 'scenario.yaml'), 'utf8'));
   }
 });
+
+/** Some topics of a bag, decoded, encoded and written anew by packages that are not ours, without our metadata. */
+async function rewritten(bytes, topics, options) {
+  const {reader} = await readByIndex(bytes);
+  const parts = [];
+  const writable = {
+    position: () => BigInt(parts.reduce((sum, part) => sum + part.length, 0)),
+    write: async (part) => void parts.push(Buffer.from(part)),
+  };
+  const writer = new McapWriter({writable, ...options});
+  await writer.start({profile: 'ros2', library: 'another'});
+  const channels = new Map();
+  for await (const message of reader.readMessages({topics})) {
+    const {topic, schemaId} = reader.channelsById.get(message.channelId);
+    const schema = reader.schemasById.get(schemaId);
+    const definition = parse(new TextDecoder().decode(schema.data), {ros2: true});
+    if (!channels.has(topic)) {
+      const {name, encoding, data} = schema;
+      channels.set(topic, await writer.registerChannel({
+        topic, messageEncoding: 'cdr', metadata: new Map(),
+        schemaId: await writer.registerSchema({name, encoding, data}),
+      }));
+    }
+    const data = new MessageWriter(definition).writeMessage(new MessageReader(definition).readMessage(message.data));
+    await writer.addMessage({...message, channelId: channels.get(topic), data});
+  }
+  await writer.end();
+  return Buffer.concat(parts);
+}
+
+const rewrites = [
+  ['/odom, in chunks', ['/scan', '/odom', '/tf_static', '/map', '/ground_truth/odom'], {}],
+  ['/tf, without chunks or summary', ['/scan', '/tf', '/tf_static', '/map', '/ground_truth/odom'],
+   {useChunks: false, useStatistics: false, useSummaryOffsets: false, repeatSchemas: false, repeatChannels: false}],
+];
+for (const [what, topics, options] of rewrites) {
+  test(`a bag by another writer is replayed, odometry from ${what}`, async () => {
+    const file = join(folder, 'another.mcap');
+    writeFileSync(file, await rewritten(bagOf('zstd', 100).bytes, topics, options));
+    const out = join(folder, 'replay');
+    const summary = JSON.parse(castaway('replay', file, '--start', 'truth', '--no-pictures', '--json', '--out', out));
+    const {tracking_error_m: error} = summary.localizers.mh_amcl;
+    assert.ok(error.mean > 0 && error.mean < 0.05, `tracked within ${error.mean} m`);
+  });
+}
