@@ -1,6 +1,7 @@
 #include "tools/run/scan_row.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/metrics/recovery.hpp"
 
@@ -21,6 +22,12 @@ void label_beams(const HitLegend& legend, const std::vector<int>& labels, ScanRo
 }
 
 }  // namespace
+
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
+  return {std::atan2(rotation(2, 1), rotation(2, 2)),
+          -std::asin(std::clamp(rotation(2, 0), -1.0, 1.0)),
+          std::atan2(rotation(1, 0), rotation(0, 0))};
+}
 
 bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true) {
   if (!localizer.estimate) return true;

@@ -48,6 +48,9 @@ class ScanLabeller {
   std::optional<Stamp> picked_up_;  ///< Nothing while it stands.
 };
 
+/// Roll, pitch and yaw of a rotation R_z(yaw) R_y(pitch) R_x(roll). [rad]
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
+
 /// A localizer is off from here on: 0.5 m or 0.35 rad from the truth, or without an estimate.
 bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true);
 

@@ -37,10 +37,10 @@ TablesCsvSink::TablesCsvSink(const std::filesystem::path& run_folder,
       labeller_(std::move(context)),
       localizers_(localizers.size()),
       scans_(run_folder / "tables/scans.csv", scan_header(localizers)),
-      lidars_(
-          run_folder / "tables/lidars.csv",
-          {"lidar", "frame", "beams", "angle_min_rad", "angle_increment_rad", "time_increment_s",
-           "range_min_m", "range_max_m", "mount_x_m", "mount_y_m", "mount_z_m"}),
+      lidars_(run_folder / "tables/lidars.csv",
+              {"lidar", "frame", "beams", "angle_min_rad", "angle_increment_rad",
+               "time_increment_s", "range_min_m", "range_max_m", "mount_x_m", "mount_y_m",
+               "mount_z_m", "mount_roll_rad", "mount_pitch_rad", "mount_yaw_rad"}),
       odometry_(run_folder / "tables/odometry.csv",
                 {"stamp_s", "odom_x_m", "odom_y_m", "odom_yaw_rad", "x_m", "y_m", "yaw_rad"}),
       people_(run_folder / "tables/people.csv",
@@ -60,7 +60,9 @@ void TablesCsvSink::write_lidar(const ScanRecord& record) {
   lidars_.number(scan.angle_min, 9).number(scan.angle_increment, 9);
   lidars_.number(seconds(scan.time_increment), 9).number(scan.range_min).number(scan.range_max);
   const auto& mount = scan.T_base_laser.translation();
-  lidars_.number(mount.x()).number(mount.y()).number(mount.z()).end_row();
+  const Eigen::Vector3d turn = roll_pitch_yaw(scan.T_base_laser.linear());
+  lidars_.number(mount.x()).number(mount.y()).number(mount.z());
+  lidars_.number(turn.x()).number(turn.y()).number(turn.z()).end_row();
 }
 
 void TablesCsvSink::write_people(const ScanRecord& record) {

@@ -82,6 +82,7 @@ void TablesHdf5Sink::add_beams(const std::string& group, const ScanRecord& recor
 void TablesHdf5Sink::describe_lidar(const std::string& group, const ScanRecord& record) {
   const LaserScan& scan = record.scan;
   const Eigen::Vector3d mount = scan.T_base_laser.translation();
+  const Eigen::Vector3d turn = roll_pitch_yaw(scan.T_base_laser.linear());
   const std::vector<std::pair<const char*, double>> numbers_of{
       {"angle_min_rad", scan.angle_min},
       {"angle_increment_rad", scan.angle_increment},
@@ -90,7 +91,10 @@ void TablesHdf5Sink::describe_lidar(const std::string& group, const ScanRecord& 
       {"range_max_m", scan.range_max},
       {"mount_x_m", mount.x()},
       {"mount_y_m", mount.y()},
-      {"mount_z_m", mount.z()}};
+      {"mount_z_m", mount.z()},
+      {"mount_roll_rad", turn.x()},
+      {"mount_pitch_rad", turn.y()},
+      {"mount_yaw_rad", turn.z()}};
   file_.set_attribute(group, "frame", record.truth.frame);
   for (const auto& [name, value] : numbers_of) file_.set_attribute(group, name, value);
 }

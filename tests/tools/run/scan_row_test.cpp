@@ -69,6 +69,18 @@ TEST(ScanRow, ARobotInTheAirIsHeld) {
   EXPECT_FALSE(labeller.row_of(record_at(4.1, {})).held);
 }
 
+TEST(RollPitchYaw, ComesBack) {
+  using Eigen::AngleAxisd;
+  using Eigen::Vector3d;
+  const Vector3d angles(0.3, -0.4, 2.5);
+  const Eigen::Matrix3d rotation =
+      (AngleAxisd(angles.z(), Vector3d::UnitZ()) * AngleAxisd(angles.y(), Vector3d::UnitY()) *
+       AngleAxisd(angles.x(), Vector3d::UnitX()))
+          .toRotationMatrix();
+  EXPECT_NEAR((roll_pitch_yaw(rotation) - angles).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(roll_pitch_yaw(Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-12);
+}
+
 TEST(ScanRow, ALocalizerIsLostFromHalfAMetreOn) {
   ScanRecord record = record_at(0.0, {"a", "b", "c"});  // 0.2 m and 0.1 rad off
   record.localizers[1].estimate->T_map_base = {0.3, 0.4, 0.0};

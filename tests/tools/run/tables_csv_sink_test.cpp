@@ -39,6 +39,7 @@ TEST(TablesCsvSink, WritesWhatTheScansReferTo) {
   ASSERT_EQ(lidars.rows.size(), 1U);
   EXPECT_EQ(lidars.rows[0][lidars.column("beams")], "3");
   EXPECT_EQ(lidars.rows[0][lidars.column("angle_increment_rad")], "0.250000000");
+  EXPECT_EQ(lidars.rows[0][lidars.column("mount_yaw_rad")], "1.500000");
 }
 
 }  // namespace

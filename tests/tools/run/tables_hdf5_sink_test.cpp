@@ -42,6 +42,7 @@ TEST(TablesHdf5Sink, AnotherReaderFindsEveryColumn) {
   EXPECT_TRUE(shows("/classes", "person"));
   EXPECT_TRUE(shows("/localizers", "mh_amcl"));
   EXPECT_TRUE(contains(h5dump(file, "-a /lidars/front/angle_increment_rad"), "(0): 0.25"));
+  EXPECT_TRUE(contains(h5dump(file, "-a /lidars/front/mount_yaw_rad"), "(0): 1.5"));
 }
 
 TEST(TablesHdf5Sink, TheSameRunGivesTheSameBytes) {

@@ -31,6 +31,7 @@ inline void play_two_scans(RunSink& sink) {
     record.scan.angle_min = -0.5;
     record.scan.angle_increment = 0.25;
     record.scan.range_max = 12.0;
+    record.scan.T_base_laser.rotate(Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitZ()));
     record.scan.ranges = {1.5F, 0.75F, std::numeric_limits<float>::infinity()};
     record.truth.frame = "front_laser";
     record.truth.labels = {0, 102, -1};
