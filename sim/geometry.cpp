@@ -67,7 +67,7 @@ namespace {
 double sine(double x) {
   if (std::abs(x) > 0.03) return std::sin(x);
   const double xx = x * x;
-  return x * (1.0 - xx / 6.0 * (1.0 - xx / 20.0 * (1.0 - xx / 42.0 * (1.0 - xx / 72.0))));
+  return x * (1.0 + xx * (-1.0 / 6 + xx * (1.0 / 120 + xx * (-1.0 / 5040 + xx * (1.0 / 362880)))));
 }
 
 }  // namespace

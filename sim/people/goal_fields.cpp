@@ -120,19 +120,24 @@ std::uint16_t GoalFields::exits(Index cell) const {
 
 /// Dijkstra's state, with a bucket for every stretch of cost as long as the shortest step: within a
 /// bucket the order does not matter (R. B. Dial, "Algorithm 360: Shortest-Path Forest with
-/// Topological Ordering", 1969). A cell stands in every bucket that it was reached in.
+/// Topological Ordering", 1969). A cell stands in every bucket that it was reached in. The buckets
+/// are used again as soon as they are done with: no step is as long as all of them.
 struct GoalFields::Frontier {
+  using Bucket = std::vector<std::pair<float, Index>>;
+
   void reach(Index cell, float whole) {
     cost[cell] = whole;
-    const auto bucket = static_cast<std::size_t>(whole / width);
-    if (bucket >= buckets.size()) buckets.resize(bucket + 1);
-    buckets[bucket].push_back({whole, cell});
+    bucket(static_cast<std::size_t>(whole / width)).push_back({whole, cell});
+    ++waiting;
   }
+  Bucket& bucket(std::size_t number) { return buckets[number % buckets.size()]; }
 
   float width;
   std::vector<float> cost;
-  std::vector<std::vector<std::pair<float, Index>>> buckets{};
+  std::array<Bucket, 8> buckets{};
+  std::size_t waiting = 0;  ///< In all buckets.
 };
+static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);  // Buckets that a step spans.
 
 /// Reaches out to a cell's neighbours.
 void GoalFields::spread(Index cell, Frontier& frontier, std::vector<Index>& next) const {
@@ -154,11 +159,14 @@ std::vector<GoalFields::Index> GoalFields::search(Index goal) const {
   Frontier frontier{static_cast<float>(grid_.resolution), std::vector<float>(cells, kUnreached)};
   std::vector<Index> next(cells, kNowhere);
   frontier.reach(goal, 0.0F);
-  for (std::size_t bucket = 0; bucket < frontier.buckets.size(); ++bucket) {
-    for (std::size_t i = 0; i < frontier.buckets[bucket].size(); ++i) {  // Both may grow.
-      const auto [reached, cell] = frontier.buckets[bucket][i];
+  for (std::size_t number = 0; frontier.waiting > 0; ++number) {
+    Frontier::Bucket& bucket = frontier.bucket(number);
+    for (std::size_t i = 0; i < bucket.size(); ++i) {  // It may grow.
+      const auto [reached, cell] = bucket[i];
       if (reached == frontier.cost[cell]) spread(cell, frontier, next);
     }
+    frontier.waiting -= bucket.size();
+    bucket.clear();
   }
   return next;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sim/people/gait.hpp"
 #include "sim/people/intent.hpp"
@@ -13,16 +12,12 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kPlaces = 16;         // To go to.
-constexpr int kLookEvery = 4;       // [steps] Ways and sights are looked up.
-constexpr double kSight = 5.0;      // [m] Nobody reacts to a robot that is further away.
-constexpr double kTurnRate = 4.0;   // [rad/s]
-constexpr double kHitGap = 0.5;     // [s] Touches closer in time are one.
-constexpr double kInCrowd = 0.25;   // Of the interaction is left among people packed closely.
-constexpr double kAside = 0.1;      // [m] From a robot that was put down...
-constexpr int kAsideWays = 16;      // ...in so many directions...
-constexpr int kAsideRings = 8;      // ...and on so many rings...
-constexpr double kAsideRing = 0.2;  // [m] ...so far apart.
+constexpr int kPlaces = 16;        // To go to.
+constexpr int kLookEvery = 4;      // [steps] Ways and sights are looked up.
+constexpr double kSight = 5.0;     // [m] Nobody reacts to a robot that is further away.
+constexpr double kTurnRate = 4.0;  // [rad/s]
+constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one.
+constexpr double kInCrowd = 0.25;  // Of the interaction is left among people packed closely.
 
 GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
   Rng rng = streams("people/places");
@@ -40,7 +35,10 @@ People::People(const PeopleConfig& config, const WorldSpec& world, const Grid& m
                const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams)
     : space_((validate(config), body_grid(world, map))), goals_(goals_in(space_, streams)) {
   agents_ = draw_people(config, space_, goals_, robot, streams);
-  for (const Agent& agent : agents_) before_.push_back(agent.state);
+  for (const Agent& agent : agents_) {
+    before_.push_back(agent.state);
+    facing_.push_back({heading_vector(agent.state.heading), heading_vector(agent.state.heading)});
+  }
   clear_for_.assign(agents_.size(), kHitGap);
   if (config.blocked_share > 0.0) crowd_.emplace(config.blocked_share, lidar);
 }
@@ -149,6 +147,7 @@ void People::step(const RobotBody& robot) {
     turn(i, wanted[i].heading);
     walk(space_, before_[i], kPeriod, state);
     note_progress(wanted[i], kPeriod, agents_[i]);
+    facing_[i] = {facing_[i].now, heading_vector(state.heading)};
   }
   ++steps_;
 }
@@ -161,22 +160,12 @@ void People::gather(const RobotBody& robot, const RayScene& standing) {
 
 void People::make_way(const RobotBody& robot) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const double wanted = agents_[i].body.radius + kAside;
-    const Eigen::Vector2d from = agents_[i].state.position;
-    const OutlineDistance outline = distance_to(robot, from);
-    if (outline.distance >= wanted) continue;
-    const double outwards = std::atan2(outline.away.y(), outline.away.x());
-    for (int k = 0; k < kAsideRings * kAsideWays; ++k) {  // On each ring the least turn first.
-      const int turn = (k % kAsideWays + 1) / 2 * (k % 2 == 0 ? 1 : -1);
-      const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
-      const double distance = kAsideRing * (k / kAsideWays + 1);
-      const Eigen::Vector2d p = from + distance * heading_vector(angle);
-      if (distance_to(robot, p).distance < wanted || !space_.clear(from, p)) continue;
-      agents_[i].state.position = p;
-      break;
-    }
-    stand(agents_[i].state);
-    before_[i] = agents_[i].state;
+    PersonState& state = agents_[i].state;
+    if (!stands_close(robot, agents_[i])) continue;
+    if (const auto p = place_aside(space_, robot, agents_[i])) state.position = *p;
+    stand(state);
+    before_[i] = state;
+    facing_[i].before = facing_[i].now;
   }
 }
 
@@ -192,8 +181,10 @@ MovingScene People::scene(double fraction) const {
   std::vector<MovingBody> bodies;
   bodies.reserve(agents_.size());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const auto& [before, now] = facing_[i];
+    const Eigen::Vector2d ahead = (before + fraction * (now - before)).normalized();
     bodies.push_back(person_rays(agents_[i].body, between(before_[i], agents_[i].state, fraction),
-                                 static_cast<int>(i)));
+                                 ahead, static_cast<int>(i)));
   }
   return MovingScene(std::move(bodies));
 }

@@ -54,6 +54,13 @@ class People {
   [[nodiscard]] const WalkSpace& space() const { return space_; }
 
  private:
+  /// Where a person faces at the beginning and the end of the last step: unit vectors in map, kept
+  /// since lidars ask far more often than anybody turns.
+  struct Facing {
+    Eigen::Vector2d before;
+    Eigen::Vector2d now;
+  };
+
   void note_hits(const RobotBody& robot);
   void look_about(const RobotBody& robot);
   [[nodiscard]] std::vector<Eigen::Vector2d> mutual_forces() const;
@@ -68,7 +75,8 @@ class People {
   GoalFields goals_;
   std::vector<Agent> agents_;
   std::vector<PersonState> before_;  ///< At the beginning of the last step.
-  std::vector<double> clear_for_;    ///< [s] Since the robot last touched each.
+  std::vector<Facing> facing_;
+  std::vector<double> clear_for_;  ///< [s] Since the robot last touched each.
   std::vector<int> hits_;
   std::optional<Crowd> crowd_;
   std::int64_t steps_ = 0;

@@ -5,7 +5,11 @@
 namespace castaway::sim {
 
 MovingBody person_rays(const PersonBody& body, const PersonState& state, int index) {
-  const Eigen::Vector2d ahead = heading_vector(state.heading);
+  return person_rays(body, state, heading_vector(state.heading), index);
+}
+
+MovingBody person_rays(const PersonBody& body, const PersonState& state,
+                       const Eigen::Vector2d& ahead, int index) {
   const double shoulders = body.height - kHeadHeight;
   const Eigen::Vector2d leg = Eigen::Vector2d::Constant(body.leg_radius);
   MovingBody rays;

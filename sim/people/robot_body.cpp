@@ -69,15 +69,16 @@ std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot) {
 }
 
 OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map) {
-  const Eigen::Vector2d p = inverse(robot.T_map_base) * p_map;
-  const Pose2 turn{0.0, 0.0, robot.T_map_base.yaw};
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(robot.T_map_base.yaw).toRotationMatrix();
+  const Eigen::Vector2d p = turn.transpose() * (p_map - robot.T_map_base.position());
   double nearest = std::numeric_limits<double>::infinity();  // Squared.
   Eigen::Vector2d from_nearest = Eigen::Vector2d::UnitX();
   bool outside = false;
   for (std::size_t i = 0; i < robot.outline.size(); ++i) {
     const Eigen::Vector2d& a = robot.outline[i];
-    const Eigen::Vector2d edge = robot.outline[(i + 1) % robot.outline.size()] - a;
-    outside = outside || cross(edge, p - a) < 0.0;
+    const Eigen::Vector2d edge = robot.outline[i + 1 < robot.outline.size() ? i + 1 : 0] - a;
+    if (cross(edge, p - a) >= 0.0) continue;  // The edges that face a point include the nearest.
+    outside = true;
     const double along = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Eigen::Vector2d offset = p - (a + along * edge);
     if (offset.squaredNorm() >= nearest) continue;
@@ -89,7 +90,7 @@ OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map
     return {within.distance, turn * within.away};
   }
   const double distance = std::sqrt(nearest);
-  return {distance, turn * Eigen::Vector2d(from_nearest / distance)};
+  return {distance, turn * from_nearest / distance};
 }
 
 }  // namespace castaway::sim

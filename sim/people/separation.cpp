@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace castaway::sim {
 namespace {
@@ -9,6 +10,10 @@ namespace {
 constexpr int kRounds = 2;
 constexpr double kRobotRoom = 0.08;  // [m] That people keep from the robot...
 constexpr double kGiveWay = 0.02;    // [m] ...stepping back so far in a step: 0.4 m/s.
+constexpr double kAside = 0.1;       // [m] From a robot that was put down...
+constexpr int kAsideWays = 16;       // ...in so many directions...
+constexpr int kAsideRings = 8;       // ...and on so many rings...
+constexpr double kAsideRing = 0.2;   // [m] ...so far apart.
 
 Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
@@ -73,6 +78,26 @@ void separate(const WalkSpace& space, const RobotBody& robot,
   for (std::size_t i = 0; i < agents.size(); ++i) {
     out_of_robot(space, robot, before[i].position, agents[i]);
   }
+}
+
+bool stands_close(const RobotBody& robot, const Agent& agent) {
+  return distance_to(robot, agent.state.position).distance < agent.body.radius + kAside;
+}
+
+std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBody& robot,
+                                           const Agent& agent) {
+  const Eigen::Vector2d from = agent.state.position;
+  const Eigen::Vector2d away = distance_to(robot, from).away;
+  const double outwards = std::atan2(away.y(), away.x());
+  for (int k = 0; k < kAsideRings * kAsideWays; ++k) {  // On each ring the least turn first.
+    const int turn = (k % kAsideWays + 1) / 2 * (k % 2 == 0 ? 1 : -1);
+    const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
+    const double distance = kAsideRing * (k / kAsideWays + 1);
+    const Eigen::Vector2d p = from + distance * heading_vector(angle);
+    const bool clear = distance_to(robot, p).distance >= agent.body.radius + kAside;
+    if (clear && space.clear(from, p)) return p;
+  }
+  return std::nullopt;
 }
 
 }  // namespace castaway::sim

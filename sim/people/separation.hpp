@@ -1,6 +1,7 @@
 /// Hard limits on where people go: no wall, no robot, nobody else.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/people/agent.hpp"
@@ -20,5 +21,12 @@ Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
 /// comes nearer than 8 cm, at 0.4 m/s at most.
 void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents);
+
+/// True if a robot that was just put down is so near to somebody that they step aside.
+bool stands_close(const RobotBody& robot, const Agent& agent);
+/// Where they step to: off the robot by the shortest way, with the least turn, that no wall bars;
+/// nothing if there is no such place.
+std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBody& robot,
+                                           const Agent& agent);
 
 }  // namespace castaway::sim

@@ -11,18 +11,20 @@ namespace {
 constexpr float kMargin = 1e-3F;  // [m] More than single precision loses within 1 km.
 constexpr int kNobody = -1;
 
-/// The disc about the middle of all parts that covers them.
+/// A disc about the middle of all parts that covers them.
 std::pair<Eigen::Vector2d, double> cover(const MovingBody& body) {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < body.count; ++i) {
     center += body.parts[i].center / static_cast<double>(body.count);
   }
-  double radius = 0.0;
+  double far = 0.0;  // Squared: one root is dearer than a disc that is a little too wide.
+  double half_size = 0.0;
   for (std::size_t i = 0; i < body.count; ++i) {
     const UprightPart& part = body.parts[i];
-    radius = std::max(radius, (part.center - center).norm() + part.half_size.maxCoeff());
+    far = std::max(far, (part.center - center).squaredNorm());
+    half_size = std::max(half_size, part.half_size.maxCoeff());
   }
-  return {center, radius};
+  return {center, std::sqrt(far) + half_size};
 }
 
 }  // namespace

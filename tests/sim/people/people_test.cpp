@@ -177,5 +177,25 @@ TEST(People, ScaredPeopleEndUpFurtherAwayThanCuriousOnes) {
   EXPECT_LT(mean_distance(Behaviour::kCurious), mean_distance(Behaviour::kRegular));
 }
 
+/// What lidars meet faces as the people do, between two steps as well.
+TEST(People, ScenesFaceAsStatesDo) {
+  const TestHall hall(8.0);
+  People people(walkers(6), hall.world, hall.map, {}, kFarRobot, named_streams(3));
+  double most_turned = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const auto before = people.states(1.0);
+    people.step(kFarRobot);
+    const auto states = people.states(0.3);
+    const MovingScene scene = people.scene(0.3);
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const Eigen::Vector2d axis = scene.bodies()[k].parts[2].axis_x;
+      ASSERT_LT((axis - heading_vector(states[k].heading)).norm(), 1e-3);
+      const double turned = wrap_angle(states[k].heading - before[k].heading);
+      most_turned = std::max(most_turned, std::abs(turned));
+    }
+  }
+  EXPECT_GT(most_turned, 0.03);
+}
+
 }  // namespace
 }  // namespace castaway::sim

@@ -80,5 +80,31 @@ TEST(Separate, LeavesWhoIsApartAlone) {
   EXPECT_EQ(agents[1].state.position, before[1].position);
 }
 
+TEST(PlaceAside, IsStraightOffTheRobotInTheOpen) {
+  const TestHall hall(6.0);
+  const WalkSpace space(hall.map);
+  const RobotBody robot = square_robot({0.0, 0.0, 0.0});
+  const Agent agent = agent_at({0.4, 0.0});
+  ASSERT_TRUE(stands_close(robot, agent));
+  const auto p = place_aside(space, robot, agent);
+  ASSERT_TRUE(p.has_value());
+  EXPECT_GT(p->x(), 0.4);
+  EXPECT_NEAR(p->y(), 0.0, 1e-9);
+  EXPECT_GE(distance_to(robot, *p).distance, agent.body.radius);
+  EXPECT_FALSE(stands_close(robot, agent_at(*p)));
+}
+
+TEST(PlaceAside, IsAroundTheRobotBeforeAWall) {
+  const TestHall hall(6.0);
+  const WalkSpace space(hall.map);
+  const RobotBody robot = square_robot({2.2, 0.0, 0.0});
+  const Agent agent = agent_at({2.7, 0.0});  // Between the robot and the wall at 3 m.
+  ASSERT_TRUE(stands_close(robot, agent));
+  const auto p = place_aside(space, robot, agent);
+  ASSERT_TRUE(p.has_value());
+  EXPECT_TRUE(space.clear(*p));
+  EXPECT_GE(distance_to(robot, *p).distance, agent.body.radius);
+}
+
 }  // namespace
 }  // namespace castaway::sim
