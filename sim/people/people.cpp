@@ -146,6 +146,7 @@ void People::step(const RobotBody& robot) {
     state.velocity = limited(way / kPeriod, wanted[i].top_speed);
     turn(i, wanted[i].heading);
     walk(space_, before_[i], kPeriod, state);
+    keep_feet_off(robot, state);
     note_progress(wanted[i], kPeriod, agents_[i]);
     facing_[i] = {facing_[i].now, heading_vector(state.heading)};
   }

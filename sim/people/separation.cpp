@@ -10,6 +10,7 @@ namespace {
 constexpr int kRounds = 2;
 constexpr double kRobotRoom = 0.08;  // [m] That people keep from the robot...
 constexpr double kGiveWay = 0.02;    // [m] ...stepping back so far in a step: 0.4 m/s.
+constexpr double kFootRoom = 0.18;   // [m] From the middle of a foot to the robot.
 constexpr double kAside = 0.1;       // [m] From a robot that was put down...
 constexpr int kAsideWays = 16;       // ...in so many directions...
 constexpr int kAsideRings = 8;       // ...and on so many rings...
@@ -77,6 +78,14 @@ void separate(const WalkSpace& space, const RobotBody& robot,
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {
     out_of_robot(space, robot, before[i].position, agents[i]);
+  }
+}
+
+void keep_feet_off(const RobotBody& robot, PersonState& state) {
+  for (Eigen::Vector2d& foot : state.feet) {
+    if ((foot - robot.T_map_base.position()).norm() > robot.radius + kFootRoom) continue;
+    const OutlineDistance outline = distance_to(robot, foot);
+    foot += std::max(kFootRoom - outline.distance, 0.0) * outline.away;
   }
 }
 

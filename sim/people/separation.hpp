@@ -22,6 +22,10 @@ Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
 void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents);
 
+/// Draws feet back that are in the robot or nearly: nobody steps onto it, or lets it drive over
+/// them.
+void keep_feet_off(const RobotBody& robot, PersonState& state);
+
 /// True if a robot that was just put down is so near to somebody that they step aside.
 bool stands_close(const RobotBody& robot, const Agent& agent);
 /// Where they step to: off the robot by the shortest way, with the least turn, that no wall bars;

@@ -106,5 +106,17 @@ TEST(PlaceAside, IsAroundTheRobotBeforeAWall) {
   EXPECT_GE(distance_to(robot, *p).distance, agent.body.radius);
 }
 
+TEST(KeepFeetOff, DrawsAFootOutOfTheRobotAndLeavesTheOther) {
+  const RobotBody robot = square_robot({0.0, 0.0, 0.0});
+  PersonState state;
+  state.position = {0.5, 0.0};
+  state.feet = {Eigen::Vector2d(0.2, 0.05), Eigen::Vector2d(0.7, -0.1)};
+  keep_feet_off(robot, state);
+  EXPECT_NEAR(distance_to(robot, state.feet[0]).distance, 0.18, 1e-9);
+  EXPECT_GT(state.feet[0].x(), 0.2);
+  EXPECT_NEAR(state.feet[0].y(), 0.05, 1e-9);
+  EXPECT_EQ(state.feet[1], Eigen::Vector2d(0.7, -0.1));
+}
+
 }  // namespace
 }  // namespace castaway::sim
