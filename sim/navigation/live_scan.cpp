@@ -1,11 +1,15 @@
 #include "sim/navigation/live_scan.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace castaway::sim {
 namespace {
 
 constexpr auto kRemembered = std::chrono::seconds(1);
+constexpr auto kTwistOver = std::chrono::milliseconds(50);
 constexpr double kFloor = 0.03;  // [m] Lower end points are the floor's.
 
 }  // namespace
@@ -18,34 +22,57 @@ void LiveScan::on_odometry(const OdometryReading& reading) {
 /// The last reading up to then; the first one where the scan is older than all.
 Pose2 LiveScan::odometry_at(std::chrono::nanoseconds stamp) const {
   if (recent_.empty()) return {};
-  Pose2 pose = recent_.front().T_odom_base;
-  for (const OdometryReading& reading : recent_) {
-    if (reading.stamp > stamp) break;
-    pose = reading.T_odom_base;
-  }
-  return pose;
+  const auto after = std::upper_bound(
+      recent_.begin(), recent_.end(), stamp,
+      [](std::chrono::nanoseconds t, const OdometryReading& reading) { return t < reading.stamp; });
+  return (after == recent_.begin() ? after : std::prev(after))->T_odom_base;
 }
 
 void LiveScan::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
-  const Pose2 T_odom_base = odometry_at(scan.stamp);
   if (p_odom_.size() <= scan.lidar) p_odom_.resize(scan.lidar + 1);
-  std::vector<Eigen::Vector2d>& points = p_odom_[scan.lidar];
+  std::vector<SeenPoint>& points = p_odom_[scan.lidar];
   points.clear();
+  const std::size_t columns = scan.ranges.size() / static_cast<std::size_t>(scan.layers);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
     if (!std::isfinite(range)) continue;
     const Eigen::Vector3d p_base = beam_point(lidar, i, range);
-    if (p_base.z() > kFloor) points.push_back(T_odom_base * Eigen::Vector2d(p_base.head<2>()));
+    if (p_base.z() <= kFloor) continue;
+    const auto stamp = scan.stamp + scan.time_increment * static_cast<std::int64_t>(i % columns);
+    points.push_back({odometry_at(stamp) * Eigen::Vector2d(p_base.head<2>()), stamp});
   }
+  news_.insert(scan.lidar);
 }
 
 std::vector<Eigen::Vector2d> LiveScan::p_base() const {
   const Pose2 T_base_odom = inverse(T_odom_base());
   std::vector<Eigen::Vector2d> points;
   for (const auto& p_odom : p_odom_) {
-    for (const Eigen::Vector2d& p : p_odom) points.push_back(T_base_odom * p);
+    for (const SeenPoint& point : p_odom) points.emplace_back(T_base_odom * point.p);
   }
   return points;
+}
+
+std::vector<std::vector<SeenPoint>> LiveScan::take_news() {
+  std::vector<std::vector<SeenPoint>> scans;
+  for (const std::size_t lidar : std::exchange(news_, {})) scans.push_back(p_odom_[lidar]);
+  return scans;
+}
+
+Twist2 LiveScan::twist() const {
+  if (recent_.empty()) return {};
+  const OdometryReading& now = recent_.back();
+  const auto before = std::find_if(recent_.rbegin(), recent_.rend(), [&](const auto& reading) {
+    return reading.stamp + kTwistOver <= now.stamp;
+  });
+  if (before == recent_.rend()) return {};
+  const Pose2 way = inverse(before->T_odom_base) * now.T_odom_base;
+  const double dt = std::chrono::duration<double>(now.stamp - before->stamp).count();
+  return {way.x / dt, way.yaw / dt};
+}
+
+std::chrono::nanoseconds LiveScan::stamp() const {
+  return recent_.empty() ? std::chrono::nanoseconds{} : recent_.back().stamp;
 }
 
 Pose2 LiveScan::T_odom_base() const {

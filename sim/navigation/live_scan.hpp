@@ -3,18 +3,20 @@
 
 #include <chrono>
 #include <deque>
-#include <optional>
+#include <set>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "sim/geometry.hpp"
+#include "sim/navigation/movers.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
 
 namespace castaway::sim {
 
-/// The end points of each lidar's newest scan, seen from where odometry says the robot is by now.
+/// The end points of each lidar's newest scan, each taken from where odometry says the robot was at
+/// its beam, seen from where it says the robot is by now.
 /// Nothing of it knows the truth.
 class LiveScan {
  public:
@@ -25,6 +27,12 @@ class LiveScan {
 
   /// End points in base as it is now. [m]
   [[nodiscard]] std::vector<Eigen::Vector2d> p_base() const;
+  /// Those of each scan that came since the last call, in odom, and when each was seen.
+  [[nodiscard]] std::vector<std::vector<SeenPoint>> take_news();
+  /// How fast it says that the robot moves, over the last 50 ms.
+  [[nodiscard]] Twist2 twist() const;
+  /// Stamp of the newest odometry; 0 before the first.
+  [[nodiscard]] std::chrono::nanoseconds stamp() const;
   /// The odometry's newest pose; the identity before the first.
   [[nodiscard]] Pose2 T_odom_base() const;
 
@@ -32,7 +40,8 @@ class LiveScan {
   [[nodiscard]] Pose2 odometry_at(std::chrono::nanoseconds stamp) const;
 
   std::deque<OdometryReading> recent_;
-  std::vector<std::vector<Eigen::Vector2d>> p_odom_;  ///< By lidar.
+  std::vector<std::vector<SeenPoint>> p_odom_;  ///< By lidar.
+  std::set<std::size_t> news_;                  ///< Lidars whose newest scan nobody has taken.
 };
 
 }  // namespace castaway::sim

@@ -1,81 +1,165 @@
 #include "sim/navigation/movers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace castaway::sim {
 namespace {
 
-constexpr double kCluster = 0.45;  // [m] From the middle of a cluster: two legs are one person.
-constexpr double kReach = 0.45;    // [m] Between two looks at the same one.
-constexpr double kSpan = 1.5;      // [s] Over which a velocity is taken: a stride and more.
-constexpr double kLeast = 0.5;     // [s] Seen for less, it has no velocity.
-constexpr double kForget = 0.4;    // [s] Not seen for longer, it is gone.
-constexpr double kSlowest = 0.25;  // [m/s] Slower is standing.
-constexpr double kFastest = 2.2;   // [m/s] Nobody runs indoors: faster is a mix-up.
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
 
-struct Cluster {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  double count = 0.0;
+constexpr double kLeg = 0.15;          // [m] From the middle of a leg to its points.
+constexpr double kGate = 0.75;         // [m] From where a person is expected to its legs...
+constexpr double kNewGate = 0.9;       // [m] ...and between the legs of somebody who is new.
+constexpr double kBothSigma = 0.12;    // [m] Of the middle of both legs about the body...
+constexpr double kOneSigma = 0.22;     // [m] ...and of one leg: strides are long.
+constexpr double kStartSigma = 1.5;    // [m/s]
+constexpr double kAcceleration = 2.0;  // [m/s^2] White noise.
+constexpr std::size_t kLegs = 2;       // Who has more is two.
+constexpr int kLeastSeen = 4;          // Scans; seen for less, it has no velocity.
+constexpr nanoseconds kForget = milliseconds(600);  // Not seen for longer, it is gone.
+constexpr double kSlowest = 0.3;                    // [m/s] Slower is standing...
+constexpr double kDoubt = 1.0;   // ...and so is what is so many standard deviations.
+constexpr double kDouble = 0.3;  // [m] Nearer than two people can be: they are one.
 
-  [[nodiscard]] Eigen::Vector2d middle() const { return sum / count; }
-};
+double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
-std::vector<Cluster> clusters(const std::vector<Eigen::Vector2d>& points) {
-  std::vector<Cluster> result;
-  for (const Eigen::Vector2d& p : points) {
-    auto found = std::find_if(result.begin(), result.end(), [&](const Cluster& cluster) {
-      return (cluster.middle() - p).norm() < kCluster;
-    });
-    if (found == result.end()) found = result.insert(result.end(), Cluster{});
-    found->sum += p;
-    found->count += 1.0;
+/// The middle of a few points.
+SeenPoint middle(const std::vector<SeenPoint>& points) {
+  SeenPoint sum;
+  for (const SeenPoint& point : points) {
+    sum.p += point.p / static_cast<double>(points.size());
+    sum.stamp += point.stamp / static_cast<std::int64_t>(points.size());
   }
-  return result;
+  return sum;
+}
+
+std::vector<SeenPoint> legs_of(const std::vector<SeenPoint>& points) {
+  std::vector<std::vector<SeenPoint>> clusters;
+  for (const SeenPoint& point : points) {
+    auto found = std::find_if(clusters.begin(), clusters.end(), [&](const auto& cluster) {
+      return (middle(cluster).p - point.p).norm() < kLeg;
+    });
+    if (found == clusters.end()) found = clusters.emplace(clusters.end());
+    found->push_back(point);
+  }
+  std::vector<SeenPoint> legs;
+  for (const auto& cluster : clusters) legs.push_back(middle(cluster));
+  return legs;
 }
 
 }  // namespace
 
-/// The track whose newest sighting, carried on, is nearest; none twice in a look.
-Movers::Track* Movers::nearest(const Eigen::Vector2d& p) {
+Eigen::Vector2d Movers::Track::at(nanoseconds t) const { return p + seconds(t - stamp) * v; }
+
+void Movers::Track::predict(nanoseconds to) {
+  const double dt = seconds(to - stamp);
+  if (dt <= 0.0) return;
+  p = at(to);
+  stamp = to;
+  Eigen::Matrix2d F = Eigen::Matrix2d::Identity();
+  F(0, 1) = dt;
+  const Eigen::Vector2d G(0.5 * dt * dt, dt);
+  covariance = F * covariance * F.transpose() + kAcceleration * kAcceleration * G * G.transpose();
+}
+
+void Movers::Track::correct(const Eigen::Vector2d& measured, double sigma) {
+  const Eigen::Vector2d gain = covariance.col(0) / (covariance(0, 0) + sigma * sigma);
+  const Eigen::Vector2d innovation = measured - p;
+  p += gain[0] * innovation;
+  v += gain[1] * innovation;
+  covariance -= (gain * covariance.row(0)).eval();
+  ++seen;
+}
+
+/// Who is expected nearest to a leg.
+Movers::Track* Movers::nearest(const SeenPoint& leg) {
   Track* best = nullptr;
-  double least = kReach;
+  double least = kNewGate;
   for (Track& track : tracks_) {
-    if (track.back().look == look_) continue;
-    const double ahead = period_ * static_cast<double>(look_ - track.back().look);
-    const double distance = (track.back().p + ahead * velocity(track) - p).norm();
-    if (distance >= least) continue;
+    const double distance = (track.at(leg.stamp) - leg.p).norm();
+    if (distance >= std::min(least, track.seen > 0 ? kGate : kNewGate)) continue;
     least = distance;
     best = &track;
   }
   return best;
 }
 
-void Movers::update(const std::vector<Eigen::Vector2d>& points) {
-  ++look_;
-  for (const Cluster& cluster : clusters(points)) {
-    Track* track = nearest(cluster.middle());
-    if (track == nullptr) track = &tracks_.emplace_back();
-    track->push_back({look_, cluster.middle()});
+void Movers::begin(const SeenPoint& leg) {
+  const Eigen::Vector2d variances(kOneSigma * kOneSigma, kStartSigma * kStartSigma);
+  tracks_.push_back({leg.p, Eigen::Vector2d::Zero(), variances.asDiagonal(), leg.stamp, 0, {leg}});
+}
+
+/// Of people with too many legs, the one furthest from where the person was expected and those near
+/// it are somebody else's, who walks along.
+void Movers::split() {
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    if (tracks_[i].legs.size() <= kLegs) continue;
+    Track other = tracks_[i];
+    std::sort(other.legs.begin(), other.legs.end(), [&](const SeenPoint& a, const SeenPoint& b) {
+      return (a.p - other.at(a.stamp)).norm() < (b.p - other.at(b.stamp)).norm();
+    });
+    const Eigen::Vector2d own = other.legs.front().p;
+    const Eigen::Vector2d far = other.legs.back().p;
+    const auto is_far = [&](const SeenPoint& leg) {
+      return (leg.p - far).norm() < (leg.p - own).norm();
+    };
+    if (!is_far(other.legs.back())) continue;
+    std::erase_if(tracks_[i].legs, is_far);
+    std::erase_if(other.legs, std::not_fn(is_far));
+    other.p += middle(other.legs).p - middle(tracks_[i].legs).p;
+    other.seen = 0;
+    tracks_.push_back(other);
   }
-  const auto age = [&](std::int64_t look) { return period_ * static_cast<double>(look_ - look); };
-  std::erase_if(tracks_, [&](const Track& track) { return age(track.back().look) > kForget; });
+}
+
+void Movers::take_legs() {
   for (Track& track : tracks_) {
-    while (age(track.front().look) > kSpan) track.pop_front();
+    if (track.legs.empty()) continue;
+    const SeenPoint seen = middle(track.legs);
+    track.predict(seen.stamp);
+    track.correct(seen.p, track.legs.size() > 1 ? kBothSigma : kOneSigma);
+    track.legs.clear();
   }
 }
 
-Eigen::Vector2d Movers::velocity(const Track& track) const {
-  const double span = period_ * static_cast<double>(track.back().look - track.front().look);
-  if (span < kLeast) return Eigen::Vector2d::Zero();
-  const Eigen::Vector2d v = (track.back().p - track.front().p) / span;
-  return v.norm() > kFastest ? Eigen::Vector2d::Zero().eval() : v;
+/// Of two at one place, the one seen longer stays.
+void Movers::drop_doubles() {
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    for (std::size_t k = tracks_.size(); k-- > i + 1;) {
+      if ((tracks_[i].at(tracks_[k].stamp) - tracks_[k].p).norm() >= kDouble) continue;
+      if (tracks_[k].seen > tracks_[i].seen) std::swap(tracks_[i], tracks_[k]);
+      tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
 }
 
-std::vector<Mover> Movers::moving() const {
+void Movers::update(const std::vector<SeenPoint>& points) {
+  for (const SeenPoint& leg : legs_of(points)) {
+    if (Track* track = nearest(leg)) {
+      track->legs.push_back(leg);
+    } else {
+      begin(leg);
+    }
+  }
+  split();
+  take_legs();
+  drop_doubles();
+  nanoseconds newest{};
+  for (const SeenPoint& point : points) newest = std::max(newest, point.stamp);
+  std::erase_if(tracks_, [&](const Track& track) { return track.stamp + kForget < newest; });
+}
+
+std::vector<Mover> Movers::seen(nanoseconds now) const {
   std::vector<Mover> result;
   for (const Track& track : tracks_) {
-    const Eigen::Vector2d v = velocity(track);
-    if (track.back().look == look_ && v.norm() > kSlowest) result.push_back({track.back().p, v});
+    if (track.seen < kLeastSeen || track.stamp + kForget < now) continue;
+    const double certain = kDoubt * std::sqrt(track.covariance(1, 1));
+    const bool stands = track.v.norm() < std::max(kSlowest, certain);
+    const Eigen::Vector2d v = stands ? Eigen::Vector2d::Zero() : track.v;
+    result.push_back({track.at(now), v});
   }
   return result;
 }

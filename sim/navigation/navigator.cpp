@@ -11,10 +11,13 @@ namespace {
 
 constexpr double kStopRoom = 0.01;     // [m] From the footprint, beyond the way to brake.
 constexpr double kStopPause = 0.5;     // [s] For which it then stands at least.
-constexpr double kStopFrom = 0.1;      // [m/s] Slower, stopping is no emergency.
+constexpr double kStopFrom = 0.15;     // [m/s] Slower, stopping is no emergency.
 constexpr double kMarkedWithin = 4.0;  // [m] End points that a new plan goes around.
 constexpr double kMapped = 0.25;       // [m] Nearer to what the map has, a point is that.
 constexpr double kKeepAway = 0.05;     // [m] Around each.
+constexpr double kStride = 0.5;        // [m] From the middle of who walks to a leg.
+constexpr double kSeenAgo = 0.2;       // [s] At most, of a point.
+constexpr double kBrakingShare = 0.5;  // Of the acceleration limit.
 
 double plan_radius(const NavigatorConfig& config) {
   return config.local.radius + config.plan_margin;
@@ -39,6 +42,12 @@ Grid with_points(const Grid& map, const Pose2& T_map_base,
   return grid;
 }
 
+/// How far to the left of a lane the robot is. [m]
+double offset_from(const Lane& lane, const Pose2& T_map_base) {
+  const Eigen::Vector2d along = (lane.to - lane.from).normalized();
+  return Eigen::Vector2d(-along.y(), along.x()).dot(T_map_base.position() - lane.from);
+}
+
 /// In another frame.
 std::vector<Mover> carried(std::vector<Mover> movers, const Pose2& T_b_a) {
   const Pose2 turn{0.0, 0.0, T_b_a.yaw};
@@ -53,7 +62,6 @@ Navigator::Navigator(const NavigatorConfig& config, const Grid& map)
       map_(map),
       mapped_(map, kMapped),
       route_(config.route, FreeSpace(map, plan_radius(config))),
-      movers_(config.period),
       passing_({.radius = config.local.radius}),
       recoveries_(config.recoveries, config.local.radius + config.local.margin, config.period) {}
 
@@ -74,49 +82,63 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
   std::vector<Eigen::Vector2d> p_base_still = p_base;
   std::erase_if(p_base_still,
                 [&](const Eigen::Vector2d& p) { return !velocity_at(p).isZero(0.0); });
-  const std::vector<Mover> movers = carried(seen_moving_, T_map_base);
+  const std::vector<Mover> movers = carried(seen_, T_map_base);
   DynamicWindowConfig local = config_.local;
-  local.limits.max_speed = passing_pace(*lane, movers, local.limits.max_speed);
-  const Eigen::Vector2d aim = passing_.aside(*lane, last_.v, movers, mapped_);
-  return best_twist(local, last_, inverse(T_map_base) * aim, p_base_still, seen_moving_)
+  const Twist2 now = live_.twist();
+  local.limits.max_speed = passing_pace(
+      {local.limits.max_speed, kBrakingShare * local.limits.max_acceleration, local.radius}, *lane,
+      offset_from(*lane, T_map_base), movers);
+  const Eigen::Vector2d aim = passing_.aside(*lane, now.v, movers, mapped_);
+  return best_twist(local, now, inverse(T_map_base) * aim, p_base_still, moving_)
       .value_or(Twist2{});
 }
 
 /// Looks for who moves where the map has nothing.
-void Navigator::watch_movers(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base) {
+void Navigator::watch_movers(const Pose2& T_map_base) {
   const Pose2 T_odom_base = live_.T_odom_base();
-  std::vector<Eigen::Vector2d> p_odom;
-  for (const Eigen::Vector2d& p : p_base) {
-    if (mapped_.clearance_at(T_map_base * p) > kMapped) p_odom.push_back(T_odom_base * p);
+  const Pose2 T_map_odom = T_map_base * inverse(T_odom_base);
+  for (std::vector<SeenPoint>& points : live_.take_news()) {
+    std::erase_if(points, [&](const SeenPoint& point) {
+      return mapped_.clearance_at(T_map_odom * point.p) <= kMapped;
+    });
+    movers_.update(points);
   }
-  movers_.update(p_odom);
-  seen_moving_ = carried(movers_.moving(), inverse(T_odom_base));
+  seen_ = carried(movers_.seen(live_.stamp()), inverse(T_odom_base));
+  moving_ = seen_;
+  std::erase_if(moving_, [](const Mover& mover) { return mover.stands(); });
 }
 
 /// Stops a robot that would run into something before it could brake.
 Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base) {
-  const double side = last_.v >= 0.0 ? 1.0 : -1.0;
-  const double brake = 0.5 * last_.v * last_.v / config_.local.limits.max_acceleration;
-  const double turn = last_.v != 0.0 ? last_.w / std::abs(last_.v) * brake : 0.0;
+  const Twist2 now = live_.twist();
+  const double speed = std::abs(now.v);
+  const double side = now.v >= 0.0 ? 1.0 : -1.0;
+  const double braking = speed / config_.local.limits.max_acceleration;
+  const double brake = 0.5 * speed * braking;
+  const double turn = speed > 0.0 ? now.w / speed * brake : 0.0;
   const Eigen::Vector2d stop = arc(side * brake, turn).position();
   const double reach = config_.local.radius + kStopRoom;
   const bool danger = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
-    return side * p.x() > 0.0 && std::min((p - stop).norm(), p.norm()) < reach;
+    // Of those who walk ahead, where they will be by then.
+    const Eigen::Vector2d v = velocity_at(p);
+    const Eigen::Vector2d then = v.dot(p) > 0.0 ? Eigen::Vector2d(p + braking * v) : p;
+    return side * p.x() > 0.0 && std::min((then - stop).norm(), p.norm()) < reach;
   });
-  const bool moves = std::abs(last_.v) > kStopFrom;
+  const bool moves = speed > kStopFrom;
   if (danger && moves && stop_left_ <= 0.0) events_.emplace_back("emergency stop");
   if (danger && (moves || stop_left_ > 0.0)) {
-    stop_left_ = std::max(stop_left_,
-                          std::abs(last_.v) / config_.local.limits.max_acceleration + kStopPause);
+    stop_left_ = std::max(stop_left_, braking + kStopPause);
   }
   stop_left_ -= config_.period;
   return stop_left_ > 0.0 ? Twist2{0.0, 0.0} : twist;
 }
 
-/// Of the mover that the point is part of; zero of what stands. In base.
+/// Of the mover that the point is part of, now or when it was seen; zero of what stands. In base.
 Eigen::Vector2d Navigator::velocity_at(const Eigen::Vector2d& p_base) const {
-  for (const Mover& mover : seen_moving_) {
-    if ((mover.p - p_base).norm() < kMoverRadius) return mover.velocity;
+  for (const Mover& mover : moving_) {
+    const Eigen::Vector2d way = kSeenAgo * mover.velocity;
+    const double ago = std::clamp((mover.p - p_base).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    if ((mover.p - ago * way - p_base).norm() < kStride) return mover.velocity;
   }
   return Eigen::Vector2d::Zero();
 }
@@ -125,10 +147,9 @@ Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   Twist2 twist;
   if (T_map_base) {
     const std::vector<Eigen::Vector2d> p_base = live_.p_base();
-    watch_movers(*T_map_base, p_base);
+    watch_movers(*T_map_base);
     twist = stopped_short(drive(*T_map_base, p_base), p_base);
   }
-  last_ = twist;
   return twist;
 }
 

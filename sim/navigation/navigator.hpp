@@ -43,7 +43,7 @@ class Navigator {
  private:
   Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
   void replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
-  void watch_movers(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
+  void watch_movers(const Pose2& T_map_base);
   [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base) const;
   Twist2 stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base);
 
@@ -53,10 +53,10 @@ class Navigator {
   RouteRunner route_;
   LiveScan live_;
   Movers movers_;
-  std::vector<Mover> seen_moving_;  ///< In base.
+  std::vector<Mover> seen_;    ///< In base.
+  std::vector<Mover> moving_;  ///< Those of them who move.
   Passing passing_;
   Recoveries recoveries_;
-  Twist2 last_;             ///< Commanded.
   double stop_left_ = 0.0;  ///< [s] Of an emergency stop, once begun seen through to standing.
   std::vector<std::string> events_;
 };

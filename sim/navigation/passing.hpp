@@ -19,9 +19,18 @@ struct PassingConfig {
   double right = 0.4;    ///< [m] Kept to the right of the lane where there is room.
 };
 
-/// The speed at which to meet movers (in map) that are on the lane ahead or come near it: slower
-/// the nearer they are, so that both have the time to make room. At most `max_speed`. [m/s]
-double passing_pace(const Lane& lane, const std::vector<Mover>& movers, double max_speed);
+/// How fast people are met.
+struct PaceConfig {
+  double max_speed = 0.5;     ///< [m/s]
+  double deceleration = 0.4;  ///< [m/s^2] That the robot can count on.
+  double radius = 0.25;       ///< [m] Of the robot.
+};
+
+/// The speed at which to meet movers (in map) for a robot that drives `offset` [m] to the left of
+/// its lane. Before those in its way it can come to stand before they are there, even if they walk
+/// straight on; beside others it slows down, so that both have the time to make room. [m/s]
+double passing_pace(const PaceConfig& config, const Lane& lane, double offset,
+                    const std::vector<Mover>& movers);
 
 /// Chooses how far beside its lane the robot drives. Without anybody about it keeps to the right
 /// where there is room, as people do: whoever comes towards it then passes on the left.

@@ -84,6 +84,8 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   drive.by_estimate = spec.by != "truth";
   drive.max_speed = spec.max_speed;
   drive.max_turn_rate = spec.max_turn_rate;
+  drive.max_acceleration = spec.max_acceleration;
+  drive.max_turn_acceleration = spec.max_turn_acceleration;
   drive.wait_s = spec.wait_s;
   if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);

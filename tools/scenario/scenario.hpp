@@ -57,10 +57,12 @@ struct DriveSpec {
   std::string route;      ///< A route of the world, "random", "explore" or "none"; empty: the first
                           ///< one, else random.
   std::string twist_log;  ///< File of recorded commands to drive by instead; empty: none.
-  std::string by = "truth";    ///< "truth" or the name of a localizer.
-  double max_speed = 0.5;      ///< [m/s]
-  double max_turn_rate = 1.0;  ///< [rad/s]
-  double wait_s = 0.0;         ///< [s] Stands still at first.
+  std::string by = "truth";            ///< "truth" or the name of a localizer.
+  double max_speed = 0.5;              ///< [m/s]
+  double max_turn_rate = 1.0;          ///< [rad/s]
+  double max_acceleration = 0.5;       ///< [m/s^2] Speeding up and braking.
+  double max_turn_acceleration = 2.0;  ///< [rad/s^2]
+  double wait_s = 0.0;                 ///< [s] Stands still at first.
 };
 
 /// A lidar: what differs from its profile, or from the robot's description.
@@ -135,24 +137,37 @@ struct BagSpec {
   bool snapshots = false;            ///< The run's pictures, if it takes any.
 };
 
+/// A camera on the robot.
+struct CameraSpec {
+  double rate_hz = 2.0;                                 ///< [Hz]
+  int width = 640;                                      ///< [px]
+  int height = 480;                                     ///< [px]
+  double fov_deg = 70.0;                                ///< [deg] From left to right.
+  Eigen::Vector3d mount_xyz{0.1, 0.0, 0.4};             ///< [m] In base.
+  Eigen::Vector3d mount_rpy = Eigen::Vector3d::Zero();  ///< [rad]
+  bool depth = true;                                    ///< camera/depth
+  bool instances = true;                                ///< camera/instances
+};
+
 /// What the run leaves behind, besides its tables.
 struct OutputSpec {
-  bool snapshots = true;           ///< Pictures at all.
-  double snapshot_every_s = 0.0;   ///< [s] 0: not by time.
-  bool snapshot_on_events = true;  ///< At kidnaps and recoveries.
-  int snapshot_width = 960;        ///< [px]
-  int snapshot_height = 720;       ///< [px]
-  bool report = true;              ///< report.html
-  bool player = true;              ///< In the report, and the recording.gz that it plays.
-  VideoSpec video;                 ///< With `castaway run --video FILE` only.
-  bool scans = false;              ///< scans.csv and labels.csv
-  bool tables_csv = false;         ///< tables/*.csv
-  bool tables_hdf5 = false;        ///< tables.h5
-  double points_every_s = 0.0;     ///< [s] Between two PLY files of a lidar; 0: none.
-  std::optional<BagSpec> bag;      ///< bag/; nothing: none.
-  bool carmen = false;             ///< log.carmen
-  bool kitti = false;              ///< kitti/
-  bool map = false;                ///< map/
+  bool snapshots = true;             ///< Pictures at all.
+  double snapshot_every_s = 0.0;     ///< [s] 0: not by time.
+  bool snapshot_on_events = true;    ///< At kidnaps and recoveries.
+  int snapshot_width = 960;          ///< [px]
+  int snapshot_height = 720;         ///< [px]
+  bool report = true;                ///< report.html
+  bool player = true;                ///< In the report, and the recording.gz that it plays.
+  VideoSpec video;                   ///< With `castaway run --video FILE` only.
+  bool scans = false;                ///< scans.csv and labels.csv
+  bool tables_csv = false;           ///< tables/*.csv
+  bool tables_hdf5 = false;          ///< tables.h5
+  double points_every_s = 0.0;       ///< [s] Between two PLY files of a lidar; 0: none.
+  std::optional<BagSpec> bag;        ///< bag/; nothing: none.
+  bool carmen = false;               ///< log.carmen
+  bool kitti = false;                ///< kitti/
+  bool map = false;                  ///< map/
+  std::optional<CameraSpec> camera;  ///< camera/; nothing: none.
 };
 
 /// A run.

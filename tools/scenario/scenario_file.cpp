@@ -111,6 +111,8 @@ DriveSpec read_drive(YamlReader& root) {
   }
   drive.max_speed = positive(map, "max_speed", drive.max_speed);
   drive.max_turn_rate = positive(map, "max_turn_rate", drive.max_turn_rate);
+  drive.max_acceleration = positive(map, "max_acceleration", drive.max_acceleration);
+  drive.max_turn_acceleration = positive(map, "max_turn_acceleration", drive.max_turn_acceleration);
   drive.wait_s = not_negative(map, "wait_s", drive.wait_s);
   return drive;
 }

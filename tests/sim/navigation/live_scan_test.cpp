@@ -79,6 +79,46 @@ TEST(LiveScan, LaysTheBeamsOfLayersDown) {
   EXPECT_NEAR(points[1].x(), 0.5, 1e-6);
 }
 
+/// Each beam is taken from where the robot was when it was sent out.
+TEST(LiveScan, TakesEachBeamFromItsOwnPlace) {
+  LiveScan live;
+  for (int i = 0; i <= 4; ++i) {
+    live.on_odometry({milliseconds(25 * i), {0.1 * i, 0.0, 0.0}, {}});
+  }
+  LidarReading scan = scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F});
+  scan.time_increment = milliseconds(25);
+  live.on_scan(scan, cross());
+  const auto news = live.take_news();
+  ASSERT_EQ(news.size(), 1U);
+  ASSERT_EQ(news[0].size(), 4U);
+  EXPECT_NEAR(news[0][0].p.x(), 2.0, 1e-6);
+  EXPECT_NEAR(news[0][2].p.x(), 0.2 - 3.0, 1e-6);
+  EXPECT_EQ(news[0][2].stamp, milliseconds(50));
+  EXPECT_NEAR(live.p_base()[0].x(), 2.0 - 0.4, 1e-6);
+}
+
+TEST(LiveScan, HandsEachScanOutOnce) {
+  LiveScan live;
+  EXPECT_TRUE(live.take_news().empty());
+  live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F}), cross());
+  LidarReading other = scan_at(milliseconds(0), {5.0F, NAN, NAN, NAN});
+  other.lidar = 1;
+  live.on_scan(other, cross());
+  EXPECT_EQ(live.take_news().size(), 2U);
+  EXPECT_TRUE(live.take_news().empty());
+}
+
+TEST(LiveScan, TellsTheSpeedFromOdometry) {
+  LiveScan live;
+  EXPECT_EQ(live.twist().v, 0.0);
+  for (int i = 0; i <= 10; ++i) {
+    live.on_odometry({milliseconds(10 * i), {0.004 * i, 0.0, 0.002 * i}, {}});
+  }
+  EXPECT_NEAR(live.twist().v, 0.4, 1e-3);
+  EXPECT_NEAR(live.twist().w, 0.2, 1e-9);
+  EXPECT_EQ(live.stamp(), milliseconds(100));
+}
+
 TEST(LiveScan, KnowsNothingBeforeTheFirstScan) {
   const LiveScan live;
   EXPECT_TRUE(live.p_base().empty());

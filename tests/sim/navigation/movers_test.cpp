@@ -1,60 +1,130 @@
 #include "sim/navigation/movers.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "sim/random.hpp"
+#include "tests/sim/support/people_scene.hpp"
 
 namespace castaway::sim {
 namespace {
 
-constexpr double kPeriod = 0.05;
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
 
-/// Two legs about a middle.
-std::vector<Eigen::Vector2d> legs(const Eigen::Vector2d& middle) {
-  return {middle + Eigen::Vector2d(0.0, 0.1), middle - Eigen::Vector2d(0.0, 0.1)};
+constexpr milliseconds kScan(100);
+
+/// Two legs of somebody who walks with `v` and a metre a stride: one is planted while the other
+/// swings past it at twice the speed.
+std::vector<SeenPoint> legs(const Eigen::Vector2d& middle, const Eigen::Vector2d& v,
+                            nanoseconds stamp) {
+  const double t = std::chrono::duration<double>(stamp).count();
+  const double reach = 0.25 * std::min(v.norm(), 1.4);
+  const Eigen::Vector2d ahead = v.norm() > 0.0 ? Eigen::Vector2d(v.normalized()) : v;
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  const Eigen::Vector2d swing = reach * std::cos(2.0 * std::numbers::pi * v.norm() * t) * ahead;
+  const Eigen::Vector2d apart =
+      v.norm() > 0.0 ? Eigen::Vector2d(0.1 * left) : Eigen::Vector2d(0.0, 0.1);
+  return {{middle + swing + apart, stamp}, {middle - swing - apart, stamp}};
 }
 
-TEST(Movers, HaveTheVelocityOfWhatMoves) {
-  Movers movers(kPeriod);
+void add(std::vector<SeenPoint>& points, const std::vector<SeenPoint>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+TEST(Movers, HaveTheVelocityOfWhoWalks) {
+  Movers movers;
+  const Eigen::Vector2d v(-1.2, 0.3);
+  Eigen::Vector2d p(6.0, 0.0);
+  nanoseconds stamp{};
+  for (int i = 0; i < 20; ++i, stamp += kScan, p += 0.1 * v) movers.update(legs(p, v, stamp));
+  const auto seen = movers.seen(stamp);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_LT((seen[0].velocity - v).norm(), 0.15);
+  EXPECT_LT((seen[0].p - p).norm(), 0.1);  // Where they are now, a scan later.
+}
+
+TEST(Movers, KeepUpWithWhoSetsOffQuickly) {
+  Movers movers;
   Eigen::Vector2d p(4.0, 0.0);
-  for (int i = 0; i < 20; ++i) {
-    movers.update(legs(p));
-    p += kPeriod * Eigen::Vector2d(-1.2, 0.3);
+  nanoseconds stamp{};
+  for (int i = 0; i < 10; ++i, stamp += kScan) movers.update(legs(p, {0.0, 0.0}, stamp));
+  ASSERT_EQ(movers.seen(stamp).size(), 1U);
+  EXPECT_TRUE(movers.seen(stamp)[0].stands());
+  Eigen::Vector2d v(0.0, 0.0);
+  for (int i = 0; i < 10; ++i, stamp += kScan, p += 0.1 * v) {
+    v.x() = std::max(v.x() - 0.3, -1.9);  // 3 m/s^2
+    movers.update(legs(p, v, stamp));
   }
-  const auto moving = movers.moving();
-  ASSERT_EQ(moving.size(), 1U);
-  EXPECT_NEAR(moving[0].velocity.x(), -1.2, 1e-9);
-  EXPECT_NEAR(moving[0].velocity.y(), 0.3, 1e-9);
-  EXPECT_NEAR((moving[0].p - p).norm(), kPeriod * std::hypot(1.2, 0.3), 1e-9);
+  ASSERT_EQ(movers.seen(stamp).size(), 1U);
+  EXPECT_LT(movers.seen(stamp)[0].velocity.x(), -1.3);
 }
 
-TEST(Movers, DoNotIncludeWhatStandsOrWasSeenTooShortly) {
-  Movers standing(kPeriod);
-  for (int i = 0; i < 40; ++i) standing.update(legs({2.0, 1.0}));
-  EXPECT_TRUE(standing.moving().empty());
-  Movers brief(kPeriod);
-  for (int i = 0; i < 8; ++i) brief.update(legs({2.0 + 0.05 * i, 1.0}));
-  EXPECT_TRUE(brief.moving().empty());
+TEST(Movers, AreNotKnownFromAFewScans) {
+  Movers movers;
+  nanoseconds stamp{};
+  for (int i = 0; i < 3; ++i, stamp += kScan) {
+    movers.update(legs({2.0 + 0.1 * i, 1.0}, {1.0, 0.0}, stamp));
+  }
+  EXPECT_TRUE(movers.seen(stamp).empty());
 }
 
 TEST(Movers, AreToldApart) {
-  Movers movers(kPeriod);
-  for (int i = 0; i < 20; ++i) {
-    std::vector<Eigen::Vector2d> points = legs({4.0 - 0.06 * i, 0.6});
-    for (const auto& p : legs({1.0 + 0.05 * i, -0.6})) points.push_back(p);
+  Movers movers;
+  nanoseconds stamp{};
+  for (int i = 0; i < 20; ++i, stamp += kScan) {
+    std::vector<SeenPoint> points = legs({6.0 - 0.12 * i, 0.6}, {-1.2, 0.0}, stamp);
+    add(points, legs({1.0 + 0.1 * i, -0.6}, {1.0, 0.0}, stamp));
     movers.update(points);
   }
-  const auto moving = movers.moving();
-  ASSERT_EQ(moving.size(), 2U);
-  EXPECT_NEAR(moving[0].velocity.x(), -1.2, 1e-9);
-  EXPECT_NEAR(moving[1].velocity.x(), 1.0, 1e-9);
+  const auto seen = movers.seen(stamp);
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(seen[0].velocity.x(), -1.2, 0.15);
+  EXPECT_NEAR(seen[1].velocity.x(), 1.0, 0.15);
 }
 
-TEST(Movers, AreForgottenWhenTheyAreNotSeen) {
-  Movers movers(kPeriod);
-  for (int i = 0; i < 20; ++i) movers.update(legs({4.0 - 0.06 * i, 0.0}));
+/// Two abreast are two, however near their legs come to each other.
+TEST(Movers, WalkSideBySide) {
+  Movers movers;
+  nanoseconds stamp{};
+  for (int i = 0; i < 30; ++i, stamp += kScan) {
+    std::vector<SeenPoint> points = legs({6.0 - 0.1 * i, 0.0}, {-1.0, 0.0}, stamp);
+    add(points, legs({6.0 - 0.1 * i, 0.65}, {-1.0, 0.0}, stamp));
+    movers.update(points);
+  }
+  EXPECT_EQ(movers.seen(stamp).size(), 2U);
+}
+
+TEST(Movers, AreCarriedOnWhileHiddenAndThenForgotten) {
+  Movers movers;
+  nanoseconds stamp{};
+  for (int i = 0; i < 20; ++i, stamp += kScan) {
+    movers.update(legs({6.0 - 0.12 * i, 0.0}, {-1.2, 0.0}, stamp));
+  }
   movers.update({});
-  EXPECT_TRUE(movers.moving().empty());
+  movers.update({});
+  const auto hidden = movers.seen(stamp + 2 * kScan);
+  ASSERT_EQ(hidden.size(), 1U);
+  EXPECT_NEAR(hidden[0].p.x(), 6.0 - 0.12 * 22, 0.15);
+  EXPECT_TRUE(movers.seen(stamp + milliseconds(700)).empty());
+}
+
+/// Whatever is seen, there are no more people than points.
+TEST(Movers, AreNeverMoreThanWhatIsSeen) {
+  Rng rng(5);
+  Movers movers;
+  nanoseconds stamp{};
+  for (int i = 0; i < 200; ++i, stamp += kScan) {
+    std::vector<SeenPoint> points;
+    for (int k = 0; k < 40; ++k) {
+      points.push_back({{uniform(0.0, 3.0, rng), uniform(0.0, 3.0, rng)}, stamp});
+    }
+    movers.update(points);
+    ASSERT_LE(movers.seen(stamp).size(), 400U);
+  }
+  for (const Mover& mover : movers.seen(stamp)) EXPECT_TRUE(mover.p.allFinite());
 }
 
 }  // namespace

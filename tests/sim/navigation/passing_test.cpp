@@ -52,17 +52,65 @@ TEST(Passing, ReachesTheLanesEnd) {
   EXPECT_EQ(Passing({}).aside(end, 0.8, {coming(2.0, 0.0)}, corridor(1.5)), end.to);
 }
 
-TEST(PassingPace, FallsAsAMoverComesNearer) {
-  EXPECT_EQ(passing_pace(kLane, {}, 0.9), 0.9);
-  EXPECT_EQ(passing_pace(kLane, {coming(5.0, 0.0)}, 0.9), 0.9);
-  EXPECT_NEAR(passing_pace(kLane, {coming(3.0, 0.0)}, 0.9), 0.525, 1e-9);
-  EXPECT_NEAR(passing_pace(kLane, {coming(1.0, 0.5)}, 0.9), 0.2, 1e-9);
+TEST(Passing, LeavesWhoStandsToTheDynamicWindow) {
+  EXPECT_NEAR(Passing({}).aside(kLane, 0.8, {{{2.0, -0.4}, {0.0, 0.0}}}, corridor(1.5)).y(), -0.4,
+              1e-9);
 }
 
-TEST(PassingPace, IsFreeOfThoseBesideBehindAndAhead) {
-  EXPECT_EQ(passing_pace(kLane, {coming(1.0, 1.4)}, 0.9), 0.9);
-  EXPECT_EQ(passing_pace(kLane, {coming(-1.0, 0.0)}, 0.9), 0.9);
-  EXPECT_EQ(passing_pace(kLane, {{{1.0, 0.0}, {1.4, 0.0}}}, 0.9), 0.9);
+const PaceConfig kPace{.max_speed = 0.9, .deceleration = 0.5, .radius = 0.25};
+
+double pace(const std::vector<Mover>& movers, double offset = 0.0) {
+  return passing_pace(kPace, kLane, offset, movers);
+}
+
+TEST(PassingPace, IsFullWithNobodyAbout) {
+  EXPECT_EQ(pace({}), 0.9);
+  EXPECT_EQ(pace({coming(9.0, 0.0)}), 0.9);
+}
+
+/// Whoever walks straight at the robot finds it standing: braking from the pace takes v / a, and
+/// somebody at 1.3 m/s has not come as far by then.
+TEST(PassingPace, LetsTheRobotStandByTheTimeThatSomebodyIsThere) {
+  for (const double gap : {1.5, 2.0, 3.0, 4.0}) {
+    const double v = pace({coming(gap, 0.0)});
+    const double way = 0.5 * v * v / kPace.deceleration + 1.3 * v / kPace.deceleration;
+    EXPECT_LE(way, gap - kPace.radius - kMoverRadius) << gap;
+    EXPECT_GT(v, 0.0) << gap;
+    EXPECT_LT(v, 0.9) << gap;
+  }
+  EXPECT_EQ(pace({coming(0.8, 0.0)}), 0.0);
+}
+
+TEST(PassingPace, FallsAsWhoIsBesideTheWayComesNearer) {
+  EXPECT_NEAR(pace({coming(3.0, 1.0)}), 0.525, 1e-9);
+  EXPECT_NEAR(pace({coming(1.0, 1.0)}), 0.2, 1e-9);
+  EXPECT_NEAR(pace({coming(3.0, 0.4)}, -0.5), 0.525, 1e-9);  // By where the robot drives.
+  EXPECT_EQ(pace({coming(3.0, 1.4)}), 0.9);
+  EXPECT_EQ(pace({coming(-1.0, 0.0)}), 0.9);
+}
+
+TEST(PassingPace, MindsWhoWalksIntoTheWay) {
+  const Mover crossing{{1.2, 1.1}, {-0.3, -1.0}};
+  EXPECT_LT(pace({crossing}), 0.4);
+}
+
+TEST(PassingPace, LetsWhoOvertakesCutIn) {
+  EXPECT_EQ(pace({{{-0.3, 0.5}, {1.4, -0.6}}}), 0.0);
+  EXPECT_EQ(pace({{{-0.3, 1.0}, {1.4, 0.0}}}), 0.9);
+  EXPECT_EQ(pace({{{-1.0, 0.0}, {1.4, 0.0}}}), 0.9);
+}
+
+TEST(PassingPace, FollowsAtADistanceThatIsEnoughToStopIn) {
+  EXPECT_EQ(pace({{{5.5, 0.0}, {1.4, 0.0}}}), 0.9);
+  EXPECT_LT(pace({{{3.0, 0.0}, {0.6, 0.0}}}), 0.7);  // They may turn and come.
+  EXPECT_NEAR(pace({{{1.5, 0.0}, {0.6, 0.0}}}), 0.3, 1e-9);
+  EXPECT_EQ(pace({{{0.7, 0.0}, {0.6, 0.0}}}), 0.0);
+}
+
+TEST(PassingPace, IsCarefulBeforeWhoStandsButPasses) {
+  const Mover stands{{1.0, 0.2}, {0.0, 0.0}};
+  EXPECT_NEAR(pace({stands}), 0.3, 1e-9);
+  EXPECT_EQ(pace({{{1.0, 1.0}, {0.0, 0.0}}}), 0.9);
 }
 
 }  // namespace
