@@ -91,6 +91,9 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
   items.push_back(item(stretched(sphere_mesh(1.0F, 8), {0.9F * head, 0.95F * head, 0.9F * head}),
                        state.position - 0.025 * ahead, body.height - 0.8 * kHeadRadius, yaw,
                        kShoe));
+  for (SceneItem& part : items) {
+    part.instance = static_cast<std::uint16_t>(kFirstPersonInstance + index);
+  }
   return items;
 }
 

@@ -19,6 +19,16 @@ struct Image {
 /// the pixels do not fit the size.
 std::string encode_png(const Image& image);
 
+/// A picture of one channel of 16 bits, row 0 at the top.
+struct DeepImage {
+  int width = 0;                      ///< [px]
+  int height = 0;                     ///< [px]
+  std::vector<std::uint16_t> pixels;  ///< width * height.
+};
+
+/// The bytes of a 16-bit grey PNG file. Throws as the one above.
+std::string encode_deep_png(const DeepImage& image);
+
 /// Writes a PNG file. Throws std::runtime_error if `path` is not writable.
 void write_png(const Image& image, const std::filesystem::path& path);
 

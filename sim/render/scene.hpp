@@ -18,12 +18,19 @@ struct TriangleMesh {
   std::vector<std::uint32_t> indices;  ///< Three a triangle, counter-clockwise from outside.
 };
 
+/// Ranges of instance numbers, which views for learning tell things apart by.
+inline constexpr std::uint16_t kFloorInstance = 1;
+inline constexpr std::uint16_t kRobotInstance = 2;
+inline constexpr std::uint16_t kFirstObjectInstance = 10;     ///< + index of the world's object.
+inline constexpr std::uint16_t kFirstPersonInstance = 60000;  ///< + number of the person.
+
 /// A mesh placed in the scene.
 struct SceneItem {
   TriangleMesh mesh;
   Eigen::Isometry3f T_map_mesh = Eigen::Isometry3f::Identity();
   Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< Multiplies the vertex colours.
   bool shaded = true;                       ///< False: its plain colour, whatever the light.
+  std::uint16_t instance = 0;               ///< What it belongs to; 0: nothing that has a number.
 };
 
 /// Points drawn over the scene (lidar hits, particles), all of one colour.

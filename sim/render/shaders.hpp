@@ -45,6 +45,17 @@ void main() {
 }
 )";
 
+/// Of meshes, how far along the optical axis a surface is, and what it belongs to.
+inline constexpr const char* kLabelFragmentShader = R"(#version 330 core
+uniform float instance;
+layout(location = 0) out float depth;
+layout(location = 1) out uint label;
+void main() {
+  depth = 1.0 / gl_FragCoord.w;
+  label = uint(instance + 0.5);
+}
+)";
+
 /// Points and lines: 5 cm nearer to the viewer than they are, so that a hit lies on its surface.
 inline constexpr const char* kOverlayVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;

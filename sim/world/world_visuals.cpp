@@ -1,5 +1,7 @@
 #include "sim/world/world_visuals.hpp"
 
+#include <algorithm>
+
 #include "sim/render/primitives.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
@@ -30,9 +32,12 @@ TriangleMesh mesh_of(const MeshShape& shape) { return load_mesh(shape.path, shap
 
 std::vector<SceneItem> world_visuals(const WorldSpec& world) {
   std::vector<SceneItem> items;
-  for (const WorldObject& object : world.objects) {
+  for (std::size_t i = 0; i < world.objects.size(); ++i) {
+    const WorldObject& object = world.objects[i];
     if (!object.in_world) continue;
     SceneItem item;
+    item.instance = static_cast<std::uint16_t>(
+        std::min<std::size_t>(kFirstObjectInstance + i, kFirstPersonInstance - 1));
     item.mesh = std::visit([](const auto& shape) { return mesh_of(shape); }, object.shape);
     item.T_map_mesh = object.T_map_object.cast<float>();
     item.color = object.color;

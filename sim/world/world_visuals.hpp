@@ -9,7 +9,8 @@
 namespace castaway::sim {
 
 /// One item for each object that stands in a world, in their order, in the objects' colours; the
-/// floor is left out. A mesh's own material colours are multiplied with the object's.
+/// floor is left out. Their instances are `kFirstObjectInstance` + index of the object. A mesh's
+/// own material colours are multiplied with the object's.
 /// @throws std::runtime_error if a mesh cannot be read.
 std::vector<SceneItem> world_visuals(const WorldSpec& world);
 

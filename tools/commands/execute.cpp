@@ -77,6 +77,10 @@ Sinks begin_run(RunPlan& plan, const std::filesystem::path& folder, Stamp durati
   }
   for (const SinkMaker& make : plan.more_sinks) sinks.push_back(make(folder, plan));
   add_recording(plan, folder, duration, sinks);
+  if (plan.camera) {
+    sinks.push_back(
+        std::make_unique<CameraSink>(folder, *plan.camera, plan.picture_world, plan.instances));
+  }
   if (plan.film) sinks.push_back(std::make_unique<FilmSink>(*plan.film, plan.picture_world));
   if (plan.pictures) add_pictures(plan, folder, sinks);
   return sinks;

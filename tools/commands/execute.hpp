@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/formats/ros_map.hpp"
+#include "tools/report/camera_sink.hpp"
 #include "tools/report/film_sink.hpp"
 #include "tools/report/picture_sink.hpp"
 #include "tools/run/export_sinks.hpp"
@@ -33,6 +34,8 @@ struct RunPlan {
   RosMap map;                             ///< What the localizers were given.
   std::optional<PictureConfig> pictures;  ///< Nothing: none are taken.
   std::optional<FilmConfig> film;         ///< Nothing: none is made.
+  std::optional<CameraConfig> camera;     ///< Nothing: none.
+  std::map<int, std::string> instances;   ///< What the camera's numbers stand for.
   PictureWorld picture_world;             ///< What pictures show besides the run.
   bool report = true;                     ///< Writes report.html.
   bool player = true;                     ///< Records the run for the report's player.

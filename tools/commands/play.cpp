@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
-#include "sim/render/primitives.hpp"
-#include "sim/robot/robot_visuals.hpp"
-#include "sim/world/world_visuals.hpp"
 #include "tools/commands/map_scores.hpp"
+#include "tools/commands/picture_plan.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
@@ -21,43 +19,6 @@ std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
   std::vector<std::string> names;
   for (const LocalizerSpec& spec : specs) names.push_back(spec.name);
   return names;
-}
-
-/// The floor, just below z = 0.
-sim::SceneItem floor_item(const sim::WorldSpec& world) {
-  sim::SceneItem item;
-  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
-  item.T_map_mesh.translation().z() = -0.003F;
-  item.color = {0.80F, 0.77F, 0.72F};
-  return item;
-}
-
-PictureWorld picture_world_of(const PreparedSimulation& prepared) {
-  PictureWorld world;
-  world.world = sim::world_visuals(prepared.config.world);
-  world.world.push_back(floor_item(prepared.config.world));
-  world.robot = sim::robot_visuals(prepared.config.robot);
-  world.min_corner = prepared.config.world.min_corner;
-  world.max_corner = prepared.config.world.max_corner;
-  world.robot_radius = prepared.config.robot.footprint_radius;
-  world.map = prepared.map;
-  return world;
-}
-
-void add_pictures(const OutputSpec& outputs, const std::filesystem::path& video,
-                  const PreparedSimulation& prepared, RunPlan& plan) {
-  plan.map = prepared.map;
-  plan.report = outputs.report;
-  plan.player = outputs.player;
-  plan.picture_world.robot_radius = prepared.config.robot.footprint_radius;
-  if (outputs.snapshots || !video.empty()) plan.picture_world = picture_world_of(prepared);
-  if (outputs.snapshots) {
-    plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
-                                  outputs.snapshot_width, outputs.snapshot_height};
-  }
-  if (video.empty()) return;
-  const VideoSpec& film = outputs.video;
-  plan.film = FilmConfig{{video, film.width, film.height, film.fps}, film.view, film.speed};
 }
 
 /// Lidars that would tell none tell the power that they receive; no range changes by it.
@@ -140,7 +101,7 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   plan.more_sinks = options.sinks;
   plan.localizers =
       build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
-  add_pictures(scenario.outputs, options.video, prepared, plan);
+  plan_pictures(scenario.outputs, options.video, prepared, plan);
   add_scan_outputs(scenario.outputs, prepared, plan);
   add_tables(options, scenario, prepared, plan);
   add_exports(loaded, prepared, plan);

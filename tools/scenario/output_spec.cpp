@@ -76,6 +76,33 @@ std::optional<BagSpec> read_bag(YamlReader& map) {
   return bag;
 }
 
+std::optional<CameraSpec> read_camera(YamlReader& map) {
+  const std::optional<YamlReader> given = map.find("camera");
+  if (!given || given->is_scalar()) {
+    return map.get("camera", false) ? std::optional(CameraSpec{}) : std::nullopt;
+  }
+  YamlReader reader = map.child("camera");
+  CameraSpec camera;
+  camera.rate_hz = reader.get("rate_hz", camera.rate_hz);
+  if (!(camera.rate_hz > 0.0 && camera.rate_hz <= 100.0)) {
+    reader.fail("'rate_hz' must be above 0 and at most 100");
+  }
+  camera.width = reader.get("width", camera.width);
+  camera.height = reader.get("height", camera.height);
+  for (const int size : {camera.width, camera.height}) {
+    if (size < 16 || size > 4096) reader.fail("'width' and 'height' must be in 16..4096");
+  }
+  camera.fov_deg = reader.get("fov_deg", camera.fov_deg);
+  if (!(camera.fov_deg >= 5.0 && camera.fov_deg <= 150.0)) {
+    reader.fail("'fov_deg' must be in 5..150");
+  }
+  camera.mount_xyz = reader.get("mount_xyz", camera.mount_xyz);
+  camera.mount_rpy = reader.get("mount_rpy", camera.mount_rpy);
+  camera.depth = reader.get("depth", camera.depth);
+  camera.instances = reader.get("instances", camera.instances);
+  return camera;
+}
+
 }  // namespace
 
 OutputSpec read_outputs(YamlReader& root) {
@@ -95,6 +122,7 @@ OutputSpec read_outputs(YamlReader& root) {
   outputs.carmen = map.get("carmen", outputs.carmen);
   outputs.kitti = map.get("kitti", outputs.kitti);
   outputs.map = map.get("map", outputs.map);
+  outputs.camera = read_camera(map);
   read_snapshots(map, outputs);
   return outputs;
 }

@@ -20,6 +20,9 @@ namespace castaway::testbed {
 ///       carmen: false          # log.carmen
 ///       kitti: false           # kitti/poses.txt, kitti/times.txt
 ///       map: false             # map/map.yaml, map/map.pgm
+///       camera: {rate_hz: 2, width: 640, height: 480, fov_deg: 70, mount_xyz: [0.1, 0, 0.4],
+///                mount_rpy: [0, 0, 0], depth: true, instances: true}   # camera/; or true, or
+///                false
 OutputSpec read_outputs(YamlReader& root);
 
 }  // namespace castaway::testbed

@@ -119,6 +119,40 @@ TEST_F(RendererTest, RefusesAnImpossibleSize) {
   EXPECT_THROW(Renderer(1'000'000, 10), std::runtime_error);
 }
 
+/// A box of 1 m with its face 3 m before a camera that looks along x.
+Scene from_before() {
+  Scene scene;
+  scene.camera.eye = {0.0F, 0.0F, 0.0F};
+  scene.camera.target = {1.0F, 0.0F, 0.0F};
+  scene.camera.fov_y_deg = 60.0F;
+  scene.items.push_back(plain_box({3.5F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}));
+  scene.items.back().instance = 60123;
+  return scene;
+}
+
+TEST_F(RendererTest, CapturesDepthAlongTheAxisAndInstances) {
+  const LabelledView view = renderer_->capture(from_before());
+  const auto at = [](int column, int row) { return static_cast<std::size_t>(row * 64 + column); };
+  ASSERT_EQ(view.depth_m.size(), 64U * 48U);
+  EXPECT_NEAR(view.depth_m[at(32, 24)], 3.0, 1e-3);
+  EXPECT_NEAR(view.depth_m[at(37, 29)], 3.0, 1e-3);  // The whole face, not the distance to the eye.
+  EXPECT_EQ(view.instances[at(32, 24)], 60123);
+  EXPECT_EQ(view.depth_m[at(2, 2)], 0.0F);
+  EXPECT_EQ(view.instances[at(2, 2)], 0);
+  EXPECT_EQ(view.color.pixels, renderer_->render(from_before()).pixels);
+}
+
+/// Rows come from the top, and what is nearer hides what is behind it.
+TEST_F(RendererTest, CapturesWhatIsInFrontTheRightWayUp) {
+  Scene scene = from_before();
+  scene.items.push_back(plain_box({2.5F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}));  // Nearer and higher.
+  scene.items.back().instance = 7;
+  const LabelledView view = renderer_->capture(scene);
+  EXPECT_EQ(view.instances[3 * 64 + 32], 7);
+  EXPECT_NEAR(view.depth_m[3 * 64 + 32], 2.0, 1e-3);
+  EXPECT_EQ(view.instances[30 * 64 + 32], 60123);
+}
+
 TEST_F(RendererTest, NamesWhatDraws) { EXPECT_FALSE(renderer_->name().empty()); }
 
 }  // namespace
