@@ -1,0 +1,18 @@
+// CARMEN logs, plain and gzipped, up to the frames that localizers are given.
+
+#include <stdexcept>
+
+#include "tests/fuzz/fuzz_input.hpp"
+#include "tools/run/carmen_source.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace castaway::testbed;
+  try {
+    CarmenSource source(as_file(data, size, ".clf"));
+    while (source.next()) {
+    }
+  } catch (const std::runtime_error&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return 0;
+}

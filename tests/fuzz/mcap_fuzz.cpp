@@ -1,0 +1,18 @@
+// MCAP bags, up to the frames that localizers are given.
+
+#include <stdexcept>
+
+#include "tests/fuzz/fuzz_input.hpp"
+#include "tools/run/bag_reading.hpp"
+#include "tools/run/bag_topics.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace castaway::testbed;
+  try {
+    const BagInventory bag = take_inventory("fuzz.mcap", {as_file(data, size, ".mcap")});
+    read_bag(bag, choose_topics(bag, {}));
+  } catch (const std::runtime_error&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return 0;
+}
