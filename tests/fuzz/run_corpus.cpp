@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <vector>
 
 #include "tests/fuzz/fuzz_input.hpp"
 
@@ -23,8 +22,8 @@ void run(const std::filesystem::path& file) {
 
 int main(int count, char** arguments) {
   int files = 0;
-  for (const std::string folder : std::vector<std::string>(arguments + 1, arguments + count)) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (int i = 1; i < count; ++i) {
+    for (const auto& entry : std::filesystem::directory_iterator(arguments[i])) {
       run(entry.path());
       ++files;
     }

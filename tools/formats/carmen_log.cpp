@@ -10,7 +10,10 @@ namespace castaway::testbed {
 
 /// Bytes of a file, decompressed where it is gzipped.
 struct CarmenLogReader::Stream {
-  explicit Stream(const std::filesystem::path& path) : file(gzopen(path.c_str(), "rb")) {}
+  explicit Stream(const std::filesystem::path& path) {
+    std::error_code ignored;  // A device may have no end, nor a line's.
+    if (!std::filesystem::is_character_file(path, ignored)) file = gzopen(path.c_str(), "rb");
+  }
   ~Stream() {
     if (file != nullptr) gzclose(file);
   }
@@ -31,7 +34,7 @@ struct CarmenLogReader::Stream {
     return code != Z_OK && code != Z_STREAM_END;
   }
 
-  gzFile file;
+  gzFile file = nullptr;
   std::array<char, 65536> buffer{};
   std::size_t begin = 0;
   std::size_t end = 0;

@@ -13,6 +13,9 @@ namespace castaway::testbed {
 
 std::string read_file(const std::filesystem::path& path) {
   std::error_code ignored;
+  if (std::filesystem::is_character_file(path, ignored)) {
+    throw std::runtime_error(fmt::format("{}: is a device; name a file", path.string()));
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream || std::filesystem::is_directory(path, ignored)) {
     throw std::runtime_error(

@@ -1,12 +1,11 @@
 #include "tools/scenario/yaml_reader.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "tools/formats/file.hpp"
 #include "tools/scenario/nearest.hpp"
 
 namespace castaway::testbed {
@@ -154,13 +153,7 @@ void YamlReader::fill(const std::string& key, YamlNode value) {
 }
 
 YamlDocument YamlDocument::load(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream.good() && !stream.eof()) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be read; check the path and its permissions", file.string()));
-  }
-  return parse(text, file.string());
+  return parse(read_file(file), file.string());
 }
 
 YamlDocument YamlDocument::parse(const std::string& text, const std::string& name) {

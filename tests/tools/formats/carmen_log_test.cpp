@@ -50,6 +50,10 @@ void expect_messages(const std::filesystem::path& path) {
   EXPECT_FALSE(reader.next());
 }
 
+TEST(CarmenLogReader, RefusesADevice) {
+  EXPECT_THROW(CarmenLogReader("/dev/zero"), std::runtime_error);
+}
+
 TEST(CarmenLog, ReadsPlainText) {
   const TemporaryFolder folder;
   expect_messages(folder.put("log", kLog));

@@ -35,6 +35,8 @@ TEST(File, KeepsTheOldOneUntilTheNewOneIsComplete) {
   EXPECT_EQ(read_file(path), "new");
 }
 
+TEST(File, IsNoDevice) { EXPECT_THROW(read_file("/dev/zero"), std::runtime_error); }
+
 TEST(File, NamesWhatCannotBeReadOrWritten) {
   EXPECT_TRUE(
       contains(error_of([] { read_file("/no/such/file"); }), "/no/such/file: cannot be read"));
