@@ -40,6 +40,16 @@ constexpr Format kFormats[] = {
      "```\nevo_traj tum sequences/000000/truth.tum --plot\n```\n"},
     {"/log.carmen", "`log.carmen` | CARMEN log", ""},
     {"/kitti/poses.txt", "`kitti/poses.txt`, `kitti/times.txt` | true poses (KITTI odometry)", ""},
+    {"/camera/camera.json",
+     "`camera/` | colour, depth (mm) and instances from a camera on the robot, people as COCO has "
+     "them",
+     "```python\n"
+     "from PIL import Image\n"
+     "import json, numpy as np\n"
+     "camera = 'sequences/000000/camera/'\n"
+     "depth_m = np.asarray(Image.open(camera + 'depth/000000.png')) / 1000.0   # along the axis\n"
+     "people = np.asarray(Image.open(camera + 'instances/000000.png')) >= 60000\n"
+     "boxes = [a['bbox'] for a in json.load(open(camera + 'coco.json'))['annotations']]\n```\n"},
     {"/map/map.yaml", "`map/map.yaml`, `map/map.pgm` | the map (ROS)", ""},
     {"/errors.csv", "`errors.csv` | the localizers' errors, where any ride along", ""},
     {"/events.csv", "`events.csv` | kidnaps, faults, collisions, alarms, recoveries", ""},

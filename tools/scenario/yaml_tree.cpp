@@ -1,6 +1,7 @@
 #include "tools/scenario/yaml_tree.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -9,17 +10,19 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kMaxDepth = 50;         // Aliases can make a tree endlessly deep...
-constexpr int kMaxNodes = 1'000'000;  // ...or exponentially large.
+constexpr int kMaxDepth = 50;            // Aliases can make a tree endlessly deep...
+constexpr std::size_t kPerByte = 4;      // ...or exponentially large: without any, there are fewer
+constexpr std::size_t kAlways = 10'000;  // nodes than bytes.
 
 class Converter {
  public:
-  explicit Converter(std::string name) : name_(std::move(name)) {}
+  Converter(std::string name, std::size_t bytes)
+      : name_(std::move(name)), most_(kAlways + kPerByte * bytes) {}
 
   YamlNode convert(const YAML::Node& source, int depth = 0) {
     YamlNode node;
     node.where = fmt::format("{}:{}", name_, source.Mark().line + 1);
-    if (depth > kMaxDepth || ++count_ > kMaxNodes) {
+    if (depth > kMaxDepth || ++count_ > most_) {
       throw std::runtime_error(node.where + ": nested too deep or too large; check the aliases");
     }
     if (source.IsScalar()) {
@@ -37,11 +40,12 @@ class Converter {
  private:
   void convert_map(const YAML::Node& source, int depth, YamlNode& node) {
     node.kind = YamlNode::Kind::kMap;
+    std::set<std::string> keys;
     for (const auto& entry : source) {
       const std::string where = fmt::format("{}:{}", name_, entry.first.Mark().line + 1);
       if (!entry.first.IsScalar()) throw std::runtime_error(where + ": a key must be a plain word");
       const std::string key = entry.first.Scalar();
-      if (node.find(key) != nullptr) {
+      if (!keys.insert(key).second) {
         throw std::runtime_error(fmt::format("{}: key '{}' appears twice; keep one", where, key));
       }
       node.entries.push_back({key, convert(entry.second, depth + 1)});
@@ -50,7 +54,8 @@ class Converter {
   }
 
   std::string name_;
-  int count_ = 0;
+  std::size_t most_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace
@@ -74,7 +79,7 @@ YamlNode yaml_scalar(std::string text) {
 
 YamlNode parse_yaml(const std::string& text, const std::string& name) {
   try {
-    return Converter(name).convert(YAML::Load(text));
+    return Converter(name, text.size()).convert(YAML::Load(text));
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(
         fmt::format("{}:{}: not valid YAML: {}", name, error.mark.line + 1, error.msg));
