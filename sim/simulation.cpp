@@ -72,6 +72,7 @@ struct Simulation::State {
 
   nanoseconds step;
   nanoseconds now{};
+  Twist2 commanded;
 
   Grid grid;     ///< Where it drives...
   Grid landing;  ///< ...and where it is put down.
@@ -140,7 +141,8 @@ void Simulation::State::move_people() {
 
 void Simulation::State::command() {
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  robot.set_command(drive.command(now, T_map_base, people));
+  commanded = drive.command(now, T_map_base, people);
+  robot.set_command(commanded);
   for (std::string& what : drive.take_events()) {
     frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
   }
@@ -230,6 +232,10 @@ void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base) {
 Pose2 Simulation::start_pose() const { return state_->start; }
 
 Pose2 Simulation::true_pose() const { return to_planar(state_->robot.state().T_map_base); }
+
+Twist2 Simulation::commanded() const { return state_->commanded; }
+
+WheelAngles Simulation::wheels() const { return state_->robot.state().wheels; }
 
 std::int64_t Simulation::collisions() const { return state_->robot.collisions(); }
 

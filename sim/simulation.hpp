@@ -129,6 +129,10 @@ class Simulation {
   [[nodiscard]] Pose2 start_pose() const;
   /// True pose of base now.
   [[nodiscard]] Pose2 true_pose() const;
+  /// The velocity that the robot was last commanded.
+  [[nodiscard]] Twist2 commanded() const;
+  /// Its wheels now.
+  [[nodiscard]] WheelAngles wheels() const;
   /// Contacts of the robot with the world begun so far, floor and people aside.
   [[nodiscard]] std::int64_t collisions() const;
   /// Way driven by the base so far, kidnaps aside. [m]

@@ -132,12 +132,14 @@ auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body bod
     if (!options.quiet) fmt::print(stderr, "castaway: warning: {}\n", warning);
   }
   RunPlan plan = plan_of(options, loaded, prepared);
+  const std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
   SimulatorSource source = source_of(std::move(prepared), scenario.seed);
   source.begin_at(localization::from_seconds(scenario.start.switch_on_s));
   source.stop_after(scenario.stop_after_m);
   if (plan.points_every_s > 0.0) source.keep_clouds();
   plan.loop = loop_config(scenario, *source.start_pose());
   if (plan.exports.bag && plan.loop.start) plan.exports.bag->start = plan.loop.start->T_map_base;
+  if (plan.exports.bag) plan.exports.bag->drive = [&] { return source.drive_now(wheels); };
   if (scenario.people.config.count() > 0) {
     plan.people_every_s = scenario.people.log_every_s;
     plan.picture_world.moving = [&source] { return source.people_items(); };

@@ -135,6 +135,19 @@ struct Twist {
   }
 };
 
+/// A velocity at a time.
+struct TwistStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/TwistStamped";
+  Header header;
+  Twist twist;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("header", self.header);
+    visitor("twist", self.twist);
+  }
+};
+
 /// Velocities and how sure they are.
 struct TwistWithCovariance {
   static constexpr const char* kType = "geometry_msgs/msg/TwistWithCovariance";

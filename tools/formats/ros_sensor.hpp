@@ -38,6 +38,25 @@ struct LaserScan {
   }
 };
 
+/// Joints by name. Positions and velocities: as many as names.
+struct JointState {
+  static constexpr const char* kType = "sensor_msgs/msg/JointState";
+  Header header;
+  std::vector<std::string> name;
+  std::vector<double> position;  ///< [rad]
+  std::vector<double> velocity;  ///< [rad/s]
+  std::vector<double> effort;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("header", self.header);
+    visitor("name", self.name);
+    visitor("position", self.position);
+    visitor("velocity", self.velocity);
+    visitor("effort", self.effort);
+  }
+};
+
 /// A picture.
 struct CompressedImage {
   static constexpr const char* kType = "sensor_msgs/msg/CompressedImage";

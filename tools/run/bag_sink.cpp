@@ -62,6 +62,10 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
       people_(bag_.add_topic<ros::MarkerArray>("/people")),
       events_(bag_.add_topic<ros::String>("/events")),
       snapshots_(run_folder) {
+  if (config_.drive) {
+    command_ = bag_.add_topic<ros::TwistStamped>("/cmd_vel");
+    joints_ = bag_.add_topic<ros::JointState>("/joint_states");
+  }
   add_localizers(info.localizers);
   attach_inputs(map);
   describe(info);
@@ -112,6 +116,14 @@ void BagSink::on_event(const RunEvent& event) {
   bag_.publish(events_, event.stamp, ros::String{event_json(event)});
 }
 
+void BagSink::write_drive(Stamp stamp, double dt_s) {
+  if (!config_.drive) return;
+  DriveNow now = config_.drive();
+  bag_.publish(command_, stamp, command_message(stamp, now));
+  bag_.publish(joints_, stamp, joints_message(stamp, now, drive_, dt_s));
+  drive_ = std::move(now);
+}
+
 void BagSink::on_odometry(const OdometryFrame& frame) {
   const Stamp stamp = frame.odometry.stamp;
   const SE2& T_odom_base = frame.odometry.T_odom_base;
@@ -128,6 +140,7 @@ void BagSink::on_odometry(const OdometryFrame& frame) {
     }
     bag_.publish(true_odom_, stamp, truth);
   }
+  write_drive(stamp, dt_s);
   last_ = frame;
 }
 

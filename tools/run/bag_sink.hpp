@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
+#include "tools/run/bag_drive.hpp"
 #include "tools/run/bag_frames.hpp"
 #include "tools/run/bag_writer.hpp"
 #include "tools/run/run_sink.hpp"
@@ -29,6 +30,7 @@ struct BagConfig {
   std::string scenario_yaml;                     ///< Attached.
   std::optional<SE2> start;                      ///< That the localizers are told.
   std::function<std::string(int)> label_name{};  ///< What beams hit; empty: nobody knows.
+  std::function<DriveNow()> drive{};             ///< Command and wheels; empty: nobody knows.
 };
 
 /// Writes the messages of a run as they come. Memory does not grow with the run, but for an index
@@ -63,6 +65,7 @@ class BagSink final : public RunSink {
   void write_truth(const ScanRecord& record);
   void write_map_frame(const ScanRecord& record);
   void write_snapshots(Stamp delivered);
+  void write_drive(Stamp stamp, double dt_s);
   void write_localizer(const ScanRecord& record, std::size_t index);
 
   BagConfig config_;
@@ -83,6 +86,9 @@ class BagSink final : public RunSink {
   SnapshotFeed snapshots_;
   std::map<std::string, std::uint16_t> views_;  ///< Topics of pictures.
   std::set<int> labels_;
+  std::uint16_t command_ = 0;
+  std::uint16_t joints_ = 0;
+  std::optional<DriveNow> drive_;  ///< At the newest odometry.
 };
 
 }  // namespace castaway::testbed

@@ -142,6 +142,16 @@ ScanFrame SimulatorSource::convert(const sim::LidarReading& reading) const {
           scan_truth(reading, lidar, clouds_)};
 }
 
+DriveNow SimulatorSource::drive_now(const std::vector<sim::DriveWheel>& wheels) const {
+  const sim::Twist2 command = simulation_.commanded();
+  const sim::WheelAngles angles = simulation_.wheels();
+  DriveNow now{command.v, command.w, {}};
+  for (const sim::DriveWheel& wheel : wheels) {
+    now.joints.emplace_back(wheel.joint, wheel.p_base_wheel.y() > 0.0 ? angles.left : angles.right);
+  }
+  return now;
+}
+
 std::vector<sim::SceneItem> SimulatorSource::people_items() const {
   std::vector<sim::SceneItem> items;
   int index = 0;

@@ -7,6 +7,7 @@
 #include "sim/sensor_stage.hpp"
 #include "sim/simulation.hpp"
 #include "tools/formats/ros_map.hpp"
+#include "tools/run/bag_drive.hpp"
 #include "tools/run/sensor_source.hpp"
 
 namespace castaway::testbed {
@@ -40,6 +41,8 @@ class SimulatorSource final : public SensorSource {
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on scans bring their points in space.
   void keep_clouds() { clouds_ = true; }
+  /// Command and wheels as they are now: up to a step of physics after the newest frame.
+  [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// The people as they are now, for pictures.
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 

@@ -242,5 +242,21 @@ TEST_F(BagSinkTest, GivesTheSameBytesForTheSameRun) {
   EXPECT_EQ(read_file(folder() / "bag" / "a_scenario.mcap"), first);
 }
 
+TEST(BagSink, TellsCommandsAndJointsWhereTheyAreKnown) {
+  const TemporaryFolder folder;
+  BagConfig known = config();
+  double angle = 0.0;
+  known.drive = [&angle] { return DriveNow{0.3, 0.1, {{"left", angle += 0.5}}}; };
+  BagSink sink(folder.path(), run_of({"mh_amcl", "amcl-2"}), map(), known);
+  play(sink);
+  const auto commands = messages_of<ros::TwistStamped>(folder.path(), "/cmd_vel");
+  const auto joints = messages_of<ros::JointState>(folder.path(), "/joint_states");
+  ASSERT_EQ(commands.size(), 11U);
+  ASSERT_EQ(joints.size(), 11U);
+  EXPECT_EQ(commands[4].twist.linear.x, 0.3);
+  EXPECT_NEAR(joints[4].position[0], 2.5, 1e-12);
+  EXPECT_NEAR(joints[4].velocity[0], 5.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace castaway::testbed
