@@ -36,17 +36,23 @@ SeenPoint middle(const std::vector<SeenPoint>& points) {
   return sum;
 }
 
+/// Clusters of points, each about the mean of those before.
 std::vector<SeenPoint> legs_of(const std::vector<SeenPoint>& points) {
-  std::vector<std::vector<SeenPoint>> clusters;
-  for (const SeenPoint& point : points) {
-    auto found = std::find_if(clusters.begin(), clusters.end(), [&](const auto& cluster) {
-      return (middle(cluster).p - point.p).norm() < kLeg;
-    });
-    if (found == clusters.end()) found = clusters.emplace(clusters.end());
-    found->push_back(point);
-  }
   std::vector<SeenPoint> legs;
-  for (const auto& cluster : clusters) legs.push_back(middle(cluster));
+  std::vector<std::int64_t> counts;
+  for (const SeenPoint& point : points) {
+    const auto found = std::find_if(legs.begin(), legs.end(), [&](const SeenPoint& leg) {
+      return (leg.p - point.p).norm() < kLeg;
+    });
+    if (found == legs.end()) {
+      legs.push_back(point);
+      counts.push_back(1);
+      continue;
+    }
+    const std::int64_t count = ++counts[static_cast<std::size_t>(found - legs.begin())];
+    found->p += (point.p - found->p) / static_cast<double>(count);
+    found->stamp += (point.stamp - found->stamp) / count;
+  }
   return legs;
 }
 

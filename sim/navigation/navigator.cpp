@@ -81,7 +81,7 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
   if (wanted.v == 0.0) return wanted;  // A turn on the spot is free: the robot is a disc.
   std::vector<Eigen::Vector2d> p_base_still = p_base;
   std::erase_if(p_base_still,
-                [&](const Eigen::Vector2d& p) { return !velocity_at(p).isZero(0.0); });
+                [&](const Eigen::Vector2d& p) { return !velocity_at(p, T_map_base).isZero(0.0); });
   const std::vector<Mover> movers = carried(seen_, T_map_base);
   DynamicWindowConfig local = config_.local;
   const Twist2 now = live_.twist();
@@ -109,7 +109,8 @@ void Navigator::watch_movers(const Pose2& T_map_base) {
 }
 
 /// Stops a robot that would run into something before it could brake.
-Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base) {
+Twist2 Navigator::stopped_short(const Twist2& twist, const Pose2& T_map_base,
+                                const std::vector<Eigen::Vector2d>& p_base) {
   const Twist2 now = live_.twist();
   const double speed = std::abs(now.v);
   const double side = now.v >= 0.0 ? 1.0 : -1.0;
@@ -120,7 +121,7 @@ Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Ve
   const double reach = config_.local.radius + kStopRoom;
   const bool danger = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
     // Of those who walk ahead, where they will be by then.
-    const Eigen::Vector2d v = velocity_at(p);
+    const Eigen::Vector2d v = velocity_at(p, T_map_base);
     const Eigen::Vector2d then = v.dot(p) > 0.0 ? Eigen::Vector2d(p + braking * v) : p;
     return side * p.x() > 0.0 && std::min((then - stop).norm(), p.norm()) < reach;
   });
@@ -133,12 +134,16 @@ Twist2 Navigator::stopped_short(const Twist2& twist, const std::vector<Eigen::Ve
   return stop_left_ > 0.0 ? Twist2{0.0, 0.0} : twist;
 }
 
-/// Of the mover that the point is part of, now or when it was seen; zero of what stands. In base.
-Eigen::Vector2d Navigator::velocity_at(const Eigen::Vector2d& p_base) const {
+/// Of the mover that the point is part of, now or when it was seen; zero of what stands, and of
+/// what the map has: a wall does not walk off with who passes it. In base.
+Eigen::Vector2d Navigator::velocity_at(const Eigen::Vector2d& p_base,
+                                       const Pose2& T_map_base) const {
   for (const Mover& mover : moving_) {
     const Eigen::Vector2d way = kSeenAgo * mover.velocity;
     const double ago = std::clamp((mover.p - p_base).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    if ((mover.p - ago * way - p_base).norm() < kStride) return mover.velocity;
+    if ((mover.p - ago * way - p_base).norm() >= kStride) continue;
+    const bool mapped = mapped_.clearance_at(T_map_base * p_base) <= kMapped;
+    return mapped ? Eigen::Vector2d::Zero().eval() : mover.velocity;
   }
   return Eigen::Vector2d::Zero();
 }
@@ -148,7 +153,7 @@ Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   if (T_map_base) {
     const std::vector<Eigen::Vector2d> p_base = live_.p_base();
     watch_movers(*T_map_base);
-    twist = stopped_short(drive(*T_map_base, p_base), p_base);
+    twist = stopped_short(drive(*T_map_base, p_base), *T_map_base, p_base);
   }
   return twist;
 }

@@ -44,8 +44,10 @@ class Navigator {
   Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
   void replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
   void watch_movers(const Pose2& T_map_base);
-  [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base) const;
-  Twist2 stopped_short(const Twist2& twist, const std::vector<Eigen::Vector2d>& p_base);
+  [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base,
+                                            const Pose2& T_map_base) const;
+  Twist2 stopped_short(const Twist2& twist, const Pose2& T_map_base,
+                       const std::vector<Eigen::Vector2d>& p_base);
 
   NavigatorConfig config_;
   Grid map_;

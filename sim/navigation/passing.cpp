@@ -17,6 +17,7 @@ constexpr double kSlowest = 0.4;       // [m/s] Reckoned with, even while it sta
 constexpr double kDrift = 0.4;         // [s] For which somebody's way across is carried on.
 constexpr double kFarthest = 5.0;      // [s] Meetings that are minded.
 constexpr double kLeastRoom = 0.05;    // [m] To what the map has...
+constexpr double kEnough = 0.2;        // [m] ...and where nobody makes it go there.
 constexpr double kShortest = 0.8;      // [m] Lane along which it is worth while to keep aside.
 constexpr double kBeside = 1.2;        // [m] Further off the lane, nobody slows the robot down.
 constexpr double kPaceGap = 1.5;       // [m] From a mover at which the robot creeps...
@@ -26,16 +27,11 @@ constexpr double kWayRoom = 0.15;      // [m] From a mover that is not in the wa
 constexpr double kDriftInWay = 1.0;    // [s] For which somebody's way across may lead into it.
 constexpr double kNotice = 0.5;        // [s] Until a scan is seen and acted upon.
 constexpr double kFarAhead = 9.0;      // [m] Nobody there matters.
-constexpr double kSetsOff = 1.2;       // [m/s] With which they may come.
-constexpr double kPassStanding = 0.3;  // [m/s] At which they are passed however near.
+constexpr double kSetsOff = 1.2;       // [m/s] With which who stands or walks ahead may come...
+constexpr double kPassStanding = 0.3;  // [m/s] ...and at which they are passed however near.
 constexpr double kOvertaking = 0.5;    // [s] Before who overtakes is ahead, they are minded.
-constexpr double kEnough = 0.2;        // [m] ...and where nobody makes it go there.
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& along) { return {-along.y(), along.x()}; }
-
-}  // namespace
-
-namespace {
 
 /// Seen along a lane.
 struct Meeting {
