@@ -1,13 +1,11 @@
 #include "localization/mh_amcl.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 
 #include "localization/filter/correct.hpp"
 #include "localization/filter/predict.hpp"
-#include "localization/hypotheses/select.hpp"
 
 namespace castaway::localization {
 
@@ -40,12 +38,14 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   rescued_id_ = -1;
   selected_id_ = -1;
   probability_ = 0.0;
+  found_ = false;
   unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
   better_since_.reset();
   if (paper_) unlisted_.log_weight = -std::numeric_limits<double>::infinity();
   if (!start) return;
   spawn({start->T_map_base, start->covariance}, 0.0, {unlisted_.usual, 0.0});
   choose();
+  found_ = true;
 }
 
 void MhAmcl::on_odometry(const Odometry& odometry) {
@@ -194,89 +194,6 @@ void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
 void MhAmcl::reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner) {
   const int count = particle_count(config_.reseed, hypothesis.belief.covariance);
   hypothesis.particles = localization::reseed(hypothesis.particles, count, winner, hypothesis.rng);
-}
-
-/// Adds the scan to the evidence of every place and remembers it.
-void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
-  double e = 1.0;
-  double cue = 0.0;
-  if (!history_.empty()) {
-    const ScanMemory& before = history_.back();
-    e = independence(config_.posterior, distance(before.T_odom_base, T_odom_base),
-                     yaw_distance(before.T_odom_base, T_odom_base));
-    cue = kidnap_cue(config_.posterior, scan_agreement(config_.agreement, before.points, points,
-                                                       before.T_odom_base.inverse() * T_odom_base));
-  }
-  const double listed = listed_log_weight(hypotheses_);
-  history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight, cue});
-  if (history_.size() > static_cast<std::size_t>(config_.history)) history_.pop_front();
-  if (paper_) return;  // the paper weighs populations by the quality of the newest scan alone
-  for (Hypothesis& hypothesis : hypotheses_) {
-    const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
-    hypothesis.log_weight += evidence.log_likelihood - (1.0 - e) * hypothesis.log_likelihood;
-    hypothesis.log_likelihood = evidence.log_likelihood;
-    hypothesis.quality = evidence.quality;
-  }
-  advance_unlisted(config_.posterior, e, listed, cue, unlisted_);
-  if (const Hypothesis* output = selected()) {
-    doubt_output(config_.posterior, output->log_likelihood, listed_log_weight(hypotheses_),
-                 unlisted_);
-  }
-}
-
-bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
-  if (search_ || deeper_) return true;
-  if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
-  if (rescued_id_ >= 0 && selected_id_ == rescued_id_) return true;  // a look-alike near by?
-  if (probability_ >= config_.match.confident) return false;
-  if (!last_match_ || searches_ < config_.match.at_once) return true;
-  const double waited = seconds(now - *last_match_);
-  if (waited < pause_s_) return false;
-  return distance(matched_at_, T_odom_base) >= config_.match.moved_m ||
-         yaw_distance(matched_at_, T_odom_base) >= config_.match.turned_rad ||
-         waited >= config_.match.patience_s;
-}
-
-/// Asks the matcher; pauses longer and longer while it changes nothing.
-void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
-  const int before = selected_id_;
-  last_match_ = now;
-  rescued_id_ = -1;
-  matched_at_ = T_odom_base;
-  const ScanPoints& points = history_.back().points;
-  if (!paper_ && !search_) begin_search(points, T_odom_base);
-  if (!paper_ && !search_->step(config_.match.slice)) return;
-  const bool grown = paper_ ? spawn_by_quality(points) : end_search(points, T_odom_base);
-  merge_all();
-  const bool changed = grown && selected_id_ != before;
-  pause_s_ = changed ? config_.match.first_pause_s
-                     : std::clamp(2.0 * pause_s_, config_.match.first_pause_s,
-                                  config_.match.longest_pause_s);
-}
-
-/// Selects the output and learns what is usual while it is confident.
-void MhAmcl::choose() {
-  if (paper_) return choose_by_quality();
-  const auto output = select(hypotheses_, selected_id_, config_.select_margin);
-  if (!output) return;
-  const Hypothesis& hypothesis = hypotheses_[*output];
-  const bool was_confident = probability_ >= config_.match.confident;
-  selected_id_ = hypothesis.id;
-  probability_ = shares(hypotheses_, unlisted_)[*output];
-  const bool confident = probability_ >= config_.match.confident;
-  if (confident && !history_.empty()) {
-    unlisted_.usual += config_.posterior.usual_rate * (hypothesis.log_likelihood - unlisted_.usual);
-  }
-  if (was_confident && !confident) {
-    pause_s_ = 0.0;
-    searches_ = 0;
-  }
-}
-
-Hypothesis* MhAmcl::selected() {
-  const auto found = std::find_if(hypotheses_.begin(), hypotheses_.end(),
-                                  [&](const Hypothesis& h) { return h.id == selected_id_; });
-  return found == hypotheses_.end() ? nullptr : &*found;
 }
 
 }  // namespace castaway::localization

@@ -90,6 +90,7 @@ class MhAmcl final : public Localizer {
   int next_id_ = 0;
   int selected_id_ = -1;
   double probability_ = 0.0;  ///< Share of the output.
+  bool found_ = false;        ///< Mode `improved`: the output is not called lost.
 
   std::optional<SE2> predicted_at_;  ///< Odometry up to which particles are moved.
   Stamp last_predict_{};

@@ -19,8 +19,7 @@ void MhAmcl::publish(Stamp stamp) {
   estimate.covariance = output->belief.covariance;
   estimate.quality = output->quality;
   estimate.probability = probability_;
-  estimate.lost =
-      probability_ < (paper_ ? config_.paper.rules.right_from : config_.match.confident);
+  estimate.lost = paper_ ? probability_ < config_.paper.rules.right_from : !found_;
   const std::vector<double> all = shares(hypotheses_, unlisted_);
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     if (hypotheses_[i].id == selected_id_) continue;

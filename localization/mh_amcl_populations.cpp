@@ -28,6 +28,36 @@ void MhAmcl::rescue(const ScanPoints& points) {
   rescued_id_ = hypotheses_.back().id;
 }
 
+bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
+  if (search_ || deeper_) return true;
+  if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
+  if (rescued_id_ >= 0 && selected_id_ == rescued_id_) return true;  // a look-alike near by?
+  if (probability_ >= config_.match.confident) return false;
+  if (!last_match_ || searches_ < config_.match.at_once) return true;
+  const double waited = seconds(now - *last_match_);
+  if (waited < pause_s_) return false;
+  return distance(matched_at_, T_odom_base) >= config_.match.moved_m ||
+         yaw_distance(matched_at_, T_odom_base) >= config_.match.turned_rad ||
+         waited >= config_.match.patience_s;
+}
+
+/// Asks the matcher; pauses longer and longer while it changes nothing.
+void MhAmcl::create(Stamp now, const SE2& T_odom_base) {
+  const int before = selected_id_;
+  last_match_ = now;
+  rescued_id_ = -1;
+  matched_at_ = T_odom_base;
+  const ScanPoints& points = history_.back().points;
+  if (!paper_ && !search_) begin_search(points, T_odom_base);
+  if (!paper_ && !search_->step(config_.match.slice)) return;
+  const bool grown = paper_ ? spawn_by_quality(points) : end_search(points, T_odom_base);
+  merge_all();
+  const bool changed = grown && selected_id_ != before;
+  pause_s_ = changed ? config_.match.first_pause_s
+                     : std::clamp(2.0 * pause_s_, config_.match.first_pause_s,
+                                  config_.match.longest_pause_s);
+}
+
 CreateContext MhAmcl::create_context() const {
   return {config_.create, config_.merge, config_.posterior, config_.motion, endpoint_, evidence_};
 }

@@ -21,12 +21,19 @@ double log_sum_exp(const std::vector<double>& values) {
 }
 
 double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& unlisted) {
-  return std::max(unlisted.usual - config.unlisted_drop, config.unlisted_minimum);
+  const double drop =
+      std::clamp(config.drop_per_spread * unlisted.spread, config.least_drop, config.unlisted_drop);
+  return std::max(unlisted.usual - drop, config.unlisted_minimum);
 }
 
-double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement) {
+double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement,
+                  double new_share) {
+  constexpr double kMoves = 0.5;  // new share from which on a robot is not at rest
   if (!agreement) return 0.0;
-  const double against = config.agreeing_slope * (*agreement - config.agreeing);
+  const double rest =
+      std::clamp((kMoves - new_share) / (kMoves - config.least_independence), 0.0, 1.0);
+  const double against =
+      config.agreeing_slope * (*agreement - config.agreeing) - config.agreeing_at_rest * rest;
   const double in_favour = config.disagreeing_slope * (config.disagreeing - *agreement);
   return std::max(0.0, in_favour) - std::max(0.0, against);
 }
@@ -36,6 +43,14 @@ void advance_unlisted(const PosteriorConfig& config, double new_share, double li
   const double l = unlisted_log_likelihood(config, unlisted);
   unlisted.log_weight = log_sum_exp(
       {unlisted.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
+}
+
+void learn_usual(const PosteriorConfig& config, double log_likelihood, double new_share,
+                 Unlisted& unlisted) {
+  const double off = log_likelihood - unlisted.usual;
+  const double counted = std::min(std::abs(off), config.spread_limit * unlisted.spread);
+  unlisted.usual += config.usual_rate * off;
+  unlisted.spread += config.spread_rate * new_share * (counted - unlisted.spread);
 }
 
 void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted) {

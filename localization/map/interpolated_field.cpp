@@ -2,8 +2,40 @@
 
 namespace castaway::localization {
 namespace {
+
 constexpr int kBorder = 2;  // cells
-}
+
+/// A function that remembers what it gave. Distances between cells are square roots of whole
+/// numbers of cells, which tell where a value is kept.
+class Remembered {
+ public:
+  Remembered(const std::function<double(double)>& f, const DistanceField& distances)
+      : f_(f), per_square_(1.0F / square(static_cast<float>(distances.frame().resolution))) {
+    const auto largest = static_cast<float>(distances.max_distance());
+    known_.resize(slot(largest) + 2, {-1.0F, 0.0F});
+  }
+
+  float operator()(float distance) {
+    Known& known = known_[slot(distance)];
+    if (known.distance != distance) known = {distance, static_cast<float>(f_(distance))};
+    return known.value;
+  }
+
+ private:
+  struct Known {
+    float distance, value;
+  };
+  static float square(float x) { return x * x; }
+  [[nodiscard]] std::size_t slot(float distance) const {
+    return static_cast<std::size_t>(square(distance) * per_square_ + 0.5F);
+  }
+
+  const std::function<double(double)>& f_;
+  float per_square_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
 
 InterpolatedField::InterpolatedField(const DistanceField& distances,
                                      const std::function<double(double)>& f)
@@ -15,11 +47,11 @@ InterpolatedField::InterpolatedField(const DistanceField& distances,
   values_.assign(
       static_cast<std::size_t>(stride_) * static_cast<std::size_t>(frame_.height + 2 * kBorder),
       outside);
+  Remembered value(f, distances);
   for (int row = 0; row < frame_.height; ++row) {
     for (int column = 0; column < frame_.width; ++column) {
-      const double d = distances.values()[frame_.index({column, row})];
       values_[static_cast<std::size_t>((row + kBorder) * stride_ + column + kBorder)] =
-          static_cast<float>(f(d));
+          value(distances.values()[frame_.index({column, row})]);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -67,6 +68,30 @@ TEST(MhAmcl, BecomesConfidentStandingStill) {
   for (int i = 0; i < 60; ++i) drive.step(localizer, {});
   EXPECT_TRUE(is_right(localizer, drive.truth()));
   EXPECT_FALSE(localizer.estimate()->lost);
+}
+
+/// Drives for a while; the stated probability at the first scan at which it is not lost.
+std::optional<double> found_at(const MhAmclConfig& config, bool known_start) {
+  MhAmcl localizer(config, test::office(), 1);
+  if (known_start) localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 40; ++i) {
+    drive.step(localizer, kForward);
+    const auto estimate = localizer.estimate();
+    if (estimate && !estimate->lost) return estimate->probability;
+  }
+  return std::nullopt;
+}
+
+TEST(MhAmcl, TakesMoreToBeFoundThanToStaySo) {
+  EXPECT_GE(found_at({}, false).value(), 0.998);
+  MhAmclConfig credulous;
+  credulous.found = 0.5;
+  EXPECT_LT(found_at(credulous, false).value(), 0.998);
+  MhAmclConfig never;
+  never.found = 1.0;
+  EXPECT_FALSE(found_at(never, false));
+  EXPECT_TRUE(found_at(never, true));  // The user's word counts.
 }
 
 TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
@@ -304,6 +329,12 @@ TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   config = {};
   config.match.slice = 0;
+  EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
+  config = {};
+  config.found = 1.1;
+  EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
+  config = {};
+  config.match.confident = 0.0;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   EXPECT_THROW(MhAmcl({}, OccupancyGrid{}, 1), std::invalid_argument);
 }

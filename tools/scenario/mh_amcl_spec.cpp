@@ -61,6 +61,7 @@ MhAmclConfig read_mh_amcl(YamlReader& body, const std::string& mode) {
   config.motion.rot_per_m = body.get("rot_per_m", config.motion.rot_per_m);
   config.motion.rot_per_rad = body.get("rot_per_rad", config.motion.rot_per_rad);
   config.match.confident = body.get("confident", config.match.confident);
+  config.found = body.get("found", config.found);
   config.select_margin = body.get("select_margin", config.select_margin);
   if (mode != "improved") config.paper.published = read_defects(body, config.paper.published);
   try {

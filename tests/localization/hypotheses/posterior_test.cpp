@@ -49,11 +49,36 @@ TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
 }
 
 TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.95), -9.0, 1e-12);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65), 0.0);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.25), 2.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.95, 1.0), -9.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.25, 1.0), 2.0, 1e-12);
+}
+
+TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
+  const PosteriorConfig config;
+  const double rest = config.least_independence;
+  EXPECT_NEAR(kidnap_cue(config, 0.95, rest), -3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue(config, 0.85, rest), 0.0);
+  EXPECT_NEAR(kidnap_cue(config, 0.95, 0.5 * (0.5 + rest)), -6.0, 1e-12);
+  EXPECT_NEAR(kidnap_cue(config, 0.25, rest), 2.0, 1e-12);
+}
+
+TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {
+  Unlisted unlisted{0.0, -3.0, 2.0};
+  learn_usual({}, -1.0, 0.5, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.9);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // It was two nats off.
+  learn_usual({}, -2.9, 0.5, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 1.9);
+}
+
+TEST(LearnUsual, LetsOneOddScanCountForLittleOfTheSpread) {
+  Unlisted unlisted{0.0, -1.0, 1.0};
+  learn_usual({}, -21.0, 1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if it had been 2.5 nats off.
 }
 
 TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
@@ -87,6 +112,12 @@ TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
 TEST(UnlistedLogLikelihood, HasAFloor) {
   EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
   EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
+}
+
+TEST(UnlistedLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 5.0}), -8.0);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 1.5}), -6.5);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 0.1}), -5.0);
 }
 
 }  // namespace
