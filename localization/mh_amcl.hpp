@@ -47,6 +47,7 @@ class MhAmcl final : public Localizer {
   [[nodiscard]] CreateContext create_context() const;
   void rescue(const ScanPoints& points);
   void weigh(const ScanPoints& points, const SE2& T_odom_base);
+  [[nodiscard]] bool hopeless() const;
   [[nodiscard]] bool match_due(Stamp now, const SE2& T_odom_base) const;
   void create(Stamp now, const SE2& T_odom_base);
   void begin_search(const ScanPoints& points, const SE2& T_odom_base);

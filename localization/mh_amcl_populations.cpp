@@ -28,6 +28,13 @@ void MhAmcl::rescue(const ScanPoints& points) {
   rescued_id_ = hypotheses_.back().id;
 }
 
+/// Whether the newest scan fits nowhere that is listed.
+bool MhAmcl::hopeless() const {
+  return std::all_of(hypotheses_.begin(), hypotheses_.end(), [&](const Hypothesis& h) {
+    return h.log_likelihood < config_.posterior.hopeless;
+  });
+}
+
 bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
   if (search_ || deeper_) return true;
   if (paper_) return !last_match_ || seconds(now - *last_match_) >= config_.paper.match_period_s;
@@ -35,6 +42,7 @@ bool MhAmcl::match_due(Stamp now, const SE2& T_odom_base) const {
   if (probability_ >= config_.match.confident) return false;
   if (!last_match_ || searches_ < config_.match.at_once) return true;
   const double waited = seconds(now - *last_match_);
+  if (hopeless()) return waited >= config_.match.first_pause_s;
   if (waited < pause_s_) return false;
   return distance(matched_at_, T_odom_base) >= config_.match.moved_m ||
          yaw_distance(matched_at_, T_odom_base) >= config_.match.turned_rad ||

@@ -108,6 +108,16 @@ TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
+TEST(MhAmcl, SearchesOnWhereNothingFitsThoughItStands) {
+  MhAmcl localizer({}, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 300; ++i) drive.step_blind(localizer, {}, 11.0F);  // through all walls
+  drive.kidnap({7.5, 6.5, 2.0});
+  for (int i = 0; i < 7; ++i) drive.step(localizer, {});
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+}
+
 TEST(MhAmcl, RecoversFromASlipThatOdometryDidNotSee) {
   MhAmcl localizer({}, test::office(), 1);
   localizer.initialize(known(kStart));
