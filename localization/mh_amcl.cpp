@@ -39,6 +39,9 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   selected_id_ = -1;
   probability_ = 0.0;
   found_ = false;
+  was_found_ = false;
+  jumped_at_.reset();
+  kidnap_hint_ = 0.0;
   unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
   better_since_.reset();
   if (paper_) unlisted_.log_weight = -std::numeric_limits<double>::infinity();
@@ -46,6 +49,7 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   spawn({start->T_map_base, start->covariance}, 0.0, {unlisted_.usual, 0.0});
   choose();
   found_ = true;
+  was_found_ = true;
 }
 
 void MhAmcl::on_odometry(const Odometry& odometry) {
@@ -85,6 +89,7 @@ void MhAmcl::restart_motion() {
   search_.reset();
   deeper_ = false;
   history_.clear();
+  jumped_at_.reset();
   panorama_.clear();
   estimate_.reset();
 }

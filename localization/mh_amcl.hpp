@@ -48,6 +48,8 @@ class MhAmcl final : public Localizer {
   void rescue(const ScanPoints& points);
   void weigh(const ScanPoints& points, const SE2& T_odom_base);
   [[nodiscard]] bool hopeless() const;
+  void note_jump();
+  [[nodiscard]] bool proven() const;
   [[nodiscard]] bool match_due(Stamp now, const SE2& T_odom_base) const;
   void create(Stamp now, const SE2& T_odom_base);
   void begin_search(const ScanPoints& points, const SE2& T_odom_base);
@@ -90,8 +92,11 @@ class MhAmcl final : public Localizer {
   std::optional<Estimate> estimate_;
   int next_id_ = 0;
   int selected_id_ = -1;
-  double probability_ = 0.0;  ///< Share of the output.
-  bool found_ = false;        ///< Mode `improved`: the output is not called lost.
+  double probability_ = 0.0;      ///< Share of the output.
+  bool was_found_ = false;        ///< Since it was initialised.
+  double kidnap_hint_ = 0.0;      ///< The highest kidnap cue, fading with the way.
+  std::optional<SE2> jumped_at_;  ///< Odometry at a jump of the output that no kidnap explains.
+  bool found_ = false;            ///< Mode `improved`: the output is not called lost.
 
   std::optional<SE2> predicted_at_;  ///< Odometry up to which particles are moved.
   Stamp last_predict_{};

@@ -76,10 +76,13 @@ struct MhAmclConfig {
   DestroyConfig destroy;
   ScanAgreementConfig agreement;  ///< The cue of a kidnap in one frame.
   PosteriorConfig posterior;
-  double found = 0.998;        ///< An output that was lost is found from so probable on, and lost
-                               ///< again below `match.confident`.
-  double select_margin = 2.0;  ///< [nats] The output stays while less behind than this.
-  double spawn_sigma = 0.05;   ///< [m] Least spread of a new population...
+  double found = 0.998;  ///< An output that was lost is found from so probable on, and lost
+                         ///< again below `match.confident`.
+  double unexplained_cue = -5.0;  ///< Where no kidnap cue has been above this lately (it fades by a
+                                  ///< nat per new scan), an output that jumps...
+  double proving_m = 5.0;         ///< [m] ...is not found before the robot went so far.
+  double select_margin = 2.0;     ///< [nats] The output stays while less behind than this.
+  double spawn_sigma = 0.05;      ///< [m] Least spread of a new population...
   double spawn_sigma_yaw = 0.02;  ///< [rad] ...and of its yaw.
   int history = 8;                ///< Scans that a new hypothesis is weighed on.
   double max_distance = 5.0;      ///< [m] Cap of the distance field.

@@ -19,6 +19,7 @@ void MhAmcl::weigh(const ScanPoints& points, const SE2& T_odom_base) {
                                     before.T_odom_base.inverse() * T_odom_base),
                      e);
   }
+  kidnap_hint_ = std::max(cue, kidnap_hint_ - e);
   const double listed = listed_log_weight(hypotheses_);
   history_.push_back({points, T_odom_base, e, listed, unlisted_.log_weight, cue});
   if (history_.size() > static_cast<std::size_t>(config_.history)) history_.pop_front();
@@ -53,11 +54,25 @@ void MhAmcl::choose() {
     learn_usual(config_.posterior, hypothesis.log_likelihood, history_.back().independence,
                 unlisted_);
   }
-  found_ = confident && ((found_ && same) || probability_ >= config_.found);
+  if (!same) note_jump();
+  found_ = confident && proven() && ((found_ && same) || probability_ >= config_.found);
+  was_found_ = was_found_ || found_;
   if (was_confident && !confident) {
     pause_s_ = 0.0;
     searches_ = 0;
   }
+}
+
+/// A robot that knew where it is and was not carried off is where it was: an output that is
+/// somewhere else now was misled by the map, before or now, and must prove itself.
+void MhAmcl::note_jump() {
+  jumped_at_.reset();
+  const bool explained = kidnap_hint_ >= config_.unexplained_cue;
+  if (was_found_ && !explained && !history_.empty()) jumped_at_ = history_.back().T_odom_base;
+}
+
+bool MhAmcl::proven() const {
+  return !jumped_at_ || distance(*jumped_at_, history_.back().T_odom_base) >= config_.proving_m;
 }
 
 Hypothesis* MhAmcl::selected() {

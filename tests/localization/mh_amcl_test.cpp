@@ -108,6 +108,24 @@ TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
+TEST(MhAmcl, BelievesAJumpThatNoKidnapExplainsOnlyAfterAWay) {
+  MhAmclConfig config;
+  config.unexplained_cue = 1000.0;
+  config.proving_m = 0.6;
+  MhAmcl localizer(config, test::office(), 1);
+  localizer.initialize(known(kStart));
+  test::GridDrive drive(test::office(), kStart);
+  for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
+  drive.kidnap({7.5, 6.5, 2.0});
+  for (int i = 0; i < 12; ++i) drive.step(localizer, kForward);
+  ASSERT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_GT(localizer.estimate()->probability, 0.9);
+  EXPECT_TRUE(localizer.estimate()->lost);
+  for (int i = 0; i < 12; ++i) drive.step(localizer, kForward);
+  EXPECT_TRUE(is_right(localizer, drive.truth()));
+  EXPECT_FALSE(localizer.estimate()->lost);
+}
+
 TEST(MhAmcl, SearchesOnWhereNothingFitsThoughItStands) {
   MhAmcl localizer({}, test::office(), 1);
   localizer.initialize(known(kStart));
