@@ -1,9 +1,12 @@
 #include "localization/map/interpolated_field.hpp"
 
+#include <algorithm>
+
 namespace castaway::localization {
 namespace {
 
-constexpr int kBorder = 2;  // cells
+constexpr int kBorder = 2;               // cells
+constexpr float kFarthestKept = 500.0F;  // cells
 
 /// A function that remembers what it gave. Distances between cells are square roots of whole
 /// numbers of cells, which tell where a value is kept.
@@ -12,7 +15,7 @@ class Remembered {
   Remembered(const std::function<double(double)>& f, const DistanceField& distances)
       : f_(f), per_square_(1.0F / square(static_cast<float>(distances.frame().resolution))) {
     const auto largest = static_cast<float>(distances.max_distance());
-    known_.resize(slot(largest) + 2, {-1.0F, 0.0F});
+    known_.resize(slot(largest) + 1, {-1.0F, 0.0F});
   }
 
   float operator()(float distance) {
@@ -27,7 +30,8 @@ class Remembered {
   };
   static float square(float x) { return x * x; }
   [[nodiscard]] std::size_t slot(float distance) const {
-    return static_cast<std::size_t>(square(distance) * per_square_ + 0.5F);
+    const float cells = std::min(square(distance) * per_square_, square(kFarthestKept));
+    return static_cast<std::size_t>(cells + 0.5F);
   }
 
   const std::function<double(double)>& f_;

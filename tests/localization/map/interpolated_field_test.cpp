@@ -30,5 +30,10 @@ TEST(InterpolatedField, IsTheFarthestValueOffTheMap) {
   EXPECT_FLOAT_EQ(field.at_cells(2.5F, 0.5F), 3.0F);
 }
 
+TEST(InterpolatedField, NeedsNoMoreMemoryForTheFinestCells) {
+  const InterpolatedField field = identity_field(test::string_map({"#....", "....."}, 1e-6));
+  EXPECT_FLOAT_EQ(field.at_cells(2.5F, 1.5F), 2e-6F);
+}
+
 }  // namespace
 }  // namespace castaway::localization
