@@ -10,6 +10,7 @@
 #include "tools/formats/file.hpp"
 #include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
+#include "tools/metrics/sign_flip_test.hpp"
 #include "tools/scenario/yaml_tree.hpp"
 
 namespace castaway::testbed {
@@ -98,13 +99,25 @@ void require_same_version(const Pair& pair) {
       pair.second->metrics_version));
 }
 
+/// The counterpart of a run among `others`: of those with its scenario and seed one of the same
+/// conditions, or the first. The parts of an experiment share scenario and seed.
+const ComparedRun* counterpart(const ComparedRun& run, const std::vector<ComparedRun>& others) {
+  std::vector<const ComparedRun*> namesakes;
+  for (const ComparedRun& other : others) {
+    if (other.scenario == run.scenario && other.seed == run.seed) namesakes.push_back(&other);
+  }
+  if (namesakes.size() < 2) return namesakes.empty() ? nullptr : namesakes.front();
+  const auto wanted = conditions(run.folder);
+  const auto same = std::find_if(namesakes.begin(), namesakes.end(), [&](const ComparedRun* other) {
+    return conditions(other->folder) == wanted;
+  });
+  return same == namesakes.end() ? nullptr : *same;
+}
+
 std::vector<Pair> paired(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
   std::vector<Pair> pairs;
   for (const ComparedRun& run : a) {
-    const auto found = std::find_if(b.begin(), b.end(), [&](const ComparedRun& other) {
-      return other.scenario == run.scenario && other.seed == run.seed;
-    });
-    if (found != b.end()) pairs.emplace_back(&run, &*found);
+    if (const ComparedRun* other = counterpart(run, b)) pairs.emplace_back(&run, other);
   }
   return pairs;
 }
@@ -118,11 +131,8 @@ std::vector<std::string> common_localizers(const std::vector<Pair>& pairs) {
   return names;
 }
 
-void add_metric(const std::vector<Pair>& pairs, const std::string& metric, bool more_is_better,
-                Comparison& comparison) {
-  MetricComparison row;
-  row.metric = metric;
-  row.more_is_better = more_is_better;
+void add_metric(const std::vector<Pair>& pairs, MetricComparison row, Comparison& comparison) {
+  const std::string& metric = row.metric;
   std::vector<double> differences;
   for (const auto& [a, b] : pairs) {
     const auto in_a = a->metrics.find(metric);
@@ -140,7 +150,41 @@ void add_metric(const std::vector<Pair>& pairs, const std::string& metric, bool 
   row.difference = row.other - row.baseline;
   const auto intervals = bootstrap(differences, {.stream = "compare/" + metric});
   if (intervals) row.interval = intervals->mean;
+  if (!row.clock) row.p_value = sign_flip_p_value(differences, "compare/" + metric);
   comparison.metrics.push_back(std::move(row));
+}
+
+void correct_for_number(std::vector<MetricComparison>& rows) {
+  std::vector<double> p_values;
+  for (const MetricComparison& row : rows) {
+    if (row.p_value) p_values.push_back(*row.p_value);
+  }
+  const std::vector<double> corrected = holm(p_values);
+  auto next = corrected.begin();
+  for (MetricComparison& row : rows) {
+    if (row.p_value) row.p_value = *next++;
+  }
+}
+
+/// The metrics to be compared, clocks last.
+std::vector<MetricComparison> rows_for(const std::vector<std::string>& localizers) {
+  std::vector<MetricComparison> rows;
+  const auto add = [&rows](const std::string& metric, bool more_is_better, bool clock) {
+    MetricComparison& row = rows.emplace_back();
+    row.metric = metric;
+    row.more_is_better = more_is_better;
+    row.clock = clock;
+  };
+  for (const Compared& one : kOfRuns) add(one.metric, one.more_is_better, false);
+  for (const std::string& name : localizers) {
+    for (const Compared& one : kOfLocalizers) {
+      add(name + "." + one.metric, one.more_is_better, false);
+    }
+  }
+  for (const std::string& name : localizers) {
+    add("timing.localizers." + name + ".update_ms.mean", false, true);
+  }
+  return rows;
 }
 
 std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
@@ -155,7 +199,8 @@ std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
 }  // namespace
 
 int MetricComparison::verdict() const {
-  if (!interval || (interval->low <= 0.0 && interval->high >= 0.0)) return 0;
+  constexpr double kLevel = 0.05;
+  if (!p_value || *p_value >= kLevel) return 0;
   return (difference > 0.0) == more_is_better ? 1 : -1;
 }
 
@@ -194,15 +239,8 @@ Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
     throw std::invalid_argument(fmt::format("not comparable: {} and {} have no localizer in common",
                                             baseline.string(), other.string()));
   }
-  for (const Compared& compared : kOfRuns) {
-    add_metric(pairs, compared.metric, compared.more_is_better, comparison);
-  }
-  for (const std::string& name : localizers) {
-    for (const Compared& compared : kOfLocalizers) {
-      add_metric(pairs, name + "." + compared.metric, compared.more_is_better, comparison);
-    }
-    add_metric(pairs, "timing.localizers." + name + ".update_ms.mean", false, comparison);
-  }
+  for (MetricComparison& row : rows_for(localizers)) add_metric(pairs, std::move(row), comparison);
+  correct_for_number(comparison.metrics);
   return comparison;
 }
 
@@ -220,7 +258,8 @@ Json to_json(const Comparison& comparison) {
                {"other", json_figure(row.other)},
                {"difference", json_figure(row.difference)},
                {"interval", nullptr},
-               {"verdict", row.verdict()}};
+               {"p_value", row.p_value ? json_figure(*row.p_value) : Json()},
+               {"verdict", row.clock ? Json() : Json(row.verdict())}};
     if (row.interval) {
       figures["interval"] = {json_figure(row.interval->low), json_figure(row.interval->high)};
     }

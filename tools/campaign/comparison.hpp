@@ -37,8 +37,12 @@ struct MetricComparison {
   double difference = 0.0;           ///< Mean of other - baseline.
   std::optional<Interval> interval;  ///< 95 %, bootstrap over the pairs; nothing for one pair.
   bool more_is_better = false;
+  bool clock = false;  ///< Of this machine's clock: shown, never judged.
+  /// That chance alone makes such a difference, corrected for the number of metrics compared;
+  /// nothing for a clock.
+  std::optional<double> p_value{};
 
-  /// 1: better, -1: worse, 0: the interval holds no difference, or there is none.
+  /// 1: better, -1: worse, both at a level of 0.05 over all metrics together; 0: neither.
   [[nodiscard]] int verdict() const;
 };
 
@@ -51,9 +55,10 @@ struct Comparison {
   std::vector<MetricComparison> metrics;
 };
 
-/// Pairs runs by scenario and seed. Throws std::invalid_argument, one line that says what differs:
-/// metrics of two versions, no common scenario, seed or localizer, or a scenario that says
-/// something else than its namesake besides localizers, outputs and expectations.
+/// Pairs runs by scenario and seed; of several that share both, those of the same conditions.
+/// Throws std::invalid_argument, one line that says what differs: metrics of two versions, no
+/// common scenario, seed or localizer, or a scenario that says something else than its namesake
+/// besides localizers, outputs and expectations.
 Comparison compare_runs(const std::filesystem::path& baseline, const std::filesystem::path& other);
 
 /// As `castaway compare --json` prints it.

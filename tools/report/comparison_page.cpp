@@ -18,6 +18,7 @@ constexpr double kTop = 10.0;
 constexpr double kMost = 100.0;  // [%] Beyond, a difference is drawn at the border.
 
 std::string verdict_of(const MetricComparison& row) {
+  if (row.clock) return "clock, not judged";
   if (!row.interval) return "one pair";
   const int verdict = row.verdict();
   if (verdict == 0) return "no difference seen";
@@ -75,13 +76,14 @@ std::string differences(const Comparison& comparison) {
 
 TextTable comparison_table(const Comparison& comparison) {
   TextTable table;
-  table.head = {"", "pairs", "baseline", "other", "difference", "95 %", ""};
+  table.head = {"", "pairs", "baseline", "other", "difference", "95 %", "p", ""};
   for (const MetricComparison& row : comparison.metrics) {
     const std::string interval =
         row.interval ? fmt::format("[{:.4g}, {:.4g}]", row.interval->low, row.interval->high) : "-";
-    table.rows.push_back({row.metric, std::to_string(row.pairs),
-                          fmt::format("{:.4g}", row.baseline), fmt::format("{:.4g}", row.other),
-                          fmt::format("{:+.4g}", row.difference), interval, verdict_of(row)});
+    table.rows.push_back(
+        {row.metric, std::to_string(row.pairs), fmt::format("{:.4g}", row.baseline),
+         fmt::format("{:.4g}", row.other), fmt::format("{:+.4g}", row.difference), interval,
+         row.p_value ? fmt::format("{:.3f}", *row.p_value) : "-", verdict_of(row)});
   }
   return table;
 }
@@ -92,13 +94,15 @@ std::string render_comparison(const std::vector<Comparison>& comparisons) {
     body += fmt::format(
         "<section><h2>{} against {}</h2>\n<p class=\"soft\">{} pairs of the same scenario and "
         "seed, "
-        "{} runs without a counterpart left out. Intervals: bootstrap over the pairs, 95 %.</p>\n",
+        "{} runs without a counterpart left out. Intervals: bootstrap over the pairs, 95 % each. "
+        "p: sign-flip test of the mean difference, corrected for the number of metrics (Holm): "
+        "below 0.05 it is called better or worse.</p>\n",
         escape_html(comparison.other.string()), escape_html(comparison.baseline.string()),
         comparison.pairs, comparison.unpaired);
     body += html_table(comparison_table(comparison));
     body +=
-        "<p class=\"soft\">Differences in percent of the baseline, with their intervals; where "
-        "the interval leaves out zero, green is better and orange worse.</p>\n";
+        "<p class=\"soft\">Differences in percent of the baseline, with their intervals; green is "
+        "better, orange worse, grey neither.</p>\n";
     body += differences(comparison) + "</section>\n";
   }
   return html_page("Comparison", body);

@@ -77,8 +77,70 @@ TEST(Comparison, IsOfPairsOfScenarioAndSeed) {
   ASSERT_TRUE(error.interval);
   EXPECT_NEAR(error.interval->low, 0.2, 1e-9);
   EXPECT_NEAR(error.interval->high, 0.2, 1e-9);
-  EXPECT_EQ(error.verdict(), -1);
+  EXPECT_EQ(error.verdict(), 0);  // Three pairs agree by chance once in four times.
   EXPECT_EQ(metric(comparison, "collisions").verdict(), 0);
+}
+
+/// Errors of so many seeds, and those less a tenth.
+Comparison of_pairs(const fs::path& folder, int count) {
+  std::vector<double> before;
+  std::vector<double> after;
+  for (int i = 0; i < count; ++i) {
+    before.push_back(1.0 + 0.01 * i);
+    after.push_back(before.back() - 0.1);
+  }
+  write_runs(folder / "a", before);
+  write_runs(folder / "b", after);
+  return compare_runs(folder / "a", folder / "b");
+}
+
+TEST(Comparison, CallsBetterWhatIsSoInEnoughPairs) {
+  const TemporaryFolder folder;
+  const MetricComparison error = metric(of_pairs(folder.path(), 10), "a.position_error_m.mean");
+  EXPECT_EQ(error.verdict(), 1);
+}
+
+TEST(Comparison, IsCorrectedForTheNumberOfMetrics) {
+  const TemporaryFolder folder;
+  const Comparison comparison = of_pairs(folder.path(), 6);
+  const MetricComparison error = metric(comparison, "a.position_error_m.mean");
+  const auto judged = static_cast<double>(comparison.metrics.size());
+  EXPECT_NEAR(error.p_value.value(), judged * 2.0 / 64.0, 1e-12);
+  EXPECT_EQ(error.verdict(), 0);  // By itself it would be better: 0.03.
+}
+
+TEST(Comparison, NeverJudgesAClock) {
+  const TemporaryFolder folder;
+  of_pairs(folder.path(), 10);
+  for (const auto& [side, ms] : {std::pair{"a", 1.0}, std::pair{"b", 2.0}}) {
+    for (int seed = 1; seed <= 10; ++seed) {
+      const Json timing{{"localizers", {{"a", {{"update_ms", {{"mean", ms}}}}}}}};
+      write_file(folder.path() / side / ("seed-" + std::to_string(seed)) / "timing.json",
+                 timing.dump());
+    }
+  }
+  const Comparison comparison = compare_runs(folder.path() / "a", folder.path() / "b");
+  const MetricComparison& clock = metric(comparison, "timing.localizers.a.update_ms.mean");
+  EXPECT_DOUBLE_EQ(clock.difference, 1.0);
+  EXPECT_FALSE(clock.p_value);
+  EXPECT_EQ(clock.verdict(), 0);
+  EXPECT_EQ(comparison.metrics.back().metric, clock.metric);
+}
+
+TEST(Comparison, PairsRunsThatShareScenarioAndSeedByTheirConditions) {
+  const TemporaryFolder folder;
+  for (const char* side : {"a", "b"}) {
+    for (const char* duration : {"60", "90", "120"}) {
+      Written run;
+      run.duration = duration;
+      run.error = 0.001 * std::stod(duration);
+      write_run(folder.path() / side / duration, run);
+    }
+  }
+  const Comparison comparison = compare_runs(folder.path() / "a", folder.path() / "b");
+  EXPECT_EQ(comparison.pairs, 3U);
+  EXPECT_EQ(comparison.unpaired, 0U);
+  EXPECT_DOUBLE_EQ(metric(comparison, "a.position_error_m.mean").difference, 0.0);
 }
 
 TEST(Comparison, SeesNoDifferenceWhereTheIntervalHoldsNone) {
