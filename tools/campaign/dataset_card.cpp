@@ -8,6 +8,7 @@
 
 #include "tools/campaign/dataset_card_formats.hpp"
 #include "tools/campaign/dataset_figures.hpp"
+#include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
 namespace {

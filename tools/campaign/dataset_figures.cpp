@@ -7,6 +7,7 @@
 #include "tools/campaign/coverage_picture.hpp"
 #include "tools/campaign/dataset_plots.hpp"
 #include "tools/campaign/sequence_statistics.hpp"
+#include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -95,11 +96,6 @@ Coverage coverage_of(const DatasetContents& contents, const std::string& world) 
 }
 
 }  // namespace
-
-std::string file_name_of(std::string world) {
-  std::replace(world.begin(), world.end(), '/', '_');
-  return world;
-}
 
 std::vector<DatasetFile> dataset_plots(const DatasetContents& contents) {
   std::vector<DatasetFile> files{ranges_plot(contents), occlusion_plot(contents),

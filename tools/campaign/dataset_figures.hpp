@@ -18,7 +18,4 @@ std::vector<DatasetFile> dataset_plots(const DatasetContents& contents);
 /// The rows of sequences.csv, its header first: what a sequence is, how hard it is, what was drawn.
 std::vector<std::vector<std::string>> sequence_rows(const DatasetContents& contents);
 
-/// A world's name as part of a file's.
-std::string file_name_of(std::string world);
-
 }  // namespace castaway::testbed

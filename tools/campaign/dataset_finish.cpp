@@ -9,6 +9,7 @@
 #include "tools/formats/csv.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/sha256.hpp"
+#include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,22 +1,20 @@
 #include "tools/campaign/dataset_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/campaign/dataset_manifest.hpp"
 #include "tools/formats/durable.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/file_error.hpp"
+#include "tools/formats/sha256.hpp"
+#include "tools/output/file_record.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -54,13 +52,30 @@ std::string first_difference(const std::string& there, const std::string& here) 
   }
 }
 
-/// A folder that holds no data set may hold what one begins with.
+constexpr const char* kMadeBy = "dataset";
+constexpr double kPatience = 10.0;  // [s]
+
+/// A folder that holds no data set may hold what castaway began one with.
 void check_unused(const fs::path& folder) {
-  const std::set<std::string> own{".work", "sequences", "dataset.yaml"};
+  const std::optional<FileRecord> record = load_record(folder);
+  std::set<std::string> own{kRecordName};
+  if (record && record->made_by == kMadeBy) own.insert({".work", "sequences", "dataset.yaml"});
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
-    if (!own.contains(name)) refuse(folder, fmt::format("holds '{}' and no data set", name));
+    if (!own.contains(name) && !name.starts_with(std::string(kRecordName) + ".part-"))
+      refuse(folder, fmt::format("holds '{}' and no data set", name));
+  }
+}
+
+/// A finished data set is about to grow: its card and tables are made again, and must still be
+/// ours.
+void require_unchanged(const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json")) return;
+  for (const ManifestFile& file : read_manifest(folder / "manifest.json")) {
+    if (file.path.starts_with("sequences/") || !fs::exists(folder / file.path)) continue;
+    if (sha256_of_file(folder / file.path) == file.sha256) continue;
+    refuse(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
   }
 }
 
@@ -95,33 +110,25 @@ DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
   check_identity(folder_, identity);
   std::error_code error;
-  fs::create_directories(folder_ / "sequences", error);
+  fs::create_directories(folder_, error);
   if (error) {
     throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
                                 folder_.string(), error.message()));
   }
-  lock();
+  lock_.emplace(folder_, kPatience);
+  const bool begun = fs::exists(folder_ / "dataset.json");
+  if (!begun) save_record(folder_, {kMadeBy, {}, false, {}, {}});
+  clear_leftovers(folder_, std::nullopt);
   clear_work();
+  fs::create_directories(folder_ / "sequences");
   const std::string text = identity_text(identity);
-  if (fs::exists(folder_ / "dataset.json") && read_file(folder_ / "dataset.json") == text) return;
-  fs::remove(folder_ / "manifest.json", error);
-  put("dataset.yaml", identity.spec);
-  put("dataset.json", text);
-}
-
-DatasetFolder::~DatasetFolder() {
-  if (lock_ >= 0) ::close(lock_);
-}
-
-/// On the folder itself, so that nothing is left behind, whoever is killed.
-void DatasetFolder::lock() {
-  constexpr int kTries = 100;
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  for (int i = 0; i < kTries; ++i) {
-    if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  if (!begun || read_file(folder_ / "dataset.json") != text) {
+    require_unchanged(folder_);
+    fs::remove(folder_ / "manifest.json", error);
+    put("dataset.yaml", identity.spec);
+    put("dataset.json", text);
   }
-  throw std::runtime_error(folder_.string() + ": another castaway dataset is at work in it");
+  fs::remove(folder_ / kRecordName, error);  // From here on, dataset.json says whose folder it is.
 }
 
 bool DatasetFolder::is_finished() const { return fs::exists(folder_ / "manifest.json"); }

@@ -3,8 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "tools/output/folder_lock.hpp"
+#include "tools/output/interruption.hpp"
 
 namespace castaway::testbed {
 
@@ -34,10 +38,6 @@ class DatasetFolder {
   /// waits ten seconds for the end of the one before. Throws as `check_identity` does, and
   /// FileError where nothing can be written.
   DatasetFolder(std::filesystem::path folder, const DatasetIdentity& identity);
-  ~DatasetFolder();
-  DatasetFolder(const DatasetFolder&) = delete;
-  DatasetFolder& operator=(const DatasetFolder&) = delete;
-
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   /// True if all is done.
   [[nodiscard]] bool is_finished() const;
@@ -53,10 +53,9 @@ class DatasetFolder {
   void clear_work() const;
 
  private:
-  void lock();
-
+  Interruptible interruptible_;
   std::filesystem::path folder_;
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
 };
 
 }  // namespace castaway::testbed

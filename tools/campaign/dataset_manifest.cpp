@@ -9,6 +9,7 @@
 
 #include "tools/formats/file.hpp"
 #include "tools/formats/sha256.hpp"
+#include "tools/output/file_record.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -24,6 +25,7 @@ std::vector<std::string> paths_in(const fs::path& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;
+    if (entry.path().filename() == kRecordName) continue;
     paths.push_back(entry.path().lexically_relative(folder).generic_string());
   }
   std::sort(paths.begin(), paths.end());

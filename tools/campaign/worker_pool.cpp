@@ -13,13 +13,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/output/interruption.hpp"
+
 namespace castaway::testbed {
 namespace {
 
 int done_by(const Job& job, int index) {
   try {
     return job(index);
+  } catch (const Interrupted& interrupted) {
+    return exit_code_of(interrupted);
   } catch (const std::exception& error) {
+    if (interruption() != 0) return 128 + interruption();
     std::fprintf(stderr, "castaway: %s\n", error.what());
     return 1;
   }
@@ -34,11 +39,21 @@ pid_t started(const Job& job, int index) {
                              "; use fewer workers (-j)");
   }
   if (process > 0) return process;
+  begin_as_worker();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // It died before it could be asked to take this one along.
   const int code = done_by(job, index);
   std::fflush(nullptr);
   _exit(code);
+}
+
+/// Asks all to stop and waits until they have put their things in order.
+void stop_all(const std::map<pid_t, int>& running) {
+  for (const auto& [process, index] : running) kill(process, SIGTERM);
+  for (const auto& [process, index] : running) {
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
 }
 
 }  // namespace
@@ -47,6 +62,7 @@ void run_jobs(int count, int workers, const Job& job,
               const std::function<void(int index, int exit_code)>& on_done,
               const std::function<bool()>& stopped) {
   if (workers < 1) throw std::invalid_argument("the number of workers must be at least 1");
+  const Interruptible interruptible;
   std::map<pid_t, int> running;
   int next = 0;
   while (next < count || !running.empty()) {
@@ -57,7 +73,12 @@ void run_jobs(int count, int workers, const Job& job,
     }
     if (running.empty()) return;
     int status = 0;
-    const pid_t process = waitpid(-1, &status, 0);
+    const pid_t process = interruption() == 0 ? waitpid(-1, &status, 0) : -1;
+    if (interruption() != 0) {
+      running.erase(process);
+      stop_all(running);
+      throw_if_interrupted();
+    }
     const auto found = running.find(process);
     if (found == running.end()) continue;
     const int index = found->second;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/terminal.hpp"
 #include "tools/run/bag_json.hpp"
 #include "tools/run/bag_topics.hpp"
 #include "tools/scenario/bag_folder.hpp"
@@ -87,7 +88,7 @@ int describe_bag(const BagArguments& arguments) {
   }
   const BagInventory bag = take_inventory(arguments.bag, files);
   for (const std::string& warning : bag.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
+    print_warning(warning);
   }
   if (arguments.json) {
     fmt::print("{}\n",

@@ -65,7 +65,7 @@ int bench_published(const PublishedArguments& arguments) {
   if (arguments.seeds < 1) throw std::invalid_argument("--seeds must be at least 1");
   const std::filesystem::path file = arguments.scenario.empty()
                                          ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
-                                         : std::filesystem::path(arguments.scenario);
+                                         : find_scenario(arguments.scenario, ".");
   Scenario scenario = load_scenario(file, {}).scenario;
   scenario.seed = arguments.first_seed.value_or(scenario.seed);
   TrialCount count(arguments.seeds);

@@ -6,7 +6,9 @@
 #include "sim/render/renderer.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/robot_report.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/commands/terminal.hpp"
+#include "tools/output/file_name.hpp"
+#include "tools/output/own_file.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/scenario/data_paths.hpp"
 
@@ -39,14 +41,14 @@ void assign(const std::string& text, RobotSpec& robot) {
 
 /// The file's name, or why there is no picture.
 std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
-  const std::string file = out.empty() ? robot.name + ".png" : out;
+  const std::string file = out.empty() ? file_name_of(robot.name) + ".png" : out;
   std::string png;
   try {
     png = sim::encode_png(sim::Renderer(kWidth, kHeight).render(robot_scene(robot)));
   } catch (const std::runtime_error& error) {
     return fmt::format("none: {}", error.what());
   }
-  write_file(file, png);
+  write_own_file(file, png);
   return file;
 }
 
@@ -55,7 +57,7 @@ int print_expanded(const RobotSpec& spec) {
       sim::expand_robot(find_robot(spec.file, ".").string(), robot_options(spec, "."));
   fmt::print("{}", expansion.urdf);
   for (const std::string& warning : expansion.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
+    print_warning(warning);
   }
   return kDone;
 }

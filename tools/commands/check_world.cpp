@@ -8,8 +8,10 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/world_report.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/output/file_name.hpp"
+#include "tools/output/own_file.hpp"
 #include "tools/run/build_robot.hpp"
+#include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -37,7 +39,7 @@ std::string map_name(const std::string& file) {
 
 /// The files' names, or why there are no pictures.
 std::string take_pictures(const LoadedWorld& world, const std::string& out) {
-  const std::string file = out.empty() ? world.file.spec.name + ".png" : out;
+  const std::string file = out.empty() ? file_name_of(world.file.spec.name) + ".png" : out;
   std::string overview;
   std::string map;
   try {
@@ -47,13 +49,15 @@ std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   } catch (const std::runtime_error& error) {
     return fmt::format("none: {}", error.what());
   }
-  write_file(file, overview);
-  write_file(map_name(file), map);
+  require_own_file(map_name(file));
+  write_own_file(file, overview);
+  write_own_file(map_name(file), map);
   return fmt::format("{}, {}", file, map_name(file));
 }
 
 /// Of a scenario: its world, seed and differences.
 void take_scenario(CheckArguments& arguments) {
+  arguments.scenario = find_scenario(arguments.scenario, ".").string();
   const LoadedScenario loaded = load_scenario(arguments.scenario, {});
   arguments.world = loaded.scenario.world;
   arguments.seed = loaded.scenario.seed;
@@ -62,8 +66,8 @@ void take_scenario(CheckArguments& arguments) {
 int check_world(CheckArguments arguments) {
   std::filesystem::path base = ".";
   if (!arguments.scenario.empty()) {
-    base = std::filesystem::path(arguments.scenario).parent_path();
     take_scenario(arguments);
+    base = std::filesystem::path(arguments.scenario).parent_path();
   }
   const double height =
       sim::lidar_of(build_robot({arguments.robot, {}, {}}, ".")).T_base_laser.translation().z();

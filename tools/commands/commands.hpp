@@ -30,6 +30,8 @@ void add_map_command(CLI::App& app, std::function<int()>& chosen);
 void add_check_robot_command(CLI::App& app, std::function<int()>& chosen);
 void add_check_world_command(CLI::App& app, std::function<int()>& chosen);
 void add_lidars_command(CLI::App& app, std::function<int()>& chosen);
+void add_list_commands(CLI::App& app, std::function<int()>& chosen);
+void add_completion_command(CLI::App& app, std::function<int()>& chosen);
 void add_bench_command(CLI::App& app, std::function<int()>& chosen);
 
 }  // namespace castaway::testbed

@@ -6,6 +6,8 @@
 #include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/sha256.hpp"
+#include "tools/output/default_folder.hpp"
 #include "tools/report/comparison_page.hpp"
 
 namespace castaway::testbed {
@@ -15,10 +17,28 @@ namespace {
 struct CompareArguments {
   std::vector<std::string> folders;
   std::string out;
+  bool force = false;
   bool json = false;
 };
 
+/// Where the comparison goes: the default folder keeps to one set of folders compared.
+OutputRequest output_request(const CompareArguments& arguments) {
+  std::string compared;
+  OutputRequest request{arguments.out, "compare", {}, {}, arguments.force};
+  for (const std::string& folder : arguments.folders) {
+    compared += std::filesystem::absolute(folder).lexically_normal().string() + "\n";
+    request.inputs.emplace_back(folder);
+  }
+  request.settings = sha256(compared);
+  if (!arguments.out.empty()) return request;
+  request.target = std::filesystem::path("runs") / "comparison";
+  request.target = told_free_folder(request);
+  return request;
+}
+
 int compare_folders(const CompareArguments& arguments) {
+  const OutputRequest request = output_request(arguments);
+  check_output(request);
   std::vector<Comparison> comparisons;
   for (std::size_t i = 1; i < arguments.folders.size(); ++i) {
     comparisons.push_back(compare_runs(arguments.folders.front(), arguments.folders[i]));
@@ -31,13 +51,14 @@ int compare_folders(const CompareArguments& arguments) {
                comparison.other.string(), comparison.baseline.string(), comparison.pairs,
                comparison.unpaired, as_text(comparison_table(comparison)));
   }
-  const std::filesystem::path out = arguments.out;
-  write_file(out / "comparison.json", json.dump(2) + "\n");
-  write_file(out / "comparison.html", render_comparison(comparisons));
+  OutputFolder output(request);
+  write_file(output.folder() / "comparison.json", json.dump(2) + "\n");
+  write_file(output.folder() / "comparison.html", render_comparison(comparisons));
+  output.commit();
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("Page: {}\n", (out / "comparison.html").string());
+    fmt::print("Page: {}\n", (request.target / "comparison.html").string());
   }
   return kDone;
 }
@@ -46,7 +67,6 @@ int compare_folders(const CompareArguments& arguments) {
 
 void add_compare_command(CLI::App& app, std::function<int()>& chosen) {
   auto a = std::make_shared<CompareArguments>();
-  a->out = "runs/comparison";
   CLI::App* command = app.add_subcommand(
       "compare", "Runs against runs: paired by scenario and seed, differences with intervals");
   command
@@ -54,8 +74,10 @@ void add_compare_command(CLI::App& app, std::function<int()>& chosen) {
                    "Run folders, or folders of runs; the others against the first")
       ->required()
       ->expected(2, -1);
-  command->add_option("--out", a->out, "Where comparison.json and comparison.html go")
-      ->capture_default_str();
+  command->add_option("--out", a->out,
+                      "Where comparison.json and comparison.html go (default: runs/comparison)");
+  command->add_flag("--force", a->force,
+                    "Use a folder that holds other files, too; replaces only castaway's own");
   command->add_flag("--json", a->json, "Print JSON instead of a table");
   command->footer(
       "Refuses what is not comparable: another scenario, other metrics, no seed in common. A "

@@ -3,7 +3,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/dataset_run.hpp"
 #include "tools/commands/dataset_sequence.hpp"
-#include "tools/formats/durable.hpp"
+#include "tools/output/output_folder.hpp"
 
 namespace castaway::testbed {
 
@@ -14,19 +14,18 @@ int make_only(const DatasetRequest& request, int index) {
   if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
     throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
   }
+  OutputFolder output({request.out, "dataset --only", {}, {request.spec}, false, false});
   DatasetWorlds worlds(spec.base);
   worlds.check(sequence.loaded.scenario);
   worlds.ask_scores(sequence.loaded.scenario);
-  std::filesystem::path draft = request.out;
-  draft += ".work";
   try {
-    std::filesystem::remove_all(draft, none);
-    worlds.find_scores(1, draft);
-    std::filesystem::remove_all(draft, none);
-    make_sequence(spec, worlds, sequence, draft);
-    move_durable(draft, request.out);
+    const std::filesystem::path scores = output.folder() / "scores";
+    worlds.find_scores(1, scores);
+    std::filesystem::remove_all(scores);
+    make_sequence(spec, worlds, sequence, output.folder());
+    output.commit();
   } catch (const std::exception& error) {
-    std::filesystem::remove_all(draft, none);
+    throw_if_interrupted();
     fmt::print(stderr, "castaway: {}\n", error.what());
     return kRunFailed;
   }

@@ -49,8 +49,10 @@ int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetF
     folder.commit_sequence(name);
     return kDone;
   } catch (const FileError& error) {
+    throw_if_interrupted();
     notes.leave(kDiskTrouble + std::string(error.what()));
   } catch (const std::exception& error) {
+    throw_if_interrupted();
     notes.leave(error.what());
   }
   return kTold;
@@ -127,6 +129,17 @@ std::vector<std::string> names_of(int count) {
   return names;
 }
 
+/// Interrupted: the folder is put in order, and what is kept is said.
+[[noreturn]] void tell_kept(Interrupted interrupted, const DatasetFolder& folder,
+                            const DatasetRequest& request) {
+  folder.clear_work();
+  const std::size_t missing = missing_sequences(folder, request.sequences).size();
+  interrupted.kept = fmt::format(
+      "{}: {} of {} sequences are finished; the same command goes on", folder.path().string(),
+      static_cast<std::size_t>(request.sequences) - missing, request.sequences);
+  throw interrupted;
+}
+
 int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
             const DatasetRequest& request) {
   const std::vector<int> missing = missing_sequences(folder, request.sequences);
@@ -159,7 +172,13 @@ int make_dataset(const DatasetRequest& request) {
   check_all(spec, request.sequences, worlds);
   try {
     const DatasetFolder folder(request.out, identity);
-    if (!folder.is_finished()) return make_in(folder, spec, worlds, request);
+    if (!folder.is_finished()) {
+      try {
+        return make_in(folder, spec, worlds, request);
+      } catch (const Interrupted& interrupted) {
+        tell_kept(interrupted, folder, request);
+      }
+    }
     if (!request.json) {
       fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
                  request.sequences);

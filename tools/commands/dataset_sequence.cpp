@@ -39,6 +39,7 @@ Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSeque
   PlayOptions options;
   options.base = spec.base;
   options.out = draft;
+  options.keep_list = false;
   options.quiet = true;
   options.timing = false;
   options.scores = std::make_shared<const PlaceScores>(scores.places);

@@ -6,9 +6,10 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/progress.hpp"
-#include "tools/commands/run_folder_swap.hpp"
 #include "tools/commands/run_summary.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/sha256.hpp"
+#include "tools/output/output_folder.hpp"
 #include "tools/report/report.hpp"
 #include "tools/run/errors_sink.hpp"
 #include "tools/run/people_sink.hpp"
@@ -86,30 +87,40 @@ Sinks begin_run(RunPlan& plan, const std::filesystem::path& folder, Stamp durati
   return sinks;
 }
 
-void carry_out(RunPlan& plan, SensorSource& source, Sinks sinks, RunFolderSwap& swap) {
+void carry_out(RunPlan& plan, SensorSource& source, Sinks sinks, OutputFolder& output) {
   {
     Progress progress(source.duration(), plan.quiet);
-    plan.loop.on_progress = [&progress](Stamp reached) { progress.show(reached); };
+    plan.loop.on_progress = [&progress](Stamp reached) {
+      throw_if_interrupted();
+      progress.show(reached);
+    };
     Loop(plan.loop, plan.localizers, sinks).run(source);
   }
-  if (plan.report) write_report(swap.folder(), plan.map);
+  if (plan.report) write_report(output.folder(), plan.map);
   sinks.clear();
-  swap.commit();
+  throw_if_interrupted();
+  output.commit();
 }
 
 }  // namespace
 
+OutputRequest output_request(const RunPlan& plan) {
+  return {plan.folder, plan.made_by, sha256(plan.scenario_yaml),
+          plan.inputs, plan.force,   plan.keep_list};
+}
+
 void execute_run(RunPlan& plan, SensorSource& source) {
-  RunFolderSwap swap(plan.folder);
-  carry_out(plan, source, begin_run(plan, swap.folder(), source.duration()), swap);
+  OutputFolder output(output_request(plan));
+  carry_out(plan, source, begin_run(plan, output.folder(), source.duration()), output);
 }
 
 int execute(RunPlan& plan, SensorSource& source) {
-  RunFolderSwap swap(plan.folder);
-  Sinks sinks = begin_run(plan, swap.folder(), source.duration());
+  OutputFolder output(output_request(plan));
+  Sinks sinks = begin_run(plan, output.folder(), source.duration());
   try {
-    carry_out(plan, source, std::move(sinks), swap);
+    carry_out(plan, source, std::move(sinks), output);
   } catch (const std::exception& error) {
+    throw_if_interrupted();  // Whatever failed, failed because of it: ffmpeg is interrupted, too.
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/formats/ros_map.hpp"
+#include "tools/output/output_folder.hpp"
 #include "tools/report/camera_sink.hpp"
 #include "tools/report/film_sink.hpp"
 #include "tools/report/picture_sink.hpp"
@@ -27,8 +28,12 @@ using SinkMaker = std::function<std::unique_ptr<RunSink>(const std::filesystem::
 /// A run ready to go.
 struct RunPlan {
   RunInfo info;
-  std::filesystem::path folder;  ///< Where it leaves everything.
-  std::string scenario_yaml;     ///< Effective scenario.
+  std::filesystem::path folder;                 ///< Where it leaves everything.
+  std::string scenario_yaml;                    ///< Effective scenario.
+  std::string made_by = "run";                  ///< Subcommand.
+  std::vector<std::filesystem::path> inputs{};  ///< Files that the run reads.
+  bool force = false;                           ///< The folder may hold other files, too.
+  bool keep_list = true;  ///< False: leaves no list of files, as a part of a larger folder.
   LoopConfig loop;
   std::vector<NamedLocalizer> localizers;
   RosMap map;                             ///< What the localizers were given.
@@ -52,6 +57,9 @@ struct RunPlan {
   bool silent = false;  ///< Prints no result.
   bool quiet = false;   ///< Prints nothing, no progress either.
 };
+
+/// What the run's folder is asked for.
+OutputRequest output_request(const RunPlan& plan);
 
 /// Runs and writes the run folder; prints progress and warnings unless `quiet`. Throws
 /// std::exception where it fails.

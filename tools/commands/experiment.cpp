@@ -1,4 +1,5 @@
 // castaway experiment: the paper's experiments.
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,6 +14,10 @@
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/sha256.hpp"
+#include "tools/output/default_folder.hpp"
+#include "tools/output/own_file.hpp"
+#include "tools/output/runs_folder.hpp"
 #include "tools/report/experiment_page.hpp"
 #include "tools/scenario/data_paths.hpp"
 
@@ -29,40 +34,69 @@ struct ExperimentArguments {
   int workers = 1;
   std::string out;
   std::string junit;
+  bool force = false;
   bool json = false;
 };
 
-std::filesystem::path out_of(const ExperimentArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
-  return std::filesystem::path("runs") / fmt::format("experiment-{}", arguments.number);
+LoadedScenario load(const ExperimentRun& run) {
+  return load_scenario(data_root() / run.scenario, run.overrides);
 }
 
-int play_run(const ExperimentRun& run, const std::filesystem::path& out, bool quiet) {
-  const std::filesystem::path file = data_root() / run.scenario;
+int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, bool quiet) {
   PlayOptions options;
-  options.base = file.parent_path();
-  options.out = out / run.folder;
+  options.base = (data_root() / run.scenario).parent_path();
+  options.out = folder.path() / run.folder;
+  options.force = force;
   options.silent = true;
   options.quiet = quiet;
-  return play(load_scenario(file, run.overrides), options);
+  return play(load(run), options);
+}
+
+/// Its folder with one for every run.
+RunsFolder open_folder(const ExperimentArguments& arguments,
+                       const std::vector<ExperimentRun>& runs) {
+  std::vector<PlannedRun> planned;
+  std::string settings;
+  for (const ExperimentRun& run : runs) {
+    planned.push_back({run.folder, sha256(load(run).effective)});
+    settings += planned.back().settings;
+  }
+  OutputRequest request{arguments.out, "experiment", sha256(settings), {}, arguments.force};
+  if (arguments.out.empty()) {
+    request.target = std::filesystem::path("runs") / fmt::format("experiment-{}", arguments.number);
+    request.target = told_free_runs_folder(request, planned);
+  }
+  if (!arguments.junit.empty()) require_own_file(arguments.junit);
+  return {std::move(request), std::move(planned)};
 }
 
 /// Exit codes by run. A single run is played here, for its own progress line.
-std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const std::filesystem::path& out,
-                          int workers) {
-  if (runs.size() == 1) return {play_run(runs[0], out, false)};
+std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFolder& folder,
+                          const ExperimentArguments& arguments) {
+  if (runs.size() == 1) return {play_run(runs[0], folder, arguments.force, false)};
   std::vector<int> codes(runs.size(), kRunFailed);
   CampaignProgress progress(static_cast<int>(runs.size()), "runs");
   RecoveryTally tally;
-  run_jobs(
-      static_cast<int>(runs.size()), workers,
-      [&](int index) { return play_run(runs[static_cast<std::size_t>(index)], out, true); },
-      [&](int index, int code) {
-        const auto i = static_cast<std::size_t>(index);
-        codes[i] = code;
-        if (code == kDone) tally.add(load_judged_run(out / runs[i].folder).metrics);
-        progress.next(tally.text());
-      });
+  try {
+    run_jobs(
+        static_cast<int>(runs.size()), arguments.workers,
+        [&](int index) {
+          const auto i = static_cast<std::size_t>(index);
+          return folder.has_run(i) ? static_cast<int>(kDone)
+                                   : play_run(runs[i], folder, arguments.force, true);
+        },
+        [&](int index, int code) {
+          const auto i = static_cast<std::size_t>(index);
+          codes[i] = code;
+          if (code == kDone) tally.add(load_judged_run(folder.path() / runs[i].folder).metrics);
+          progress.next(tally.text());
+        });
+  } catch (Interrupted& interrupted) {
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+                                   std::count(codes.begin(), codes.end(), kDone), runs.size(),
+                                   folder.path().string());
+    throw;
+  }
   return codes;
 }
 
@@ -126,8 +160,9 @@ int run_experiment(const ExperimentArguments& arguments) {
   const Experiment experiment =
       paper_experiment(arguments.number, arguments.repeats, arguments.quick);
   const std::vector<ExperimentRun> runs = runs_of(experiment);
-  const std::filesystem::path out = out_of(arguments);
-  const std::vector<int> codes = play_all(runs, out, arguments.workers);
+  RunsFolder folder = open_folder(arguments, runs);
+  const std::filesystem::path out = folder.path();
+  const std::vector<int> codes = play_all(runs, folder, arguments);
   const std::vector<ExperimentOutcome> outcomes = outcomes_of(runs, codes, out);
   if (outcomes.empty()) return kRunFailed;
   ExperimentPage page;
@@ -138,14 +173,15 @@ int run_experiment(const ExperimentArguments& arguments) {
   page.table = experiment_table(experiment, page.summary, timing);
   page.example = example_run(outcomes);
   page.command = command_of(arguments);
-  write_file(out / "summary.json", page.summary.dump(2) + "\n");
-  write_file(out / "timing.json", timing.dump(2) + "\n");
-  write_runs(outcomes, out / "runs.csv");
-  write_file(out / "report.html", render_experiment(page));
+  folder.put("summary.json", page.summary.dump(2) + "\n");
+  folder.put("timing.json", timing.dump(2) + "\n");
+  folder.put_by("runs.csv", [&](const auto& file) { write_runs(outcomes, file); });
+  folder.put("report.html", render_experiment(page));
+  folder.finish();
   const std::vector<Check> checks = judge_parts(experiment, outcomes);
   const std::string name = fmt::format("experiment-{}", arguments.number);
   if (!arguments.junit.empty()) {
-    write_file(arguments.junit, junit_xml(name, junit_cases(name, checks)));
+    write_own_file(arguments.junit, junit_xml(name, junit_cases(name, checks)));
   }
   if (arguments.json) {
     fmt::print("{}\n", page.summary.dump(2));
@@ -174,6 +210,8 @@ void add_experiment_command(CLI::App& app, std::function<int()>& chosen) {
       ->capture_default_str();
   command->add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
   command->add_option("--junit", a->junit, "Write the expectations as JUnit XML");
+  command->add_flag("--force", a->force,
+                    "Use a folder that holds other files, too; replaces only castaway's own");
   command->add_flag("--json", a->json, "Print summary.json instead of words");
   command->footer(
       "Prints the paper's table with its figures and this run's; leaves summary.json, runs.csv, a "

@@ -2,7 +2,21 @@
 #include <cstdio>
 #include <exception>
 
+#include <fmt/format.h>
+
 #include "tools/commands/commands.hpp"
+#include "tools/commands/terminal.hpp"
+#include "tools/commands/usage.hpp"
+#include "tools/output/interruption.hpp"
+
+namespace {
+
+void print_trouble(const std::string& text) {
+  using namespace castaway::testbed;
+  fmt::print(stderr, "{} {}\n", paint("castaway:", Color::kRed, stderr), text);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace castaway::testbed;
@@ -24,14 +38,26 @@ int main(int argc, char** argv) {
   add_check_robot_command(app, chosen);
   add_check_world_command(app, chosen);
   add_lidars_command(app, chosen);
+  add_list_commands(app, chosen);
   add_bench_command(app, chosen);
+  add_completion_command(app, chosen);
+  watch_for_interruption();
+  if (const auto trouble = unknown_command(app, {argv + 1, argv + argc})) {
+    fmt::print(stderr, "{}\n", *trouble);
+    return kBadInput;
+  }
   try {
     app.parse(argc, argv);
     return chosen();
+  } catch (const Interrupted& interrupted) {
+    print_trouble(describe(interrupted));
+    return exit_code_of(interrupted);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "{}\n", describe_usage(app, error));
+    return kBadInput;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "castaway: %s\n", error.what());
+    print_trouble(error.what());
     return kBadInput;
   }
 }

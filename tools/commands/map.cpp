@@ -6,6 +6,9 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/world/rasterise.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/formats/gray_image.hpp"
+#include "tools/output/file_name.hpp"
+#include "tools/output/own_file.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/run/build_world.hpp"
 #include "tools/run/simulator_source.hpp"
@@ -34,10 +37,15 @@ int make_map(const MapArguments& arguments) {
   const WorldFile world =
       build_world({arguments.world, arguments.search_paths, {}}, ".", options).file;
   const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
-  const std::filesystem::path out = arguments.out.empty()
-                                        ? std::filesystem::path(world.spec.name + ".yaml")
-                                        : std::filesystem::path(arguments.out);
-  write_ros_map(to_ros_map(grid, world.spec.name), out);
+  const std::filesystem::path out =
+      arguments.out.empty() ? std::filesystem::path(file_name_of(world.spec.name) + ".yaml")
+                            : std::filesystem::path(arguments.out);
+  const RosMap map = to_ros_map(grid, world.spec.name);
+  std::filesystem::path image = out;
+  image.replace_extension(".pgm");
+  require_own_file(out);
+  write_own_file(image, encode_pgm(map_image(map)));
+  write_own_file(out, ros_map_yaml(map, image.filename().string()));
   fmt::print("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), grid.width, grid.height,
              grid.resolution, height);
   return kDone;

@@ -5,12 +5,14 @@
 #include "localization/stamp.hpp"
 #include "tools/commands/map_scores.hpp"
 #include "tools/commands/picture_plan.hpp"
+#include "tools/commands/terminal.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/run/map_conversion.hpp"
 #include "tools/run/scan_truth.hpp"
 #include "tools/run/simulator_source.hpp"
+#include "tools/scenario/data_paths.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -92,7 +94,10 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
   plan.info = {scenario.name,      prepared.world_name,   prepared.config.robot.name,
                scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
                prepared.difference};
-  plan.folder = options.out.empty() ? default_run_folder(scenario) : options.out;
+  plan.folder = options.out;
+  plan.force = options.force;
+  plan.inputs = options.inputs;
+  plan.keep_list = options.keep_list;
   plan.scenario_yaml = loaded.effective;
   plan.json = options.json;
   plan.silent = options.silent;
@@ -117,6 +122,12 @@ SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> inputs_of(const Scenario& scenario,
+                                             const std::filesystem::path& file) {
+  const std::filesystem::path base = file.parent_path();
+  return {file, find_world(scenario.world.file, base), find_robot(scenario.robot.file, base)};
+}
+
 std::filesystem::path default_run_folder(const Scenario& scenario) {
   return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
 }
@@ -129,7 +140,7 @@ auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body bod
   const Scenario& scenario = loaded.scenario;
   PreparedSimulation prepared = build_simulation(scenario, options.base);
   for (const std::string& warning : prepared.warnings) {
-    if (!options.quiet) fmt::print(stderr, "castaway: warning: {}\n", warning);
+    if (!options.quiet) print_warning(warning);
   }
   RunPlan plan = plan_of(options, loaded, prepared);
   const std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;

@@ -6,6 +6,9 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/execute.hpp"
+#include "tools/commands/terminal.hpp"
+#include "tools/output/default_folder.hpp"
+#include "tools/output/file_name.hpp"
 #include "tools/run/bag_reading.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/carmen_source.hpp"
@@ -30,6 +33,7 @@ struct ReplayArguments {
   std::vector<std::string> localizers;
   std::uint64_t seed = 1;
   std::string out;
+  bool force = false;
   bool json = false;
   bool pictures = true;
   double pictures_every_s = 0.0;
@@ -139,7 +143,7 @@ OpenedLog open_bag(const ReplayArguments& arguments) {
   const BagInventory bag = take_inventory(arguments.log, bag_files(arguments.log));
   BagRecording recording = read_bag(bag, choose_topics(bag, arguments.topics));
   for (const std::string& warning : recording.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
+    print_warning(warning);
   }
   OpenedLog log;
   log.map = map_of(arguments, bag, recording);
@@ -153,6 +157,29 @@ OpenedLog open_bag(const ReplayArguments& arguments) {
   return log;
 }
 
+/// The files that a replay reads.
+std::vector<std::filesystem::path> inputs_of(const ReplayArguments& arguments) {
+  std::vector<std::filesystem::path> inputs{arguments.log};
+  if (is_bag(arguments.log)) {
+    for (const auto& file : bag_files(arguments.log)) inputs.push_back(file);
+  }
+  if (!arguments.map.empty()) inputs.emplace_back(arguments.map);
+  return inputs;
+}
+
+/// Where the replay goes. Throws where that is not free.
+std::filesystem::path folder_of(const ReplayArguments& arguments, const RunPlan& plan) {
+  OutputRequest request = output_request(plan);
+  if (arguments.out.empty()) {
+    request.target =
+        std::filesystem::path("runs") / plan.info.scenario / fmt::format("seed-{}", arguments.seed);
+    return told_free_folder(request);
+  }
+  request.target = arguments.out;
+  check_output(request);
+  return request.target;
+}
+
 int replay_log(ReplayArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
   std::vector<LocalizerSpec> specs;
@@ -164,16 +191,17 @@ int replay_log(ReplayArguments arguments) {
   OpenedLog log = is_bag(arguments.log) ? open_bag(arguments) : open_carmen(arguments);
   const RosMap& map = log.map;
   RunPlan plan;
-  plan.info.scenario = "replay-" + map.name;
+  plan.info.scenario = "replay-" + file_name_of(map.name);
   plan.info.world = map.name;
   plan.info.robot = "recorded";
   plan.info.seed = arguments.seed;
   plan.info.known_start = arguments.start == "truth";
   for (const LocalizerSpec& spec : specs) plan.info.localizers.push_back(spec.name);
-  plan.folder = arguments.out.empty() ? std::filesystem::path("runs") / plan.info.scenario /
-                                            fmt::format("seed-{}", arguments.seed)
-                                      : std::filesystem::path(arguments.out);
   plan.scenario_yaml = describe(arguments);
+  plan.made_by = "replay";
+  plan.inputs = inputs_of(arguments);
+  plan.force = arguments.force;
+  plan.folder = folder_of(arguments, plan);
   plan.json = arguments.json;
   if (plan.info.known_start) plan.loop.start = known_start(arguments, log);
   plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
@@ -222,6 +250,8 @@ void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
       ->allow_extra_args(false);
   command->add_option("--seed", a->seed, "Root seed")->capture_default_str();
   command->add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
+  command->add_flag("--force", a->force,
+                    "Use a folder that holds other files, too; replaces only castaway's own");
   command->add_flag("--json", a->json, "Print summary.json instead of words");
   command->add_flag("--pictures,!--no-pictures", a->pictures, "Take pictures (default: yes)");
   command

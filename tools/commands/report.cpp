@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/output/own_file.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/runs_page.hpp"
 
@@ -18,6 +19,13 @@ struct ReportArguments {
   std::string out;
 };
 
+/// In the place of the one that castaway wrote, and of no other.
+void remake_report(const fs::path& run) {
+  const fs::path page = run / "report.html";
+  require_own_file(page);
+  put_own_file(page, [&] { write_report(run, std::nullopt); });
+}
+
 int make_reports(const ReportArguments& arguments) {
   std::vector<fs::path> folders;
   for (const std::string& run : arguments.runs) {
@@ -27,12 +35,12 @@ int make_reports(const ReportArguments& arguments) {
                                   "printed at its end");
     }
     folders.emplace_back(run);
-    write_report(folders.back(), std::nullopt);
+    remake_report(folders.back());
     fmt::print("{}\n", (folders.back() / "report.html").string());
   }
   if (folders.size() < 2 && arguments.out.empty()) return kDone;
   const fs::path page = arguments.out.empty() ? fs::path("runs.html") : fs::path(arguments.out);
-  write_runs_page(folders, page);
+  put_own_file(page, [&] { write_runs_page(folders, page); });
   fmt::print("{}\n", page.string());
   return kDone;
 }

@@ -8,7 +8,9 @@
 #include "tools/commands/play.hpp"
 #include "tools/commands/run_seeds.hpp"
 #include "tools/commands/verdict_output.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/formats/sha256.hpp"
+#include "tools/output/default_folder.hpp"
+#include "tools/output/own_file.hpp"
 #include "tools/scenario/data_paths.hpp"
 #include "tools/scenario/expect_spec.hpp"
 
@@ -18,24 +20,46 @@ namespace {
 /// What the command line says.
 struct RunArguments {
   std::string scenario;
-  std::vector<std::string> shortcuts;  ///< --seed and the like, as key=value.
-  std::vector<std::string> sets;       ///< --set key=value
-  std::vector<std::string> expects;    ///< --expect "metric condition"
+  std::vector<std::string> shortcuts;   ///< --seed and the like, as key=value.
+  std::vector<std::string> sets;        ///< --set key=value
+  std::vector<std::string> localizers;  ///< Instead of the scenario's.
+  std::vector<std::string> expects;     ///< --expect "metric condition"
   std::string seeds;
   int workers = 1;
   std::string out;
   std::string junit;
   std::string video;  ///< File; empty: none.
   bool json = false;
+  bool force = false;
 };
 
 std::filesystem::path file_of(const RunArguments& arguments) {
-  if (!arguments.scenario.empty()) return arguments.scenario;
-  return data_root() / "worlds/lab/scenarios/kidnap.yaml";
+  const std::string& text = arguments.scenario;
+  if (text.empty()) return data_root() / "worlds/lab/scenarios/kidnap.yaml";
+  if (text.find('=') != std::string::npos && !std::filesystem::exists(text)) {
+    throw std::invalid_argument(
+        text + ": is no scenario's file; every key=value takes a --set of its own");
+  }
+  return find_scenario(text, ".");
+}
+
+/// "mh_amcl:paper" as a scenario has it.
+std::string localizer_yaml(const std::string& text) {
+  static_cast<void>(parse_localizer(text));  // Throws where there is no such localizer.
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return text;
+  const std::string kind = text.substr(0, colon);
+  return fmt::format("{{{}: {{{}: {}}}}}", kind, kind == "amcl" ? "preset" : "mode",
+                     text.substr(colon + 1));
 }
 
 std::vector<std::string> overrides_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.shortcuts;
+  std::string localizers;
+  for (const std::string& text : arguments.localizers) {
+    localizers += (localizers.empty() ? "" : ", ") + localizer_yaml(text);
+  }
+  if (!localizers.empty()) overrides.push_back("localizers=[" + localizers + "]");
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
   return overrides;
 }
@@ -64,10 +88,25 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
   }
   const std::vector<Check> checks = judge(expectations, {load_judged_run(folder)});
   if (!arguments.junit.empty()) {
-    write_file(arguments.junit, junit_xml(scenario.name, junit_cases(scenario.name, checks)));
+    write_own_file(arguments.junit, junit_xml(scenario.name, junit_cases(scenario.name, checks)));
   }
   fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
   return exit_code_of(checks);
+}
+
+/// Where the run goes. Throws where that is not free, before anything is built.
+std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScenario& loaded,
+                                const std::vector<std::filesystem::path>& inputs) {
+  OutputRequest request{arguments.out, "run", sha256(loaded.effective), inputs, arguments.force};
+  if (arguments.out.empty()) {
+    request.target = default_run_folder(loaded.scenario);
+    request.target = told_free_folder(request);
+  }
+  check_output(request);
+  for (const std::string& file : {arguments.junit, arguments.video}) {
+    if (!file.empty()) require_own_file(file);
+  }
+  return request.target;
 }
 
 int run_once(const RunArguments& arguments) {
@@ -77,8 +116,9 @@ int run_once(const RunArguments& arguments) {
   static_cast<void>(expectations_of(arguments, scenario));  // Refused before the run, not after it.
   PlayOptions options;
   options.base = file.parent_path();
-  options.out =
-      arguments.out.empty() ? default_run_folder(scenario) : std::filesystem::path(arguments.out);
+  options.inputs = inputs_of(scenario, file);
+  options.force = arguments.force;
+  options.out = folder_of(arguments, loaded, options.inputs);
   options.video = arguments.video;
   options.json = arguments.json;
   const int exit_code = play(loaded, options);
@@ -95,14 +135,15 @@ int run_many(const RunArguments& arguments) {
   const Scenario scenario = load_scenario(request.scenario, request.overrides).scenario;
   request.seeds = parse_seeds(arguments.seeds, scenario.seed);
   request.workers = arguments.workers;
-  request.out = arguments.out.empty() ? default_run_folder(scenario).parent_path()
-                                      : std::filesystem::path(arguments.out);
+  request.out = arguments.out;
   request.expectations = expectations_of(arguments, scenario);
   request.junit = arguments.junit;
   request.json = arguments.json;
+  request.force = arguments.force;
   return run_seeds(request);
 }
 
+/// Options that stand for a key of the scenario.
 void add_shortcuts(CLI::App* command, const std::shared_ptr<RunArguments>& arguments) {
   const auto shortcut = [&](const std::string& flag, const std::string& key,
                             const std::string& text) {
@@ -113,8 +154,26 @@ void add_shortcuts(CLI::App* command, const std::shared_ptr<RunArguments>& argum
         },
         text);
   };
-  shortcut("--seed", "seed", "Root seed of all random streams");
-  shortcut("--duration", "duration_s", "Simulated time [s]");
+  command->add_option_function<std::uint64_t>(
+      "--seed",
+      [arguments](std::uint64_t seed) {
+        arguments->shortcuts.push_back(fmt::format("seed={}", seed));
+      },
+      "Root seed of all random streams");
+  command
+      ->add_option_function<double>(
+          "--duration",
+          [arguments](double duration) {
+            arguments->shortcuts.push_back(fmt::format("duration_s={}", duration));
+          },
+          "Simulated time [s]")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double value = 0.0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0;
+            return good ? std::string() : "needs a number of seconds above 0, not " + text;
+          },
+          ""));
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
   shortcut("--robot", "robot", "A robot's name, a .urdf or a .xacro");
 }
@@ -125,9 +184,14 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
       app.add_subcommand("run", "Simulate a scenario; without one, the default kidnap");
-  command->add_option("scenario", arguments->scenario, "Scenario file (YAML)");
+  command->add_option("scenario", arguments->scenario,
+                      "Scenario file (YAML), or <world>/<name> of one that comes along");
   add_shortcuts(command, arguments);
   command->add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--localizer", arguments->localizers,
+                   "NAME or NAME:PRESET instead of the scenario's; repeat for several")
       ->allow_extra_args(false);
   command
       ->add_option("--expect", arguments->expects,
@@ -145,12 +209,15 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   command->add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
   command->add_option("--video", arguments->video,
                       "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
+  command->add_flag("--force", arguments->force,
+                    "Use a folder that holds other files, too; replaces only castaway's own");
   command->add_flag("--json", arguments->json, "Print summary.json instead of words");
   command->footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"
       "Examples:\n"
       "  castaway run\n"
-      "  castaway run worlds/lab/scenarios/kidnap.yaml --seed 7 --out /tmp/kidnap\n"
+      "  castaway run lab/kidnap --seed 7 --out /tmp/kidnap\n"
+      "  castaway run office/people --localizer mh_amcl --localizer amcl:amcl-prob\n"
       "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
       "  castaway run --video kidnap.mp4 --set outputs.video.view=overview\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");

@@ -9,8 +9,12 @@
 #include "tools/commands/seeds_summary.hpp"
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/sha256.hpp"
 #include "tools/metrics/aggregate.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
+#include "tools/output/default_folder.hpp"
+#include "tools/output/own_file.hpp"
+#include "tools/output/runs_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -35,27 +39,66 @@ int play_seed(const SeedsRequest& request, int index) {
   PlayOptions options;
   options.base = request.scenario.parent_path();
   options.out = folder_of(request, index);
+  options.force = request.force;
   options.quiet = true;
   return play(load(request, index), options);
+}
+
+/// A folder for each seed.
+std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
+  std::vector<PlannedRun> runs;
+  for (int i = 0; i < request.seeds.count; ++i) {
+    runs.push_back(
+        {fmt::format("seed-{}", seed_of(request, i)), sha256(load(request, i).effective)});
+  }
+  return runs;
+}
+
+/// The folder of all; what it is made from is the scenario, whatever the seeds.
+RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
+  const std::vector<PlannedRun> runs = planned_runs(request);
+  const std::string settings = load_scenario(request.scenario, request.overrides).effective;
+  OutputRequest output{request.out, "run --seeds", sha256(settings),
+                       inputs_of(scenario, request.scenario), request.force};
+  if (request.out.empty()) {
+    output.target = default_run_folder(scenario).parent_path();
+    output.target = told_free_runs_folder(output, runs);
+  }
+  if (!request.junit.empty()) require_own_file(request.junit);
+  request.out = output.target;
+  return {std::move(output), runs};
 }
 
 /// Runs that are done, by index; nothing where a run failed.
 using Outcomes = std::vector<std::optional<JudgedRun>>;
 
-Outcomes play_all(const SeedsRequest& request) {
+Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
   Outcomes outcomes(static_cast<std::size_t>(request.seeds.count));
   CampaignProgress progress(request.seeds.count, "runs");
   RecoveryTally tally;
-  run_jobs(
-      request.seeds.count, request.workers, [&](int index) { return play_seed(request, index); },
-      [&](int index, int exit_code) {
-        if (exit_code == kDone) {
-          const JudgedRun run = load_judged_run(folder_of(request, index));
-          tally.add(run.metrics);
-          outcomes[static_cast<std::size_t>(index)] = run;
-        }
-        progress.next(tally.text());
-      });
+  int finished = 0;
+  const auto take = [&](int index) {
+    const JudgedRun run = load_judged_run(folder_of(request, index));
+    tally.add(run.metrics);
+    outcomes[static_cast<std::size_t>(index)] = run;
+    ++finished;
+  };
+  try {
+    run_jobs(
+        request.seeds.count, request.workers,
+        [&](int index) {
+          const bool made = folder.has_run(static_cast<std::size_t>(index));
+          return made ? static_cast<int>(kDone) : play_seed(request, index);
+        },
+        [&](int index, int exit_code) {
+          if (exit_code == kDone) take(index);
+          progress.next(tally.text());
+        });
+  } catch (Interrupted& interrupted) {
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+                                   finished, request.seeds.count, request.out.string());
+    throw;
+  }
   return outcomes;
 }
 
@@ -116,20 +159,22 @@ void write_junit(const SeedsRequest& request, const std::string& scenario, const
       run.error = "the run failed";
     cases.push_back(std::move(run));
   }
-  write_file(request.junit, junit_xml(scenario, cases));
+  write_own_file(request.junit, junit_xml(scenario, cases));
 }
 
 }  // namespace
 
-int run_seeds(const SeedsRequest& request) {
+int run_seeds(SeedsRequest request) {
   const Scenario scenario = load(request, 0).scenario;
   std::vector<Expectation> expectations = scenario.expect;
   expectations.insert(expectations.end(), request.expectations.begin(), request.expectations.end());
-  const Outcomes outcomes = play_all(request);
+  RunsFolder folder = open_folder(request, scenario);
+  const Outcomes outcomes = play_all(request, folder);
   const std::vector<JudgedRun> runs = done_of(outcomes);
   const Json summary = summary_of(request, scenario.name, outcomes);
-  write_file(request.out / "summary.json", summary.dump(2) + "\n");
-  write_file(request.out / "timing.json", timing_of(runs).dump(2) + "\n");
+  folder.put("summary.json", summary.dump(2) + "\n");
+  folder.put("timing.json", timing_of(runs).dump(2) + "\n");
+  folder.finish();
   const std::vector<Check> checks = judge(expectations, runs);
   write_junit(request, scenario.name, outcomes, checks);
   fmt::print("{}", request.json ? summary.dump(2) + "\n" : describe_seeds(request.out));

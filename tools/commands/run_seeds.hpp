@@ -16,7 +16,8 @@ struct SeedsRequest {
   std::vector<std::string> overrides;  ///< key=value, the seed aside.
   SeedRange seeds;
   int workers = 1;
-  std::filesystem::path out;              ///< Holds a folder for each seed.
+  std::filesystem::path out;              ///< Holds a folder for each seed; empty: the default.
+  bool force = false;                     ///< It may hold other files, too.
   std::vector<Expectation> expectations;  ///< Besides those of the scenario.
   std::filesystem::path junit;            ///< Empty: none is written.
   bool json = false;                      ///< Prints the aggregate summary.json instead of words.
@@ -25,6 +26,6 @@ struct SeedsRequest {
 /// Plays every seed into `out`/seed-<n> and writes what they amount to: summary.json (`kind`
 /// "seeds") and timing.json in `out`. Returns the exit code: kRunFailed if a run failed, else
 /// kExpectationNotMet if an expectation was not met.
-int run_seeds(const SeedsRequest& request);
+int run_seeds(SeedsRequest request);
 
 }  // namespace castaway::testbed

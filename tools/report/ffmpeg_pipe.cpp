@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/output/own_file.hpp"
+
 extern char** environ;  // POSIX declares it nowhere.
 
 namespace castaway::testbed {
@@ -84,7 +86,8 @@ void validate(const FilmFormat& format) {
 
 FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_(format_.file) {
   validate(format_);
-  partial_ += ".partial";
+  require_own_file(format_.file);
+  partial_.replace_filename(".castaway-unfinished-" + format_.file.filename().string());
   const std::filesystem::path folder = format_.file.parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   words_ = std::tmpfile();
@@ -155,7 +158,7 @@ void FfmpegPipe::add(const sim::Image& image) {
 
 void FfmpegPipe::commit() {
   if (wait() != 0) fail();
-  std::filesystem::rename(partial_, format_.file);
+  put_own_file(format_.file, [&] { std::filesystem::rename(partial_, format_.file); });
 }
 
 }  // namespace castaway::testbed

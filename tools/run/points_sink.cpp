@@ -1,12 +1,12 @@
 #include "tools/run/points_sink.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
 
@@ -32,8 +32,7 @@ void PointsSink::on_scan(const ScanRecord& record) {
   const auto [next, first] = next_.try_emplace(record.scan.lidar, record.stamp);
   if (record.stamp < next->second) return;
   next->second += period_;
-  std::string lidar = record.scan.lidar;
-  std::replace(lidar.begin(), lidar.end(), '/', '_');
+  const std::string lidar = file_name_of(record.scan.lidar);
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(record.stamp).count();
   write_file(folder_ / fmt::format("{}-{:07d}.ply", lidar, ms), ply_text(record.truth.cloud));
 }

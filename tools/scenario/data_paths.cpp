@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/scenario/nearest.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -38,6 +40,10 @@ fs::path find(const std::string& kind, const std::string& text, const fs::path& 
                                        fmt::join(folders_in(shipped), ", ")));
 }
 
+fs::path shipped_scenarios(const fs::path& world) {
+  return data_root() / "worlds" / world / "scenarios";
+}
+
 }  // namespace
 
 fs::path data_root() {
@@ -47,6 +53,44 @@ fs::path data_root() {
 
 fs::path find_world(const std::string& text, const fs::path& base) {
   return find("world", text, base, {"world.yaml"});
+}
+
+fs::path find_scenario(const std::string& text, const fs::path& base) {
+  const fs::path named(text);
+  const fs::path shipped =
+      shipped_scenarios(named.parent_path()) / (named.filename().string() + ".yaml");
+  for (const fs::path& candidate : {named, base / named, shipped}) {
+    std::error_code none;
+    if (fs::is_directory(candidate, none) && !fs::is_regular_file(shipped, none)) {
+      throw std::runtime_error(candidate.string() +
+                               ": is a folder; give a scenario's file (YAML) or its name");
+    }
+    if (fs::exists(candidate, none) && !fs::is_directory(candidate, none)) return candidate;
+  }
+  const auto near = nearest_name(text, scenario_names());
+  const bool close = near && edit_distance(text, *near) <= 3;
+  throw std::runtime_error(fmt::format(
+      "{}: no such scenario; {}", text,
+      close ? fmt::format("did you mean '{}'?", *near)
+            : "give a file's path, or <world>/<name>; `castaway scenarios` lists those that come "
+              "along"));
+}
+
+std::vector<std::string> world_names() { return folders_in(data_root() / "worlds"); }
+
+std::vector<std::string> robot_names() { return folders_in(data_root() / "robots"); }
+
+std::vector<std::string> scenario_names() {
+  std::vector<std::string> names;
+  for (const std::string& world : world_names()) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(shipped_scenarios(world), none)) {
+      if (entry.path().extension() != ".yaml") continue;
+      names.push_back(world + "/" + entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 fs::path find_robot(const std::string& text, const fs::path& base) {

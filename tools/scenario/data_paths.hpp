@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace castaway::testbed {
 
@@ -19,5 +20,16 @@ std::filesystem::path find_world(const std::string& text, const std::filesystem:
 /// it that bears its name), else relative to `base`, else `<data>/robots/<text>`. Throws
 /// std::runtime_error listing the robots there are.
 std::filesystem::path find_robot(const std::string& text, const std::filesystem::path& base);
+
+/// A scenario's file: `text` itself, or relative to `base`, or
+/// `<data>/worlds/<world>/scenarios/<name>.yaml` of "<world>/<name>". Throws std::runtime_error
+/// with the nearest name.
+std::filesystem::path find_scenario(const std::string& text, const std::filesystem::path& base);
+
+/// Names of what comes along, in order.
+std::vector<std::string> world_names();
+std::vector<std::string> robot_names();
+/// "<world>/<name>"
+std::vector<std::string> scenario_names();
 
 }  // namespace castaway::testbed

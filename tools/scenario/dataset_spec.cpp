@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/name_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -14,18 +15,12 @@ namespace fs = std::filesystem;
 /// Keys of a scenario that a data set sees to itself.
 const std::vector<std::string> kOwn{"seed", "name", "outputs", "expect"};
 
-/// A scenario's file: a path, or `<world>/<name>` of those that come along.
-fs::path find_scenario(const YamlReader& value, const fs::path& folder) {
-  const fs::path text = value.as<std::string>();
-  const fs::path shipped = data_root() / "worlds" / text.parent_path() / "scenarios" /
-                           (text.filename().string() + ".yaml");
-  for (const fs::path& candidate : {folder / text, text, shipped}) {
-    if (fs::is_regular_file(candidate)) return candidate;
+fs::path base_scenario(const YamlReader& value, const fs::path& folder) {
+  try {
+    return find_scenario(value.as<std::string>(), folder);
+  } catch (const std::runtime_error& error) {
+    value.fail(error.what());
   }
-  value.fail(fmt::format(
-      "no scenario '{}': give the path of one, or <world>/<name> for worlds/<world>/scenarios/"
-      "<name>.yaml",
-      text.string()));
 }
 
 void drop(YamlNode& map, const std::string& key) {
@@ -37,7 +32,7 @@ YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) 
   const auto value = root.find("scenario");
   if (!value) return parse_yaml("{}", "scenario");
   if (value->is_map()) return value->raw();
-  const fs::path file = find_scenario(*value, folder);
+  const fs::path file = base_scenario(*value, folder);
   spec.base = file.parent_path();
   YamlDocument document = YamlDocument::load(file);
   return document.root().raw();
@@ -108,7 +103,7 @@ DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& over
   YamlReader root = document.root();
   DatasetSpec spec;
   spec.file = file.string();
-  spec.name = root.get("name", file.stem().string());
+  spec.name = get_name(root, "name", file.stem().string());
   spec.description = root.get("description", "");
   spec.license = root.get("license", "");
   spec.seed = root.get("seed", spec.seed);

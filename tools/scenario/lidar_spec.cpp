@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tools/scenario/lidar_noise.hpp"
+#include "tools/scenario/name_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -100,6 +101,7 @@ std::vector<LidarSpec> read_lidars(YamlReader& root) {
   std::vector<LidarSpec> lidars;
   for (YamlReader item : root.list("lidars")) {
     auto [name, body] = item.named();
+    require_name(item, "a lidar's name", name);
     for (const LidarSpec& other : lidars) {
       if (other.name == name) item.fail("two lidars are named '" + name + "': give other names");
     }

@@ -4,6 +4,7 @@
 
 #include "tools/scenario/amcl_spec.hpp"
 #include "tools/scenario/mh_amcl_spec.hpp"
+#include "tools/scenario/name_spec.hpp"
 #include "tools/scenario/nearest.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
@@ -28,7 +29,8 @@ LocalizerSpec read_localizer(YamlReader item) {
     item.fail("unknown localizer '" + kind + "'; " + suggestion(kind, kKinds));
   }
   spec.relocalize_at_kidnap = body.get("global_localization_at_kidnap", spec.relocalize_at_kidnap);
-  spec.name = body.get("name", spec.name);
+  spec.name = get_name(body, "name", spec.name);
+  if (spec.name == "truth") body.fail("a localizer cannot be called 'truth': truth.tum is taken");
   return spec;
 }
 
@@ -42,9 +44,6 @@ std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& 
       return other.name == specs.back().name;
     });
     if (same > 1) item.fail("two localizers are called '" + specs.back().name + "'; give a 'name'");
-  }
-  if (!root.has(key)) {
-    root.fail("needs the list '" + key + "', e.g. [mh_amcl, amcl], or [] for none");
   }
   return specs;
 }

@@ -8,6 +8,7 @@
 #include "tools/scenario/fault_events.hpp"
 #include "tools/scenario/kidnap_events.hpp"
 #include "tools/scenario/lidar_spec.hpp"
+#include "tools/scenario/name_spec.hpp"
 #include "tools/scenario/nearest.hpp"
 #include "tools/scenario/odometry_spec.hpp"
 #include "tools/scenario/output_spec.hpp"
@@ -150,6 +151,17 @@ void choose_watched(const YamlReader& root, Scenario& scenario) {
   }
 }
 
+/// Who drives is the truth or a localizer of the run.
+void check_driver(YamlReader& root, const Scenario& scenario) {
+  std::vector<std::string> drivers = names_of(scenario.localizers);
+  drivers.emplace_back("truth");
+  const std::string& by = scenario.drive.by;
+  if (std::find(drivers.begin(), drivers.end(), by) != drivers.end()) return;
+  YamlReader drive = root.child("drive");
+  drive.find("by").value_or(drive).fail("'by' is the truth or a localizer of the run, not '" + by +
+                                        "'; " + suggestion(by, drivers));
+}
+
 }  // namespace
 
 LoadedScenario load_scenario(const std::filesystem::path& file,
@@ -161,9 +173,10 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
 
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
                              const std::string& name) {
+  if (!document.root().has("localizers")) document.set("localizers=[mh_amcl, amcl]");
   YamlReader root = document.root();
   Scenario scenario;
-  scenario.name = root.get("name", name);
+  scenario.name = get_name(root, "name", name);
   scenario.world = read_world(root, folder);
   scenario.robot = read_robot(root);
   scenario.seed = root.get("seed", scenario.seed);
@@ -184,6 +197,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.events = read_events(root);
   scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers");
+  check_driver(root, scenario);
   choose_watched(root, scenario);
   scenario.outputs = read_outputs(root);
   if (scenario.localizers.empty() && scenario.outputs.report) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/scenario/difference_spec.hpp"
+#include "tools/scenario/name_spec.hpp"
 #include "tools/scenario/world_objects.hpp"
 #include "tools/scenario/world_zones.hpp"
 #include "tools/scenario/yaml_reader.hpp"
@@ -78,6 +79,7 @@ WorldFile load_world(const std::filesystem::path& path) {
   YamlReader root = document.root();
   WorldFile world;
   world.spec.name = root.require<std::string>("name");
+  require_name(root, "name", world.spec.name);
   read_extent(root.child("extent"), world.spec);
   world.start = read_start(root, world.spec);
   world.spec.inside = world.start.position();

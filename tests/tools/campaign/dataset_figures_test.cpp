@@ -44,9 +44,5 @@ TEST(DatasetFigures, HaveARowForEverySequence) {
   EXPECT_EQ(cell(3, "vary.people.count"), "4");
 }
 
-TEST(DatasetFigures, WorldsWithSlashesAreFilesAllTheSame) {
-  EXPECT_EQ(file_name_of("maps/a"), "maps_a");
-}
-
 }  // namespace
 }  // namespace castaway::testbed

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
+#include "tools/campaign/dataset_manifest.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/output/file_record.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -50,7 +52,7 @@ TEST(DatasetFolder, LeavesNothingButWhatBelongsToIt) {
 TEST(DatasetFolder, MayGrow) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "set";
-  DatasetFolder(path, identity()).put("manifest.json", "{}");
+  DatasetFolder(path, identity()).put("manifest.json", manifest_text({}));
   DatasetIdentity more = identity();
   more.sequences = 5;
   EXPECT_FALSE(DatasetFolder(path, more).is_finished());
@@ -89,6 +91,7 @@ TEST(DatasetFolder, TouchesNoFolderOfOthers) {
 TEST(DatasetFolder, ABeginningThatWasKilledIsGoneOnWith) {
   const TemporaryFolder temporary;
   temporary.put("set/dataset.yaml", "half");
+  save_record(temporary.path() / "set", {"dataset", {}, false, {}, {}});
   temporary.put("set/.work/file.part-1", "x");
   const DatasetFolder folder(temporary.path() / "set", identity());
   EXPECT_EQ(read_file(folder.path() / "dataset.yaml"), identity().spec);

@@ -38,7 +38,8 @@ TEST(FfmpegPipe, WritesAFilmOfEitherKind) {
     pipe.commit();
     const std::string bytes = read_file(file);
     EXPECT_TRUE(contains(bytes.substr(0, 64), name[0] == 'n' ? "ftyp" : "webm")) << name;
-    EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
+    EXPECT_FALSE(std::filesystem::exists(
+        file.parent_path() / (".castaway-unfinished-" + file.filename().string())));
   }
 }
 
@@ -55,7 +56,7 @@ TEST(FfmpegPipe, LeavesNothingOfAFilmThatWasNotFinished) {
 TEST(FfmpegPipe, SaysWhatFfmpegSaysWhenItGivesUp) {
   if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   const TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path() / "film.mp4.partial/in the way");
+  std::filesystem::create_directories(folder.path() / ".castaway-unfinished-film.mp4/in the way");
   const auto film = [&] {
     FfmpegPipe pipe(format(folder.path() / "film.mp4"));
     for (int i = 0; i < 1000; ++i) pipe.add(gray(1));

@@ -66,7 +66,7 @@ TEST(DatasetSpec, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(contains(refusal("scenari: lab/kidnap\n"),
                        "s.yaml:1: unknown key 'scenari'; did you mean 'scenario'?"));
   EXPECT_TRUE(contains(refusal("scenario: nowhere/none\n"),
-                       "s.yaml:1: scenario: no scenario 'nowhere/none'"));
+                       "s.yaml:1: scenario: nowhere/none: no such scenario"));
   EXPECT_TRUE(contains(refusal("vary: {seed: 3}\n"), "'seed' cannot vary"));
   EXPECT_TRUE(contains(refusal("vary:\n  outputs.bag: true\n"), "'outputs' cannot vary"));
   EXPECT_TRUE(contains(refusal("splits: {train: -1}\n"), "none negative"));

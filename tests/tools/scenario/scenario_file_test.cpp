@@ -261,7 +261,6 @@ TEST(Scenario, NeedsNoLocalizersWhereItIsSaid) {
   EXPECT_TRUE(load("localizers: []\noutputs: {report: false}\n").localizers.empty());
   EXPECT_TRUE(contains(error_of([&] { load("localizers: []\n"); }),
                        "'outputs.report' shows localizers, and there are none"));
-  EXPECT_TRUE(contains(error_of([&] { load("world: lab\n"); }), "needs the list 'localizers'"));
 }
 
 TEST(ParseLocalizer, TakesANameAndAPreset) {
@@ -274,6 +273,19 @@ TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_THROW(parse_localizer("mh_amcl:papre"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("amcl:nonsense"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);
+}
+
+TEST(Scenario, HasADefaultForEveryKey) {
+  const LoadedScenario loaded = load("{}\n");
+  ASSERT_EQ(loaded.scenario.localizers.size(), 2U);
+  EXPECT_EQ(loaded.scenario.localizers[0].name, "mh_amcl");
+  EXPECT_EQ(loaded.scenario.localizers[1].name, "amcl");
+  EXPECT_EQ(load(loaded.effective).effective, loaded.effective);
+}
+
+TEST(Scenario, RefusesADriverThatIsNotOfTheRun) {
+  EXPECT_TRUE(contains(error_of([&] { load("drive: {by: amlc}\n"); }), "did you mean 'amcl'?"));
+  EXPECT_NO_THROW(load("drive: {by: amcl}\n"));
 }
 
 }  // namespace

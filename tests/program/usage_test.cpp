@@ -1,0 +1,112 @@
+// What a command line that is amiss is answered, and what helps to write one.
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+/// Refused in one line that holds all of `parts`.
+void expect_refused(const fs::path& folder, const std::string& arguments,
+                    const std::vector<std::string>& parts) {
+  const Outcome outcome = castaway(folder, arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << arguments;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  for (const std::string& part : parts) expect_contains(outcome.err, part);
+}
+
+TEST(Usage, NamesTheNearestCommand) {
+  const fs::path folder = fresh_folder();
+  expect_refused(folder, "rnu", {"no command 'rnu'", "did you mean 'run'?"});
+  expect_refused(folder, "bench kidnap", {"castaway bench: no command 'kidnap'", "'kidnaps'"});
+  expect_refused(folder, "", {"give a command: run, experiment"});
+  expect_refused(folder, "bench", {"castaway bench: give a command: crowds"});
+}
+
+TEST(Usage, NamesTheOptionThatIsAmiss) {
+  const fs::path folder = fresh_folder();
+  expect_refused(folder, "run --seed abc", {"castaway run: ", "--seed", "abc"});
+  expect_refused(folder, "run --seed -1", {"castaway run: ", "--seed"});
+  expect_refused(folder, "run --duration -5", {"--duration", "not -5"});
+  expect_refused(folder, "run --duration nan", {"--duration"});
+  expect_refused(folder, "run --sed 3", {"no option '--sed'", "did you mean '--seed'?"});
+  expect_refused(folder, "run lab/kidnap extra", {"'extra' is one word too many"});
+  expect_refused(folder, "run --set a=1 b=2", {"b=2: ", "every key=value takes a --set"});
+  expect_refused(folder, "run --set drive.by=amlc", {"drive.by", "did you mean 'amcl'?"});
+  expect_refused(folder, "run --localizer mh_amlc", {"did you mean 'mh_amcl'?"});
+  expect_refused(folder, "replay", {"castaway replay: log is required"});
+}
+
+TEST(Usage, FindsScenariosByWorldAndName) {
+  const fs::path folder = fresh_folder();
+  const std::string fast = " --duration 2 --set outputs.snapshots=false";
+  EXPECT_EQ(castaway(folder, "run office/kidnap --out a" + fast).exit_code, 0);
+  expect_refused(folder, "run lab/kidnp",
+                 {"lab/kidnp: no such scenario; did you mean 'lab/kidnap'?"});
+  expect_refused(folder, "run nowhere.yaml",
+                 {"nowhere.yaml: no such scenario; give a file's path"});
+  fs::create_directories(folder / "office");
+  expect_refused(folder, "run office", {"office: is a folder; give a scenario's file"});
+  EXPECT_EQ(castaway(folder, "check-world --scenario lab/moved --no-picture").exit_code, 0);
+}
+
+TEST(Usage, TakesLocalizersOnTheCommandLine) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome = castaway(folder,
+                                   "run --duration 2 --set outputs.snapshots=false --out a "
+                                   "--localizer mh_amcl:paper --localizer amcl:amcl-prob");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(folder / "a/mh_amcl-paper.tum"));
+  EXPECT_TRUE(fs::exists(folder / "a/amcl-prob.tum"));
+  EXPECT_FALSE(fs::exists(folder / "a/amcl.tum"));
+}
+
+TEST(Usage, ListsWhatComesAlong) {
+  const fs::path folder = fresh_folder();
+  expect_contains(castaway(folder, "worlds").out, "\noffice ");
+  expect_contains(castaway(folder, "robots").out, "\nmule ");
+  expect_contains(castaway(folder, "scenarios").out, "\noffice/look-alikes ");
+  expect_contains(castaway(folder, "scenarios --json").out, "\"name\": \"lab/kidnap\"");
+}
+
+/// What bash offers for a line that ends there.
+std::string offered(const fs::path& folder, const std::string& words) {
+  std::ofstream(folder / "try.sh") << "source completion.sh\nCOMP_WORDS=(" << words
+                                   << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_castaway\n"
+                                      "echo \"${COMPREPLY[@]}\"\n";
+  const std::string command = "cd '" + folder.string() + "' && bash try.sh >offered.txt 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return text_of(folder / "offered.txt");
+}
+
+TEST(Usage, CompletesInBash) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "completion.sh") << castaway(folder, "completion bash").out;
+  EXPECT_EQ(offered(folder, "castaway ru"), "run\n");
+  EXPECT_EQ(offered(folder, "castaway bench kid"), "kidnaps\n");
+  EXPECT_EQ(offered(folder, "castaway run --dur"), "--duration\n");
+  EXPECT_EQ(offered(folder, "castaway run --world off"), "office\n");
+  EXPECT_EQ(offered(folder, "castaway run office/look"), "office/look-alikes\n");
+  EXPECT_EQ(offered(folder, "castaway bench kidnaps --obst"), "--obstacles\n");
+}
+
+TEST(Usage, HasAManualPage) {
+  const fs::path folder = fresh_folder();
+  const std::string page = castaway(folder, "man").out;
+  expect_contains(page, ".TH CASTAWAY 1");
+  expect_contains(page, ".SS castaway bench kidnaps");
+  expect_contains(page, ".B \\-\\-seeds");
+  if (std::system("groff --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no groff";
+  std::ofstream(folder / "castaway.1") << page;
+  const std::string check =
+      "cd '" + folder.string() + "' && groff -man -Tascii -ww castaway.1 >page.txt 2>warnings.txt";
+  EXPECT_EQ(std::system(check.c_str()), 0);
+  EXPECT_EQ(text_of(folder / "warnings.txt"), "");
+}
+
+// Colours go to terminals only.
+TEST(Usage, PrintsNoColoursIntoAPipe) {
+  const fs::path folder = fresh_folder();
+  EXPECT_EQ(castaway(folder, "run nowhere.yaml").err.find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace castaway::test

@@ -1,0 +1,215 @@
+#include "tools/output/output_folder.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+OutputRequest request_for(const fs::path& target) { return {target, "run", "5e77"}; }
+
+/// A complete run with these files.
+void write_run(const fs::path& target, const std::vector<std::string>& files) {
+  OutputFolder output(request_for(target));
+  for (const std::string& file : files) write_file(output.folder() / file, file);
+  output.commit();
+}
+
+std::string refusal(const OutputRequest& request) {
+  return error_of([&] { OutputFolder output(request); });
+}
+
+TEST(OutputFolder, AppearsWhenItIsComplete) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "a/b/run";
+  {
+    OutputFolder output(request_for(target));
+    write_file(output.folder() / "bag/x.mcap", "x");
+    EXPECT_FALSE(fs::exists(target / "bag"));
+    output.commit();
+  }
+  EXPECT_EQ(read_file(target / "bag/x.mcap"), "x");
+  EXPECT_FALSE(fs::exists(target / kStagingName));
+  EXPECT_TRUE(load_record(target).value().finished);
+}
+
+TEST(OutputFolder, LeavesNothingUnlessItIsComplete) {
+  const TemporaryFolder folder;
+  { const OutputFolder output(request_for(folder.path() / "a/b/run")); }
+  EXPECT_FALSE(fs::exists(folder.path() / "a"));
+}
+
+TEST(OutputFolder, KeepsAnEmptyFolderThatWasThere) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "a");
+  { const OutputFolder output(request_for(folder.path() / "a")); }
+  EXPECT_TRUE(fs::is_empty(folder.path() / "a"));
+}
+
+TEST(OutputFolder, RemovesTheFilesOfTheRunBefore) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv", "tables/a.csv", "amcl.tum"});
+  write_run(folder.path() / "run", {"errors.csv", "mh_amcl.tum"});
+  EXPECT_FALSE(fs::exists(folder.path() / "run/tables"));
+  EXPECT_FALSE(fs::exists(folder.path() / "run/amcl.tum"));
+  EXPECT_TRUE(fs::exists(folder.path() / "run/mh_amcl.tum"));
+}
+
+TEST(OutputFolder, KeepsTheRunBeforeIfItFails) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv"});
+  {
+    const OutputFolder output(request_for(folder.path() / "run"));
+    write_file(output.folder() / "half", "h");
+  }
+  EXPECT_TRUE(fs::exists(folder.path() / "run/errors.csv"));
+  EXPECT_FALSE(fs::exists(folder.path() / "run/half"));
+  EXPECT_FALSE(find_foreign(folder.path() / "run", load_record(folder.path() / "run")));
+}
+
+TEST(OutputFolder, RefusesAFolderWithFilesOfOthers) {
+  const TemporaryFolder folder;
+  folder.put("run/bag/mine.mcap", "mine");
+  const std::string text = refusal(request_for(folder.path() / "run"));
+  EXPECT_TRUE(
+      contains(text, "holds 'bag/mine.mcap', which castaway did not write; choose another"));
+  EXPECT_TRUE(contains(text, "--force"));
+}
+
+TEST(OutputFolder, RefusesAFolderWithAFileThatWasChanged) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv"});
+  folder.put("run/errors.csv", "mine");
+  EXPECT_TRUE(contains(refusal(request_for(folder.path() / "run")),
+                       "'errors.csv' was changed since castaway wrote it"));
+}
+
+TEST(OutputFolder, RefusesAFolderWithAnInputEvenByForce) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"bag/x.mcap"});
+  OutputRequest request = request_for(folder.path() / "run");
+  request.inputs = {folder.path() / "run/bag"};
+  request.force = true;
+  EXPECT_TRUE(contains(refusal(request), "holds the input"));
+  request.inputs = {folder.path() / "run"};
+  EXPECT_TRUE(contains(refusal(request), "holds the input"));
+  request.inputs = {folder.path() / "running.yaml"};
+  EXPECT_NO_THROW(check_output(request));
+}
+
+TEST(OutputFolder, SeesAnInputThroughALink) {
+  const TemporaryFolder folder;
+  folder.put("run/log.carmen", "log");
+  fs::create_symlink(folder.path() / "run/log.carmen", folder.path() / "link");
+  OutputRequest request = request_for(folder.path() / "run");
+  request.inputs = {folder.path() / "link"};
+  request.force = true;
+  EXPECT_TRUE(contains(refusal(request), "holds the input"));
+}
+
+TEST(OutputFolder, ReplacesOnlyItsOwnByForce) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv", "old.csv"});
+  folder.put("run/mine.txt", "mine");
+  OutputRequest request = request_for(folder.path() / "run");
+  request.force = true;
+  {
+    OutputFolder output(request);
+    write_file(output.folder() / "errors.csv", "new");
+    output.commit();
+  }
+  EXPECT_EQ(read_file(folder.path() / "run/errors.csv"), "new");
+  EXPECT_EQ(read_file(folder.path() / "run/mine.txt"), "mine");
+  EXPECT_FALSE(fs::exists(folder.path() / "run/old.csv"));
+}
+
+TEST(OutputFolder, NeverTakesThePlaceOfAFileOfOthers) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"old.csv"});
+  folder.put("run/errors.csv", "mine");
+  OutputRequest request = request_for(folder.path() / "run");
+  request.force = true;
+  OutputFolder output(request);
+  write_file(output.folder() / "errors.csv", "new");
+  EXPECT_TRUE(contains(error_of([&] { output.commit(); }), "castaway did not write what is there"));
+  EXPECT_EQ(read_file(folder.path() / "run/errors.csv"), "mine");
+  EXPECT_TRUE(fs::exists(folder.path() / "run/old.csv"));
+}
+
+TEST(OutputFolder, WritesThroughNoLink) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "elsewhere");
+  fs::create_directories(folder.path() / "run");
+  fs::create_directory_symlink(folder.path() / "elsewhere", folder.path() / "run/bag");
+  OutputRequest request = request_for(folder.path() / "run");
+  EXPECT_TRUE(contains(refusal(request), "holds 'bag'"));
+  request.force = true;
+  OutputFolder output(request);
+  write_file(output.folder() / "bag/x.mcap", "x");
+  EXPECT_TRUE(contains(error_of([&] { output.commit(); }), "castaway did not write what is there"));
+  EXPECT_TRUE(fs::is_empty(folder.path() / "elsewhere"));
+}
+
+TEST(OutputFolder, LeavesSingleFilesAlone) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv"});
+  FileRecord record = load_record(folder.path() / "run").value();
+  folder.put("run/junit.xml", "<x/>");
+  record.single_files["junit.xml"] = hash_file(folder.path() / "run", "junit.xml");
+  save_record(folder.path() / "run", record);
+  write_run(folder.path() / "run", {"errors.csv"});
+  EXPECT_TRUE(fs::exists(folder.path() / "run/junit.xml"));
+  EXPECT_TRUE(load_record(folder.path() / "run").value().single_files.contains("junit.xml"));
+}
+
+TEST(OutputFolder, ClearsWhatAKilledRunLeft) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "run";
+  const pid_t child = fork();
+  if (child == 0) {
+    OutputFolder output(request_for(target));
+    write_file(output.folder() / "half", "h");
+    _exit(0);  // As if it was killed: nobody cleans up.
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(fs::exists(target / kStagingName / "half"));
+  write_run(target, {"errors.csv"});
+  EXPECT_FALSE(fs::exists(target / kStagingName));
+  EXPECT_TRUE(fs::exists(target / "errors.csv"));
+}
+
+TEST(OutputFolder, RefusesASecondProcess) {
+  const TemporaryFolder folder;
+  const OutputFolder output(request_for(folder.path() / "run"));
+  EXPECT_TRUE(
+      contains(refusal(request_for(folder.path() / "run")), "another castaway is at work in it"));
+}
+
+TEST(OutputFolder, RefusesAFile) {
+  const TemporaryFolder folder;
+  folder.put("run", "a file");
+  EXPECT_TRUE(contains(refusal(request_for(folder.path() / "run")), "is not a folder"));
+}
+
+TEST(OutputFolder, LeavesNoListInAPartOfALargerFolder) {
+  const TemporaryFolder folder;
+  OutputRequest request = request_for(folder.path() / "run");
+  request.keep_list = false;
+  {
+    OutputFolder output(request);
+    write_file(output.folder() / "errors.csv", "e");
+    output.commit();
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "run" / kRecordName));
+  EXPECT_TRUE(fs::exists(folder.path() / "run/errors.csv"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

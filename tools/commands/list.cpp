@@ -1,0 +1,68 @@
+// castaway worlds, robots, scenarios: what comes along.
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/commands/commands.hpp"
+#include "tools/scenario/data_paths.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// A name, and where it is.
+struct Listed {
+  std::string name;
+  std::filesystem::path file;
+};
+
+std::vector<Listed> worlds() {
+  std::vector<Listed> list;
+  for (const std::string& name : world_names()) list.push_back({name, find_world(name, ".")});
+  return list;
+}
+
+std::vector<Listed> robots() {
+  std::vector<Listed> list;
+  for (const std::string& name : robot_names()) list.push_back({name, find_robot(name, ".")});
+  return list;
+}
+
+std::vector<Listed> scenarios() {
+  std::vector<Listed> list;
+  for (const std::string& name : scenario_names()) list.push_back({name, find_scenario(name, ".")});
+  return list;
+}
+
+int print(const std::vector<Listed>& list, bool json) {
+  auto array = nlohmann::ordered_json::array();
+  for (const Listed& one : list) {
+    array.push_back({{"name", one.name}, {"file", one.file.string()}});
+    if (!json) fmt::print("{:<28} {}\n", one.name, one.file.string());
+  }
+  if (json) fmt::print("{}\n", array.dump(1));
+  return kDone;
+}
+
+void add_list(CLI::App& app, std::function<int()>& chosen, const std::string& name,
+              const std::string& text, const std::string& example, std::vector<Listed> (*list)()) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand(name, text);
+  command->add_flag("--json", *json, "Print JSON instead of a table");
+  command->footer("Example:\n  castaway " + name + "\n  " + example);
+  command->callback(
+      [&chosen, json, list] { chosen = [json, list] { return print(list(), *json); }; });
+}
+
+}  // namespace
+
+void add_list_commands(CLI::App& app, std::function<int()>& chosen) {
+  add_list(app, chosen, "worlds", "List the worlds that come along", "castaway run --world office",
+           worlds);
+  add_list(app, chosen, "robots", "List the robots that come along", "castaway run --robot mule",
+           robots);
+  add_list(app, chosen, "scenarios", "List the scenarios that come along",
+           "castaway run office/look-alikes", scenarios);
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,45 @@
+#include "tools/output/file_name.hpp"
+
+#include <algorithm>
+
+namespace castaway::testbed {
+namespace {
+
+constexpr std::size_t kMaxBytes = 100;
+
+bool is_allowed(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 && byte != 0x7f && c != '/' && c != '\\';
+}
+
+}  // namespace
+
+std::string trouble_with_file_name(std::string_view name) {
+  if (name.empty()) return "must not be empty";
+  if (name.size() > kMaxBytes) return "must not be longer than 100 bytes";
+  if (name.front() == '.' || name.front() == '-') {
+    return std::string("must not begin with '") + name.front() + "'";
+  }
+  if (name.front() == ' ' || name.back() == ' ') return "must not begin or end with a blank";
+  for (const char c : name) {
+    if (is_allowed(c)) continue;
+    const bool visible = c == '/' || c == '\\';
+    return visible ? std::string("must not hold '") + c + "'; it names files, it is not a path"
+                   : std::string("must not hold control characters");
+  }
+  return "";
+}
+
+std::string file_name_of(std::string_view text) {
+  std::string name(text.substr(0, kMaxBytes));
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !is_allowed(c); }, '_');
+  if (name.empty()) return "unnamed";
+  for (const std::size_t i : {std::size_t{0}, name.size() - 1}) {
+    const bool leading = i == 0 && (name[i] == '.' || name[i] == '-');
+    if (leading || name[i] == ' ') name[i] = '_';
+  }
+  return name;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,67 @@
+#include "tools/output/interruption.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace castaway::testbed {
+namespace {
+
+std::atomic<int> pending{0};
+std::atomic<int> guards{0};
+std::atomic<bool> silent{false};
+
+void say(std::string_view text) {
+  if (silent) return;
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+/// Only what a signal handler may call.
+extern "C" void interrupt(int signal) {
+  if (pending != 0 && silent) return;
+  if (pending != 0) _exit(128 + signal);
+  pending = signal;
+  if (guards > 0) return;
+  say("castaway: interrupted; nothing was written\n");
+  _exit(128 + signal);
+}
+
+}  // namespace
+
+/// Without SA_RESTART: whoever waits for a process or a file is woken.
+void watch_for_interruption() {
+  struct sigaction action {};
+  action.sa_handler = interrupt;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+}
+
+Interruptible::Interruptible() { ++guards; }
+Interruptible::~Interruptible() { --guards; }
+
+int interruption() { return pending; }
+
+void throw_if_interrupted() {
+  if (pending != 0) throw Interrupted{pending, "nothing was written"};
+}
+
+void begin_as_worker() {
+  silent = true;
+  guards = 0;
+}
+
+std::string describe(const Interrupted& interrupted) {
+  return fmt::format("interrupted; {}", interrupted.kept);
+}
+
+int exit_code_of(const Interrupted& interrupted) { return 128 + interrupted.signal; }
+
+}  // namespace castaway::testbed

@@ -1,0 +1,53 @@
+#include "tools/output/own_file.hpp"
+
+#include <stdexcept>
+
+#include "tools/formats/file.hpp"
+#include "tools/output/file_record.hpp"
+#include "tools/output/folder_lock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPatience = 10.0;  // [s] Another process notes a file in an instant.
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void require_own(const fs::path& file, const std::optional<FileRecord>& record) {
+  if (!file.has_filename()) {
+    throw std::runtime_error(file.string() + ": names a folder; give a file's name");
+  }
+  if (is_replaceable(folder_of(file), file.filename().string(), record)) return;
+  throw std::runtime_error(
+      file.string() +
+      ": exists, and castaway did not write it as it is; move it away or give another name");
+}
+
+}  // namespace
+
+void require_own_file(const fs::path& file) { require_own(file, load_record(folder_of(file))); }
+
+void put_own_file(const fs::path& file, const std::function<void()>& put) {
+  const fs::path folder = folder_of(file);
+  std::error_code error;
+  fs::create_directories(folder, error);  // Where that fails, the lock says so.
+  const FolderLock lock(folder, kPatience);
+  const std::optional<FileRecord> known = load_record(folder);
+  require_own(file, known);
+  put();
+  FileRecord record = known.value_or(FileRecord{});
+  const std::string name = file.filename().string();
+  FileHashes& files = record.files.contains(name) ? record.files : record.single_files;
+  files[name] = hash_file(folder, name);
+  save_record(folder, record);
+}
+
+void write_own_file(const fs::path& file, std::string_view bytes) {
+  put_own_file(file, [&] { write_file(file, bytes); });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,106 @@
+#include "tools/output/runs_folder.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/formats/file.hpp"
+#include "tools/formats/file_error.hpp"
+#include "tools/formats/sha256.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
+  check_output(request);
+  OutputRequest one = request;
+  for (const PlannedRun& run : runs) {
+    one.target = request.target / run.folder;
+    check_output(one);
+  }
+}
+
+std::vector<std::string> folders_of(const std::vector<PlannedRun>& runs) {
+  std::vector<std::string> folders;
+  for (const PlannedRun& run : runs) folders.push_back(run.folder);
+  return folders;
+}
+
+}  // namespace
+
+std::string program_hash() { return sha256_of_file("/proc/self/exe"); }
+
+RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
+    : request_(std::move(request)), runs_(std::move(runs)) {
+  check_all(request_, runs_);
+  std::error_code error;
+  fs::create_directories(request_.target, error);
+  if (error) {
+    throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
+                                request_.target.string(), error.message()));
+  }
+  lock_.emplace(request_.target);
+  earlier_ = load_record(request_.target).value_or(FileRecord{});
+  clear_leftovers(request_.target, earlier_);
+  record_ = earlier_;
+  record_.made_by = request_.made_by;
+  record_.settings = request_.settings;
+  record_.program = program_hash();
+  record_.finished = false;
+  goes_on_ = !earlier_.finished && earlier_.made_by == record_.made_by &&
+             earlier_.settings == record_.settings && earlier_.program == record_.program;
+  for (const std::string& folder : folders_of(runs_)) {
+    const auto& known = record_.runs;
+    if (std::find(known.begin(), known.end(), folder) == known.end()) {
+      record_.runs.push_back(folder);
+    }
+  }
+  save_record(request_.target, record_);
+}
+
+bool RunsFolder::has_run(std::size_t index) const {
+  if (!goes_on_) return false;
+  const PlannedRun& run = runs_[index];
+  const auto record = load_record(request_.target / run.folder);
+  return record && record->finished && record->settings == run.settings;
+}
+
+void RunsFolder::put(const std::string& name, std::string_view bytes) {
+  put_by(name, [&](const fs::path& file) { write_file(file, bytes); });
+}
+
+void RunsFolder::put_by(const std::string& name,
+                        const std::function<void(const fs::path& file)>& write) {
+  if (!is_replaceable(request_.target, name, record_)) {
+    throw FileError((request_.target / name).string() +
+                    ": castaway did not write what is there; move it away or choose another --out");
+  }
+  record_.files[name].clear();  // Its content is not known while it is written.
+  save_record(request_.target, record_);
+  write(request_.target / name);
+  record_.files[name] = hash_file(request_.target, name);
+  earlier_.files.erase(name);
+}
+
+void RunsFolder::finish() {
+  for (const auto& [name, hash] : earlier_.files) {
+    if (!is_replaceable(request_.target, name, earlier_)) continue;
+    std::error_code none;
+    fs::remove(request_.target / name, none);
+    record_.files.erase(name);
+  }
+  const std::vector<std::string> made = folders_of(runs_);
+  for (const std::string& run : record_.runs) {
+    if (std::find(made.begin(), made.end(), run) != made.end()) continue;
+    remove_output(request_.target / run);
+  }
+  record_.runs = made;
+  record_.program.clear();
+  record_.finished = true;
+  save_record(request_.target, record_);
+  lock_.reset();
+}
+
+}  // namespace castaway::testbed
