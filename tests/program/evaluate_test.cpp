@@ -65,6 +65,21 @@ TEST(Evaluate, RefusesAFolderThatHasNotWhatItNeeds) {
   expect_refused(castaway(folder, "evaluate mapless --json"), {"mapless", "no map"});
 }
 
+TEST(Evaluate, TakesRunFoldersOfItsOwn) {
+  const fs::path folder = fresh_folder();
+  const std::string run = "run --duration 12 --set events=[] --set outputs.snapshots=false ";
+  ASSERT_EQ(castaway(folder, run + "--set outputs.carmen=true --set outputs.map=true --out carmen")
+                .exit_code,
+            0);
+  ASSERT_EQ(castaway(folder, run + "--set outputs.bag=true --out bag").exit_code, 0);
+  const Outcome outcome = castaway(
+      folder, "evaluate carmen bag --starts 2 --kidnaps 0 --window 5 --no-tracking --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json rows = Json::parse(outcome.out);
+  ASSERT_EQ(rows.size(), 2U);
+  for (const Json& row : rows) EXPECT_EQ(row.at("starts").at("recovered"), 2) << row;
+}
+
 TEST(Evaluate, RefusesFiguresThatMakeNoSense) {
   const fs::path folder = fresh_folder();
   testbed::write_office(testbed::recorded_office(2), folder / "office");

@@ -46,7 +46,7 @@ TEST(Report, NamesWhatIsNoRun) {
   expect_contains(gone.err, "gone: no such folder");
   const Outcome empty = castaway(folder, "report empty");
   EXPECT_EQ(empty.exit_code, 2);
-  expect_contains(empty.err, "summary.json");
+  expect_contains(empty.err, "empty: no run here");
 }
 
 TEST(Report, NamesADamagedRecording) {
@@ -80,6 +80,21 @@ TEST(Film, SaysWhatIsMissingBeforeTheRun) {
   expect_contains(missing.err, "apt-get install ffmpeg");
   EXPECT_FALSE(fs::exists(folder / "run"));
   EXPECT_FALSE(fs::exists(folder / "film.mp4"));
+}
+
+// What a shell makes of DIR/*: the folders, and the files beside them.
+TEST(ReportCommand, TakesAllThatManySeedsLeft) {
+  const fs::path folder = fresh_folder();
+  ASSERT_EQ(castaway(folder, "run --duration 2 --set outputs.snapshots=false --seeds 2 --out all")
+                .exit_code,
+            0);
+  const Outcome star = castaway(folder, "report all/* --out index.html");
+  EXPECT_EQ(star.exit_code, 0) << star.err;
+  expect_contains(text_of(folder / "index.html"), "all/seed-2/report.html");
+  const Outcome whole = castaway(folder, "report all --out whole.html");
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  expect_contains(text_of(folder / "whole.html"), "all/seed-1/report.html");
+  EXPECT_EQ(castaway(folder, "report all/summary.json").exit_code, 2);
 }
 
 }  // namespace

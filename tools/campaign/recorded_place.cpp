@@ -1,10 +1,13 @@
 // Finding a log and its map in a folder.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "tools/campaign/evaluation.hpp"
+#include "tools/run/bag_reading.hpp"
 #include "tools/run/carmen_source.hpp"
+#include "tools/scenario/bag_folder.hpp"
 #include "tools/scenario/ros_map_file.hpp"
 
 namespace castaway::testbed {
@@ -28,13 +31,52 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-fs::path map_in(const fs::path& folder, const std::vector<fs::path>& files) {
-  if (fs::exists(folder / "map.yaml")) return folder / "map.yaml";
+/// The map beside a log: map.yaml, map/map.yaml of a run folder, or the only YAML file; nothing if
+/// there is none.
+std::optional<fs::path> map_in(const fs::path& folder, const std::vector<fs::path>& files) {
+  for (const char* name : {"map.yaml", "map/map.yaml"}) {
+    if (fs::exists(folder / name)) return folder / name;
+  }
   std::vector<fs::path> maps;
-  std::copy_if(files.begin(), files.end(), std::back_inserter(maps),
-               [](const fs::path& file) { return file.extension() == ".yaml"; });
-  if (maps.size() == 1) return maps.front();
-  throw std::runtime_error(folder.string() + ": no map; put a ROS map there as map.yaml");
+  std::copy_if(files.begin(), files.end(), std::back_inserter(maps), [](const fs::path& file) {
+    const std::string name = file.filename().string();
+    return file.extension() == ".yaml" && name != "scenario.yaml" && name != "metadata.yaml";
+  });
+  return maps.size() == 1 ? std::optional(maps.front()) : std::nullopt;
+}
+
+/// The bag in a folder: the folder itself, or `bag` of a run folder; nothing if there is none.
+std::optional<fs::path> bag_in(const fs::path& folder, const std::vector<fs::path>& files) {
+  const bool itself = std::any_of(files.begin(), files.end(), [](const fs::path& file) {
+    return file.extension() == ".mcap";
+  });
+  if (itself) return folder;
+  return fs::is_directory(folder / "bag") ? std::optional(folder / "bag") : std::nullopt;
+}
+
+[[noreturn]] void refuse_without_map(const fs::path& folder) {
+  throw std::runtime_error(
+      folder.string() +
+      ": no map; put a ROS map there as map.yaml (castaway run --set outputs.map=true leaves one)");
+}
+
+void take_log(const fs::path& log, RecordedPlace& place) {
+  CarmenSource source(log);
+  while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
+}
+
+/// The bag's map is taken where there is no other.
+void take_bag(const fs::path& path, bool has_map, RecordedPlace& place) {
+  const BagInventory bag = take_inventory(path, bag_files(path));
+  BagRecording recording = read_bag(bag, choose_topics(bag, {}));
+  place.frames = std::move(recording.frames);
+  if (has_map) return;
+  if (!recording.map) refuse_without_map(path);
+  place.map = std::move(*recording.map);
+}
+
+std::string last_part(const fs::path& folder) {
+  return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
 }
 
 }  // namespace
@@ -42,17 +84,22 @@ fs::path map_in(const fs::path& folder, const std::vector<fs::path>& files) {
 RecordedPlace load_recorded_place(const std::string& folder) {
   const std::vector<fs::path> files = files_in(folder);
   const auto log = std::find_if(files.begin(), files.end(), is_log);
-  if (log == files.end()) {
+  const std::optional<fs::path> bag = bag_in(folder, files);
+  if (log == files.end() && !bag) {
     throw std::runtime_error(folder +
-                             ": no log; put a CARMEN log there (*.log, *.carmen, also .gz)");
+                             ": no log; put a CARMEN log (*.log, *.carmen, also .gz) or a bag there "
+                             "(castaway run --set outputs.carmen=true leaves one)");
   }
   RecordedPlace place;
-  place.map = load_ros_map(map_in(folder, files));
-  fs::path name = fs::path(folder).filename();
-  if (name.empty()) name = fs::path(folder).parent_path().filename();
-  place.name = name.string();
-  CarmenSource source(*log);
-  while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
+  const std::optional<fs::path> map = map_in(folder, files);
+  if (map) place.map = load_ros_map(*map);
+  if (!map && log != files.end()) refuse_without_map(folder);
+  if (log != files.end()) {
+    take_log(*log, place);
+  } else {
+    take_bag(*bag, map.has_value(), place);
+  }
+  place.name = last_part(folder);
   return place;
 }
 

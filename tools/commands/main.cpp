@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   add_list_commands(app, chosen);
   add_bench_command(app, chosen);
   add_completion_command(app, chosen);
+  require_whole_seeds(app);
   watch_for_interruption();
   if (const auto trouble = unknown_command(app, {argv + 1, argv + argc})) {
     fmt::print(stderr, "{}\n", *trouble);

@@ -137,6 +137,7 @@ namespace {
 /// Makes ready and hands both to `body`.
 template <typename Body>
 auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
+  const std::chrono::nanoseconds begin = wall_time();
   const Scenario& scenario = loaded.scenario;
   PreparedSimulation prepared = build_simulation(scenario, options.base);
   for (const std::string& warning : prepared.warnings) {
@@ -155,6 +156,7 @@ auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body bod
     plan.people_every_s = scenario.people.log_every_s;
     plan.picture_world.moving = [&source] { return source.people_items(); };
   }
+  plan.loop.load_s = seconds(wall_time() - begin);
   return body(plan, source);
 }
 

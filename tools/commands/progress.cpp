@@ -28,7 +28,7 @@ void Progress::show(Stamp reached) {
   shown_ = now;
   const double factor = localization::seconds(reached) / localization::seconds(now - begin_);
   const double left = localization::seconds(duration_ - reached) / std::max(factor, 1e-3);
-  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.0f} x real time   {} left",
+  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.3g} x real time   {} left",
              localization::seconds(reached), localization::seconds(duration_), factor,
              minutes_and_seconds(left));
   std::fflush(stderr);

@@ -12,6 +12,7 @@
 #include "tools/run/bag_reading.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/carmen_source.hpp"
+#include "tools/run/cpu_clock.hpp"
 #include "tools/run/map_conversion.hpp"
 #include "tools/run/recorded_source.hpp"
 #include "tools/scenario/bag_folder.hpp"
@@ -181,6 +182,7 @@ std::filesystem::path folder_of(const ReplayArguments& arguments, const RunPlan&
 }
 
 int replay_log(ReplayArguments arguments) {
+  const std::chrono::nanoseconds begin = wall_time();
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
   std::vector<LocalizerSpec> specs;
   for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
@@ -210,6 +212,7 @@ int replay_log(ReplayArguments arguments) {
     plan.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
     plan.picture_world.map = map;
   }
+  plan.loop.load_s = seconds(wall_time() - begin);
   return execute(plan, *log.source);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/report/report.hpp"
@@ -26,17 +27,28 @@ void remake_report(const fs::path& run) {
   put_own_file(page, [&] { write_report(run, std::nullopt); });
 }
 
-int make_reports(const ReportArguments& arguments) {
+/// The run folders that are meant: those given, and those in folders of runs (`run --seeds`). Files
+/// that a shell's `DIR/*` brings along are left out.
+std::vector<fs::path> run_folders(const ReportArguments& arguments) {
   std::vector<fs::path> folders;
-  for (const std::string& run : arguments.runs) {
-    if (!fs::is_directory(run)) {
-      throw std::invalid_argument(run +
+  for (const std::string& given : arguments.runs) {
+    if (arguments.runs.size() > 1 && fs::is_regular_file(given)) continue;
+    if (!fs::is_directory(given)) {
+      throw std::invalid_argument(given +
                                   ": no such folder; give the run folder that castaway run "
                                   "printed at its end");
     }
-    folders.emplace_back(run);
-    remake_report(folders.back());
-    fmt::print("{}\n", (folders.back() / "report.html").string());
+    for (const ComparedRun& run : find_runs(given)) folders.push_back(run.folder);
+  }
+  if (folders.empty()) throw std::invalid_argument("no run folder is given");
+  return folders;
+}
+
+int make_reports(const ReportArguments& arguments) {
+  const std::vector<fs::path> folders = run_folders(arguments);
+  for (const fs::path& folder : folders) {
+    remake_report(folder);
+    fmt::print("{}\n", (folder / "report.html").string());
   }
   if (folders.size() < 2 && arguments.out.empty()) return kDone;
   const fs::path page = arguments.out.empty() ? fs::path("runs.html") : fs::path(arguments.out);
@@ -51,7 +63,7 @@ void add_report_command(CLI::App& app, std::function<int()>& chosen) {
   auto a = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand(
       "report", "Make report.html of run folders again; of several also a page that leads to them");
-  command->add_option("runs", a->runs, "Run folders")->required();
+  command->add_option("runs", a->runs, "Run folders, or folders of runs")->required();
   command->add_option("--out", a->out, "Page that leads to the runs (default: runs.html)");
   command->footer(
       "Examples:\n"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/commands/terminal.hpp"
 #include "tools/formats/file.hpp"
 
 namespace castaway::testbed {
@@ -22,9 +23,12 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
     return object.is_object() ? object.at(key) : Json();
   };
   const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
+  const int recovered = recovery.at("recovered").get<int>();
+  const int events = recovery.at("events").get<int>();
+  const std::string share = fmt::format("{:>4} of {:<4}", recovered, events);
   return fmt::format(
-      "  {:<16} {:>4} of {:<4} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
-      recovery.at("recovered").get<int>(), recovery.at("events").get<int>(),
+      "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
+      events == 0 ? share : paint(share, recovered < events ? Color::kRed : Color::kGreen, stdout),
       figure(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
       figure(part(recovery.at("time_s"), "max"), "{:.2f} s"),
       figure(part(tracking, "mean"), "{:.3f} m"), figure(part(tracking, "p95"), "{:.3f} m"),
@@ -74,9 +78,12 @@ std::string driving_line(const Json& summary) {
 }
 
 std::string cost_line(const Json& timing) {
+  const Json& factor = timing.at("realtime_factor");
+  const bool fast = factor.is_number() && factor.get<double>() >= 10.0;
   std::string text = fmt::format(
-      "\n{} x real time ({} wall). CPU:", figure(timing.at("realtime_factor"), "{:.0f}"),
-      figure(timing.at("wall_s"), "{:.2f} s"));
+      "\n{} x real time ({} wall, {} of it to load). CPU:",
+      figure(factor, fast ? "{:.0f}" : "{:.2g}"), figure(timing.at("wall_s"), "{:.2f} s"),
+      figure(timing.at("load_s"), "{:.2f} s"));
   const char* separator = " ";
   for (const auto& [stage, time] : timing.at("cpu_s").items()) {
     text += fmt::format("{}{} {}", separator, stage, figure(time, "{:.2f} s"));

@@ -1,6 +1,8 @@
 #include "tools/commands/usage.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -85,6 +87,22 @@ std::string describe_usage(const CLI::App& app, const CLI::ParseError& error) {
   }
   std::replace(what.begin(), what.end(), '\n', ' ');
   return fmt::format("{}: {}; `{} --help` says what it takes", path, what, path);
+}
+
+void require_whole_seeds(CLI::App& app) {
+  const CLI::Validator whole(
+      [](const std::string& text) {
+        std::uint64_t value = 0;
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool good = error == std::errc{} && stop == end;
+        return good ? std::string() : "needs a whole number from 0 to 2^64 - 1, not " + text;
+      },
+      "");
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (CLI::Option* seed = command->get_option_no_throw("--seed")) seed->check(whole);
+    require_whole_seeds(*command);
+  }
 }
 
 }  // namespace castaway::testbed

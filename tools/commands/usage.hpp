@@ -17,4 +17,8 @@ std::optional<std::string> unknown_command(const CLI::App& app,
 /// What the parser found, with the subcommand it found it in, the nearest option and where help is.
 std::string describe_usage(const CLI::App& app, const CLI::ParseError& error);
 
+/// Every `--seed` of every command takes a whole number from 0: the parser alone would take -1 for
+/// 2^64 - 1.
+void require_whole_seeds(CLI::App& app);
+
 }  // namespace castaway::testbed

@@ -36,7 +36,8 @@ void Loop::run(SensorSource& source) {
     take(source, *frame);
   }
   RunTiming timing;
-  timing.wall_s = localization::seconds(wall_time() - begin);
+  timing.load_s = config_.load_s;
+  timing.wall_s = config_.load_s + localization::seconds(wall_time() - begin);
   for (const auto& [stage, time] : source.cpu_by_stage()) {
     timing.cpu_s[stage] = localization::seconds(time);
   }

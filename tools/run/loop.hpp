@@ -27,6 +27,7 @@ struct LoopConfig {
   std::optional<localization::PoseWithCovariance> start;
   std::string drive_by;  ///< Localizer whose output the source is told; empty: none.
   std::string watch;     ///< Localizer whose sure output the source is told; empty: none.
+  double load_s = 0.0;   ///< [s] Wall time that loading took, for `RunTiming`.
   /// Called after every scan with the time reached.
   std::function<void(Stamp)> on_progress;
 };

@@ -55,6 +55,7 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
   const double simulated = seconds(end - std::min(history_.first_stamp, end));
   Json root;
   root["wall_s"] = timing.wall_s;
+  root["load_s"] = timing.load_s;
   root["realtime_factor"] = timing.wall_s > 0.0 ? Json(simulated / timing.wall_s) : Json();
   root["cpu_s"] = {
       {"physics", 0.0}, {"lidar", 0.0}, {"people", 0.0}, {"localizers", 0.0}, {"sinks", 0.0}};

@@ -23,9 +23,10 @@ TEST(TimingSink, SumsUpWhatTheClockMeasured) {
     record.localizers.push_back({"silent", {}, {}, {}, {}});
     sink.on_scan(record);
   }
-  sink.finish(from_seconds(21.0), {2.0, {{"lidar", 0.25}, {"render", 0.5}}});
+  sink.finish(from_seconds(21.0), {2.0, {{"lidar", 0.25}, {"render", 0.5}}, 0.5});
   const Json timing = Json::parse(read_file(folder.path() / "timing.json"));
   EXPECT_EQ(timing.at("wall_s"), 2.0);
+  EXPECT_EQ(timing.at("load_s"), 0.5);
   EXPECT_EQ(timing.at("realtime_factor"), 5.0);  // from 11 s to 21 s
   EXPECT_EQ(
       timing.at("cpu_s").dump(),
