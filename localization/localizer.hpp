@@ -84,7 +84,7 @@ struct PopulationView {
 struct Diagnostics {
   std::vector<PopulationView> populations;
   std::int64_t dropped_scans = 0;     ///< Late, from before or long after all odometry, no numbers.
-  std::int64_t dropped_odometry = 0;  ///< Late, no numbers.
+  std::int64_t dropped_odometry = 0;  ///< Late, no numbers, or beyond 1e7 m.
   std::map<std::string, std::chrono::nanoseconds>
       cpu_by_stage;  ///< Since construction; empty without a clock.
 };
@@ -99,7 +99,7 @@ class Localizer {
   virtual ~Localizer() = default;
 
   /// Starts anew, at any time: at a pose, or anywhere on the map (`nullopt`: global localization).
-  /// Throws std::invalid_argument for a pose or covariance that is not a number.
+  /// Throws std::invalid_argument for a pose or covariance that is no number or beyond 1e7 m.
   virtual void initialize(const std::optional<PoseWithCovariance>& start) = 0;
   /// Takes a reading of odometry. Late ones are dropped; after one that is older by seconds (a
   /// clock set back) motion begins anew from where the robot is believed to be.

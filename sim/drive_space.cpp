@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/cell_index.hpp"
 #include "sim/world/ground.hpp"
 #include "sim/world/rasterise.hpp"
 
@@ -22,7 +23,7 @@ Grid drive_grid(const SimulationConfig& config) {
   }
   Grid grid = config.map;
   const double height = config.robot.height;
-  const int slices = std::max(4, static_cast<int>(std::ceil(height / kSliceStep)));
+  const int slices = std::max(4, cell_index(std::ceil(height / kSliceStep)));
   std::vector<double> heights{0.02};
   for (int i = 1; i <= slices; ++i) heights.push_back(height * i / slices);
   const std::vector<float> ground = ground_heights(config.world, grid);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "localization/map/cell_index.hpp"
+
 namespace castaway::localization {
 namespace {
 
@@ -30,9 +32,8 @@ std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
 }  // namespace
 
 PoseBin bin_of(const KldConfig& config, const SE2& pose) {
-  return {static_cast<int>(std::floor(pose.x / config.bin_m)),
-          static_cast<int>(std::floor(pose.y / config.bin_m)),
-          static_cast<int>(std::floor(pose.yaw / config.bin_rad))};
+  return {cell_index(pose.x / config.bin_m), cell_index(pose.y / config.bin_m),
+          cell_index(pose.yaw / config.bin_rad)};
 }
 
 int kld_limit(const KldConfig& config, std::size_t bins) {
@@ -40,8 +41,9 @@ int kld_limit(const KldConfig& config, std::size_t bins) {
   const auto k = static_cast<double>(bins - 1);
   const double b = 2.0 / (9.0 * k);
   const double x = 1.0 - b + std::sqrt(b) * config.z;
-  const int n = static_cast<int>(std::ceil(k / (2.0 * config.error) * x * x * x));
-  return std::clamp(n, config.min_particles, config.max_particles);
+  const double n = std::ceil(k / (2.0 * config.error) * x * x * x);
+  if (!(n < config.max_particles)) return config.max_particles;
+  return std::max(static_cast<int>(std::max(n, 0.0)), config.min_particles);
 }
 
 Cluster heaviest_cluster(const KldConfig& config, const ParticleSet& particles) {

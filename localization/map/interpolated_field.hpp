@@ -34,7 +34,8 @@ class InterpolatedField {
 
  private:
   static float clamp(float value, float max) {
-    return value < 0.0F ? 0.0F : (value > max ? max : value);
+    const float below = value < max ? value : max;  // Also for NaN.
+    return below > 0.0F ? below : 0.0F;
   }
   GridFrame frame_;
   std::ptrdiff_t stride_;

@@ -9,11 +9,18 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "localization/map/cell_index.hpp"
+
 namespace castaway::localization {
+namespace {
+
+constexpr double kFinestCell = 1e-6;     // [m]
+constexpr double kCoarsestCell = 100.0;  // [m]
+
+}  // namespace
 
 Eigen::Vector2i GridFrame::cell_of(const Eigen::Vector2d& p_grid) const {
-  return {static_cast<int>(std::floor(p_grid.x() / resolution)),
-          static_cast<int>(std::floor(p_grid.y() / resolution))};
+  return {cell_index(p_grid.x() / resolution), cell_index(p_grid.y() / resolution)};
 }
 
 Eigen::Vector2d GridFrame::centre_of(const Eigen::Vector2i& cell) const {
@@ -31,8 +38,8 @@ void validate(const OccupancyGrid& grid) {
     throw std::invalid_argument("map has no cells: " + std::to_string(frame.width) + " x " +
                                 std::to_string(frame.height));
   }
-  if (!(frame.resolution > 0.0) || !std::isfinite(frame.resolution)) {
-    throw std::invalid_argument("map resolution must be positive, got " +
+  if (!(frame.resolution >= kFinestCell && frame.resolution <= kCoarsestCell)) {
+    throw std::invalid_argument("map resolution must be from 1e-6 to 100 m, got " +
                                 std::to_string(frame.resolution));
   }
   if (grid.cells.size() != frame.size()) {

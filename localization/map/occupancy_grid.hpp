@@ -31,7 +31,7 @@ struct GridFrame {
   [[nodiscard]] std::size_t size() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
-  /// The cell of a point given in the grid's frame; it may lie outside.
+  /// The cell of a point given in the grid's frame; it may lie outside (see `cell_index`).
   [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& p_grid) const;
   /// Centre of a cell in the grid's frame. [m]
   [[nodiscard]] Eigen::Vector2d centre_of(const Eigen::Vector2i& cell) const;
@@ -49,8 +49,8 @@ struct OccupancyGrid {
   [[nodiscard]] CellState at(const Eigen::Vector2d& p_map) const;
 };
 
-/// Throws std::invalid_argument where the grid is not usable: no cells, a resolution that is not
-/// positive, a count of cells that does not fit.
+/// Throws std::invalid_argument where the grid is not usable: no cells, cells below 1 um or above
+/// 100 m, a count of cells that does not fit.
 void validate(const OccupancyGrid& grid);
 
 /// Draws poses uniform over the free cells of a map and over all yaws.

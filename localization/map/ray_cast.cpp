@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "localization/map/cell_index.hpp"
+
 namespace castaway::localization {
 namespace {
 
@@ -29,7 +31,7 @@ bool is_free(const OccupancyGrid& grid, const Eigen::Vector2i& cell) {
 
 double cast_ray(const OccupancyGrid& grid, const Eigen::Vector2d& from_cells,
                 const Eigen::Vector2d& direction, double longest) {
-  Eigen::Vector2i cell = from_cells.array().floor().cast<int>();
+  Eigen::Vector2i cell(cell_index(from_cells.x()), cell_index(from_cells.y()));
   Axis x(from_cells.x(), direction.x());
   Axis y(from_cells.y(), direction.y());
   double length = 0.0;

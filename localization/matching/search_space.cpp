@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "localization/map/cell_index.hpp"
+
 namespace castaway::localization {
 
 double yaw_of_step(int step, int steps) { return 2.0 * std::numbers::pi * step / steps; }
@@ -36,8 +38,8 @@ std::vector<CellOffset> turned_scan(const ScanPoints& points, int count, double 
     const std::size_t i = k * points.size() / used;
     const double px = points.x[i];
     const double py = points.y[i];
-    const int dx = static_cast<int>(std::floor(0.5 + c * px - s * py));
-    const int dy = static_cast<int>(std::floor(0.5 + s * px + c * py));
+    const int dx = cell_index(0.5 + c * px - s * py);
+    const int dy = cell_index(0.5 + s * px + c * py);
     if (std::max(std::abs(dx), std::abs(dy)) < reach) offsets.push_back({dx, dy});
   }
   return offsets;

@@ -6,25 +6,31 @@
 namespace castaway::localization {
 namespace {
 
-bool is_finite(const SE2& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+constexpr double kFarthest = 1e7;       // [m] From the origin; UTM coordinates stay below.
+constexpr double kFarthestMount = 1e3;  // [m] Of a lidar, from base.
+constexpr double kMostAngle = 1e3;      // [rad]
+
+/// Numbers, and none that no robot reaches.
+bool is_sane(const SE2& pose) {
+  return std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest && std::isfinite(pose.yaw);
 }
 
-bool has_numbers(const LaserScan& scan) {
-  return std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
-         scan.T_base_laser.matrix().allFinite();
+bool is_sane(const LaserScan& scan) {
+  return std::abs(scan.angle_min) <= kMostAngle && std::abs(scan.angle_increment) <= kMostAngle &&
+         (scan.T_base_laser.matrix().array().abs() <= kFarthestMount).all();
 }
 
 }  // namespace
 
 void validate(const PoseWithCovariance& start) {
-  if (!is_finite(start.T_map_base) || !start.covariance.allFinite()) {
-    throw std::invalid_argument("the start's pose or covariance is not a number");
+  if (!is_sane(start.T_map_base) || !start.covariance.allFinite()) {
+    throw std::invalid_argument(
+        "the start's pose or covariance is not a number, or beyond 1e7 m from the origin");
   }
 }
 
 OdometryIntake Intake::take(const Odometry& odometry) {
-  if (!is_finite(odometry.T_odom_base)) {
+  if (!is_sane(odometry.T_odom_base)) {
     ++dropped_odometry_;
     return OdometryIntake::kDropped;
   }
@@ -42,7 +48,7 @@ OdometryIntake Intake::take(const Odometry& odometry) {
 bool Intake::accept(const LaserScan& scan) {
   const auto last = last_scan_.find(scan.lidar);
   const bool late = last != last_scan_.end() && scan.stamp <= last->second;
-  if (late || !has_numbers(scan) || !T_odom_base_.at(scan.stamp)) {
+  if (late || !is_sane(scan) || !T_odom_base_.at(scan.stamp)) {
     ++dropped_scans_;
     return false;
   }

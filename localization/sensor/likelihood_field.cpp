@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "localization/map/cell_index.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 
 namespace castaway::localization {
@@ -16,8 +17,7 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldConfig& config, const Occu
 }
 
 float LikelihoodField::gaussian_at(float x_cells, float y_cells) const {
-  const Eigen::Vector2i cell(static_cast<int>(std::floor(x_cells)),
-                             static_cast<int>(std::floor(y_cells)));
+  const Eigen::Vector2i cell(cell_index(x_cells), cell_index(y_cells));
   const GridFrame& frame = distances_.frame();
   return frame.contains(cell) ? gaussian_[frame.index(cell)] : outside_;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "localization/map/cell_index.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 
 namespace castaway::localization {
@@ -25,7 +26,7 @@ RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& 
   for (const CellState cell : grid.cells) {
     occupied_.push_back(cell == CellState::kOccupied ? 1 : 0);
   }
-  const auto probes = static_cast<int>(std::floor(3.0 * config.sigma / frame_.resolution + 1e-9));
+  const auto probes = cell_index(3.0 * config.sigma / frame_.resolution + 1e-9);
   for (int k = 0; k <= probes; ++k) {
     const double z = k * frame_.resolution / config.sigma;
     log_likelihood_.push_back(-0.5 * z * z);
@@ -36,8 +37,7 @@ RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& 
 }
 
 bool RayLocalModel::occupied(float x_cells, float y_cells) const {
-  const Eigen::Vector2i cell(static_cast<int>(std::floor(x_cells)),
-                             static_cast<int>(std::floor(y_cells)));
+  const Eigen::Vector2i cell(cell_index(x_cells), cell_index(y_cells));
   return frame_.contains(cell) && occupied_[frame_.index(cell)] != 0;
 }
 

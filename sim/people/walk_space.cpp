@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/sensor/ray_shapes.hpp"
+#include "sim/world/cell_index.hpp"
 #include "sim/world/rasterise.hpp"
 
 namespace castaway::sim {
@@ -51,13 +52,13 @@ Eigen::Vector2d WalkSpace::to_cells(const Eigen::Vector2d& p_map) const {
 bool WalkSpace::clear(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d p = to_cells(p_map);
   const Grid& grid = free_.grid();
-  const int column = static_cast<int>(std::floor(p.x()));
-  const int row = static_cast<int>(std::floor(p.y()));
+  const int column = cell_index(p.x());
+  const int row = cell_index(p.y());
   return grid.contains(column, row) && grid.at(column, row) == Cell::kFree;
 }
 
 bool WalkSpace::clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-  const int steps = static_cast<int>(std::ceil((b - a).norm() / free_.grid().resolution));
+  const int steps = cell_index(std::ceil((b - a).norm() / free_.grid().resolution));
   for (int i = 0; i <= steps; ++i) {
     if (!clear(a + (b - a) * (static_cast<double>(i) / std::max(steps, 1)))) return false;
   }
@@ -65,13 +66,10 @@ bool WalkSpace::clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const 
 }
 
 bool WalkSpace::sees(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-  const int steps = static_cast<int>(std::ceil((b - a).norm() / free_.grid().resolution));
+  const int steps = cell_index(std::ceil((b - a).norm() / free_.grid().resolution));
   for (int i = 0; i <= steps; ++i) {
     const Eigen::Vector2d p = to_cells(a + (b - a) * (static_cast<double>(i) / std::max(steps, 1)));
-    const double column = std::floor(p.x());
-    if (clearance(static_cast<int>(column), static_cast<int>(std::floor(p.y()))) <= 0.0) {
-      return false;
-    }
+    if (clearance(cell_index(p.x()), cell_index(p.y())) <= 0.0) return false;
   }
   return true;
 }
@@ -83,8 +81,8 @@ double WalkSpace::clearance(int column, int row) const {
 
 WallDistance WalkSpace::wall(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d p = to_cells(p_map) - Eigen::Vector2d::Constant(0.5);
-  const int column = static_cast<int>(std::floor(p.x()));
-  const int row = static_cast<int>(std::floor(p.y()));
+  const int column = cell_index(p.x());
+  const int row = cell_index(p.y());
   const double x = p.x() - column;
   const double y = p.y() - row;
   const double d00 = clearance(column, row);

@@ -8,6 +8,8 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "sim/world/cell_index.hpp"
+
 namespace castaway::sim {
 
 FreeSpace::FreeSpace(const Grid& grid, double radius)
@@ -48,7 +50,7 @@ double FreeSpace::clearance_at(const Eigen::Vector2d& p_map) const {
 
 bool FreeSpace::contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
   const double step = 0.5 * grid_.resolution;
-  const int steps = static_cast<int>(std::ceil((b - a).norm() / step));
+  const int steps = cell_index(std::ceil((b - a).norm() / step));
   for (int i = 0; i <= steps; ++i) {
     if (!contains(a + (b - a) * (static_cast<double>(i) / std::max(steps, 1)))) return false;
   }

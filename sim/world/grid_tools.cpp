@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/geometry.hpp"
+#include "sim/world/cell_index.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -125,7 +126,7 @@ Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& 
 CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map) {
   const Pose2 turn{0.0, 0.0, -grid.origin_yaw};
   const Eigen::Vector2d p = (turn * Eigen::Vector2d(p_map - grid.origin)) / grid.resolution;
-  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+  return {cell_index(p.x()), cell_index(p.y())};
 }
 
 Eigen::Vector2d center_of(const Grid& grid, CellIndex cell) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/world/bullet_types.hpp"
+#include "sim/world/cell_index.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
 
@@ -81,7 +82,7 @@ void PhysicsWorld::add_objects(const WorldSpec& spec) {
       continue;
     }
     const Eigen::Vector3d p = object.T_map_object.translation() / kTileEdge;
-    auto& tile = tiles[{static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))}];
+    auto& tile = tiles[{cell_index(p.x()), cell_index(p.y())}];
     if (!tile) tile = std::make_unique<btCompoundShape>();
     tile->addChildShape(to_bullet(object.T_map_object), shape.get());
     shapes_.push_back(std::move(shape));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/geometry.hpp"
+#include "sim/world/cell_index.hpp"
 #include "sim/world/grid_tools.hpp"
 #include "sim/world/slice.hpp"
 
@@ -69,7 +70,7 @@ Grid empty_map(const WorldSpec& world, double resolution) {
                     world.name, size.x(), size.y(), resolution));
   }
   const auto cells = [resolution](double length) {
-    return static_cast<int>(std::ceil(length / resolution - kSliver));
+    return cell_index(std::ceil(length / resolution - kSliver));
   };
   return make_grid(cells(size.x()), cells(size.y()), resolution, world.min_corner, Cell::kFree);
 }

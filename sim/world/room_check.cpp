@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/cell_index.hpp"
 #include "sim/world/footprint.hpp"
 #include "sim/world/grid_tools.hpp"
 
@@ -20,7 +21,7 @@ std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& ro
   for (std::size_t i = 0; i < route.size(); ++i) {
     const Eigen::Vector2d& from = route[i];
     const Eigen::Vector2d& to = route[(i + 1) % route.size()];
-    const int steps = static_cast<int>(std::ceil((to - from).norm() / kStep));
+    const int steps = cell_index(std::ceil((to - from).norm() / kStep));
     for (int k = 0; k < steps; ++k) points.emplace_back(from + (to - from) * k / steps);
   }
   return points;

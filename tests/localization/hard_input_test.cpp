@@ -90,6 +90,36 @@ TEST_P(HardInput, LateAndBrokenOdometryIsDroppedWithACount) {
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }
 
+TEST_P(HardInput, NumbersThatNoRobotReachesAreDroppedWithACount) {
+  start_at(kStart);
+  test::GridDrive office(office_, kStart);
+  drive(office, 5);
+  for (const double huge : {1e300, -1e12, std::numeric_limits<double>::infinity()}) {
+    localizer_->on_odometry({office.now() + milliseconds(5), {huge, 0.0, 0.0}});
+    LaserScan scan = test::scan_at(office_, kStart, office.now() + milliseconds(5));
+    scan.T_base_laser.translation().y() = huge;
+    localizer_->on_scan(scan);
+  }
+  EXPECT_EQ(localizer_->diagnostics().dropped_odometry, 3);
+  EXPECT_EQ(localizer_->diagnostics().dropped_scans, 3);
+  EXPECT_THROW(localizer_->initialize(known({1e300, 0.0, 0.0})), std::invalid_argument);
+  drive(office, 5);
+  EXPECT_LT(error(*localizer_, office.truth()), 0.2);
+}
+
+TEST_P(HardInput, RangesAndAnglesOfAnySizeAreSurvived) {
+  start_at(kStart);
+  test::GridDrive office(office_, kStart);
+  drive(office, 5);
+  LaserScan scan = test::scan_at(office_, kStart, office.now() + milliseconds(5));
+  scan.range_max = 1e300;
+  for (float& range : scan.ranges) range = 3e38F;
+  localizer_->on_odometry({scan.stamp, {0.0, 0.0, 1e300}});
+  localizer_->on_scan(scan);
+  localizer_->initialize(known(kStart));
+  EXPECT_TRUE(std::isfinite(localizer_->estimate()->T_map_base.x));
+}
+
 TEST_P(HardInput, AGapOfOdometryIsBridged) {
   start_at(kStart);
   test::GridDrive office(office_, kStart);

@@ -1,5 +1,7 @@
 #include "localization/map/interpolated_field.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/string_map.hpp"
@@ -27,6 +29,8 @@ TEST(InterpolatedField, IsTheFarthestValueOffTheMap) {
   const InterpolatedField field = identity_field(test::string_map({"#"}, 1.0));
   EXPECT_FLOAT_EQ(field.at_cells(-50.0F, 0.5F), 3.0F);
   EXPECT_FLOAT_EQ(field.at_cells(0.5F, 1e9F), 3.0F);
+  EXPECT_FLOAT_EQ(field.at_cells(std::numeric_limits<float>::quiet_NaN(), 0.5F), 3.0F);
+  EXPECT_FLOAT_EQ(field.at_cells(-std::numeric_limits<float>::infinity(), 1e38F), 3.0F);
   EXPECT_FLOAT_EQ(field.at_cells(2.5F, 0.5F), 3.0F);
 }
 
