@@ -37,11 +37,11 @@ bool is_lidar(const TiXmlElement& sensor) {
 /// Angles, samples and layers of `<scan>`.
 void read_scan(const TiXmlElement* ray, LidarSpecs& specs) {
   const auto samples = number(ray, {"scan", "horizontal", "samples"});
-  if (samples) specs.samples = std::clamp(static_cast<int>(*samples), 1, 100000);
+  if (samples) specs.samples = static_cast<int>(std::clamp(*samples, 1.0, 100000.0));
   specs.angle_min = number(ray, {"scan", "horizontal", "min_angle"}).value_or(0.0);
   specs.angle_max = number(ray, {"scan", "horizontal", "max_angle"}).value_or(6.28319);
   const auto layers = number(ray, {"scan", "vertical", "samples"});
-  if (layers) specs.layers = std::clamp(static_cast<int>(*layers), 1, 1024);
+  if (layers) specs.layers = static_cast<int>(std::clamp(*layers, 1.0, 1024.0));
   specs.layer_min = number(ray, {"scan", "vertical", "min_angle"}).value_or(0.0);
   specs.layer_max = number(ray, {"scan", "vertical", "max_angle"}).value_or(0.0);
 }

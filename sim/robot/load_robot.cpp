@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/robot/drive_kind.hpp"
 #include "sim/robot/lidar_discovery.hpp"
 #include "sim/robot/mount_wheels.hpp"
 #include "sim/robot/part_points.hpp"
@@ -39,7 +40,8 @@ class RobotLoader {
         finder_(packages_),
         file_(read_urdf(path, packages_, options)),
         tags_(find_drive_tags(file_, packages_, options)),
-        frames_(link_frames(*file_.model)) {
+        frames_(link_frames(*file_.model,
+                            joint_positions(*file_.model, options.joints, file_.warnings))) {
     robot_.name = file_.model->getName();
     robot_.path = std::filesystem::absolute(path).lexically_normal().string();
     robot_.warnings = file_.warnings;
@@ -49,6 +51,7 @@ class RobotLoader {
     const DriveJoints drive = find_drive_joints(file_, frames_, finder_, tags_, robot_.warnings);
     robot_.wheels_found_by = drive.found_by;
     robot_.wheels = mount_wheels(file_, frames_, finder_, tags_, drive, robot_.warnings);
+    name_drive();
     put_base_on_floor();
     measure_drive();
     collect_parts();
@@ -65,6 +68,7 @@ class RobotLoader {
   }
 
  private:
+  void name_drive();
   void compare_separation();
   void steer_by_skidding();
   void lock_joints();
@@ -82,6 +86,14 @@ class RobotLoader {
   LinkFrames frames_;
   RobotModel robot_;
 };
+
+/// What moves the robot, if not what is simulated.
+void RobotLoader::name_drive() {
+  const auto drive = other_drive(file_, frames_, robot_.wheels);
+  if (!drive) return;
+  robot_.other_drive = *drive;
+  robot_.warnings.push_back(other_drive_warning(*drive, robot_.wheels.size()));
+}
 
 void RobotLoader::compare_separation() {
   if (!tags_.separation) return;

@@ -85,10 +85,11 @@ struct RobotModel {
   double wheel_separation = 0.3;          ///< [m] ...between the middles of left and right wheels.
   Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the drive axle.
   std::string wheels_found_by;            ///< "kinematics", or the dialect of the plug-in tags.
-  std::optional<LidarMount> lidar;        ///< The first of...
-  std::vector<LidarMount> lidars;         ///< ...all of them.
-  double footprint_radius = 0.2;          ///< [m] Disc about base's origin.
-  double height = 0.2;                    ///< [m]
+  std::string other_drive;          ///< How it moves, if not as simulated; see drive_kind.hpp.
+  std::optional<LidarMount> lidar;  ///< The first of...
+  std::vector<LidarMount> lidars;   ///< ...all of them.
+  double footprint_radius = 0.2;    ///< [m] Disc about base's origin.
+  double height = 0.2;              ///< [m]
   std::map<std::string, Eigen::Isometry3d> frames;  ///< `T_base_link` of every link.
   std::vector<std::string> locked_joints;           ///< Could move, but are not driven.
   std::vector<std::string> warnings;                ///< What was repaired or guessed.

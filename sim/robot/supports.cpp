@@ -116,10 +116,13 @@ void balance(RobotModel& robot) {
   const double moved = std::hypot(x - robot.p_base_com.x(), y - robot.p_base_com.y());
   if (moved == 0.0) return;
   if (moved > kWorthTelling) {
+    const bool stands = robot.p_base_com.x() >= low && robot.p_base_com.x() <= high &&
+                        std::abs(robot.p_base_com.y() - robot.p_base_axle.y()) <= 2.0 * side;
     robot.warnings.push_back(
-        fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: wheels and "
-                    "casters do not carry it",
-                    robot.p_base_com.x(), robot.p_base_com.y(), x, y));
+        fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: {}",
+                    robot.p_base_com.x(), robot.p_base_com.y(), x, y,
+                    stands ? "so near the edge of its support the robot would tip as it brakes"
+                           : "wheels and casters do not carry it"));
   }
   robot.p_base_com.x() = x;
   robot.p_base_com.y() = y;

@@ -64,8 +64,8 @@ FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const Mesh
   }
   if (!path) {
     return {inertia_box(link),
-            fmt::format("link {}: no mesh {}: a box stands for it; add its folder to the search "
-                        "paths",
+            fmt::format("link {}: no mesh {}: a box stands for it; give --search-path, the folder "
+                        "above its package",
                         link.name, mesh.filename),
             true};
   }
@@ -145,15 +145,18 @@ Eigen::Isometry3d to_transform(const urdf::Pose& pose) {
   return T;
 }
 
-LinkFrames link_frames(const urdf::ModelInterface& model) {
+LinkFrames link_frames(const urdf::ModelInterface& model, const JointPositions& positions) {
   LinkFrames frames{{model.getRoot()->name, Eigen::Isometry3d::Identity()}};
   std::vector<urdf::LinkConstSharedPtr> open{model.getRoot()};
   while (!open.empty()) {
     const urdf::LinkConstSharedPtr link = open.back();
     open.pop_back();
     for (const auto& joint : link->child_joints) {
-      frames[joint->child_link_name] =
-          frames.at(link->name) * to_transform(joint->parent_to_joint_origin_transform);
+      Eigen::Isometry3d& T_root_child = frames[joint->child_link_name];
+      T_root_child = frames.at(link->name) * to_transform(joint->parent_to_joint_origin_transform);
+      const auto moved = positions.find(joint->name);
+      if (moved != positions.end())
+        T_root_child = T_root_child * joint_motion(*joint, moved->second);
       open.push_back(model.getLink(joint->child_link_name));
     }
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/robot/joint_positions.hpp"
 #include "sim/robot/mesh_finder.hpp"
 #include "sim/robot/robot_model.hpp"
 #include "sim/robot/urdf_file.hpp"
@@ -17,8 +18,8 @@ using LinkFrames = std::map<std::string, Eigen::Isometry3d>;
 /// A pose of urdfdom as a transform.
 Eigen::Isometry3d to_transform(const urdf::Pose& pose);
 
-/// `T_root_link` of every link, all joints at 0.
-LinkFrames link_frames(const urdf::ModelInterface& model);
+/// `T_root_link` of every link; joints that have no position stand at 0.
+LinkFrames link_frames(const urdf::ModelInterface& model, const JointPositions& positions = {});
 
 /// The collision shapes of a link, in the frame that `frames` gives. A mesh that is missing or
 /// cannot be read becomes a box, and a warning.

@@ -16,6 +16,7 @@ constexpr double kMirrorTolerance = 0.02;  // [m]
 constexpr double kAxisTolerance = 0.02;    // Of the cosine.
 constexpr double kMinTrack = 0.04;         // [m]
 constexpr double kFloorTolerance = 0.03;   // [m]
+constexpr std::size_t kMostPairs = 10;
 
 /// A joint that could carry a wheel.
 struct Candidate {
@@ -68,6 +69,7 @@ class Gatherer {
   Gatherer(const UrdfFile& file, const LinkFrames& frames, const MeshFinder& finder)
       : model_(*file.model), frames_(frames), finder_(finder) {}
 
+  /// Those that a plug-in names as the wheels that it drives.
   [[nodiscard]] std::vector<Candidate> among(const std::set<std::string>& names) const {
     std::vector<Candidate> result;
     for (const std::string& name : names) {
@@ -78,6 +80,20 @@ class Gatherer {
       }
     }
     return result;
+  }
+
+  /// Those of joints that are commanded, whatever they move: a motor's tag alone makes no wheel.
+  /// Casters, and what hangs below something that turns freely, do not drive.
+  [[nodiscard]] std::vector<Candidate> driving_among(const std::set<std::string>& names) const {
+    std::set<std::string> driving;
+    for (const std::string& name : names) {
+      const auto joint = model_.joints_.find(name);
+      if (joint == model_.joints_.end() || is_passive(name)) continue;
+      const bool passive =
+          is_passive(joint->second->child_link_name) || is_passive(joint->second->parent_link_name);
+      if (!passive && hangs(model_, *joint->second, Hang::kSuspension)) driving.insert(name);
+    }
+    return among(driving);
   }
 
   [[nodiscard]] std::vector<Candidate> hanging(Hang hang) const {
@@ -144,8 +160,9 @@ std::vector<Pair> on_floor(std::vector<Pair> pairs) {
 std::vector<Pair> named_pairs(const Gatherer& gatherer, const DriveTags& tags) {
   std::set<std::string> names(tags.left.begin(), tags.left.end());
   names.insert(tags.right.begin(), tags.right.end());
-  if (names.empty()) names.insert(tags.driven.begin(), tags.driven.end());
-  return on_floor(pairs_of(gatherer.among(names)));
+  if (!names.empty()) return on_floor(pairs_of(gatherer.among(names)));
+  names.insert(tags.driven.begin(), tags.driven.end());
+  return on_floor(pairs_of(gatherer.driving_among(names)));
 }
 
 [[noreturn]] void no_wheels(const UrdfFile& file, const Gatherer& gatherer) {
@@ -176,6 +193,10 @@ DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
       warnings.push_back(fmt::format(
           "the {} tag names no pair of wheels of this robot: found by kinematics", tags.dialect));
     }
+  }
+  if (pairs.size() > kMostPairs) {
+    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} make a robot", file.path,
+                                         2 * pairs.size(), 2 * kMostPairs));
   }
   for (const Pair& pair : pairs) {
     result.joints.push_back(pair.left.joint);

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMaxBytes = 16U << 20U;
 constexpr int kMaxDepth = 200;
 constexpr int kMaxElements = 200000;
+constexpr int kMaxAttributes = 1000;  // Of an element: the parser compares each with all others.
 
 /// Walks over the markup without building anything.
 class Guard {
@@ -43,6 +44,7 @@ class Guard {
   void tag() {
     const bool closes = at_ + 1 < text_.size() && text_[at_ + 1] == '/';
     char quote = 0;
+    int attributes = 0;
     std::size_t end = at_ + 1;
     for (; end < text_.size(); ++end) {
       const char c = text_[end];
@@ -51,6 +53,9 @@ class Guard {
         quote = 0;
       } else if (quote == 0 && (c == '"' || c == '\'')) {
         quote = c;
+        if (++attributes > kMaxAttributes) {
+          refuse(fmt::format("an element of more than {} attributes", kMaxAttributes));
+        }
       }
     }
     const bool empty = end < text_.size() && text_[end - 1] == '/';

@@ -12,8 +12,9 @@ namespace castaway::sim {
 /// @throws std::runtime_error naming the file and the remedy.
 std::string read_xml_text(const std::string& path);
 
-/// Parses XML. Document types (and with them entities), zero bytes, more than 200 levels and more
-/// than 200000 elements are refused before the parser, which recurses, sees them.
+/// Parses XML. Document types (and with them entities), zero bytes, more than 200 levels, more
+/// than 200000 elements or 1000 attributes of one are refused before the parser, which recurses,
+/// sees them.
 /// @throws std::runtime_error naming file and line.
 std::unique_ptr<TiXmlDocument> parse_xml(const std::string& path, const std::string& text);
 

@@ -12,6 +12,8 @@
 namespace castaway::sim {
 namespace {
 
+constexpr int kMostRays = 1000000;
+
 void require(bool condition, const char* field, double value, const char* remedy) {
   if (condition) return;
   throw std::invalid_argument(fmt::format("lidar: {} is {}: {}", field, value, remedy));
@@ -35,6 +37,8 @@ void validate(const LidarConfig& c) {
             "give less than a right angle, in radians");
   }
   const int layers = static_cast<int>(c.elevations.size());
+  require(c.beams <= kMostRays / layers, "number of rays of a sweep",
+          static_cast<double>(c.beams) * layers, "give at most a million, beams times layers");
   const int planar = c.planar_layer.value_or(0);
   require(planar >= 0 && planar < layers, "localize_layer", planar,
           "give the number of a layer, 0 the first");
@@ -79,6 +83,8 @@ std::vector<double> elevations_of(const LidarSpecs& specs) {
   return elevations;
 }
 
+constexpr double kFreeOfBody = 0.02;  // [m]
+
 LidarConfig config_of(const LidarMount& mount) {
   LidarConfig config;
   config.T_base_laser = mount.T_base_laser;
@@ -103,7 +109,11 @@ LidarConfig config_of(const LidarMount& mount) {
 }  // namespace
 
 LidarConfig lidar_of(const RobotModel& robot) {
-  return robot.lidar ? config_of(*robot.lidar) : LidarConfig{};
+  if (robot.lidar) return config_of(*robot.lidar);
+  LidarConfig config;
+  double& z = config.T_base_laser.translation().z();
+  if (robot.height > z) z = robot.height + kFreeOfBody;
+  return config;
 }
 
 std::vector<LidarConfig> lidars_of(const RobotModel& robot) {

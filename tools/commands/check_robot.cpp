@@ -5,12 +5,14 @@
 
 #include "sim/render/renderer.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/robot_arguments.hpp"
 #include "tools/commands/robot_report.hpp"
 #include "tools/commands/terminal.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/joint_states.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -21,23 +23,13 @@ constexpr int kHeight = 600;  // [px]
 /// What the command line says.
 struct CheckArguments {
   RobotSpec robot;
-  std::vector<std::string> assignments;  ///< --arg name:=value
+  RobotArguments options;
+  std::string joints;  ///< File of joint states; empty: all joints at 0.
   std::string out;
   bool json = false;
   bool expand = false;
   bool no_picture = false;
 };
-
-/// `name:=value`, as ROS writes it, or `name=value`.
-void assign(const std::string& text, RobotSpec& robot) {
-  const std::size_t equals = text.find('=');
-  std::string name = text.substr(0, equals);
-  if (name.ends_with(':')) name.pop_back();
-  if (equals == std::string::npos || name.empty()) {
-    throw std::invalid_argument(fmt::format("--arg {}: write it as name:=value", text));
-  }
-  robot.arguments[name] = text.substr(equals + 1);
-}
 
 /// The file's name, or why there is no picture.
 std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
@@ -63,7 +55,11 @@ int print_expanded(const RobotSpec& spec) {
 }
 
 int check_robot(CheckArguments arguments) {
-  for (const std::string& assignment : arguments.assignments) assign(assignment, arguments.robot);
+  for (const std::string& text : arguments.options.assignments) {
+    arguments.robot.arguments.insert(parse_assignment(text));
+  }
+  arguments.robot.search_paths = arguments.options.search_paths;
+  if (!arguments.joints.empty()) arguments.robot.joints = read_joint_states(arguments.joints);
   if (arguments.expand) return print_expanded(arguments.robot);
   const sim::RobotModel robot = build_robot(arguments.robot, ".");
   const std::string picture =
@@ -85,13 +81,9 @@ void add_check_robot_command(CLI::App& app, std::function<int()>& chosen) {
   CLI::App* command =
       app.add_subcommand("check-robot", "Print and picture what is understood of a robot");
   command->add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro")->required();
-  command->add_option("--arg", a->assignments, "Argument of the xacro file: name:=value")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--search-path", a->robot.search_paths,
-                   "Folder that packages are looked for in (besides CASTAWAY_PACKAGE_PATH, "
-                   "ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
-      ->allow_extra_args(false);
+  add_robot_options(command, a->options);
+  command->add_option("--joints", a->joints,
+                      "File of joint positions, as `ros2 topic echo --once /joint_states` prints");
   command->add_option("--out", a->out, "Picture to write (default: <robot's name>.png)");
   command->add_flag("--no-picture", a->no_picture, "Write no picture");
   command->add_flag("--json", a->json, "Print JSON instead of words");

@@ -70,7 +70,7 @@ int check_world(CheckArguments arguments) {
     base = std::filesystem::path(arguments.scenario).parent_path();
   }
   const double height =
-      sim::lidar_of(build_robot({arguments.robot, {}, {}}, ".")).T_base_laser.translation().z();
+      sim::lidar_of(build_robot({arguments.robot, {}, {}, {}}, ".")).T_base_laser.translation().z();
   SurveyOptions options;
   options.lidar_height = height;
   options.seed = arguments.seed;

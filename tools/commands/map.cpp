@@ -29,7 +29,7 @@ struct MapArguments {
 int make_map(const MapArguments& arguments) {
   const double height = arguments.height
                             ? *arguments.height
-                            : sim::lidar_of(build_robot({arguments.robot, {}, {}}, "."))
+                            : sim::lidar_of(build_robot({arguments.robot, {}, {}, {}}, "."))
                                   .T_base_laser.translation()
                                   .z();
   SurveyOptions options;
@@ -59,7 +59,8 @@ void add_map_command(CLI::App& app, std::function<int()>& chosen) {
   command->add_option("world", a->world, "A world's name or path")->required();
   command->add_option("--robot", a->robot, "Robot whose lidar's height is taken")
       ->capture_default_str();
-  command->add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar");
+  command->add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar")
+      ->check(CLI::Range(-1000.0, 1000.0));
   command->add_option("--resolution", a->resolution, "Edge of a cell [m]")
       ->capture_default_str()
       ->check(CLI::Range(0.005, 1.0));

@@ -53,16 +53,35 @@ void add_body(const sim::RobotModel& robot, Lines out) {
                  robot.visuals.size());
 }
 
+/// What is simulated, and in place of what.
+std::string drive_of(const sim::RobotModel& robot) {
+  const char* here = robot.wheels.size() > 2 ? "skid steer" : "differential";
+  return robot.other_drive.empty() ? here
+                                   : fmt::format("{} in place of {}", here, robot.other_drive);
+}
+
+/// By the limits of the wheels' joints; 0: they have none. [m/s]
+double top_speed(const sim::RobotModel& robot) {
+  double speed = 0.0;
+  for (const sim::DriveWheel& wheel : robot.wheels) {
+    const double rim = wheel.speed_max * wheel.radius;
+    if (rim > 0.0 && (speed == 0.0 || rim < speed)) speed = rim;
+  }
+  return speed;
+}
+
 void add_drive(const sim::RobotModel& robot, Lines out) {
   fmt::format_to(out,
                  "drive: {}, {} wheels found by {}, radius {:.4f} m, track {:.4f} m, axle at "
                  "x = {:.4f} m\n",
-                 robot.wheels.size() > 2 ? "skid steer" : "differential", robot.wheels.size(),
-                 robot.wheels_found_by, robot.wheel_radius, robot.wheel_separation,
-                 robot.p_base_axle.x());
+                 drive_of(robot), robot.wheels.size(), robot.wheels_found_by, robot.wheel_radius,
+                 robot.wheel_separation, robot.p_base_axle.x());
   if (robot.wheels.size() > 2) {
     fmt::format_to(out, "  turns on the spot like a differential drive of track {:.4f} m\n",
                    robot.track);
+  }
+  if (const double speed = top_speed(robot); speed > 0.0) {
+    fmt::format_to(out, "  at most {:.2f} m/s, by <limit velocity> of the wheels' joints\n", speed);
   }
   for (const sim::DriveWheel& wheel : robot.wheels) {
     fmt::format_to(out, "  wheel {} (joint {}): at {}, radius {:.4f} m, {:.3f} kg\n", wheel.link,
@@ -138,7 +157,10 @@ std::string robot_text(const sim::RobotModel& robot) {
   add_body(robot, out);
   add_drive(robot, out);
   for (const sim::LidarMount& lidar : robot.lidars) add_lidar(robot, lidar, out);
-  if (robot.lidars.empty()) text += "lidar: none found; runs use one 0.2 m above base\n";
+  if (robot.lidars.empty()) {
+    text += fmt::format("lidar: none found; runs use one free of the body at {}\n",
+                        point(sim::lidar_of(robot).T_base_laser.translation()));
+  }
   if (robot.lidars.size() > 1) text += "  the first of these lidars is the one that runs use\n";
   for (const std::string& warning : robot.warnings) text += "warning: " + warning + "\n";
   return text;
@@ -157,6 +179,8 @@ nlohmann::ordered_json robot_json(const sim::RobotModel& robot) {
   json["footprint_radius_m"] = robot.footprint_radius;
   json["height_m"] = robot.height;
   json["drive"] = {{"kind", robot.wheels.size() > 2 ? "skid steer" : "differential"},
+                   {"in_place_of", robot.other_drive},
+                   {"top_speed_m_s", top_speed(robot)},
                    {"found_by", robot.wheels_found_by},
                    {"wheel_radius_m", robot.wheel_radius},
                    {"track_m", robot.wheel_separation},

@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kCircle = 48;
+constexpr float kMostTiles = 60.0F;  // From the middle.
 const Vector3f kWheelColor = scene_color(0x0072B2);
 const Vector3f kCasterColor = scene_color(0xE69F00);
 const Vector3f kScanColor{0.85F, 0.10F, 0.15F};
@@ -40,7 +41,7 @@ std::vector<Vector3f> circle(const Vector3f& center, float radius, const Vector3
 /// A chequered floor about the robot.
 void add_floor(float reach, sim::Scene& scene) {
   const float edge = reach > 3.0F ? 1.0F : 0.1F;
-  const int half = static_cast<int>(std::ceil(reach / edge));
+  const int half = static_cast<int>(std::ceil(std::min(reach / edge, kMostTiles)));
   for (int i = -half; i < half; ++i) {
     for (int j = -half; j < half; ++j) {
       sim::SceneItem tile;
@@ -79,12 +80,8 @@ void add_supports(const sim::RobotModel& robot, sim::Scene& scene) {
 }
 
 /// The arc that a lidar sees, with its first and its last beam.
-void add_scan(const sim::RobotModel& robot, const sim::LidarMount& mount, float reach,
-              sim::Scene& scene) {
-  sim::RobotModel alone = robot;
-  alone.lidar = mount;
-  const sim::LidarConfig lidar = sim::lidar_of(alone);
-  const Eigen::Isometry3f T_base_laser = mount.T_base_laser.cast<float>();
+void add_scan(const sim::LidarConfig& lidar, float reach, sim::Scene& scene) {
+  const Eigen::Isometry3f T_base_laser = lidar.T_base_laser.cast<float>();
   std::vector<Vector3f> arc{T_base_laser.translation()};
   for (int i = 0; i <= 2 * kCircle; ++i) {
     const double beam = static_cast<double>(lidar.beams - 1) * i / (2 * kCircle);
@@ -108,7 +105,7 @@ sim::Scene robot_scene(const sim::RobotModel& robot) {
   add_floor(1.6F * std::max(radius, 0.5F * size), scene);
   add_axes(0.6F * size, scene);
   add_supports(robot, scene);
-  for (const sim::LidarMount& lidar : robot.lidars) add_scan(robot, lidar, 1.1F * radius, scene);
+  for (const sim::LidarConfig& lidar : sim::lidars_of(robot)) add_scan(lidar, 1.1F * radius, scene);
   scene.camera.target = {0.0F, 0.0F, 0.42F * height};
   scene.camera.eye = scene.camera.target + 1.75F * size * Vector3f(0.72F, 0.52F, 0.42F);
   scene.camera.fov_y_deg = 45.0F;

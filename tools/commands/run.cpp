@@ -6,6 +6,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/play.hpp"
+#include "tools/commands/robot_arguments.hpp"
 #include "tools/commands/run_seeds.hpp"
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/sha256.hpp"
@@ -23,7 +24,9 @@ struct RunArguments {
   std::vector<std::string> shortcuts;   ///< --seed and the like, as key=value.
   std::vector<std::string> sets;        ///< --set key=value
   std::vector<std::string> localizers;  ///< Instead of the scenario's.
-  std::vector<std::string> expects;     ///< --expect "metric condition"
+  std::string robot;                    ///< Empty: the scenario's.
+  RobotArguments robot_options;
+  std::vector<std::string> expects;  ///< --expect "metric condition"
   std::string seeds;
   int workers = 1;
   std::string out;
@@ -60,6 +63,9 @@ std::vector<std::string> overrides_of(const RunArguments& arguments) {
     localizers += (localizers.empty() ? "" : ", ") + localizer_yaml(text);
   }
   if (!localizers.empty()) overrides.push_back("localizers=[" + localizers + "]");
+  for (auto& text : robot_overrides(arguments.robot, arguments.robot_options)) {
+    overrides.push_back(std::move(text));
+  }
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
   return overrides;
 }
@@ -175,7 +181,8 @@ void add_shortcuts(CLI::App* command, const std::shared_ptr<RunArguments>& argum
           },
           ""));
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
-  shortcut("--robot", "robot", "A robot's name, a .urdf or a .xacro");
+  command->add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
+  add_robot_options(command, arguments->robot_options);
 }
 
 }  // namespace

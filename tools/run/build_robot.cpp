@@ -49,6 +49,7 @@ Value read_robot_yaml(const std::string& path) {
 sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::path& base) {
   sim::RobotOptions options;
   options.arguments = spec.arguments;
+  options.joints = spec.joints;
   for (const std::string& path : spec.search_paths) {
     const bool from_base = std::filesystem::is_directory(base / path);
     options.search_paths.push_back(from_base ? (base / path).string() : path);

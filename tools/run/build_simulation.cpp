@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
+#include "sim/drive_setup.hpp"
 #include "tools/run/build_drive.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/run/build_sensors.hpp"
@@ -12,6 +13,9 @@
 
 namespace castaway::testbed {
 namespace {
+
+constexpr double kWorthTelling =
+    0.5;  // Of the speed asked for; the robot's own is expected to be less.
 
 void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
   config.start = world.file.start;
@@ -46,6 +50,16 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
                        layer.opened, layer.closed, layer.added};
 }
 
+/// Wheels that turn slower than the scenario drives.
+void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
+  const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
+  if (limits.max_speed > kWorthTelling * config.drive.max_speed) return;
+  warnings.push_back(
+      fmt::format("<limit velocity> of the wheels' joints slows the robot down to {:.2f} m/s; "
+                  "drive.max_speed is {:.2f} m/s",
+                  limits.max_speed, config.drive.max_speed));
+}
+
 PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
                                 LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
@@ -66,6 +80,7 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
   place_start(scenario.start, world, config);
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
+  warn_of_slow_wheels(config, prepared.warnings);
   prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());
   prepared.difference = difference_of(world, config.lidar);
   prepared.map = std::move(world.map);

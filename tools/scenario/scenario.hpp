@@ -26,6 +26,7 @@ struct RobotSpec {
   std::string file = "waffle";                   ///< A robot's name, or a URDF or xacro file.
   std::map<std::string, std::string> arguments;  ///< Of the xacro file.
   std::vector<std::string> search_paths;         ///< Folders that its packages are looked for in.
+  std::map<std::string, double> joints;          ///< [rad], [m] Positions; all others are at 0.
 };
 
 /// The world.

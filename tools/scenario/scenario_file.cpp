@@ -6,6 +6,7 @@
 #include "tools/scenario/difference_spec.hpp"
 #include "tools/scenario/expect_spec.hpp"
 #include "tools/scenario/fault_events.hpp"
+#include "tools/scenario/joint_states.hpp"
 #include "tools/scenario/kidnap_events.hpp"
 #include "tools/scenario/lidar_spec.hpp"
 #include "tools/scenario/name_spec.hpp"
@@ -31,7 +32,7 @@ double not_negative(YamlReader& map, const std::string& key, double fallback) {
   return value;
 }
 
-RobotSpec read_robot(YamlReader& root) {
+RobotSpec read_robot(YamlReader& root, const std::filesystem::path& folder) {
   RobotSpec robot;
   const std::optional<YamlReader> scalar = root.find("robot");
   if (!scalar || scalar->is_scalar()) {
@@ -48,6 +49,7 @@ RobotSpec read_robot(YamlReader& root) {
   if (map.has("search_paths")) {
     robot.search_paths = map.require<std::vector<std::string>>("search_paths");
   }
+  robot.joints = read_joints(map, folder);
   return robot;
 }
 
@@ -178,7 +180,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   Scenario scenario;
   scenario.name = get_name(root, "name", name);
   scenario.world = read_world(root, folder);
-  scenario.robot = read_robot(root);
+  scenario.robot = read_robot(root, folder);
   scenario.seed = root.get("seed", scenario.seed);
   scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
   scenario.stop_after_m = not_negative(root, "stop_after_m", scenario.stop_after_m);

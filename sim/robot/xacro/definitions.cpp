@@ -61,6 +61,7 @@ void Expander::define_argument(const Element& from, Scope& scope) {
   allow_only(from, {"name", "default"});
   const std::string name = required(from, "name");
   require_name(name);
+  known_arguments_.insert(name);
   const char* fallback = from.Attribute("default");
   if (fallback != nullptr && !arguments_.contains(name)) {
     arguments_[name] = text_in(scope, fallback);
@@ -71,7 +72,7 @@ void Expander::define_macro(const Element& from, Scope& scope) {
   allow_only(from, {"name", "params"});
   std::string name = required(from, "name");
   if (name.starts_with("xacro:")) name = name.substr(6);
-  require_name(name);
+  if (name.find("${") == std::string::npos) require_name(name);  // Else nothing can call it.
   if (name.find('.') != std::string::npos) {
     throw std::invalid_argument(fmt::format("'{}': a macro's name holds no dot", name));
   }
@@ -88,7 +89,8 @@ Value Expander::evaluate_in(Scope& scope, const std::string& text) {
   context.substitute = [&](const std::string& command) {
     return substitute(
         command, {&arguments_, [this](const std::string& name) { return package_folder(name); },
-                  std::filesystem::path(file_).parent_path().string()});
+                  std::filesystem::path(file_).parent_path().string(),
+                  [this](const std::string& name) { known_arguments_.insert(name); }});
   };
   return evaluate_text(text, context);
 }

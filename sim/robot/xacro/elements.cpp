@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/nearest_name.hpp"
 #include "sim/robot/xacro/expander.hpp"
 #include "sim/robot/xml_text.hpp"
 
@@ -60,15 +61,29 @@ Expansion Expander::run(const std::string& path) {
   Expansion result;
   result.xml = std::make_unique<TiXmlDocument>();
   if (!uses_xacro(root)) {
+    require_known_arguments();
     result.xml->InsertEndChild(root);
     return result;
   }
   including_ = {path};
   Scope globals(nullptr);
   expand_element(root, globals, *result.xml);
+  require_known_arguments();
   result.xml->RootElement()->RemoveAttribute("xmlns:xacro");
   result.warnings = std::move(warnings_);
   return result;
+}
+
+/// A misspelt argument would leave its default in place, unseen.
+void Expander::require_known_arguments() const {
+  const std::vector<std::string> known(known_arguments_.begin(), known_arguments_.end());
+  for (const auto& [name, value] : options_.arguments) {
+    if (known_arguments_.contains(name)) continue;
+    throw std::runtime_error(
+        known.empty()
+            ? fmt::format("{}: takes no argument '{}': it has no <xacro:arg>", file_, name)
+            : fmt::format("{}: has no argument '{}'; {}", file_, name, name_hint(name, known)));
+  }
 }
 
 void Expander::expand_children(const TiXmlNode& from, Scope& scope, TiXmlNode& to) {

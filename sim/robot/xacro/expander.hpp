@@ -22,6 +22,7 @@ class Expander {
   Expansion run(const std::string& path);
 
  private:
+  void require_known_arguments() const;
   using Element = TiXmlElement;
 
   // elements.cpp: what stands where.
@@ -56,6 +57,7 @@ class Expander {
   const PackageFinder& packages_;
   const RobotOptions& options_;
   std::map<std::string, std::string> arguments_;
+  std::set<std::string> known_arguments_;  ///< Defined or asked for by the files.
   std::map<std::string, std::unique_ptr<TiXmlDocument>> documents_;  ///< By path.
   std::vector<std::string> including_;                               ///< Files, outermost first.
   std::vector<std::string> calling_;                                 ///< Macros, outermost first.

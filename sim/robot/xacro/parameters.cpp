@@ -44,17 +44,15 @@ std::string unquoted(const std::string& text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What stands behind `:=`.
+/// What stands behind `:=`. `^default` is taken for `^|default`, as xacro does.
 void read_default(const std::string& text, Parameter& parameter) {
   parameter.from_outside = text.starts_with("^");
   if (!parameter.from_outside) {
     parameter.fallback = unquoted(text);
-  } else if (text.size() > 1 && text[1] == '|') {
-    parameter.fallback = unquoted(text.substr(2));
-  } else if (text.size() > 1) {
-    throw std::invalid_argument(
-        fmt::format("params: '{}:={}': write ^ or ^|default", parameter.name, text));
+    return;
   }
+  const std::size_t begin = text.starts_with("^|") ? 2 : 1;
+  if (text.size() > begin) parameter.fallback = unquoted(text.substr(begin));
 }
 
 Parameter parse_one(const std::string& word) {

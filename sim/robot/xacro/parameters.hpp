@@ -21,7 +21,7 @@ struct Parameter {
   std::optional<std::string> fallback;  ///< Its text; nothing: the call must give it.
 };
 
-/// Parses `params="a b:=1 c:='x y' d:=^ e:=^|2 *block **content"`.
+/// Parses `params="a b:=1 c:='x y' d:=^ e:=^|2 f:=^3 *block **content"`.
 /// @throws std::invalid_argument naming a parameter that makes no sense.
 std::vector<Parameter> parse_parameters(const std::string& text);
 

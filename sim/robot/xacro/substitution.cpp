@@ -26,6 +26,7 @@ std::string rest_of(const std::vector<std::string>& words, std::size_t first) {
 }
 
 std::string argument(const std::string& name, const SubstitutionContext& context) {
+  if (context.on_argument) context.on_argument(name);
   const auto found = context.arguments->find(name);
   if (found != context.arguments->end()) return found->second;
   throw std::invalid_argument(
@@ -59,6 +60,7 @@ std::string evaluated(const std::string& expression, const SubstitutionContext& 
   surroundings.property = [&](const std::string& name) -> std::optional<Value> {
     const auto found = context.arguments->find(name);
     if (found == context.arguments->end()) return std::nullopt;
+    if (context.on_argument) context.on_argument(name);
     return from_literal(found->second);
   };
   surroundings.function = [&](const std::string& name,

@@ -14,6 +14,7 @@ struct SubstitutionContext {
   const std::map<std::string, std::string>* arguments;  ///< By name.
   std::function<std::string(const std::string&)> find;  ///< The folder of a package.
   std::string folder;                                   ///< Of the file.
+  std::function<void(const std::string&)> on_argument;  ///< Told of every argument asked for.
 };
 
 /// The text for `arg NAME`, `find PACKAGE`, `env NAME`, `optenv NAME default...`, `dirname`,

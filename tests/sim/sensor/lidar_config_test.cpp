@@ -40,6 +40,24 @@ TEST(LidarConfig, AFullCircleDoesNotRepeatItsFirstBeam) {
   EXPECT_NEAR(lidar_of(robot).angle_increment, kPi / 180.0, 1e-9);
 }
 
+TEST(LidarConfig, OfARobotWithoutOneStandsFreeOfItsBody) {
+  RobotModel robot;
+  robot.height = 0.15;
+  EXPECT_EQ(lidar_of(robot).T_base_laser.translation().z(), 0.2);
+  robot.height = 1.1;
+  EXPECT_NEAR(lidar_of(robot).T_base_laser.translation().z(), 1.12, 1e-12);
+}
+
+TEST(LidarConfig, TakesAMillionRaysASweepAtMost) {
+  LidarConfig config;
+  config.beams = 100000;
+  config.angle_increment = 6.2e-5;
+  config.elevations.assign(10, 0.0);
+  EXPECT_NO_THROW(validate(config));
+  config.elevations.assign(11, 0.0);
+  EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
 TEST(LidarConfig, LayersComeFromTheDescription) {
   RobotModel robot;
   robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};

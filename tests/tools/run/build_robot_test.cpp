@@ -10,14 +10,14 @@ namespace castaway::testbed {
 namespace {
 
 TEST(BuildRobot, FindsShippedRobotsInEitherLanguage) {
-  EXPECT_EQ(build_robot({"waffle", {}, {}}, ".").name, "waffle");
-  EXPECT_EQ(build_robot({"butler", {}, {}}, ".").name, "butler");
-  EXPECT_THROW((void)build_robot({"r2d2", {}, {}}, "."), std::runtime_error);
+  EXPECT_EQ(build_robot({"waffle", {}, {}, {}}, ".").name, "waffle");
+  EXPECT_EQ(build_robot({"butler", {}, {}, {}}, ".").name, "butler");
+  EXPECT_THROW((void)build_robot({"r2d2", {}, {}, {}}, "."), std::runtime_error);
 }
 
 TEST(BuildRobot, PassesArgumentsOn) {
-  const double low = build_robot({"mule", {{"mast", "false"}}, {}}, ".").height;
-  EXPECT_LT(low, build_robot({"mule", {}, {}}, ".").height);
+  const double low = build_robot({"mule", {{"mast", "false"}}, {}, {}}, ".").height;
+  EXPECT_LT(low, build_robot({"mule", {}, {}, {}}, ".").height);
 }
 
 TEST(BuildRobot, ReadsYamlAsXacroDoes) {
@@ -33,7 +33,7 @@ TEST(BuildRobot, ReadsYamlAsXacroDoes) {
 TEST(BuildRobot, SearchesFromTheScenariosFolder) {
   const auto base = std::filesystem::path(testing::TempDir()) / "build_robot_base";
   std::filesystem::create_directories(base / "packages");
-  const RobotSpec spec{"waffle", {}, {"packages", "/elsewhere"}};
+  const RobotSpec spec{"waffle", {}, {"packages", "/elsewhere"}, {}};
   const std::vector<std::string> paths = robot_options(spec, base).search_paths;
   EXPECT_EQ(paths, (std::vector<std::string>{(base / "packages").string(), "/elsewhere"}));
 }

@@ -135,6 +135,20 @@ TEST_F(Expand, MacrosSeeWhatTheirCallersSee) {
             R"(<x v="left 7" /><x v="none 3" />)");
 }
 
+TEST_F(Expand, ArgumentsThatTheFilesDoNotHaveAreRefused) {
+  RobotOptions options;
+  options.arguments = {{"prefx", "a_"}};
+  EXPECT_THAT(error(R"(<xacro:arg name="prefix" default=""/><x/>)", options),
+              AllOf(HasSubstr("robot.urdf.xacro"), HasSubstr("no argument 'prefx'"),
+                    HasSubstr("did you mean 'prefix'?")));
+  EXPECT_THAT(error("<x/>", options), HasSubstr("it has no <xacro:arg>"));
+  EXPECT_EQ(expanded(R"x(<x v="$(arg prefx)"/>)x", options), R"(<x v="a_" />)");
+}
+
+TEST_F(Expand, AMacroWhoseNameIsAnExpressionIsNeverCalled) {
+  EXPECT_EQ(expanded(R"(<xacro:macro name="${p}_m" params="p"><x/></xacro:macro><y/>)"), "<y />");
+}
+
 TEST_F(Expand, PropertiesOfMacrosStayInside) {
   EXPECT_EQ(expanded(R"(
     <xacro:property name="a" value="1"/>

@@ -26,6 +26,14 @@ TEST(Parameters, OfEveryForm) {
   EXPECT_EQ(p[8].fallback, "${1 + 2}");
 }
 
+TEST(Parameters, FromOutsideHaveADefaultWithOrWithoutABar) {
+  for (const char* text : {"gpu:=^true", "gpu:=^|true", "gpu:=^'true'"}) {
+    const auto p = parse_parameters(text);
+    EXPECT_TRUE(p.at(0).from_outside) << text;
+    EXPECT_EQ(p.at(0).fallback, "true") << text;
+  }
+}
+
 TEST(Parameters, NoneAndEmptyDefaults) {
   EXPECT_TRUE(parse_parameters("").empty());
   EXPECT_EQ(parse_parameters("a:=''").at(0).fallback, "");
@@ -33,7 +41,7 @@ TEST(Parameters, NoneAndEmptyDefaults) {
 }
 
 TEST(Parameters, ThatMakeNoSenseAreRefused) {
-  for (const char* text : {"a a", "***a", "*", "*a:=1", "a:='x", ":=1", "a:=^b"}) {
+  for (const char* text : {"a a", "***a", "*", "*a:=1", "a:='x", ":=1", "a:=^'b"}) {
     EXPECT_THROW(parse_parameters(text), std::invalid_argument) << text;
   }
 }

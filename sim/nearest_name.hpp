@@ -1,0 +1,13 @@
+/// What a misspelt name of a robot's part may have meant.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace castaway::sim {
+
+/// "did you mean 'x'?", or some of the known names where none is near.
+std::string name_hint(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace castaway::sim

@@ -1,0 +1,64 @@
+#include "tools/commands/robot_arguments.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace castaway::testbed {
+namespace {
+
+/// As YAML reads it back: a text, whatever is in it.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
+void add_robot_options(CLI::App* command, RobotArguments& arguments) {
+  command
+      ->add_option("--arg", arguments.assignments,
+                   "Argument of the robot's xacro file: name:=value")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--search-path", arguments.search_paths,
+                   "Folder that the robot's packages are looked for in (besides "
+                   "CASTAWAY_PACKAGE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
+      ->allow_extra_args(false);
+}
+
+std::pair<std::string, std::string> parse_assignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  std::string name = text.substr(0, equals);
+  if (name.ends_with(':')) name.pop_back();
+  if (equals == std::string::npos || name.empty()) {
+    throw std::invalid_argument(fmt::format("--arg {}: write it as name:=value", text));
+  }
+  return {name, text.substr(equals + 1)};
+}
+
+std::vector<std::string> robot_overrides(const std::string& file, const RobotArguments& arguments) {
+  std::vector<std::string> overrides;
+  if (arguments.assignments.empty() && arguments.search_paths.empty()) {
+    if (!file.empty()) overrides.push_back("robot=" + quoted(file));
+    return overrides;
+  }
+  if (file.empty()) {
+    throw std::invalid_argument("--arg and --search-path go with --robot: name the robot's file");
+  }
+  std::string args;
+  for (const std::string& text : arguments.assignments) {
+    const auto [name, value] = parse_assignment(text);
+    args += (args.empty() ? "" : ", ") + quoted(name) + ": " + quoted(value);
+  }
+  std::string paths;
+  for (const std::string& path : arguments.search_paths) {
+    paths += (paths.empty() ? "" : ", ") + quoted(path);
+  }
+  overrides.push_back(fmt::format("robot={{file: {}, args: {{{}}}, search_paths: [{}]}}",
+                                  quoted(file), args, paths));
+  return overrides;
+}
+
+}  // namespace castaway::testbed
