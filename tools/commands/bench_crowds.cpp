@@ -57,7 +57,7 @@ void add_bench_crowds(CLI::App& bench, std::function<int()>& chosen) {
   CLI::App* command =
       bench.add_subcommand("crowds", "Hours of people in a world: does anybody pass a wall?");
   CrowdHoursConfig& config = arguments->config;
-  command->add_option("--hours", config.hours, "Simulated time [h]")->check(CLI::PositiveNumber);
+  command->add_option("--hours", config.hours, "Simulated time [h]")->check(CLI::Range(1e-4, 1e4));
   command->add_option("--people", config.people.walking, "How many walk")
       ->check(CLI::Range(1, 200));
   command->add_option("--crowd", config.people.blocked_share, "Share of beams to block")

@@ -167,19 +167,22 @@ void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen) {
                    "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
       ->capture_default_str();
   command->add_option("--kidnaps", a->kidnaps, "Trials of each batch")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   command
       ->add_option("--obstacles", a->obstacles,
                    "People within 4 m of where the robot comes to; repeat for several batches "
                    "(default: 0)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 200))
       ->allow_extra_args(false);
   command->add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
+      ->check(CLI::Range(0.1, 1e5))
       ->capture_default_str();
   command->add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
+      ->check(CLI::Range(0.1, 1e5))
       ->capture_default_str();
   command->add_option("--within", a->within_s, "Time within which to be right [s]")
+      ->check(CLI::Range(0.1, 1e5))
       ->capture_default_str();
   command
       ->add_option("--localizer", a->localizers,

@@ -102,7 +102,7 @@ void add_bench_simulation(CLI::App& bench, std::function<int()>& chosen) {
   CLI::App* command = bench.add_subcommand(
       "simulation", "What a simulated second costs over people, beams and obstacles");
   command->add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.1, 1e6));
   command->add_flag("--quick", arguments->quick, "Four runs and rough figures");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(

@@ -143,20 +143,32 @@ void add_evaluate_command(CLI::App& app, std::function<int()>& chosen) {
                    "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
       ->allow_extra_args(false);
   command->add_option("--starts", config.starts, "Unknown starts in each log")
+      ->check(CLI::Range(0, 100000))
       ->capture_default_str();
-  command->add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")->capture_default_str();
-  command->add_option("--window", config.window_s, "Time to be right [s]")->capture_default_str();
+  command->add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  command->add_option("--window", config.window_s, "Time to be right [s]")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
   command->add_option("--seed", config.seed, "Seed of the stress")->capture_default_str();
   command->add_flag("!--no-tracking", config.tracking,
                     "Leave out the whole log from its true start");
   command->add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
-  command->add_option("--blocked", config.stress.blocked_share,
-                      "Share of the view blocked by people near the robot");
-  command->add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres");
-  command->add_option("--erase-walls", config.stress.erased_share,
-                      "Share of the map's wall tiles (1 m) erased");
-  command->add_option("--add-boxes", config.stress.boxes_per_m2,
-                      "Boxes of 0.5 m drawn into the map per square metre");
+  command
+      ->add_option("--blocked", config.stress.blocked_share,
+                   "Share of the view blocked by people near the robot")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres")
+      ->check(CLI::Range(0.1, 1e4));
+  command
+      ->add_option("--erase-walls", config.stress.erased_share,
+                   "Share of the map's wall tiles (1 m) erased")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--add-boxes", config.stress.boxes_per_m2,
+                   "Boxes of 0.5 m drawn into the map per square metre")
+      ->check(CLI::Range(0.0, 4.0));
   command->add_flag("--json", a->json, "Print JSON");
   command->footer(
       "Right: error below 0.5 m and 0.35 rad to the end of the window. Wrong: share of scans in "

@@ -56,9 +56,18 @@ class Fields {
   }
 
   SE2 pose(const char* what) {
-    const double x = number(what);
-    const double y = number(what);
-    return {x, y, localization::wrap_angle(number(what))};
+    const double x = length(what);
+    const double y = length(what);
+    return {x, y, localization::wrap_angle(length(what))};
+  }
+
+  /// A number of metres or radians that a robot may come to.
+  double length(const char* what) {
+    constexpr double kFarthest = 1e7;
+    const double value = number(what);
+    if (std::abs(value) <= kFarthest) return value;
+    throw std::runtime_error(
+        fmt::format("its {} holds {}, more than {} (metres, radians)", what, value, kFarthest));
   }
 
   void skip(int fields, const char* what) {
@@ -67,8 +76,11 @@ class Fields {
 
   /// `t host t`: the first is the sender's clock, the last the logger's.
   double logger_time() {
+    constexpr double kLatest = 4e9;  // [s] In nanoseconds it fits 64 bits.
     skip(2, "time stamp and host");
-    return number("logger time");
+    const double time_s = number("logger time");
+    if (std::abs(time_s) <= kLatest) return time_s;
+    throw std::runtime_error(fmt::format("its logger time is {} s, more than {}", time_s, kLatest));
   }
 
  private:
@@ -94,10 +106,10 @@ CarmenLaser read_robotlaser(Fields& fields) {
   CarmenLaser laser;
   fields.skip(1, "laser type");
   CarmenLaser::Device device;
-  device.angle_min = fields.number("start angle");
-  device.field_of_view = fields.number("field of view");
-  device.angle_increment = fields.number("angular resolution");
-  device.range_max = fields.number("maximum range");
+  device.angle_min = fields.length("start angle");
+  device.field_of_view = fields.length("field of view");
+  device.angle_increment = fields.length("angular resolution");
+  device.range_max = fields.length("maximum range");
   laser.device = device;
   fields.skip(2, "accuracy and remission mode");
   laser.ranges = read_ranges(fields);

@@ -13,6 +13,8 @@
 namespace castaway::testbed {
 namespace {
 
+constexpr double kLargest = 8e9;  // [s], [m] In nanoseconds it fits 64 bits.
+
 /// A number without the sign of a zero.
 std::string decimal(double value) {
   const std::string text = fmt::format("{:.9f}", value);
@@ -24,7 +26,7 @@ StampedPose parse_line(std::string_view line, const std::string& place) {
   for (double& column : columns) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), column);
-    if (error != std::errc{}) {
+    if (error != std::errc{} || !(std::abs(column) <= kLargest)) {
       throw std::runtime_error(place + ": needs 8 numbers: timestamp tx ty tz qx qy qz qw");
     }
     line.remove_prefix(static_cast<std::size_t>(end - line.data()));

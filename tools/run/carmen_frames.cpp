@@ -127,7 +127,7 @@ double CarmenFrames::param(const std::string& name, double fallback) const {
   double value = fallback;
   const std::string& text = found->second;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc{} ? value : fallback;
+  return result.ec == std::errc{} && std::abs(value) <= 1e7 ? value : fallback;
 }
 
 Stamp CarmenFrames::monotonic(double time_s) {

@@ -33,9 +33,17 @@ double exact_number(float rounded, const std::map<std::string, std::string>& exa
   return value && static_cast<float>(*value) == rounded ? *value : static_cast<double>(rounded);
 }
 
+constexpr float kLongestRange = 1e6F;  // [m] Some drivers give the largest float there is.
+constexpr double kFarthest = 1e7;      // [m] UTM coordinates stay below.
+
 void require_numbers(std::initializer_list<double> values, const char* what) {
-  if (std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) return;
-  throw std::runtime_error(fmt::format("a {} holds no numbers", what));
+  for (const double value : values) {
+    if (std::abs(value) <= kFarthest) continue;
+    throw std::runtime_error(
+        std::isfinite(value)
+            ? fmt::format("a {} holds {}, more than {} (metres, radians)", what, value, kFarthest)
+            : fmt::format("a {} holds no numbers", what));
+  }
 }
 
 double yaw_of(const ros::Quaternion& q) {
@@ -168,15 +176,18 @@ std::optional<Eigen::Isometry3d> exact_mount(const std::map<std::string, std::st
   stream.imbue(std::locale::classic());
   Eigen::Isometry3d mount = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 12; ++i) {
-    if (!(stream >> mount(i / 4, i % 4))) return std::nullopt;
+    double& value = mount(i / 4, i % 4);
+    if (!(stream >> value) || !(std::abs(value) <= kFarthest)) return std::nullopt;
   }
   return mount;
 }
 
 LaserScan from_ros_scan(const ros::LaserScan& message,
                         const std::map<std::string, std::string>& exact) {
-  require_numbers({message.angle_min, message.angle_increment, message.time_increment,
-                   message.range_min, message.range_max},
+  const float range_max = std::min(message.range_max, kLongestRange);
+  const bool timed = std::isfinite(message.time_increment);  // Of any size: see below.
+  require_numbers({message.angle_min, message.angle_increment, message.range_min, range_max,
+                   timed ? 0.0 : static_cast<double>(message.time_increment)},
                   "LaserScan");
   LaserScan scan;
   scan.stamp = from_ros_time(message.header.stamp);
@@ -188,7 +199,7 @@ LaserScan from_ros_scan(const ros::LaserScan& message,
   const bool sensible = sweep_s >= 0.0 && sweep_s <= kLongestSweep;
   scan.time_increment = localization::from_seconds(sensible ? time_increment_s : 0.0);
   scan.range_min = exact_number(message.range_min, exact, "castaway.range_min");
-  scan.range_max = exact_number(message.range_max, exact, "castaway.range_max");
+  scan.range_max = exact_number(range_max, exact, "castaway.range_max");
   scan.ranges = message.ranges;
   const auto lidar = exact.find("castaway.lidar");
   if (lidar != exact.end()) scan.lidar = lidar->second;
@@ -211,7 +222,7 @@ RosMap from_ros_grid(const ros::OccupancyGrid& message, const std::string& name)
   const ros::MapMetaData& info = message.info;
   const std::uint64_t cells = std::uint64_t{info.width} * info.height;
   if (cells == 0 || cells != message.data.size() || info.width > 1'000'000 ||
-      info.height > 1'000'000 || !(info.resolution > 0.0F) || !std::isfinite(info.resolution)) {
+      info.height > 1'000'000 || !(info.resolution >= 0.001F && info.resolution <= 10.0F)) {
     throw std::runtime_error(fmt::format("an OccupancyGrid says {} x {} cells of {} m and holds {}",
                                          info.width, info.height, info.resolution,
                                          message.data.size()));

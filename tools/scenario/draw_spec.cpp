@@ -32,7 +32,8 @@ Draw read_choice(YamlReader& map) {
   }
   const double least = *std::min_element(choice.weights.begin(), choice.weights.end());
   const double sum = std::accumulate(choice.weights.begin(), choice.weights.end(), 0.0);
-  if (least < 0.0 || !(sum > 0.0)) map.fail("'weights' must not be negative, nor all be 0");
+  if (!(least >= 0.0 && sum > 0.0 && std::isfinite(sum)))
+    map.fail("'weights' must not be negative, nor all be 0");
   return choice;
 }
 

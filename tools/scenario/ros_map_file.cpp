@@ -33,8 +33,11 @@ MapMode read_mode(YamlReader& root) {
 RosMapHeader read_header(YamlReader& root) {
   RosMapHeader header;
   header.resolution = root.require<double>("resolution");
-  if (header.resolution <= 0.0) root.find("resolution")->fail("must be above 0 (metres a cell)");
+  if (!(header.resolution >= 0.001 && header.resolution <= 10.0)) {
+    root.find("resolution")->fail("must be from 0.001 to 10 (metres a cell)");
+  }
   const auto origin = root.require<Eigen::Vector3d>("origin");
+  if (!(origin.cwiseAbs().maxCoeff() <= 1e7)) root.find("origin")->fail("lies beyond 1e7 m");
   header.origin_x = origin.x();
   header.origin_y = origin.y();
   header.origin_yaw = origin.z();

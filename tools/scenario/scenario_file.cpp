@@ -176,6 +176,7 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
                              const std::string& name) {
   if (!document.root().has("localizers")) document.set("localizers=[mh_amcl, amcl]");
+  document.check(scenario_ranges());
   YamlReader root = document.root();
   Scenario scenario;
   scenario.name = get_name(root, "name", name);

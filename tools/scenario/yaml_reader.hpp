@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,12 +27,13 @@
 
 #include <Eigen/Core>
 
+#include "tools/scenario/number_range.hpp"
 #include "tools/scenario/yaml_tree.hpp"
 
 namespace castaway::testbed {
 
-/// The types that a value is read as: bool, int, std::uint64_t, double (finite), std::string,
-/// std::vector<double>, std::vector<std::string>, Eigen::Vector2d, Eigen::Vector3d.
+/// The types that a value is read as: bool, int, std::uint64_t, double (at most 1e9 either way),
+/// std::string, std::vector<double>, std::vector<std::string>, Eigen::Vector2d, Eigen::Vector3d.
 template <typename T>
 T read_yaml(const YamlNode& node, const std::string& path);
 
@@ -134,6 +136,8 @@ class YamlDocument {
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
+  /// Throws on the first number that is out of its range; call it before reading.
+  void check(std::span<const NumberRange> ranges) const { require_ranges(*root_, ranges); }
   /// Throws on the first key that no reader has asked for, naming the nearest one that was.
   void reject_unknown_keys() const;
   /// YAML text of all values, defaults included; reading it gives the same configuration.

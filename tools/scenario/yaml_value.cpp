@@ -11,6 +11,8 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
+constexpr double kLargest = 1e9;  // Of any length, time or rate.
+
 std::string shown(const YamlNode& node) {
   switch (node.kind) {
     case Kind::kNull:
@@ -94,7 +96,8 @@ std::uint64_t read_yaml<std::uint64_t>(const YamlNode& node, const std::string& 
 template <>
 double read_yaml<double>(const YamlNode& node, const std::string& path) {
   const double value = number<double>(node, path, "a number");
-  if (!std::isfinite(value)) wrong_type(node, path, "a finite number");
+  if (!(std::abs(value) <= kLargest))
+    wrong_type(node, path, "a finite number of at most 1e9 either way");
   return value;
 }
 

@@ -211,7 +211,7 @@ TEST_F(ScenarioFileTest, ChoosesWhatMovesTheRobot) {
 
 TEST_F(ScenarioFileTest, NamesTheLineOfWhatIsWrong) {
   expect_contains(error_of("localizers: [mh_amcl]\nduration_s: soon"), "trial.yaml:2");
-  expect_contains(error_of("localizers: [mh_amcl]\nduration_s: -5"), "positive");
+  expect_contains(error_of("localizers: [mh_amcl]\nduration_s: -5"), "out of range");
   expect_contains(error_of("localizers: [mh_amcl]\nseed: [1"), "trial.yaml:");
   expect_contains(error_of("localizers: [mh_amlc]"), "mh_amcl");
   expect_contains(error_of("localizers: [amcl: {preset: fast}]"), "amcl-recovery");
