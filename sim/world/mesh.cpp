@@ -1,95 +1,72 @@
 #include "sim/world/mesh.hpp"
 
-#include <cstdint>
-#include <filesystem>
+#include <algorithm>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <fmt/format.h>
-
-#include <assimp/Importer.hpp>
+#include "sim/world/mesh_cache.hpp"
+#include "sim/world/mesh_file.hpp"
 
 namespace castaway::sim {
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 128U << 20U;
-constexpr std::size_t kMaxTriangles = 1000000;
+constexpr std::size_t kKeptBytes = 256U << 20U;
+constexpr float kFarthest = 1e6F;  // [m]
 
-Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+/// Who reads, and what was read.
+struct Shared {
+  std::mutex mutex;
+  MeshReader reader = read_mesh_file;
+  MeshCache cache{kKeptBytes};
+};
 
-Eigen::Vector3f diffuse(const aiScene& scene, const aiMesh& mesh) {
-  aiColor3D color(0.7F, 0.7F, 0.7F);
-  if (mesh.mMaterialIndex < scene.mNumMaterials) {
-    scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, color);
+Shared& shared() {
+  static Shared instance;
+  return instance;
+}
+
+/// A reader may hand on what a broken file says.
+void require_sound(const std::string& path, const TriangleMesh& mesh) {
+  if (mesh.indices.empty()) throw std::runtime_error(path + ": this mesh has no triangles");
+  const auto count = mesh.vertices.size();
+  const bool sound =
+      mesh.normals.size() == count && mesh.colors.size() == count && mesh.indices.size() % 3 == 0 &&
+      std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](auto i) { return i < count; });
+  const bool near = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                [](const auto& v) { return (v.array().abs() <= kFarthest).all(); });
+  if (sound && near) return;
+  throw std::runtime_error(
+      path + (sound ? ": cannot read this mesh (a vertex is no number, or beyond 1000 km)"
+                    : ": cannot read this mesh (its triangles name vertices that are not there)"));
+}
+
+TriangleMesh read_sound(const std::string& path) {
+  TriangleMesh mesh = shared().reader(path);
+  require_sound(path, mesh);
+  return mesh;
+}
+
+void scale_by(const Eigen::Vector3f& scale, TriangleMesh& mesh) {
+  for (Eigen::Vector3f& v : mesh.vertices) v = v.cwiseProduct(scale).eval();
+  for (Eigen::Vector3f& n : mesh.normals) n = n.cwiseQuotient(scale).normalized();
+  if (scale.prod() >= 0.0F) return;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
   }
-  return {color.r, color.g, color.b};
-}
-
-void append_faces(const aiMesh& mesh, std::uint32_t base, bool mirrored, TriangleMesh& out) {
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    out.indices.push_back(base + face.mIndices[0]);
-    out.indices.push_back(base + face.mIndices[mirrored ? 2 : 1]);
-    out.indices.push_back(base + face.mIndices[mirrored ? 1 : 2]);
-  }
-}
-
-void append(const aiScene& scene, const aiMesh& mesh, const Eigen::Vector3f& scale,
-            TriangleMesh& out) {
-  const auto base = static_cast<std::uint32_t>(out.vertices.size());
-  const Eigen::Vector3f color = diffuse(scene, mesh);
-  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    out.vertices.push_back(to_eigen(mesh.mVertices[i]).cwiseProduct(scale));
-    const Eigen::Vector3f normal =
-        mesh.HasNormals() ? to_eigen(mesh.mNormals[i]) : Eigen::Vector3f::UnitZ();
-    out.normals.push_back(normal.cwiseQuotient(scale).normalized());
-    out.colors.push_back(color);
-  }
-  append_faces(mesh, base, scale.prod() < 0.0F, out);
-}
-
-/// Before anything of it is read.
-void refuse_huge_file(const std::string& path) {
-  std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(path, none);
-  if (none || size <= kMaxBytes) return;
-  throw std::length_error(fmt::format("{}: a mesh of {} MiB: at most {} are read; simplify it",
-                                      path, size >> 20U, kMaxBytes >> 20U));
-}
-
-void refuse_huge_mesh(const std::string& path, const aiScene& scene) {
-  std::size_t triangles = 0;
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) triangles += scene.mMeshes[i]->mNumFaces;
-  if (triangles <= kMaxTriangles) return;
-  throw std::length_error(
-      fmt::format("{}: a mesh of {} triangles: at most {} are kept; simplify it", path, triangles,
-                  kMaxTriangles));
 }
 
 }  // namespace
 
+void use_mesh_reader(MeshReader reader) {
+  const std::lock_guard lock(shared().mutex);
+  shared().reader = reader ? std::move(reader) : read_mesh_file;
+}
+
 TriangleMesh load_mesh(const std::string& path, const Eigen::Vector3d& scale) {
-  refuse_huge_file(path);
-  Assimp::Importer importer;
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene =
-      importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenNormals | aiProcess_SortByPType |
-                                  aiProcess_PreTransformVertices);
-  if (scene == nullptr) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot read this mesh ({})", path, importer.GetErrorString()));
-  }
-  refuse_huge_mesh(path, *scene);
-  TriangleMesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-    append(*scene, *scene->mMeshes[i], scale.cast<float>(), mesh);
-  }
-  if (mesh.indices.empty()) {
-    throw std::runtime_error(fmt::format("{}: this mesh has no triangles", path));
-  }
+  const std::lock_guard lock(shared().mutex);
+  TriangleMesh mesh = shared().cache.get(path, read_sound);
+  scale_by(scale.cast<float>(), mesh);
   return mesh;
 }
 

@@ -8,6 +8,7 @@
 #include "tools/commands/terminal.hpp"
 #include "tools/commands/usage.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/run/isolated_meshes.hpp"
 
 namespace {
 
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", *trouble);
     return kBadInput;
   }
+  isolate_meshes();
   try {
     app.parse(argc, argv);
     return chosen();
