@@ -178,7 +178,8 @@ std::string html_page(const std::string& title, const std::string& body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>castaway: {0}</title><style>{1}</style></head><body>\n<h1>{0}</h1>\n{2}</body>"
+      "<title>castaway: {0}</title><style>{1}</style></head>"
+      "<body class=\"figures\">\n<h1>{0}</h1>\n{2}</body>"
       "</html>\n",
       escape_html(title), kReportStyle, body);
 }

@@ -14,9 +14,9 @@ namespace castaway::testbed {
 inline constexpr std::array<std::uint32_t, 6> kLocalizerColors{0x0072B2, 0xD55E00, 0x009E73,
                                                                0xCC79A7, 0xE69F00, 0x56B4E9};
 
-/// Populations, by id. P. Tol, "Colour Schemes", 2021, "bright".
-inline constexpr std::array<std::uint32_t, 6> kPopulationColors{0x4477AA, 0xEE6677, 0x228833,
-                                                                0xCCBB44, 0x66CCEE, 0xAA3377};
+/// Populations, by id: far from every localizer's colour (CIELAB distance above 25).
+inline constexpr std::array<std::uint32_t, 6> kPopulationColors{0x7A1FA2, 0x999900, 0xE8007D,
+                                                                0x7F3B08, 0xA6D854, 0x6A5ACD};
 
 /// Colour `index` of a palette, from its beginning again behind its end.
 template <std::size_t N>

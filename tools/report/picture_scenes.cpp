@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/render/primitives.hpp"
+#include "tools/report/chase_view.hpp"
 #include "tools/report/palette.hpp"
 
 namespace castaway::testbed {
@@ -36,6 +37,7 @@ sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record,
     scene.items.push_back(std::move(item));
   }
   scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
+  add_ghosts(world, record, scene);
   return scene;
 }
 
@@ -58,11 +60,10 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
   scene.lines.push_back(std::move(outline));
 }
 
-/// A circle with an arrow in it, on the map.
-void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, double z,
-               sim::Scene& scene) {
+/// An outline on the map.
+void add_circle(const SE2& T_map_base, double radius, double z, sim::SceneLines outline,
+                sim::Scene& scene) {
   constexpr int kSides = 32;
-  sim::SceneLines outline{{}, color, 2.5F};
   for (int side = 0; side < kSides; ++side) {
     for (const int end : {side, side + 1}) {
       const double angle = 2.0 * std::numbers::pi * end / kSides;
@@ -71,6 +72,12 @@ void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, doub
     }
   }
   scene.lines.push_back(std::move(outline));
+}
+
+/// A circle with an arrow in it, on the map.
+void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, double z,
+               sim::Scene& scene) {
+  add_circle(T_map_base, radius, z, {{}, color, 2.5F}, scene);
   sim::SceneItem arrow;
   arrow.mesh = sim::arrow_mesh(static_cast<float>(1.8 * radius), static_cast<float>(radius));
   arrow.T_map_mesh = localization::to_se3(T_map_base).cast<float>();
@@ -78,6 +85,26 @@ void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, doub
   arrow.color = color;
   arrow.shaded = false;
   scene.items.push_back(std::move(arrow));
+}
+
+/// The truth: a wide black ring on a white one, around what the localizers say.
+void add_truth(const SE2& T_map_base, double radius, sim::Scene& scene) {
+  constexpr double kWider = 1.5;
+  add_circle(T_map_base, kWider * radius, 0.18, {{}, Vector3f::Ones(), 8.0F}, scene);
+  add_circle(T_map_base, kWider * radius, 0.19, {{}, kTruthColor, 4.0F}, scene);
+  add_robot(T_map_base, radius, kTruthColor, 0.2, scene);
+}
+
+/// Where each localizer believes the robot to be: a ring and an arrow on the floor.
+void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene& scene) {
+  constexpr double kFloor = 0.02;  // [m] Above it.
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    const auto& estimate = record.localizers[i].estimate;
+    if (!estimate) continue;
+    add_robot(estimate->T_map_base, 1.2 * world.robot_radius,
+              scene_color(palette_color(kLocalizerColors, i)),
+              kFloor + 0.004 * static_cast<double>(i), scene);
+  }
 }
 
 void add_particles(const localization::PopulationView& population, sim::Scene& scene) {
@@ -124,8 +151,9 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_now) {
   sim::Scene scene = base_scene(world, record, T_map_now);
   const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
-  scene.camera.eye = lifted(T_map_base * Eigen::Vector2d(-1.9, 0.0), 1.7);
-  scene.camera.target = lifted(T_map_base * Eigen::Vector2d(0.9, 0.0), 0.1);
+  const ChaseView view = clear_view(world.world, T_map_base);
+  scene.camera.eye = view.eye;
+  scene.camera.target = view.target;
   scene.camera.fov_y_deg = 60.0F;
   return scene;
 }
@@ -155,7 +183,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
     }
   }
   for (const PersonTruth& person : record.people.people) add_person(person, scene);
-  if (record.T_map_base_true) add_robot(*record.T_map_base_true, radius, kTruthColor, z, scene);
+  if (record.T_map_base_true) add_truth(*record.T_map_base_true, radius, scene);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     const Vector3f color = scene_color(palette_color(kLocalizerColors, i));

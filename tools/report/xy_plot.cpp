@@ -81,8 +81,9 @@ void add_dots(const XyPlot& plot, const XySeries& series, std::string& svg) {
     path += fmt::format("M{:.1f} {:.1f}h0", x_of(plot, x), y_of(plot, y));
   }
   svg += fmt::format(
-      "<path class=\"dots c{}\" fill=\"none\" stroke-width=\"4\" stroke-linecap=\"round\" "
-      "stroke-opacity=\"0.45\" d=\"{}\"><title>{}</title></path>",
+      "<path class=\"dots c{}\" style=\"stroke-dasharray: none\" fill=\"none\" "
+      "stroke-width=\"4\" stroke-linecap=\"round\" stroke-opacity=\"0.45\" "
+      "d=\"{}\"><title>{}</title></path>",
       series.color % 6, path, escape_html(series.name));
 }
 

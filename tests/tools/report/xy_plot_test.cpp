@@ -31,5 +31,12 @@ TEST(EveryFew, KeepsEvenlySpacedOnes) {
   EXPECT_EQ(kept[4].first, 8.0);
 }
 
+// A curve's dashes are its colour's; dots are strokes without length, of which dashes leave
+// nothing.
+TEST(XyPlot, DrawsDotsWithoutDashes) {
+  XyPlot plot{"", {"x"}, {"y"}, {{"dots", 1, false, {{0.5, 0.5}}}}};
+  EXPECT_TRUE(contains(render_xy_plot(plot), "class=\"dots c1\" style=\"stroke-dasharray: none\""));
+}
+
 }  // namespace
 }  // namespace castaway::testbed
