@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/sign_flip_test.hpp"
@@ -45,7 +46,7 @@ constexpr std::array<Compared, 4> kOfRuns{{{"distance_m", true},
 /// A run's own summary, not that of an experiment or of many seeds; null: there is none.
 Json run_summary(const fs::path& folder) {
   if (!fs::exists(folder / "summary.json")) return nullptr;
-  Json summary = Json::parse(read_file(folder / "summary.json"));
+  Json summary = read_json(folder / "summary.json");
   return summary.contains("kind") ? Json() : summary;
 }
 
@@ -60,8 +61,7 @@ ComparedRun compared_run(const fs::path& folder, const Json& summary) {
     run.localizers.push_back(name);
   }
   const bool timed = fs::exists(folder / "timing.json");
-  run.metrics =
-      metric_table(summary, timed ? Json::parse(read_file(folder / "timing.json")) : Json());
+  run.metrics = metric_table(summary, timed ? read_json(folder / "timing.json") : Json());
   return run;
 }
 

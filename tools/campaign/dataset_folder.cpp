@@ -13,6 +13,7 @@
 #include "tools/formats/durable.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/file_error.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
 #include "tools/output/file_record.hpp"
 
@@ -85,7 +86,8 @@ void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
   std::error_code none;
   if (fs::exists(folder, none) && !fs::is_directory(folder, none)) refuse(folder, "is no folder");
   if (!fs::exists(folder / "dataset.json", none)) return check_unused(folder);
-  const Json root = Json::parse(read_file(folder / "dataset.json"), nullptr, false);
+  const std::string text = read_file(folder / "dataset.json");
+  const Json root = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
   if (!root.is_object()) refuse(folder, "its dataset.json cannot be read");
   const auto version = root.value("castaway", std::string());
   if (version != identity.version) {

@@ -14,6 +14,7 @@
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
@@ -107,8 +108,8 @@ std::vector<ExperimentOutcome> outcomes_of(const std::vector<ExperimentRun>& run
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (codes[i] != kDone) continue;
     const std::filesystem::path folder = out / runs[i].folder;
-    outcomes.push_back({runs[i], folder, Json::parse(read_file(folder / "summary.json")),
-                        Json::parse(read_file(folder / "timing.json"))});
+    outcomes.push_back(
+        {runs[i], folder, read_json(folder / "summary.json"), read_json(folder / "timing.json")});
   }
   return outcomes;
 }

@@ -9,6 +9,7 @@
 #include "tools/commands/seeds_summary.hpp"
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
 #include "tools/metrics/aggregate.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
@@ -112,7 +113,7 @@ Json summary_of(const SeedsRequest& request, const std::string& scenario,
     const auto& outcome = outcomes[static_cast<std::size_t>(i)];
     (outcome ? seeds : failed).push_back(seed_of(request, i));
     if (!outcome) continue;
-    summaries.push_back(Json::parse(read_file(outcome->folder / "summary.json")));
+    summaries.push_back(read_json(outcome->folder / "summary.json"));
     tables.push_back(metric_table(summaries.back()));
   }
   return {{"castaway", CASTAWAY_VERSION},

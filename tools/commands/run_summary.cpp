@@ -5,6 +5,7 @@
 
 #include "tools/commands/terminal.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -80,10 +81,10 @@ std::string driving_line(const Json& summary) {
 std::string cost_line(const Json& timing) {
   const Json& factor = timing.at("realtime_factor");
   const bool fast = factor.is_number() && factor.get<double>() >= 10.0;
-  std::string text = fmt::format(
-      "\n{} x real time ({} wall, {} of it to load). CPU:",
-      figure(factor, fast ? "{:.0f}" : "{:.2g}"), figure(timing.at("wall_s"), "{:.2f} s"),
-      figure(timing.at("load_s"), "{:.2f} s"));
+  std::string text =
+      fmt::format("\n{} x real time ({} wall, {} of it to load). CPU:",
+                  figure(factor, fast ? "{:.0f}" : "{:.2g}"),
+                  figure(timing.at("wall_s"), "{:.2f} s"), figure(timing.at("load_s"), "{:.2f} s"));
   const char* separator = " ";
   for (const auto& [stage, time] : timing.at("cpu_s").items()) {
     text += fmt::format("{}{} {}", separator, stage, figure(time, "{:.2f} s"));
@@ -95,8 +96,8 @@ std::string cost_line(const Json& timing) {
 }  // namespace
 
 std::string describe_run(const std::filesystem::path& run_folder) {
-  const Json summary = Json::parse(read_file(run_folder / "summary.json"));
-  const Json timing = Json::parse(read_file(run_folder / "timing.json"));
+  const Json summary = read_json(run_folder / "summary.json");
+  const Json timing = read_json(run_folder / "timing.json");
   std::string text =
       fmt::format("{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
                   summary.at("scenario").get<std::string>(),

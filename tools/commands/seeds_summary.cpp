@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -46,7 +46,7 @@ std::string localizer_line(const std::string& name, const Json& recovery, const 
 }  // namespace
 
 std::string describe_seeds(const std::filesystem::path& folder) {
-  const Json summary = Json::parse(read_file(folder / "summary.json"));
+  const Json summary = read_json(folder / "summary.json");
   const Json& figures = summary.at("figures");
   std::string text = fmt::format("{}: {} seeds, {} failed; means with 95 % intervals\n\n",
                                  summary.at("scenario").get<std::string>(),

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -22,8 +22,8 @@ std::string case_name(const Check& check) {
 }  // namespace
 
 JudgedRun load_judged_run(const std::filesystem::path& run_folder) {
-  const Json summary = Json::parse(read_file(run_folder / "summary.json"));
-  const Json timing = Json::parse(read_file(run_folder / "timing.json"));
+  const Json summary = read_json(run_folder / "summary.json");
+  const Json timing = read_json(run_folder / "timing.json");
   return {summary.at("seed").get<std::uint64_t>(), run_folder, metric_table(summary, timing),
           timing.at("wall_s").get<double>()};
 }

@@ -6,13 +6,20 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "tools/formats/file.hpp"
+
 namespace castaway::testbed {
+namespace {
+
+constexpr std::size_t kLongestLine = 16U << 20U;  // A few bytes of gzip may stand for any number.
+
+}  // namespace
 
 /// Bytes of a file, decompressed where it is gzipped.
 struct CarmenLogReader::Stream {
   explicit Stream(const std::filesystem::path& path) {
-    std::error_code ignored;  // A device may have no end, nor a line's.
-    if (!std::filesystem::is_character_file(path, ignored)) file = gzopen(path.c_str(), "rb");
+    require_regular_file(path);
+    file = gzopen(path.c_str(), "rb");
   }
   ~Stream() {
     if (file != nullptr) gzclose(file);
@@ -42,7 +49,7 @@ struct CarmenLogReader::Stream {
 
 CarmenLogReader::CarmenLogReader(const std::filesystem::path& path)
     : stream_(std::make_unique<Stream>(path)), name_(path.string()) {
-  if (stream_->file == nullptr || std::filesystem::is_directory(path)) {
+  if (stream_->file == nullptr) {
     throw std::runtime_error(name_ + ": cannot be read; check the path and its permissions");
   }
 }
@@ -58,6 +65,10 @@ bool CarmenLogReader::read_line() {
     const std::string_view rest(stream.buffer.data() + stream.begin, stream.end - stream.begin);
     const std::size_t newline = rest.find('\n');
     line_ += rest.substr(0, newline);
+    if (line_.size() > kLongestLine) {
+      throw std::runtime_error(fmt::format("{}:{}: a line of more than {} MiB: no CARMEN log",
+                                           name_, line_number_ + 1, kLongestLine >> 20U));
+    }
     stream.begin += newline == std::string_view::npos ? rest.size() : newline + 1;
     if (newline != std::string_view::npos) return true;
   }

@@ -11,13 +11,21 @@
 
 namespace castaway::testbed {
 
+void require_regular_file(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  const char* kind = std::filesystem::is_directory(status) ? "a folder"
+                     : std::filesystem::is_fifo(status)    ? "a pipe"
+                                                           : "a device";
+  throw std::runtime_error(
+      fmt::format("{}: cannot be read: it is {}; name a file", path.string(), kind));
+}
+
 std::string read_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_character_file(path, ignored)) {
-    throw std::runtime_error(fmt::format("{}: is a device; name a file", path.string()));
-  }
+  require_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
+  if (!stream) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read; check the path and its permissions", path.string()));
   }

@@ -8,7 +8,11 @@
 
 namespace castaway::testbed {
 
-/// The bytes of a file. Throws std::runtime_error naming it if it cannot be read.
+/// Throws std::runtime_error naming a path that is there and no regular file: a pipe or a device
+/// may keep its reader waiting for ever.
+void require_regular_file(const std::filesystem::path& path);
+
+/// The bytes of a regular file. Throws std::runtime_error naming it if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears under its name when it is complete, and never otherwise: written under a

@@ -7,18 +7,29 @@
 
 #include <fmt/format.h>
 
+#include "tools/formats/file.hpp"
 #include "tools/formats/mcap_chunk.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 constexpr std::uint64_t kMostOfNames = 1 << 16;
+constexpr std::uint64_t kLargestRecord = std::uint64_t{256} << 20U;
+
+/// Kinds that are looked into; all others are passed over.
+bool is_read(McapOpcode opcode) {
+  return opcode == McapOpcode::kSchema || opcode == McapOpcode::kChannel ||
+         opcode == McapOpcode::kMessage || opcode == McapOpcode::kChunk ||
+         opcode == McapOpcode::kMetadata;
+}
 
 }  // namespace
 
 McapReader::McapReader(const std::filesystem::path& path)
-    : stream_(std::make_unique<std::ifstream>(path, std::ios::binary)), name_(path.string()) {
-  if (!*stream_ || std::filesystem::is_directory(path)) {
+    : stream_(
+          (require_regular_file(path), std::make_unique<std::ifstream>(path, std::ios::binary))),
+      name_(path.string()) {
+  if (!*stream_) {
     throw std::runtime_error(name_ + ": cannot be read; check the path and its permissions");
   }
   open();
@@ -108,9 +119,13 @@ bool McapReader::read_record() {
     take_attachment(head->length);
   } else if (head->opcode == McapOpcode::kDataEnd || head->opcode == McapOpcode::kFooter) {
     note_end("the file ends without its closing bytes, unfinished");
-  } else if (head->opcode == McapOpcode::kMessageIndex) {
+  } else if (!is_read(head->opcode)) {
     position_ += head->length;
   } else {
+    if (head->length > kLargestRecord) {
+      fail(fmt::format("a record of {} MiB: at most {} are read", head->length >> 20U,
+                       kLargestRecord >> 20U));
+    }
     take(head->opcode, read_bytes(head->length));
   }
   return !done_;

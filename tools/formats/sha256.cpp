@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include "tools/formats/file.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -47,6 +49,7 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& file) {
+  require_regular_file(file);
   std::ifstream stream(file, std::ios::binary);
   Digest digest;
   std::array<char, 1 << 16> buffer{};

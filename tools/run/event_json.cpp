@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/formats/json_file.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -36,6 +38,7 @@ std::string event_json(const RunEvent& event) {
 }
 
 std::optional<RunEvent> event_of_json(const std::string& text) {
+  if (nests_too_deep(text)) return std::nullopt;
   const Json json = Json::parse(text, nullptr, false);
   try {
     RunEvent event;

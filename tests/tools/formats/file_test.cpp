@@ -1,8 +1,13 @@
 #include "tools/formats/file.hpp"
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
+#include "tools/formats/carmen_log.hpp"
+#include "tools/formats/mcap_reader.hpp"
+#include "tools/formats/sha256.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -35,7 +40,18 @@ TEST(File, KeepsTheOldOneUntilTheNewOneIsComplete) {
   EXPECT_EQ(read_file(path), "new");
 }
 
-TEST(File, IsNoDevice) { EXPECT_THROW(read_file("/dev/zero"), std::runtime_error); }
+TEST(File, IsNoDevicePipeOrFolder) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero"), folder.path().string()}) {
+    const std::string expected = path + ": cannot be read: it is a";
+    EXPECT_TRUE(contains(error_of([&] { read_file(path); }), expected)) << path;
+    EXPECT_TRUE(contains(error_of([&] { sha256_of_file(path); }), expected)) << path;
+    EXPECT_TRUE(contains(error_of([&] { CarmenLogReader reader(path); }), expected)) << path;
+    EXPECT_TRUE(contains(error_of([&] { McapReader reader(path); }), expected)) << path;
+  }
+}
 
 TEST(File, NamesWhatCannotBeReadOrWritten) {
   EXPECT_TRUE(

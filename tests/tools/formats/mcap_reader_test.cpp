@@ -2,6 +2,10 @@
 
 #include <sstream>
 
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/mcap_file.hpp"
@@ -132,6 +136,30 @@ TEST(McapReader, BelievesNoSize) {
   std::string long_record = bytes;
   long_record.replace(8 + 1, 8, huge);  // The header's length.
   EXPECT_TRUE(contains(error_of([&] { read_all(long_record); }), "more than the file has left"));
+}
+
+TEST(McapReader, ReadsNoRecordOfGigabytesThatIsThere) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "sparse.mcap";
+  write_texts(path, {}, 3);
+  const auto size = std::filesystem::file_size(path);
+  const std::uint64_t huge = std::uint64_t{6} << 30U;
+  for (const char kind : {'\x04', '\x05', '\x90'}) {  // A channel, a message, one of its own.
+    std::filesystem::resize_file(path, size + huge);  // Sparse: it takes no room.
+    std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(static_cast<std::streamoff>(kMcapMagic.size()));
+    file.put(kind);
+    file.write(reinterpret_cast<const char*>(&huge), sizeof huge);
+    file.seekp(static_cast<std::streamoff>(size + huge - kMcapMagic.size()));
+    file << kMcapMagic;
+    file.close();
+    const std::string what = error_of([&] {
+      McapReader reader(path);
+      while (reader.next()) {
+      }
+    });
+    EXPECT_TRUE(contains(what, kind == '\x90' ? "its kind is 0" : "a record of 6144 MiB")) << what;
+  }
 }
 
 TEST(McapReader, SaysThatAFileIsOfAnotherKind) {
