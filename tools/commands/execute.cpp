@@ -53,6 +53,7 @@ void add_recording(const RunPlan& plan, const std::filesystem::path& folder, Sta
   if (!plan.report || !plan.player) return;
   RecordingConfig config;
   config.robot_radius_m = plan.picture_world.robot_radius;
+  config.scan_every_s = scan_period(seconds(duration));
   config.detail_every_s = detail_period(seconds(duration));
   sinks.push_back(std::make_unique<RecordingSink>(folder, plan.info, plan.map, config));
 }

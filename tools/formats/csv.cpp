@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
+#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -97,19 +98,49 @@ std::size_t CsvTable::column(const std::string& name) const {
   return static_cast<std::size_t>(found - header.begin());
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  std::string_view text = bytes;
-  CsvTable table;
-  table.header = take_row(text);
-  while (!text.empty()) {
-    table.rows.push_back(take_row(text));
-    if (table.rows.back().size() != table.header.size()) {
-      throw std::runtime_error(fmt::format("{}:{}: {} cells where the header has {}", path.string(),
-                                           table.rows.size() + 1, table.rows.back().size(),
-                                           table.header.size()));
-    }
+CsvReader::CsvReader(const std::filesystem::path& path) : path_(path) {
+  require_regular_file(path);
+  stream_.open(path, std::ios::binary);
+  if (!stream_) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read; check the path and its permissions", path.string()));
   }
+  header_ = take();
+}
+
+/// The next row; without any cell at the end. A line break within quotes belongs to its cell.
+std::vector<std::string> CsvReader::take() {
+  constexpr std::size_t kLongest = 1U << 20U;
+  std::string text;
+  std::string line;
+  bool quoted = false;
+  bool any = false;
+  while ((!any || quoted) && std::getline(stream_, line)) {
+    text += (any ? "\n" : "") + line;
+    any = true;
+    quoted = quoted != (std::count(line.begin(), line.end(), '"') % 2 != 0);
+    if (text.size() <= kLongest) continue;
+    throw std::runtime_error(
+        fmt::format("{}:{}: a row of more than 1 MiB; no table of ours", path_.string(), row_ + 1));
+  }
+  if (!any) return {};
+  ++row_;
+  std::string_view rest = text;
+  return take_row(rest);
+}
+
+std::optional<std::vector<std::string>> CsvReader::next() {
+  std::vector<std::string> cells = take();
+  if (cells.empty()) return std::nullopt;
+  if (cells.size() == header_.size()) return cells;
+  throw std::runtime_error(fmt::format("{}:{}: {} cells where the header has {}", path_.string(),
+                                       row_, cells.size(), header_.size()));
+}
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  CsvReader reader(path);
+  CsvTable table{reader.header(), {}};
+  while (auto row = reader.next()) table.rows.push_back(std::move(*row));
   return table;
 }
 

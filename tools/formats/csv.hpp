@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,25 @@ class CsvWriter {
   std::string row_;
 };
 
+/// Reads a table row by row. Throws std::runtime_error "file:line: ..." where a row has not as many
+/// cells as the header.
+class CsvReader {
+ public:
+  explicit CsvReader(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
+  /// Nothing at the end.
+  std::optional<std::vector<std::string>> next();
+
+ private:
+  std::vector<std::string> take();
+
+  std::filesystem::path path_;
+  std::ifstream stream_;
+  std::vector<std::string> header_;
+  std::size_t row_ = 0;
+};
+
 /// A table in memory.
 struct CsvTable {
   std::vector<std::string> header;
@@ -48,8 +68,7 @@ struct CsvTable {
   [[nodiscard]] std::size_t column(const std::string& name) const;
 };
 
-/// Reads a table. Throws std::runtime_error "file:line: ..." where a row has not as many cells as
-/// the header.
+/// Reads a whole table.
 CsvTable read_csv(const std::filesystem::path& path);
 
 /// The number in a cell, nothing if it is empty. Throws std::runtime_error if it is something else.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kGzipWindow = 15 + 16;  // zlib's sign for a gzip header.
 constexpr std::size_t kBlock = 1U << 16U;
+constexpr std::size_t kMostBytes = 1U << 30U;  // A few bytes may stand for any number of them.
 
 /// zlib reads its input through a pointer to non-const bytes and leaves them as they are.
 void set_input(z_stream& stream, std::string_view bytes) {
@@ -27,7 +28,7 @@ std::string pump(z_stream& stream, Step step, int& result) {
     stream.avail_out = static_cast<uInt>(block.size());
     result = step(&stream);
     out.append(block.data(), block.size() - stream.avail_out);
-  } while (result == Z_OK);
+  } while (result == Z_OK && out.size() <= kMostBytes);
   return out;
 }
 

@@ -1,79 +1,87 @@
 #include "tools/report/run_folder.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "tools/formats/csv.hpp"
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/report/thinned_curve.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 using localization::SE2;
-using Json = nlohmann::ordered_json;
+constexpr std::size_t kMostRows = 40000;  // Of a localizer; over an hour at 10 Hz.
 
-Json read_json(const std::filesystem::path& path) {
-  try {
-    return Json::parse(read_file(path));
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(path.string() + ": broken JSON, run it again: " + error.what());
-  }
-}
-
-/// Rows of a table, addressed by column names.
-class Table {
+/// Cells of a row, addressed by the names of their columns.
+class Row {
  public:
-  explicit Table(const std::filesystem::path& path) : path_(path), table_(read_csv(path)) {}
+  Row(const std::filesystem::path& path, const std::map<std::string, std::size_t>& columns,
+      const std::vector<std::string>& cells)
+      : path_(path), columns_(columns), cells_(cells) {}
 
-  [[nodiscard]] std::size_t size() const { return table_.rows.size(); }
-  [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const {
-    return table_.rows[row][table_.column(column)];
+  [[nodiscard]] const std::string& text(const std::string& column) const {
+    const auto found = columns_.find(column);
+    if (found != columns_.end()) return cells_[found->second];
+    throw std::runtime_error(path_.string() + ": the table has no column '" + column + "'");
   }
-  [[nodiscard]] std::optional<double> number(std::size_t row, const std::string& column) const {
+  [[nodiscard]] std::optional<double> number(const std::string& column) const {
     try {
-      return csv_number(text(row, column));
+      return csv_number(text(column));
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(path_.string() + ": " + column + ": " + error.what());
     }
   }
-  [[nodiscard]] std::optional<SE2> pose(std::size_t row, const std::string& prefix) const {
-    const auto x = number(row, prefix + "x_m");
-    const auto y = number(row, prefix + "y_m");
-    const auto yaw = number(row, prefix + "yaw_rad");
+  [[nodiscard]] std::optional<SE2> pose(const std::string& prefix) const {
+    const auto x = number(prefix + "x_m");
+    const auto y = number(prefix + "y_m");
+    const auto yaw = number(prefix + "yaw_rad");
     return x && y && yaw ? std::optional<SE2>({*x, *y, *yaw}) : std::nullopt;
   }
 
  private:
-  std::filesystem::path path_;
-  CsvTable table_;
+  const std::filesystem::path& path_;
+  const std::map<std::string, std::size_t>& columns_;
+  const std::vector<std::string>& cells_;
 };
 
-ReportCurve& curve_of(std::vector<ReportCurve>& curves, const std::string& localizer) {
-  const auto found = std::find_if(curves.begin(), curves.end(), [&](const ReportCurve& curve) {
-    return curve.localizer == localizer;
+/// Calls `visit(row)` for every row of a table.
+template <typename Visit>
+void for_each_row(const std::filesystem::path& path, Visit visit) {
+  CsvReader reader(path);
+  std::map<std::string, std::size_t> columns;
+  for (std::size_t i = 0; i < reader.header().size(); ++i) columns.emplace(reader.header()[i], i);
+  while (const auto cells = reader.next()) visit(Row(path, columns, *cells));
+}
+
+std::vector<ReportCurve> read_curves(const std::filesystem::path& path) {
+  std::vector<std::pair<std::string, ThinnedCurve>> curves;
+  for_each_row(path, [&](const Row& row) {
+    const std::string& name = row.text("localizer");
+    auto found = std::find_if(curves.begin(), curves.end(),
+                              [&](const auto& curve) { return curve.first == name; });
+    if (found == curves.end()) {
+      found = curves.emplace(curves.end(), name, ThinnedCurve(kMostRows));
+    }
+    found->second.add({row.number("stamp_s").value_or(0.0), row.pose("true_"), row.pose(""),
+                       row.number("position_error_m"), row.number("yaw_error_rad"),
+                       row.number("quality")});
   });
-  if (found != curves.end()) return *found;
-  return curves.emplace_back(ReportCurve{localizer, {}});
+  std::vector<ReportCurve> result;
+  for (auto& [name, curve] : curves) result.push_back({name, curve.take()});
+  return result;
 }
 
-std::vector<ReportCurve> read_curves(const Table& table) {
-  std::vector<ReportCurve> curves;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    curve_of(curves, table.text(i, "localizer"))
-        .rows.push_back({table.number(i, "stamp_s").value_or(0.0), table.pose(i, "true_"),
-                         table.pose(i, ""), table.number(i, "position_error_m"),
-                         table.number(i, "yaw_error_rad"), table.number(i, "quality")});
-  }
-  return curves;
-}
-
-std::vector<ReportEvent> read_events(const Table& table) {
+std::vector<ReportEvent> read_events(const std::filesystem::path& path) {
   std::vector<ReportEvent> events;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    events.push_back({table.number(i, "stamp_s").value_or(0.0), table.text(i, "kind"),
-                      table.text(i, "detail"), table.text(i, "localizer"),
-                      table.number(i, "time_s"), table.pose(i, "from_"), table.pose(i, "to_")});
-  }
+  for_each_row(path, [&](const Row& row) {
+    events.push_back({row.number("stamp_s").value_or(0.0), row.text("kind"), row.text("detail"),
+                      row.text("localizer"), row.number("time_s"), row.pose("from_"),
+                      row.pose("to_")});
+  });
   return events;
 }
 
@@ -100,8 +108,8 @@ RunFolder load_run_folder(const std::filesystem::path& folder) {
   }
   const auto timing = folder / "timing.json";
   if (std::filesystem::exists(timing)) run.timing = read_json(timing);
-  run.curves = read_curves(Table(folder / "errors.csv"));
-  run.events = read_events(Table(folder / "events.csv"));
+  run.curves = read_curves(folder / "errors.csv");
+  run.events = read_events(folder / "events.csv");
   read_pictures(folder / "snapshots", run);
   const auto recording = folder / "recording.gz";
   if (std::filesystem::exists(recording)) run.recording = read_file(recording);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "tools/formats/gzip.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/varint.hpp"
 
 namespace castaway::testbed {
@@ -10,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kMostSide = 32768;  // As pictures of maps.
+constexpr int kMostCells = 1 << 29;
 constexpr std::string_view kFirstLine = "castaway recording 1\n";
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -22,8 +25,9 @@ Json parse_header(std::string_view bytes, std::size_t& at) {
   const std::size_t end = bytes.find('\n', kFirstLine.size());
   if (end == std::string_view::npos) refuse("it ends in its header");
   at = end + 1;
-  const Json header =
-      Json::parse(bytes.substr(kFirstLine.size(), end - kFirstLine.size()), nullptr, false);
+  const std::string_view text = bytes.substr(kFirstLine.size(), end - kFirstLine.size());
+  if (nests_too_deep(text)) refuse("its header is broken");
+  const Json header = Json::parse(text, nullptr, false);
   if (header.is_discarded() || !header.contains("sections")) refuse("its header is broken");
   return header;
 }
@@ -82,6 +86,10 @@ RosMap map_of(const Recording& recording) {
   map.origin_x = header.at("origin").at(0).get<double>();
   map.origin_y = header.at("origin").at(1).get<double>();
   map.origin_yaw = header.at("origin").at(2).get<double>();
+  if (map.width < 1 || map.height < 1 || map.width > kMostSide || map.height > kMostSide ||
+      map.width > kMostCells / map.height) {
+    refuse("its map has no sensible size");
+  }
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   for (VarintReader reader(recording.sections.at("map")); !reader.done();) {
     const auto value = static_cast<std::int8_t>(static_cast<int>(reader.next()) - 1);

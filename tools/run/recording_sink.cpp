@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 using localization::Estimate;
 
 constexpr double kMostDetails = 6000.0;
+constexpr double kMostScans = 60000.0;
 constexpr std::array<const char*, 4> kBelief{"/quality", "/probability", "/sigma", "/sigma_yaw"};
 
 std::string of_localizer(std::size_t index) { return std::to_string(index); }
@@ -60,6 +61,11 @@ double detail_period(double duration_s) {
   return period_s > 0.1 ? period_s : 0.0;
 }
 
+double scan_period(double duration_s) {
+  const double period_s = duration_s / kMostScans;
+  return period_s > 0.1 ? period_s : 0.0;
+}
+
 RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunInfo& info,
                              const RosMap& map, const RecordingConfig& config)
     : file_(run_folder / "recording.gz"),
@@ -80,11 +86,13 @@ bool RecordingSink::is_torn(const ScanRecord& record) const {
   });
 }
 
-bool RecordingSink::is_detail(const ScanRecord& record) {
-  if (config_.detail_every_s <= 0.0) return true;
-  const auto [next, first] = next_detail_.try_emplace(record.scan.lidar, record.stamp);
-  if (record.stamp < next->second) return false;
-  next->second += localization::from_seconds(config_.detail_every_s);
+/// Whether it is time for another scan of a lidar, and when it is for the one after.
+bool RecordingSink::is_due(const ScanRecord& record, double every_s,
+                           std::map<std::string, Stamp>& next) {
+  if (every_s <= 0.0) return true;
+  const auto [due, first] = next.try_emplace(record.scan.lidar, record.stamp);
+  if (record.stamp < due->second) return false;
+  due->second += localization::from_seconds(every_s);
   return true;
 }
 
@@ -153,6 +161,7 @@ void RecordingSink::add_detail(const ScanRecord& record) {
 
 void RecordingSink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == header_["localizers"].size());
+  if (!is_due(record, config_.scan_every_s, next_scan_)) return;
   columns_["time"].add(quantized(seconds(record.stamp), kRecordingTime));
   columns_["flags"].add((record.T_map_base_true ? 1 : 0) + (is_torn(record) ? 2 : 0));
   if (record.T_map_base_true) {
@@ -163,7 +172,7 @@ void RecordingSink::on_scan(const ScanRecord& record) {
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     add_localizer(i, record.localizers[i]);
   }
-  if (is_detail(record)) add_detail(record);
+  if (is_due(record, config_.detail_every_s, next_detail_)) add_detail(record);
   ++scans_;
 }
 

@@ -16,6 +16,7 @@ namespace castaway::testbed {
 /// How much a recording keeps.
 struct RecordingConfig {
   double robot_radius_m = 0.2;    ///< [m] Of the outlines that stand for robot and estimates.
+  double scan_every_s = 0.0;      ///< [s] Scans are kept this often; 0: all of them.
   double detail_every_s = 0.0;    ///< [s] Beams, particles and people this often; 0: at all scans.
   std::size_t most_beams = 360;   ///< Of a scan.
   std::size_t most_points = 300;  ///< Particles of a localizer at a scan.
@@ -24,6 +25,9 @@ struct RecordingConfig {
 /// Seconds between details so that a run of `duration_s` has some 6000 of them at most: a page of a
 /// long run stays as small as that of ten minutes. [s]
 double detail_period(double duration_s);
+
+/// Likewise for scans, some 60 000 of a lidar. [s]
+double scan_period(double duration_s);
 
 /// Writes the recording: poses, beliefs and flags at all scans; beams, particles and people at
 /// those that are details. Sections, all columns of numbers (`IntColumn`) with one entry a scan in
@@ -51,7 +55,7 @@ class RecordingSink final : public RunSink {
 
  private:
   [[nodiscard]] bool is_torn(const ScanRecord& record) const;
-  [[nodiscard]] bool is_detail(const ScanRecord& record);
+  static bool is_due(const ScanRecord& record, double every_s, std::map<std::string, Stamp>& next);
   [[nodiscard]] std::size_t lidar_of(const LaserScan& scan, std::size_t stride);
   void add_pose(const std::string& prefix, const SE2& pose);
   void repeat_pose(const std::string& prefix);
@@ -67,6 +71,7 @@ class RecordingSink final : public RunSink {
   std::map<std::string, IntColumn> columns_;  ///< By name.
   std::map<std::string, std::string> blocks_;
   std::vector<RunEvent> kidnaps_;
+  std::map<std::string, Stamp> next_scan_;    ///< By lidar.
   std::map<std::string, Stamp> next_detail_;  ///< By lidar.
   std::int64_t scans_ = 0;
 };

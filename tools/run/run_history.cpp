@@ -18,6 +18,7 @@ void RunHistory::add(const OdometryFrame& frame) {
 void RunHistory::add(const ScanRecord& record) {
   assert(record.localizers.size() == rows.size());
   first_stamp = std::min(first_stamp, record.stamp);
+  if (scans++ % stride != 0) return;
   if (rows.empty()) {
     MetricRow row;
     row.stamp = record.stamp;
@@ -45,6 +46,18 @@ void RunHistory::add(const ScanRecord& record) {
                          [](Stamp stamp, const MetricRow& other) { return stamp < other.stamp; });
     rows[i].insert(after, row);
   }
+  thin();
+}
+
+void RunHistory::thin(std::size_t most) {
+  const auto halve = [](std::vector<MetricRow>& all) {
+    for (std::size_t i = 0; 2 * i < all.size(); ++i) all[i] = all[2 * i];
+    all.resize((all.size() + 1) / 2);
+  };
+  if ((rows.empty() ? path : rows.front()).size() <= most) return;
+  for (auto& localizer : rows) halve(localizer);
+  halve(path);
+  stride *= 2;
 }
 
 }  // namespace castaway::testbed

@@ -14,24 +14,25 @@ using Json = nlohmann::ordered_json;
 
 double milliseconds(std::chrono::nanoseconds time) { return 1e3 * seconds(time); }
 
-Json update_figures(std::vector<double> sample) {
-  const auto figures = statistics(sample);
+Json update_figures(const ThinnedSample& sample) {
+  const auto figures = statistics(sample.values());
   if (!figures) return {{"mean", nullptr}, {"median", nullptr}, {"p99", nullptr}, {"max", nullptr}};
-  std::sort(sample.begin(), sample.end());
-  return {{"mean", figures->mean},
+  std::vector<double> sorted = sample.values();
+  std::sort(sorted.begin(), sorted.end());
+  return {{"mean", sample.mean()},
           {"median", figures->median},
-          {"p99", percentile(sample, 0.99)},
-          {"max", figures->max}};
+          {"p99", percentile(sorted, 0.99)},
+          {"max", sample.max()}};
 }
 
 }  // namespace
 
 TimingSink::TimingSink(std::filesystem::path run_folder, RunInfo info)
     : run_folder_(std::move(run_folder)),
-      history_(std::move(info)),
+      info_(std::move(info)),
       csv_(run_folder_ / "timing.csv", {"stamp_s", "localizer", "stage", "cpu_ms"}),
-      update_ms_(history_.info.localizers.size()),
-      stage_ms_(history_.info.localizers.size()) {}
+      update_ms_(info_.localizers.size()),
+      stage_ms_(info_.localizers.size()) {}
 
 void TimingSink::on_scan(const ScanRecord& record) {
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
@@ -43,16 +44,16 @@ void TimingSink::on_scan(const ScanRecord& record) {
     row("update", localizer.update_cpu);
     for (const auto& [stage, time] : localizer.stage_cpu) {
       row(stage, time);
-      if (time.count() > 0) stage_ms_[i][stage].push_back(milliseconds(time));
+      if (time.count() > 0) stage_ms_[i][stage].add(milliseconds(time));
     }
-    update_ms_[i].push_back(milliseconds(localizer.update_cpu));
+    update_ms_[i].add(milliseconds(localizer.update_cpu));
   }
-  history_.add(record);
+  note(record.stamp);
 }
 
 void TimingSink::finish(Stamp end, const RunTiming& timing) {
   csv_.commit();
-  const double simulated = seconds(end - std::min(history_.first_stamp, end));
+  const double simulated = seconds(end - std::min(first_stamp_, end));
   Json root;
   root["wall_s"] = timing.wall_s;
   root["load_s"] = timing.load_s;
@@ -63,12 +64,12 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
   root["memory_mb"] = {{"peak", peak_memory_mb()}};
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < update_ms_.size(); ++i) {
-    Json& localizer = root["localizers"][history_.info.localizers[i]];
+    Json& localizer = root["localizers"][info_.localizers[i]];
     localizer["update_ms"] = update_figures(update_ms_[i]);
     localizer["stages_ms"] = Json::object();
     for (const auto& [stage, sample] : stage_ms_[i]) {
       localizer["stages_ms"][stage] = update_figures(sample);
-      localizer["stages_ms"][stage]["scans"] = sample.size();
+      localizer["stages_ms"][stage]["scans"] = sample.count();
     }
   }
   write_file(run_folder_ / "timing.json", root.dump(2) + "\n");

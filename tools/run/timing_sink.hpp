@@ -2,13 +2,15 @@
 /// one repetition to the next.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "tools/formats/csv.hpp"
-#include "tools/run/run_history.hpp"
+#include "tools/run/run_sink.hpp"
+#include "tools/run/thinned_sample.hpp"
 
 namespace castaway::testbed {
 
@@ -20,17 +22,20 @@ class TimingSink final : public RunSink {
  public:
   TimingSink(std::filesystem::path run_folder, RunInfo info);
 
-  void on_event(const RunEvent& event) override { history_.add(event); }
-  void on_odometry(const OdometryFrame& frame) override { history_.add(frame); }
+  void on_event(const RunEvent& event) override { note(event.stamp); }
+  void on_odometry(const OdometryFrame& frame) override { note(frame.odometry.stamp); }
   void on_scan(const ScanRecord& record) override;
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
   std::filesystem::path run_folder_;
-  RunHistory history_;
+  void note(Stamp stamp) { first_stamp_ = std::min(first_stamp_, stamp); }
+
+  RunInfo info_;
+  Stamp first_stamp_ = Stamp::max();  // Of all that was delivered.
   CsvWriter csv_;
-  std::vector<std::vector<double>> update_ms_;                        // By localizer.
-  std::vector<std::map<std::string, std::vector<double>>> stage_ms_;  // By localizer and stage.
+  std::vector<ThinnedSample> update_ms_;                        // By localizer.
+  std::vector<std::map<std::string, ThinnedSample>> stage_ms_;  // By localizer and stage.
 };
 
 }  // namespace castaway::testbed

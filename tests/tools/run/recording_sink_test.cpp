@@ -84,6 +84,8 @@ TEST(RecordingSink, KeepsDetailsOfLongRunsLessOften) {
   EXPECT_EQ(detail_period(120.0), 0.0);
   EXPECT_EQ(detail_period(600.0), 0.0);
   EXPECT_DOUBLE_EQ(detail_period(3600.0), 0.6);
+  EXPECT_EQ(scan_period(3600.0), 0.0);
+  EXPECT_DOUBLE_EQ(scan_period(86400.0), 1.44);
   RecordingConfig config;
   config.detail_every_s = 1.5;
   const Recording recording = unpack_recording(file_of(three_records(), config));

@@ -16,6 +16,20 @@ TEST(RunHistory, KeepsRowsByStampHoweverScansAreDelivered) {
   }
 }
 
+TEST(RunHistory, LeavesOutEverySecondRowWhereThereAreTooMany) {
+  RunHistory history(run_of({"a"}));
+  for (int i = 0; i < 9; ++i) history.add(record_at(0.1 * i, {"a"}));
+  history.thin(9);
+  EXPECT_EQ(history.rows[0].size(), 9U);
+  history.thin(8);
+  ASSERT_EQ(history.rows[0].size(), 5U);
+  EXPECT_EQ(history.rows[0][1].stamp, record_at(0.2, {"a"}).stamp);
+  history.add(record_at(0.9, {"a"}));  // One that is left out, too.
+  history.add(record_at(1.0, {"a"}));
+  ASSERT_EQ(history.rows[0].size(), 6U);
+  EXPECT_EQ(history.rows[0][5].stamp, record_at(1.0, {"a"}).stamp);
+}
+
 TEST(RunHistory, RowsHoldWhatTheEstimateSaysOfItself) {
   RunHistory history(run_of({"a", "silent"}));
   ScanRecord record = record_at(0.0, {"a", "silent"});

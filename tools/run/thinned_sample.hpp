@@ -1,0 +1,31 @@
+/// A sample that grows no further than it must, however long a run is.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace castaway::testbed {
+
+/// Gathers numbers. Once there are more than `most`, every second one is left out, and so are those
+/// that follow; how many there were, their sum and the largest are exact.
+class ThinnedSample {
+ public:
+  explicit ThinnedSample(std::size_t most = 100000) : most_(most) {}
+
+  void add(double value);
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] double mean() const { return sum_ / static_cast<double>(count_); }
+  [[nodiscard]] double max() const { return max_; }
+  /// What is left, in the order that it came in.
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+ private:
+  std::size_t most_;
+  std::size_t stride_ = 1;
+  std::size_t count_ = 0;
+  double sum_ = 0.0;
+  double max_ = 0.0;
+  std::vector<double> values_;
+};
+
+}  // namespace castaway::testbed
