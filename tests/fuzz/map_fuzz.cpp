@@ -1,0 +1,23 @@
+// Pictures of maps, up to the fields that a localizer makes of them.
+
+#include <optional>
+#include <stdexcept>
+
+#include "localization/mh_amcl.hpp"
+#include "tests/fuzz/fuzz_input.hpp"
+#include "tools/formats/gray_image.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/run/map_conversion.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace castaway;
+  try {
+    const testbed::GrayImage image = testbed::load_gray_image(testbed::as_file(data, size, ".pgm"));
+    if (image.pixels.size() > 1000000) return 0;  // Large is no error; it only takes its time.
+    const testbed::RosMap map = testbed::make_ros_map(image, {}, "fuzz");
+    localization::MhAmcl({}, testbed::to_occupancy_grid(map), 1).initialize(std::nullopt);
+  } catch (const std::runtime_error&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return 0;
+}
