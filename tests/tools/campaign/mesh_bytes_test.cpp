@@ -1,4 +1,4 @@
-#include "tools/run/mesh_bytes.hpp"
+#include "tools/campaign/mesh_bytes.hpp"
 
 #include <gtest/gtest.h>
 

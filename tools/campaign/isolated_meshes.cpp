@@ -1,4 +1,4 @@
-#include "tools/run/isolated_meshes.hpp"
+#include "tools/campaign/isolated_meshes.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -21,7 +21,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/mesh_file.hpp"
-#include "tools/run/mesh_bytes.hpp"
+#include "tools/campaign/mesh_bytes.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/run/isolated_meshes.hpp"
+#include "tools/campaign/isolated_meshes.hpp"
 
 #include <sys/stat.h>
 #include <sys/wait.h>
