@@ -66,13 +66,16 @@ bool is_steered(const UrdfFile& file, const LinkFrames& frames, const std::strin
   return false;
 }
 
-/// Also wheels that are not driven may steer: those of a car's front axle.
+/// Also wheels that are not driven may steer: those of a car's front axle. An arm's joints turn
+/// about the upright, too: what steers is called a wheel.
 bool any_steered(const UrdfFile& file, const LinkFrames& frames) {
   int steered = 0;
   for (const auto& [name, joint] : file.model->joints_) {
-    const bool rolls = joint->type == urdf::Joint::CONTINUOUS && joint->child_link_name != "";
-    const bool caster = holds(lower(name), "caster") || holds(lower(name), "castor");
-    if (!rolls || caster || steers(*joint, frames)) continue;
+    const std::string names = lower(name + " " + joint->child_link_name);
+    const bool wheel =
+        joint->type == urdf::Joint::CONTINUOUS && (holds(names, "wheel") || holds(names, "tire"));
+    const bool caster = holds(names, "caster") || holds(names, "castor");
+    if (!wheel || caster || steers(*joint, frames)) continue;
     steered += is_steered(file, frames, joint->child_link_name) ? 1 : 0;
   }
   return steered >= 2;

@@ -32,6 +32,12 @@ std::vector<std::string> all_search_paths(const RobotOptions& options) {
   return paths;
 }
 
+/// Without those that were given before: a mesh is both seen and collided with.
+void tell_once(std::vector<std::string>& warnings) {
+  std::set<std::string> told;
+  std::erase_if(warnings, [&](const std::string& text) { return !told.insert(text).second; });
+}
+
 /// The stages of loading share these.
 class RobotLoader {
  public:
@@ -64,6 +70,7 @@ class RobotLoader {
     measure_extent();
     if (robot_.wheels.size() > 2) steer_by_skidding();
     robot_.frames = frames_;
+    tell_once(robot_.warnings);
     return std::move(robot_);
   }
 

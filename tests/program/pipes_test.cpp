@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Place{"recording", "run/recording.gz", "report run"},
                     Place{"picture", "run/snapshots/t0.png", "report run"},
                     Place{"compared", "run/summary.json", "compare run run"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& place) { return std::string(place.param.name); });
 
 TEST(DeepJson, IsRefusedByReportAndCompare) {
   const fs::path folder = fresh_folder();

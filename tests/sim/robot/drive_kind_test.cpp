@@ -57,8 +57,8 @@ TEST_F(DriveKind, OfPluginsThatMoveSidewaysIsSaid) {
 TEST_F(DriveKind, OfACarIsSaid) {
   const std::string steering =
       "type=\"revolute\"><limit lower=\"-0.5\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/>";
-  const RobotModel car = load(hung_wheel("front_left", 0.1, 0.12, steering) +
-                              hung_wheel("front_right", 0.1, -0.12, steering) +
+  const RobotModel car = load(hung_wheel("front_left_wheel", 0.1, 0.12, steering) +
+                              hung_wheel("front_right_wheel", 0.1, -0.12, steering) +
                               wheel_urdf("l", -0.1, 0.12) + wheel_urdf("r", -0.1, -0.12));
   EXPECT_EQ(car.other_drive, "steered wheels");
   EXPECT_THAT(car.warnings, Contains(HasSubstr("turns on the spot as the robot cannot")));
@@ -71,6 +71,15 @@ TEST_F(DriveKind, OfAThousandWheelsIsRefused) {
              wheel_urdf("r" + std::to_string(i), 0.05 * i, -0.12);
   }
   EXPECT_THAT(error_text([&] { (void)load(parts); }), HasSubstr("1000 driven wheels: at most 20"));
+}
+
+TEST_F(DriveKind, IsNotMentionedForAnArmThatTurnsAboutTheUpright) {
+  const std::string shoulder =
+      "type=\"revolute\"><limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/>";
+  const RobotModel robot =
+      load(wheel_urdf("l", 0.0, 0.12) + wheel_urdf("r", 0.0, -0.12) +
+           hung_wheel("wrist", 0.1, 0.0, shoulder) + hung_wheel("elbow", -0.1, 0.0, shoulder));
+  EXPECT_EQ(robot.other_drive, "");
 }
 
 TEST_F(DriveKind, OfCastersWithMotorsTagsIsTheWheelsThatDrive) {
