@@ -49,8 +49,10 @@ Json empty_run() {
 }
 
 Json empty_timing(const std::vector<std::string>& localizers) {
-  Json timing{
-      {"wall_s", nullptr}, {"realtime_factor", nullptr}, {"memory_mb", {{"peak", nullptr}}}};
+  Json timing{{"wall_s", nullptr},
+              {"load_s", nullptr},
+              {"realtime_factor", nullptr},
+              {"memory_mb", {{"peak", nullptr}}}};
   for (const char* part : {"physics", "lidar", "people", "localizers", "sinks", "drive"}) {
     timing["cpu_s"][part] = nullptr;
   }

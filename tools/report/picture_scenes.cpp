@@ -21,26 +21,6 @@ Vector3f lifted(const Eigen::Vector2d& p, double z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
 }
 
-/// World, robot at its true pose, what moves, and lidar hits.
-sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record,
-                      const std::optional<SE2>& T_map_now) {
-  sim::Scene scene;
-  scene.items = world.world;
-  if (world.moving) {
-    for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
-  }
-  if (!record.T_map_base_true) return scene;
-  const Eigen::Isometry3f T_map_base =
-      localization::to_se3(T_map_now.value_or(*record.T_map_base_true)).cast<float>();
-  for (sim::SceneItem item : world.robot) {
-    item.T_map_mesh = T_map_base * item.T_map_mesh;
-    scene.items.push_back(std::move(item));
-  }
-  scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
-  add_ghosts(world, record, scene);
-  return scene;
-}
-
 /// A person on the map: the ellipse of its body with its nose.
 void add_person(const PersonTruth& person, sim::Scene& scene) {
   constexpr int kSides = 20;
@@ -105,6 +85,26 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene&
               scene_color(palette_color(kLocalizerColors, i)),
               kFloor + 0.004 * static_cast<double>(i), scene);
   }
+}
+
+/// World, robot at its true pose, what moves, and lidar hits.
+sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record,
+                      const std::optional<SE2>& T_map_now) {
+  sim::Scene scene;
+  scene.items = world.world;
+  if (world.moving) {
+    for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
+  }
+  if (!record.T_map_base_true) return scene;
+  const Eigen::Isometry3f T_map_base =
+      localization::to_se3(T_map_now.value_or(*record.T_map_base_true)).cast<float>();
+  for (sim::SceneItem item : world.robot) {
+    item.T_map_mesh = T_map_base * item.T_map_mesh;
+    scene.items.push_back(std::move(item));
+  }
+  scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
+  add_ghosts(world, record, scene);
+  return scene;
 }
 
 void add_particles(const localization::PopulationView& population, sim::Scene& scene) {
