@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
 #include "tools/output/file_record.hpp"
 
@@ -87,7 +88,7 @@ std::string sums_text(const std::vector<ManifestFile>& files) {
 std::vector<ManifestFile> read_manifest(const fs::path& file) {
   try {
     std::vector<ManifestFile> files;
-    const Json root = Json::parse(read_file(file));
+    const Json root = read_json(file);
     for (const Json& entry : root.at("files")) {
       files.push_back({checked_path(entry.at("path").get<std::string>()),
                        entry.at("bytes").get<std::uintmax_t>(),

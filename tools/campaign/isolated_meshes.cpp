@@ -84,7 +84,7 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
   if (getppid() != parent) _exit(1);
   forget_handlers();
   silence();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limits.time).count() + 1;
+  const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.time).count();
   limit(RLIMIT_CPU, static_cast<rlim_t>(seconds));
   limit(RLIMIT_AS, address_space() + limits.bytes);
   limit(RLIMIT_CORE, 0);
@@ -175,11 +175,12 @@ std::string reason(int status) {
 sim::TriangleMesh read_isolated(const std::string& path, const sim::MeshReader& read,
                                 const MeshLimits& limits) {
   Child child(path, read, limits);
-  const auto said = child.listen(Clock::now() + limits.time);
+  const auto patience = limits.time * 3 / 2;
+  const auto said = child.listen(Clock::now() + patience);
   const std::string failed = path + ": cannot read this mesh ";
   if (!said) {
     throw std::runtime_error(failed + fmt::format("(it takes longer than {} s)",
-                                                  static_cast<double>(limits.time.count()) / 1e3));
+                                                  static_cast<double>(patience.count()) / 1e3));
   }
   auto answer = mesh_answer(*said);
   if (!answer) throw std::runtime_error(failed + "(" + reason(child.wait()) + ")");

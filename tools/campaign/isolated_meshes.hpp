@@ -11,7 +11,7 @@ namespace castaway::testbed {
 
 /// What reading a mesh may take.
 struct MeshLimits {
-  std::chrono::milliseconds time{10000};      ///< Of the wall's clock; of the CPU the same.
+  std::chrono::milliseconds time{10000};  ///< Of the CPU; of the wall's clock half as much more.
   std::size_t bytes = std::size_t{1} << 30U;  ///< Of memory, over what this process has now.
 };
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
 
 namespace castaway::testbed {
@@ -118,7 +119,7 @@ std::optional<FileRecord> load_record(const fs::path& folder) {
   if (!fs::exists(file, none)) return std::nullopt;
   try {
     if (fs::file_size(file) > kMaxBytes) throw std::runtime_error("too long");
-    const Json root = Json::parse(read_file(file));
+    const Json root = read_json(file);
     if (!root.is_object() || !root.contains("castaway")) throw std::runtime_error("no list");
     return from_json(root);
   } catch (const std::exception&) {

@@ -9,6 +9,7 @@ namespace {
 constexpr double kLongest = 1e7;   // [s] 115 days.
 constexpr double kFarthest = 1e7;  // [m] UTM coordinates stay below.
 constexpr double kMostParticles = 200000;
+constexpr double kMostOfPopulation = 20000;  // Of which there may be a dozen.
 
 constexpr auto kRanges = std::to_array<NumberRange>({
     {"duration_s", 1e-3, kLongest, "s"},
@@ -95,8 +96,10 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"localizers.*.*.max_beams", 1.0, 1e5},
     {"localizers.*.*.max_range", 0.01, 1e4, "m"},
     {"localizers.*.*.laser_max_range", 0.01, 1e4, "m"},
-    {"localizers.*.*.min_particles", 1.0, kMostParticles},
-    {"localizers.*.*.max_particles", 1.0, kMostParticles},
+    {"localizers.*.amcl.min_particles", 1.0, kMostParticles},
+    {"localizers.*.amcl.max_particles", 1.0, kMostParticles},
+    {"localizers.*.mh_amcl.min_particles", 1.0, kMostOfPopulation},
+    {"localizers.*.mh_amcl.max_particles", 1.0, kMostOfPopulation},
     {"localizers.*.*.trans_per_m", 0.0, 100.0, "m per root of a metre"},
     {"localizers.*.*.trans_per_rad", 0.0, 100.0, "m per root of a radian"},
     {"localizers.*.*.rot_per_m", 0.0, 100.0, "rad per root of a metre"},

@@ -88,6 +88,16 @@ sdf::SDFPtr read_tree(const std::string& path, const sdf::ParserConfig& config) 
   return tree;
 }
 
+/// libsdformat lets some numbers' own exceptions (`stoi`) through.
+void load_tree(const std::string& path, const sdf::ParserConfig& config, sdf::Root& root) {
+  try {
+    throw_first(root.Load(read_tree(path, config), config), path);
+  } catch (const std::logic_error& error) {
+    throw std::runtime_error(
+        fmt::format("{}: a number in it is out of range ({})", path, error.what()));
+  }
+}
+
 bool is_floor(const WorldObject& object) { return bounds(object).max().z() <= kFloor; }
 
 /// Just the geometry: a margin would be open ground all round it.
@@ -115,7 +125,7 @@ SdfWorld load_sdf(const std::string& path, const std::vector<std::string>& searc
   const Silence silence;
   sdf::Root root;
   const sdf::ParserConfig config = quiet_config(finder, fs::absolute(path).parent_path());
-  throw_first(root.Load(read_tree(path, config), config), path);
+  load_tree(path, config, root);
   SdfBodies bodies(finder, path);
   SdfWorld result;
   result.spec.name = fs::path(path).stem().string();

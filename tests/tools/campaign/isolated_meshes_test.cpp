@@ -84,7 +84,7 @@ TEST(IsolatedMeshes, EndAReaderThatNeverDoes) {
     std::this_thread::sleep_for(std::chrono::hours(1));
     return {};
   };
-  EXPECT_THAT(said_of(sleep), HasSubstr("cannot read this mesh (it takes longer than 1.5 s)"));
+  EXPECT_THAT(said_of(sleep), HasSubstr("cannot read this mesh (it takes longer than 2.25 s)"));
   expect_no_children();
 }
 
