@@ -284,8 +284,7 @@ TEST_F(ScenarioFileTest, HasADefaultForEveryKey) {
 }
 
 TEST_F(ScenarioFileTest, RefusesADriverThatIsNotOfTheRun) {
-  EXPECT_TRUE(
-      contains(error_of([&] { (void)load("drive: {by: amlc}\n"); }), "did you mean 'amcl'?"));
+  expect_contains(error_of("drive: {by: amlc}\n"), "did you mean 'amcl'?");
   EXPECT_NO_THROW((void)load("drive: {by: amcl}\n"));
 }
 
