@@ -43,6 +43,7 @@ class Pipes : public testing::TestWithParam<Place> {
     write(folder_ / "run/errors.csv", "stamp_s,localizer\n");
     write(folder_ / "run/events.csv", "stamp_s,kind\n");
     write(folder_ / "d.yaml", "scenario: {world: lab}\n");
+    write(folder_ / "good.carmen", "ODOM 0 0 0 0 0 0 1 h 1\nFLASER 3 1 1 1 0 0 0 0 0 0 1 h 1\n");
     fs::create_directories(folder_ / "run/snapshots");
   }
   /// Puts something else in the file's place, and tries.
@@ -81,10 +82,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Place{"carmen_log", "l.carmen", "replay l.carmen --map map.yaml"},
                     Place{"bag", "b.mcap", "replay b.mcap --map map.yaml"},
                     Place{"bag_of", "b.mcap", "bag b.mcap"},
-                    Place{"map_of_replay", "map.yaml", "replay l.carmen --map map.yaml"},
+                    Place{"map_of_replay", "map.yaml", "replay good.carmen --map map.yaml"},
                     Place{"evaluate", "log/l.clf", "evaluate log"},
                     Place{"bench", "l.clf", "bench odometry l.clf"},
-                    Place{"dataset", "d.yaml", "dataset d.yaml"},
+                    Place{"dataset", "d.yaml", "dataset d.yaml --out ds"},
                     Place{"summary", "run/summary.json", "report run"},
                     Place{"errors", "run/errors.csv", "report run"},
                     Place{"events", "run/events.csv", "report run"},
