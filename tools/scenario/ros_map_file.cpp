@@ -34,7 +34,7 @@ RosMapHeader read_header(YamlReader& root) {
   RosMapHeader header;
   header.resolution = root.require<double>("resolution");
   if (!(header.resolution >= 0.001 && header.resolution <= 10.0)) {
-    root.find("resolution")->fail("must be from 0.001 to 10 (metres a cell)");
+    root.find("resolution")->fail("must be above 0, from 0.001 to 10 (metres a cell)");
   }
   const auto origin = root.require<Eigen::Vector3d>("origin");
   if (!(origin.cwiseAbs().maxCoeff() <= 1e7)) root.find("origin")->fail("lies beyond 1e7 m");
