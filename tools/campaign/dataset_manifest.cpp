@@ -88,7 +88,8 @@ std::string sums_text(const std::vector<ManifestFile>& files) {
 std::vector<ManifestFile> read_manifest(const fs::path& file) {
   try {
     std::vector<ManifestFile> files;
-    const Json root = read_json(file);
+    const std::string text = read_file(file);
+    const Json root = nests_too_deep(text) ? Json() : Json::parse(text);
     for (const Json& entry : root.at("files")) {
       files.push_back({checked_path(entry.at("path").get<std::string>()),
                        entry.at("bytes").get<std::uintmax_t>(),
