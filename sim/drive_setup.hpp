@@ -4,6 +4,7 @@
 #include "sim/navigation/navigator.hpp"
 #include "sim/navigation/people_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
+#include "sim/progress_watch.hpp"
 #include "sim/robot/twist_ramp.hpp"
 #include "sim/simulation.hpp"
 
@@ -20,5 +21,8 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot);
 
 /// What keeps a robot that drives by the truth off people.
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot);
+
+/// How far such a robot gets where nothing holds it up: slow ones get on in small steps.
+ProgressConfig progress_of(const DriveConfig& drive, const RobotModel& robot);
 
 }  // namespace castaway::sim

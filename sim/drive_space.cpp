@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/cell_index.hpp"
+#include "sim/world/floor.hpp"
 #include "sim/world/ground.hpp"
 #include "sim/world/rasterise.hpp"
 
@@ -24,7 +25,7 @@ Grid drive_grid(const SimulationConfig& config) {
   Grid grid = config.map;
   const double height = config.robot.height;
   const int slices = std::max(4, cell_index(std::ceil(height / kSliceStep)));
-  std::vector<double> heights{0.02};
+  std::vector<double> heights{kFloorTop + 0.001, 0.02};
   for (int i = 1; i <= slices; ++i) heights.push_back(height * i / slices);
   const std::vector<float> ground = ground_heights(config.world, grid);
   free_raised(grid, ground);

@@ -31,15 +31,25 @@ class DriveStage {
   /// What the robot's sensors delivered.
   void on_odometry(const OdometryReading& reading);
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);
+  /// True if the last command was to get the robot on: there is a route or a log to drive, nobody
+  /// is in the way, and what the robot believes about its pose is right.
+  [[nodiscard]] bool wants() const { return wants_; }
+  /// Waypoints that were reached so far.
+  [[nodiscard]] int passed() const { return navigator_ ? navigator_->passed() : route_->passed(); }
   /// Recoveries and emergency stops since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 
  private:
+  [[nodiscard]] bool believes_rightly(const Pose2& T_map_base) const;
+  [[nodiscard]] bool somebody_near(const Pose2& T_map_base, const PeopleStage& people) const;
+
   std::chrono::nanoseconds wait_;
   std::vector<TimedTwist> log_;
   std::optional<RouteRunner> route_;    ///< By the truth.
   std::optional<Navigator> navigator_;  ///< By the estimate.
   std::optional<Pose2> believed_;
+  double radius_;  ///< [m] Of the robot.
+  bool wants_ = false;
   std::chrono::nanoseconds next_{};
 };
 

@@ -90,20 +90,21 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
   if (input.people) scene.people = input.people();
   const auto target = kidnap_target(entry.spec, scene, rng);
   if (!target) return {};
-  if (takes_time(entry.spec)) return lifted(entry, input, target->T_map_base);
+  if (takes_time(entry.spec)) return lifted(entry, input, *target);
   power_cycle_ = entry.spec.power_cycle;
   KidnapOutcome outcome;
-  outcome.done = KidnapRecord{input.now,          entry.spec.kind, input.T_map_base,
-                              target->T_map_base, input.now,       target->unlikeness};
+  outcome.done = KidnapRecord{input.now, entry.spec.kind,    input.T_map_base, target->T_map_base,
+                              input.now, target->unlikeness, target->too_near};
   return outcome;
 }
 
 KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
-                                  const Pose2& T_map_to) {
+                                  const KidnapTarget& target) {
+  const Pose2& T_map_to = target.T_map_base;
   const Pose2& from = input.T_map_base;
   const auto path = plan_path(carry_space_, from.position(), T_map_to.position());
   const bool moves = entry.spec.kind == KidnapKind::kCarry && path;
-  KidnapRecord record{input.now, entry.spec.kind, from, T_map_to, input.now, {}};
+  KidnapRecord record{input.now, entry.spec.kind, from, T_map_to, input.now, {}, target.too_near};
   Lift lift(entry.spec.lift, from, T_map_to,
             moves ? *path : std::vector<Eigen::Vector2d>{from.position()});
   held_ = std::make_unique<Held>(Held{&entry.spec, record, std::move(lift)});

@@ -82,6 +82,7 @@ struct Simulation::State {
   KidnapStage kidnaps;
   DriveStage drive;
   PeopleStage people;
+  ProgressWatch progress;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
   double distance = 0.0;
@@ -101,7 +102,8 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       sensors(config, streams),
       kidnaps(config, landing, sensors.scene(), streams.named),
       drive(config, grid),
-      people(config, start, streams.named) {}
+      people(config, start, streams.named),
+      progress(progress_of(config.drive, config.robot)) {}
 
 template <typename Work>
 void Simulation::State::measured(const char* stage, Work work) {
@@ -124,6 +126,7 @@ void Simulation::State::kidnap() {
   if (outcome.done) {
     robot.teleport(outcome.done->T_map_to);
     people.on_kidnap(outcome.done->T_map_to);
+    progress.on_teleport();
     if (kidnaps.was_power_cycle()) sensors.reset_odometry();
     frames.push_back({now, *outcome.done});
   }
@@ -143,6 +146,8 @@ void Simulation::State::command() {
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
   commanded = drive.command(now, T_map_base, people);
   robot.set_command(commanded);
+  progress.update(
+      {now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(), drive.passed()});
   for (std::string& what : drive.take_events()) {
     frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
   }
@@ -238,6 +243,8 @@ Twist2 Simulation::commanded() const { return state_->commanded; }
 WheelAngles Simulation::wheels() const { return state_->robot.state().wheels; }
 
 std::int64_t Simulation::collisions() const { return state_->robot.collisions(); }
+
+std::optional<VoidRecord> Simulation::void_record() const { return state_->progress.verdict(); }
 
 double Simulation::distance_driven() const { return state_->distance; }
 

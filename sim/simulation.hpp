@@ -19,6 +19,7 @@
 #include "sim/geometry.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
+#include "sim/progress_watch.hpp"
 #include "sim/random.hpp"
 #include "sim/robot/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
@@ -135,6 +136,8 @@ class Simulation {
   [[nodiscard]] WheelAngles wheels() const;
   /// Contacts of the robot with the world begun so far, floor and people aside.
   [[nodiscard]] std::int64_t collisions() const;
+  /// Why the run is void, were it to end now; nothing: it is not.
+  [[nodiscard]] std::optional<VoidRecord> void_record() const;
   /// Way driven by the base so far, kidnaps aside. [m]
   [[nodiscard]] double distance_driven() const;
   /// The people as they are now, by their bodies and states; none: empty.

@@ -52,6 +52,7 @@ struct KidnapRecord {
   std::chrono::nanoseconds since{};  ///< It was taken; equals `stamp` where that takes no time.
   /// [m] Of kLookAlike: mean difference of the two scans' ranges, each at most 1 m.
   std::optional<double> unlikeness{};
+  bool too_near = false;  ///< No place was `min_distance_m` away: it is the farthest one.
 };
 
 /// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin": as logs and scenarios

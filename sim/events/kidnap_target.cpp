@@ -35,11 +35,29 @@ Found unless_occupied(const KidnapScene& scene, const Pose2& pose) {
   return is_clear(scene, pose) ? Found{{pose}} : std::nullopt;
 }
 
-[[noreturn]] void too_far(const KidnapSpec& spec, const Pose2& from) {
-  throw std::runtime_error(
-      fmt::format("kidnap {}: no free place {} m or more away from ({:.2f}, {:.2f}): lower "
-                  "min_distance_m",
-                  describe(spec.when), spec.min_distance_m, from.x, from.y));
+/// Where no place is far enough away: the farthest that is clear of people.
+Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+  const Grid& grid = scene.free.grid();
+  const Eigen::Vector2d from = scene.T_map_base.position();
+  std::optional<Pose2> best;
+  bool any = false;
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      if (grid.at(column, row) != Cell::kFree) continue;
+      any = true;
+      const Eigen::Vector2d p = center_of(grid, {column, row});
+      if (best && (p - from).norm() <= (best->position() - from).norm()) continue;
+      if (is_clear(scene, {p.x(), p.y(), 0.0})) best = Pose2{p.x(), p.y(), 0.0};
+    }
+  }
+  if (!any) {
+    throw std::runtime_error(fmt::format(
+        "kidnap {}: no free place for a robot of radius {:.2f} m: lower margin_m, or check the map",
+        describe(spec.when), scene.free.radius()));
+  }
+  if (!best) return std::nullopt;
+  best->yaw = between(-std::numbers::pi, std::numbers::pi, rng);
+  return Found{{*best, {}, true}};
 }
 
 Found given_target(const KidnapSpec& spec, const KidnapScene& scene) {
@@ -55,16 +73,16 @@ Found given_target(const KidnapSpec& spec, const KidnapScene& scene) {
 Found random_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   for (int i = 0; i < kDraws; ++i) {
     const auto pose = scene.free.sample(rng, scene.T_map_base.position(), spec.min_distance_m);
-    if (!pose) too_far(spec, scene.T_map_base);
+    if (!pose) return farthest_target(spec, scene, rng);
     if (is_clear(scene, *pose)) return Found{{*pose}};
   }
   return std::nullopt;
 }
 
-Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene) {
+Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   assert(scene.look_alikes != nullptr);
   const auto twin = scene.look_alikes->most_alike(scene.T_map_base, spec.min_distance_m);
-  if (!twin) too_far(spec, scene.T_map_base);
+  if (!twin) return farthest_target(spec, scene, rng);
   if (!is_clear(scene, twin->T_map_base)) return std::nullopt;
   return Found{{twin->T_map_base, twin->unlikeness}};
 }
@@ -99,7 +117,7 @@ std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapSc
     case KidnapKind::kTeleportTo:
       return given_target(spec, scene);
     case KidnapKind::kLookAlike:
-      return look_alike_target(spec, scene);
+      return look_alike_target(spec, scene, rng);
     case KidnapKind::kNudge:
       return nudged(spec, scene, rng);
     case KidnapKind::kTurn:

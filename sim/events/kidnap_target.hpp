@@ -28,12 +28,13 @@ struct KidnapScene {
 struct KidnapTarget {
   Pose2 T_map_base;
   std::optional<double> unlikeness{};  ///< As in `KidnapRecord`.
+  bool too_near = false;               ///< As in `KidnapRecord`.
 };
 
-/// The place. Nothing where there is none right now, because of people or because of what is next
-/// to the robot: ask again later.
-/// @throws std::runtime_error if there can be none: the given target is in an obstacle, or no free
-/// place is far enough away.
+/// The place; the farthest one where none is `min_distance_m` away. Nothing where there is none
+/// right now, because of people or because of what is next to the robot: ask again later.
+/// @throws std::runtime_error if there can be none: the given target is in an obstacle, or nothing
+/// is free.
 std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapScene& scene,
                                           Rng& rng);
 

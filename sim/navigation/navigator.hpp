@@ -37,6 +37,10 @@ class Navigator {
   void on_scan(const LidarReading& scan, const LidarConfig& lidar) { live_.on_scan(scan, lidar); }
   /// The velocity to command, believed to be at `T_map_base`; zero without a pose.
   Twist2 command(const std::optional<Pose2>& T_map_base);
+  /// True at the end of the route, and without one.
+  [[nodiscard]] bool done() const { return route_.done(); }
+  /// Waypoints that were reached so far.
+  [[nodiscard]] int passed() const { return route_.passed(); }
   /// Recoveries begun and "emergency stop"s since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 

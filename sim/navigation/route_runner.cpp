@@ -13,6 +13,7 @@ void RouteRunner::next_waypoint() {
   follower_.reset();
   detour_.reset();
   ++waypoint_;
+  ++passed_;
   if (config_.loop && waypoint_ >= config_.waypoints.size()) waypoint_ = 0;
 }
 

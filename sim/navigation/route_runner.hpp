@@ -35,6 +35,10 @@ class RouteRunner {
 
   /// The velocity to command at a pose; zero without one and at the end of the route.
   Twist2 command(const std::optional<Pose2>& T_map_base);
+  /// True at the end of the route, and without one.
+  [[nodiscard]] bool done() const { return waypoint_ >= config_.waypoints.size(); }
+  /// Waypoints that were reached so far.
+  [[nodiscard]] int passed() const { return passed_; }
   /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
   /// with its path where there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);
@@ -56,6 +60,7 @@ class RouteRunner {
   FreeSpace free_;
   std::optional<FreeSpace> detour_;  ///< Holds until the next waypoint.
   std::size_t waypoint_ = 0;
+  int passed_ = 0;
   std::optional<PathFollower> follower_;
 };
 

@@ -30,6 +30,8 @@ class KinematicRobot {
   [[nodiscard]] const RobotState& state() const { return state_; }
   /// Runs into obstacles begun so far.
   [[nodiscard]] std::int64_t collisions() const { return collisions_; }
+  /// Held up by an obstacle now.
+  [[nodiscard]] bool touching() const { return contact_age_ == 0.0; }
 
  private:
   void turn_wheels();

@@ -183,4 +183,6 @@ const RobotState& RobotPhysics::state() const { return body_->state; }
 
 std::int64_t RobotPhysics::collisions() const { return body_->collisions; }
 
+bool RobotPhysics::touching() const { return body_->contact_age == 0.0; }
+
 }  // namespace castaway::sim

@@ -43,6 +43,8 @@ class RobotPhysics {
   /// Contacts with the world begun so far, floor aside; a contact that comes back within half a
   /// second is the same.
   [[nodiscard]] std::int64_t collisions() const;
+  /// In contact with the world now, floor aside.
+  [[nodiscard]] bool touching() const;
 
  private:
   struct Body;

@@ -39,6 +39,10 @@ class SimRobot {
   [[nodiscard]] std::int64_t collisions() const {
     return std::visit([](const auto& robot) { return robot.collisions(); }, robot_);
   }
+  /// In contact with the world now, floor aside.
+  [[nodiscard]] bool touching() const {
+    return std::visit([](const auto& robot) { return robot.touching(); }, robot_);
+  }
 
  private:
   std::variant<RobotPhysics, KinematicRobot> robot_;

@@ -140,7 +140,7 @@ Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map) {
   return grid.contains(c.column, c.row) ? grid.at(c.column, c.row) : Cell::kUnknown;
 }
 
-std::vector<float> distance_to_obstacle(const Grid& grid) {
+std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge) {
   const auto width = static_cast<std::size_t>(grid.width);
   const auto height = static_cast<std::size_t>(grid.height);
   std::vector<double> squared(grid.cells.size());
@@ -154,7 +154,7 @@ std::vector<float> distance_to_obstacle(const Grid& grid) {
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {
       const std::size_t i = flat_index(grid, {column, row});
-      const double border = cells_to_border(grid, {column, row});
+      const double border = edge == GridEdge::kWall ? cells_to_border(grid, {column, row}) : 1e6;
       distance[i] = static_cast<float>(std::min(std::sqrt(squared[i]), border) * grid.resolution);
     }
   }
@@ -173,6 +173,8 @@ Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius)
   }
   return result;
 }
+
+std::vector<int> component_labels(const Grid& grid) { return Components(grid).labels(); }
 
 Grid largest_component(const Grid& grid) {
   const Components components(grid);

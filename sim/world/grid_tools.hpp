@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,15 +34,24 @@ Eigen::Vector2d center_of(const Grid& grid, CellIndex cell);
 /// Value at a point of map; unknown outside of the grid.
 Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map);
 
+/// What lies beyond a grid's outermost cells.
+enum class GridEdge : std::uint8_t {
+  kWall,  ///< Cells that are not free.
+  kOpen,  ///< More of the same.
+};
+
 /// Euclidean distance from each cell's centre to the centre of the nearest cell that is not free,
-/// [m]; 0 in those. Cells outside count as not free. Linear in the number of cells.
-std::vector<float> distance_to_obstacle(const Grid& grid);
+/// [m]; 0 in those. Linear in the number of cells.
+std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge = GridEdge::kWall);
 
 /// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: where the centre
 /// of a disc can be. Errs on the safe side by up to half a cell.
 Grid eroded(const Grid& grid, double radius);
 /// The same where the distances to obstacles are known.
 Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius);
+
+/// Number of the 4-connected component of each free cell, from 0; -1 in the others.
+std::vector<int> component_labels(const Grid& grid);
 
 /// The grid with all free cells but the largest 4-connected component made unknown.
 Grid largest_component(const Grid& grid);

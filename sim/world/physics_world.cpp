@@ -6,6 +6,8 @@
 
 #include "sim/world/bullet_types.hpp"
 #include "sim/world/cell_index.hpp"
+#include "sim/world/floor.hpp"
+#include "sim/world/footprint.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
 
@@ -20,16 +22,29 @@ constexpr int kSolverIterations = 20;
 constexpr std::size_t kManyObjects = 200;
 constexpr double kTileEdge = 3.0;  // [m]
 
-std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape) {
+/// Without what lies on the floor, which is a box of its own: casters would bump into it.
+std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape,
+                                             const Eigen::Isometry3d& T_map_shape) {
   const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
   auto triangles = std::make_unique<btTriangleMesh>();
-  const auto vertex = [&mesh](std::size_t i) {
-    return to_bullet(Eigen::Vector3d(mesh.vertices[mesh.indices[i]].cast<double>()));
+  const auto vertex = [&mesh](std::size_t i) -> Eigen::Vector3d {
+    return mesh.vertices[mesh.indices[i]].cast<double>();
+  };
+  const auto lies_on_floor = [&](std::size_t i) {
+    return (T_map_shape * vertex(i)).z() <= kFloorTop;
   };
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    triangles->addTriangle(vertex(i), vertex(i + 1), vertex(i + 2));
+    if (lies_on_floor(i) && lies_on_floor(i + 1) && lies_on_floor(i + 2)) continue;
+    triangles->addTriangle(to_bullet(vertex(i)), to_bullet(vertex(i + 1)),
+                           to_bullet(vertex(i + 2)));
   }
   return triangles;
+}
+
+/// A rug, a mark on the floor.
+bool is_flat(const WorldObject& object) {
+  return !object.drivable && !std::holds_alternative<MeshShape>(object.shape) &&
+         bounds(object).max().z() <= kFloorTop;
 }
 
 /// Without a margin, so that wheels roll on the very face.
@@ -71,8 +86,9 @@ void PhysicsWorld::add_objects(const WorldSpec& spec) {
   const bool gather = spec.objects.size() > kManyObjects;
   std::map<std::pair<int, int>, std::unique_ptr<btCompoundShape>> tiles;
   for (const WorldObject& object : spec.objects) {
-    if (!object.in_world) continue;
-    std::unique_ptr<btCollisionShape> shape = shape_of(object.shape);
+    if (!object.in_world || is_flat(object)) continue;
+    std::unique_ptr<btCollisionShape> shape = shape_of(object);
+    if (!shape) continue;
     if (object.drivable) {  // Wheels meet the ground only.
       add_static(std::move(shape), object.T_map_object, kGroundGroup);
       continue;
@@ -114,7 +130,8 @@ void PhysicsWorld::add_static(std::unique_ptr<btCollisionShape> shape,
   bodies_.push_back(std::move(body));
 }
 
-std::unique_ptr<btCollisionShape> PhysicsWorld::shape_of(const ObjectShape& shape) {
+std::unique_ptr<btCollisionShape> PhysicsWorld::shape_of(const WorldObject& object) {
+  const ObjectShape& shape = object.shape;
   if (const auto* box = std::get_if<BoxShape>(&shape)) {
     return std::make_unique<btBoxShape>(to_bullet(Eigen::Vector3d(0.5 * box->size)));
   }
@@ -126,7 +143,8 @@ std::unique_ptr<btCollisionShape> PhysicsWorld::shape_of(const ObjectShape& shap
     return std::make_unique<btSphereShape>(sphere->radius);
   }
   if (const auto* ramp = std::get_if<RampShape>(&shape)) return hull_of(*ramp);
-  meshes_.push_back(triangles_of(std::get<MeshShape>(shape)));
+  meshes_.push_back(triangles_of(std::get<MeshShape>(shape), object.T_map_object));
+  if (meshes_.back()->getNumTriangles() == 0) return nullptr;
   return std::make_unique<btBvhTriangleMeshShape>(meshes_.back().get(), true);
 }
 

@@ -43,7 +43,8 @@ class PhysicsWorld {
                   int group);
   void add_floor(const WorldSpec& spec);
   void add_objects(const WorldSpec& spec);
-  std::unique_ptr<btCollisionShape> shape_of(const ObjectShape& shape);
+  /// Nothing if all of it lies on the floor.
+  std::unique_ptr<btCollisionShape> shape_of(const WorldObject& object);
 
   double time_step_;
   btDefaultCollisionConfiguration configuration_;

@@ -8,12 +8,15 @@
 
 #include "sim/geometry.hpp"
 #include "sim/world/cell_index.hpp"
+#include "sim/world/free_choice.hpp"
 #include "sim/world/grid_tools.hpp"
 #include "sim/world/slice.hpp"
 
 namespace castaway::sim {
 namespace {
 
+constexpr double kRobot =
+    0.2;  // [m] Radius of one for which parts of the free space are told apart.
 constexpr double kSliver =
     1e-6;  // Of a cell: a solid that only touches a cell's edge is not in it.
 
@@ -77,13 +80,19 @@ Grid empty_map(const WorldSpec& world, double resolution) {
 
 }  // namespace
 
-Grid rasterise(const WorldSpec& world, double z, double resolution) {
+Grid cut_world(const WorldSpec& world, double z, double resolution) {
   Grid grid = empty_map(world, resolution);
   Painter painter(grid);
   for (const WorldObject& object : world.objects) {
     if (object.in_map) painter.paint(slice(object, z));
   }
-  return world.inside ? component_at(grid, *world.inside) : largest_component(grid);
+  return grid;
+}
+
+Grid rasterise(const WorldSpec& world, double z, double resolution) {
+  const Grid grid = cut_world(world, z, resolution);
+  if (world.inside) return component_at(grid, *world.inside);
+  return largest_component(choose_free(grid, kRobot, std::nullopt).grid);
 }
 
 void mark_objects(Grid& grid, const WorldSpec& world, const std::vector<double>& heights) {

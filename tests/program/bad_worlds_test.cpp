@@ -128,7 +128,8 @@ std::vector<BadWorld> map_cases() {
                {"no.pgm"}),
       map_case("TruncatedPgm", good, "P5\n20 20\n255\nabc", {"m.pgm", "cut short"}),
       map_case("HugePgm", good, "P5\n2000000000 2000000000\n255\nabc", {"m.pgm", "width"}),
-      map_case("LargePgmOfNothing", good, "P5\n32768 32768\n255\nabc", {"m.pgm", "cut short"}),
+      map_case("LargePgmOfNothing", good, "P5\n32768 32768\n255\nabc",
+               {"m.pgm", "32768 x 32768 pixels"}),
       map_case("WrongMagic", good, "GIF89a...", {"m.pgm"}),
       map_case("EmptyImage", good, "", {"m.pgm"}),
       map_case("PixelAboveTheLargest", good, "P2\n1 1\n10\n99\n", {"m.pgm"}),
@@ -140,6 +141,9 @@ std::vector<BadWorld> map_cases() {
                {"resolution"}),
       map_case("ThresholdsSwapped", good + "free_thresh: 0.8\noccupied_thresh: 0.2\n", pixels,
                {"free_thresh"}),
+      {"PictureWithoutYaml", "m.png", {{"m.png", png}}, {"m.png", "m.yaml", "resolution"}},
+      {"PictureBesideYaml", "m.png", {{"m.png", png}, {"m.yaml", good}}, {"give its YAML file"}},
+      map_case("UnknownMode", good + "mode: binary\n", pixels, {"mode", "trinary", "binary"}),
       map_case("OriginOfTwo", "image: m.pgm\nresolution: 0.05\norigin: [0, 0]\n", pixels,
                {"origin", "3 numbers"}),
   };
@@ -181,9 +185,6 @@ std::vector<BadWorld> sdf_cases() {
       world("NegativeBox", sdf(model("<box><size>1 -1 1</size></box>")), {"w.sdf"}),
       world("NanSphere", sdf(model("<sphere><radius>nan</radius></sphere>")), {"w.sdf"}),
       world("NanPose", sdf(model("<box><size>1 1 1</size></box>", "nan 0 0 0 0 0")), {"w.sdf"}),
-      world("DuplicateModels",
-            sdf(model("<box><size>1 1 1</size></box>") + model("<box><size>1 1 1</size></box>")),
-            {"w.sdf", "m"}),
       world("FrameOfNobody",
             sdf("<model name=\"m\"><static>true</static><pose relative_to=\"x\">0 0 0 0 0 0</pose>"
                 "<link name=\"l\"/></model>"),
@@ -245,6 +246,48 @@ INSTANTIATE_TEST_SUITE_P(Objects, BadWorlds, testing::ValuesIn(object_cases()), 
 INSTANTIATE_TEST_SUITE_P(Worlds, BadWorlds, testing::ValuesIn(world_cases()), test_name);
 INSTANTIATE_TEST_SUITE_P(Maps, BadWorlds, testing::ValuesIn(map_cases()), test_name);
 INSTANTIATE_TEST_SUITE_P(Sdf, BadWorlds, testing::ValuesIn(sdf_cases()), test_name);
+
+/// Next to a good model, each is left out with a warning, or refused by --strict.
+TEST(PiecesOfAWorld, AreLeftOutUnlessStrict) {
+  const fs::path folder = fresh_folder();
+  const auto piece = [](const std::string& name, const std::string& inside) {
+    return "<model name='" + name + "'><static>1</static>" + inside + "</model>\n";
+  };
+  const auto link = [](const std::string& geometry) {
+    return "<link name='l'><collision name='c'><geometry>" + geometry +
+           "</geometry></collision></link>";
+  };
+  const std::vector<std::string> pieces{
+      "<model name='hollow'></model>",
+      piece("__x__", link("<box><size>1 1 1</size></box>")),
+      piece("lost", link("<mesh><uri>model://a/b.dae</uri></mesh>")),
+      piece("mesh", link("<mesh><uri>a.stl</uri></mesh>")),
+      piece("crooked", link("<box><size>1 1</size></box>")),
+      "<include><uri>model://nobody</uri></include>",
+      "<include><uri>https://fuel.gazebosim.org/1.0/x/models/y</uri></include>"};
+  std::ofstream(folder / "a.stl") << "solid nothing";
+  for (const std::string& bad : pieces) {
+    std::ofstream(folder / "w.sdf") << sdf(model("<box><size>1 1 1</size></box>") + bad);
+    const Outcome lenient = castaway(folder, "check-world w.sdf --no-picture");
+    EXPECT_EQ(lenient.exit_code, 0) << bad << lenient.err;
+    expect_contains(lenient.out, "warning: left out, since");
+    const Outcome strict = castaway(folder, "check-world w.sdf --no-picture --strict");
+    EXPECT_EQ(strict.exit_code, 2) << bad;
+    expect_contains(strict.err, "w.sdf");
+  }
+}
+
+TEST(PiecesOfAWorld, AreOneWarningIfTheyAreAlike) {
+  const fs::path folder = fresh_folder();
+  std::string models = model("<box><size>1 1 1</size></box>");
+  for (int i = 0; i < 100; ++i) {
+    models += "<include><uri>model://nobody" + std::to_string(i) + "</uri></include>";
+  }
+  std::ofstream(folder / "w.sdf") << sdf(models);
+  const Outcome outcome = castaway(folder, "check-world w.sdf --no-picture");
+  EXPECT_EQ(outcome.exit_code, 0);
+  expect_contains(outcome.out, "model://nobody0, model://nobody1, model://nobody2 and 97 more");
+}
 
 /// Worlds that load, but cannot be run in.
 TEST(RunInABadWorld, SaysWhyNot) {

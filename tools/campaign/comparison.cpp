@@ -12,6 +12,7 @@
 #include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/sign_flip_test.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/scenario/yaml_tree.hpp"
 
 namespace castaway::testbed {
@@ -62,6 +63,7 @@ ComparedRun compared_run(const fs::path& folder, const Json& summary) {
   }
   const bool timed = fs::exists(folder / "timing.json");
   run.metrics = metric_table(summary, timed ? read_json(folder / "timing.json") : Json());
+  run.is_void = void_sentence(summary).has_value();
   return run;
 }
 
@@ -196,6 +198,14 @@ std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
                      a.folder.string(), a.seed, b.folder.string(), b.seed);
 }
 
+/// Takes void runs out; how many.
+std::size_t drop_voids(const fs::path& folder, std::vector<ComparedRun>& runs) {
+  const std::size_t voids = std::erase_if(runs, [](const ComparedRun& run) { return run.is_void; });
+  if (!runs.empty()) return voids;
+  throw std::invalid_argument(fmt::format(
+      "{}: all of its {} runs are void: their robots got nowhere", folder.string(), voids));
+}
+
 }  // namespace
 
 int MetricComparison::verdict() const {
@@ -225,15 +235,17 @@ std::vector<ComparedRun> find_runs(const fs::path& folder) {
 }
 
 Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
-  const std::vector<ComparedRun> a = find_runs(baseline);
-  const std::vector<ComparedRun> b = find_runs(other);
+  std::vector<ComparedRun> a = find_runs(baseline);
+  std::vector<ComparedRun> b = find_runs(other);
+  const std::size_t voids = drop_voids(baseline, a) + drop_voids(other, b);
   const std::vector<Pair> pairs = paired(a, b);
   if (pairs.empty()) throw std::invalid_argument(no_pairs(a.front(), b.front()));
   for (const Pair& pair : pairs) {
     require_same_version(pair);
     require_same_conditions(pair);
   }
-  Comparison comparison{baseline, other, pairs.size(), a.size() + b.size() - 2 * pairs.size(), {}};
+  Comparison comparison{baseline, other, pairs.size(), a.size() + b.size() - 2 * pairs.size(),
+                        voids,    {}};
   const std::vector<std::string> localizers = common_localizers(pairs);
   if (localizers.empty()) {
     throw std::invalid_argument(fmt::format("not comparable: {} and {} have no localizer in common",
@@ -250,6 +262,7 @@ Json to_json(const Comparison& comparison) {
             {"other", comparison.other.string()},
             {"pairs", comparison.pairs},
             {"unpaired", comparison.unpaired},
+            {"void", comparison.voids},
             {"metrics", Json::object()}};
   for (const MetricComparison& row : comparison.metrics) {
     Json& figures = json["metrics"][row.metric];

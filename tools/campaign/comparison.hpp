@@ -22,6 +22,7 @@ struct ComparedRun {
   int metrics_version = 0;
   std::vector<std::string> localizers;
   MetricTable metrics;
+  bool is_void = false;  ///< See tools/metrics/void_run.hpp.
 };
 
 /// The run of `folder`, or all runs below it, by folder. Throws std::runtime_error if there is
@@ -52,6 +53,7 @@ struct Comparison {
   std::filesystem::path other;
   std::size_t pairs = 0;
   std::size_t unpaired = 0;  ///< Runs of either side without a counterpart, which are left out.
+  std::size_t voids = 0;     ///< Void runs of either side, which are left out.
   std::vector<MetricComparison> metrics;
 };
 

@@ -96,6 +96,7 @@ KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
   const RunEvent kidnap = kidnaps_of(played.history.events).at(0);
   report.T_map_from = kidnap.T_map_from.value();
   report.T_map_to = kidnap.T_map_to.value();
+  report.void_run = void_run(played.history.events);
   if (played.points) {
     report.search = search(stage.finder, *played.points, played.T_map_base_true);
   }

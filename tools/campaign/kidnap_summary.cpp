@@ -88,9 +88,11 @@ KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
   return outcome;
 }
 
-KidnapBatch summarise(const std::vector<KidnapReport>& reports,
-                      const std::vector<std::string>& localizers, double within_s) {
+KidnapBatch summarise(std::vector<KidnapReport> reports, const std::vector<std::string>& localizers,
+                      double within_s) {
   KidnapBatch batch;
+  batch.voids = static_cast<int>(std::erase_if(
+      reports, [](const KidnapReport& report) { return report.void_run.has_value(); }));
   batch.kidnaps = static_cast<int>(reports.size());
   if (!reports.empty()) batch.obstacles = reports.front().obstacles;
   for (const KidnapReport& report : reports) {

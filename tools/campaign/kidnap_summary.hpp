@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/metrics/run_rows.hpp"
+#include "tools/metrics/void_run.hpp"
 
 namespace castaway::testbed {
 
@@ -41,6 +42,7 @@ struct KidnapReport {
   SE2 T_map_to;    ///< ...and after it.
   SearchOutcome search;
   std::vector<KidnapOutcome> outcomes;  ///< By localizer.
+  std::optional<VoidRun> void_run{};    ///< The robot got nowhere: the trial does not count.
 };
 
 /// Counts of one localizer over trials.
@@ -58,7 +60,8 @@ struct KidnapRow {
 /// Trials with one number of obstacles, put together.
 struct KidnapBatch {
   int obstacles = 0;
-  int kidnaps = 0;
+  int kidnaps = 0;             ///< That count.
+  int voids = 0;               ///< Trials that do not.
   int top1 = 0;                ///< Right pose is the best place found...
   int top5 = 0;                ///< ...or among the best five.
   double blocked_share = 0.0;  ///< Mean over the trials.
@@ -66,7 +69,7 @@ struct KidnapBatch {
 };
 
 /// Puts the trials of a batch together; `within_s` [s]: recoveries that count.
-KidnapBatch summarise(const std::vector<KidnapReport>& reports,
-                      const std::vector<std::string>& localizers, double within_s);
+KidnapBatch summarise(std::vector<KidnapReport> reports, const std::vector<std::string>& localizers,
+                      double within_s);
 
 }  // namespace castaway::testbed

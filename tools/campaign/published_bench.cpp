@@ -1,7 +1,9 @@
 #include "tools/campaign/published_bench.hpp"
 
 #include <memory>
+#include <stdexcept>
 
+#include "tools/metrics/void_run.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
@@ -21,7 +23,11 @@ class ScoreSink final : public RunSink {
   void on_event(const RunEvent& event) override { history_.add(event); }
   void on_odometry(const OdometryFrame&) override {}
   void on_scan(const ScanRecord& record) override { history_.add(record); }
+  /// @throws std::runtime_error if the run is void: it scores nobody.
   void finish(Stamp end, const RunTiming&) override {
+    if (const auto found = void_run(history_.events)) {
+      throw std::runtime_error("a run is void: " + describe(*found));
+    }
     for (std::size_t i = 0; i < scores_.size(); ++i) scores_[i].add(history_.metrics(i, end));
   }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tools/campaign/evaluation.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/run/bag_reading.hpp"
 #include "tools/run/carmen_source.hpp"
 #include "tools/scenario/bag_folder.hpp"
@@ -47,9 +48,8 @@ std::optional<fs::path> map_in(const fs::path& folder, const std::vector<fs::pat
 
 /// The bag in a folder: the folder itself, or `bag` of a run folder; nothing if there is none.
 std::optional<fs::path> bag_in(const fs::path& folder, const std::vector<fs::path>& files) {
-  const bool itself = std::any_of(files.begin(), files.end(), [](const fs::path& file) {
-    return file.extension() == ".mcap";
-  });
+  const bool itself = std::any_of(files.begin(), files.end(),
+                                  [](const fs::path& file) { return file.extension() == ".mcap"; });
   if (itself) return folder;
   return fs::is_directory(folder / "bag") ? std::optional(folder / "bag") : std::nullopt;
 }
@@ -82,13 +82,19 @@ std::string last_part(const fs::path& folder) {
 }  // namespace
 
 RecordedPlace load_recorded_place(const std::string& folder) {
+  if (fs::exists(fs::path(folder) / "summary.json")) {
+    if (const auto reason = void_sentence_of(folder)) {
+      throw std::runtime_error(folder + ": its run is void: " + *reason);
+    }
+  }
   const std::vector<fs::path> files = files_in(folder);
   const auto log = std::find_if(files.begin(), files.end(), is_log);
   const std::optional<fs::path> bag = bag_in(folder, files);
   if (log == files.end() && !bag) {
-    throw std::runtime_error(folder +
-                             ": no log; put a CARMEN log (*.log, *.carmen, also .gz) or a bag there "
-                             "(castaway run --set outputs.carmen=true leaves one)");
+    throw std::runtime_error(
+        folder +
+        ": no log; put a CARMEN log (*.log, *.carmen, also .gz) or a bag there "
+        "(castaway run --set outputs.carmen=true leaves one)");
   }
   RecordedPlace place;
   const std::optional<fs::path> map = map_in(folder, files);

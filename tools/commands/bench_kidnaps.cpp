@@ -70,6 +70,10 @@ void print_batch(const KidnapBatch& batch) {
                count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
                fmt::format("{:.2f} %", 100.0 * row.wrong_share));
   }
+  if (batch.voids > 0) {
+    fmt::print("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
+               batch.voids);
+  }
   std::fflush(stdout);
 }
 
@@ -114,6 +118,7 @@ Json rate_json(int successes, int trials) {
 Json to_json(const KidnapBatch& batch) {
   Json json = {{"obstacles", batch.obstacles},
                {"kidnaps", batch.kidnaps},
+               {"void", batch.voids},
                {"top1", rate_json(batch.top1, batch.kidnaps)},
                {"top5", rate_json(batch.top5, batch.kidnaps)},
                {"blocked_share", batch.blocked_share},
@@ -140,6 +145,7 @@ int bench_kidnaps(KidnapArguments arguments) {
   for (std::size_t i = 0; i < specs.size(); ++i) arguments.localizers[i] = specs[i].name;
   const KidnapTrials trials(arguments.trials);
   auto batches = Json::array();
+  int voids = 0;
   if (!arguments.json) print_header();
   for (const int obstacles : arguments.obstacles) {
     TrialCount done(arguments.kidnaps);
@@ -151,9 +157,10 @@ int bench_kidnaps(KidnapArguments arguments) {
     const KidnapBatch batch = summarise(reports, arguments.localizers, arguments.within_s);
     if (!arguments.json) print_batch(batch);
     batches.push_back(to_json(batch));
+    voids += batch.voids;
   }
   if (arguments.json) fmt::print("{}\n", batches.dump(1));
-  return kDone;
+  return voids > 0 ? kRunFailed : kDone;
 }
 
 }  // namespace

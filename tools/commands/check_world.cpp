@@ -30,6 +30,7 @@ struct CheckArguments {
   std::string out;
   bool json = false;
   bool no_picture = false;
+  bool strict = false;
 };
 
 std::string map_name(const std::string& file) {
@@ -69,10 +70,12 @@ int check_world(CheckArguments arguments) {
     take_scenario(arguments);
     base = std::filesystem::path(arguments.scenario).parent_path();
   }
-  const double height =
-      sim::lidar_of(build_robot({arguments.robot, {}, {}, {}}, ".")).T_base_laser.translation().z();
+  const sim::RobotModel robot = build_robot({arguments.robot, {}, {}, {}}, ".");
+  const double height = sim::lidar_of(robot).T_base_laser.translation().z();
   SurveyOptions options;
   options.lidar_height = height;
+  options.robot_radius = robot.footprint_radius;
+  options.strict = arguments.strict;
   options.seed = arguments.seed;
   const LoadedWorld world = build_world(arguments.world, base, options);
   const WorldFacts facts = world_facts(world, {height, arguments.range_max});
@@ -113,6 +116,7 @@ void add_check_world_command(CLI::App& app, std::function<int()>& chosen) {
   command->add_option("--out", a->out,
                       "Picture to write (default: <world's name>.png); the map's goes beside it");
   command->add_flag("--no-picture", a->no_picture, "Write no pictures");
+  command->add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
   command->add_flag("--json", a->json, "Print JSON instead of words");
   command->footer(
       "Examples:\n"

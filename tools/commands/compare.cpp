@@ -47,9 +47,11 @@ int compare_folders(const CompareArguments& arguments) {
   for (const Comparison& comparison : comparisons) {
     json.push_back(to_json(comparison));
     if (arguments.json) continue;
-    fmt::print("{} against {}: {} pairs, {} runs without a counterpart\n\n{}\n",
+    fmt::print("{} against {}: {} pairs, {} runs without a counterpart{}\n\n{}\n",
                comparison.other.string(), comparison.baseline.string(), comparison.pairs,
-               comparison.unpaired, as_text(comparison_table(comparison)));
+               comparison.unpaired,
+               comparison.voids > 0 ? fmt::format(", {} void runs left out", comparison.voids) : "",
+               as_text(comparison_table(comparison)));
   }
   OutputFolder output(request);
   write_file(output.folder() / "comparison.json", json.dump(2) + "\n");

@@ -8,6 +8,7 @@
 #include "tools/commands/play.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/file_error.hpp"
+#include "tools/metrics/void_run.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -48,6 +49,9 @@ Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSeque
     return std::make_unique<StatisticsSink>(statistics, plan.labels);
   });
   play_silently(sequence.loaded, options);
+  if (const auto reason = void_sentence_of(draft)) {
+    throw std::runtime_error("its run is void: " + *reason);
+  }
   Json root{{"sequence", sequence_name(sequence.index)},
             {"castaway", CASTAWAY_VERSION},
             {"seed", sequence.seed},

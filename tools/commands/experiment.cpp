@@ -16,6 +16,7 @@
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/sha256.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
@@ -89,7 +90,8 @@ std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFold
         [&](int index, int code) {
           const auto i = static_cast<std::size_t>(index);
           codes[i] = code;
-          if (code == kDone) tally.add(load_judged_run(folder.path() / runs[i].folder).metrics);
+          const std::filesystem::path out = folder.path() / runs[i].folder;
+          if (code == kDone && !void_sentence_of(out)) tally.add(load_judged_run(out).metrics);
           progress.next(tally.text());
         });
   } catch (Interrupted& interrupted) {
@@ -108,8 +110,13 @@ std::vector<ExperimentOutcome> outcomes_of(const std::vector<ExperimentRun>& run
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (codes[i] != kDone) continue;
     const std::filesystem::path folder = out / runs[i].folder;
-    outcomes.push_back(
-        {runs[i], folder, read_json(folder / "summary.json"), read_json(folder / "timing.json")});
+    ExperimentOutcome outcome{runs[i], folder, read_json(folder / "summary.json"),
+                              read_json(folder / "timing.json")};
+    if (const auto reason = void_sentence(outcome.summary)) {
+      fmt::print(stderr, "castaway: {}: void, and left out: {}\n", folder.string(), *reason);
+    } else {
+      outcomes.push_back(std::move(outcome));
+    }
   }
   return outcomes;
 }

@@ -24,6 +24,7 @@ struct MapArguments {
   double resolution = 0.05;
   std::string out;
   std::vector<std::string> search_paths;
+  bool strict = false;
 };
 
 int make_map(const MapArguments& arguments) {
@@ -34,8 +35,13 @@ int make_map(const MapArguments& arguments) {
                                   .z();
   SurveyOptions options;
   options.lidar_height = height;
-  const WorldFile world =
-      build_world({arguments.world, arguments.search_paths, {}}, ".", options).file;
+  options.strict = arguments.strict;
+  const LoadedWorld loaded =
+      build_world({arguments.world, arguments.search_paths, {}}, ".", options);
+  for (const std::string& warning : loaded.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  const WorldFile& world = loaded.file;
   const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
   const std::filesystem::path out =
       arguments.out.empty() ? std::filesystem::path(file_name_of(world.spec.name) + ".yaml")
@@ -70,6 +76,7 @@ void add_map_command(CLI::App& app, std::function<int()>& chosen) {
       ->add_option("--search-path", a->search_paths,
                    "Folder that models of an SDF world are looked for in")
       ->allow_extra_args(false);
+  command->add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
   command->footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
   command->callback([&chosen, a] { chosen = [a] { return make_map(*a); }; });
 }

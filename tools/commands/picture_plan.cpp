@@ -17,9 +17,20 @@ sim::SceneItem floor_item(const sim::WorldSpec& world) {
   return item;
 }
 
+std::size_t corners_of(const std::vector<sim::SceneItem>& items) {
+  std::size_t corners = 0;
+  for (const sim::SceneItem& item : items) corners += item.mesh.indices.size();
+  return corners;
+}
+
 PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   PictureWorld world;
   world.world = sim::world_visuals(prepared.config.world);
+  std::vector<sim::SceneItem> open = sim::world_visuals_from_above(prepared.config.world);
+  if (open.size() < world.world.size() || corners_of(open) < corners_of(world.world)) {
+    world.from_above = std::move(open);
+    world.from_above.push_back(floor_item(prepared.config.world));
+  }
   world.world.push_back(floor_item(prepared.config.world));
   world.robot = sim::robot_visuals(prepared.config.robot);
   world.min_corner = prepared.config.world.min_corner;

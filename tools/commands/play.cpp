@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/commands/map_scores.hpp"
 #include "tools/commands/picture_plan.hpp"
 #include "tools/commands/terminal.hpp"
@@ -136,7 +137,7 @@ namespace {
 
 /// Makes ready and hands both to `body`.
 template <typename Body>
-auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
+int with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
   const std::chrono::nanoseconds begin = wall_time();
   const Scenario& scenario = loaded.scenario;
   PreparedSimulation prepared = build_simulation(scenario, options.base);
@@ -157,13 +158,20 @@ auto with_run(const LoadedScenario& loaded, const PlayOptions& options, Body bod
     plan.picture_world.moving = [&source] { return source.people_items(); };
   }
   plan.loop.load_s = seconds(wall_time() - begin);
-  return body(plan, source);
+  const int exit_code = body(plan, source);
+  for (const std::string& warning : source.warnings()) {
+    if (!options.quiet) fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  return exit_code;
 }
 
 }  // namespace
 
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
-  with_run(loaded, options, execute_run);
+  with_run(loaded, options, [](RunPlan& plan, SensorSource& source) {
+    execute_run(plan, source);
+    return static_cast<int>(kDone);
+  });
 }
 
 int play(const LoadedScenario& loaded, const PlayOptions& options) {

@@ -192,6 +192,9 @@ int replay_log(ReplayArguments arguments) {
   }
   OpenedLog log = is_bag(arguments.log) ? open_bag(arguments) : open_carmen(arguments);
   const RosMap& map = log.map;
+  for (const std::string& warning : map.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
   RunPlan plan;
   plan.info.scenario = "replay-" + file_name_of(map.name);
   plan.info.world = map.name;

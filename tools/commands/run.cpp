@@ -10,6 +10,7 @@
 #include "tools/commands/run_seeds.hpp"
 #include "tools/commands/verdict_output.hpp"
 #include "tools/formats/sha256.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/scenario/data_paths.hpp"
@@ -34,6 +35,7 @@ struct RunArguments {
   std::string video;  ///< File; empty: none.
   bool json = false;
   bool force = false;
+  bool strict = false;
 };
 
 std::filesystem::path file_of(const RunArguments& arguments) {
@@ -117,7 +119,8 @@ std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScena
 
 int run_once(const RunArguments& arguments) {
   const std::filesystem::path file = file_of(arguments);
-  const LoadedScenario loaded = load_scenario(file, overrides_of(arguments));
+  LoadedScenario loaded = load_scenario(file, overrides_of(arguments));
+  loaded.scenario.world.strict = arguments.strict;
   const Scenario& scenario = loaded.scenario;
   static_cast<void>(expectations_of(arguments, scenario));  // Refused before the run, not after it.
   PlayOptions options;
@@ -128,7 +131,9 @@ int run_once(const RunArguments& arguments) {
   options.video = arguments.video;
   options.json = arguments.json;
   const int exit_code = play(loaded, options);
-  return exit_code == kDone ? judge_run(arguments, scenario, options.out) : exit_code;
+  if (exit_code != kDone) return exit_code;
+  const int judged = judge_run(arguments, scenario, options.out);
+  return void_sentence_of(options.out) ? kRunFailed : judged;
 }
 
 int run_many(const RunArguments& arguments) {
@@ -146,6 +151,7 @@ int run_many(const RunArguments& arguments) {
   request.junit = arguments.junit;
   request.json = arguments.json;
   request.force = arguments.force;
+  request.strict = arguments.strict;
   return run_seeds(request);
 }
 
@@ -218,6 +224,8 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
                       "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
   command->add_flag("--force", arguments->force,
                     "Use a folder that holds other files, too; replaces only castaway's own");
+  command->add_flag("--strict", arguments->strict,
+                    "Refuse an SDF world if a piece of it cannot be read");
   command->add_flag("--json", arguments->json, "Print summary.json instead of words");
   command->footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"

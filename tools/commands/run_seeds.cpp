@@ -13,6 +13,7 @@
 #include "tools/formats/sha256.hpp"
 #include "tools/metrics/aggregate.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
@@ -33,7 +34,9 @@ std::filesystem::path folder_of(const SeedsRequest& request, int index) {
 LoadedScenario load(const SeedsRequest& request, int index) {
   std::vector<std::string> overrides = request.overrides;
   overrides.push_back(fmt::format("seed={}", seed_of(request, index)));
-  return load_scenario(request.scenario, overrides);
+  LoadedScenario loaded = load_scenario(request.scenario, overrides);
+  loaded.scenario.world.strict = request.strict;
+  return loaded;
 }
 
 int play_seed(const SeedsRequest& request, int index) {
@@ -70,8 +73,17 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   return {std::move(output), runs};
 }
 
-/// Runs that are done, by index; nothing where a run failed.
-using Outcomes = std::vector<std::optional<JudgedRun>>;
+/// What became of a seed.
+struct Outcome {
+  std::optional<JudgedRun> run;             ///< Nothing: it failed, or is void.
+  std::optional<std::string> void_because;  ///< Why it is void.
+};
+using Outcomes = std::vector<Outcome>;  // By index.
+
+Outcome outcome_of(const std::filesystem::path& folder) {
+  if (auto reason = void_sentence_of(folder)) return {std::nullopt, std::move(reason)};
+  return {load_judged_run(folder), std::nullopt};
+}
 
 Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
   Outcomes outcomes(static_cast<std::size_t>(request.seeds.count));
@@ -79,9 +91,9 @@ Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
   RecoveryTally tally;
   int finished = 0;
   const auto take = [&](int index) {
-    const JudgedRun run = load_judged_run(folder_of(request, index));
-    tally.add(run.metrics);
-    outcomes[static_cast<std::size_t>(index)] = run;
+    Outcome& outcome = outcomes[static_cast<std::size_t>(index)];
+    outcome = outcome_of(folder_of(request, index));
+    if (outcome.run) tally.add(outcome.run->metrics);
     ++finished;
   };
   try {
@@ -109,11 +121,12 @@ Json summary_of(const SeedsRequest& request, const std::string& scenario,
   std::vector<MetricTable> tables;
   Json seeds = Json::array();
   Json failed = Json::array();
+  Json voids = Json::array();
   for (int i = 0; i < request.seeds.count; ++i) {
-    const auto& outcome = outcomes[static_cast<std::size_t>(i)];
-    (outcome ? seeds : failed).push_back(seed_of(request, i));
-    if (!outcome) continue;
-    summaries.push_back(read_json(outcome->folder / "summary.json"));
+    const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+    (outcome.run ? seeds : outcome.void_because ? voids : failed).push_back(seed_of(request, i));
+    if (!outcome.run) continue;
+    summaries.push_back(read_json(outcome.run->folder / "summary.json"));
     tables.push_back(metric_table(summaries.back()));
   }
   return {{"castaway", CASTAWAY_VERSION},
@@ -122,6 +135,7 @@ Json summary_of(const SeedsRequest& request, const std::string& scenario,
           {"scenario", scenario},
           {"seeds", seeds},
           {"failed_seeds", failed},
+          {"void_seeds", voids},
           {"localizers", pooled_recoveries(summaries)},
           {"figures", aggregate_figures(tables)}};
 }
@@ -140,8 +154,8 @@ Json timing_of(const std::vector<JudgedRun>& runs) {
 
 std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
   std::vector<JudgedRun> runs;
-  for (const auto& outcome : outcomes) {
-    if (outcome) runs.push_back(*outcome);
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.run) runs.push_back(*outcome.run);
   }
   return runs;
 }
@@ -153,11 +167,12 @@ void write_junit(const SeedsRequest& request, const std::string& scenario, const
   for (int i = 0; i < request.seeds.count; ++i) {
     JunitCase run{
         "castaway." + scenario, fmt::format("runs (seed {})", seed_of(request, i)), 0.0, {}, {}};
-    const auto& outcome = outcomes[static_cast<std::size_t>(i)];
-    if (outcome)
-      run.time_s = outcome->wall_s;
-    else
-      run.error = "the run failed";
+    const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+    if (outcome.run) {
+      run.time_s = outcome.run->wall_s;
+    } else {
+      run.error = outcome.void_because ? "void: " + *outcome.void_because : "the run failed";
+    }
     cases.push_back(std::move(run));
   }
   write_own_file(request.junit, junit_xml(scenario, cases));

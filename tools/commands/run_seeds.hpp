@@ -20,6 +20,7 @@ struct SeedsRequest {
   bool force = false;                     ///< It may hold other files, too.
   std::vector<Expectation> expectations;  ///< Besides those of the scenario.
   std::filesystem::path junit;            ///< Empty: none is written.
+  bool strict = false;                    ///< As in `WorldChoice`.
   bool json = false;                      ///< Prints the aggregate summary.json instead of words.
 };
 

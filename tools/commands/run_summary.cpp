@@ -6,6 +6,7 @@
 #include "tools/commands/terminal.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/metrics/void_run.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -103,6 +104,9 @@ std::string describe_run(const std::filesystem::path& run_folder) {
                   summary.at("scenario").get<std::string>(),
                   summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
                   summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
+  if (const auto sentence = void_sentence(summary)) {
+    text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);
+  }
   text += difference_line(summary);
   text += people_line(summary);
   text += driving_line(summary);

@@ -43,14 +43,25 @@ std::string localizer_line(const std::string& name, const Json& recovery, const 
       over_seeds(figures, name + ".wrong_lock_share", "{:.3f}"));
 }
 
+/// ", 2 void (seeds 3, 7) and left out"; nothing where none is.
+std::string voids_text(const Json& summary) {
+  if (!summary.contains("void_seeds") || summary.at("void_seeds").empty()) return "";
+  std::string seeds;
+  for (const Json& seed : summary.at("void_seeds")) {
+    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", seed.get<std::uint64_t>());
+  }
+  return fmt::format(", {} void (seeds {}) and left out", summary.at("void_seeds").size(), seeds);
+}
+
 }  // namespace
 
 std::string describe_seeds(const std::filesystem::path& folder) {
   const Json summary = read_json(folder / "summary.json");
   const Json& figures = summary.at("figures");
-  std::string text = fmt::format("{}: {} seeds, {} failed; means with 95 % intervals\n\n",
-                                 summary.at("scenario").get<std::string>(),
-                                 summary.at("seeds").size(), summary.at("failed_seeds").size());
+  std::string text =
+      fmt::format("{}: {} seeds, {} failed{}; means with 95 % intervals\n\n",
+                  summary.at("scenario").get<std::string>(), summary.at("seeds").size(),
+                  summary.at("failed_seeds").size(), voids_text(summary));
   text += fmt::format("  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", "", "recovered",
                       "recovery time [s]", "slowest", "tracking error [m]", "wrong, share");
   for (const auto& [name, localizer] : summary.at("localizers").items()) {

@@ -59,7 +59,7 @@ sim::SceneItem floor_of(const sim::WorldSpec& world) {
 sim::Scene world_scene(const LoadedWorld& world) {
   sim::Scene scene;
   const sim::WorldSpec& spec = world.file.spec;
-  scene.items = sim::world_visuals(spec);
+  scene.items = sim::world_visuals_from_above(spec);
   scene.items.push_back(floor_of(spec));
   add_marks(world, scene);
   const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();

@@ -20,18 +20,23 @@ class PgmReader {
 
   GrayImage read() {
     const std::string_view magic = bytes_.substr(0, 2);
-    if (magic != "P2" && magic != "P5") fail("not a grey PGM; it must begin with P2 or P5");
+    const bool text = magic == "P2" || magic == "P3";
+    channels_ = magic == "P3" || magic == "P6" ? 3 : 1;
+    if (!text && magic != "P5" && magic != "P6") {
+      fail("no PGM or PPM; it must begin with P2, P3, P5 or P6");
+    }
     at_ = 2;
     GrayImage image;
     image.width = number("width", 1, kMaxSide);
     image.height = number("height", 1, kMaxSide);
     image.max_value = number("largest value", 1, 65535);
+    refuse_large_picture(image.width, image.height, name_);
     const auto count =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    if (magic == "P5") {
-      read_binary(count, image);
-    } else {
+    if (text) {
       read_text(count, image);
+    } else {
+      read_binary(count, image);
     }
     return image;
   }
@@ -65,31 +70,42 @@ class PgmReader {
   void read_binary(std::size_t count, GrayImage& image) {
     ++at_;  // One white space after the largest value.
     const std::size_t width = image.max_value > 255 ? 2 : 1;
-    if (at_ > bytes_.size() || (bytes_.size() - at_) / width < count) {
+    const std::size_t pixel = width * static_cast<std::size_t>(channels_);
+    if (at_ > bytes_.size() || (bytes_.size() - at_) / pixel < count) {
       fail(fmt::format("cut short: {} of {} bytes of pixels; copy the file again",
-                       bytes_.size() - std::min(at_, bytes_.size()), count * width));
+                       bytes_.size() - std::min(at_, bytes_.size()), count * pixel));
     }
     image.pixels.reserve(count);
-    for (std::size_t i = at_; image.pixels.size() < count; i += width) {
-      unsigned value = static_cast<std::uint8_t>(bytes_[i]);
-      if (width == 2) value = value << 8U | static_cast<std::uint8_t>(bytes_[i + 1]);
-      if (static_cast<int>(value) > image.max_value) fail("a pixel is above the largest value");
-      image.pixels.push_back(static_cast<std::uint16_t>(value));
-    }
+    const auto next = [&] {
+      int value = static_cast<std::uint8_t>(bytes_[at_]);
+      if (width == 2) value = value * 256 + static_cast<std::uint8_t>(bytes_[at_ + 1]);
+      if (value > image.max_value) fail("a pixel is above the largest value");
+      at_ += width;
+      return value;
+    };
+    while (image.pixels.size() < count) image.pixels.push_back(mean_of(next));
+  }
+
+  /// Of a pixel's values.
+  template <typename Next>
+  [[nodiscard]] std::uint16_t mean_of(Next next) const {
+    int sum = 0;
+    for (int i = 0; i < channels_; ++i) sum += next();
+    return static_cast<std::uint16_t>((sum + channels_ / 2) / channels_);
   }
 
   void read_text(std::size_t count, GrayImage& image) {
-    if ((bytes_.size() - at_) / 2 < count) {
+    if ((bytes_.size() - at_) / 2 / static_cast<std::size_t>(channels_) < count) {
       fail(fmt::format("cut short: it cannot hold {} pixels; copy the file again", count));
     }
     image.pixels.reserve(count);
-    while (image.pixels.size() < count) {
-      image.pixels.push_back(static_cast<std::uint16_t>(number("pixel", 0, image.max_value)));
-    }
+    const auto next = [&] { return number("pixel", 0, image.max_value); };
+    while (image.pixels.size() < count) image.pixels.push_back(mean_of(next));
   }
 
   std::string_view bytes_;
   std::string name_;
+  int channels_ = 1;
   std::size_t at_ = 0;
 };
 

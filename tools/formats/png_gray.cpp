@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "tools/formats/file.hpp"
 #include "tools/formats/gray_image.hpp"
 
 namespace castaway::testbed {
@@ -21,19 +20,28 @@ constexpr png_uint_32 kMaxSide = 32768;
 template <typename Value>
 std::vector<std::uint16_t> mean_of_channels(const std::vector<Value>& values, std::size_t channels,
                                             bool alpha) {
-  constexpr std::uint64_t kWhite = static_cast<Value>(-1);
   const std::size_t colors = alpha ? channels - 1 : channels;
   std::vector<std::uint16_t> pixels;
   pixels.reserve(values.size() / channels);
   for (std::size_t i = 0; i < values.size(); i += channels) {
     std::uint64_t sum = 0;
     for (std::size_t c = 0; c < colors; ++c) sum += values[i + c];
-    const std::uint64_t opacity = alpha ? values[i + colors] : kWhite;
-    const std::uint64_t total = sum * opacity + colors * kWhite * (kWhite - opacity);
-    const std::uint64_t divisor = colors * kWhite;
-    pixels.push_back(static_cast<std::uint16_t>((total + divisor / 2) / divisor));
+    pixels.push_back(static_cast<std::uint16_t>((sum + colors / 2) / colors));
   }
   return pixels;
+}
+
+/// By pixel of rows as above: whether its last channel is below the largest value. Empty: none is.
+template <typename Value>
+std::vector<bool> transparent_pixels(const std::vector<Value>& values, std::size_t channels) {
+  std::vector<bool> result;
+  bool any = false;
+  result.reserve(values.size() / channels);
+  for (std::size_t i = channels - 1; i < values.size(); i += channels) {
+    result.push_back(values[i] != static_cast<Value>(-1));
+    any = any || result.back();
+  }
+  return any ? result : std::vector<bool>{};
 }
 
 /// A PNG being read by libpng's row interface, which hands out the file's values as they are.
@@ -70,9 +78,14 @@ struct PngState {
 };
 
 /// False where libpng jumped out; only what lives outside this frame changes after the setjmp.
-bool read_pixels(PngState& state) {
+bool read_size(PngState& state) {
   if (setjmp(png_jmpbuf(state.png)) != 0) return false;  // NOLINT: libpng's way of errors.
   png_read_info(state.png, state.info);
+  return true;
+}
+
+bool read_pixels(PngState& state) {
+  if (setjmp(png_jmpbuf(state.png)) != 0) return false;  // NOLINT: libpng's way of errors.
   png_set_expand(state.png);
   png_set_interlace_handling(state.png);
   png_read_update_info(state.png, state.info);
@@ -99,6 +112,9 @@ std::vector<std::uint16_t> wide_values(const std::vector<std::uint8_t>& bytes) {
 
 GrayImage decode_png_gray(std::string_view bytes, const std::string& name) {
   PngState state(bytes);
+  if (!read_size(state)) fail(name, state.error);
+  refuse_large_picture(static_cast<int>(png_get_image_width(state.png, state.info)),
+                       static_cast<int>(png_get_image_height(state.png, state.info)), name);
   if (!read_pixels(state)) fail(name, state.error);
   GrayImage image;
   image.width = static_cast<int>(png_get_image_width(state.png, state.info));
@@ -107,17 +123,16 @@ GrayImage decode_png_gray(std::string_view bytes, const std::string& name) {
   const bool alpha = (png_get_color_type(state.png, state.info) & PNG_COLOR_MASK_ALPHA) != 0;
   const bool wide = png_get_bit_depth(state.png, state.info) == 16;
   image.max_value = wide ? 65535 : 255;
-  image.pixels = wide ? mean_of_channels(wide_values(state.pixels), channels, alpha)
-                      : mean_of_channels(state.pixels, channels, alpha);
+  const auto take = [&](const auto& values) {
+    image.pixels = mean_of_channels(values, channels, alpha);
+    if (alpha) image.transparent = transparent_pixels(values, channels);
+  };
+  if (wide) {
+    take(wide_values(state.pixels));
+  } else {
+    take(state.pixels);
+  }
   return image;
-}
-
-GrayImage load_gray_image(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  if (bytes.starts_with("\x89PNG")) return decode_png_gray(bytes, path.string());
-  if (bytes.starts_with("P2") || bytes.starts_with("P5")) return decode_pgm(bytes, path.string());
-  throw std::runtime_error(path.string() +
-                           ": neither PGM (P2, P5) nor PNG; convert it, e.g. `convert in out.pgm`");
 }
 
 }  // namespace castaway::testbed

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kOccupiedThresh = 0.65;
 constexpr double kFreeThresh = 0.196;
+constexpr int kUnknownGray = 205;
+constexpr double kMuch = 1.0;  // [%] Of a picture.
 
 std::int8_t raw_cell(double shade) {
   const int value = static_cast<int>(std::lround(shade * 255.0));
@@ -34,6 +36,11 @@ std::uint16_t gray_of(std::int8_t cell) {
   return cell >= 0 && cell <= 100 * kFreeThresh ? 254 : 205;
 }
 
+double percent_of(std::size_t pixels, const GrayImage& image) {
+  return 100.0 * static_cast<double>(pixels) /
+         static_cast<double>(std::max<std::size_t>(1, image.pixels.size()));
+}
+
 /// Decimal with a point, whatever the value: "0.0", "-11.55".
 std::string yaml_number(double value) {
   const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
@@ -46,6 +53,38 @@ Eigen::Vector2d RosMap::to_map(const Eigen::Vector2d& cells_from_corner) const {
   return Eigen::Vector2d(origin_x, origin_y) +
          Eigen::Rotation2Dd(origin_yaw) * (resolution * cells_from_corner);
 }
+
+namespace {
+
+/// Pixels that are not opaque are unknown, as map_server has them; in raw mode it does not look.
+void take_out_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
+  if (image.transparent.empty() || mode == MapMode::kRaw) return;
+  const auto width = static_cast<std::size_t>(image.width);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.transparent.size(); ++i) {
+    if (!image.transparent[i]) continue;
+    const std::size_t row = static_cast<std::size_t>(image.height) - 1 - i / width;
+    map.cells[row * width + i % width] = -1;
+    ++count;
+  }
+  map.warnings.push_back(fmt::format("map {}: {:.1f} % of its picture is transparent: unknown",
+                                     map.name, percent_of(count, image)));
+}
+
+/// Grey 205, as which map savers write what is unknown, is 0.1961 of occupancy.
+void warn_of_free_unknown(const GrayImage& image, const RosMapHeader& header, RosMap& map) {
+  if (image.max_value != 255 || header.mode == MapMode::kRaw || header.negate) return;
+  if (cell_of(kUnknownGray / 255.0, header) != 0) return;
+  const auto count = static_cast<std::size_t>(
+      std::count(image.pixels.begin(), image.pixels.end(), std::uint16_t{kUnknownGray}));
+  if (percent_of(count, image) < kMuch) return;
+  map.warnings.push_back(fmt::format(
+      "map {}: free_thresh {} makes grey {} (unknown, {:.0f} % of the picture) free; "
+      "write free_thresh: {}",
+      map.name, header.free_thresh, kUnknownGray, percent_of(count, image), kFreeThresh));
+}
+
+}  // namespace
 
 RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::string name) {
   std::vector<std::int8_t> cell_of_gray;
@@ -60,6 +99,8 @@ RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::str
     std::transform(row - width, row, std::back_inserter(map.cells),
                    [&](std::uint16_t gray) { return cell_of_gray[gray]; });
   }
+  take_out_transparent(image, header.mode, map);
+  warn_of_free_unknown(image, header, map);
   return map;
 }
 

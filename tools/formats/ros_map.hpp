@@ -23,6 +23,7 @@ struct RosMap {
   double origin_y = 0.0;           ///< [m]
   double origin_yaw = 0.0;         ///< [rad]
   std::vector<std::int8_t> cells;  ///< -1 unknown, 0 free ... 100 occupied; row 0 at the bottom.
+  std::vector<std::string> warnings{};  ///< What is odd about its file.
 
   [[nodiscard]] std::int8_t at(int column, int row) const {
     return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

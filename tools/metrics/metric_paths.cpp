@@ -70,7 +70,7 @@ MetricTable metric_table(const Json& summary, const Json& timing) {
   MetricTable table;
   Json run = summary;
   const Json localizers = run.value("localizers", Json::object());
-  for (const char* key : {"localizers", "seed", "metrics_version"}) run.erase(key);
+  for (const char* key : {"localizers", "seed", "metrics_version", "void"}) run.erase(key);
   add_figures(run, "", table);
   for (const auto& [name, figures] : localizers.items()) add_figures(figures, name, table);
   if (timing.is_object()) add_figures(timing, "timing", table);

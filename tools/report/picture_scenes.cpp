@@ -88,10 +88,10 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene&
 }
 
 /// World, robot at its true pose, what moves, and lidar hits.
-sim::Scene base_scene(const PictureWorld& world, const ScanRecord& record,
-                      const std::optional<SE2>& T_map_now) {
+sim::Scene base_scene(const PictureWorld& world, const std::vector<sim::SceneItem>& standing,
+                      const ScanRecord& record, const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
-  scene.items = world.world;
+  scene.items = standing;
   if (world.moving) {
     for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
   }
@@ -149,7 +149,7 @@ std::vector<Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base) {
 
 sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_now) {
-  sim::Scene scene = base_scene(world, record, T_map_now);
+  sim::Scene scene = base_scene(world, world.world, record, T_map_now);
   const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
   const ChaseView view = clear_view(world.world, T_map_base);
   scene.camera.eye = view.eye;
@@ -160,7 +160,8 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
 
 sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
                           const std::optional<SE2>& T_map_now) {
-  sim::Scene scene = base_scene(world, record, T_map_now);
+  const bool roofed = !world.from_above.empty();
+  sim::Scene scene = base_scene(world, roofed ? world.from_above : world.world, record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();
   scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);

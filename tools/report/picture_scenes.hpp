@@ -13,7 +13,8 @@ namespace castaway::testbed {
 
 /// What is there to be seen beside what a run tells. Anything may be missing.
 struct PictureWorld {
-  std::vector<sim::SceneItem> world;  ///< In map; none: no 3-D pictures (a recorded log).
+  std::vector<sim::SceneItem> world;         ///< In map; none: no 3-D pictures (a recorded log).
+  std::vector<sim::SceneItem> from_above{};  ///< The same without roofs; empty: there is none.
   std::vector<sim::SceneItem> robot;  ///< In base: `T_map_mesh` is the pose of the mesh in base.
   /// What moves, now, in map: people, doors.
   std::function<std::vector<sim::SceneItem>()> moving;

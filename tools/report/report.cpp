@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/report/calibration_section.hpp"
 #include "tools/report/curves_section.hpp"
 #include "tools/report/html.hpp"
@@ -26,6 +27,12 @@ constexpr const char* kPolicy =
 
 std::string lead(const RunFolder& run) {
   std::string html = "<div class=\"lead\">\n";
+  if (const auto sentence = void_sentence(run.summary)) {
+    html += fmt::format(
+        "<p class=\"void\"><strong>Void:</strong> {}. The figures say nothing about "
+        "localizers.</p>\n",
+        escape_html(*sentence));
+  }
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
     html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report_style.hpp"
 #include "tools/report/report_words.hpp"
@@ -33,11 +34,12 @@ std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 std::string rows_of(const fs::path& folder, const fs::path& page) {
   const RunFolder run = load_run_folder(folder);
   const auto& localizers = run.summary["localizers"];
-  std::string first = fmt::format("<td rowspan=\"{}\"><a href=\"{}\">{}, seed {}</a></td>",
+  std::string first = fmt::format("<td rowspan=\"{}\"><a href=\"{}\">{}, seed {}</a>{}</td>",
                                   std::max<std::size_t>(1, localizers.size()),
                                   address(folder / "report.html", page),
                                   escape_html(run.summary.value("scenario", "run")),
-                                  run.summary.value("seed", std::uint64_t{0}));
+                                  run.summary.value("seed", std::uint64_t{0}),
+                                  void_sentence(run.summary) ? "<br><strong>void</strong>" : "");
   std::string rows;
   for (const auto& [name, figures] : localizers.items()) {
     rows += "<tr>" + first + "<td class=\"words\">" + describe_localizer(run, name) + "</td>" +

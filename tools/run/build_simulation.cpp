@@ -39,6 +39,17 @@ LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path
   return loaded;
 }
 
+SurveyOptions survey_options(const Scenario& scenario, const LoadedRobot& robot) {
+  SurveyOptions options{robot.lidars.front().T_base_laser.translation().z(), scenario.wall_height};
+  options.seed = scenario.seed;
+  options.robot_radius = robot.robot.footprint_radius;
+  options.strict = scenario.world.strict;
+  if (scenario.start.place == StartSpec::Place::kPose) {
+    options.inside = scenario.start.pose.head<2>();
+  }
+  return options;
+}
+
 /// What stands where it was not mapped, and how much a lidar sees of that.
 std::optional<MapDifference> difference_of(const LoadedWorld& world,
                                            const sim::LidarConfig& lidar) {
@@ -93,18 +104,15 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot robot = load_any_robot(scenario, base);
-  SurveyOptions options{robot.lidars.front().T_base_laser.translation().z(), scenario.wall_height};
-  options.seed = scenario.seed;
-  if (scenario.start.place == StartSpec::Place::kPose) {
-    options.inside = scenario.start.pose.head<2>();
-  }
+  const SurveyOptions options = survey_options(scenario, robot);
   return put_together(scenario, base, std::move(robot), build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map) {
-  return put_together(scenario, base, load_any_robot(scenario, base),
-                      world_of_map(std::move(map), scenario.wall_height));
+  LoadedRobot robot = load_any_robot(scenario, base);
+  const SurveyOptions options = survey_options(scenario, robot);
+  return put_together(scenario, base, std::move(robot), world_of_map(std::move(map), options));
 }
 
 }  // namespace castaway::testbed

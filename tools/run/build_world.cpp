@@ -1,6 +1,7 @@
 #include "tools/run/build_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -8,6 +9,9 @@
 
 #include "localization/random.hpp"
 #include "sim/world/extrude.hpp"
+#include "sim/world/floor.hpp"
+#include "sim/world/free_choice.hpp"
+#include "sim/world/grid_tools.hpp"
 #include "sim/world/rasterise.hpp"
 #include "sim/world/sdf/load_sdf.hpp"
 #include "tools/run/simulator_source.hpp"
@@ -20,6 +24,11 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kMapResolution = 0.05;  // [m]
+constexpr double kMostCells = 36e6;      // Of a survey; a run needs about 50 bytes for each.
+constexpr double kOpenGround = 15.0;     // [m] Of ground around what stands in the open.
+constexpr double kNoRoom = 1.0;          // [m^2] Less free space than this is none.
+constexpr double kTold = 0.001;          // [m] A floor this far from 0 is worth a line.
+constexpr double kPlatform = 0.3;        // [m] What is higher at the start is an obstacle.
 
 bool is_ros_map(const std::filesystem::path& path) {
   return YamlDocument::load(path).root().has("image");
@@ -70,7 +79,8 @@ void apply(const sim::DifferenceSpec& spec, std::uint64_t seed, LoadedWorld& wor
   for (const std::string& note : changed.notes) world.warnings.push_back("differences: " + note);
 }
 
-bool is_sdf(const std::filesystem::path& path) {
+bool is_sdf(std::filesystem::path path) {
+  if (path.extension() == ".xacro") path = path.stem();
   return path.extension() == ".sdf" || path.extension() == ".world";
 }
 
@@ -85,40 +95,101 @@ std::vector<std::string> found_from(const std::vector<std::string>& paths,
   return result;
 }
 
-LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search) {
+/// Names the part of the free space that the run is about, and makes the others unknown.
+void choose_space(const std::optional<Eigen::Vector2d>& start, double radius, LoadedWorld& world) {
+  sim::FreeChoice choice = sim::choose_free(world.grid, radius, start);
+  world.grid = std::move(choice.grid);
+  if (const auto text = sim::describe(choice)) world.warnings.push_back(*text);
+}
+
+/// Edge of a cell with which the map of a world has no more than `kMostCells`. [m]
+double survey_resolution(const sim::WorldSpec& spec) {
+  const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
+  double resolution = kMapResolution;
+  while (size.prod() > kMostCells * resolution * resolution) resolution *= 2.0;
+  return resolution;
+}
+
+/// Edge of the map's cells: as fine as memory allows. [m]
+double told_resolution(LoadedWorld& world) {
+  const double resolution = survey_resolution(world.file.spec);
+  if (resolution > kMapResolution) {
+    world.warnings.push_back(fmt::format("a large world: its map has cells of {} m instead of {} m",
+                                         resolution, kMapResolution));
+  }
+  return resolution;
+}
+
+/// Ground around what stands there, as far as a lidar sees.
+void extend(const sim::Ground& ground, sim::WorldSpec& spec) {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kOpenGround);
+  Eigen::AlignedBox2d box(spec.min_corner - reach, spec.max_corner + reach);
+  if (!ground.extent.isEmpty()) box = box.intersection(ground.extent);
+  spec.min_corner = spec.min_corner.cwiseMin(box.min());
+  spec.max_corner = spec.max_corner.cwiseMax(box.max());
+}
+
+LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search,
+                      const SurveyOptions& options) {
   LoadedWorld world;
-  sim::SdfWorld loaded = sim::load_sdf(path.string(), search);
+  sim::SdfWorld loaded = sim::load_sdf(path.string(), {search, options.inside, options.strict});
   world.file.spec = std::move(loaded.spec);
+  world.file.spec.inside = options.inside;
   world.warnings = std::move(loaded.warnings);
   world.has_start = false;
+  const auto cut = [&] {
+    return sim::cut_world(world.file.spec, options.lidar_height,
+                          survey_resolution(world.file.spec));
+  };
+  world.grid = cut();
+  const sim::FreeChoice room = sim::choose_free(world.grid, options.robot_radius, options.inside);
+  if (loaded.ground && (room.at_edge || room.area < kNoRoom)) {
+    extend(*loaded.ground, world.file.spec);
+    world.grid = cut();
+  }
+  (void)told_resolution(world);
+  choose_space(options.inside, options.robot_radius, world);
+  world.grid = options.inside ? sim::component_at(world.grid, *options.inside)
+                              : sim::largest_component(world.grid);
+  return world;
+}
+
+LoadedWorld yaml_world(const std::filesystem::path& path, const SurveyOptions& options) {
+  LoadedWorld world;
+  world.file = load_world(path);
+  sim::WorldSpec& spec = world.file.spec;
+  const sim::Ground ground{0.0, {spec.min_corner, spec.max_corner}};
+  const double floor = sim::floor_height(spec, ground, world.file.start.position());
+  if (floor > kTold && floor <= kPlatform) {
+    sim::settle(spec, floor);
+    world.warnings.push_back(fmt::format(
+        "what carries the robot at the start lies at z = {:.3f} m: heights count from it", floor));
+  }
+  world.grid = sim::rasterise(spec, options.lidar_height, told_resolution(world));
   return world;
 }
 
 LoadedWorld load_undisturbed(const WorldChoice& choice, const std::filesystem::path& base,
                              const SurveyOptions& options) {
   const std::filesystem::path path = find_world(choice.file, base);
-  if (!is_sdf(path) && is_ros_map(path))
-    return world_of_map(load_ros_map(path), options.wall_height);
-  LoadedWorld world;
-  if (is_sdf(path)) {
-    world = sdf_world(path, found_from(choice.search_paths, base));
-    if (options.inside) world.file.spec.inside = options.inside;
-  } else {
-    world.file = load_world(path);
-  }
-  world.grid = sim::rasterise(world.file.spec, options.lidar_height, kMapResolution);
+  refuse_picture(path);
+  if (!is_sdf(path) && is_ros_map(path)) return world_of_map(load_ros_map(path), options);
+  LoadedWorld world = is_sdf(path) ? sdf_world(path, found_from(choice.search_paths, base), options)
+                                   : yaml_world(path, options);
   world.map = to_ros_map(world.grid, world.file.spec.name);
   return world;
 }
 
 }  // namespace
 
-LoadedWorld world_of_map(RosMap map, double wall_height) {
+LoadedWorld world_of_map(RosMap map, const SurveyOptions& options) {
   LoadedWorld world;
   world.map = std::move(map);
+  world.warnings = world.map.warnings;
   world.grid = to_sim_grid(world.map);
-  world.file.spec = sim::extrude(world.grid, wall_height, world.map.name);
+  world.file.spec = sim::extrude(world.grid, options.wall_height, world.map.name);
   world.has_start = false;
+  choose_space(options.inside, options.robot_radius, world);
   return world;
 }
 

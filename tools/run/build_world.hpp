@@ -36,9 +36,11 @@ struct LoadedWorld {
 struct SurveyOptions {
   double lidar_height = 0.15;  ///< [m] A world made of objects is surveyed at this height.
   double wall_height = 2.0;    ///< [m] Of a world made from a map.
-  /// [m] A point of the floor to be surveyed, for worlds without a start.
+  /// [m] Where the robot starts, for worlds without a start of their own.
   std::optional<Eigen::Vector2d> inside = {};
-  std::uint64_t seed = 1;  ///< Of the run; the layer draws from its substream "differences".
+  double robot_radius = 0.2;  ///< [m] Free space that it does not pass through is no part of a run.
+  bool strict = false;        ///< A piece of a world that cannot be read is an error.
+  std::uint64_t seed = 1;     ///< Of the run; the layer draws from its substream "differences".
 };
 
 /// Finds a world (`world.yaml`, `.sdf`, `.world`, ROS map), surveys it, then changes it as its
@@ -46,8 +48,9 @@ struct SurveyOptions {
 LoadedWorld build_world(const WorldChoice& choice, const std::filesystem::path& base,
                         const SurveyOptions& options);
 
-/// A world that is `map`, pulled up.
-LoadedWorld world_of_map(RosMap map, double wall_height);
+/// A world that is `map`, pulled up. Free space other than the part that the run is about (see
+/// `sim::choose_free`) is unknown in its grid, while the localizers are given the map as it is.
+LoadedWorld world_of_map(RosMap map, const SurveyOptions& options);
 
 /// True if the world holds what is not on its map, or the reverse.
 bool differs_from_map(const sim::WorldSpec& world);

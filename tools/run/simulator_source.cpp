@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "localization/random.hpp"
 #include "sim/people/person_visuals.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/run/scan_truth.hpp"
 
 namespace castaway::testbed {
@@ -37,6 +40,17 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
 Stamp begun(const Frame& frame) {
   const auto* scan = std::get_if<ScanFrame>(&frame.data);
   return scan != nullptr ? scan->scan.stamp : frame.stamp;
+}
+
+const char* reason_of(sim::VoidReason reason) {
+  switch (reason) {
+    case sim::VoidReason::kContactFromStart:
+      return kContactFromStart;
+    case sim::VoidReason::kNeverMoved:
+      return kNeverMoved;
+    default:
+      return kStuck;
+  }
 }
 
 std::string name_of(const sim::FaultRecord& fault) {
@@ -89,18 +103,50 @@ std::optional<Frame> SimulatorSource::next() {
 }
 
 std::optional<Frame> SimulatorSource::next_of_all() {
-  if (pending_) return std::exchange(pending_, std::nullopt);
+  if (pending_.empty()) take_next();
+  if (pending_.empty()) return std::nullopt;
+  Frame frame = std::move(pending_.front());
+  pending_.pop_front();
+  return frame;
+}
+
+/// With what is to be told before it.
+void SimulatorSource::take_next() {
+  if (over_) return;
   const std::optional<sim::SimFrame> frame = simulation_.next();
-  if (!frame) return std::nullopt;
+  if (!frame) return finish();
   if (stop_after_ > 0.0 && simulation_.distance_driven() >= stop_after_) {
     duration_ = frame->stamp;
-    return std::nullopt;
+    return finish();
   }
-  if (simulation_.collisions() == collisions_) return convert(*frame);
-  collisions_ = simulation_.collisions();
-  pending_ = convert(*frame);
-  const SE2 T_map_base = to_se2(simulation_.true_pose());
-  return Frame{frame->stamp, RunEvent{frame->stamp, "collision", "", T_map_base, T_map_base}};
+  newest_ = frame->stamp;
+  if (simulation_.collisions() != collisions_) {
+    collisions_ = simulation_.collisions();
+    tell("collision", "", simulation_.true_pose());
+  }
+  if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame->data)) note(*kidnap);
+  pending_.push_back(convert(*frame));
+}
+
+void SimulatorSource::tell(const std::string& kind, const std::string& detail,
+                           const sim::Pose2& pose, std::optional<Stamp> since) {
+  const SE2 T_map_base = to_se2(pose);
+  pending_.push_back({newest_, RunEvent{newest_, kind, detail, T_map_base, T_map_base, since}});
+}
+
+void SimulatorSource::finish() {
+  over_ = true;
+  const std::optional<sim::VoidRecord> found = simulation_.void_record();
+  if (found) tell("void", reason_of(found->reason), simulation_.true_pose(), found->since);
+}
+
+void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
+  if (!kidnap.too_near) return;
+  warnings_.push_back(fmt::format(
+      "kidnap at {:.2f} s: no free place as far away as its min_distance_m asks for; it goes to "
+      "the farthest, {:.2f} m away",
+      seconds(kidnap.since), (kidnap.T_map_to.position() - kidnap.T_map_from.position()).norm()));
+  tell("warning", warnings_.back(), kidnap.T_map_from);
 }
 
 Frame SimulatorSource::convert(const sim::SimFrame& frame) const {

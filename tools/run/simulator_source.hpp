@@ -2,6 +2,10 @@
 /// `localization` are turned into each other.
 #pragma once
 
+#include <deque>
+#include <string>
+#include <vector>
+
 #include "localization/map/occupancy_grid.hpp"
 #include "sim/render/scene.hpp"
 #include "sim/sensor_stage.hpp"
@@ -23,7 +27,7 @@ sim::Grid to_sim_grid(const RosMap& map);
 /// The streams of a simulation, each by its own name.
 sim::SimulationStreams simulation_streams(std::uint64_t seed);
 
-/// Plays a simulation. Collisions become events.
+/// Plays a simulation. Collisions become events; a run that is void ends with a "void" event.
 class SimulatorSource final : public SensorSource {
  public:
   /// `lidars` are those that the simulation was configured with (`sim::all_lidars`).
@@ -41,6 +45,8 @@ class SimulatorSource final : public SensorSource {
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on scans bring their points in space.
   void keep_clouds() { clouds_ = true; }
+  /// What happened otherwise than the scenario asks for, in words; so far.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// Command and wheels as they are now: up to a step of physics after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// The people as they are now, for pictures.
@@ -48,6 +54,11 @@ class SimulatorSource final : public SensorSource {
 
  private:
   std::optional<Frame> next_of_all();
+  void take_next();
+  void tell(const std::string& kind, const std::string& detail, const sim::Pose2& pose,
+            std::optional<Stamp> since = {});
+  void note(const sim::KidnapRecord& kidnap);
+  void finish();
   [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;
   [[nodiscard]] ScanFrame convert(const sim::LidarReading& reading) const;
 
@@ -58,7 +69,10 @@ class SimulatorSource final : public SensorSource {
   Stamp begin_{};
   Stamp duration_;
   std::int64_t collisions_ = 0;
-  std::optional<Frame> pending_;
+  std::deque<Frame> pending_;
+  std::vector<std::string> warnings_;
+  Stamp newest_{};     ///< Of the last frame.
+  bool over_ = false;  ///< All frames are out.
 };
 
 }  // namespace castaway::testbed

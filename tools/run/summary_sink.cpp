@@ -8,6 +8,7 @@
 #include "tools/formats/csv.hpp"
 #include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/metrics_json.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/run/event_log.hpp"
 
 namespace castaway::testbed {
@@ -98,6 +99,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"world", info.world},
             {"robot", info.robot},
             {"known_start", info.known_start},
+            {"void", void_json(void_run(history.events))},
             {"collisions", collisions(history)},
             {"driving", driving_figures(history)}};
   if (info.difference) root["difference"] = to_json(*info.difference);

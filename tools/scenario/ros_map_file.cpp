@@ -1,6 +1,13 @@
 #include "tools/scenario/ros_map_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "tools/scenario/yaml_reader.hpp"
 
@@ -24,8 +31,14 @@ bool read_negate(YamlReader& root) {
   return text == "1" || text == "true";
 }
 
+/// In any letter case, as map_server reads it.
 MapMode read_mode(YamlReader& root) {
-  const std::string mode = root.choice("mode", "trinary", {"trinary", "scale", "raw"});
+  std::string mode = root.get<std::string>("mode", "trinary");
+  std::transform(mode.begin(), mode.end(), mode.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (mode != "trinary" && mode != "scale" && mode != "raw") {
+    mode = root.choice("mode", "trinary", {"trinary", "scale", "raw"});  // Says what is wrong.
+  }
   if (mode == "scale") return MapMode::kScale;
   return mode == "raw" ? MapMode::kRaw : MapMode::kTrinary;
 }
@@ -58,7 +71,30 @@ std::string name_of(const std::filesystem::path& yaml_path) {
 
 }  // namespace
 
+void refuse_picture(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::array<std::string_view, 7> kPictures{".png", ".pgm",  ".ppm", ".bmp",
+                                                  ".jpg", ".jpeg", ".pnm"};
+  if (std::find(kPictures.begin(), kPictures.end(), extension) == kPictures.end()) return;
+  std::filesystem::path yaml = path;
+  yaml.replace_extension(".yaml");
+  std::error_code none;
+  if (std::filesystem::exists(yaml, none)) {
+    throw std::runtime_error(fmt::format("{}: is a map's picture; give its YAML file, {}",
+                                         path.string(), yaml.string()));
+  }
+  throw std::runtime_error(fmt::format(
+      "{0}: a picture alone does not say how large its cells are and where it lies; write {1} with "
+      "the size of a cell [m] and the pose of the lower left corner: {{image: {2}, resolution: "
+      "0.05, origin: [0.0, 0.0, 0.0], negate: 0, occupied_thresh: 0.65, free_thresh: 0.196}} and "
+      "give that",
+      path.string(), yaml.string(), path.filename().string()));
+}
+
 RosMap load_ros_map(const std::filesystem::path& yaml_path) {
+  refuse_picture(yaml_path);
   YamlDocument document = YamlDocument::load(yaml_path);
   YamlReader root = document.root();
   const std::filesystem::path image = root.require<std::string>("image");

@@ -7,6 +7,9 @@
 
 namespace castaway::testbed {
 
+/// Says of a path that ends as pictures do what is missing. @throws std::runtime_error that does.
+void refuse_picture(const std::filesystem::path& path);
+
 /// Reads a map and its picture (path relative to the YAML file). The map's name is that of the
 /// file's folder, or the file's stem where that is not "map". Throws std::runtime_error naming the
 /// file, the key and the remedy. Keys of other tools are ignored.

@@ -34,6 +34,7 @@ struct WorldChoice {
   std::string file = "lab";  ///< A world's name, its path, an SDF world, or a ROS map's YAML file.
   std::vector<std::string> search_paths;  ///< Folders that an SDF's models are looked for in.
   std::optional<sim::DifferenceSpec> differences;  ///< Instead of those of the world's file.
+  bool strict = false;  ///< A piece of an SDF world that cannot be read is an error.
 };
 
 /// Where the robot starts, and what the localizers are told.

@@ -1,8 +1,7 @@
 #include "sim/world/sdf/include_check.hpp"
 
-#include <map>
+#include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,67 +16,64 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxDepth = 20;
 constexpr int kMaxInclusions = 5000;
 
-class IncludeCheck {
- public:
-  explicit IncludeCheck(const ResourceFinder& finder) : finder_(finder) {}
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw std::length_error(fmt::format("{}: {}", file.string(), why));
+}
 
-  void visit(const fs::path& file) {
-    for (const fs::path& open : open_) {
-      if (open == file) fail(file, "it includes itself; break the circle");
-    }
-    if (open_.size() >= kMaxDepth) fail(file, "models are nested more than 20 levels deep");
-    open_.push_back(file);
-    for (const std::string& uri : includes_of(file)) {
-      if (++inclusions_ > kMaxInclusions) fail(file, "more than 5000 models are included");
-      visit(finder_.model_file(found(uri, file)));
-    }
-    open_.pop_back();
+/// URIs of the includes that are, or are below, an element.
+void collect(const TiXmlNode& node, std::vector<std::string>& uris) {
+  if (const TiXmlElement* self = node.ToElement(); self != nullptr) {
+    const TiXmlElement* uri =
+        self->ValueStr() == "include" ? self->FirstChildElement("uri") : nullptr;
+    const bool named = uri != nullptr && uri->GetText() != nullptr;
+    if (named && !is_scenery(uri->GetText())) uris.emplace_back(uri->GetText());
   }
+  for (const TiXmlElement* element = node.FirstChildElement(); element != nullptr;
+       element = element->NextSiblingElement()) {
+    collect(*element, uris);
+  }
+}
+
+/// Whatever happens, the file is closed again.
+class OpenFile {
+ public:
+  OpenFile(std::vector<fs::path>& open, const fs::path& file) : open_(open) {
+    open_.push_back(file);
+  }
+  ~OpenFile() { open_.pop_back(); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
 
  private:
-  [[noreturn]] static void fail(const fs::path& file, const std::string& why) {
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
-  }
-
-  [[nodiscard]] fs::path found(const std::string& uri, const fs::path& file) const {
-    try {
-      return finder_.find(uri, file.parent_path());
-    } catch (const std::runtime_error& error) {
-      fail(file, std::string("<include>: ") + error.what());
-    }
-  }
-
-  /// URIs of the file's includes, anywhere in it.
-  const std::vector<std::string>& includes_of(const fs::path& file) {
-    const auto known = includes_.find(file);
-    if (known != includes_.end()) return known->second;
-    std::vector<std::string>& uris = includes_[file];
-    const auto document = parse_xml(file.string(), read_xml_text(file.string()));
-    collect(*document, uris);
-    return uris;
-  }
-
-  static void collect(const TiXmlNode& node, std::vector<std::string>& uris) {
-    for (const TiXmlElement* element = node.FirstChildElement(); element != nullptr;
-         element = element->NextSiblingElement()) {
-      const TiXmlElement* uri =
-          element->ValueStr() == "include" ? element->FirstChildElement("uri") : nullptr;
-      const bool named = uri != nullptr && uri->GetText() != nullptr;
-      if (named && !is_scenery(uri->GetText())) uris.emplace_back(uri->GetText());
-      collect(*element, uris);
-    }
-  }
-
-  const ResourceFinder& finder_;
-  std::vector<fs::path> open_;
-  std::map<fs::path, std::vector<std::string>> includes_;
-  int inclusions_ = 0;
+  std::vector<fs::path>& open_;
 };
 
 }  // namespace
 
-void check_includes(const fs::path& world, const ResourceFinder& finder) {
-  IncludeCheck(finder).visit(fs::weakly_canonical(world));
+void IncludeCheck::follow(const TiXmlNode& element) {
+  std::vector<std::string> uris;
+  collect(element, uris);
+  for (const std::string& uri : uris) visit(uri);
+}
+
+void IncludeCheck::visit(const std::string& uri) {
+  const fs::path from = open_.back();
+  if (++inclusions_ > kMaxInclusions) refuse(from, "more than 5000 models are included");
+  const fs::path file = finder_.model_file(finder_.find(uri, from.parent_path()));
+  if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
+    refuse(file, "it includes itself; break the circle");
+  }
+  if (open_.size() >= kMaxDepth) refuse(file, "models are nested more than 20 levels deep");
+  const OpenFile opened(open_, file);
+  for (const std::string& next : includes_of(file)) visit(next);
+}
+
+const std::vector<std::string>& IncludeCheck::includes_of(const fs::path& file) {
+  const auto known = includes_.find(file);
+  if (known != includes_.end()) return known->second;
+  std::vector<std::string> uris;
+  collect(*parse_xml(file.string(), read_xml_text(file.string())), uris);
+  return includes_[file] = std::move(uris);
 }
 
 }  // namespace castaway::sim

@@ -3,102 +3,40 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <sdf/sdf.hh>
 
+#include "sim/robot/xacro/expand.hpp"
+#include "sim/robot/xml_text.hpp"
 #include "sim/world/footprint.hpp"
-#include "sim/world/sdf/include_check.hpp"
-#include "sim/world/sdf/scenery.hpp"
+#include "sim/world/sdf/read_pieces.hpp"
 #include "sim/world/sdf/sdf_bodies.hpp"
+#include "sim/world/sdf/world_pieces.hpp"
 
 namespace castaway::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFloor = 0.01;      // [m] What ends below is no obstacle.
 constexpr double kMaxSide = 1000.0;  // [m]
+constexpr double kTold = 0.001;      // [m] A floor this far from 0 is worth a line.
 
-/// libsdformat tells std::cerr what it also returns as errors; this keeps it to itself.
-class Silence {
- public:
-  Silence() : cerr_(std::cerr.rdbuf(nowhere_.rdbuf())) {}
-  ~Silence() { std::cerr.rdbuf(cerr_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  std::ostringstream nowhere_;
-  std::streambuf* cerr_;
-};
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() > 400) text = text.substr(0, 400) + "...";
-  return text;
+std::string text_of(const std::string& path, const SdfOptions& options) {
+  if (fs::path(path).extension() != ".xacro") return read_xml_text(path);
+  RobotOptions expansion;
+  expansion.search_paths = options.search_paths;
+  return xml_text_of(
+      *xacro::expand(path, PackageFinder(path, options.search_paths), expansion).xml);
 }
 
-sdf::ParserConfig quiet_config(const ResourceFinder& finder, const fs::path& folder) {
-  sdf::Console::Instance()->SetQuiet(true);
-  sdf::ParserConfig config;
-  config.SetWarningsPolicy(sdf::EnforcementPolicy::LOG);
-  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::LOG);
-  config.SetDeprecatedElementsPolicy(sdf::EnforcementPolicy::LOG);
-  config.SetFindCallback([&finder, folder](const std::string& uri) {
-    return finder.model_file(finder.find(uri, folder)).string();
-  });
-  return config;
+/// `default` and `world` say nothing.
+std::string name_of(const WorldPieces& world, const std::string& path) {
+  fs::path stem = fs::path(path).stem();
+  if (stem.has_extension()) stem = stem.stem();
+  const bool named = !world.name.empty() && world.name != "default" && world.name != "world";
+  return named ? world.name : stem.string();
 }
-
-void throw_first(const sdf::Errors& errors, const std::string& path) {
-  if (errors.empty()) return;
-  const sdf::Error& error = errors.front();
-  const std::string line = error.LineNumber() ? fmt::format(":{}", *error.LineNumber()) : "";
-  throw std::runtime_error(fmt::format("{}{}: {}", path, line, one_line(error.Message())));
-}
-
-/// Masses are of no use here, and wrong ones would be errors.
-void remove_masses(const sdf::ElementPtr& parent) {
-  std::vector<sdf::ElementPtr> masses;
-  for (sdf::ElementPtr e = parent->GetFirstElement(); e; e = e->GetNextElement()) {
-    if (e->GetName() == "inertial") {
-      masses.push_back(e);
-    } else {
-      remove_masses(e);
-    }
-  }
-  for (const sdf::ElementPtr& mass : masses) parent->RemoveChild(mass);
-}
-
-/// The tree of a file, its includes taken in.
-sdf::SDFPtr read_tree(const std::string& path, const sdf::ParserConfig& config) {
-  auto tree = std::make_shared<sdf::SDF>();
-  sdf::init(tree);
-  sdf::Errors errors;
-  const auto text = without_scenery(path);
-  const bool read = text ? sdf::readString(*text, config, tree, errors)
-                         : sdf::readFile(path, config, tree, errors);
-  throw_first(errors, path);
-  if (!read) throw std::runtime_error(path + ": is no SDF file");
-  remove_masses(tree->Root());
-  return tree;
-}
-
-/// libsdformat lets some numbers' own exceptions (`stoi`) through.
-void load_tree(const std::string& path, const sdf::ParserConfig& config, sdf::Root& root) {
-  try {
-    throw_first(root.Load(read_tree(path, config), config), path);
-  } catch (const std::logic_error& error) {
-    throw std::runtime_error(
-        fmt::format("{}: a number in it is out of range ({})", path, error.what()));
-  }
-}
-
-bool is_floor(const WorldObject& object) { return bounds(object).max().z() <= kFloor; }
 
 /// Just the geometry: a margin would be open ground all round it.
 void set_extent(WorldSpec& spec, const std::string& path) {
@@ -117,30 +55,44 @@ void set_extent(WorldSpec& spec, const std::string& path) {
   spec.max_corner = box.max().head<2>();
 }
 
+/// A plane that everything lies below is a roof.
+std::optional<Ground> below_something(const std::optional<Ground>& ground, const WorldSpec& spec,
+                                      Notes& notes) {
+  if (!ground || spec.objects.empty()) return ground;
+  for (const WorldObject& object : spec.objects) {
+    if (bounds(object).max().z() > ground->height) return ground;
+  }
+  notes.add("left out, since everything else lies below it", "a plane");
+  return std::nullopt;
+}
+
 }  // namespace
 
-SdfWorld load_sdf(const std::string& path, const std::vector<std::string>& search_paths) {
-  const ResourceFinder finder(path, search_paths);
-  check_includes(path, finder);
-  const Silence silence;
-  sdf::Root root;
-  const sdf::ParserConfig config = quiet_config(finder, fs::absolute(path).parent_path());
-  load_tree(path, config, root);
-  SdfBodies bodies(finder, path);
+SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
+  const ResourceFinder finder(path, options.search_paths);
+  Notes notes;
+  const PiecePolicy policy{options.strict, &notes};
+  const WorldPieces pieces = cut_world(path, text_of(path, options), finder, policy);
+  SdfBodies bodies(finder, path, policy);
+  read_pieces(pieces, path, finder, policy, bodies);
   SdfWorld result;
-  result.spec.name = fs::path(path).stem().string();
-  if (root.WorldCount() > 0) {
-    const std::string& name = root.WorldByIndex(0)->Name();
-    if (name != "default") result.spec.name = name;
-    bodies.add(*root.WorldByIndex(0));
-  } else if (root.Model() != nullptr) {
-    bodies.add(*root.Model(), Eigen::Isometry3d::Identity());
-  } else {
-    throw std::runtime_error(path + ": holds neither a world nor a model");
+  result.spec.name = name_of(pieces, path);
+  result.spec.objects = bodies.take();
+  if (result.spec.objects.empty() && !notes.lines().empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: nothing in it can be read: {}", path, notes.lines().front()));
   }
-  result.warnings = bodies.warnings();
-  for (WorldObject& object : bodies.take()) {
-    if (!is_floor(object)) result.spec.objects.push_back(std::move(object));
+  result.ground =
+      below_something(bodies.ground() ? bodies.ground() : pieces.ground, result.spec, notes);
+  result.warnings = notes.lines();
+  result.floor = floor_height(result.spec, result.ground, options.start);
+  settle(result.spec, result.floor);
+  if (result.ground && std::abs(result.ground->height - result.floor) > kFloorTop) {
+    result.ground.reset();
+  }
+  if (std::abs(result.floor) > kTold) {
+    result.warnings.push_back(fmt::format(
+        "the floor lies at z = {:.3f} m in {}: heights count from it", result.floor, path));
   }
   set_extent(result.spec, path);
   return result;

@@ -1,7 +1,9 @@
 #include "sim/world/sdf/resource_finder.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,8 +23,8 @@ std::string path_of(const std::string& uri) {
   if (scheme == std::string::npos) return uri;
   const std::string name = uri.substr(0, scheme);
   if (name == "model" || name == "package" || name == "file") return uri.substr(scheme + 3);
-  throw std::runtime_error(fmt::format(
-      "'{}' is not on this machine; download it and name its folder in `search_paths`", uri));
+  throw ResourceMissing(
+      uri, "is not on this machine; download it and name its folder in `search_paths`");
 }
 
 std::vector<std::string> folders_of_environment() {
@@ -38,16 +40,59 @@ std::vector<std::string> folders_of_environment() {
   return folders;
 }
 
+/// The entry of a folder by its name, upper and lower case alike.
+std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name) {
+  const auto lower = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  };
+  std::vector<fs::path> found;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (lower(entry.path().filename().string()) == lower(name)) found.push_back(entry.path());
+  }
+  if (found.empty()) return std::nullopt;
+  return *std::min_element(found.begin(), found.end());
+}
+
+/// The file or folder, its links followed; nothing if there is none.
+std::optional<fs::path> existing(const fs::path& path, bool any_case) {
+  std::error_code none;
+  const fs::path exact = fs::weakly_canonical(path, none);
+  if (none) return std::nullopt;
+  if (!any_case) return fs::exists(exact) ? std::optional(exact) : std::nullopt;
+  fs::path found;
+  for (const fs::path& part : exact) {
+    const fs::path next = found / part;
+    if (fs::exists(next)) {
+      found = next;
+    } else if (const auto entry = entry_in(found, part.string())) {
+      found = *entry;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return fs::canonical(found);
+}
+
 }  // namespace
 
 ResourceFinder::ResourceFinder(const fs::path& world,
                                const std::vector<std::string>& search_paths) {
   const fs::path folder = fs::absolute(world).parent_path();
-  std::vector<fs::path> wanted{folder, folder / "models", folder.parent_path() / "models"};
+  std::vector<fs::path> wanted{folder, folder / "models", folder.parent_path() / "models",
+                               folder.parent_path().parent_path() / "models"};
   wanted.insert(wanted.end(), search_paths.begin(), search_paths.end());
   for (const std::string& path : folders_of_environment()) wanted.emplace_back(path);
   for (const fs::path& path : wanted) {
     if (fs::is_directory(path)) folders_.push_back(fs::canonical(path));
+  }
+  // Paths such as `file://models/chair/chair.dae` start where the world's package lies.
+  starts_ = folders_;
+  const fs::path above = folder.parent_path();
+  for (const fs::path& path : {above, above.parent_path()}) {
+    if (fs::is_directory(path)) starts_.push_back(fs::canonical(path));
   }
 }
 
@@ -60,13 +105,18 @@ bool ResourceFinder::may_read(const fs::path& path) const {
 
 fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) const {
   const fs::path path = path_of(uri);
+  bool outside = false;
   std::vector<fs::path> starts{from};
-  starts.insert(starts.end(), folders_.begin(), folders_.end());
-  for (const fs::path& start : starts) {
-    std::error_code none;
-    const fs::path candidate = fs::weakly_canonical(start / path, none);
-    if (path.empty() || none || !fs::exists(candidate)) continue;
-    if (may_read(candidate)) return candidate;
+  starts.insert(starts.end(), starts_.begin(), starts_.end());
+  for (const bool any_case : {false, true}) {
+    for (const fs::path& start : starts) {
+      const auto candidate = existing(start / path, any_case);
+      if (path.empty() || !candidate) continue;
+      if (may_read(*candidate)) return *candidate;
+      outside = true;
+    }
+  }
+  if (outside) {
     throw std::runtime_error(
         fmt::format("'{}' lies outside of the world's folder and the search paths; name its folder "
                     "in `search_paths`",
@@ -74,8 +124,8 @@ fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) cons
   }
   std::vector<std::string> folders;
   for (const fs::path& folder : folders_) folders.push_back(folder.string());
-  throw std::runtime_error(fmt::format("'{}' not found in {}; name its folder in `search_paths`",
-                                       uri, fmt::join(folders, ", ")));
+  throw ResourceMissing(uri, fmt::format("not found in {}; name its folder in `search_paths`",
+                                         fmt::join(folders, ", ")));
 }
 
 fs::path ResourceFinder::model_file(const fs::path& model) const {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxObjects = 20000;
 constexpr double kMaxLength = 1e4;  // [m]
+constexpr double kLevel = 0.999;    // Of a plane's unit normal, along z.
 
 Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
   const auto& q = pose.Rot();
@@ -33,44 +34,40 @@ Eigen::Vector3f color_of(const sdf::Link& link) {
   return {0.7F, 0.7F, 0.7F};
 }
 
-/// The ground: level, facing up, at z = 0.
-bool is_ground(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane) {
-  const ignition::math::Vector3d n = plane.Normal();
-  const Eigen::Vector3d up = T_map_plane.linear() * Eigen::Vector3d(n.X(), n.Y(), n.Z());
-  return up.z() > 0.999 && std::abs(T_map_plane.translation().z()) < 0.05;
-}
-
 const char* name_of(sdf::GeometryType type) {
-  if (type == sdf::GeometryType::CAPSULE) return "a capsule";
-  if (type == sdf::GeometryType::ELLIPSOID) return "an ellipsoid";
   if (type == sdf::GeometryType::HEIGHTMAP) return "a height map";
   return "no geometry";
 }
 
-}  // namespace
+/// Why a piece cannot be read; what catches it knows the piece.
+[[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
 
-void SdfBodies::fail(const std::string& name, const std::string& why) const {
-  throw std::runtime_error(fmt::format("{}: {}: {}", path_, name, why));
+double length(double value) {
+  if (value > 0.0 && value <= kMaxLength) return value;
+  fail(fmt::format("it has a length of {}; give metres above 0", value));
 }
 
-double SdfBodies::length(double value, const std::string& name) const {
-  if (value > 0.0 && value <= kMaxLength) return value;
-  fail(name, fmt::format("a length of {}; give metres above 0", value));
+Eigen::Isometry3d resolved(const sdf::SemanticPose& pose) {
+  ignition::math::Pose3d value;
+  const sdf::Errors errors = pose.Resolve(value);
+  if (!errors.empty()) fail("its pose is not: " + errors.front().Message());
+  if (!value.IsFinite()) fail("its pose is not finite");
+  return to_isometry(value);
+}
+
+}  // namespace
+
+void SdfBodies::leave_out(const std::string& name, const std::runtime_error& error) {
+  if (policy_.strict) {
+    throw std::runtime_error(fmt::format("{}: {}: {}", path_, name, error.what()));
+  }
+  policy_.notes->leave_out(name, error);
 }
 
 std::string SdfBodies::unique(const std::string& name) {
   std::string result = name;
   for (int i = 1; !names_.insert(result).second; ++i) result = fmt::format("{}-{}", name, i);
   return result;
-}
-
-Eigen::Isometry3d SdfBodies::resolved(const sdf::SemanticPose& pose,
-                                      const std::string& name) const {
-  ignition::math::Pose3d value;
-  const sdf::Errors errors = pose.Resolve(value);
-  if (!errors.empty()) fail(name, "its pose: " + errors.front().Message());
-  if (!value.IsFinite()) fail(name, "its pose is not finite");
-  return to_isometry(value);
 }
 
 void SdfBodies::add(const sdf::World& world) {
@@ -83,9 +80,14 @@ void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_pare
                     const std::string& prefix) {
   const std::string name = prefix + model.Name();
   if (!model.Static() && prefix.empty()) {
-    warnings_.insert(fmt::format("{} is not static: it stands where it is", name));
+    policy_.notes->add("not static, but stands where it is", name);
   }
-  const Eigen::Isometry3d T_map_model = T_map_parent * resolved(model.SemanticPose(), name);
+  Eigen::Isometry3d T_map_model;
+  try {
+    T_map_model = T_map_parent * resolved(model.SemanticPose());
+  } catch (const std::runtime_error& error) {
+    return leave_out(name, error);
+  }
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
     add(*model.LinkByIndex(i), T_map_model, name);
   }
@@ -96,22 +98,32 @@ void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_pare
 
 void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
                     const std::string& name) {
-  const Eigen::Isometry3d T_map_link = T_map_model * resolved(link.SemanticPose(), name);
-  const Eigen::Vector3f color = color_of(link);
+  WorldObject object;
+  object.piece = name;
+  object.color = color_of(link);
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
     const sdf::Collision& collision = *link.CollisionByIndex(i);
-    const std::string full = fmt::format("{}/{}/{}", name, link.Name(), collision.Name());
-    WorldObject object;
-    object.T_map_object = T_map_link * resolved(collision.SemanticPose(), full);
-    const auto shape = shape_of(*collision.Geom(), full, object.T_map_object);
-    if (!shape) continue;
-    object.shape = *shape;
-    object.name = unique(full);
-    object.piece = name;
-    object.color = color;
-    objects_.push_back(std::move(object));
-    if (objects_.size() > kMaxObjects) fail(name, "more than 20000 bodies in the world");
+    object.name = fmt::format("{}/{}/{}", name, link.Name(), collision.Name());
+    try {
+      add(collision, T_map_model * resolved(link.SemanticPose()), object);
+    } catch (const std::runtime_error& error) {
+      leave_out(object.name, error);
+    }
+    if (objects_.size() > kMaxObjects) {
+      throw std::length_error(
+          fmt::format("{}: {}: more than {} bodies in the world", path_, name, kMaxObjects));
+    }
   }
+}
+
+void SdfBodies::add(const sdf::Collision& collision, const Eigen::Isometry3d& T_map_link,
+                    WorldObject object) {
+  object.T_map_object = T_map_link * resolved(collision.SemanticPose());
+  const auto shape = shape_of(*collision.Geom(), object.name, object.T_map_object);
+  if (!shape) return;
+  object.shape = *shape;
+  object.name = unique(object.name);
+  objects_.push_back(std::move(object));
 }
 
 std::optional<ObjectShape> SdfBodies::shape_of(const sdf::Geometry& geometry,
@@ -119,44 +131,78 @@ std::optional<ObjectShape> SdfBodies::shape_of(const sdf::Geometry& geometry,
                                                const Eigen::Isometry3d& T_map_shape) {
   if (const sdf::Box* box = geometry.BoxShape()) {
     const auto& size = box->Size();
-    return BoxShape{{length(size.X(), name), length(size.Y(), name), length(size.Z(), name)}};
+    return BoxShape{{length(size.X()), length(size.Y()), length(size.Z())}};
   }
   if (const sdf::Cylinder* cylinder = geometry.CylinderShape()) {
-    return CylinderShape{length(cylinder->Radius(), name), length(cylinder->Length(), name)};
+    return CylinderShape{length(cylinder->Radius()), length(cylinder->Length())};
   }
   if (const sdf::Sphere* sphere = geometry.SphereShape()) {
-    return SphereShape{length(sphere->Radius(), name)};
+    return SphereShape{length(sphere->Radius())};
   }
   if (const sdf::Mesh* mesh = geometry.MeshShape()) return mesh_of(*mesh, name);
   if (const sdf::Plane* plane = geometry.PlaneShape()) {
-    if (is_ground(*plane, T_map_shape)) return std::nullopt;
-    warnings_.insert(name + ": a plane that is not the ground is left out");
+    add_plane(*plane, T_map_shape);
     return std::nullopt;
   }
-  warnings_.insert(fmt::format("{}: {} is left out", name, name_of(geometry.Type())));
-  return std::nullopt;
+  return shape_around(geometry, name);
+}
+
+/// Of what there is no shape for, the simplest one about it.
+std::optional<ObjectShape> SdfBodies::shape_around(const sdf::Geometry& geometry,
+                                                   const std::string& name) {
+  if (const sdf::Capsule* capsule = geometry.CapsuleShape()) {
+    policy_.notes->add("a capsule stands as the cylinder about it", name);
+    const double radius = length(capsule->Radius());
+    return CylinderShape{radius, length(capsule->Length()) + 2.0 * radius};
+  }
+  if (const sdf::Ellipsoid* ellipsoid = geometry.EllipsoidShape()) {
+    policy_.notes->add("an ellipsoid stands as the box about it", name);
+    const auto& r = ellipsoid->Radii();
+    return BoxShape{{2.0 * length(r.X()), 2.0 * length(r.Y()), 2.0 * length(r.Z())}};
+  }
+  fail(fmt::format("{} is not read", name_of(geometry.Type())));
+}
+
+void SdfBodies::add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane) {
+  const ignition::math::Vector3d n = plane.Normal();
+  const Eigen::Vector3d up = T_map_plane.linear() * Eigen::Vector3d(n.X(), n.Y(), n.Z());
+  if (up.z() <= kLevel) fail("a plane that is not level is not read");
+  const Eigen::Vector3d p = T_map_plane.translation();
+  if (ground_ && ground_->height <= p.z()) return;
+  ground_ = Ground{p.z(), {}};
+  if (plane.Size() == sdf::Plane().Size()) return;  // No size is given: it has no end.
+  const Eigen::Vector2d half(0.5 * length(plane.Size().X()), 0.5 * length(plane.Size().Y()));
+  ground_->extent = Eigen::AlignedBox2d(p.head<2>() - half, p.head<2>() + half);
+}
+
+/// A mesh that many models share is read once.
+void SdfBodies::require_readable(const std::string& path) {
+  const auto [entry, is_new] = meshes_.try_emplace(path);
+  if (is_new) {
+    try {
+      (void)load_mesh(path, Eigen::Vector3d::Ones());
+    } catch (const std::exception& error) {
+      entry->second = error.what();
+    }
+  }
+  if (!entry->second.empty()) fail(entry->second);
 }
 
 ObjectShape SdfBodies::mesh_of(const sdf::Mesh& mesh, const std::string& name) {
   if (!mesh.Submesh().empty()) {
-    warnings_.insert(fmt::format("{}: its submesh '{}' is not taken apart: the whole mesh stands",
-                                 name, mesh.Submesh()));
+    policy_.notes->add("a submesh is not taken apart, the whole mesh stands", name);
   }
   const auto& scale = mesh.Scale();
   if (!scale.IsFinite() || scale.X() * scale.Y() * scale.Z() == 0.0) {
-    fail(name, "a mesh's scale must be finite and not 0");
+    fail("a mesh's scale must be finite and not 0");
   }
+  const bool has_file = std::filesystem::is_regular_file(mesh.FilePath());
+  const std::filesystem::path from =
+      std::filesystem::absolute(has_file ? mesh.FilePath() : path_).parent_path();
   MeshShape shape;
   shape.scale = {scale.X(), scale.Y(), scale.Z()};
-  try {
-    const bool has_file = std::filesystem::is_regular_file(mesh.FilePath());
-    const std::filesystem::path from =
-        std::filesystem::absolute(has_file ? mesh.FilePath() : path_).parent_path();
-    shape.path = finder_.find(mesh.Uri(), from).string();
-    (void)load_mesh(shape.path, shape.scale);
-  } catch (const std::exception& error) {
-    fail(name, error.what());
-  }
+  shape.path = finder_.find(mesh.Uri(), from).string();
+  require_readable(shape.path);
   return shape;
 }
 

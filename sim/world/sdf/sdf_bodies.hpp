@@ -1,14 +1,19 @@
 /// From libsdformat's tree to objects. Internal to sim/world/sdf: it shows libsdformat's types.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sdf/sdf.hh>
 
+#include "sim/world/floor.hpp"
 #include "sim/world/sdf/resource_finder.hpp"
+#include "sim/world/sdf/world_pieces.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
@@ -17,36 +22,40 @@ namespace castaway::sim {
 class SdfBodies {
  public:
   /// `path`: of the world, for errors. `finder` must outlive this.
-  SdfBodies(const ResourceFinder& finder, std::string path)
-      : finder_(finder), path_(std::move(path)) {}
+  SdfBodies(const ResourceFinder& finder, std::string path, const PiecePolicy& policy)
+      : finder_(finder), path_(std::move(path)), policy_(policy) {}
 
-  /// All models of a world. @throws std::runtime_error naming file and element.
+  /// All models of a world. @throws std::runtime_error naming file and element if there are too
+  /// many, or if the policy is strict and one cannot be read.
   void add(const sdf::World& world);
   /// A model and those nested in it.
   void add(const sdf::Model& model, const Eigen::Isometry3d& T_map_parent,
            const std::string& prefix = "");
 
-  /// What was left out, each kind once a model.
-  [[nodiscard]] std::vector<std::string> warnings() const {
-    return {warnings_.begin(), warnings_.end()};
-  }
+  /// The lowest level plane that faces up.
+  [[nodiscard]] const std::optional<Ground>& ground() const { return ground_; }
   [[nodiscard]] std::vector<WorldObject> take() { return std::move(objects_); }
 
  private:
   void add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model, const std::string& name);
+  void add(const sdf::Collision& collision, const Eigen::Isometry3d& T_map_link,
+           WorldObject object);
   std::optional<ObjectShape> shape_of(const sdf::Geometry& geometry, const std::string& name,
                                       const Eigen::Isometry3d& T_map_shape);
+  std::optional<ObjectShape> shape_around(const sdf::Geometry& geometry, const std::string& name);
+  void add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane);
   ObjectShape mesh_of(const sdf::Mesh& mesh, const std::string& name);
-  Eigen::Isometry3d resolved(const sdf::SemanticPose& pose, const std::string& name) const;
-  [[noreturn]] void fail(const std::string& name, const std::string& why) const;
-  double length(double value, const std::string& name) const;
+  void require_readable(const std::string& path);
+  void leave_out(const std::string& name, const std::runtime_error& error);
   std::string unique(const std::string& name);
 
   const ResourceFinder& finder_;
   std::string path_;
   std::vector<WorldObject> objects_;
   std::set<std::string> names_;
-  std::set<std::string> warnings_;
+  PiecePolicy policy_;
+  std::optional<Ground> ground_;
+  std::map<std::string, std::string> meshes_;  ///< By path: why it cannot be read, or nothing.
 };
 
 }  // namespace castaway::sim

@@ -135,7 +135,7 @@ TEST_F(SdfFiles, FindsModelsInSearchPaths) {
           "<sdf version='1.6'><world name='w'><include><uri>model://crate</uri></include></world>"
           "</sdf>");
   EXPECT_THROW(load_sdf(file, {}), std::runtime_error);
-  EXPECT_EQ(load_sdf(file, {(folder_ / "elsewhere").string()}).spec.objects.size(), 1U);
+  EXPECT_EQ(load_sdf(file, {{(folder_ / "elsewhere").string()}}).spec.objects.size(), 1U);
   ::setenv("GZ_SIM_RESOURCE_PATH", (folder_ / "elsewhere").c_str(), 1);
   EXPECT_EQ(load_sdf(file, {}).spec.objects.size(), 1U);
   ::unsetenv("GZ_SIM_RESOURCE_PATH");
@@ -161,8 +161,8 @@ TEST_F(SdfFiles, SaysWhatItDoesNotTake) {
            link("<plane><normal>0 0 1</normal></plane>", "0 0 3 0 0 0") + "</model>");
   ASSERT_EQ(world.spec.objects.size(), 1U);
   ASSERT_EQ(world.warnings.size(), 2U);
-  EXPECT_THAT(world.warnings[0], testing::HasSubstr("ball is not static"));
-  EXPECT_THAT(world.warnings[1], testing::HasSubstr("plane that is not the ground"));
+  EXPECT_THAT(world.warnings[0], testing::HasSubstr("everything else lies below it: a plane"));
+  EXPECT_THAT(world.warnings[1], testing::HasSubstr("not static, but stands where it is: ball"));
 }
 
 /// Sun and ground are on the network in half of all worlds; masses are wrong in the other half.
@@ -185,6 +185,105 @@ TEST_F(SdfFiles, TakesFlatBoxesForFloor) {
                               link(kBox, "0 0 0.25 0 0 0") + "</model>");
   ASSERT_EQ(world.spec.objects.size(), 1U);
   EXPECT_EQ(world.spec.max_corner, Eigen::Vector2d(1.0, 0.5));
+}
+
+TEST_F(SdfFiles, LowersTheWorldToTheFloorThatTheStartIsOn) {
+  const std::string slab = "<model name='slab'><static>1</static>" +
+                           link("<box><size>8 6 0.1</size></box>", "0 0 0.05 0 0 0") +
+                           "</model><model name='box'><static>1</static>" +
+                           link(kBox, "2 0 0.35 0 0 0") + "</model>";
+  const SdfWorld world = load(slab);
+  EXPECT_NEAR(world.floor, 0.1, 1e-6);
+  ASSERT_EQ(world.spec.objects.size(), 1U);
+  EXPECT_NEAR(bounds(world.spec.objects.front()).min().z(), 0.0, 1e-6);
+  ASSERT_EQ(world.warnings.size(), 1U);
+  EXPECT_THAT(world.warnings[0], testing::HasSubstr("z = 0.100 m"));
+  SdfOptions beside;
+  beside.start = Eigen::Vector2d(30.0, 0.0);
+  EXPECT_EQ(load_sdf((folder_ / "worlds/w.world").string(), beside).spec.objects.size(), 2U);
+}
+
+TEST_F(SdfFiles, TellsHowFarTheGroundGoes) {
+  const std::string stone =
+      "<model name='box'><static>1</static>" + link(kBox, "0 0 0.25 0 0 0") + "</model>";
+  const SdfWorld world =
+      load("<model name='g'><static>1</static><pose>1 0 0 0 0 0</pose>" +
+           link("<plane><normal>0 0 1</normal><size>20 10</size></plane>") + "</model>" + stone);
+  ASSERT_TRUE(world.ground.has_value());
+  EXPECT_EQ(world.ground->extent.max(), Eigen::Vector2d(11.0, 5.0));
+  EXPECT_FALSE(load(stone).ground.has_value());
+  const SdfWorld included =
+      load("<include><uri>model://ground_plane</uri><pose>0 0 -0.1 0 0 0</pose></include>" + stone);
+  ASSERT_TRUE(included.ground.has_value());
+  EXPECT_NEAR(included.floor, -0.1, 1e-9);
+}
+
+TEST_F(SdfFiles, LeavesOutWhatCannotBeRead) {
+  const std::string good = "<model name='a'><static>1</static>" + link(kBox) + "</model>";
+  const SdfWorld world = load(good + "<model name='hollow'></model>" +
+                              "<include><uri>model://nobody</uri></include>" + good);
+  EXPECT_EQ(world.spec.objects.size(), 2U);
+  EXPECT_EQ(world.warnings.size(), 2U);
+  SdfOptions strict;
+  strict.strict = true;
+  EXPECT_THROW(load_sdf((folder_ / "worlds/w.world").string(), strict), std::runtime_error);
+}
+
+TEST_F(SdfFiles, ReadsAWorldOfAReservedName) {
+  const std::string file = put("hall.world",
+                               "<sdf version='1.6'><world name='world'>"
+                               "<model name='a'><static>1</static>" +
+                                   link(kBox, "0 0 0.25 0 0 0") + "</model></world></sdf>");
+  EXPECT_EQ(load_sdf(file, {}).spec.name, "hall");
+}
+
+TEST_F(SdfFiles, ReadsHundredsOfModels) {
+  std::string models;
+  for (int i = 0; i < 230; ++i) {
+    models += "<model name='m" + std::to_string(i) + "'><static>1</static><pose>" +
+              std::to_string(3 * i) + " 0 0.25 0 0 0</pose>" + link(kBox) + "</model>";
+  }
+  EXPECT_EQ(load(models).spec.objects.size(), 230U);
+}
+
+TEST_F(SdfFiles, FindsFilesBesideTheWorldsFolderInAnyLetterCase) {
+  put("models/crate/meshes/Crate.OBJ",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n");
+  for (const char* uri : {"file://models/crate/meshes/Crate.OBJ", "model://crate/meshes/crate.obj",
+                          "file://models/crate/Meshes/Crate.obj"}) {
+    const SdfWorld world =
+        load("<model name='m'><static>1</static>" +
+             link("<mesh><uri>" + std::string(uri) + "</uri></mesh>") + "</model>");
+    EXPECT_EQ(world.spec.objects.size(), 1U) << uri;
+  }
+}
+
+TEST_F(SdfFiles, ExpandsXacro) {
+  const std::string file =
+      put("w.sdf.xacro",
+          "<sdf version='1.6' xmlns:xacro='http://ros.org/wiki/xacro'><world name='default'>"
+          "<xacro:property name='w' value='2.0'/><model name='m'><static>1</static>" +
+              link("<box><size>${w} ${w/2} 0.5</size></box>", "0 0 0.25 0 0 0") +
+              "</model></world></sdf>");
+  const SdfWorld world = load_sdf(file, {});
+  EXPECT_EQ(world.spec.name, "w");
+  EXPECT_EQ(std::get<BoxShape>(world.spec.objects.front().shape).size,
+            Eigen::Vector3d(2.0, 1.0, 0.5));
+}
+
+TEST_F(SdfFiles, PutsSimplerShapesAboutCapsulesAndEllipsoids) {
+  const std::string file =
+      put("w.sdf",
+          "<sdf version='1.9'><world name='w'><model name='m'><static>1</static>"
+          "<link name='l'><pose>0 0 1 0 0 0</pose><collision name='c'><geometry><capsule>"
+          "<radius>0.2</radius><length>1</length></capsule></geometry></collision>"
+          "<collision name='e'><geometry><ellipsoid><radii>0.1 0.2 0.3</radii></ellipsoid>"
+          "</geometry></collision></link></model></world></sdf>");
+  const SdfWorld world = load_sdf(file, {});
+  EXPECT_NEAR(std::get<CylinderShape>(named(world, "m/l/c").shape).height, 1.4, 1e-9);
+  EXPECT_TRUE(std::get<BoxShape>(named(world, "m/l/e").shape)
+                  .size.isApprox(Eigen::Vector3d(0.2, 0.4, 0.6), 1e-9));
+  EXPECT_EQ(world.warnings.size(), 2U);
 }
 
 }  // namespace

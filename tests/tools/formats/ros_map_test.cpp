@@ -34,6 +34,38 @@ TEST(RosMap, TakesUnknownForFreeWhereTheThresholdSaysSo) {
   EXPECT_EQ(cells_of({205}, header), (Cells{0}));
 }
 
+/// A picture of ten cells of which two are grey 205.
+GrayImage partly_unknown() {
+  return {10, 1, 255, {205, 205, 0, 254, 254, 254, 254, 254, 254, 254}};
+}
+
+TEST(RosMap, WarnsWhereTheUnknownIsFree) {
+  RosMapHeader header;
+  EXPECT_TRUE(make_ros_map(partly_unknown(), header, "m").warnings.empty());
+  header.free_thresh = 0.25;
+  const RosMap map = make_ros_map(partly_unknown(), header, "m");
+  ASSERT_EQ(map.warnings.size(), 1U);
+  EXPECT_TRUE(contains(map.warnings.front(), "free_thresh 0.25 makes grey 205"));
+  EXPECT_TRUE(contains(map.warnings.front(), "20 %"));
+  const GrayImage without{2, 1, 255, {0, 254}};
+  EXPECT_TRUE(make_ros_map(without, header, "m").warnings.empty());
+}
+
+TEST(RosMap, TakesTransparentPixelsForUnknown) {
+  GrayImage image{2, 2, 255, {254, 254, 0, 254}};
+  image.transparent = {true, false, true, false};
+  RosMapHeader header;
+  for (const MapMode mode : {MapMode::kTrinary, MapMode::kScale}) {
+    header.mode = mode;
+    const RosMap map = make_ros_map(image, header, "m");
+    EXPECT_EQ(map.cells, (Cells{-1, 0, -1, 0}));
+    ASSERT_EQ(map.warnings.size(), 1U);
+    EXPECT_TRUE(contains(map.warnings.front(), "50.0 % of its picture is transparent"));
+  }
+  header.mode = MapMode::kRaw;
+  EXPECT_EQ(make_ros_map(image, header, "m").cells, (Cells{0, -1, -1, -1}));
+}
+
 TEST(RosMap, Negates) {
   RosMapHeader header;
   header.negate = true;

@@ -73,13 +73,64 @@ TEST(BuildWorld, SurveysTheSpaceAroundAGivenPointOfAnSdfWorld) {
              "<link name='l'>" +
                  walls + "</link></model></world></sdf>");
   SurveyOptions options;
-  const LoadedWorld outside = build_world({"w.sdf", {}, {}}, folder.path(), options);
-  EXPECT_FALSE(outside.has_start);
-  EXPECT_EQ(sim::cell_at(outside.grid, {0.0, 0.0}), sim::Cell::kUnknown);
-  options.inside = Eigen::Vector2d(0.0, 0.0);
   const LoadedWorld inside = build_world({"w.sdf", {}, {}}, folder.path(), options);
+  EXPECT_FALSE(inside.has_start);
   EXPECT_EQ(sim::cell_at(inside.grid, {0.0, 0.0}), sim::Cell::kFree);
   EXPECT_EQ(sim::cell_at(inside.grid, {10.0, 0.0}), sim::Cell::kUnknown);
+  options.inside = Eigen::Vector2d(10.0, 0.0);
+  const LoadedWorld outside = build_world({"w.sdf", {}, {}}, folder.path(), options);
+  EXPECT_EQ(sim::cell_at(outside.grid, {0.0, 0.0}), sim::Cell::kUnknown);
+  EXPECT_EQ(sim::cell_at(outside.grid, {10.0, 0.0}), sim::Cell::kFree);
+}
+
+/// A world of one wall of 1 m x 4 m and what else is given.
+std::string wall_and(const std::string& more) {
+  return "<sdf version='1.6'><world name='w'><model name='m'><static>1</static><pose>0 0 0.5 0 0 0"
+         "</pose><link name='l'><collision name='c'><geometry><box><size>1 4 1</size></box>"
+         "</geometry></collision></link></model>" +
+         more + "</world></sdf>";
+}
+
+TEST(BuildWorld, GoesOnWhereTheGroundDoes) {
+  const TemporaryFolder folder;
+  const auto plane = [](const std::string& size) {
+    return "<model name='g'><static>1</static><link name='l'><collision name='c'><geometry><plane>"
+           "<normal>0 0 1</normal><size>" +
+           size +
+           "</size></plane></geometry></collision></link>"
+           "</model>";
+  };
+  folder.put("none.sdf", wall_and(""));
+  folder.put("small.sdf", wall_and(plane("12 14")));
+  folder.put("large.sdf", wall_and(plane("100 100")));
+  folder.put("endless.sdf", wall_and(plane("1 1")));
+  const auto size_of = [&](const char* file) -> Eigen::Vector2d {
+    const sim::WorldSpec spec = build_world({file, {}, {}}, folder.path(), {}).file.spec;
+    return spec.max_corner - spec.min_corner;
+  };
+  EXPECT_TRUE(size_of("none.sdf").isApprox(Eigen::Vector2d(1.0, 4.0), 1e-9));
+  EXPECT_TRUE(size_of("small.sdf").isApprox(Eigen::Vector2d(12.0, 14.0), 1e-9));
+  EXPECT_TRUE(size_of("large.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
+  EXPECT_TRUE(size_of("endless.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
+}
+
+TEST(BuildWorld, TakesLargerCellsForALargeWorld) {
+  const TemporaryFolder folder;
+  folder.put(
+      "w.yaml",
+      "name: plain\nextent: {min: [0, 0], max: [900, 900]}\nstart: [1, 1, 0]\nobjects: []\n");
+  const LoadedWorld world = build_world({"w.yaml", {}, {}}, folder.path(), {});
+  EXPECT_EQ(world.grid.resolution, 0.2);
+  ASSERT_EQ(world.warnings.size(), 1U);
+  EXPECT_TRUE(contains(world.warnings.front(), "cells of 0.2 m"));
+}
+
+TEST(BuildWorld, StandsOnTheSlabThatTheStartIsOn) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom + "  - box: {name: slab, at: [3, 2], size: [5.6, 3.6, 0.034]}\n");
+  const LoadedWorld world = build_world({"w.yaml", {}, {}}, folder.path(), {});
+  EXPECT_EQ(sim::cell_at(world.grid, {1.0, 1.0}), sim::Cell::kFree);
+  for (const sim::WorldObject& object : world.file.spec.objects) EXPECT_NE(object.name, "slab");
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+/// An SDF world cut into its models, so that one that cannot be read does not take the others
+/// along, and that thousands do not need memory at the same time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/world/floor.hpp"
+#include "sim/world/sdf/notes.hpp"
+#include "sim/world/sdf/resource_finder.hpp"
+
+namespace castaway::sim {
+
+/// A model or an include.
+struct WorldPiece {
+  std::string name;  ///< For messages.
+  std::string xml;
+};
+
+/// The pieces of an SDF file's first world, or its one model.
+struct WorldPieces {
+  std::string name;                ///< Of the world; empty: the file has a model only.
+  std::string version = "1.6";     ///< Of the file's format.
+  std::string frames;              ///< Elements that all pieces may refer to.
+  std::vector<WorldPiece> pieces;  ///< In the file's order.
+  bool linked = false;             ///< They may refer to each other.
+  std::optional<Ground> ground;    ///< Of an included ground plane.
+};
+
+/// What to do with a piece that cannot be read.
+struct PiecePolicy {
+  bool strict = false;     ///< An error, instead of a note.
+  Notes* notes = nullptr;  ///< Takes what was left out, and why.
+};
+
+/// Cuts the text of a world; sun and ground are taken out, and so are sensors, plug-ins, lights and
+/// masses. An include whose files cannot be read is left out. `path`: of the world, for errors.
+/// @throws std::runtime_error, std::length_error naming file and reason.
+WorldPieces cut_world(const std::string& path, const std::string& text,
+                      const ResourceFinder& finder, const PiecePolicy& policy);
+
+/// The text of a world that holds the pieces [begin, end).
+std::string sdf_text(const WorldPieces& world, std::size_t begin, std::size_t end);
+
+}  // namespace castaway::sim

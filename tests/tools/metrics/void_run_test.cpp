@@ -1,0 +1,51 @@
+#include "tools/metrics/void_run.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "localization/stamp.hpp"
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunEvent event(const std::string& kind, const std::string& detail) {
+  RunEvent event;
+  event.stamp = localization::from_seconds(30.0);
+  event.kind = kind;
+  event.detail = detail;
+  event.since = localization::from_seconds(4.5);
+  return event;
+}
+
+TEST(VoidRun, IsWhatTheEventSays) {
+  EXPECT_FALSE(void_run({event("kidnap", "teleport")}).has_value());
+  const auto found = void_run({event("kidnap", "teleport"), event("void", kStuck)});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->reason, "stuck");
+  EXPECT_EQ(found->at_s, 4.5);
+  EXPECT_TRUE(contains(describe(*found), "stuck from 4.5 s on"));
+}
+
+TEST(VoidRun, IsNullInTheSummaryOfARunThatCounts) {
+  EXPECT_TRUE(void_json(std::nullopt).is_null());
+  const Json json = void_json(VoidRun{kNeverMoved, 0.0});
+  EXPECT_EQ(json.at("reason"), "never_moved");
+  EXPECT_EQ(json.at("at_s"), 0.0);
+  EXPECT_TRUE(contains(json.at("sentence"), "never got going"));
+}
+
+TEST(VoidRun, IsReadFromASummary) {
+  EXPECT_FALSE(void_sentence(Json::object()).has_value());
+  EXPECT_FALSE(void_sentence({{"void", nullptr}}).has_value());
+  const Json summary{{"void", void_json(VoidRun{kContactFromStart, 0.0})}};
+  EXPECT_TRUE(contains(void_sentence(summary).value_or(""), "from the start"));
+  const TemporaryFolder folder;
+  folder.put("summary.json", summary.dump());
+  EXPECT_EQ(void_sentence_of(folder.path()), void_sentence(summary));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,49 @@
+#include "tools/metrics/void_run.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/json_file.hpp"
+
+namespace castaway::testbed {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<VoidRun> void_run(const std::vector<RunEvent>& events) {
+  const auto found = std::find_if(events.begin(), events.end(),
+                                  [](const RunEvent& event) { return event.kind == "void"; });
+  if (found == events.end()) return std::nullopt;
+  return VoidRun{found->detail, seconds(found->begun())};
+}
+
+std::string describe(const VoidRun& run) {
+  if (run.reason == kContactFromStart) {
+    return "the robot touches something from the start: it stands in an obstacle, or a part of it "
+           "sticks out";
+  }
+  if (run.reason == kNeverMoved) {
+    return "the robot never got going, though it was to drive";
+  }
+  return fmt::format("the robot was stuck from {:.1f} s on", run.at_s);
+}
+
+Json void_json(const std::optional<VoidRun>& run) {
+  if (!run) return nullptr;
+  return {{"reason", run->reason}, {"sentence", describe(*run)}, {"at_s", run->at_s}};
+}
+
+std::optional<std::string> void_sentence(const Json& summary) {
+  const auto found = summary.find("void");
+  if (found == summary.end() || !found->is_object()) return std::nullopt;
+  const auto sentence = found->find("sentence");
+  return sentence != found->end() && sentence->is_string() ? sentence->get<std::string>()
+                                                           : std::string("void");
+}
+
+std::optional<std::string> void_sentence_of(const std::filesystem::path& run_folder) {
+  return void_sentence(read_json(run_folder / "summary.json"));
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,41 @@
+/// Runs that say nothing about localizers: the robot got nowhere.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "tools/run/frame.hpp"
+
+namespace castaway::testbed {
+
+/// Details of the event "void"; docs/metrics.md defines them.
+inline constexpr const char* kContactFromStart = "contact_from_start";
+inline constexpr const char* kNeverMoved = "never_moved";
+inline constexpr const char* kStuck = "stuck";
+
+/// Why a run is void.
+struct VoidRun {
+  std::string reason;  ///< One of those above.
+  double at_s = 0.0;   ///< [s] Since when.
+};
+
+/// Of a run's events; nothing: it counts.
+std::optional<VoidRun> void_run(const std::vector<RunEvent>& events);
+
+/// The reason as a sentence.
+std::string describe(const VoidRun& run);
+
+/// `summary.json`'s value of "void": null, or reason, sentence and at_s.
+nlohmann::ordered_json void_json(const std::optional<VoidRun>& run);
+
+/// The sentence in a summary; nothing: the run counts, or is older than this rule.
+std::optional<std::string> void_sentence(const nlohmann::ordered_json& summary);
+
+/// The same of a run folder's summary.json. @throws std::runtime_error if there is none.
+std::optional<std::string> void_sentence_of(const std::filesystem::path& run_folder);
+
+}  // namespace castaway::testbed
