@@ -65,8 +65,8 @@ struct RecordedPlace {
 };
 
 /// Reads a folder that holds a log (`log`, `*.log`, `*.carmen`, `*.clf`, each also with `.gz`; the
-/// first by name), or else a bag (`*.mcap`, `bag/`), and a map (`map.yaml`, `map/map.yaml`, else the
-/// only .yaml file, else the bag's). castaway's own run folders with `outputs.carmen` or
+/// first by name), or else a bag (`*.mcap`, `bag/`), and a map (`map.yaml`, `map/map.yaml`, else
+/// the only .yaml file, else the bag's). castaway's own run folders with `outputs.carmen` or
 /// `outputs.bag` are such folders. Throws std::runtime_error naming what is missing.
 RecordedPlace load_recorded_place(const std::string& folder);
 

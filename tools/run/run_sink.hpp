@@ -37,9 +37,9 @@ struct ScanRecord {
 
 /// What a run cost. The only wall-clock figures that a sink is given.
 struct RunTiming {
-  double wall_s = 0.0;  ///< [s] All of it, loading included.
+  double wall_s = 0.0;                  ///< [s] All of it, loading included.
   std::map<std::string, double> cpu_s;  ///< By stage: physics, lidar, people, localizers, sinks.
-  double load_s = 0.0;  ///< [s] World, map, robot or log, before the first step.
+  double load_s = 0.0;                  ///< [s] World, map, robot or log, before the first step.
 };
 
 /// How the world of a run differs from its map.

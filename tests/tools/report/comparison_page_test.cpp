@@ -8,7 +8,7 @@ namespace castaway::testbed {
 namespace {
 
 Comparison made_up() {
-  Comparison comparison{"before", "after", 20, 1, {}};
+  Comparison comparison{"before", "after", 20, 1, 0, {}};
   comparison.metrics = {{"a.error", 20, 0.2, 0.1, -0.1, Interval{-0.12, -0.08}, false, false, 0.01},
                         {"a.success", 20, 0.9, 0.8, -0.1, Interval{-0.2, -0.01}, true, false, 0.04},
                         {"a.<odd>", 1, 2.0, 3.0, 1.0, std::nullopt, false, false, 1.0},

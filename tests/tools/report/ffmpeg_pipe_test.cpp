@@ -38,8 +38,8 @@ TEST(FfmpegPipe, WritesAFilmOfEitherKind) {
     pipe.commit();
     const std::string bytes = read_file(file);
     EXPECT_TRUE(contains(bytes.substr(0, 64), name[0] == 'n' ? "ftyp" : "webm")) << name;
-    EXPECT_FALSE(std::filesystem::exists(
-        file.parent_path() / (".castaway-unfinished-" + file.filename().string())));
+    EXPECT_FALSE(std::filesystem::exists(file.parent_path() /
+                                         (".castaway-unfinished-" + file.filename().string())));
   }
 }
 
