@@ -191,8 +191,13 @@ void Expander::insert_block(const Element& from, Scope& scope, TiXmlNode& to) {
 }
 
 Expansion expand(const std::string& path, const PackageFinder& packages,
-                 const RobotOptions& options) {
-  return Expander(packages, options).run(path);
+                 const RobotOptions& options, const std::string& root) {
+  Expansion expansion = Expander(packages, options).run(path);
+  const TiXmlElement& found = *expansion.xml->RootElement();
+  if (found.ValueStr() == root) return expansion;
+  throw std::runtime_error(
+      fmt::format("{}:{}: not a URDF or xacro file: its root element must be <{}>, not <{}>", path,
+                  found.Row(), root, found.ValueStr()));
 }
 
 }  // namespace castaway::sim::xacro

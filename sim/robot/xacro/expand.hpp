@@ -23,13 +23,13 @@ struct Expansion {
   std::vector<std::string> warnings;
 };
 
-/// Expands a file; one without xacro comes back as it is. Packages that are not found are left as
+/// Expands a file whose root element is `root`, "robot" or "sdf"; one without xacro comes back as it is. Packages that are not found are left as
 /// `$(find NAME)` with a warning, save in includes.
 /// @throws std::runtime_error naming file, line, element, what is wrong and what to do. Refused
 /// are: arguments that the files do not have, includes of themselves and files outside of the
 /// packages and search paths, macros that call themselves deeper than 100 times, more than 20000
 /// calls, 200000 elements or 64 MiB of text.
 Expansion expand(const std::string& path, const PackageFinder& packages,
-                 const RobotOptions& options);
+                 const RobotOptions& options, const std::string& root = "robot");
 
 }  // namespace castaway::sim::xacro

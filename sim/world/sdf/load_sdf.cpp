@@ -27,7 +27,7 @@ std::string text_of(const std::string& path, const SdfOptions& options) {
   RobotOptions expansion;
   expansion.search_paths = options.search_paths;
   return xml_text_of(
-      *xacro::expand(path, PackageFinder(path, options.search_paths), expansion).xml);
+      *xacro::expand(path, PackageFinder(path, options.search_paths), expansion, "sdf").xml);
 }
 
 /// `default` and `world` say nothing.
