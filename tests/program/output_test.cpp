@@ -72,13 +72,13 @@ TEST(Output, ARunKeepsFilesOfOthers) {
 
 TEST(Output, ARunLeavesNothingOfTheRunBefore) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --set people.count=1 --set outputs.tables=csv --out out")
+  ASSERT_EQ(castaway(folder, kShort + " --set people.count=1 --set outputs.kitti=true --out out")
                 .exit_code,
             0);
   ASSERT_TRUE(fs::exists(folder / "out/people.csv"));
-  ASSERT_TRUE(fs::exists(folder / "out/tables"));
+  ASSERT_TRUE(fs::exists(folder / "out/kitti"));
   ASSERT_EQ(castaway(folder, kShort + " --set localizers=[mh_amcl] --out out").exit_code, 0);
-  for (const char* gone : {"people.csv", "tables", "amcl.tum"}) {
+  for (const char* gone : {"people.csv", "kitti", "amcl.tum"}) {
     EXPECT_FALSE(fs::exists(folder / "out" / gone)) << gone;
   }
   ASSERT_EQ(castaway(folder, kShort + " --set localizers=[mh_amcl] --out fresh").exit_code, 0);
