@@ -23,7 +23,8 @@ struct Expansion {
   std::vector<std::string> warnings;
 };
 
-/// Expands a file whose root element is `root`, "robot" or "sdf"; one without xacro comes back as it is. Packages that are not found are left as
+/// Expands a file whose root element is `root`, "robot" or "sdf"; one without xacro comes back as
+/// it is. Packages that are not found are left as
 /// `$(find NAME)` with a warning, save in includes.
 /// @throws std::runtime_error naming file, line, element, what is wrong and what to do. Refused
 /// are: arguments that the files do not have, includes of themselves and files outside of the
