@@ -113,7 +113,7 @@ TEST(Ppm, TakesTheMeanOfTheColours) {
 std::string bmp_of(int bits, const std::string& rows, int height = 2) {
   const auto number = [](std::int64_t value, int size) {
     std::string text;
-    for (int i = 0; i < size; ++i) text += static_cast<char>(value >> (8 * i) & 255);
+    for (int i = 0; i < size; ++i) text += static_cast<char>(i < 8 ? value >> (8 * i) & 255 : 0);
     return text;
   };
   const std::string palette =
