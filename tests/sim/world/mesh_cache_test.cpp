@@ -31,7 +31,9 @@ class MeshCacheTest : public testing::Test {
     return cache_.get(path, [this](const std::string& p) { return read(p); });
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "castaway-mesh-cache";
+  fs::path folder_ = fs::path(testing::TempDir()) /
+                     (std::string("castaway-mesh-cache-") +
+                      testing::UnitTest::GetInstance()->current_test_info()->name());
   MeshCache cache_{1000};
   int reads_ = 0;
   bool fail_ = false;
