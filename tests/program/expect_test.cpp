@@ -31,7 +31,7 @@ TEST(Expectations, ThatAreMetExitWithZero) {
   const Outcome outcome = castaway(folder, "run gate.yaml --out run --junit junit.xml");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_contains(outcome.out, "Expectations: 2 of 2 met");
-  expect_contains(text_of(folder / "junit.xml"), "tests=\"2\" failures=\"0\" errors=\"0\"");
+  expect_contains(text_of(folder / "junit.xml"), "tests=\"3\" failures=\"0\" errors=\"0\"");
   expect_contains(text_of(folder / "run/scenario.yaml"), "mh_amcl.position_error_m.mean");
 }
 

@@ -202,8 +202,8 @@ std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
 std::size_t drop_voids(const fs::path& folder, std::vector<ComparedRun>& runs) {
   const std::size_t voids = std::erase_if(runs, [](const ComparedRun& run) { return run.is_void; });
   if (!runs.empty()) return voids;
-  throw std::invalid_argument(fmt::format(
-      "{}: all of its {} runs are void: their robots got nowhere", folder.string(), voids));
+  throw std::invalid_argument(fmt::format("{}: every run in it ({}) is void: the robot got nowhere",
+                                          folder.string(), voids));
 }
 
 }  // namespace

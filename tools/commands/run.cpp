@@ -94,9 +94,14 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
   for (const Expectation& more : expectations_of(arguments, scenario)) {
     expectations.push_back(more);
   }
-  const std::vector<Check> checks = judge(expectations, {load_judged_run(folder)});
+  const JudgedRun run = load_judged_run(folder);
+  const std::vector<Check> checks = judge(expectations, {run});
   if (!arguments.junit.empty()) {
-    write_own_file(arguments.junit, junit_xml(scenario.name, junit_cases(scenario.name, checks)));
+    std::vector<JunitCase> cases = junit_cases(scenario.name, checks);
+    std::optional<std::string> error = void_sentence_of(folder);
+    if (error) error = "void: " + *error;
+    cases.push_back(run_case(scenario.name, run.seed, run.wall_s, std::move(error)));
+    write_own_file(arguments.junit, junit_xml(scenario.name, cases));
   }
   fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
   return exit_code_of(checks);

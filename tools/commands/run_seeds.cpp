@@ -165,15 +165,13 @@ void write_junit(const SeedsRequest& request, const std::string& scenario, const
   if (request.junit.empty()) return;
   std::vector<JunitCase> cases = junit_cases(scenario, checks);
   for (int i = 0; i < request.seeds.count; ++i) {
-    JunitCase run{
-        "castaway." + scenario, fmt::format("runs (seed {})", seed_of(request, i)), 0.0, {}, {}};
     const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
-    if (outcome.run) {
-      run.time_s = outcome.run->wall_s;
-    } else {
-      run.error = outcome.void_because ? "void: " + *outcome.void_because : "the run failed";
+    std::optional<std::string> error;
+    if (!outcome.run) {
+      error = outcome.void_because ? "void: " + *outcome.void_because : "the run failed";
     }
-    cases.push_back(std::move(run));
+    const double wall_s = outcome.run ? outcome.run->wall_s : 0.0;
+    cases.push_back(run_case(scenario, seed_of(request, i), wall_s, std::move(error)));
   }
   write_own_file(request.junit, junit_xml(scenario, cases));
 }

@@ -107,6 +107,9 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   if (const auto sentence = void_sentence(summary)) {
     text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);
   }
+  if (const auto every = summary.find("scored_every"); every != summary.end()) {
+    text += fmt::format("A long run: one scan in {} is scored.\n\n", every->get<int>());
+  }
   text += difference_line(summary);
   text += people_line(summary);
   text += driving_line(summary);

@@ -1,6 +1,7 @@
 #include "tools/commands/verdict_output.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,12 @@ std::vector<JunitCase> junit_cases(const std::string& scenario, const std::vecto
     cases.push_back(std::move(test));
   }
   return cases;
+}
+
+JunitCase run_case(const std::string& scenario, std::uint64_t seed, double wall_s,
+                   std::optional<std::string> error) {
+  return {
+      "castaway." + scenario, fmt::format("runs (seed {})", seed), wall_s, {}, std::move(error)};
 }
 
 std::string describe_checks(const std::vector<Check>& checks) {

@@ -1,8 +1,10 @@
 /// What a command says and writes about expectations.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,10 @@ JudgedRun load_judged_run(const std::filesystem::path& run_folder);
 
 /// A case of a JUnit report for each check.
 std::vector<JunitCase> junit_cases(const std::string& scenario, const std::vector<Check>& checks);
+
+/// The case of a run itself: an error if it failed or is void.
+JunitCase run_case(const std::string& scenario, std::uint64_t seed, double wall_s,
+                   std::optional<std::string> error);
 
 /// How many expectations are met; a line for each that is not. Empty without checks.
 std::string describe_checks(const std::vector<Check>& checks);

@@ -46,7 +46,7 @@ void RunHistory::add(const ScanRecord& record) {
                          [](Stamp stamp, const MetricRow& other) { return stamp < other.stamp; });
     rows[i].insert(after, row);
   }
-  thin();
+  thin(most_rows);
 }
 
 void RunHistory::thin(std::size_t most) {

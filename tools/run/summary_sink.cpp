@@ -102,6 +102,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"void", void_json(void_run(history.events))},
             {"collisions", collisions(history)},
             {"driving", driving_figures(history)}};
+  if (history.stride > 1) root["scored_every"] = history.stride;
   if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);
   const Json faults = faults_json(history, end);

@@ -16,8 +16,9 @@ namespace castaway::testbed {
 /// "recovery", with time and distance since the kidnap or the start.
 class SummarySink final : public RunSink {
  public:
-  SummarySink(std::filesystem::path run_folder, RunInfo info)
-      : run_folder_(std::move(run_folder)), history_(std::move(info)) {}
+  SummarySink(std::filesystem::path run_folder, RunInfo info,
+              std::size_t most_rows = RunHistory::kMostRows)
+      : run_folder_(std::move(run_folder)), history_(std::move(info), most_rows) {}
 
   void on_event(const RunEvent& event) override { history_.add(event); }
   void on_odometry(const OdometryFrame& frame) override { history_.add(frame); }

@@ -36,6 +36,14 @@ TEST(SummarySink, KnowsTheWayWithoutALocalizer) {
   EXPECT_TRUE(summary.at("localizers").empty());
 }
 
+TEST(SummarySink, TellsWhereOnlyEverySecondScanIsScored) {
+  const TemporaryFolder folder;
+  SummarySink sink(folder.path(), run_of({"a"}), 100);
+  for (int i = 0; i <= 100; ++i) sink.on_scan(record_at(0.1 * i, {"a"}));
+  sink.finish(from_seconds(10.0), {});
+  EXPECT_EQ(Json::parse(read_file(folder.path() / "summary.json")).at("scored_every"), 2);
+}
+
 TEST(SummarySink, SaysWhatTheRunAmountsTo) {
   const TemporaryFolder folder;
   SummarySink sink(folder.path(), run_of({"a"}));

@@ -1,0 +1,90 @@
+// A run that is void is told as such by every command, and scores nobody.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A room with a cell at its start: bars at the height of the chassis, too thin for the planner to
+/// see.
+fs::path folder_with_cell() {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "cell.yaml") << R"(name: cell
+extent: {min: [0, 0], max: [6, 4]}
+start: [1, 1, 0]
+objects:
+  - wall: {points: [[0.1, 0.1], [5.9, 0.1], [5.9, 3.9], [0.1, 3.9]], closed: true}
+  - box: {at: [1.45, 1], size: [0.05, 1, 0.02], bottom: 0.045, in_map: false}
+  - box: {at: [0.5, 1], size: [0.05, 1, 0.02], bottom: 0.045, in_map: false}
+  - box: {at: [1, 1.45], size: [1, 0.05, 0.02], bottom: 0.045, in_map: false}
+  - box: {at: [1, 0.5], size: [1, 0.05, 0.02], bottom: 0.045, in_map: false}
+routes: {out: [[1, 1], [4, 2]]}
+)";
+  std::ofstream(folder / "void.yaml") << R"(name: stuck-in-a-cell
+world: cell.yaml
+duration_s: 30
+drive: {route: out}
+localizers: [mh_amcl]
+outputs: {snapshots: false}
+)";
+  return folder;
+}
+
+Json json_of(const fs::path& file) { return Json::parse(text_of(file)); }
+
+TEST(Void, IsSaidByARunInAllThatItLeaves) {
+  const fs::path folder = folder_with_cell();
+  const Outcome outcome = castaway(folder, "run void.yaml --out a");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_contains(outcome.out, "VOID: the robot");
+  EXPECT_TRUE(json_of(folder / "a/summary.json").at("void").is_object());
+  expect_contains(text_of(folder / "a/report.html"), "<strong>Void:</strong>");
+  EXPECT_EQ(castaway(folder, "report a").exit_code, 0);
+  expect_contains(text_of(folder / "a/report.html"), "<strong>Void:</strong>");
+  EXPECT_EQ(castaway(folder, "run void.yaml --out b --junit b.xml").exit_code, 1);
+  expect_contains(text_of(folder / "b.xml"), "void: the robot");
+}
+
+TEST(Void, IsLeftOutOfTheSeeds) {
+  const fs::path folder = folder_with_cell();
+  const Outcome outcome = castaway(folder, "run void.yaml --seeds 2 --out a --junit a.xml");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_contains(outcome.out + outcome.err, "2 void (seeds 1, 2) and left out");
+  const Json summary = json_of(folder / "a/summary.json");
+  EXPECT_EQ(summary.at("void_seeds"), Json({1, 2}));
+  EXPECT_TRUE(summary.at("seeds").empty());
+  EXPECT_TRUE(summary.at("failed_seeds").empty());
+  expect_contains(text_of(folder / "a.xml"), "void: the robot");
+}
+
+TEST(Void, IsComparedAndEvaluatedByNobody) {
+  const fs::path folder = folder_with_cell();
+  ASSERT_EQ(castaway(folder, "run void.yaml --out a").exit_code, 1);
+  const Outcome compared = castaway(folder, "compare a a --out c");
+  EXPECT_NE(compared.exit_code, 0);
+  expect_contains(compared.out + compared.err, "void");
+  const Outcome evaluated = castaway(folder, "evaluate a");
+  EXPECT_NE(evaluated.exit_code, 0);
+  expect_contains(evaluated.out + evaluated.err, "void");
+}
+
+TEST(Void, LeavesADatasetUnfinished) {
+  const fs::path folder = folder_with_cell();
+  std::ofstream(folder / "s.yaml") << R"(name: stuck
+license: CC0-1.0
+scenario: {world: cell.yaml, duration_s: 30, drive: {route: out}}
+)";
+  const Outcome outcome = castaway(folder, "dataset s.yaml --out d -n 1");
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_contains(outcome.err, "its run is void: the robot");
+  EXPECT_FALSE(fs::exists(folder / "d/manifest.json"));
+}
+
+}  // namespace
+}  // namespace castaway::test
