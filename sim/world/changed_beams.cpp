@@ -29,8 +29,8 @@ BeamChange changed_beams(const WorldSpec& world, const Grid& map, const PlaceVie
   const auto cells = std::count(free.grid().cells.begin(), free.grid().cells.end(), Cell::kFree);
   const double area = static_cast<double>(cells) * map.resolution * map.resolution;
   const auto places = even_places(free, std::max(kSpacing, std::sqrt(area / kMostPlaces)));
-  const RayScene before(ray_primitives(as_surveyed(world)));
-  const RayScene now(ray_primitives(world));
+  const RayScene before = level_scene(as_surveyed(world), view.z);
+  const RayScene now = level_scene(world, view.z);
   long fine = 0;
   long coarse = 0;
   for (const Eigen::Vector2d& place : places) {

@@ -1,17 +1,18 @@
 #include "sim/world/grid_tools.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "sim/geometry.hpp"
 #include "sim/world/cell_index.hpp"
+#include "sim/world/components.hpp"
 
 namespace castaway::sim {
 namespace {
 
-constexpr double kFar = 1e12;  // Squared cells; finite, so that differences stay defined.
+constexpr double kFar = 1e12;     // Squared cells; finite, so that differences stay defined.
+constexpr double kFarLine = 1e6;  // Cells.
 
 /// Scratch of one pass of the distance transform.
 struct Envelope {
@@ -29,8 +30,8 @@ double crossing(const std::vector<double>& f, std::size_t a, std::size_t b) {
 
 /// Lower envelope of parabolas (Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled
 /// Functions", 2012, section 2): squared distances along one line, in place.
-void transform_line(Envelope& e, double* line, std::size_t n, std::size_t stride) {
-  for (std::size_t i = 0; i < n; ++i) e.values[i] = line[i * stride];
+void transform_line(Envelope& e, double* line, std::size_t n) {
+  std::copy(line, line + n, e.values.begin());
   std::size_t top = 0;
   e.vertices[0] = 0;
   e.bounds[0] = -std::numeric_limits<double>::infinity();
@@ -43,61 +44,35 @@ void transform_line(Envelope& e, double* line, std::size_t n, std::size_t stride
   for (std::size_t q = 0, k = 0; q < n; ++q) {
     while (k < top && e.bounds[k + 1] < static_cast<double>(q)) ++k;
     const double offset = static_cast<double>(q) - static_cast<double>(e.vertices[k]);
-    line[q * stride] = offset * offset + e.values[e.vertices[k]];
+    line[q] = offset * offset + e.values[e.vertices[k]];
   }
+}
+
+/// Squared distance in cells to the nearest cell of the same column that is not free; row after
+/// row, since a map's columns lie far apart in memory.
+std::vector<double> squared_along_columns(const Grid& grid) {
+  const auto width = static_cast<std::size_t>(grid.width);
+  std::vector<double> squared(grid.cells.size());
+  std::vector<double> away(width, kFarLine);
+  const auto sweep = [&](std::size_t row, bool back) {
+    for (std::size_t c = 0; c < width; ++c) {
+      const std::size_t i = row * width + c;
+      away[c] = grid.cells[i] == Cell::kFree ? std::min(away[c] + 1.0, kFarLine) : 0.0;
+      const double square = away[c] < kFarLine ? away[c] * away[c] : kFar;
+      squared[i] = back ? std::min(squared[i], square) : square;
+    }
+  };
+  const auto height = static_cast<std::size_t>(grid.height);
+  for (std::size_t row = 0; row < height; ++row) sweep(row, false);
+  away.assign(width, kFarLine);
+  for (std::size_t row = height; row-- > 0;) sweep(row, true);
+  return squared;
 }
 
 /// Distance in cells to the nearest cell outside of the grid.
 int cells_to_border(const Grid& grid, CellIndex c) {
   return std::min({c.column + 1, c.row + 1, grid.width - c.column, grid.height - c.row});
 }
-
-/// Sizes and labels of the 4-connected components of free cells.
-class Components {
- public:
-  explicit Components(const Grid& grid) : grid_(grid), labels_(grid.cells.size(), -1) {
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
-      if (grid.cells[i] == Cell::kFree && labels_[i] < 0) flood(i);
-    }
-  }
-  [[nodiscard]] int largest() const {
-    return static_cast<int>(std::max_element(sizes_.begin(), sizes_.end()) - sizes_.begin());
-  }
-  [[nodiscard]] const std::vector<int>& labels() const { return labels_; }
-
- private:
-  void flood(std::size_t seed) {
-    const int label = static_cast<int>(sizes_.size());
-    std::vector<std::size_t> open{seed};
-    labels_[seed] = label;
-    std::size_t size = 0;
-    while (!open.empty()) {
-      const std::size_t i = open.back();
-      open.pop_back();
-      ++size;
-      spread(i, label, open);
-    }
-    sizes_.push_back(size);
-  }
-  void spread(std::size_t i, int label, std::vector<std::size_t>& open) {
-    const auto width = static_cast<std::size_t>(grid_.width);
-    const int column = static_cast<int>(i % width);
-    const int row = static_cast<int>(i / width);
-    const std::array<CellIndex, 4> neighbours{
-        {{column - 1, row}, {column + 1, row}, {column, row - 1}, {column, row + 1}}};
-    for (const CellIndex n : neighbours) {
-      if (!grid_.contains(n.column, n.row)) continue;
-      const std::size_t j = flat_index(grid_, n);
-      if (grid_.cells[j] != Cell::kFree || labels_[j] >= 0) continue;
-      labels_[j] = label;
-      open.push_back(j);
-    }
-  }
-
-  const Grid& grid_;
-  std::vector<int> labels_;
-  std::vector<std::size_t> sizes_;
-};
 
 /// Free cells of another label made unknown.
 Grid only(const Grid& grid, const Components& components, int label) {
@@ -143,13 +118,9 @@ Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map) {
 std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge) {
   const auto width = static_cast<std::size_t>(grid.width);
   const auto height = static_cast<std::size_t>(grid.height);
-  std::vector<double> squared(grid.cells.size());
-  for (std::size_t i = 0; i < squared.size(); ++i) {
-    squared[i] = grid.cells[i] == Cell::kFree ? kFar : 0.0;
-  }
-  Envelope envelope(std::max({width, height, std::size_t{1}}));
-  for (std::size_t c = 0; c < width; ++c) transform_line(envelope, &squared[c], height, width);
-  for (std::size_t r = 0; r < height; ++r) transform_line(envelope, &squared[r * width], width, 1);
+  std::vector<double> squared = squared_along_columns(grid);
+  Envelope envelope(std::max(width, std::size_t{1}));
+  for (std::size_t r = 0; r < height; ++r) transform_line(envelope, &squared[r * width], width);
   std::vector<float> distance(squared.size());
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {

@@ -3,8 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace castaway::sim {
+namespace {
+
+constexpr double kMargin = 1e-6;  // [m] Of rounding.
+
+}  // namespace
 
 std::vector<Eigen::Vector2d> even_places(const FreeSpace& free, double spacing) {
   const Grid& grid = free.grid();
@@ -16,6 +22,15 @@ std::vector<Eigen::Vector2d> even_places(const FreeSpace& free, double spacing) 
     }
   }
   return places;
+}
+
+RayScene level_scene(const WorldSpec& world, double z) {
+  std::vector<RayPrimitive> primitives = ray_primitives(world);
+  std::erase_if(primitives, [z](const RayPrimitive& primitive) {
+    const Eigen::AlignedBox3d box = bounds(primitive);
+    return box.min().z() > z + kMargin || box.max().z() < z - kMargin;
+  });
+  return RayScene(std::move(primitives));
 }
 
 std::vector<float> scan_at(const RayScene& scene, const Eigen::Vector2d& p_map, double heading,

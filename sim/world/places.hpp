@@ -21,6 +21,10 @@ struct PlaceView {
 /// origin.
 std::vector<Eigen::Vector2d> even_places(const FreeSpace& free, double spacing);
 
+/// What level beams at a height `z` [m] can meet of a world: they meet the same in a scene of all
+/// of it, but take longer there. @throws std::runtime_error if a mesh cannot be read.
+RayScene level_scene(const WorldSpec& world, double z);
+
 /// Ranges from a place; the first beam at `heading` [rad] in map. [m]
 std::vector<float> scan_at(const RayScene& scene, const Eigen::Vector2d& p_map, double heading,
                            const PlaceView& view);

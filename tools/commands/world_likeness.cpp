@@ -23,8 +23,7 @@ sim::FreeSpace place_space(const LoadedWorld& world) {
 }
 
 sim::PlaceLikeness world_likeness(const LoadedWorld& world, const sim::PlaceView& view) {
-  const sim::RayScene scene(sim::ray_primitives(world.file.spec));
-  return sim::place_likeness(scene, place_space(world), view);
+  return sim::place_likeness(sim::level_scene(world.file.spec, view.z), place_space(world), view);
 }
 
 }  // namespace castaway::testbed

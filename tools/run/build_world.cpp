@@ -12,6 +12,7 @@
 #include "sim/world/floor.hpp"
 #include "sim/world/free_choice.hpp"
 #include "sim/world/grid_tools.hpp"
+#include "sim/world/open_ground.hpp"
 #include "sim/world/rasterise.hpp"
 #include "sim/world/sdf/load_sdf.hpp"
 #include "tools/run/simulator_source.hpp"
@@ -25,7 +26,6 @@ namespace {
 
 constexpr double kMapResolution = 0.05;  // [m]
 constexpr double kMostCells = 36e6;      // Of a survey; a run needs about 50 bytes for each.
-constexpr double kOpenGround = 15.0;     // [m] Of ground around what stands in the open.
 constexpr double kNoRoom = 1.0;          // [m^2] Less free space than this is none.
 constexpr double kTold = 0.001;          // [m] A floor this far from 0 is worth a line.
 constexpr double kPlatform = 0.3;        // [m] What is higher at the start is an obstacle.
@@ -120,15 +120,6 @@ double told_resolution(LoadedWorld& world) {
   return resolution;
 }
 
-/// Ground around what stands there, as far as a lidar sees.
-void extend(const sim::Ground& ground, sim::WorldSpec& spec) {
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kOpenGround);
-  Eigen::AlignedBox2d box(spec.min_corner - reach, spec.max_corner + reach);
-  if (!ground.extent.isEmpty()) box = box.intersection(ground.extent);
-  spec.min_corner = spec.min_corner.cwiseMin(box.min());
-  spec.max_corner = spec.max_corner.cwiseMax(box.max());
-}
-
 LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search,
                       const SurveyOptions& options) {
   LoadedWorld world;
@@ -144,7 +135,8 @@ LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::
   world.grid = cut();
   const sim::FreeChoice room = sim::choose_free(world.grid, options.robot_radius, options.inside);
   if (loaded.ground && (room.at_edge || room.area < kNoRoom)) {
-    extend(*loaded.ground, world.file.spec);
+    const auto line = sim::extend_over(*loaded.ground, world.file.spec);
+    if (line) world.warnings.push_back(*line);
     world.grid = cut();
   }
   (void)told_resolution(world);

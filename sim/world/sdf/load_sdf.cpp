@@ -38,6 +38,12 @@ std::string name_of(const WorldPieces& world, const std::string& path) {
   return named ? world.name : stem.string();
 }
 
+void refuse_vast(const Eigen::Vector2d& size, const std::string& path) {
+  if (size.maxCoeff() <= kMaxSide) return;
+  throw std::runtime_error(
+      fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m either way", path, size.x(), size.y()));
+}
+
 /// Just the geometry: a margin would be open ground all round it.
 void set_extent(WorldSpec& spec, const std::string& path) {
   Eigen::AlignedBox3d box;
@@ -47,10 +53,7 @@ void set_extent(WorldSpec& spec, const std::string& path) {
     throw std::runtime_error(fmt::format(
         "{}: nothing in it stands above the floor; there is nothing that a lidar could see", path));
   }
-  if (!(size.head<2>().maxCoeff() <= kMaxSide)) {
-    throw std::runtime_error(fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m either way", path,
-                                         size.x(), size.y()));
-  }
+  refuse_vast(size.head<2>(), path);
   spec.min_corner = box.min().head<2>();
   spec.max_corner = box.max().head<2>();
 }
@@ -73,6 +76,7 @@ SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
   Notes notes;
   const PiecePolicy policy{options.strict, &notes};
   const WorldPieces pieces = cut_world(path, text_of(path, options), finder, policy);
+  refuse_vast(pieces.size, path);
   SdfBodies bodies(finder, path, policy);
   read_pieces(pieces, path, finder, policy, bodies);
   SdfWorld result;

@@ -16,7 +16,7 @@ constexpr std::size_t kNamed = 3;  // Subjects that a line names.
 
 void Notes::leave_out(const std::string& name, const std::exception& error) {
   if (const auto* missing = dynamic_cast<const ResourceMissing*>(&error)) {
-    add("left out, since " + missing->remedy, missing->uri);
+    add("left out, since it " + missing->remedy, missing->uri);
   } else {
     add(fmt::format("left out, since {}", error.what()), name);
   }

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <sdf/sdf.hh>
 
+#include "sim/world/sdf/read_elements.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -106,8 +108,7 @@ class Reader {
   }
 
   std::unique_ptr<sdf::Root> parse(const std::string& text) const {
-    auto tree = std::make_shared<sdf::SDF>();
-    sdf::init(tree);
+    const sdf::SDFPtr tree = empty_sdf();
     sdf::Errors errors;
     const bool read = sdf::readString(text, config_, tree, errors);
     throw_first(errors);

@@ -124,7 +124,7 @@ fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) cons
   }
   std::vector<std::string> folders;
   for (const fs::path& folder : folders_) folders.push_back(folder.string());
-  throw ResourceMissing(uri, fmt::format("not found in {}; name its folder in `search_paths`",
+  throw ResourceMissing(uri, fmt::format("is not found in {}; name its folder in `search_paths`",
                                          fmt::join(folders, ", ")));
 }
 

@@ -16,7 +16,7 @@ class ResourceMissing : public std::runtime_error {
       : std::runtime_error("'" + missing + "' " + where), uri(std::move(missing)), remedy(where) {}
 
   std::string uri;
-  std::string remedy;  ///< Where it was looked for, and what to do.
+  std::string remedy;  ///< "is not found in ...", and what to do.
 };
 
 /// Resolves the URIs of one SDF world: `model://`, `package://`, `file://` and plain paths, from

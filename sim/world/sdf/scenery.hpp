@@ -1,4 +1,4 @@
-/// What worlds of Gazebo include and nobody needs here: the sun and the ground.
+/// What worlds of Gazebo have and nobody needs here.
 #pragma once
 
 #include <string>
@@ -10,5 +10,8 @@ bool is_ground_plane(const std::string& uri);
 
 /// True for those and for `model://sun`.
 bool is_scenery(const std::string& uri);
+
+/// True for elements of SDF that say nothing of where bodies are: sensors, lights, masses...
+bool is_unneeded(const std::string& element);
 
 }  // namespace castaway::sim

@@ -34,9 +34,12 @@ Eigen::Vector3f color_of(const sdf::Link& link) {
   return {0.7F, 0.7F, 0.7F};
 }
 
-const char* name_of(sdf::GeometryType type) {
-  if (type == sdf::GeometryType::HEIGHTMAP) return "a height map";
-  return "no geometry";
+/// What a geometry is called that is not read.
+std::string name_of(const sdf::Geometry& geometry) {
+  if (geometry.Type() == sdf::GeometryType::HEIGHTMAP) return "a height map";
+  const sdf::ElementPtr element = geometry.Element();
+  const sdf::ElementPtr kind = element ? element->GetFirstElement() : nullptr;
+  return kind ? "the geometry <" + kind->GetName() + ">" : "an empty geometry";
 }
 
 /// Why a piece cannot be read; what catches it knows the piece.
@@ -160,7 +163,7 @@ std::optional<ObjectShape> SdfBodies::shape_around(const sdf::Geometry& geometry
     const auto& r = ellipsoid->Radii();
     return BoxShape{{2.0 * length(r.X()), 2.0 * length(r.Y()), 2.0 * length(r.Z())}};
   }
-  fail(fmt::format("{} is not read", name_of(geometry.Type())));
+  fail(fmt::format("{} is not read", name_of(geometry)));
 }
 
 void SdfBodies::add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane) {

@@ -1,25 +1,19 @@
 #include "sim/world/sdf/world_pieces.hpp"
 
-#include <algorithm>
-#include <array>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "sim/robot/xml_text.hpp"
 #include "sim/world/sdf/include_check.hpp"
+#include "sim/world/sdf/model_spread.hpp"
 #include "sim/world/sdf/scenery.hpp"
 
 namespace castaway::sim {
 namespace {
 
 constexpr double kGroundPlane = 100.0;  // [m] Edge of the included model.
-
-constexpr std::array<std::string_view, 8> kUnneeded{"plugin",  "sensor",          "inertial",
-                                                    "light",   "audio_source",    "projector",
-                                                    "battery", "particle_emitter"};
 
 std::string attribute(const TiXmlElement& element, const char* name) {
   const char* value = element.Attribute(name);
@@ -41,11 +35,9 @@ std::string text_of(const TiXmlElement& element) {
 void remove_unneeded(TiXmlElement& parent) {
   for (TiXmlElement* element = parent.FirstChildElement(); element != nullptr;) {
     TiXmlElement* next = element->NextSiblingElement();
-    const bool unneeded =
-        std::find(kUnneeded.begin(), kUnneeded.end(), element->ValueStr()) != kUnneeded.end();
     const bool scenery =
         element->ValueStr() == "include" && is_scenery(child_text(*element, "uri"));
-    if (unneeded || scenery) {
+    if (is_unneeded(element->ValueStr()) || scenery) {
       parent.RemoveChild(element);
     } else {
       remove_unneeded(*element);
@@ -75,9 +67,13 @@ class Cutter {
   Cutter(const std::string& path, const ResourceFinder& finder, const PiecePolicy& policy)
       : path_(path), policy_(policy), check_(path, finder) {}
 
+  /// What the models added measure at least. [m]
+  [[nodiscard]] Eigen::Vector2d size() const { return spread_.size(); }
+
   void add(TiXmlElement& element, WorldPieces& world) {
     const std::string& kind = element.ValueStr();
     if (kind == "frame" || kind == "joint") {
+      remove_unneeded(element);
       world.frames += text_of(element);
       world.linked = true;
     }
@@ -88,6 +84,7 @@ class Cutter {
     remove_unneeded(element);
     const TiXmlElement* pose = element.FirstChildElement("pose");
     if (pose != nullptr && !attribute(*pose, "relative_to").empty()) world.linked = true;
+    if (kind == "model") spread_.add(element);
     if (can_be_read(element)) world.pieces.push_back({name_of(element), text_of(element)});
   }
 
@@ -108,6 +105,7 @@ class Cutter {
   const std::string& path_;
   const PiecePolicy& policy_;
   IncludeCheck check_;
+  ModelSpread spread_;
 };
 
 }  // namespace
@@ -136,6 +134,7 @@ WorldPieces cut_world(const std::string& path, const std::string& text,
        element = element->NextSiblingElement()) {
     cutter.add(*element, world);
   }
+  world.size = cutter.size();
   return world;
 }
 

@@ -26,6 +26,7 @@ struct WorldPieces {
   std::vector<WorldPiece> pieces;  ///< In the file's order.
   bool linked = false;             ///< They may refer to each other.
   std::optional<Ground> ground;    ///< Of an included ground plane.
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< [m] The world's, at least.
 };
 
 /// What to do with a piece that cannot be read.

@@ -114,5 +114,33 @@ TEST(Places, AreSeenFrom) {
   EXPECT_NEAR(ranges[2], 2.5, 1e-6);
 }
 
+/// Above, below and across the beams: a table's top, a step, a ball, a ramp, a turned cylinder.
+TEST(LevelScene, ShowsWhatTheWholeWorldShows) {
+  WorldSpec world = test_room();
+  WorldObject top = box_on_floor("top", {1.0, 1.0, 0.1}, {-1.0, -1.0});
+  top.T_map_object.translation().z() = 0.7;
+  world.objects.push_back(top);
+  world.objects.push_back(box_on_floor("step", {1.0, 1.0, 0.1}, {-1.0, -1.0}));
+  WorldObject ball = box_on_floor("ball", {1.0, 1.0, 1.0}, {1.0, -1.0});
+  ball.shape = SphereShape{0.3};
+  world.objects.push_back(ball);
+  WorldObject log = ball;
+  log.shape = CylinderShape{0.2, 2.0};
+  log.T_map_object.rotate(Eigen::AngleAxisd(1.2, Eigen::Vector3d(1.0, 1.0, 0.0).normalized()));
+  world.objects.push_back(log);
+  WorldObject ramp = box_on_floor("ramp", {1.0, 1.0, 1.0}, {-2.0, 1.0});
+  ramp.shape = RampShape{{1.5, 1.0, 0.5}};
+  world.objects.push_back(ramp);
+  const RayScene all(ray_primitives(world));
+  for (const double z : {0.05, 0.1, 0.2, 0.75, 1.5}) {
+    const RayScene level = level_scene(world, z);
+    EXPECT_LT(level.primitives().size(), all.primitives().size());
+    for (const Eigen::Vector2d& place : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(-0.4, 2.0)}) {
+      const PlaceView view{z, 12.0, 360};
+      EXPECT_EQ(scan_at(level, place, 0.1, view), scan_at(all, place, 0.1, view)) << z;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace castaway::sim

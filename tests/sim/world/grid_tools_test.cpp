@@ -57,6 +57,13 @@ TEST(GridTools, DistancesEqualThoseOfADoubleLoop) {
   }
 }
 
+TEST(GridTools, DistancesAreFarWhereNothingStands) {
+  const Grid grid = make_grid(5, 4, 0.5, {0.0, 0.0}, Cell::kFree);
+  for (const float distance : distance_to_obstacle(grid, GridEdge::kOpen)) {
+    EXPECT_GT(distance, 1e5F);
+  }
+}
+
 TEST(GridTools, ErodesOnTheSafeSide) {
   const Grid grid = grid_from_art({"#######",  //
                                    "#.....#",  //

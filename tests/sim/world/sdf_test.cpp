@@ -229,6 +229,21 @@ TEST_F(SdfFiles, LeavesOutWhatCannotBeRead) {
   EXPECT_THROW(load_sdf((folder_ / "worlds/w.world").string(), strict), std::runtime_error);
 }
 
+TEST_F(SdfFiles, SaysInWordsWhatIsLeftOut) {
+  const SdfWorld world =
+      load("<model name='a'><static>1</static>" + link(kBox) + "</model>" +
+           "<model name='b'><static>1</static>" +
+           link("<polyline><point>0 0</point><point>1 0</point><point>1 1</point><height>1</height>"
+                "</polyline>") +
+           "</model><include><uri>model://nobody</uri></include>"
+           "<include><uri>https://fuel.gazebosim.org/1.0/x/models/y</uri></include>");
+  EXPECT_THAT(world.warnings,
+              testing::UnorderedElementsAre(
+                  testing::StartsWith("left out, since it is not found in /"),
+                  testing::StartsWith("left out, since it is not on this machine; download"),
+                  "left out, since the geometry <polyline> is not read: b/l/c"));
+}
+
 TEST_F(SdfFiles, ReadsAWorldOfAReservedName) {
   const std::string file = put("hall.world",
                                "<sdf version='1.6'><world name='world'>"
@@ -244,6 +259,24 @@ TEST_F(SdfFiles, ReadsHundredsOfModels) {
               std::to_string(3 * i) + " 0 0.25 0 0 0</pose>" + link(kBox) + "</model>";
   }
   EXPECT_EQ(load(models).spec.objects.size(), 230U);
+}
+
+/// As 3k_shapes of gz-sim: models over 1.5 km. What cannot be read would be another error.
+TEST_F(SdfFiles, RefusesAWorldOfKilometresBeforeItsModelsAreRead) {
+  const std::string model = "<model name='a'><pose>-750 0 0 0 0 0</pose>" + link(kBox) +
+                            "</model><model name='hollow'></model>";
+  SdfOptions strict;
+  strict.strict = true;
+  const std::string file = put("w.sdf", "<sdf version='1.6'><world name='w'>" + model +
+                                            "<model name='b'><pose>750 0 0 0 0 0"
+                                            "</pose>" +
+                                            link(kBox) + "</model></world></sdf>");
+  try {
+    load_sdf(file, strict);
+    FAIL() << "it was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("1500 m x 0 m: at most 1000 m either way"));
+  }
 }
 
 TEST_F(SdfFiles, FindsFilesBesideTheWorldsFolderInAnyLetterCase) {

@@ -110,7 +110,7 @@ TEST(BuildWorld, GoesOnWhereTheGroundDoes) {
   };
   EXPECT_TRUE(size_of("none.sdf").isApprox(Eigen::Vector2d(1.0, 4.0), 1e-9));
   EXPECT_TRUE(size_of("small.sdf").isApprox(Eigen::Vector2d(12.0, 14.0), 1e-9));
-  EXPECT_TRUE(size_of("large.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
+  EXPECT_TRUE(size_of("large.sdf").isApprox(Eigen::Vector2d(100.0, 100.0), 1e-9));
   EXPECT_TRUE(size_of("endless.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
 }
 
