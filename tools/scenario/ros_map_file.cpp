@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/scenario/nearest.hpp"
 #include "tools/scenario/yaml_reader.hpp"
 
 namespace castaway::testbed {
@@ -20,11 +21,17 @@ double share_of_one(YamlReader& root, const std::string& key, double fallback) {
   return value;
 }
 
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 /// `negate` is written as 0 or 1, or as a truth value.
 bool read_negate(YamlReader& root) {
   const auto negate = root.find("negate");
   if (!negate) return false;
-  const auto text = negate->as<std::string>();
+  const auto text = lower(negate->as<std::string>());
   if (text != "0" && text != "1" && text != "true" && text != "false") {
     negate->fail("expected 0 or 1, found '" + text + "'");
   }
@@ -33,14 +40,13 @@ bool read_negate(YamlReader& root) {
 
 /// In any letter case, as map_server reads it.
 MapMode read_mode(YamlReader& root) {
-  std::string mode = root.get<std::string>("mode", "trinary");
-  std::transform(mode.begin(), mode.end(), mode.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (mode != "trinary" && mode != "scale" && mode != "raw") {
-    mode = root.choice("mode", "trinary", {"trinary", "scale", "raw"});  // Says what is wrong.
-  }
+  const std::string text = root.get<std::string>("mode", "trinary");
+  const std::string mode = lower(text);
+  if (mode == "trinary") return MapMode::kTrinary;
   if (mode == "scale") return MapMode::kScale;
-  return mode == "raw" ? MapMode::kRaw : MapMode::kTrinary;
+  if (mode == "raw") return MapMode::kRaw;
+  root.find("mode")->fail(fmt::format("'{}' is no choice here; {}", text,
+                                      suggestion(mode, {"trinary", "scale", "raw"})));
 }
 
 RosMapHeader read_header(YamlReader& root) {
@@ -72,9 +78,7 @@ std::string name_of(const std::filesystem::path& yaml_path) {
 }  // namespace
 
 void refuse_picture(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower(path.extension().string());
   const std::array<std::string_view, 7> kPictures{".png", ".pgm",  ".ppm", ".bmp",
                                                   ".jpg", ".jpeg", ".pnm"};
   if (std::find(kPictures.begin(), kPictures.end(), extension) == kPictures.end()) return;

@@ -32,6 +32,42 @@ TEST(RosMapFile, ReadsModeAndNegate) {
   EXPECT_EQ(load_ros_map(path).name, "a");
 }
 
+/// As nav2's map_server reads them.
+TEST(RosMapFile, ReadsModesInAnyLetterCase) {
+  const TemporaryFolder folder;
+  folder.put("a.pgm", "P5 2 1 255\n\x32\x80");
+  const auto cells = [&](const std::string& mode) {
+    return load_ros_map(folder.put("a.yaml", "image: a.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n" +
+                                                 (mode.empty() ? "" : "mode: " + mode + "\n")))
+        .cells;
+  };
+  for (const char* mode : {"", "trinary", "Trinary", "TRINARY", "\"Trinary\""}) {
+    EXPECT_EQ(cells(mode), (std::vector<std::int8_t>{100, -1})) << mode;
+  }
+  for (const char* mode : {"scale", "Scale", "SCALE"}) {
+    EXPECT_EQ(cells(mode), (std::vector<std::int8_t>{100, 67})) << mode;
+  }
+  for (const char* mode : {"raw", "Raw", "RAW"}) {
+    EXPECT_EQ(cells(mode), (std::vector<std::int8_t>{50, -1})) << mode;
+  }
+}
+
+TEST(RosMapFile, NamesTheModeThatIsMeant) {
+  const TemporaryFolder folder;
+  folder.put("a.pgm", "P5 2 1 255\n\x32\x80");
+  const auto error = [&](const std::string& mode) {
+    return error_of([&] {
+      load_ros_map(folder.put(
+          "m.yaml", "image: a.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nmode: " + mode + "\n"));
+    });
+  };
+  EXPECT_TRUE(contains(error("TRINRY"),
+                       "m.yaml:4: mode: 'TRINRY' is no choice here; did you mean 'trinary'"));
+  EXPECT_TRUE(contains(error("Scaled"), "did you mean 'scale'"));
+  EXPECT_TRUE(contains(error("RWA"), "'raw'"));
+  EXPECT_TRUE(contains(error("binary"), "trinary"));
+}
+
 TEST(RosMapFile, NamesFileKeyAndRemedy) {
   const TemporaryFolder folder;
   folder.put("a.pgm", "P5 9 9 255\n");
