@@ -29,10 +29,8 @@ void ProgressWatch::update(const ProgressInput& input) {
   }
   if (!started_) started_ = input.T_map_base;
   moved_ = moved_ || differ(*started_, input.T_map_base, config_.first_way, config_.first_turn);
-  if (stood_ && input.passed == passed_ &&
-      !differ(*stood_, input.T_map_base, config_.way, config_.turn)) {
-    return;
-  }
+  const double way = input.passed == passed_ ? config_.way : config_.first_way;
+  if (stood_ && !differ(*stood_, input.T_map_base, way, config_.turn)) return;
   leave();
   stood_ = input.T_map_base;
   since_ = input.now;

@@ -24,7 +24,7 @@ struct VoidRecord {
 
 /// How much is getting on.
 struct ProgressConfig {
-  double first_way = 0.1;   ///< [m] Of the first move...
+  double first_way = 0.1;   ///< [m] Of the first move, or with a waypoint passed...
   double first_turn = 0.5;  ///< [rad] ...or turn, from the start.
   double way = 1.0;         ///< [m] Later: from where it got on last; less is rocking to and fro...
   double turn = 1e9;        ///< [rad] ...and so is less of a turn.
@@ -41,7 +41,7 @@ struct ProgressInput {
   bool touching = false;  ///< It is in contact with what is not the floor.
   /// It is to drive, and neither people, nor somebody's hands, nor a wrong belief keep it from it.
   bool wants = false;
-  int passed = 0;  ///< Waypoints so far: passing one is getting on.
+  int passed = 0;  ///< Waypoints so far: passing one on the move is getting on.
 };
 
 /// Follows a run.

@@ -5,15 +5,21 @@
 #include "sim/navigation/planner.hpp"
 
 namespace castaway::sim {
+namespace {
+
+constexpr double kReached = 0.2;  // [m] Farther from a waypoint, it was not reached.
+
+}  // namespace
 
 RouteRunner::RouteRunner(RouteConfig config, FreeSpace free)
     : config_(std::move(config)), free_(std::move(free)) {}
 
 void RouteRunner::next_waypoint() {
+  const double beside = (follower_->path().back() - config_.waypoints[waypoint_]).norm();
+  passed_ += beside <= kReached ? 1 : 0;
   follower_.reset();
   detour_.reset();
   ++waypoint_;
-  ++passed_;
   if (config_.loop && waypoint_ >= config_.waypoints.size()) waypoint_ = 0;
 }
 

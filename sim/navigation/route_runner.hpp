@@ -37,7 +37,7 @@ class RouteRunner {
   Twist2 command(const std::optional<Pose2>& T_map_base);
   /// True at the end of the route, and without one.
   [[nodiscard]] bool done() const { return waypoint_ >= config_.waypoints.size(); }
-  /// Waypoints that were reached so far.
+  /// Waypoints that were reached so far; a free place more than 0.2 m beside is not counted.
   [[nodiscard]] int passed() const { return passed_; }
   /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
   /// with its path where there is none.

@@ -9,7 +9,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kUpright = 0.9;  // Of the cosine.
+constexpr double kUpright = 0.9;     // Of the cosine.
+constexpr double kSameHeight = 0.5;  // Of a wheel's radius.
+constexpr double kAside = 0.05;      // [m]
 
 const char* const kSteered = "steered wheels";
 
@@ -66,19 +68,38 @@ bool is_steered(const UrdfFile& file, const LinkFrames& frames, const std::strin
   return false;
 }
 
+/// True if a joint turns as driven wheels do: about y, at the height of their axles.
+bool turns_as_wheel(const urdf::Joint& joint, const LinkFrames& frames,
+                    const std::vector<DriveWheel>& wheels) {
+  const Eigen::Isometry3d& frame = frames.at(joint.child_link_name);
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (std::abs((frame.linear() * axis.normalized()).y()) < kUpright) return false;
+  return std::any_of(wheels.begin(), wheels.end(), [&](const DriveWheel& wheel) {
+    const double axle = frames.at(wheel.link).translation().z();
+    return std::abs(frame.translation().z() - axle) < kSameHeight * wheel.radius;
+  });
+}
+
 /// Also wheels that are not driven may steer: those of a car's front axle. An arm's joints turn
-/// about the upright, too: what steers is called a wheel.
-bool any_steered(const UrdfFile& file, const LinkFrames& frames) {
-  int steered = 0;
+/// about the upright, too: what steers is called a wheel, or is one by its place and there is
+/// another on the other side.
+bool any_steered(const UrdfFile& file, const LinkFrames& frames,
+                 const std::vector<DriveWheel>& wheels) {
+  int named = 0;
+  bool left = false;
+  bool right = false;
   for (const auto& [name, joint] : file.model->joints_) {
     const std::string names = lower(name + " " + joint->child_link_name);
-    const bool wheel =
-        joint->type == urdf::Joint::CONTINUOUS && (holds(names, "wheel") || holds(names, "tire"));
     const bool caster = holds(names, "caster") || holds(names, "castor");
-    if (!wheel || caster || steers(*joint, frames)) continue;
-    steered += is_steered(file, frames, joint->child_link_name) ? 1 : 0;
+    if (joint->type != urdf::Joint::CONTINUOUS || caster || steers(*joint, frames)) continue;
+    if (!is_steered(file, frames, joint->child_link_name)) continue;
+    named += holds(names, "wheel") || holds(names, "tire") ? 1 : 0;
+    if (!turns_as_wheel(*joint, frames, wheels)) continue;
+    const double y = frames.at(joint->child_link_name).translation().y();
+    left = left || y > kAside;
+    right = right || y < -kAside;
   }
-  return steered >= 2;
+  return named >= 2 || (left && right);
 }
 
 }  // namespace
@@ -90,7 +111,7 @@ std::optional<std::string> other_drive(const UrdfFile& file, const LinkFrames& f
   for (const DriveWheel& wheel : wheels) names += wheel_names(file, wheel) + " ";
   if (holds(names, "mecanum") || holds(plugins, "mecanum")) return "mecanum wheels";
   if (holds(names, "omni")) return "omni wheels";
-  if (any_steered(file, frames)) return kSteered;
+  if (any_steered(file, frames, wheels)) return kSteered;
   if (holds(plugins, "planar_move")) return "a planar_move plug-in";
   return std::nullopt;
 }

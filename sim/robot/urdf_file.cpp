@@ -37,6 +37,11 @@ class ConsoleCapture : public console_bridge::OutputHandler {
 };
 
 urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
+  if (file.xml->RootElement()->FirstChildElement("link") == nullptr) {
+    throw std::runtime_error(
+        file.path + ": not a valid URDF: it has no <link>; if it defines macros only, give the " +
+        "file that calls them");
+  }
   const ConsoleCapture console;
   urdf::ModelInterfaceSharedPtr model;
   std::string problem;

@@ -64,6 +64,17 @@ TEST(ProgressWatch, PassesARobotOnASmallRoute) {
   EXPECT_FALSE(verdict_of(90.0, round).has_value());
 }
 
+/// All waypoints of a robot that does not fit may stand for the place where it is.
+TEST(ProgressWatch, CountsNoWaypointsThatARobotPassesWithoutMoving) {
+  const auto record = verdict_of(40.0, [](double t) {
+    ProgressInput input = driving(std::min(t, 4.0));
+    input.passed = static_cast<int>(t / 2.0);
+    return input;
+  });
+  ASSERT_TRUE(record.has_value());
+  EXPECT_EQ(record->reason, VoidReason::kStuck);
+}
+
 TEST(ProgressWatch, FindsOneThatNeverMoves) {
   const auto record = verdict_of(6.0, [](double) { return blocked(); });
   ASSERT_TRUE(record.has_value());

@@ -1,11 +1,13 @@
 #include "tools/run/build_simulation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
 #include "sim/drive_setup.hpp"
+#include "sim/world/free_space.hpp"
 #include "tools/run/build_drive.hpp"
 #include "tools/run/build_robot.hpp"
 #include "tools/run/build_sensors.hpp"
@@ -71,6 +73,19 @@ void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::s
                   limits.max_speed, config.drive.max_speed));
 }
 
+/// A robot that is wider than its route.
+void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
+  const auto& waypoints = config.drive.waypoints;
+  const sim::FreeSpace space(config.map, config.robot.footprint_radius);
+  const auto tight = std::count_if(waypoints.begin(), waypoints.end(),
+                                   [&](const auto& p) { return !space.contains(p); });
+  if (tight == 0) return;
+  warnings.push_back(fmt::format(
+      "the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: free places "
+      "beside them stand for them; `robot: {{joints: ...}}` folds an arm",
+      config.robot.footprint_radius, tight, waypoints.size()));
+}
+
 PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
                                 LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
@@ -96,6 +111,7 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
   prepared.difference = difference_of(world, config.lidar);
   prepared.map = std::move(world.map);
   config.map = std::move(world.grid);
+  if (!world.file.routes.empty()) warn_of_tight_route(config, prepared.warnings);
   config.world = std::move(world.file.spec);
   return prepared;
 }

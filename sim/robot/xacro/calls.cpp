@@ -175,11 +175,7 @@ const TiXmlElement& Expander::load(const std::string& path) {
     }
     document = parse_xml(path, read_xml_text(path));
   }
-  const Element& root = *document->RootElement();
-  if (root.ValueStr() == "robot" || root.ValueStr() == "sdf") return root;
-  throw std::runtime_error(
-      fmt::format("{}:{}: not a URDF or xacro file: its root element must be <robot>, not <{}>",
-                  path, root.Row(), root.ValueStr()));
+  return *document->RootElement();
 }
 
 }  // namespace castaway::sim::xacro

@@ -58,6 +58,11 @@ Expander::Expander(const PackageFinder& packages, const RobotOptions& options)
 Expansion Expander::run(const std::string& path) {
   file_ = path;
   const Element& root = load(path);
+  if (root.ValueStr() != "robot" && root.ValueStr() != "sdf") {
+    throw std::runtime_error(
+        fmt::format("{}:{}: not a URDF or xacro file: its root element must be <robot>, not <{}>",
+                    path, root.Row(), root.ValueStr()));
+  }
   Expansion result;
   result.xml = std::make_unique<TiXmlDocument>();
   if (!uses_xacro(root)) {

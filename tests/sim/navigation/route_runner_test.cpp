@@ -43,6 +43,15 @@ TEST(RouteRunner, ReachesItsWaypointsAndStops) {
   EXPECT_TRUE(runner.path().empty());
 }
 
+/// Waypoints outside of the room: the nearest free places stand for them.
+TEST(RouteRunner, PassesNoWaypointFarFromWhichItStays) {
+  RouteRunner runner(route({{2.5, -1.5}, {-3.0, 20.0}, {-3.0, 30.0}}, false), room());
+  Pose2 pose{-3.0, -2.0, 1.0};
+  for (int i = 0; i < 3000; ++i) pose = moved(pose, runner.command(pose));
+  EXPECT_TRUE(runner.done());
+  EXPECT_EQ(runner.passed(), 1);
+}
+
 TEST(RouteRunner, NeverLeavesTheFreeSpace) {
   const FreeSpace tight(rasterise(test_room(), 0.2, 0.05), 0.2);
   RouteRunner runner(route({{2.5, -1.5}, {2.5, 2.0}, {-2.0, 2.0}, {-3.0, -2.0}}, true), room());

@@ -64,6 +64,16 @@ TEST_F(DriveKind, OfACarIsSaid) {
   EXPECT_THAT(car.warnings, Contains(HasSubstr("turns on the spot as the robot cannot")));
 }
 
+/// As AgileX's hunter_se: `fr_left_joint` below `fr_steer_left_joint`.
+TEST_F(DriveKind, OfACarIsSaidWhateverItsWheelsAreCalled) {
+  const std::string limited =
+      "type=\"revolute\"><limit lower=\"-0.5\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/>";
+  const RobotModel car =
+      load(hung_wheel("fr_left", 0.1, 0.12, limited) + hung_wheel("fr_right", 0.1, -0.12, limited) +
+           wheel_urdf("re_left", -0.1, 0.12) + wheel_urdf("re_right", -0.1, -0.12));
+  EXPECT_EQ(car.other_drive, "steered wheels");
+}
+
 TEST_F(DriveKind, OfAThousandWheelsIsRefused) {
   std::string parts;
   for (int i = 0; i < 500; ++i) {

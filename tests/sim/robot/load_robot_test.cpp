@@ -1,5 +1,7 @@
 #include "sim/robot/load_robot.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <stdexcept>
 
@@ -157,6 +159,14 @@ TEST(LoadRobotErrors, NameTheLineOfWhatXacroMisses) {
   EXPECT_THAT(error_of(kRobots + "needs_xacro.urdf"),
               AllOf(HasSubstr("needs_xacro.urdf:3: <xacro:include>"), HasSubstr("wheels.xacro"),
                     HasSubstr("does not exist")));
+}
+
+TEST(LoadRobotErrors, SayThatAFileOfMacrosIsNoRobot) {
+  const std::string path = testing::TempDir() + "castaway-macros.xacro";
+  std::ofstream(path) << "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro "
+                         "name='wheel' params='name'><link name='${name}'/></xacro:macro></robot>";
+  EXPECT_THAT(error_of(path), HasSubstr("it has no <link>; if it defines macros only"));
+  std::filesystem::remove(path);
 }
 
 TEST(LoadRobotErrors, RefuseOtherXml) {

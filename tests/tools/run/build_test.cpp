@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/file.hpp"
 #include "tools/run/build_localizers.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/cpu_clock.hpp"
@@ -47,6 +51,53 @@ TEST(BuildSimulation, PullsUpAMapThatItIsHanded) {
   EXPECT_EQ(prepared.map.cells, map.cells);
   EXPECT_EQ(prepared.config.world.objects.size(), 1U);
   EXPECT_TRUE(prepared.config.random_start);
+}
+
+/// The waffle, with wheels of which its joints turn at most so fast.
+std::vector<std::string> warnings_with_wheels_of(const std::string& rad_per_s) {
+  std::string urdf = read_file(find_robot("waffle", "."));
+  const std::string shipped = "velocity=\"8.06\"";
+  for (auto at = urdf.find(shipped); at != std::string::npos; at = urdf.find(shipped, at + 1)) {
+    urdf.replace(at, shipped.size(), "velocity=\"" + rad_per_s + "\"");
+  }
+  const TemporaryFolder folder;
+  Scenario scenario;
+  scenario.robot.file = folder.put("slow.urdf", urdf).string();
+  scenario.drive.route = "none";
+  return build_simulation(scenario, ".").warnings;
+}
+
+TEST(BuildSimulation, WarnsOfWheelsThatAreMuchSlowerThanTheDrive) {
+  const auto slows = [](const std::string& warning) {
+    return contains(warning, "<limit velocity> of the wheels' joints slows the robot down to 0.10");
+  };
+  const auto warnings = warnings_with_wheels_of("3.03");
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(), slows), 1);
+  const auto fast = warnings_with_wheels_of("8.06");
+  EXPECT_TRUE(std::none_of(fast.begin(), fast.end(), [](const std::string& warning) {
+    return contains(warning, "<limit velocity>");
+  }));
+}
+
+TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
+  const TemporaryFolder folder;
+  std::string urdf = read_file(find_robot("waffle", "."));
+  const std::string arm =
+      "<link name=\"arm\"><collision><geometry><box size=\"2 0.1 0.1\"/></geometry></collision>"
+      "</link><joint name=\"shoulder\" type=\"fixed\"><parent link=\"base_link\"/><child "
+      "link=\"arm\"/><origin xyz=\"0 0 0.3\"/></joint></robot>";
+  urdf.replace(urdf.rfind("</robot>"), 8, arm);
+  Scenario scenario;
+  scenario.world.file = "lab";
+  const auto tight = [&](const std::string& robot) {
+    scenario.robot.file = robot;
+    const auto warnings = build_simulation(scenario, ".").warnings;
+    return std::count_if(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("has no room at") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(tight(folder.put("arm.urdf", urdf).string()), 1);
+  EXPECT_EQ(tight("waffle"), 0);
 }
 
 TEST(CpuClock, GoesForwardWhileThereIsWork) {

@@ -187,6 +187,15 @@ TEST_F(Expand, IncludesFromTheFileAndFromPackages) {
             "<b /><a v=\"" + at("pkg") + "\" /><c v=\"5\" />");
 }
 
+/// As Kinova's arms: xacro takes what is below the root, whatever that is called.
+TEST_F(Expand, IncludesFilesOfAnyRoot) {
+  write("pkg/urdf/arm.xacro",
+        "<root xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:property name=\"p\" "
+        "value=\"5\"/><a/></root>");
+  EXPECT_EQ(expanded(R"(<xacro:include filename="arm.xacro"/><b v="${p}"/>)"),
+            R"(<a /><b v="5" />)");
+}
+
 TEST_F(Expand, IncludesWithANamespace) {
   write("pkg/urdf/w.xacro", robot(R"(<xacro:property name="r" value="0.1"/>
     <xacro:macro name="wheel" params="name"><w n="${name}" r="${r}"/></xacro:macro>)"));
