@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
+#include "tests/tools/support/arm_robot.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/run/build_localizers.hpp"
@@ -81,12 +82,6 @@ TEST(BuildSimulation, WarnsOfWheelsThatAreMuchSlowerThanTheDrive) {
 
 TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
   const TemporaryFolder folder;
-  std::string urdf = read_file(find_robot("waffle", "."));
-  const std::string arm =
-      "<link name=\"arm\"><collision><geometry><box size=\"2 0.1 0.1\"/></geometry></collision>"
-      "</link><joint name=\"shoulder\" type=\"fixed\"><parent link=\"base_link\"/><child "
-      "link=\"arm\"/><origin xyz=\"0 0 0.3\"/></joint></robot>";
-  urdf.replace(urdf.rfind("</robot>"), 8, arm);
   Scenario scenario;
   scenario.world.file = "lab";
   const auto tight = [&](const std::string& robot) {
@@ -96,7 +91,7 @@ TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
       return warning.find("has no room at") != std::string::npos;
     });
   };
-  EXPECT_EQ(tight(folder.put("arm.urdf", urdf).string()), 1);
+  EXPECT_EQ(tight(folder.put("arm.urdf", waffle_with_arm()).string()), 1);
   EXPECT_EQ(tight("waffle"), 0);
 }
 

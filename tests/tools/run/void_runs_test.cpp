@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/stamp.hpp"
+#include "tests/tools/support/arm_robot.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/run/build_simulation.hpp"
 #include "tools/run/simulator_source.hpp"
@@ -100,6 +101,17 @@ TEST(VoidRuns, AreThoseOfARobotThatIsFencedIn) {
   Scenario scenario = scenario_in("w.yaml");
   scenario.drive.route = "out";
   EXPECT_EQ(voids_of(play(scenario, folder.path())).size(), 1U);
+}
+
+/// As TIAGo and Fetch: free places stand for the waypoints that it has no room at, and it rocks
+/// between two of them. A kidnap in between frees it for a while only.
+TEST(VoidRuns, AreThoseOfARobotWhoseArmSticksOut) {
+  const TemporaryFolder folder;
+  Scenario scenario = scenario_in("lab");
+  scenario.robot.file = folder.put("arm.urdf", waffle_with_arm()).string();
+  scenario.duration_s = 60.0;
+  scenario.events.kidnaps = {{.when = {.value = 30.05}, .min_distance_m = 3.0}};
+  EXPECT_EQ(voids_of(play(scenario, ".")), std::vector<std::string>{"stuck"});
 }
 
 TEST(VoidRuns, AreNotThoseOfARobotThatIsToStand) {
