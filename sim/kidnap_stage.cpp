@@ -50,14 +50,15 @@ KidnapStage::KidnapStage(const SimulationConfig& config, const Grid& drive_grid,
                          const RayScene& scene, const NamedStreams& streams)
     : scene_(&scene),
       lidar_(config.lidar),
-      keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople),
-      carry_space_(drive_grid, 0.0) {
+      keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
   for (std::size_t i = 0; i < config.kidnaps.size(); ++i) {
     const KidnapSpec& spec = config.kidnaps[i];
     validate(spec);
-    FreeSpace free(drive_grid, config.robot.footprint_radius + spec.margin_m);
+    const double radius = config.robot.footprint_radius + spec.margin_m;
+    const FreeSpace& free = spaces_.try_emplace(radius, drive_grid, radius).first->second;
     check_target(spec, config.start, free);
-    entries_.push_back({spec, {spec.when, clock_stream(spec, i, streams)}, std::move(free)});
+    if (spec.kind == KidnapKind::kCarry && !carry_space_) carry_space_.emplace(drive_grid, 0.0);
+    entries_.push_back({spec, {spec.when, clock_stream(spec, i, streams)}, radius});
   }
 }
 
@@ -86,7 +87,8 @@ KidnapOutcome KidnapStage::finish(nanoseconds now) {
 }
 
 KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rng) {
-  KidnapScene scene{input.T_map_base, entry.free, {}, keep_clear_, look_alikes_of(entry)};
+  KidnapScene scene{
+      input.T_map_base, spaces_.at(entry.radius), {}, keep_clear_, look_alikes_of(entry)};
   if (input.people) scene.people = input.people();
   const auto target = kidnap_target(entry.spec, scene, rng);
   if (!target) return {};
@@ -102,11 +104,13 @@ KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
                                   const KidnapTarget& target) {
   const Pose2& T_map_to = target.T_map_base;
   const Pose2& from = input.T_map_base;
-  const auto path = plan_path(carry_space_, from.position(), T_map_to.position());
-  const bool moves = entry.spec.kind == KidnapKind::kCarry && path;
+  std::optional<std::vector<Eigen::Vector2d>> path;
+  if (entry.spec.kind == KidnapKind::kCarry) {
+    path = plan_path(*carry_space_, from.position(), T_map_to.position());
+  }
   KidnapRecord record{input.now, entry.spec.kind, from, T_map_to, input.now, {}, target.too_near};
   Lift lift(entry.spec.lift, from, T_map_to,
-            moves ? *path : std::vector<Eigen::Vector2d>{from.position()});
+            path ? *path : std::vector<Eigen::Vector2d>{from.position()});
   held_ = std::make_unique<Held>(Held{&entry.spec, record, std::move(lift)});
   KidnapOutcome outcome;
   outcome.picked_up = PickUpRecord{input.now, entry.spec.kind, from};
@@ -116,7 +120,7 @@ KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
 const LookAlikes* KidnapStage::look_alikes_of(Entry& entry) {
   if (entry.spec.kind != KidnapKind::kLookAlike) return nullptr;
   if (!entry.look_alikes) {
-    entry.look_alikes = std::make_unique<LookAlikes>(*scene_, entry.free, lidar_);
+    entry.look_alikes = std::make_unique<LookAlikes>(*scene_, spaces_.at(entry.radius), lidar_);
   }
   return entry.look_alikes.get();
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,7 +59,7 @@ class KidnapStage {
   struct Entry {
     KidnapSpec spec;
     KidnapClock clock;
-    FreeSpace free;
+    double radius;                              ///< [m] Of the robot and the kidnap's margin.
     std::unique_ptr<LookAlikes> look_alikes{};  ///< Made when first needed.
   };
   struct Held {
@@ -74,8 +75,9 @@ class KidnapStage {
 
   const RayScene* scene_;
   LidarConfig lidar_;
-  double keep_clear_;  ///< [m] Between people's middles and the robot's.
-  FreeSpace carry_space_;
+  double keep_clear_;                     ///< [m] Between people's middles and the robot's.
+  std::map<double, FreeSpace> spaces_;    ///< By radius: a large map's takes 200 MB.
+  std::optional<FreeSpace> carry_space_;  ///< Where any kidnap carries.
   std::vector<Entry> entries_;
   std::unique_ptr<Held> held_;
   bool power_cycle_ = false;

@@ -1,5 +1,6 @@
 #include "localization/map/occupancy_grid.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -49,11 +50,10 @@ void validate(const OccupancyGrid& grid) {
 }
 
 FreeSpace::FreeSpace(const OccupancyGrid& grid) : frame_(grid.frame) {
-  for (int row = 0; row < frame_.height; ++row) {
-    for (int column = 0; column < frame_.width; ++column) {
-      const Eigen::Vector2i cell(column, row);
-      if (grid.cells[frame_.index(cell)] == CellState::kFree) cells_.push_back(cell);
-    }
+  cells_.reserve(
+      static_cast<std::size_t>(std::count(grid.cells.begin(), grid.cells.end(), CellState::kFree)));
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    if (grid.cells[i] == CellState::kFree) cells_.push_back(static_cast<std::uint32_t>(i));
   }
 }
 
@@ -61,7 +61,9 @@ SE2 FreeSpace::sample(Rng& rng) const {
   assert(!empty());
   boost::random::uniform_int_distribution<std::size_t> pick(0, cells_.size() - 1);
   boost::random::uniform_real_distribution<double> unit(0.0, 1.0);
-  const Eigen::Vector2d corner = cells_[pick(rng)].cast<double>();
+  const auto width = static_cast<std::uint32_t>(frame_.width);
+  const std::uint32_t cell = cells_[pick(rng)];
+  const Eigen::Vector2d corner(cell % width, cell / width);
   const double u = unit(rng);
   const double v = unit(rng);
   const double yaw = (2.0 * unit(rng) - 1.0) * std::numbers::pi;

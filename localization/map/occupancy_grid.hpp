@@ -63,7 +63,7 @@ class FreeSpace {
 
  private:
   GridFrame frame_;
-  std::vector<Eigen::Vector2i> cells_;
+  std::vector<std::uint32_t> cells_;  ///< Indices of the free cells.
 };
 
 }  // namespace castaway::localization

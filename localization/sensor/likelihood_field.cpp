@@ -12,6 +12,7 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldConfig& config, const Occu
   const auto gaussian = [&](double d) {
     return static_cast<float>(std::exp(-0.5 * d * d / (config_.sigma_hit * config_.sigma_hit)));
   };
+  gaussian_.reserve(distances_.values().size());
   for (const float d : distances_.values()) gaussian_.push_back(gaussian(static_cast<double>(d)));
   outside_ = gaussian(config_.max_distance);
 }

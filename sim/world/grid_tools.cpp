@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "sim/geometry.hpp"
@@ -11,8 +12,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kFar = 1e12;     // Squared cells; finite, so that differences stay defined.
-constexpr double kFarLine = 1e6;  // Cells.
+constexpr double kFar = 1e12;  // Squared cells; finite, so that differences stay defined.
+constexpr std::uint16_t kFarLine = 65535;  // Cells; nothing in a column.
 
 /// Scratch of one pass of the distance transform.
 struct Envelope {
@@ -30,8 +31,9 @@ double crossing(const std::vector<double>& f, std::size_t a, std::size_t b) {
 
 /// Lower envelope of parabolas (Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled
 /// Functions", 2012, section 2): squared distances along one line, in place.
-void transform_line(Envelope& e, double* line, std::size_t n) {
-  std::copy(line, line + n, e.values.begin());
+void transform_line(Envelope& e, std::vector<double>& line) {
+  const std::size_t n = line.size();
+  std::copy(line.begin(), line.end(), e.values.begin());
   std::size_t top = 0;
   e.vertices[0] = 0;
   e.bounds[0] = -std::numeric_limits<double>::infinity();
@@ -48,25 +50,24 @@ void transform_line(Envelope& e, double* line, std::size_t n) {
   }
 }
 
-/// Squared distance in cells to the nearest cell of the same column that is not free; row after
-/// row, since a map's columns lie far apart in memory.
-std::vector<double> squared_along_columns(const Grid& grid) {
+/// Distance in cells to the nearest cell of the same column that is not free, or `kFarLine`; row
+/// after row, since a map's columns lie far apart in memory.
+std::vector<std::uint16_t> along_columns(const Grid& grid) {
   const auto width = static_cast<std::size_t>(grid.width);
-  std::vector<double> squared(grid.cells.size());
-  std::vector<double> away(width, kFarLine);
-  const auto sweep = [&](std::size_t row, bool back) {
-    for (std::size_t c = 0; c < width; ++c) {
-      const std::size_t i = row * width + c;
-      away[c] = grid.cells[i] == Cell::kFree ? std::min(away[c] + 1.0, kFarLine) : 0.0;
-      const double square = away[c] < kFarLine ? away[c] * away[c] : kFar;
-      squared[i] = back ? std::min(squared[i], square) : square;
-    }
-  };
   const auto height = static_cast<std::size_t>(grid.height);
-  for (std::size_t row = 0; row < height; ++row) sweep(row, false);
-  away.assign(width, kFarLine);
-  for (std::size_t row = height; row-- > 0;) sweep(row, true);
-  return squared;
+  std::vector<std::uint16_t> distance(grid.cells.size(), 0);
+  const auto next = [&](std::size_t i, std::uint16_t before) -> std::uint16_t {
+    if (grid.cells[i] != Cell::kFree) return 0;
+    return before >= kFarLine - 1 ? before : static_cast<std::uint16_t>(before + 1);
+  };
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    distance[i] = next(i, i < width ? kFarLine : distance[i - width]);
+  }
+  for (std::size_t i = distance.size(); i-- > 0;) {
+    const std::uint16_t above = i + width < width * height ? distance[i + width] : kFarLine;
+    distance[i] = std::min(distance[i], next(i, above));
+  }
+  return distance;
 }
 
 /// Distance in cells to the nearest cell outside of the grid.
@@ -117,16 +118,21 @@ Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map) {
 
 std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge) {
   const auto width = static_cast<std::size_t>(grid.width);
-  const auto height = static_cast<std::size_t>(grid.height);
-  std::vector<double> squared = squared_along_columns(grid);
+  const std::vector<std::uint16_t> in_column = along_columns(grid);
   Envelope envelope(std::max(width, std::size_t{1}));
-  for (std::size_t r = 0; r < height; ++r) transform_line(envelope, &squared[r * width], width);
-  std::vector<float> distance(squared.size());
+  std::vector<double> squared(width);
+  std::vector<float> distance(grid.cells.size());
   for (int row = 0; row < grid.height; ++row) {
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    std::transform(in_column.begin() + static_cast<std::ptrdiff_t>(first),
+                   in_column.begin() + static_cast<std::ptrdiff_t>(first + width), squared.begin(),
+                   [](std::uint16_t d) { return d == kFarLine ? kFar : 1.0 * d * d; });
+    transform_line(envelope, squared);
     for (int column = 0; column < grid.width; ++column) {
-      const std::size_t i = flat_index(grid, {column, row});
+      const auto c = static_cast<std::size_t>(column);
       const double border = edge == GridEdge::kWall ? cells_to_border(grid, {column, row}) : 1e6;
-      distance[i] = static_cast<float>(std::min(std::sqrt(squared[i]), border) * grid.resolution);
+      distance[first + c] =
+          static_cast<float>(std::min(std::sqrt(squared[c]), border) * grid.resolution);
     }
   }
   return distance;

@@ -22,9 +22,7 @@ constexpr double kRouteMargin = 0.1;   // [m] around the footprint
 using Route = std::vector<Eigen::Vector2d>;
 
 Eigen::Vector2d drawn_place(const sim::FreeSpace& space, localization::Rng& rng) {
-  const auto pose = space.sample(rng);
-  if (!pose) throw std::runtime_error("the world has no place where the robot fits");
-  return pose->position();
+  return space.sample(rng)->position();
 }
 
 Route random_route(const sim::FreeSpace& space, localization::Rng& rng, int places) {
@@ -51,6 +49,13 @@ Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::R
                   std::uint64_t seed) {
   const sim::FreeSpace space(*world.grid, robot.footprint_radius + kRouteMargin);
   localization::Rng rng = localization::substream(seed, "route");
+  localization::Rng any;
+  if (!space.sample(any)) {
+    throw std::runtime_error(
+        fmt::format("world {} has no place where the robot, {:.2f} m in radius, fits; "
+                    "castaway check-world shows its free space",
+                    world.name, robot.footprint_radius));
+  }
   return kind == "explore" ? exploring_route(space, rng)
                            : random_route(space, rng, kRandomWaypoints);
 }

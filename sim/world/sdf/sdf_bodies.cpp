@@ -47,7 +47,8 @@ std::string name_of(const sdf::Geometry& geometry) {
 
 double length(double value) {
   if (value > 0.0 && value <= kMaxLength) return value;
-  fail(fmt::format("it has a length of {}; give metres above 0", value));
+  fail(
+      fmt::format("it has a length of {} m: from above 0 to {:.0f} m are read", value, kMaxLength));
 }
 
 Eigen::Isometry3d resolved(const sdf::SemanticPose& pose) {

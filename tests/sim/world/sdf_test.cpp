@@ -235,13 +235,17 @@ TEST_F(SdfFiles, SaysInWordsWhatIsLeftOut) {
            "<model name='b'><static>1</static>" +
            link("<polyline><point>0 0</point><point>1 0</point><point>1 1</point><height>1</height>"
                 "</polyline>") +
+           "</model><model name='sea'><static>1</static>" +
+           link("<box><size>300000 300000 1</size></box>") +
            "</model><include><uri>model://nobody</uri></include>"
            "<include><uri>https://fuel.gazebosim.org/1.0/x/models/y</uri></include>");
   EXPECT_THAT(world.warnings,
               testing::UnorderedElementsAre(
                   testing::StartsWith("left out, since it is not found in /"),
                   testing::StartsWith("left out, since it is not on this machine; download"),
-                  "left out, since the geometry <polyline> is not read: b/l/c"));
+                  "left out, since the geometry <polyline> is not read: b/l/c",
+                  "left out, since it has a length of 300000 m: from above 0 to 10000 m are read: "
+                  "sea/l/c"));
 }
 
 TEST_F(SdfFiles, ReadsAWorldOfAReservedName) {

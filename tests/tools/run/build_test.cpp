@@ -80,6 +80,19 @@ TEST(BuildSimulation, WarnsOfWheelsThatAreMuchSlowerThanTheDrive) {
   }));
 }
 
+/// As joint_controller of gz-sim: a world as small as the one thing that stands in it.
+TEST(BuildSimulation, SaysThatTheRobotFitsNowhere) {
+  const TemporaryFolder folder;
+  folder.put("small.sdf",
+             "<sdf version='1.6'><world name='w'><model name='m'><static>1</static><pose>0 0 0.2 0 "
+             "0 0</pose><link name='l'><collision name='c'><geometry><box><size>0.4 0.4 0.4</size>"
+             "</box></geometry></collision></link></model></world></sdf>");
+  Scenario scenario;
+  scenario.world.file = "small.sdf";
+  EXPECT_TRUE(contains(error_of([&] { (void)build_simulation(scenario, folder.path()); }),
+                       "world w has no place where the robot, 0.2"));
+}
+
 TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
   const TemporaryFolder folder;
   Scenario scenario;
