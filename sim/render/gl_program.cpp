@@ -48,6 +48,10 @@ void GlProgram::set(const char* uniform, float value) const {
   glUniform1f(glGetUniformLocation(id_, uniform), value);
 }
 
+void GlProgram::set(const char* uniform, const Eigen::Vector2f& value) const {
+  glUniform2fv(glGetUniformLocation(id_, uniform), 1, value.data());
+}
+
 void GlProgram::set(const char* uniform, const Eigen::Vector3f& value) const {
   glUniform3fv(glGetUniformLocation(id_, uniform), 1, value.data());
 }
@@ -58,6 +62,10 @@ void GlProgram::set(const char* uniform, const Eigen::Vector4f& value) const {
 
 void GlProgram::set(const char* uniform, const Eigen::Matrix4f& value) const {
   glUniformMatrix4fv(glGetUniformLocation(id_, uniform), 1, GL_FALSE, value.data());
+}
+
+void GlProgram::set_unit(const char* sampler, unsigned unit) const {
+  glUniform1i(glGetUniformLocation(id_, sampler), static_cast<GLint>(unit));
 }
 
 }  // namespace castaway::sim

@@ -18,9 +18,12 @@ class GlProgram {
 
   void use() const;
   void set(const char* uniform, float value) const;
+  void set(const char* uniform, const Eigen::Vector2f& value) const;
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, const Eigen::Vector4f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
+  /// The texture unit that a sampler reads.
+  void set_unit(const char* sampler, unsigned unit) const;
 
  private:
   unsigned id_;

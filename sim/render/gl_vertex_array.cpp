@@ -1,6 +1,7 @@
 #include "sim/render/gl_vertex_array.hpp"
 
 #include <cassert>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -9,6 +10,11 @@ namespace castaway::sim {
 GlVertexArray::GlVertexArray() {
   glGenVertexArrays(1, &array_);
   glBindVertexArray(array_);
+}
+
+GlVertexArray::GlVertexArray(GlVertexArray&& other) noexcept
+    : array_(std::exchange(other.array_, 0)), buffers_(std::move(other.buffers_)) {
+  other.buffers_.clear();
 }
 
 GlVertexArray::~GlVertexArray() {
@@ -22,6 +28,8 @@ void GlVertexArray::attribute(unsigned location, const std::vector<Eigen::Vector
   glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
 }
 
+void GlVertexArray::bind() const { glBindVertexArray(array_); }
+
 void GlVertexArray::indices(const std::vector<std::uint32_t>& values) {
   upload(GL_ELEMENT_ARRAY_BUFFER, values.data(), values.size() * sizeof(std::uint32_t));
 }
@@ -34,19 +42,27 @@ void GlVertexArray::upload(unsigned kind, const void* data, std::size_t bytes) {
   glBufferData(kind, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
 }
 
-void draw_mesh(const TriangleMesh& mesh) {
+GlMesh::GlMesh(const TriangleMesh& mesh) : corners_(static_cast<int>(mesh.indices.size())) {
   assert(mesh.normals.size() == mesh.vertices.size());
-  if (mesh.indices.empty()) return;
-  GlVertexArray array;
-  array.attribute(0, mesh.vertices);
-  array.attribute(1, mesh.normals);
-  if (mesh.colors.empty()) {
-    glVertexAttrib3f(2, 1.0F, 1.0F, 1.0F);
-  } else {
-    array.attribute(2, mesh.colors);
-  }
-  array.indices(mesh.indices);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+  if (corners_ == 0) return;
+  array_.attribute(0, mesh.vertices);
+  array_.attribute(1, mesh.normals);
+  if (!mesh.colors.empty()) array_.attribute(2, mesh.colors);
+  array_.indices(mesh.indices);
+}
+
+void GlMesh::draw() const {
+  if (corners_ == 0) return;
+  array_.bind();
+  glVertexAttrib3f(2, 1.0F, 1.0F, 1.0F);  // Where the mesh has no colours.
+  glDrawElements(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr);
+}
+
+std::vector<GlMesh> upload_meshes(const Scene& scene) {
+  std::vector<GlMesh> meshes;
+  meshes.reserve(scene.items.size());
+  for (const SceneItem& item : scene.items) meshes.emplace_back(item.mesh);
+  return meshes;
 }
 
 }  // namespace castaway::sim

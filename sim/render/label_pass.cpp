@@ -67,7 +67,7 @@ void LabelPass::draw(const Scene& scene, const Eigen::Matrix4f& clip_from_map) {
   for (const SceneItem& item : scene.items) {
     program_.set("map_from_mesh", Eigen::Matrix4f(item.T_map_mesh.matrix()));
     program_.set("instance", static_cast<float>(item.instance));
-    draw_mesh(item.mesh);
+    GlMesh(item.mesh).draw();
   }
 }
 

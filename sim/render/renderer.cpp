@@ -1,5 +1,7 @@
 #include "sim/render/renderer.hpp"
 
+#include <algorithm>
+
 #include <epoxy/gl.h>
 
 #include "sim/render/camera.hpp"
@@ -8,6 +10,8 @@
 #include "sim/render/gl_target.hpp"
 #include "sim/render/gl_vertex_array.hpp"
 #include "sim/render/label_pass.hpp"
+#include "sim/render/light_pass.hpp"
+#include "sim/render/light_shaders.hpp"
 #include "sim/render/shaders.hpp"
 
 namespace castaway::sim {
@@ -15,11 +19,16 @@ namespace {
 
 using Vectors = std::vector<Eigen::Vector3f>;
 
-void draw_item(const SceneItem& item, const GlProgram& program) {
+bool has_light(const Scene& scene) {
+  return std::any_of(scene.items.begin(), scene.items.end(),
+                     [](const SceneItem& item) { return item.shaded; });
+}
+
+void draw_item(const SceneItem& item, const GlMesh& mesh, const GlProgram& program) {
+  program.use();
   program.set("map_from_mesh", Eigen::Matrix4f(item.T_map_mesh.matrix()));
   program.set("item_color", item.color);
-  program.set("shaded", item.shaded ? 1.0F : 0.0F);
-  draw_mesh(item.mesh);
+  mesh.draw();
 }
 
 void draw_overlay(GLenum kind, const Vectors& points, const Eigen::Vector3f& color,
@@ -35,10 +44,14 @@ void draw_overlay(GLenum kind, const Vectors& points, const Eigen::Vector3f& col
 }  // namespace
 
 struct Renderer::Impl {
-  Impl(int width, int height)
-      : aspect(static_cast<float>(width) / static_cast<float>(height)),
+  Impl(int picture_width, int picture_height)
+      : width(picture_width),
+        height(picture_height),
+        aspect(static_cast<float>(width) / static_cast<float>(height)),
         target(width, height),
-        meshes(kMeshVertexShader, kMeshFragmentShader),
+        light(width, height),
+        lit(kMeshVertexShader, kLitFragmentShader),
+        plain(kMeshVertexShader, kPlainFragmentShader),
         overlays(kOverlayVertexShader, kOverlayFragmentShader),
         labels(width, height) {}
 
@@ -46,11 +59,24 @@ struct Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  void draw(const Scene& scene) const {
-    meshes.use();
-    meshes.set("clip_from_map", clip_from_map(scene.camera, aspect));
-    meshes.set("viewpoint", viewpoint(scene.camera));
-    for (const SceneItem& item : scene.items) draw_item(item, meshes);
+  void draw_light(const Scene& scene, const std::vector<GlMesh>& meshes) {
+    light.draw(scene, meshes);
+    lit.use();
+    light.light(lit);
+  }
+
+  void draw_items(const Scene& scene, const std::vector<GlMesh>& meshes) const {
+    for (const GlProgram* program : {&plain, &lit}) {
+      program->use();
+      program->set("clip_from_map", clip_from_map(scene.camera, aspect));
+      program->set("viewpoint", viewpoint(scene.camera));
+    }
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      draw_item(scene.items[i], meshes[i], scene.items[i].shaded ? lit : plain);
+    }
+  }
+
+  void draw_overlays(const Scene& scene) const {
     overlays.use();
     overlays.set("clip_from_map", clip_from_map(scene.camera, aspect));
     overlays.set("viewpoint", viewpoint(scene.camera));
@@ -64,10 +90,14 @@ struct Renderer::Impl {
     }
   }
 
+  int width;
+  int height;
   float aspect;
   EglContext context;  // Before all that lives in it.
   GlTarget target;
-  GlProgram meshes;
+  LightPass light;
+  GlProgram lit;
+  GlProgram plain;
   GlProgram overlays;
   LabelPass labels;
 };
@@ -77,15 +107,21 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+int Renderer::width() const { return impl_->width; }
+int Renderer::height() const { return impl_->height; }
+
 Image Renderer::render(const Scene& scene) {
   impl_->context.make_current();
-  impl_->target.bind();
+  const std::vector<GlMesh> meshes = upload_meshes(scene);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_MULTISAMPLE);
   glEnable(GL_PROGRAM_POINT_SIZE);
+  if (has_light(scene)) impl_->draw_light(scene, meshes);
+  impl_->target.bind();
   glClearColor(scene.background.x(), scene.background.y(), scene.background.z(), 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  impl_->draw(scene);
+  impl_->draw_items(scene, meshes);
+  impl_->draw_overlays(scene);
   return impl_->target.read();
 }
 

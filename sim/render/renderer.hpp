@@ -18,7 +18,7 @@ struct LabelledView {
   std::vector<std::uint16_t> instances;  ///< `SceneItem::instance`; 0: nothing.
 };
 
-/// Draws scenes of one size. Costs 5-20 ms a picture on Mesa's software renderer. One thread.
+/// Draws scenes of one size: a sun with soft shadows, ambient occlusion, smooth edges. One thread.
 class Renderer {
  public:
   /// Throws std::runtime_error, saying which call failed and what to install, if this machine
@@ -27,6 +27,9 @@ class Renderer {
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
+
+  [[nodiscard]] int width() const;   ///< [px]
+  [[nodiscard]] int height() const;  ///< [px]
 
   /// The picture of `scene`; the same scene gives the same pixels.
   [[nodiscard]] Image render(const Scene& scene);

@@ -31,6 +31,7 @@ struct SceneItem {
   Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< Multiplies the vertex colours.
   bool shaded = true;                       ///< False: its plain colour, whatever the light.
   std::uint16_t instance = 0;               ///< What it belongs to; 0: nothing that has a number.
+  bool casts_shadow = true;                 ///< False: light passes (floors, roofs).
 };
 
 /// Points drawn over the scene (lidar hits, particles), all of one colour.

@@ -1,4 +1,4 @@
-/// GLSL sources of the renderer.
+/// GLSL sources of the renderer, but for light.
 #pragma once
 
 namespace castaway::sim {
@@ -22,27 +22,12 @@ void main() {
 }
 )";
 
-/// Light from above left, a sky and a floor that shine a little. A face turned away from the viewer
-/// is lit as its other side would be: meshes with wrong normals stay readable.
-inline constexpr const char* kMeshFragmentShader = R"(#version 330 core
-in vec3 map_position;
-in vec3 map_normal;
+/// Of meshes, their plain colour, whatever the light.
+inline constexpr const char* kPlainFragmentShader = R"(#version 330 core
 in vec3 vertex_color;
 uniform vec3 item_color;
-uniform vec4 viewpoint;
-uniform float shaded;
 out vec4 pixel;
-void main() {
-  vec3 to_viewer = viewpoint.w > 0.5 ? normalize(viewpoint.xyz - map_position) : viewpoint.xyz;
-  vec3 n = length(map_normal) > 0.0 ? normalize(map_normal) : to_viewer;
-  if (dot(n, to_viewer) < 0.0) n = -n;
-  vec3 to_sun = normalize(vec3(-0.45, -0.6, 1.2));
-  float sky = 0.5 + 0.5 * n.z;
-  vec3 light = mix(vec3(0.36, 0.35, 0.34), vec3(0.52, 0.54, 0.57), sky);
-  light += vec3(0.50, 0.48, 0.45) * max(dot(n, to_sun), 0.0);
-  light += vec3(0.08) * max(dot(n, to_viewer), 0.0);
-  pixel = vec4(item_color * vertex_color * mix(vec3(1.0), light, shaded), 1.0);
-}
+void main() { pixel = vec4(item_color * vertex_color, 1.0); }
 )";
 
 /// Of meshes, how far along the optical axis a surface is, and what it belongs to.

@@ -112,7 +112,7 @@ LidarConfig lidar_of(const RobotModel& robot) {
   if (robot.lidar) return config_of(*robot.lidar);
   LidarConfig config;
   double& z = config.T_base_laser.translation().z();
-  if (robot.height > z) z = robot.height + kFreeOfBody;
+  z = std::max(z, robot.height + kFreeOfBody);
   return config;
 }
 

@@ -46,8 +46,8 @@ Eigen::Vector3d beam_direction(const LidarConfig& config, std::size_t index);
 Eigen::Vector3d beam_point(const LidarConfig& config, std::size_t index, double range);
 
 /// The lidar that the robot's description carries; what it does not say keeps its default. A robot
-/// without any gets one over its origin, 0.2 m above the floor or, where that lies within its body,
-/// just above its highest part.
+/// without any gets one over its origin, 0.2 m above the floor or, where that is lower, 2 cm above
+/// its highest part.
 LidarConfig lidar_of(const RobotModel& robot);
 /// All that it carries, in its order, named by their sensors or links; none: one of the defaults.
 std::vector<LidarConfig> lidars_of(const RobotModel& robot);

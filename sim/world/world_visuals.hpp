@@ -12,13 +12,13 @@ namespace castaway::sim {
 TriangleMesh shape_mesh(const ObjectShape& shape);
 
 /// One item for each object that stands in a world, in their order, in the objects' colours; the
-/// floor is left out. Their instances are `kFirstObjectInstance` + index of the object. A mesh's
-/// own material colours are multiplied with the object's.
+/// floor is left out. Roofs are items of their own and cast no shadow (`part_roofs`). Their
+/// instances are `kFirstObjectInstance` + index of the object. A mesh's own material colours are
+/// multiplied with the object's.
 /// @throws std::runtime_error if a mesh cannot be read.
 std::vector<SceneItem> world_visuals(const WorldSpec& world);
 
-/// The same for a view from above: without roofs, which are what lies level, wholly above 1.5 m,
-/// and covers a quarter of the extent.
+/// The same for a view from above: without roofs.
 std::vector<SceneItem> world_visuals_from_above(const WorldSpec& world);
 
 }  // namespace castaway::sim

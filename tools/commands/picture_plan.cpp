@@ -1,6 +1,8 @@
 #include "tools/commands/picture_plan.hpp"
 
+#include "sim/render/bounds.hpp"
 #include "sim/render/primitives.hpp"
+#include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/world/world_visuals.hpp"
 
@@ -13,6 +15,7 @@ sim::SceneItem floor_item(const sim::WorldSpec& world) {
   item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
   item.T_map_mesh.translation().z() = -0.003F;
   item.color = {0.80F, 0.77F, 0.72F};
+  item.casts_shadow = false;
   item.instance = sim::kFloorInstance;
   return item;
 }
@@ -33,6 +36,10 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   }
   world.world.push_back(floor_item(prepared.config.world));
   world.robot = sim::robot_visuals(prepared.config.robot);
+  for (sim::SceneItem& item : sim::lidar_visuals(prepared.config.robot, prepared.config.lidar)) {
+    world.robot.push_back(std::move(item));
+  }
+  world.top = sim::standing_height(world.world);
   world.min_corner = prepared.config.world.min_corner;
   world.max_corner = prepared.config.world.max_corner;
   world.robot_radius = prepared.config.robot.footprint_radius;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sim/render/primitives.hpp"
+#include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/robot_report.hpp"
@@ -49,6 +50,7 @@ void add_floor(float reach, sim::Scene& scene) {
       tile.mesh = sim::ground_mesh(corner, corner + Eigen::Vector2f::Constant(edge));
       tile.T_map_mesh.translation().z() = -0.002F;
       tile.color = Vector3f::Constant((i + j) % 2 == 0 ? 0.86F : 0.80F);
+      tile.casts_shadow = false;
       scene.items.push_back(std::move(tile));
     }
   }
@@ -99,6 +101,9 @@ void add_scan(const sim::LidarConfig& lidar, float reach, sim::Scene& scene) {
 sim::Scene robot_scene(const sim::RobotModel& robot) {
   sim::Scene scene;
   scene.items = sim::robot_visuals(robot);
+  for (sim::SceneItem& item : sim::lidar_visuals(robot, sim::lidar_of(robot))) {
+    scene.items.push_back(std::move(item));
+  }
   const auto radius = static_cast<float>(robot.footprint_radius);
   const auto height = static_cast<float>(robot.height);
   const float size = std::max(2.0F * radius, height);

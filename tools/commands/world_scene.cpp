@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/render/bounds.hpp"
+#include "sim/render/camera.hpp"
 #include "sim/render/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/commands/world_report.hpp"
@@ -51,6 +53,7 @@ sim::SceneItem floor_of(const sim::WorldSpec& world) {
   item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
   item.T_map_mesh.translation().z() = -0.003F;
   item.color = {0.80F, 0.77F, 0.72F};
+  item.casts_shadow = false;
   return item;
 }
 
@@ -68,6 +71,9 @@ sim::Scene world_scene(const LoadedWorld& world) {
   scene.camera.target.y() -= 0.06F * size.y();
   scene.camera.eye = scene.camera.target + reach * Vector3f(-0.04F, -0.62F, 0.95F);
   scene.camera.fov_y_deg = 42.0F;
+  const float top = sim::standing_height(scene.items);
+  scene.camera = sim::step_back(
+      scene.camera, {lifted(spec.min_corner, 0.0F), lifted(spec.max_corner, top)}, 4.0F / 3.0F);
   return scene;
 }
 

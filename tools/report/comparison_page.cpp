@@ -14,6 +14,7 @@ namespace {
 constexpr double kWidth = 900.0;
 constexpr double kRow = 24.0;
 constexpr double kLeft = 330.0;
+constexpr double kRight = 34.0;
 constexpr double kTop = 10.0;
 constexpr double kMost = 100.0;  // [%] Beyond, a difference is drawn at the border.
 
@@ -27,24 +28,24 @@ std::string verdict_of(const MetricComparison& row) {
 
 double x_of(double percent) {
   const double clipped = std::clamp(percent, -kMost, kMost);
-  return kLeft + (clipped + kMost) / (2.0 * kMost) * (kWidth - kLeft - 20.0);
+  return kLeft + (clipped + kMost) / (2.0 * kMost) * (kWidth - kLeft - kRight);
 }
 
 /// The difference and its interval in percent of the baseline.
 std::string bar(const MetricComparison& row, double y) {
   const double scale = 100.0 / std::abs(row.baseline);
   const int verdict = row.verdict();
-  const char* color = verdict == 0 ? "limit" : (verdict > 0 ? "c2" : "c1");
+  const char* color = verdict == 0 ? "even" : (verdict > 0 ? "c2" : "c1");
   std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
                                 kLeft - 8, y + 4, escape_html(row.metric));
   if (row.interval) {
     svg += fmt::format(
-        "<line class=\"{}\" stroke-width=\"4\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" "
+        "<line class=\"bar {}\" stroke-width=\"4\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" "
         "y2=\"{:.1f}\"/>",
         color, x_of(scale * row.interval->low), x_of(scale * row.interval->high), y, y);
   }
   return svg + fmt::format(
-                   "<circle class=\"{}\" fill=\"none\" stroke-width=\"3\" cx=\"{:.1f}\" "
+                   "<circle class=\"bar {}\" fill=\"none\" stroke-width=\"3\" cx=\"{:.1f}\" "
                    "cy=\"{:.1f}\" r=\"4\"/>",
                    color, x_of(scale * row.difference), y);
 }
@@ -67,7 +68,8 @@ std::string differences(const Comparison& comparison) {
         x_of(percent), kTop, bottom, bottom + 16, percent);
   }
   return fmt::format(
-      "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"differences in "
+      "<svg class=\"plot bars\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
+      "aria-label=\"differences in "
       "percent of the baseline\">{}{}</svg>\n",
       kWidth, bottom + 24, grid, bars);
 }

@@ -106,7 +106,10 @@ Points error_against(const PooledRows& rows, Figure figure) {
 }
 
 std::string scatter(const ExperimentPage& page, Figure figure, PlotAxis y) {
-  XyPlot plot{y.label + " against error", {"error, m", 0.001, 100.0, true}, std::move(y), {}};
+  XyPlot plot;
+  plot.title = y.label + " against error";
+  plot.x = {"error, m", 0.001, 100.0, true};
+  plot.y = std::move(y);
   for (std::size_t i = 0; i < page.rows.size(); ++i) {
     plot.series.push_back({page.rows[i].localizer, i, false, error_against(page.rows[i], figure)});
   }
@@ -125,6 +128,9 @@ std::string roc(const PooledRows& rows) {
     }
   }
   XyPlot plot{"ROC curves", {"wrong outputs passed, share"}, {"right outputs passed, share"}, {}};
+  plot.nothing = scores[0].empty()         ? "no outputs"
+                 : scores[0].front().right ? "no output is wrong"
+                                           : "no output is right";
   const char* const names[3] = {"quality", "stated probability", "covariance"};
   for (std::size_t i = 0; i < 3; ++i) {
     plot.series.push_back({names[i], i, true, every_few(roc_curve(std::move(scores[i])), 400)});
@@ -163,12 +169,16 @@ std::size_t example_run(const std::vector<ExperimentOutcome>& outcomes) {
 }
 
 std::string html_table(const TextTable& table) {
-  std::string html = "<div class=\"wide\"><table><thead><tr>";
+  std::string html = "<div class=\"wide\"><table class=\"stack\"><thead><tr>";
   for (const std::string& cell : table.head) html += "<th>" + escape_html(cell) + "</th>";
   html += "</tr></thead><tbody>";
   for (const auto& row : table.rows) {
     html += "<tr>";
-    for (const std::string& cell : row) html += "<td>" + escape_html(cell) + "</td>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool named = i < table.head.size() && !table.head[i].empty();
+      html += named ? fmt::format("<td data-head=\"{}\">", escape_html(table.head[i])) : "<td>";
+      html += escape_html(row[i]) + "</td>";
+    }
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";

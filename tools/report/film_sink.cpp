@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
+#include "tools/report/map_picture.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -68,8 +69,7 @@ FilmSink::FilmSink(const FilmConfig& config, PictureWorld world)
   assert(world_.map || config_.view != "map");
   if (!world_.map) return;
   map_item_ = map_item(*world_.map);
-  inset_aspect_ = aspect_of(*world_.map);
-  const auto [width, height] = inset_size(config.format, inset_aspect_);
+  const auto [width, height] = inset_size(config.format, aspect_of(*world_.map));
   if (config_.view != "map") inset_.emplace(width, height);
 }
 
@@ -81,19 +81,18 @@ void FilmSink::on_odometry(const OdometryFrame& frame) {
 }
 
 void FilmSink::take(const SE2& T_map_base) {
-  const double aspect = static_cast<double>(config_.format.width) / config_.format.height;
   ScanRecord now = *newest_;
   now.T_map_base_true = T_map_base;
   any_ = true;
   if (config_.view == "map") {
-    film_.add(renderer_.render(map_scene(world_, *map_item_, now, aspect)));
+    film_.add(map_picture(renderer_, world_, *map_item_, now));
     return;
   }
   sim::Image image =
       renderer_.render(config_.view == "chase" ? chase_scene(world_, *newest_, T_map_base)
                                                : overview_scene(world_, *newest_, T_map_base));
   if (inset_) {
-    put_into_corner(inset_->render(map_scene(world_, *map_item_, now, inset_aspect_)), image);
+    put_into_corner(map_picture(*inset_, world_, *map_item_, now), image);
   }
   film_.add(image);
 }

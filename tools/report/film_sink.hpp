@@ -43,7 +43,6 @@ class FilmSink final : public RunSink {
   std::optional<sim::SceneItem> map_item_;
   sim::Renderer renderer_;
   std::optional<sim::Renderer> inset_;
-  double inset_aspect_ = 1.0;
   FfmpegPipe film_;
   std::optional<ScanRecord> newest_;
   std::optional<Stamp> next_;

@@ -7,6 +7,7 @@
 
 #include "sim/render/image.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/map_caption.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -75,29 +76,47 @@ std::string path_element(const std::string& name, const std::string& style, cons
                      style, stroke, data, escape_html(name));
 }
 
+/// A round number of metres beneath the map, at its right.
+std::string scale_bar(const RosMap& grid, double stroke) {
+  const double metres = round_length(0.2 * grid.width * grid.resolution);
+  const double length = metres / grid.resolution;
+  const double y = grid.height + 8.0 * stroke;
+  return fmt::format(
+      "<path class=\"scale\" stroke-width=\"{:.2f}\" d=\"M{:.1f} {:.1f}v{:.1f}h{:.1f}v{:.1f}\"/>"
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\" style=\"font-size:{:.1f}px\">{:g} m"
+      "</text>",
+      stroke, grid.width - length - stroke, y - 3.0 * stroke, 3.0 * stroke, length, -3.0 * stroke,
+      grid.width - length - 4.0 * stroke, y, 8.0 * stroke, metres);
+}
+
+/// Black with a white rim, to be seen on walls and on free ground.
+std::string truth_element(const std::string& data, double stroke) {
+  return fmt::format("<path class=\"path rim\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 4.5 * stroke,
+                     data) +
+         path_element("truth", "path truth", data, 3.0 * stroke);
+}
+
 }  // namespace
 
 std::string render_map_plot(const RunFolder& run, const std::optional<RosMap>& map) {
   const RosMap grid = map ? *map : bounding_grid(run);
   const double stroke = std::max(grid.width, grid.height) / 400.0;
   std::string svg = fmt::format(
-      "<svg class=\"map\" viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"paths on the map\">",
-      grid.width, grid.height);
+      "<svg class=\"map\" viewBox=\"0 0 {} {:.1f}\" role=\"img\" aria-label=\"paths on the map\">",
+      grid.width, grid.height + 11.0 * stroke);
   if (map) {
     svg += fmt::format("<image width=\"{}\" height=\"{}\" href=\"{}\"/>", grid.width, grid.height,
                        png_data_uri(map_png(*map)));
   }
   if (!run.curves.empty()) {
-    svg += path_element("truth", "path truth",
-                        path_data(run.curves.front(), &ReportRow::T_map_base_true, grid),
-                        2.2 * stroke);
+    svg += truth_element(path_data(run.curves.front(), &ReportRow::T_map_base_true, grid), stroke);
   }
   for (std::size_t i = 0; i < run.curves.size(); ++i) {
     const ReportCurve& curve = run.curves[i];
     svg += path_element(curve.localizer, fmt::format("path light c{}", i % 6),
                         path_data(curve, &ReportRow::T_map_base_estimate, grid), stroke);
   }
-  return svg + "</svg>\n";
+  return svg + scale_bar(grid, stroke) + "</svg>\n";
 }
 
 }  // namespace castaway::testbed

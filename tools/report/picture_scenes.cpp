@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/render/primitives.hpp"
+#include "sim/render/camera.hpp"
 #include "tools/report/chase_view.hpp"
 #include "tools/report/palette.hpp"
+#include "tools/report/pose_marks.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 using Eigen::Vector3f;
 
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
+constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest picture that overviews fit into.
 const Vector3f kPersonColor{0.55F, 0.30F, 0.60F};
-const Vector3f kTruthColor{0.0F, 0.0F, 0.0F};
 
 Vector3f lifted(const Eigen::Vector2d& p, double z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
@@ -40,50 +41,15 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
   scene.lines.push_back(std::move(outline));
 }
 
-/// An outline on the map.
-void add_circle(const SE2& T_map_base, double radius, double z, sim::SceneLines outline,
-                sim::Scene& scene) {
-  constexpr int kSides = 32;
-  for (int side = 0; side < kSides; ++side) {
-    for (const int end : {side, side + 1}) {
-      const double angle = 2.0 * std::numbers::pi * end / kSides;
-      const Eigen::Vector2d p_base = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      outline.points.push_back(lifted(T_map_base * p_base, z));
-    }
-  }
-  scene.lines.push_back(std::move(outline));
-}
-
-/// A circle with an arrow in it, on the map.
-void add_robot(const SE2& T_map_base, double radius, const Vector3f& color, double z,
-               sim::Scene& scene) {
-  add_circle(T_map_base, radius, z, {{}, color, 2.5F}, scene);
-  sim::SceneItem arrow;
-  arrow.mesh = sim::arrow_mesh(static_cast<float>(1.8 * radius), static_cast<float>(radius));
-  arrow.T_map_mesh = localization::to_se3(T_map_base).cast<float>();
-  arrow.T_map_mesh.translation().z() = static_cast<float>(z);
-  arrow.color = color;
-  arrow.shaded = false;
-  scene.items.push_back(std::move(arrow));
-}
-
-/// The truth: a wide black ring on a white one, around what the localizers say.
-void add_truth(const SE2& T_map_base, double radius, sim::Scene& scene) {
-  constexpr double kWider = 1.5;
-  add_circle(T_map_base, kWider * radius, 0.18, {{}, Vector3f::Ones(), 8.0F}, scene);
-  add_circle(T_map_base, kWider * radius, 0.19, {{}, kTruthColor, 4.0F}, scene);
-  add_robot(T_map_base, radius, kTruthColor, 0.2, scene);
-}
-
 /// Where each localizer believes the robot to be: a ring and an arrow on the floor.
 void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene& scene) {
   constexpr double kFloor = 0.02;  // [m] Above it.
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;
-    add_robot(estimate->T_map_base, 1.2 * world.robot_radius,
-              scene_color(palette_color(kLocalizerColors, i)),
-              kFloor + 0.004 * static_cast<double>(i), scene);
+    add_pose(estimate->T_map_base, 1.2 * world.robot_radius,
+             scene_color(palette_color(kLocalizerColors, i)),
+             kFloor + 0.004 * static_cast<double>(i), scene);
   }
 }
 
@@ -118,18 +84,24 @@ void add_particles(const localization::PopulationView& population, sim::Scene& s
   scene.points.push_back(std::move(points));
 }
 
-/// Looks straight down on the map, as large as the picture allows.
-sim::Camera camera_above(const RosMap& map, double aspect) {
+Eigen::AlignedBox2d box_of(const RosMap& map) {
   Eigen::AlignedBox2d bounds;
   for (const int column : {0, map.width}) {
     for (const int row : {0, map.height}) bounds.extend(map.to_map(Eigen::Vector2d(column, row)));
   }
+  return bounds;
+}
+
+/// Looks straight down on the map, as large as the picture allows.
+sim::Camera camera_above(const RosMap& map, const MapView& view) {
+  const double height = map_height(map, view);
+  const Eigen::Vector2d middle =
+      box_of(map).center() - Eigen::Vector2d(0.0, 0.5 * view.below * height);
   sim::Camera camera;
-  camera.target = lifted(bounds.center(), 0.0);
-  camera.eye = lifted(bounds.center(), 50.0);
+  camera.target = lifted(middle, 0.0);
+  camera.eye = lifted(middle, 50.0);
   camera.up = Vector3f::UnitY();
-  camera.ortho_height =
-      static_cast<float>(1.02 * std::max(bounds.sizes().y(), bounds.sizes().x() / aspect));
+  camera.ortho_height = static_cast<float>(height);
   return camera;
 }
 
@@ -167,14 +139,21 @@ sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
   scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
   scene.camera.eye = lifted(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
   scene.camera.fov_y_deg = 45.0F;
+  scene.camera = sim::step_back(
+      scene.camera, {lifted(world.min_corner, 0.0), lifted(world.max_corner, world.top)}, kAspect);
   return scene;
 }
 
+double map_height(const RosMap& map, const MapView& view) {
+  const Eigen::Vector2d sizes = box_of(map).sizes();
+  return 1.02 * std::max(sizes.y() / (1.0 - view.below), sizes.x() / view.aspect);
+}
+
 sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
-                     const ScanRecord& record, double aspect) {
+                     const ScanRecord& record, const MapView& view) {
   sim::Scene scene;
   scene.background = Vector3f::Constant(0.80F);
-  scene.camera = camera_above(*world.map, aspect);
+  scene.camera = camera_above(*world.map, view);
   scene.items.push_back(map_item);
   const double radius = std::max(world.robot_radius, 0.012 * scene.camera.ortho_height);
   double z = 0.2;  // Later outlines lie over earlier ones.
@@ -188,7 +167,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     const Vector3f color = scene_color(palette_color(kLocalizerColors, i));
-    if (estimate) add_robot(estimate->T_map_base, radius, color, z += 0.1, scene);
+    if (estimate) add_pose(estimate->T_map_base, radius, color, z += 0.1, scene);
   }
   return scene;
 }

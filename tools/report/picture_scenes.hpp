@@ -20,6 +20,7 @@ struct PictureWorld {
   std::function<std::vector<sim::SceneItem>()> moving;
   Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the world.
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
+  double top = 0.0;                      ///< [m] Of what stands in it, roofs left out.
   double robot_radius = 0.2;             ///< [m] Of the outlines on the map.
   std::optional<RosMap> map;             ///< None: no pictures from above.
 };
@@ -33,11 +34,20 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
 sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
                           const std::optional<SE2>& T_map_base = std::nullopt);
 
-/// The map (`map_item` of `world.map`) from above for a picture of `aspect` = width / height:
-/// particles in one colour a population, an arrow and outline for each localizer in its colour, the
-/// truth in black, people as ellipses with a nose.
+/// How a map fills a picture.
+struct MapView {
+  double aspect = 1.0;  ///< Width / height of the picture.
+  double below = 0.0;   ///< Share of its height, at the bottom, that is left to a caption.
+};
+
+/// What the picture's height shows of a map that fills it as far as it can. [m]
+double map_height(const RosMap& map, const MapView& view);
+
+/// The map (`map_item` of `world.map`) from above: particles in one colour a population, an arrow
+/// and outline for each localizer in its colour, the truth in black, people as ellipses with a
+/// nose.
 sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
-                     const ScanRecord& record, double aspect);
+                     const ScanRecord& record, const MapView& view);
 
 /// A map as coloured rectangles: white free, black occupied, grey unknown.
 sim::SceneItem map_item(const RosMap& map);

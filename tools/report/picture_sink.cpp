@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/report/map_picture.hpp"
 
 namespace castaway::testbed {
 
@@ -86,17 +87,14 @@ bool PictureSink::has_recovered(const ScanRecord& record) {
 void PictureSink::take(const ScanRecord& record, const std::string& occasion) {
   const std::string name = fmt::format("t{:08.3f}-{}", seconds(record.stamp), occasion);
   if (!world_.world.empty() && record.T_map_base_true) {
-    save(chase_scene(world_, record), name + "-chase.png");
-    save(overview_scene(world_, record), name + "-overview.png");
+    save(renderer_->render(chase_scene(world_, record)), name + "-chase.png");
+    save(renderer_->render(overview_scene(world_, record)), name + "-overview.png");
   }
-  if (map_item_) {
-    const double aspect = static_cast<double>(config_.width) / config_.height;
-    save(map_scene(world_, *map_item_, record, aspect), name + "-map.png");
-  }
+  if (map_item_) save(map_picture(*renderer_, world_, *map_item_, record), name + "-map.png");
 }
 
-void PictureSink::save(const sim::Scene& scene, const std::string& name) {
-  write_file(folder_ / name, sim::encode_png(renderer_->render(scene)));
+void PictureSink::save(const sim::Image& image, const std::string& name) const {
+  write_file(folder_ / name, sim::encode_png(image));
 }
 
 }  // namespace castaway::testbed

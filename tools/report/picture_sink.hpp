@@ -45,7 +45,7 @@ class PictureSink final : public RunSink {
   [[nodiscard]] std::string occasion(const ScanRecord& record);
   [[nodiscard]] bool has_recovered(const ScanRecord& record);
   void take(const ScanRecord& record, const std::string& occasion);
-  void save(const sim::Scene& scene, const std::string& name);
+  void save(const sim::Image& image, const std::string& name) const;
 
   std::filesystem::path folder_;
   PictureWorld world_;

@@ -42,18 +42,26 @@ svg.map { max-height: 80vh; } svg text { fill: var(--soft); font: 11px system-ui
 .grid { stroke: var(--line); stroke-width: 1; } .mark { stroke: var(--mark); stroke-width: 1.2; stroke-dasharray: 4 3; }
 svg text.marked { fill: var(--mark); } .limit { stroke: var(--soft); stroke-width: 1; stroke-dasharray: 2 3; }
 .curve, .path { fill: none; stroke-linejoin: round; } .curve { stroke-width: 1.7; }
-.path.truth { stroke: #000; opacity: 0.45; }
+.path.truth { stroke: #000; } .path.rim { stroke: #fff; } .scale { fill: none; stroke: var(--soft); }
 .c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); stroke-dasharray: 8 4; } .c2 { stroke: var(--c2); stroke-dasharray: 2 3; }
 .c3 { stroke: var(--c3); stroke-dasharray: 10 3 2 3; } .c4 { stroke: var(--c4); stroke-dasharray: 14 5; }
 .c5 { stroke: var(--c5); stroke-dasharray: 5 2 1 2; }
 .light.c0 { stroke: #0072B2; } .light.c1 { stroke: #D55E00; } .light.c2 { stroke: #009E73; }
 .light.c3 { stroke: #CC79A7; } .light.c4 { stroke: #E69F00; } .light.c5 { stroke: #56B4E9; }
+.even { stroke: var(--soft); } .bar { stroke-dasharray: none; }
 .legend { display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; margin: 0.4rem 0; font-size: 0.92rem; }
 .legend svg { display: inline-block; width: 26px; height: 10px; border: 0; background: none; vertical-align: middle; margin-right: 0.4rem; }
-.legend .truth { stroke: var(--ink); stroke-width: 4; opacity: 0.6; } .legend line { stroke-width: 3; }
+.legend line { stroke-width: 3; } .legend .truth { stroke: var(--ink); stroke-width: 5; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 0.8rem; }
 figure { margin: 0; } figure img { width: 100%; height: auto; border-radius: 6px; border: 1px solid var(--line); }
 figcaption { font-size: 0.85rem; color: var(--soft); }
+@media (max-width: 700px) {
+  body { padding: 0.7rem; } th, td { padding: 0.2rem 0.35rem; } th, td { white-space: normal; } tr.group th { text-align: left; }
+  table.stack, .stack tbody, .stack tr, .stack td { display: block; } .stack thead { display: none; }
+  .stack td { display: flex; justify-content: space-between; gap: 1rem; border: 0; overflow-wrap: anywhere; }
+  .stack td:empty { display: none; } .stack td:first-child { font-weight: 600; } .stack td[data-head]::before { content: attr(data-head); color: var(--soft); }
+  .stack tr { border-bottom: 1px solid var(--line); padding: 0.3rem 0; }
+  .time text { font-size: 20px; } .bars text { font-size: 16px; } .xy text { font-size: 13px; } }
 )";
 
 }  // namespace castaway::testbed

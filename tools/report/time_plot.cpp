@@ -130,8 +130,8 @@ std::vector<std::pair<double, double>> thinned(const std::vector<std::pair<doubl
 std::string render_plot(const TimePlot& plot) {
   const Axes axes{plot};
   std::string svg = fmt::format(
-      "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">", kWidth,
-      kHeight, escape_html(plot.title));
+      "<svg class=\"plot time\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">",
+      kWidth, kHeight, escape_html(plot.title));
   add_grid(plot, axes, svg);
   add_marks(plot, axes, svg);
   for (const PlotCurve& curve : plot.curves) add_curve(curve, axes, svg);

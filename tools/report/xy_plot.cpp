@@ -87,6 +87,15 @@ void add_dots(const XyPlot& plot, const XySeries& series, std::string& svg) {
       series.color % 6, path, escape_html(series.name));
 }
 
+/// Why a plot without points is empty.
+void add_nothing(const XyPlot& plot, std::string& svg) {
+  const auto is_empty = [](const XySeries& series) { return series.points.empty(); };
+  if (!std::all_of(plot.series.begin(), plot.series.end(), is_empty)) return;
+  svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>",
+                     0.5 * (kLeft + kWidth - kRight), 0.5 * (kTop + kHeight - kBottom),
+                     escape_html(plot.nothing));
+}
+
 }  // namespace
 
 std::vector<std::pair<double, double>> every_few(
@@ -99,9 +108,10 @@ std::vector<std::pair<double, double>> every_few(
 
 std::string render_xy_plot(const XyPlot& plot) {
   std::string svg = fmt::format(
-      "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">", kWidth,
-      kHeight, escape_html(plot.title));
+      "<svg class=\"plot xy\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">",
+      kWidth, kHeight, escape_html(plot.title));
   add_axes(plot, svg);
+  add_nothing(plot, svg);
   for (const XySeries& series : plot.series) {
     if (series.points.empty()) continue;
     if (series.line) {

@@ -29,6 +29,7 @@ struct XyPlot {
   PlotAxis x;
   PlotAxis y;
   std::vector<XySeries> series;
+  std::string nothing = "no points";  ///< Written where no series has points.
 };
 
 /// Evenly spaced ones of the points, at most `most`.

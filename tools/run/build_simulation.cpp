@@ -86,6 +86,21 @@ void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::s
       config.robot.footprint_radius, tight, waypoints.size()));
 }
 
+/// A lidar that the robot's file knows nothing of.
+void warn_of_default_lidar(const sim::SimulationConfig& config,
+                           std::vector<std::string>& warnings) {
+  if (!config.robot.lidars.empty()) return;
+  const Eigen::Vector3d p = config.lidar.T_base_laser.translation();
+  const bool beside = p.head<2>().norm() > config.robot.footprint_radius;
+  const bool free = beside || p.z() > config.robot.height;
+  warnings.push_back(
+      fmt::format("the robot's file has no lidar: one is put at ({:.2f}, {:.2f}, {:.2f}) m, {}; "
+                  "lidar.mount_xyz "
+                  "puts it elsewhere",
+                  p.x(), p.y(), p.z(),
+                  free ? "free of the body" : "not free of the body: its beams pass through it"));
+}
+
 PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
                                 LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
@@ -107,6 +122,7 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
   warn_of_slow_wheels(config, prepared.warnings);
+  warn_of_default_lidar(config, prepared.warnings);
   prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());
   prepared.difference = difference_of(world, config.lidar);
   prepared.map = std::move(world.map);

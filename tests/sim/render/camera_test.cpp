@@ -44,6 +44,27 @@ TEST(Camera, FitsTheFieldOfView) {
   EXPECT_NEAR(on_picture(camera, 1.0F, {0.0F, 1.0F, 0.0F}).y(), 1.0F, 1e-6F);
 }
 
+TEST(Camera, StepsBackUntilABoxIsSeen) {
+  Camera camera;
+  camera.eye = {0.0F, -4.0F, 4.0F};
+  const Eigen::AlignedBox3f box(Eigen::Vector3f(-5.0F, -3.0F, 0.0F),
+                                Eigen::Vector3f(5.0F, 3.0F, 2.5F));
+  const Camera back = step_back(camera, box, 1.5F);
+  for (int i = 0; i < 8; ++i) {
+    const auto corner = static_cast<Eigen::AlignedBox3f::CornerType>(i);
+    const Eigen::Vector3f seen = on_picture(back, 1.5F, box.corner(corner));
+    EXPECT_LT(seen.head<2>().cwiseAbs().maxCoeff(), 0.98F);
+  }
+  EXPECT_TRUE(back.eye.normalized().isApprox(camera.eye.normalized()));
+  EXPECT_EQ(step_back(back, box, 1.5F).eye, back.eye);
+}
+
+TEST(Camera, SeesTheFarSideOfALargeWorld) {
+  Camera camera;
+  camera.eye = {0.0F, -200.0F, 300.0F};
+  EXPECT_LT(on_picture(camera, 1.5F, {0.0F, 150.0F, 0.0F}).z(), 1.0F);
+}
+
 TEST(Camera, IsADirectionInAParallelProjection) {
   Camera camera;
   camera.eye = {0.0F, 0.0F, 10.0F};

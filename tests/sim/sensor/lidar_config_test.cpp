@@ -44,6 +44,8 @@ TEST(LidarConfig, OfARobotWithoutOneStandsFreeOfItsBody) {
   RobotModel robot;
   robot.height = 0.15;
   EXPECT_EQ(lidar_of(robot).T_base_laser.translation().z(), 0.2);
+  robot.height = 0.2;
+  EXPECT_NEAR(lidar_of(robot).T_base_laser.translation().z(), 0.22, 1e-12);
   robot.height = 1.1;
   EXPECT_NEAR(lidar_of(robot).T_base_laser.translation().z(), 1.12, 1e-12);
 }

@@ -36,5 +36,21 @@ TEST(ComparisonPage, ShowsTableAndDifferences) {
   EXPECT_FALSE(contains(html, "nan"));  // a baseline of zero has no percent
 }
 
+// Intervals and their middles would lose their dots to the dashes of a localizer's colour.
+TEST(ComparisonPage, DrawsIntervalsWithoutDashes) {
+  const std::string html = render_comparison({made_up()});
+  EXPECT_TRUE(contains(html, "<line class=\"bar c2\""));
+  EXPECT_TRUE(contains(html, "<circle class=\"bar c1\""));
+  EXPECT_TRUE(contains(html, ".bar { stroke-dasharray: none; }"));
+  EXPECT_FALSE(contains(html, "<circle class=\"limit\""));
+}
+
+// On a telephone a row is a block, each of its cells behind its column's name.
+TEST(ComparisonPage, NamesTheColumnOfEachCell) {
+  const std::string html = render_comparison({made_up()});
+  EXPECT_TRUE(contains(html, "<td>a.error</td><td data-head=\"pairs\">20</td>"));
+  EXPECT_TRUE(contains(html, "<td>better</td></tr>"));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

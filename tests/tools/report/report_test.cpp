@@ -183,7 +183,13 @@ TEST(Report, DrawsPathsWithoutMapAsLargeAsTheyAre) {
   for (auto& localizer : all[0].localizers) localizer.estimate->T_map_base = {1000.0, 0.0, 0.0};
   // the path is a point: 1 m around it, in cells of 5 cm
   EXPECT_TRUE(contains(report_of(all, run_of(kNames), 1.0, std::nullopt),
-                       "<svg class=\"map\" viewBox=\"0 0 40 40\""));
+                       "<svg class=\"map\" viewBox=\"0 0 40 41.1\""));
+}
+
+TEST(Report, DrawsAScaleBarBeneathTheMap) {
+  const std::string html = report_of(records(12));  // 3 cells of 1 m.
+  EXPECT_TRUE(contains(html, "<path class=\"scale\""));
+  EXPECT_TRUE(contains(html, ">0.5 m</text></svg>"));
 }
 
 TEST(Report, NamesTheFileThatIsBroken) {

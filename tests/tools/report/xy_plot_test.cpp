@@ -31,6 +31,13 @@ TEST(EveryFew, KeepsEvenlySpacedOnes) {
   EXPECT_EQ(kept[4].first, 8.0);
 }
 
+TEST(XyPlot, SaysWhyItIsEmpty) {
+  XyPlot plot{"", {"x"}, {"y"}, {{"roc", 0, true, {}}}, "no output is wrong"};
+  EXPECT_TRUE(contains(render_xy_plot(plot), ">no output is wrong</text>"));
+  plot.series[0].points = {{0.5, 0.5}};
+  EXPECT_FALSE(contains(render_xy_plot(plot), "no output is wrong"));
+}
+
 // A curve's dashes are its colour's; dots are strokes without length, of which dashes leave
 // nothing.
 TEST(XyPlot, DrawsDotsWithoutDashes) {

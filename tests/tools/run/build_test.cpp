@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,17 @@
 
 namespace castaway::testbed {
 namespace {
+
+constexpr const char* kBareRobot = R"(<robot name="bare">
+<link name="base"><collision><origin xyz="0 0 0.08"/><geometry><box size="0.3 0.2 0.1"/></geometry>
+</collision><inertial><mass value="4"/><inertia ixx="0.05" iyy="0.05" izz="0.05" ixy="0" ixz="0"
+iyz="0"/></inertial></link>
+<link name="l"><collision><geometry><sphere radius="0.05"/></geometry></collision></link>
+<link name="r"><collision><geometry><sphere radius="0.05"/></geometry></collision></link>
+<joint name="lj" type="continuous"><parent link="base"/><child link="l"/><origin xyz="0 0.12 0.05"/>
+<axis xyz="0 1 0"/></joint>
+<joint name="rj" type="continuous"><parent link="base"/><child link="r"/>
+<origin xyz="0 -0.12 0.05"/><axis xyz="0 1 0"/></joint></robot>)";
 
 TEST(BuildLocalizers, MakesOneForEachSpecification) {
   const std::vector<LocalizerSpec> specs = {{"a", localization::MhAmclConfig{}},
@@ -106,6 +118,27 @@ TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
   };
   EXPECT_EQ(tight(folder.put("arm.urdf", waffle_with_arm()).string()), 1);
   EXPECT_EQ(tight("waffle"), 0);
+}
+
+/// Warnings of a run with a robot whose file has no lidar.
+std::string warnings_without_lidar(const std::optional<Eigen::Vector3d>& mount) {
+  const TemporaryFolder folder;
+  Scenario scenario;
+  scenario.robot.file = folder.put("bare.urdf", kBareRobot).string();
+  scenario.drive.route = "none";
+  scenario.lidar.mount_xyz = mount;
+  RosMap map{"box", 60, 40, 0.05, 0.0, 0.0, 0.0, std::vector<std::int8_t>(60 * 40, 0)};
+  std::string text;
+  for (const std::string& line : build_simulation(scenario, ".", map).warnings) text += line + "\n";
+  return text;
+}
+
+TEST(BuildSimulation, SaysWhereARobotWithoutLidarGetsOne) {
+  EXPECT_TRUE(contains(warnings_without_lidar({}),
+                       "no lidar: one is put at (0.00, 0.00, 0.20) m, free of the body"));
+  EXPECT_TRUE(contains(warnings_without_lidar(Eigen::Vector3d(0.0, 0.0, 0.08)),
+                       "at (0.00, 0.00, 0.08) m, not free of the body"));
+  EXPECT_FALSE(contains(warnings_without_lidar(Eigen::Vector3d(0.5, 0.0, 0.08)), "not free"));
 }
 
 TEST(CpuClock, GoesForwardWhileThereIsWork) {

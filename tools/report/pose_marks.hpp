@@ -1,0 +1,18 @@
+/// Rings and arrows that mark poses in pictures.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "localization/geometry/se2.hpp"
+#include "sim/render/scene.hpp"
+
+namespace castaway::testbed {
+
+/// A circle with an arrow in it, at the height `z`. [m]
+void add_pose(const localization::SE2& T_map_base, double radius, const Eigen::Vector3f& color,
+              double z, sim::Scene& scene);
+
+/// The truth: a wide black ring and arrow on white ones, around poses of the same `radius`.
+void add_truth(const localization::SE2& T_map_base, double radius, sim::Scene& scene);
+
+}  // namespace castaway::testbed

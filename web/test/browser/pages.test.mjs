@@ -1,0 +1,78 @@
+// Pages of an experiment, a comparison and a run at the widths of a wide screen and of a telephone, light and dark.
+// CASTAWAY_CHROMIUM: the browser; CASTAWAY_PAGES: folder of the pages; CASTAWAY_SCREENSHOTS: folder that pictures are
+// left in (optional).
+import assert from 'node:assert/strict';
+import {mkdirSync, writeFileSync} from 'node:fs';
+import {join, resolve} from 'node:path';
+import {after, before, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+import {Chromium} from './chromium.mjs';
+
+const pages = {
+  experiment: 'experiment/report.html', comparison: 'comparison/comparison.html', run: 'before/seed-1/report.html',
+};
+const folder = process.env.CASTAWAY_SCREENSHOTS;
+let browser;
+
+before(async () => {
+  browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
+});
+after(() => browser.close());
+
+async function open(name, width, dark) {
+  browser.errors.length = 0;
+  const url = pathToFileURL(resolve(process.env.CASTAWAY_PAGES, pages[name])).href;
+  await browser.open(url, {width, height: 900, dark, mobile: width < 700});
+  if (!folder) return;
+  mkdirSync(folder, {recursive: true});
+  writeFileSync(join(folder, `${name}-${width}-${dark ? 'dark' : 'light'}.png`), await browser.screenshot(true));
+}
+
+/** The tables of which a part lies beyond the window or beyond what they may scroll in. */
+const kCut = `[...document.querySelectorAll('table')].filter((table) => {
+  const box = table.closest('.wide') ?? table.parentElement;
+  return table.getBoundingClientRect().right > innerWidth + 1 || box.scrollWidth > box.clientWidth + 1;
+}).map((table) => table.innerText.slice(0, 80))`;
+
+for (const name of Object.keys(pages)) {
+  for (const width of [1600, 400]) {
+    for (const dark of [false, true]) {
+      test(`cuts off nothing: ${name}, ${width} px, ${dark ? 'dark' : 'light'}`, async () => {
+        await open(name, width, dark);
+        assert.ok(await browser.evaluate('document.querySelectorAll("table").length') > 0);
+        assert.ok(await browser.evaluate('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
+        assert.deepEqual(await browser.evaluate(kCut), []);
+        assert.deepEqual(browser.errors, []);
+      });
+    }
+  }
+}
+
+test('shows four localizers among the dots of experiment 2, in four colours, without dashes', async () => {
+  for (const dark of [false, true]) {
+    await open('experiment', 1600, dark);
+    const plots = await browser.evaluate(`[...document.querySelectorAll('svg.plot')].map((plot) =>
+      [...plot.querySelectorAll('.dots')].map((dots) => {
+        const {stroke, strokeDasharray} = getComputedStyle(dots);
+        return [stroke, strokeDasharray, dots.getTotalLength() >= 0 && dots.getBoundingClientRect().width > 1];
+      })).filter((dots) => dots.length > 0)`);
+    assert.equal(plots.length, 2);
+    for (const dots of plots) {
+      assert.equal(new Set(dots.map(([stroke]) => stroke)).size, 4);
+      assert.ok(dots.every(([, dashes, seen]) => dashes === 'none' && seen));
+    }
+  }
+});
+
+test('reads the column of each cell on a telephone', async () => {
+  await open('comparison', 400, false);
+  const head = await browser.evaluate(`getComputedStyle(document.querySelector('td[data-head]'), '::before').content`);
+  assert.equal(head, '"pairs"');
+});
+
+test('draws intervals of a comparison without dashes', async () => {
+  await open('comparison', 1600, false);
+  const dashes = await browser.evaluate(`[...document.querySelectorAll('.bar')].map((bar) =>
+    getComputedStyle(bar).strokeDasharray)`);
+  assert.ok(dashes.length > 0 && dashes.every((dash) => dash === 'none'));
+});
