@@ -11,6 +11,14 @@
 #include "sim/world/cell_index.hpp"
 
 namespace castaway::sim {
+namespace {
+
+CellIndex cell_at_index(const Grid& grid, std::size_t index) {
+  const auto width = static_cast<std::size_t>(grid.width);
+  return {static_cast<int>(index % width), static_cast<int>(index / width)};
+}
+
+}  // namespace
 
 FreeSpace::FreeSpace(const Grid& grid, double radius)
     : radius_(radius),
@@ -75,18 +83,19 @@ std::optional<CellIndex> FreeSpace::nearest_free(const Eigen::Vector2d& p_map) c
 
 std::optional<Pose2> FreeSpace::sample(Rng& rng, const Eigen::Vector2d& from,
                                        double min_distance) const {
-  std::vector<CellIndex> candidates;
   const double reach = min_distance + grid_.resolution;  // The draw within the cell stays outside.
-  for (int row = 0; row < grid_.height; ++row) {
-    for (int column = 0; column < grid_.width; ++column) {
-      if (grid_.at(column, row) != Cell::kFree) continue;
-      const double distance = (center_of(grid_, {column, row}) - from).norm();
-      if (min_distance <= 0.0 || distance >= reach) candidates.push_back({column, row});
-    }
-  }
-  if (candidates.empty()) return std::nullopt;
-  const CellIndex cell = candidates[boost::random::uniform_int_distribution<std::size_t>(
-      0, candidates.size() - 1)(rng)];
+  const auto fits = [&](std::size_t i) {
+    if (grid_.cells[i] != Cell::kFree) return false;
+    return min_distance <= 0.0 ||
+           (center_of(grid_, cell_at_index(grid_, i)) - from).norm() >= reach;
+  };
+  std::size_t count = 0;  // Counted, not listed: a list of a large map's cells takes gigabytes.
+  for (std::size_t i = 0; i < grid_.cells.size(); ++i) count += fits(i) ? 1 : 0;
+  if (count == 0) return std::nullopt;
+  std::size_t left = boost::random::uniform_int_distribution<std::size_t>(0, count - 1)(rng);
+  std::size_t drawn = 0;
+  while (!fits(drawn) || left-- > 0) ++drawn;
+  const CellIndex cell = cell_at_index(grid_, drawn);
   boost::random::uniform_real_distribution<double> within(-0.499, 0.499);
   const double dx = within(rng) * grid_.resolution;
   const double dy = within(rng) * grid_.resolution;
