@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <queue>
@@ -10,7 +11,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 /// A cell on the frontier; the least estimate comes first, ties by cell.
@@ -91,7 +92,7 @@ class AStar {
     const std::size_t i = flat_index(grid_, cell);
     if (cost >= cost_[i]) return;
     cost_[i] = cost;
-    parent_[i] = from;
+    parent_[i] = static_cast<std::uint32_t>(from);
     open_.push({cost + heuristic(cell), i});
   }
 
@@ -100,7 +101,7 @@ class AStar {
   CellIndex goal_;
   PlannerConfig config_;
   std::vector<float> cost_;
-  std::vector<std::size_t> parent_;
+  std::vector<std::uint32_t> parent_;  ///< Index of the cell before.
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
 };
 
