@@ -1,4 +1,5 @@
-# Headers that most files include, compiled once for each target of many files. Off by default: they hide a missing #include.
+# Headers that most files include, compiled once for each target of many files. Off by default: they hide a missing #include, and
+# optimising with them GCC 12 raises false warnings of strings (-Wstringop-overflow).
 option(CASTAWAY_PRECOMPILE_HEADERS "Precompile common headers" OFF)
 set(CASTAWAY_PRECOMPILED_HEADERS
   <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numbers> <optional> <set>

@@ -38,14 +38,14 @@ RosMap bounding_grid(const RunFolder& run) {
   return grid;
 }
 
-std::string map_png(const RosMap& map) {
+sim::Image picture_of(const RosMap& map) {
   const GrayImage gray = map_image(map);
   sim::Image image{map.width, map.height, {}};
   image.pixels.reserve(3 * gray.pixels.size());
   for (const std::uint16_t pixel : gray.pixels) {
     image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(pixel));
   }
-  return sim::encode_png(image);
+  return image;
 }
 
 /// Pixels of the picture, x right, y down.
@@ -99,14 +99,15 @@ std::string truth_element(const std::string& data, double stroke) {
 }  // namespace
 
 std::string render_map_plot(const RunFolder& run, const std::optional<RosMap>& map) {
-  const RosMap grid = map ? *map : bounding_grid(run);
+  const RosMap bounding = map ? RosMap{} : bounding_grid(run);
+  const RosMap& grid = map ? *map : bounding;
   const double stroke = std::max(grid.width, grid.height) / 400.0;
   std::string svg = fmt::format(
       "<svg class=\"map\" viewBox=\"0 0 {} {:.1f}\" role=\"img\" aria-label=\"paths on the map\">",
       grid.width, grid.height + 11.0 * stroke);
   if (map) {
     svg += fmt::format("<image width=\"{}\" height=\"{}\" href=\"{}\"/>", grid.width, grid.height,
-                       png_data_uri(map_png(*map)));
+                       png_data_uri(sim::encode_png(picture_of(*map))));
   }
   if (!run.curves.empty()) {
     svg += truth_element(path_data(run.curves.front(), &ReportRow::T_map_base_true, grid), stroke);
