@@ -1,20 +1,34 @@
-# Headers that most files include, compiled once for each target of many files. Off by default: they hide a missing #include, and
-# optimising with them GCC 12 raises false warnings of strings (-Wstringop-overflow).
-option(CASTAWAY_PRECOMPILE_HEADERS "Precompile common headers" OFF)
-set(CASTAWAY_PRECOMPILED_HEADERS
-  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numbers> <optional> <set>
-  <sstream> <stdexcept> <string> <vector> <Eigen/Geometry>)
+# Sources of one folder are compiled together, some at a time: a file's headers cost more than the file. OFF compiles each alone,
+# which shows a missing #include, and is quicker after a small edit.
+option(CASTAWAY_UNITY "Compile sources of one folder together" ON)
+set(CASTAWAY_UNITY_FILES 12 CACHE STRING "Sources that are compiled together, at most")
+mark_as_advanced(CASTAWAY_UNITY_FILES)
+
+# Groups the sources of a target by their folder, CASTAWAY_UNITY_FILES to a group.
+function(castaway_group_sources name)
+  get_target_property(sources ${name} SOURCES)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "\\.cpp$" AND NOT IS_ABSOLUTE ${source})
+      cmake_path(GET source PARENT_PATH folder)
+      string(MAKE_C_IDENTIFIER "in_${folder}" key)
+      math(EXPR number "0${count_${key}} / ${CASTAWAY_UNITY_FILES}")
+      math(EXPR count_${key} "0${count_${key}} + 1")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${key}_${number}")
+    endif()
+  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
 
 # Options of every target of ours: warnings as errors, bit-reproducible floating point, includes from the root.
 function(castaway_target name)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_options(
-    ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off
+    ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off
+    $<$<NOT:$<BOOL:${CASTAWAY_UNITY}>>:-Wshadow>  # Files compiled together see each other's constants:...
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CASTAWAY_UNITY}>>:-Wshadow=local>  # ...they may hide those.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 raises it falsely on concatenated strings (GCC bug 105651)...
     $<$<CONFIG:Debug>:-Wno-maybe-uninitialized>)  # ...and this one on std::regex with sanitizers.
-  get_target_property(sources ${name} SOURCES)
-  list(LENGTH sources files)
-  if(CASTAWAY_PRECOMPILE_HEADERS AND files GREATER 8)
-    target_precompile_headers(${name} PRIVATE ${CASTAWAY_PRECOMPILED_HEADERS})
+  if(CASTAWAY_UNITY)
+    castaway_group_sources(${name})
   endif()
 endfunction()

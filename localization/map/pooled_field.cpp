@@ -6,7 +6,7 @@
 namespace castaway::localization {
 namespace {
 
-int divided_up(int value, int by) { return (value + by - 1) / by; }
+int blocks_of(int value, int by) { return (value + by - 1) / by; }
 
 /// Largest byte of the square of cells that starts at (column, row), as far as it is on the map.
 std::uint8_t best_of_square(const ByteField& field, int column, int row, int edge) {
@@ -25,9 +25,9 @@ std::uint8_t best_of_square(const ByteField& field, int column, int row, int edg
 PooledField::PooledField(const ByteField& field, int edge)
     : edge_(edge),
       reach_(field.padding()),
-      tile_columns_(divided_up(field.frame().width, edge * kTileColumns)),
-      tile_rows_(divided_up(field.frame().height, edge * kTileRows)),
-      padding_(divided_up(field.padding(), edge)),
+      tile_columns_(blocks_of(field.frame().width, edge * kTileColumns)),
+      tile_rows_(blocks_of(field.frame().height, edge * kTileRows)),
+      padding_(blocks_of(field.padding(), edge)),
       stride_(tile_columns_ * kTileColumns + 2 * padding_),
       phase_size_(stride_ * (tile_rows_ * kTileRows + 2 * padding_)) {
   assert(edge >= 1);

@@ -8,28 +8,28 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kStep = 0.1;        // [m] Between the offsets tried...
-constexpr int kSteps = 9;            // ...so many to each side.
+constexpr int kPassingSteps = 9;     // ...so many to each side.
 constexpr double kAsideCost = 0.3;   // Of each metre from where it would drive by itself...
 constexpr double kChangeCost = 0.1;  // ...of each metre from where it drove last...
 constexpr double kCrossCost = 0.6;  // ...of those metres while somebody comes: no change of mind...
-constexpr double kCrowdedCost = 4.0;   // ...and of each metre of room that is missing.
-constexpr double kSlowest = 0.4;       // [m/s] Reckoned with, even while it stands.
-constexpr double kDrift = 0.4;         // [s] For which somebody's way across is carried on.
-constexpr double kFarthest = 5.0;      // [s] Meetings that are minded.
-constexpr double kLeastRoom = 0.05;    // [m] To what the map has...
-constexpr double kEnough = 0.2;        // [m] ...and where nobody makes it go there.
-constexpr double kShortest = 0.8;      // [m] Lane along which it is worth while to keep aside.
-constexpr double kBeside = 1.2;        // [m] Further off the lane, nobody slows the robot down.
-constexpr double kPaceGap = 1.5;       // [m] From a mover at which the robot creeps...
-constexpr double kSlowPace = 0.2;      // [m/s] ...so slowly...
-constexpr double kPaceGain = 0.35;     // [1/s] ...and how much faster for each metre more.
-constexpr double kWayRoom = 0.15;      // [m] From a mover that is not in the way.
-constexpr double kDriftInWay = 1.0;    // [s] For which somebody's way across may lead into it.
-constexpr double kNotice = 0.5;        // [s] Until a scan is seen and acted upon.
-constexpr double kFarAhead = 9.0;      // [m] Nobody there matters.
-constexpr double kSetsOff = 1.2;       // [m/s] With which who stands or walks ahead may come...
-constexpr double kPassStanding = 0.3;  // [m/s] ...and at which they are passed however near.
-constexpr double kOvertaking = 0.5;    // [s] Before who overtakes is ahead, they are minded.
+constexpr double kCrowdedCost = 4.0;     // ...and of each metre of room that is missing.
+constexpr double kSlowestPassing = 0.4;  // [m/s] Reckoned with, even while it stands.
+constexpr double kDrift = 0.4;           // [s] For which somebody's way across is carried on.
+constexpr double kFarthest = 5.0;        // [s] Meetings that are minded.
+constexpr double kLeastRoom = 0.05;      // [m] To what the map has...
+constexpr double kEnough = 0.2;          // [m] ...and where nobody makes it go there.
+constexpr double kShortest = 0.8;        // [m] Lane along which it is worth while to keep aside.
+constexpr double kBeside = 1.2;          // [m] Further off the lane, nobody slows the robot down.
+constexpr double kPaceGap = 1.5;         // [m] From a mover at which the robot creeps...
+constexpr double kSlowPace = 0.2;        // [m/s] ...so slowly...
+constexpr double kPaceGain = 0.35;       // [1/s] ...and how much faster for each metre more.
+constexpr double kWayRoom = 0.15;        // [m] From a mover that is not in the way.
+constexpr double kDriftInWay = 1.0;      // [s] For which somebody's way across may lead into it.
+constexpr double kNotice = 0.5;          // [s] Until a scan is seen and acted upon.
+constexpr double kFarAhead = 9.0;        // [m] Nobody there matters.
+constexpr double kSetsOff = 1.2;         // [m/s] With which who stands or walks ahead may come...
+constexpr double kPassStanding = 0.3;    // [m/s] ...and at which they are passed however near.
+constexpr double kOvertaking = 0.5;      // [s] Before who overtakes is ahead, they are minded.
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& along) { return {-along.y(), along.x()}; }
 
@@ -50,7 +50,7 @@ Meeting meeting(const Lane& lane, const Mover& mover) {
 
 /// True if robot and mover, keeping their ways, come nearer than they should.
 bool is_in_way(const PaceConfig& config, const Meeting& m, double offset) {
-  const double closing = std::max(m.coming + 0.5 * config.max_speed, kSlowest);
+  const double closing = std::max(m.coming + 0.5 * config.max_speed, kSlowestPassing);
   const double then = m.across + std::min(m.gap / closing, kDriftInWay) * m.aside;
   const double least = config.radius + kMoverRadius + kWayRoom;
   return std::min(std::abs(m.across - offset), std::abs(then - offset)) < least ||
@@ -124,13 +124,13 @@ Eigen::Vector2d Passing::aside(const Lane& lane, double speed, const std::vector
     return mapped.clearance_at(lane.to + offset * left) - config_.radius;
   };
   const double own = room(-config_.right) > kEnough ? -config_.right : 0.0;
-  const double pace = std::max(speed, kSlowest);
+  const double pace = std::max(speed, kSlowestPassing);
   const bool minded =
       crowding(own, lane, pace, movers) > 0.0 || crowding(offset_, lane, pace, movers) > 0.0;
   const double change = minded ? kCrossCost : kChangeCost;
   double least = std::numeric_limits<double>::infinity();
   double chosen = 0.0;
-  for (int i = -kSteps; i <= kSteps; ++i) {
+  for (int i = -kPassingSteps; i <= kPassingSteps; ++i) {
     const double offset = kStep * i;
     if (i != 0 && room(offset) < kLeastRoom) continue;
     const double cost = kAsideCost * std::abs(offset - own) + change * std::abs(offset - offset_) +

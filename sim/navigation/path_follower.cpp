@@ -7,9 +7,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kTurnGain = 2.0;      // [1/s] Of turns on the spot.
-constexpr double kSearchAhead = 1.0;   // [m] Of path searched for the nearest point.
-constexpr double kBrakingShare = 0.7;  // Of the acceleration limit.
+constexpr double kTurnGain = 2.0;         // [1/s] Of turns on the spot.
+constexpr double kSearchAhead = 1.0;      // [m] Of path searched for the nearest point.
+constexpr double kFollowerBraking = 0.7;  // Of the acceleration limit.
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Twist2 PathFollower::command(const Pose2& T_map_base, const FreeSpace& free) {
   const double max_turn = config_.limits.max_turn_rate;
   if (turning_) return {0.0, std::clamp(kTurnGain * error, -max_turn, max_turn)};
   const double curvature = 2.0 * std::sin(error) / std::max(p_base.norm(), 0.05);
-  const double braking = kBrakingShare * config_.limits.max_acceleration;
+  const double braking = kFollowerBraking * config_.limits.max_acceleration;
   const double way = std::max(way_to_end_[nearest_], (path_.back() - p_map).norm());
   double v = std::min(config_.limits.max_speed, std::sqrt(2.0 * braking * way));
   v *= std::max(std::cos(error), 0.2);

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMeanSpeed = 1.34;   // [m/s] Desired: normal, within [0.5, 2].
 constexpr double kSpeedSigma = 0.26;  // [m/s]
 constexpr double kRobotRoom = 0.6;    // [m] From a person to the robot's disc at the start.
-constexpr int kTries = 2000;
+constexpr int kPlaceTries = 2000;
 
 double between(double low, double high, Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
@@ -89,9 +89,9 @@ class Draw {
   Eigen::Vector2d room(const Agent& agent, const std::string& name, Rng& rng,
                        const Eigen::Vector2d* near = nullptr) const {
     boost::random::uniform_int_distribution<std::size_t> any(0, free_.size() - 1);
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kPlaceTries; ++i) {
       Eigen::Vector2d p = center_of(space_.free().grid(), free_[any(rng)]);
-      if (near != nullptr && i < kTries / 2) {
+      if (near != nullptr && i < kPlaceTries / 2) {
         const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
         p = *near + between(0.45, 0.8, rng) * heading_vector(angle);
         if (!space_.clear(*near, p)) continue;
@@ -123,7 +123,7 @@ class Draw {
     const double radius = 0.35 / std::sin(std::numbers::pi / size);
     Rng rng = streams_(fmt::format("people/talking/{}", group));
     boost::random::uniform_int_distribution<std::size_t> any(0, free_.size() - 1);
-    for (int tries = 0; tries < kTries; ++tries) {
+    for (int tries = 0; tries < kPlaceTries; ++tries) {
       const Eigen::Vector2d middle = center_of(space_.free().grid(), free_[any(rng)]);
       const double turn = between(-std::numbers::pi, std::numbers::pi, rng);
       if (circle_fits(middle, radius, turn, size)) return circle(group, middle, radius, turn, size);

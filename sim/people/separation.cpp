@@ -8,15 +8,15 @@ namespace castaway::sim {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kRobotRoom = 0.08;  // [m] That people keep from the robot...
-constexpr double kGiveWay = 0.02;    // [m] ...stepping back so far in a step: 0.4 m/s.
-constexpr double kFootRoom = 0.18;   // [m] From the middle of a foot to the robot.
-constexpr double kAside = 0.1;       // [m] From a robot that was put down...
-constexpr int kAsideWays = 16;       // ...in so many directions...
-constexpr int kAsideRings = 8;       // ...and on so many rings...
-constexpr double kAsideRing = 0.2;   // [m] ...so far apart.
+constexpr double kSeparationFromRobot = 0.08;  // [m] That people keep from the robot...
+constexpr double kGiveWay = 0.02;              // [m] ...stepping back so far in a step: 0.4 m/s.
+constexpr double kSeparationOfFeet = 0.18;     // [m] From the middle of a foot to the robot.
+constexpr double kAside = 0.1;                 // [m] From a robot that was put down...
+constexpr int kAsideWays = 16;                 // ...in so many directions...
+constexpr int kAsideRings = 8;                 // ...and on so many rings...
+constexpr double kAsideRing = 0.2;             // [m] ...so far apart.
 
-Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
+Eigen::Vector2d shortened(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
   return length > most ? Eigen::Vector2d(v * (most / length)) : v;
 }
@@ -24,7 +24,7 @@ Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
 /// Moves a person on to `target`, which stays within a step of where it was.
 void push(const WalkSpace& space, const Eigen::Vector2d& origin, const Eigen::Vector2d& target,
           Agent& agent) {
-  const Eigen::Vector2d p = origin + limited(target - origin, WalkSpace::kMaxStep);
+  const Eigen::Vector2d p = origin + shortened(target - origin, WalkSpace::kMaxStep);
   if (space.clear(p)) agent.state.position = p;
 }
 
@@ -46,7 +46,7 @@ void part(const WalkSpace& space, const std::vector<PersonState>& before, std::s
 void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::Vector2d& origin,
                   Agent& agent) {
   const Eigen::Vector2d far = agent.state.position - robot.T_map_base.position();
-  const double wanted = agent.body.radius + kRobotRoom;
+  const double wanted = agent.body.radius + kSeparationFromRobot;
   if (far.norm() > robot.radius + wanted) return;
   const OutlineDistance outline = distance_to(robot, agent.state.position);
   const double overlap = agent.body.radius - outline.distance;
@@ -58,7 +58,7 @@ void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::V
 
 Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
                       const Eigen::Vector2d& way) {
-  const Eigen::Vector2d step = limited(way, WalkSpace::kMaxStep);
+  const Eigen::Vector2d step = shortened(way, WalkSpace::kMaxStep);
   if (space.clear(from + step)) return from + step;
   const Eigen::Vector2d away = space.wall(from + step).away;
   const Eigen::Vector2d along = step - std::min(step.dot(away), 0.0) * away;
@@ -83,9 +83,9 @@ void separate(const WalkSpace& space, const RobotBody& robot,
 
 void keep_feet_off(const RobotBody& robot, PersonState& state) {
   for (Eigen::Vector2d& foot : state.feet) {
-    if ((foot - robot.T_map_base.position()).norm() > robot.radius + kFootRoom) continue;
+    if ((foot - robot.T_map_base.position()).norm() > robot.radius + kSeparationOfFeet) continue;
     const OutlineDistance outline = distance_to(robot, foot);
-    foot += std::max(kFootRoom - outline.distance, 0.0) * outline.away;
+    foot += std::max(kSeparationOfFeet - outline.distance, 0.0) * outline.away;
   }
 }
 

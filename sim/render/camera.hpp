@@ -12,8 +12,8 @@ namespace castaway::sim {
 Eigen::Matrix4f eye_from_map(const Camera& camera);
 
 /// Clip coordinates of a point in map: OpenGL's, x right, y up, z forward, each in [-w, w].
-/// `aspect` is width / height. Visible from 0.05 m before the eye to 200 m, or
-/// to three times the way to the target.
+/// `aspect` is width / height. Visible from 0.05 m before the eye to 200 m,
+/// or to three times the way to the target.
 Eigen::Matrix4f clip_from_map(const Camera& camera, float aspect);
 
 /// The camera, as far back from its target as a box needs to be seen wholly; where it is, if that

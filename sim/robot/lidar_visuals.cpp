@@ -7,9 +7,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr float kRadius = 0.04F;  // [m]
-constexpr float kHeight = 0.05F;  // [m]
-constexpr float kMast = 0.012F;   // [m] Its radius.
+constexpr float kLidarRadius = 0.04F;  // [m]
+constexpr float kHeight = 0.05F;       // [m]
+constexpr float kMast = 0.012F;        // [m] Its radius.
 const Eigen::Vector3f kColor(0.13F, 0.14F, 0.16F);
 
 SceneItem dark(TriangleMesh mesh, const Eigen::Isometry3f& T_base_mesh) {
@@ -25,7 +25,7 @@ SceneItem dark(TriangleMesh mesh, const Eigen::Isometry3f& T_base_mesh) {
 std::vector<SceneItem> lidar_visuals(const RobotModel& robot, const LidarConfig& lidar) {
   if (!robot.lidars.empty()) return {};
   const Eigen::Isometry3f T_base_laser = lidar.T_base_laser.cast<float>();
-  std::vector<SceneItem> items{dark(cylinder_mesh(kRadius, kHeight), T_base_laser)};
+  std::vector<SceneItem> items{dark(cylinder_mesh(kLidarRadius, kHeight), T_base_laser)};
   const float top = T_base_laser.translation().z() - 0.5F * kHeight;
   // From within the body: its highest part need not be beneath the lidar.
   const float foot = std::min(0.5F * static_cast<float>(robot.height), top);

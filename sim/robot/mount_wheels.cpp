@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSameSize = 0.02;     // Relative; nearer sizes are the same.
+constexpr double kSameMount = 0.02;    // Relative; nearer sizes are the same.
 constexpr double kRoughRadius = 0.25;  // Relative; a mesh's size is no better than that.
 
 double radius_of(const WheelShape& shape, const std::string& link, const DriveTags& tags,
@@ -16,7 +16,7 @@ double radius_of(const WheelShape& shape, const std::string& link, const DriveTa
   if (!tags.radius) return shape.radius;
   const double difference = std::abs(*tags.radius / shape.radius - 1.0);
   if (!shape.exact && difference < kRoughRadius) return *tags.radius;
-  if (difference > kSameSize) {
+  if (difference > kSameMount) {
     warnings.push_back(
         fmt::format("link {}: its shape has a radius of {:.4f} m, the {} tag says {:.4f} m: the "
                     "shape rolls",

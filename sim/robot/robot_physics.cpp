@@ -12,7 +12,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kContactGap = 0.5;  // [s] Contacts closer in time are one collision.
+constexpr double kPhysicsGap = 0.5;  // [s] Contacts closer in time are one collision.
 
 Eigen::Isometry3d at(const Eigen::Vector3d& p) {
   return Eigen::Isometry3d(Eigen::Translation3d(p));
@@ -42,7 +42,7 @@ struct RobotPhysics::Body {
   Twist2 twist;
   RobotState state;
   std::int64_t collisions = 0;
-  double contact_age = kContactGap;
+  double contact_age = kPhysicsGap;
 };
 
 RobotPhysics::Body::Body(const WorldSpec& spec, RobotModel model, const TwistLimits& twist_limits,
@@ -143,7 +143,7 @@ void RobotPhysics::Body::count_collisions() {
       touching = touching || manifold.getContactPoint(p).getDistance() <= 0.0;
     }
   }
-  if (touching && contact_age >= kContactGap) ++collisions;
+  if (touching && contact_age >= kPhysicsGap) ++collisions;
   contact_age = touching ? 0.0 : contact_age + time_step;
 }
 

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 double gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
 
@@ -30,14 +30,14 @@ void validate(const GyroConfig& config) {
 
 Gyro::Gyro(const GyroConfig& config, Rng rng) : config_(config), rng_(rng) {
   validate(config);
-  bias_ = config.bias_deg_s * kRadians * gaussian(rng_);
+  bias_ = config.bias_deg_s * kRadiansPerDegree * gaussian(rng_);
   scale_ = 1.0 + config.scale_sigma * gaussian(rng_);
 }
 
 double Gyro::measured(double turn, double dt) {
   const double root = std::sqrt(dt);
-  bias_ += config_.bias_walk_deg_s * kRadians * root * gaussian(rng_);
-  return scale_ * turn + bias_ * dt + config_.noise_deg * kRadians * root * gaussian(rng_);
+  bias_ += config_.bias_walk_deg_s * kRadiansPerDegree * root * gaussian(rng_);
+  return scale_ * turn + bias_ * dt + config_.noise_deg * kRadiansPerDegree * root * gaussian(rng_);
 }
 
 }  // namespace castaway::sim

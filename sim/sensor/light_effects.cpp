@@ -11,35 +11,35 @@ namespace {
 
 constexpr double kDarkReflectivity = 0.1;  // Of data sheets' dark targets.
 
-void require(bool condition, const char* field, double value, const char* remedy) {
+void require_light(bool condition, const char* field, double value, const char* remedy) {
   if (condition) return;
   throw std::invalid_argument(fmt::format("lidar: noise.{} is {}: {}", field, value, remedy));
 }
 
 void require_share(double value, const char* field) {
-  require(value >= 0.0 && value <= 1.0, field, value, "give a share, 0 to 1");
+  require_light(value >= 0.0 && value <= 1.0, field, value, "give a share, 0 to 1");
 }
 
-void require_not_negative(double value, const char* field) {
-  require(value >= 0.0 && std::isfinite(value), field, value, "give 0 or more");
+void require_light_not_negative(double value, const char* field) {
+  require_light(value >= 0.0 && std::isfinite(value), field, value, "give 0 or more");
 }
 
 }  // namespace
 
 void validate(const LightEffects& e) {
-  require_not_negative(e.dark_range, "dark_range");
+  require_light_not_negative(e.dark_range, "dark_range");
   require_share(e.dropout, "dropout");
   require_share(e.dropout_far, "dropout_far");
   require_share(e.dropout_grazing, "dropout_grazing");
   require_share(e.dropout_dark, "dropout_dark");
-  require_not_negative(e.dust_rate, "dust_rate");
-  require_not_negative(e.dust_range, "dust_range");
-  require(e.divergence_deg >= 0.0 && e.divergence_deg < 45.0, "divergence_deg", e.divergence_deg,
-          "give 0 to 45 degrees");
-  require_not_negative(e.mixed_reach, "mixed_reach");
+  require_light_not_negative(e.dust_rate, "dust_rate");
+  require_light_not_negative(e.dust_range, "dust_range");
+  require_light(e.divergence_deg >= 0.0 && e.divergence_deg < 45.0, "divergence_deg",
+                e.divergence_deg, "give 0 to 45 degrees");
+  require_light_not_negative(e.mixed_reach, "mixed_reach");
   require_share(e.glass_return, "glass_return");
-  require(e.glass_angle_deg >= 0.0 && e.glass_angle_deg <= 90.0, "glass_angle_deg",
-          e.glass_angle_deg, "give 0 to 90 degrees");
+  require_light(e.glass_angle_deg >= 0.0 && e.glass_angle_deg <= 90.0, "glass_angle_deg",
+                e.glass_angle_deg, "give 0 to 90 degrees");
 }
 
 bool any(const LightEffects& e) {

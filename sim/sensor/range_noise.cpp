@@ -9,7 +9,7 @@
 namespace castaway::sim {
 namespace {
 
-void require_not_negative(double value, const char* field) {
+void require_noise_not_negative(double value, const char* field) {
   if (value >= 0.0 && std::isfinite(value)) return;
   throw std::invalid_argument(
       fmt::format("lidar: noise.{} is {}: give 0 or more metres", field, value));
@@ -20,10 +20,10 @@ void require_not_negative(double value, const char* field) {
 RangeNoise ideal_ranges() { return {0.0, 0.0, 0.0, 0.0, 0.0}; }
 
 void validate(const RangeNoise& noise) {
-  require_not_negative(noise.sigma, "sigma");
-  require_not_negative(noise.sigma_relative, "sigma_relative");
-  require_not_negative(noise.beam_bias_sigma, "beam_bias_sigma");
-  require_not_negative(noise.resolution, "resolution");
+  require_noise_not_negative(noise.sigma, "sigma");
+  require_noise_not_negative(noise.sigma_relative, "sigma_relative");
+  require_noise_not_negative(noise.beam_bias_sigma, "beam_bias_sigma");
+  require_noise_not_negative(noise.resolution, "resolution");
   if (!std::isfinite(noise.bias)) throw std::invalid_argument("lidar: noise.bias is no number");
 }
 

@@ -5,7 +5,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kNobody = -1;
+constexpr int kNoBody = -1;
 
 BoxTree tree_of(const std::vector<RayPrimitive>& primitives) {
   std::vector<Eigen::AlignedBox3d> boxes;
@@ -25,7 +25,7 @@ RayScene::RayScene(std::vector<RayPrimitive> primitives)
 
 std::optional<RayHit> RayScene::cast(const Ray& ray, double max_distance,
                                      std::uint32_t guess) const {
-  RayHit nearest{max_distance, kNobody, kNoPrimitive};
+  RayHit nearest{max_distance, kNoBody, kNoPrimitive};
   const auto visit = [&](std::uint32_t i) {
     const double distance = intersect(primitives_[i], ray);
     if (distance < nearest.distance) nearest = {distance, primitives_[i].object, i};
@@ -35,7 +35,7 @@ std::optional<RayHit> RayScene::cast(const Ray& ray, double max_distance,
     if (i != guess) visit(i);
     return nearest.distance;
   });
-  if (nearest.object == kNobody) return std::nullopt;
+  if (nearest.object == kNoBody) return std::nullopt;
   return nearest;
 }
 

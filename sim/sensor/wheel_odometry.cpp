@@ -12,9 +12,9 @@
 namespace castaway::sim {
 namespace {
 
-double gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
+double odometry_gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
 
-void require(bool condition, const char* field, double value, const char* remedy) {
+void require_odometry(bool condition, const char* field, double value, const char* remedy) {
   if (condition) return;
   throw std::invalid_argument(fmt::format("odometry: {} is {}: {}", field, value, remedy));
 }
@@ -22,24 +22,24 @@ void require(bool condition, const char* field, double value, const char* remedy
 }  // namespace
 
 void validate(const SlipConfig& c) {
-  require(c.rate >= 0.0, "slip.rate", c.rate, "give 0 or more events a metre");
-  require(c.length >= 0.0, "slip.length", c.length, "give 0 or more metres");
-  require(c.share >= 0.0 && c.share <= 0.5, "slip.share", c.share, "give 0 to 0.5");
-  require(c.collision_length >= 0.0, "slip.collision_length", c.collision_length,
-          "give 0 or more metres");
-  require(c.zone_spread >= 0.0 && c.zone_spread <= 1.0, "slip.zone_spread", c.zone_spread,
-          "give 0 to 1");
+  require_odometry(c.rate >= 0.0, "slip.rate", c.rate, "give 0 or more events a metre");
+  require_odometry(c.length >= 0.0, "slip.length", c.length, "give 0 or more metres");
+  require_odometry(c.share >= 0.0 && c.share <= 0.5, "slip.share", c.share, "give 0 to 0.5");
+  require_odometry(c.collision_length >= 0.0, "slip.collision_length", c.collision_length,
+                   "give 0 or more metres");
+  require_odometry(c.zone_spread >= 0.0 && c.zone_spread <= 1.0, "slip.zone_spread", c.zone_spread,
+                   "give 0 to 1");
 }
 
 void validate(const OdometryConfig& c) {
-  require(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
-  require(c.ticks_per_turn >= 0, "ticks_per_turn", c.ticks_per_turn, "give 0 or more");
-  require(c.radius_sigma >= 0.0 && c.radius_sigma < 0.2, "radius_sigma", c.radius_sigma,
-          "give 0 to 0.2");
-  require(c.track_sigma >= 0.0 && c.track_sigma < 0.2, "track_sigma", c.track_sigma,
-          "give 0 to 0.2");
-  require(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
-  require(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
+  require_odometry(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
+  require_odometry(c.ticks_per_turn >= 0, "ticks_per_turn", c.ticks_per_turn, "give 0 or more");
+  require_odometry(c.radius_sigma >= 0.0 && c.radius_sigma < 0.2, "radius_sigma", c.radius_sigma,
+                   "give 0 to 0.2");
+  require_odometry(c.track_sigma >= 0.0 && c.track_sigma < 0.2, "track_sigma", c.track_sigma,
+                   "give 0 to 0.2");
+  require_odometry(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
+  require_odometry(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
   validate(c.slip);
   if (c.gyro) validate(*c.gyro);
 }
@@ -60,9 +60,9 @@ DriveGeometry drive_geometry(const RobotModel& robot) {
 WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng)
     : config_(config), believed_(truth) {
   validate(config);
-  believed_.radius_left *= 1.0 + config.radius_sigma * gaussian(rng);
-  believed_.radius_right *= 1.0 + config.radius_sigma * gaussian(rng);
-  believed_.track *= 1.0 + config.track_sigma * gaussian(rng);
+  believed_.radius_left *= 1.0 + config.radius_sigma * odometry_gaussian(rng);
+  believed_.radius_right *= 1.0 + config.radius_sigma * odometry_gaussian(rng);
+  believed_.track *= 1.0 + config.track_sigma * odometry_gaussian(rng);
   reset();
 }
 
@@ -83,8 +83,9 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<do
   last_ = now;
   const double root = std::sqrt(0.5 * (std::abs(left) + std::abs(right)));
   const double yaw_sigma = config_.drift_yaw_deg * std::numbers::pi / 180.0;
-  const double way = 0.5 * (left + right) + config_.drift_along * root * gaussian(rng);
-  const double by_wheels = (right - left) / believed_.track + yaw_sigma * root * gaussian(rng);
+  const double way = 0.5 * (left + right) + config_.drift_along * root * odometry_gaussian(rng);
+  const double by_wheels =
+      (right - left) / believed_.track + yaw_sigma * root * odometry_gaussian(rng);
   T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
 }
 

@@ -8,8 +8,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kRadius = 0.2;   // [m]
-constexpr double kSpacing = 0.5;  // [m]
+constexpr double kBeamRadius = 0.2;  // [m]
+constexpr double kSpacing = 0.5;     // [m]
 constexpr double kMostPlaces = 4e3;
 constexpr double kFine = 0.1;    // [m]
 constexpr double kCoarse = 0.2;  // [m]
@@ -25,7 +25,7 @@ WorldSpec as_surveyed(WorldSpec world) {
 BeamChange changed_beams(const WorldSpec& world, const Grid& map, const PlaceView& view) {
   Grid free_in_both = map;
   mark_objects(free_in_both, world, {view.z});
-  const FreeSpace free(free_in_both, kRadius);
+  const FreeSpace free(free_in_both, kBeamRadius);
   const auto cells = std::count(free.grid().cells.begin(), free.grid().cells.end(), Cell::kFree);
   const double area = static_cast<double>(cells) * map.resolution * map.resolution;
   const auto places = even_places(free, std::max(kSpacing, std::sqrt(area / kMostPlaces)));

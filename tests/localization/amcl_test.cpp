@@ -11,8 +11,8 @@
 namespace castaway::localization {
 namespace {
 
-const SE2 kStart{1.5, 3.0, 0.0};
-const SE2 kForward{0.04, 0.0, 0.02};
+using test::kForward;
+using test::kStart;
 
 PoseWithCovariance known(const SE2& pose) {
   return {pose, Eigen::Vector3d(0.04, 0.04, 0.01).asDiagonal()};

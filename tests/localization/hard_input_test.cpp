@@ -18,9 +18,9 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-
-const SE2 kStart{1.5, 3.0, 0.0};
-const SE2 kForward{0.04, 0.0, 0.02};
+using test::kForward;
+using test::known_start;
+using test::kStart;
 
 /// A kind of localizer.
 struct Kind {
@@ -46,10 +46,6 @@ Kind amcl(const std::string& name, AmclSensorModel model) {
           }};
 }
 
-PoseWithCovariance known(const SE2& pose) {
-  return {pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
-}
-
 double error(const Localizer& localizer, const SE2& truth) {
   const auto estimate = localizer.estimate();
   return estimate ? distance(estimate->T_map_base, truth) : 1e9;
@@ -57,7 +53,7 @@ double error(const Localizer& localizer, const SE2& truth) {
 
 class HardInput : public testing::TestWithParam<Kind> {
  protected:
-  void start_at(const SE2& pose) { localizer_->initialize(known(pose)); }
+  void start_at(const SE2& pose) { localizer_->initialize(known_start(pose)); }
   void drive(test::GridDrive& drive, int steps) {
     for (int i = 0; i < steps; ++i) drive.step(*localizer_, kForward);
   }
@@ -102,7 +98,7 @@ TEST_P(HardInput, NumbersThatNoRobotReachesAreDroppedWithACount) {
   }
   EXPECT_EQ(localizer_->diagnostics().dropped_odometry, 3);
   EXPECT_EQ(localizer_->diagnostics().dropped_scans, 3);
-  EXPECT_THROW(localizer_->initialize(known({1e300, 0.0, 0.0})), std::invalid_argument);
+  EXPECT_THROW(localizer_->initialize(known_start({1e300, 0.0, 0.0})), std::invalid_argument);
   drive(office, 5);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }
@@ -116,7 +112,7 @@ TEST_P(HardInput, RangesAndAnglesOfAnySizeAreSurvived) {
   for (float& range : scan.ranges) range = 3e38F;
   localizer_->on_odometry({scan.stamp, {0.0, 0.0, 1e300}});
   localizer_->on_scan(scan);
-  localizer_->initialize(known(kStart));
+  localizer_->initialize(known_start(kStart));
   EXPECT_TRUE(std::isfinite(localizer_->estimate()->T_map_base.x));
 }
 
@@ -181,7 +177,7 @@ TEST_P(HardInput, AStartOffTheMapIsSurvived) {
   start_at({-500.0, 1e6, 1.0});
   test::GridDrive office(office_, kStart);
   drive(office, 10);
-  localizer_->initialize(known(office.truth()));
+  localizer_->initialize(known_start(office.truth()));
   drive(office, 10);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }
@@ -190,8 +186,9 @@ TEST_P(HardInput, AStartThatIsNoNumberIsRefusedAndChangesNothing) {
   start_at(kStart);
   test::GridDrive office(office_, kStart);
   drive(office, 5);
-  EXPECT_THROW(localizer_->initialize(known({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0})),
-               std::invalid_argument);
+  EXPECT_THROW(
+      localizer_->initialize(known_start({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0})),
+      std::invalid_argument);
   drive(office, 5);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }
@@ -200,7 +197,7 @@ TEST_P(HardInput, TheUserCanSayWhereItIsAtAnyTime) {
   start_at({7.5, 6.5, 2.0});  // wrong
   test::GridDrive office(office_, kStart);
   drive(office, 3);
-  localizer_->initialize(known(office.truth()));
+  localizer_->initialize(known_start(office.truth()));
   drive(office, 5);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }
@@ -212,7 +209,7 @@ TEST_P(HardInput, GlobalLocalizationCanBeAskedForAtAnyTime) {
   localizer_->initialize(std::nullopt);
   EXPECT_FALSE(localizer_->estimate());
   drive(office, 5);  // wherever it thinks it is: no crash, and a user can help
-  localizer_->initialize(known(office.truth()));
+  localizer_->initialize(known_start(office.truth()));
   drive(office, 5);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);
 }

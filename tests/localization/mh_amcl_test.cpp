@@ -13,12 +13,9 @@
 namespace castaway::localization {
 namespace {
 
-const SE2 kStart{1.5, 3.0, 0.0};
-const SE2 kForward{0.04, 0.0, 0.02};
-
-PoseWithCovariance known(const SE2& pose) {
-  return {pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
-}
+using test::kForward;
+using test::known_start;
+using test::kStart;
 
 bool is_right(const Localizer& localizer, const SE2& truth) {
   const auto estimate = localizer.estimate();
@@ -28,7 +25,7 @@ bool is_right(const Localizer& localizer, const SE2& truth) {
 
 TEST(MhAmcl, TracksFromAKnownStart) {
   MhAmcl localizer({}, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   double worst = 0.0;
   for (int i = 0; i < 60; ++i) {
@@ -71,9 +68,9 @@ TEST(MhAmcl, BecomesConfidentStandingStill) {
 }
 
 /// Drives for a while; the stated probability at the first scan at which it is not lost.
-std::optional<double> found_at(const MhAmclConfig& config, bool known_start) {
+std::optional<double> found_at(const MhAmclConfig& config, bool knows) {
   MhAmcl localizer(config, test::office(), 1);
-  if (known_start) localizer.initialize(known(kStart));
+  if (knows) localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 40; ++i) {
     drive.step(localizer, kForward);
@@ -96,7 +93,7 @@ TEST(MhAmcl, TakesMoreToBeFoundThanToStaySo) {
 
 TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
   MhAmcl localizer({}, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
   ASSERT_FALSE(localizer.estimate()->lost);
@@ -113,7 +110,7 @@ TEST(MhAmcl, BelievesAJumpThatNoKidnapExplainsOnlyAfterAWay) {
   config.unexplained_cue = 1000.0;
   config.proving_m = 0.6;
   MhAmcl localizer(config, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
   drive.kidnap({7.5, 6.5, 2.0});
@@ -128,7 +125,7 @@ TEST(MhAmcl, BelievesAJumpThatNoKidnapExplainsOnlyAfterAWay) {
 
 TEST(MhAmcl, SearchesOnWhereNothingFitsThoughItStands) {
   MhAmcl localizer({}, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 300; ++i) drive.step_blind(localizer, {}, 11.0F);  // through all walls
   drive.kidnap({7.5, 6.5, 2.0});
@@ -138,7 +135,7 @@ TEST(MhAmcl, SearchesOnWhereNothingFitsThoughItStands) {
 
 TEST(MhAmcl, RecoversFromASlipThatOdometryDidNotSee) {
   MhAmcl localizer({}, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 20; ++i) drive.step(localizer, kForward);
   drive.kidnap(drive.truth() * SE2{0.6, 0.3, 0.4});
@@ -173,7 +170,7 @@ TEST(MhAmcl, FindsOutThatAPlaceNearByWasALookAlike) {
   const SE2 look_alike{7.0, 5.0, 0.3 - std::numbers::pi};
   const SE2 before = look_alike * SE2{-0.4, 0.3, 0.3};
   MhAmcl localizer({}, room, 1);
-  localizer.initialize(known(before));
+  localizer.initialize(known_start(before));
   test::GridDrive drive(room, before);
   for (int i = 0; i < 10; ++i) drive.step(localizer, {});
   ASSERT_FALSE(localizer.estimate()->lost);
@@ -207,7 +204,7 @@ TEST(MhAmcl, DropsWhatItCannotUseAndCountsIt) {
 
 TEST(MhAmcl, SurvivesScansWithoutReturnsAndMapsWithoutWalls) {
   MhAmcl localizer({}, test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   localizer.on_odometry({Stamp(1), {}});
   LaserScan blind = test::scan_at(test::office(), kStart, Stamp(1));
   blind.ranges.assign(blind.ranges.size(), std::numeric_limits<float>::quiet_NaN());
@@ -226,7 +223,7 @@ TEST(MhAmcl, SurvivesScansWithoutReturnsAndMapsWithoutWalls) {
 TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
   std::chrono::nanoseconds time{};
   MhAmcl localizer({}, test::office(), 1, [&time] { return time += std::chrono::nanoseconds(5); });
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 3; ++i) drive.step(localizer, kForward);
   const Diagnostics diagnostics = localizer.diagnostics();
@@ -244,7 +241,7 @@ MhAmclConfig paper() {
 
 TEST(MhAmclPaper, TracksFromAKnownStart) {
   MhAmcl localizer(paper(), test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
   ASSERT_TRUE(localizer.estimate());
@@ -277,7 +274,7 @@ MhAmclConfig paper_with(bool PublishedDefects::*defect) {
 
 TEST(MhAmclPublished, TracksFromAKnownStart) {
   MhAmcl localizer(published_config(), test::office(), 1);
-  localizer.initialize(known(kStart));
+  localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
   ASSERT_TRUE(localizer.estimate());
@@ -287,7 +284,7 @@ TEST(MhAmclPublished, TracksFromAKnownStart) {
 TEST(MhAmclPublished, HasNoEffectInModeImproved) {
   const auto run = [](const MhAmclConfig& config) {
     MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known(kStart));
+    localizer.initialize(known_start(kStart));
     test::GridDrive drive(test::office(), kStart);
     for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
     return localizer.estimate()->T_map_base;
@@ -317,7 +314,7 @@ TEST(MhAmclPublished, DoesNotFindARobotWhoseLidarLooksBackwards) {
 TEST(MhAmclPublished, MovesParticlesByAShareOfTheStep) {
   const auto spread = [](const MhAmclConfig& config) {
     MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known(kStart));
+    localizer.initialize(known_start(kStart));
     localizer.on_odometry({Stamp(0), {}});
     for (int k = 1; k <= 100; ++k) {
       localizer.on_odometry({std::chrono::milliseconds(10 * k), {0.01 * k, 0.0, 0.0}});
@@ -336,7 +333,7 @@ TEST(MhAmclPublished, SelectsOnlyWhenTheMatcherRuns) {
   const SE2 elsewhere{7.5, 6.5, 0.0};
   const auto is_found_after = [&](const MhAmclConfig& config, int steps) {
     MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known(kStart));
+    localizer.initialize(known_start(kStart));
     test::GridDrive drive(test::office(), kStart);
     for (int i = 0; i < 5; ++i) drive.step(localizer, {});
     drive.kidnap(elsewhere);

@@ -8,18 +8,6 @@
 namespace castaway::test {
 namespace {
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
-
-/// One line on stderr that holds every part, and exit code 2.
-void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  for (const std::string& part : parts) expect_contains(outcome.err, part);
-}
-
 const char* const kUrdf = R"(<robot name="box"><link name="base_link">
   <inertial><mass value="1"/><inertia ixx=".01" iyy=".01" izz=".01" ixy="0" ixz="0" iyz="0"/></inertial>
   <visual><origin xyz="0 0 0.1"/><geometry><mesh filename="gone.stl"/></geometry></visual>

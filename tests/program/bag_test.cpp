@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kQuick = " --set outputs.snapshots=false --set outputs.report=false";
+const std::string kBare = " --set outputs.snapshots=false --set outputs.report=false";
 const std::string kReplay =
     " --start truth --seed 3 --localizer mh_amcl --localizer amcl --no-pictures --out again";
 
@@ -21,7 +21,7 @@ void simulate(const fs::path& folder, const std::string& sets) {
       castaway(folder,
                "run --duration 16 --seed 3 --set events.0.kidnap.at_s=5 --set people.count=3 --out "
                "run" +
-                   kQuick + sets);
+                   kBare + sets);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 

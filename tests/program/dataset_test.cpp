@@ -6,7 +6,7 @@
 namespace castaway::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 TEST(Dataset, IsTheSameWhateverTheNumberOfWorkers) {
   const fs::path folder = folder_with_spec();
@@ -35,7 +35,7 @@ TEST(Dataset, IsMadeAgainFromItsOwnSpecification) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 3 --seed 5 --out set").exit_code, 0);
   const Outcome again = castaway(folder, "dataset set/dataset.yaml -n 3 --out again --json");
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(Json::parse(again.out).at("sequences"), 3);
+  EXPECT_EQ(OrderedJson::parse(again.out).at("sequences"), 3);
   expect_equal(folder / "set", folder / "again");
   const Outcome only = castaway(folder, "dataset set/dataset.yaml --only 2 --out two");
   ASSERT_EQ(only.exit_code, 0) << only.err;
@@ -67,7 +67,7 @@ TEST(Dataset, VerifiesEveryFile) {
   expect_contains(bad.err, "3 of its files are not as in its manifest.json");
   const Outcome json = castaway(folder, "dataset --verify set --json");
   EXPECT_EQ(json.exit_code, 1);
-  EXPECT_EQ(Json::parse(json.out).at("troubles").size(), 3U);
+  EXPECT_EQ(OrderedJson::parse(json.out).at("troubles").size(), 3U);
 }
 
 /// The pieces of Python in a card.
@@ -115,7 +115,7 @@ TEST(Dataset, KeepsToOneSpecificationAndGrows) {
   EXPECT_EQ(same.exit_code, 0);
   expect_contains(same.out, "all 1 sequences were finished before");
   const Outcome json = castaway(folder, "dataset s.yaml -n 1 --out set --json");
-  EXPECT_EQ(Json::parse(json.out).at("timing").at("made"), 0);
+  EXPECT_EQ(OrderedJson::parse(json.out).at("timing").at("made"), 0);
   const Outcome seed = castaway(folder, "dataset s.yaml -n 1 --seed 2 --out set");
   EXPECT_EQ(seed.exit_code, 2);
   expect_contains(seed.err, "set: was made with seed 1, not 2; choose another folder");

@@ -13,13 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// One line on stderr that holds every part, and exit code 2.
-void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  for (const std::string& part : parts) expect_contains(outcome.err, part);
-}
-
 TEST(Evaluate, JudgesALocalizerOnALog) {
   const fs::path folder = fresh_folder();
   testbed::write_office(testbed::recorded_office(100), folder / "office");

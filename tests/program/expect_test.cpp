@@ -6,7 +6,7 @@
 namespace castaway::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const char* const kScenario = R"(name: gate
 world: lab
@@ -43,7 +43,7 @@ TEST(Expectations, ThatAreNotMetExitWithThreeAndSayWhich) {
   expect_contains(outcome.err, "not met: distance_m is ");
   expect_contains(outcome.err, "expected > 1000, missed by ");
   expect_contains(outcome.err, "(seed 1), see run");
-  EXPECT_EQ(Json::parse(outcome.out).at("scenario"), "gate");
+  EXPECT_EQ(OrderedJson::parse(outcome.out).at("scenario"), "gate");
   expect_contains(text_of(folder / "junit.xml"), "failures=\"1\"");
 }
 
@@ -78,9 +78,9 @@ TEST(Seeds, LeaveTheSameBytesWhateverTheNumberOfWorkers) {
     EXPECT_FALSE(text_of(folder / "w1" / file).empty()) << file;
     EXPECT_EQ(text_of(folder / "w1" / file), text_of(folder / "w3" / file)) << file;
   }
-  const Json summary = Json::parse(text_of(folder / "w1/summary.json"));
+  const OrderedJson summary = OrderedJson::parse(text_of(folder / "w1/summary.json"));
   EXPECT_EQ(summary.at("kind"), "seeds");
-  EXPECT_EQ(summary.at("seeds"), Json({4, 5, 6}));
+  EXPECT_EQ(summary.at("seeds"), OrderedJson({4, 5, 6}));
   EXPECT_EQ(summary.at("figures").at("distance_m").at("runs"), 3);
 }
 

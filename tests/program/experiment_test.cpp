@@ -6,7 +6,7 @@
 namespace castaway::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 class QuickExperiments : public testing::TestWithParam<int> {};
 
@@ -25,7 +25,7 @@ TEST_P(QuickExperiments, LeaveTheSameBytesWhateverTheNumberOfWorkers) {
     EXPECT_EQ(text_of(folder / "w1" / file), text_of(folder / "w3" / file)) << file;
   }
   EXPECT_GT(fs::file_size(folder / "w1/report.html"), 5000U);
-  EXPECT_EQ(Json::parse(text_of(folder / "w1/summary.json")).at("experiment"), GetParam());
+  EXPECT_EQ(OrderedJson::parse(text_of(folder / "w1/summary.json")).at("experiment"), GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, QuickExperiments, testing::Values(1, 2, 3));
@@ -62,7 +62,7 @@ TEST(Run, EndsAfterAWayAndBeginsOnTheMove) {
                "known: false, switch_on_s: 3}' --set events=~ --set outputs.snapshots=false --set "
                "outputs.report=false --set drive.route=random");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Json summary = Json::parse(text_of(folder / "run/summary.json"));
+  const OrderedJson summary = OrderedJson::parse(text_of(folder / "run/summary.json"));
   EXPECT_LT(summary.at("distance_m").get<double>(), 2.0);  // without the 3 s before
   EXPECT_LT(summary.at("duration_s").get<double>(), 30.0);
   const std::string truth = text_of(folder / "run/truth.tum");

@@ -7,7 +7,7 @@ namespace castaway::test {
 namespace {
 
 /// A run of a second without pictures.
-const std::string kShort = "run --duration 2 --set outputs.snapshots=false";
+const std::string kTwoSeconds = "run --duration 2 --set outputs.snapshots=false";
 
 std::string put(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
@@ -17,9 +17,10 @@ std::string put(const fs::path& file, const std::string& text) {
 
 TEST(Output, AReplayNeverRemovesItsLog) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --set outputs.carmen=true --set outputs.map=true --out run")
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      castaway(folder, kTwoSeconds + " --set outputs.carmen=true --set outputs.map=true --out run")
+          .exit_code,
+      0);
   fs::copy(folder / "run/map", folder / "office");
   fs::copy(folder / "run/log.carmen", folder / "office/log.carmen");
   put(folder / "office/recording.gz", "mine");
@@ -39,9 +40,10 @@ TEST(Output, AReplayNeverRemovesItsLog) {
 
 TEST(Output, AReplayNeverRemovesItsBag) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --set outputs.bag=true --set outputs.map=true --out run")
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      castaway(folder, kTwoSeconds + " --set outputs.bag=true --set outputs.map=true --out run")
+          .exit_code,
+      0);
   const auto before = files_of(folder / "run");
   const Outcome outcome =
       castaway(folder / "run", "replay bag --map map/map.yaml --no-pictures --out . 2>../err.txt");
@@ -58,13 +60,13 @@ TEST(Output, ARunKeepsFilesOfOthers) {
     const fs::path out = folder / "out";
     fs::remove_all(out);
     put(out / file, "mine");
-    const Outcome refused = castaway(folder, kShort + " --out out");
+    const Outcome refused = castaway(folder, kTwoSeconds + " --out out");
     EXPECT_EQ(refused.exit_code, 2);
     expect_contains(refused.err, std::string("out: holds '") + file +
                                      "', which castaway did not write; choose another folder");
     EXPECT_EQ(files_of(out).size(), 1U) << file;
     const Outcome forced =
-        castaway(folder, kShort + " --out out --force --set outputs.report=false");
+        castaway(folder, kTwoSeconds + " --out out --force --set outputs.report=false");
     EXPECT_EQ(forced.exit_code, 0) << forced.err;
     EXPECT_EQ(text_of(out / file), "mine");
   }
@@ -72,24 +74,25 @@ TEST(Output, ARunKeepsFilesOfOthers) {
 
 TEST(Output, ARunLeavesNothingOfTheRunBefore) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --set people.count=1 --set outputs.kitti=true --out out")
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      castaway(folder, kTwoSeconds + " --set people.count=1 --set outputs.kitti=true --out out")
+          .exit_code,
+      0);
   ASSERT_TRUE(fs::exists(folder / "out/people.csv"));
   ASSERT_TRUE(fs::exists(folder / "out/kitti"));
-  ASSERT_EQ(castaway(folder, kShort + " --set localizers=[mh_amcl] --out out").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --set localizers=[mh_amcl] --out out").exit_code, 0);
   for (const char* gone : {"people.csv", "kitti", "amcl.tum"}) {
     EXPECT_FALSE(fs::exists(folder / "out" / gone)) << gone;
   }
-  ASSERT_EQ(castaway(folder, kShort + " --set localizers=[mh_amcl] --out fresh").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --set localizers=[mh_amcl] --out fresh").exit_code, 0);
   EXPECT_EQ(files_of(folder / "out").size(), files_of(folder / "fresh").size());
 }
 
 TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort).exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds).exit_code, 0);
   const std::string first = text_of(folder / "runs/lab-kidnap/seed-1/scenario.yaml");
-  const Outcome second = castaway(folder, kShort + " --set lidar.range_max=6");
+  const Outcome second = castaway(folder, kTwoSeconds + " --set lidar.range_max=6");
   ASSERT_EQ(second.exit_code, 0);
   expect_contains(second.err,
                   "runs/lab-kidnap/seed-1 holds something else; this goes to "
@@ -99,14 +102,14 @@ TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
     return std::distance(fs::directory_iterator(folder / "runs/lab-kidnap"), {});
   };
   EXPECT_EQ(folders(), 2);
-  ASSERT_EQ(castaway(folder, kShort).exit_code, 0);
-  ASSERT_EQ(castaway(folder, kShort + " --set lidar.range_max=6").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds).exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --set lidar.range_max=6").exit_code, 0);
   EXPECT_EQ(folders(), 2);
 }
 
 TEST(Output, ASavedScenarioIsPlayedIntoAnotherFolder) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort).exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds).exit_code, 0);
   const std::string run = "runs/lab-kidnap/seed-1";
   const auto before = files_of(folder / run);
   EXPECT_EQ(castaway(folder, "run " + run + "/scenario.yaml --out " + run).exit_code, 2);
@@ -118,7 +121,7 @@ TEST(Output, ASavedScenarioIsPlayedIntoAnotherFolder) {
 TEST(Output, ManySeedsKeepFilesOfOthers) {
   const fs::path folder = fresh_folder();
   put(folder / "out/seed-2/mine.txt", "mine");
-  const Outcome outcome = castaway(folder, kShort + " --seeds 2 --out out");
+  const Outcome outcome = castaway(folder, kTwoSeconds + " --seeds 2 --out out");
   EXPECT_EQ(outcome.exit_code, 2);
   expect_contains(outcome.err, "out: holds 'seed-2/mine.txt'");
   EXPECT_FALSE(fs::exists(folder / "out/seed-1"));
@@ -126,8 +129,8 @@ TEST(Output, ManySeedsKeepFilesOfOthers) {
 
 TEST(Output, ManySeedsLeaveNoSeedOfAnEarlierCall) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --seeds 3 -j 2 --out out").exit_code, 0);
-  ASSERT_EQ(castaway(folder, kShort + " --seeds 1 --out out").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --seeds 3 -j 2 --out out").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --seeds 1 --out out").exit_code, 0);
   EXPECT_TRUE(fs::exists(folder / "out/seed-1"));
   EXPECT_FALSE(fs::exists(folder / "out/seed-2"));
   EXPECT_FALSE(fs::exists(folder / "out/seed-3"));
@@ -135,7 +138,7 @@ TEST(Output, ManySeedsLeaveNoSeedOfAnEarlierCall) {
 
 TEST(Output, AComparisonKeepsFilesOfOthersAndItsInputs) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --out a").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out a").exit_code, 0);
   put(folder / "out/comparison.html", "mine");
   EXPECT_EQ(castaway(folder, "compare a a --out out").exit_code, 2);
   EXPECT_EQ(castaway(folder, "compare a a --out out --force").exit_code, 2);
@@ -146,15 +149,15 @@ TEST(Output, AComparisonKeepsFilesOfOthersAndItsInputs) {
 
 TEST(Output, SingleFilesTakeNoPlaceOfOthers) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --out a").exit_code, 0);
-  ASSERT_EQ(castaway(folder, kShort + " --out b").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out a").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out b").exit_code, 0);
   for (const char* name : {"x.yaml", "y.pgm", "x.xml", "x.html", "x.mp4", "w.png", "v-map.png"}) {
     put(folder / name, "mine");
   }
   for (const std::string& command :
        {std::string("map lab --out x.yaml"), std::string("map lab --out y.yaml"),
-        kShort + " --out c --junit x.xml", kShort + " --out c --video x.mp4",
-        kShort + " --seeds 2 --out c --junit x.xml",
+        kTwoSeconds + " --out c --junit x.xml", kTwoSeconds + " --out c --video x.mp4",
+        kTwoSeconds + " --seeds 2 --out c --junit x.xml",
         std::string("experiment 1 --quick --out c --junit x.xml"),
         std::string("report a b --out x.html"), std::string("check-robot waffle --out w.png"),
         std::string("check-world lab --out w.png"), std::string("check-world lab --out v.png")}) {
@@ -173,7 +176,7 @@ TEST(Output, SingleFilesTakeNoPlaceOfOthers) {
 
 TEST(Output, AReportReplacesNoPageOfOthers) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --out a --set outputs.report=false").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out a --set outputs.report=false").exit_code, 0);
   put(folder / "a/report.html", "mine");
   EXPECT_EQ(castaway(folder, "report a").exit_code, 2);
   EXPECT_EQ(text_of(folder / "a/report.html"), "mine");
@@ -246,8 +249,8 @@ TEST(Output, NamesFromFilesLeadNowhere) {
 
 TEST(Output, ListsOfFilesAreTheSameForTheSameSeed) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kShort + " --out a").exit_code, 0);
-  ASSERT_EQ(castaway(folder, kShort + " --out b").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out a").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --out b").exit_code, 0);
   const std::string list = text_of(folder / "a/.castaway.json");
   EXPECT_NE(list, "");
   EXPECT_EQ(list, text_of(folder / "b/.castaway.json"));

@@ -11,13 +11,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kQuick =
+const std::string kNoEvents =
     "--set outputs.snapshots=false --set outputs.report=false --set events=[] ";
 
 TEST(People, AreInTheSummaryAndInATableOfTheirOwn) {
   const fs::path folder = fresh_folder();
   const Outcome outcome =
-      castaway(folder, "run --duration 6 --set people.count=5 --out run " + kQuick);
+      castaway(folder, "run --duration 6 --set people.count=5 --out run " + kNoEvents);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_contains(outcome.out, "5 people: ");
   const Json people = Json::parse(text_of(folder / "run/summary.json")).at("people");
@@ -34,8 +34,8 @@ TEST(People, RepeatToTheByteAndFromTheScenarioTheyLeave) {
   const std::string people =
       "run --duration 6 --set 'people={count: 8, behaviour: mixed, groups: "
       "0.5, talking: [2], crowd: {blocked: 0.3}}' ";
-  ASSERT_EQ(castaway(folder, people + "--out a " + kQuick).exit_code, 0);
-  ASSERT_EQ(castaway(folder, people + "--out b " + kQuick).exit_code, 0);
+  ASSERT_EQ(castaway(folder, people + "--out a " + kNoEvents).exit_code, 0);
+  ASSERT_EQ(castaway(folder, people + "--out b " + kNoEvents).exit_code, 0);
   ASSERT_EQ(castaway(folder, "run a/scenario.yaml --out c").exit_code, 0);
   for (const char* file : {"people.csv", "errors.csv", "truth.tum", "summary.json"}) {
     const std::string text = text_of(folder / "a" / file);
@@ -49,8 +49,8 @@ TEST(People, RepeatToTheByteAndFromTheScenarioTheyLeave) {
 TEST(People, DoNotCareWhoIsLocalizing) {
   const fs::path folder = fresh_folder();
   const std::string people = "run --duration 6 --set people.count=8 ";
-  ASSERT_EQ(castaway(folder, people + "--out a " + kQuick).exit_code, 0);
-  ASSERT_EQ(castaway(folder, people + "--set localizers=[amcl] --out b " + kQuick).exit_code, 0);
+  ASSERT_EQ(castaway(folder, people + "--out a " + kNoEvents).exit_code, 0);
+  ASSERT_EQ(castaway(folder, people + "--set localizers=[amcl] --out b " + kNoEvents).exit_code, 0);
   EXPECT_TRUE(text_of(folder / "a/people.csv") == text_of(folder / "b/people.csv"));
   EXPECT_TRUE(text_of(folder / "a/truth.tum") == text_of(folder / "b/truth.tum"));
 }
@@ -60,7 +60,8 @@ TEST(People, ShippedScenariosRun) {
   for (const char* name : {"people", "crowd"}) {
     const std::string file =
         std::string(CASTAWAY_SOURCE_DIR) + "/worlds/lab/scenarios/" + name + ".yaml";
-    const Outcome outcome = castaway(folder, "run " + file + " --duration 3 --out run " + kQuick);
+    const Outcome outcome =
+        castaway(folder, "run " + file + " --duration 3 --out run " + kNoEvents);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 }

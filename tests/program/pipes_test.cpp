@@ -26,11 +26,6 @@ const char* const kMap =
     "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
     "free_thresh: 0.196\n";
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
-
 class Pipes : public testing::TestWithParam<Place> {
  protected:
   void SetUp() override {

@@ -4,11 +4,11 @@
 namespace castaway::test {
 namespace {
 
-const std::string kQuick = "run --duration 3 --set events=[] --set outputs.snapshots=false ";
+const std::string kReported = "run --duration 3 --set events=[] --set outputs.snapshots=false ";
 
 TEST(Report, IsMadeAgainFromTheFolderAlone) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kQuick + "--out run").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--out run").exit_code, 0);
   const std::string page = text_of(folder / "run/report.html");
   EXPECT_GT(page.size(), 10000U);
   fs::remove(folder / "run/report.html");
@@ -20,8 +20,8 @@ TEST(Report, IsMadeAgainFromTheFolderAlone) {
 
 TEST(Report, OfSeveralRunsLeadsToThem) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kQuick + "--seed 1 --out one").exit_code, 0);
-  ASSERT_EQ(castaway(folder, kQuick + "--seed 2 --out two").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--seed 1 --out one").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--seed 2 --out two").exit_code, 0);
   const Outcome outcome = castaway(folder, "report one two --out pages/index.html");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = text_of(folder / "pages/index.html");
@@ -31,9 +31,9 @@ TEST(Report, OfSeveralRunsLeadsToThem) {
 
 TEST(Report, WithoutAPlayerHasNoRecording) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kQuick + "--out run").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--out run").exit_code, 0);
   EXPECT_TRUE(fs::exists(folder / "run/recording.gz"));
-  ASSERT_EQ(castaway(folder, kQuick + "--set outputs.player=false --out run").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--set outputs.player=false --out run").exit_code, 0);
   EXPECT_FALSE(fs::exists(folder / "run/recording.gz"));
   expect_contains(text_of(folder / "run/report.html"), "This page has no player");
 }
@@ -51,7 +51,7 @@ TEST(Report, NamesWhatIsNoRun) {
 
 TEST(Report, NamesADamagedRecording) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, kQuick + "--out run").exit_code, 0);
+  ASSERT_EQ(castaway(folder, kReported + "--out run").exit_code, 0);
   std::ofstream(folder / "run/recording.gz") << "damaged";
   const Outcome outcome = castaway(folder, "report run");
   EXPECT_EQ(outcome.exit_code, 2);
@@ -62,7 +62,7 @@ TEST(Film, IsMadeOfARun) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is missing";
   const fs::path folder = fresh_folder();
   const Outcome outcome = castaway(
-      folder, kQuick +
+      folder, kReported +
                   "--video film.webm --set 'outputs.video={width: 160, height: 90, fps: 5}' "
                   "--out run");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -72,10 +72,11 @@ TEST(Film, IsMadeOfARun) {
 
 TEST(Film, SaysWhatIsMissingBeforeTheRun) {
   const fs::path folder = fresh_folder();
-  const Outcome kind = castaway(folder, kQuick + "--video film.avi --out run");
+  const Outcome kind = castaway(folder, kReported + "--video film.avi --out run");
   EXPECT_EQ(kind.exit_code, 2);
   expect_contains(kind.err, "film.avi: a film's name must end in .mp4 or .webm");
-  const Outcome missing = castaway(folder, kQuick + "--video film.mp4 --out run", "PATH=/nowhere");
+  const Outcome missing =
+      castaway(folder, kReported + "--video film.mp4 --out run", "PATH=/nowhere");
   EXPECT_EQ(missing.exit_code, 2);
   expect_contains(missing.err, "apt-get install ffmpeg");
   EXPECT_FALSE(fs::exists(folder / "run"));

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kQuick = "--set outputs.snapshots=false --set outputs.report=false ";
+const std::string kNoReport = "--set outputs.snapshots=false --set outputs.report=false ";
 const std::string kScenarios = std::string(CASTAWAY_SOURCE_DIR) + "/worlds/lab/scenarios/";
 
 TEST(Lidars, AreListedWithTheirFigures) {
@@ -35,7 +35,7 @@ TEST(Lidars, AnUnknownOneIsAnError) {
 TEST(Sensors, RepeatToTheByteWithEveryErrorOn) {
   const fs::path folder = fresh_folder();
   const std::string run = "run " + kScenarios + "real-lidar.yaml --duration 6 --set events=[] " +
-                          kQuick + "--set outputs.scans=true --set lidar.noise.dust_per_m=0.01 ";
+                          kNoReport + "--set outputs.scans=true --set lidar.noise.dust_per_m=0.01 ";
   ASSERT_EQ(castaway(folder, run + "--out a").exit_code, 0);
   ASSERT_EQ(castaway(folder, "run a/scenario.yaml --out b").exit_code, 0);
   for (const char* file : {"scans.csv", "labels.csv", "errors.csv", "truth.tum", "summary.json"}) {
@@ -48,7 +48,7 @@ TEST(Sensors, RepeatToTheByteWithEveryErrorOn) {
 /// What a lidar tells besides ranges, and who writes it down, changes no run.
 TEST(Sensors, WritingScansChangesNothing) {
   const fs::path folder = fresh_folder();
-  const std::string run = "run --duration 4 --set events=[] " + kQuick;
+  const std::string run = "run --duration 4 --set events=[] " + kNoReport;
   ASSERT_EQ(castaway(folder, run + "--out a").exit_code, 0);
   ASSERT_EQ(castaway(folder, run + "--set outputs.scans=true --out b").exit_code, 0);
   EXPECT_TRUE(text_of(folder / "a/errors.csv") == text_of(folder / "b/errors.csv"));
@@ -57,7 +57,7 @@ TEST(Sensors, WritingScansChangesNothing) {
 
 TEST(Sensors, PointsOfALayeredLidarAreWritten) {
   const fs::path folder = fresh_folder();
-  ASSERT_EQ(castaway(folder, "run " + kScenarios + "lidar-3d.yaml --duration 1 " + kQuick +
+  ASSERT_EQ(castaway(folder, "run " + kScenarios + "lidar-3d.yaml --duration 1 " + kNoReport +
                                  "--set lidar.beams=90 --out a")
                 .exit_code,
             0);
@@ -67,7 +67,8 @@ TEST(Sensors, PointsOfALayeredLidarAreWritten) {
 TEST(Sensors, FaultsAreScored) {
   const fs::path folder = fresh_folder();
   const std::string fault = "'events=[{fault: {kind: lidar-dropout, at_s: 2, for_s: 1}}]' ";
-  ASSERT_EQ(castaway(folder, "run --duration 6 " + kQuick + "--out a --set " + fault).exit_code, 0);
+  ASSERT_EQ(castaway(folder, "run --duration 6 " + kNoReport + "--out a --set " + fault).exit_code,
+            0);
   const Json faults = Json::parse(text_of(folder / "a/summary.json")).at("faults");
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].at("fault"), "lidar-dropout");

@@ -26,7 +26,7 @@ std::vector<std::string> scenarios() {
   return files;
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
+std::string scenario_name(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param.substr(0, info.param.find('.'));
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
@@ -60,7 +60,7 @@ TEST_P(ShippedScenarios, GiveTheSameBytesTwice) {
   EXPECT_EQ(first, hashes(folder / "b"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScenarios, testing::ValuesIn(scenarios()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenarios, testing::ValuesIn(scenarios()), scenario_name);
 
 TEST(CheckWorld, PrintsJsonAndTakesPictures) {
   const fs::path folder = fresh_folder();

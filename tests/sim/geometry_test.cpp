@@ -7,13 +7,13 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Pose2, ComposesFirstTheParentThenTheChild) {
-  const Pose2 T_a_c = Pose2{1.0, 0.0, kPi / 2} * Pose2{2.0, 0.0, kPi / 4};
+  const Pose2 T_a_c = Pose2{1.0, 0.0, pi / 2} * Pose2{2.0, 0.0, pi / 4};
   EXPECT_NEAR(T_a_c.x, 1.0, 1e-15);
   EXPECT_NEAR(T_a_c.y, 2.0, 1e-15);
-  EXPECT_NEAR(T_a_c.yaw, 3 * kPi / 4, 1e-15);
+  EXPECT_NEAR(T_a_c.yaw, 3 * pi / 4, 1e-15);
 }
 
 TEST(Pose2, ComposesWithTheInverseToIdentity) {
@@ -35,7 +35,7 @@ TEST(Interpolate, TurnsTheShorterWay) {
   const Eigen::Isometry3d T =
       interpolate(to_isometry({0.0, 0.0, 3.0}), to_isometry({2.0, 4.0, -3.0}), 0.25);
   EXPECT_NEAR(to_planar(T).x, 0.5, 1e-15);
-  EXPECT_NEAR(to_planar(T).yaw, 3.0 + 0.25 * (2 * kPi - 6.0), 1e-12);
+  EXPECT_NEAR(to_planar(T).yaw, 3.0 + 0.25 * (2 * pi - 6.0), 1e-12);
 }
 
 TEST(Interpolation, IsSlerp) {

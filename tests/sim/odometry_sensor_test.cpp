@@ -25,7 +25,7 @@ DriveState ahead(const SimulationConfig& config, int ms) {
 }
 
 /// Readings every 10 ms for 3 s.
-std::vector<OdometryReading> drive(const SimulationConfig& config) {
+std::vector<OdometryReading> drive_measured(const SimulationConfig& config) {
   OdometrySensor sensor(config, streams());
   std::vector<OdometryReading> readings;
   for (int ms = 0; ms <= 3000; ms += 10) {
@@ -46,39 +46,40 @@ SimulationConfig with_fault(FaultKind kind) {
 }
 
 TEST(OdometrySensor, WithoutErrorsTellsTheWay) {
-  const auto readings = drive(test_simulation());
+  const auto readings = drive_measured(test_simulation());
   ASSERT_EQ(readings.size(), 301U);
   EXPECT_NEAR(readings.back().T_odom_base.x, 3.0, 1e-9);
 }
 
 TEST(OdometrySensor, AFreezeLosesItsWay) {
-  const auto readings = drive(with_fault(FaultKind::kOdometryFrozen));
+  const auto readings = drive_measured(with_fault(FaultKind::kOdometryFrozen));
   ASSERT_EQ(readings.size(), 301U);
   EXPECT_NEAR(readings[150].T_odom_base.x, 0.99, 1e-9);  // Stuck since the reading before.
   EXPECT_NEAR(readings.back().T_odom_base.x, 2.0, 1e-9);
 }
 
 TEST(OdometrySensor, AWrongScaleCountsTooMuchWhileItLasts) {
-  EXPECT_NEAR(drive(with_fault(FaultKind::kOdometryScale)).back().T_odom_base.x, 3.5, 1e-9);
+  EXPECT_NEAR(drive_measured(with_fault(FaultKind::kOdometryScale)).back().T_odom_base.x, 3.5,
+              1e-9);
 }
 
 TEST(OdometrySensor, AReversedWheelSpinsTheRobot) {
   const SimulationConfig config = with_fault(FaultKind::kOdometryReversed);
-  const auto readings = drive(config);
+  const auto readings = drive_measured(config);
   EXPECT_NEAR(readings[199].T_odom_base.x, 0.99, 1e-6);
   const double turn = -2.0 * 0.01 / config.robot.track;
   EXPECT_NEAR(readings[100].T_odom_base.yaw - readings[99].T_odom_base.yaw, turn, 1e-9);
 }
 
 TEST(OdometrySensor, ADropoutLosesReadingsAndNoWay) {
-  const auto readings = drive(with_fault(FaultKind::kOdometryDropout));
+  const auto readings = drive_measured(with_fault(FaultKind::kOdometryDropout));
   ASSERT_EQ(readings.size(), 201U);
   EXPECT_EQ(readings[100].stamp, milliseconds(2000));
   EXPECT_NEAR(readings[100].T_odom_base.x, 2.0, 1e-9);
 }
 
 TEST(OdometrySensor, AResetStartsFromZero) {
-  const auto readings = drive(with_fault(FaultKind::kOdometryReset));
+  const auto readings = drive_measured(with_fault(FaultKind::kOdometryReset));
   EXPECT_NEAR(readings[99].T_odom_base.x, 0.99, 1e-9);
   EXPECT_NEAR(readings[100].T_odom_base.x, 0.0, 1e-9);
   EXPECT_NEAR(readings.back().T_odom_base.x, 2.0, 1e-9);
@@ -89,7 +90,7 @@ TEST(OdometrySensor, SlippingZonesLengthenTheWay) {
   config.odometry.slip.zones = true;
   config.odometry.slip.zone_spread = 0.0;
   config.world.slip_zones = {{"ice", {{1.0, -1.0}, {2.0, -1.0}, {2.0, 1.0}, {1.0, 1.0}}, 0.5}};
-  EXPECT_NEAR(drive(config).back().T_odom_base.x, 4.0, 0.02);
+  EXPECT_NEAR(drive_measured(config).back().T_odom_base.x, 4.0, 0.02);
 }
 
 TEST(OdometrySensor, AGyroTellsTheTurnAndWheelsTheWay) {

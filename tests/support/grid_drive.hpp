@@ -9,6 +9,15 @@
 
 namespace castaway::test {
 
+/// Where drives in the office begin, and a step of theirs.
+inline const SE2 kStart{1.5, 3.0, 0.0};
+inline const SE2 kForward{0.04, 0.0, 0.02};
+
+/// A start known to 0.1 m and 0.05 rad (one sigma).
+inline localization::PoseWithCovariance known_start(const SE2& pose) {
+  return {pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
 /// A robot in a grid world. One step is 0.1 s: ten readings of odometry, then a scan.
 class GridDrive {
  public:

@@ -30,9 +30,9 @@ double step_for(double most) {
 }
 
 /// The two axes from 0 to where they end.
-class Frame {
+class PlotFrame {
  public:
-  Frame(double x_most, double y_most)
+  PlotFrame(double x_most, double y_most)
       : x_most_(std::max(x_most, 1e-9)), y_most_(std::max(y_most, 1e-9)) {}
 
   [[nodiscard]] double x(double value) const {
@@ -87,7 +87,7 @@ std::string histogram_svg(const HistogramPlot& plot) {
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (double& share : shares) share = sum > 0.0 ? share / sum : 0.0;
   const double most = shares.empty() ? 0.0 : *std::max_element(shares.begin(), shares.end());
-  const Frame frame(plot.bin * static_cast<double>(shares.size()), most);
+  const PlotFrame frame(plot.bin * static_cast<double>(shares.size()), most);
   std::string body = frame.axes(plot.x_label, "share");
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double left = frame.x(plot.bin * static_cast<double>(i));
@@ -111,7 +111,7 @@ std::string lines_svg(const LinesPlot& plot) {
       y_most = std::max(y_most, y);
     }
   }
-  const Frame frame(x_most, y_most);
+  const PlotFrame frame(x_most, y_most);
   std::string body = frame.axes(plot.x_label, plot.y_label);
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
     const std::string color = css_color(palette_color(kLocalizerColors, i));

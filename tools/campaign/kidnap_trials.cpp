@@ -25,7 +25,7 @@ constexpr int kWaypoints = 4;
 constexpr int kTries = 200;  // For one place...
 constexpr int kCrowds = 10;  // ...and for a crowd around it.
 
-double between(double low, double high, sim::Rng& rng) {
+double uniform_between(double low, double high, sim::Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
 }
 
@@ -86,7 +86,7 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
       sim::limits_of(base.drive, base.robot).max_speed * (config_.lead_s + kLeadSpread);
   sim::KidnapSpec kidnap;
   kidnap.kind = sim::KidnapKind::kTeleportTo;
-  kidnap.when.value = config_.lead_s + between(-kLeadSpread, kLeadSpread, rng);
+  kidnap.when.value = config_.lead_s + uniform_between(-kLeadSpread, kLeadSpread, rng);
   kidnap.target = sampled(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
 }
@@ -104,8 +104,8 @@ std::vector<Eigen::Vector2d> KidnapTrials::draw_people(int count, sim::Rng& rng,
   std::vector<Eigen::Vector2d> people;
   for (int tries = 0; static_cast<int>(people.size()) < count && tries < kTries * count; ++tries) {
     const double near2 = config_.near_m * config_.near_m;
-    const double r = std::sqrt(between(near2, config_.far_m * config_.far_m, rng));
-    const double heading = between(-std::numbers::pi, std::numbers::pi, rng);
+    const double r = std::sqrt(uniform_between(near2, config_.far_m * config_.far_m, rng));
+    const double heading = uniform_between(-std::numbers::pi, std::numbers::pi, rng);
     const Eigen::Vector2d p = target + r * Eigen::Vector2d(std::cos(heading), std::sin(heading));
     if (fits(p, people)) people.push_back(p);
   }

@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::uint64_t kMost = 100'000;
+constexpr std::uint64_t kMostSeeds = 100'000;
 
 std::optional<std::uint64_t> whole(std::string_view text) {
   std::uint64_t value = 0;
@@ -29,12 +29,12 @@ SeedRange parse_seeds(const std::string& text, std::uint64_t base) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) {
     const auto count = whole(text);
-    if (!count || *count < 1 || *count > kMost) refuse(text);
+    if (!count || *count < 1 || *count > kMostSeeds) refuse(text);
     return {base, static_cast<int>(*count)};
   }
   const auto first = whole(std::string_view(text).substr(0, dots));
   const auto last = whole(std::string_view(text).substr(dots + 2));
-  if (!first || !last || *last < *first || *last - *first >= kMost) refuse(text);
+  if (!first || !last || *last < *first || *last - *first >= kMostSeeds) refuse(text);
   return {*first, static_cast<int>(*last - *first + 1)};
 }
 

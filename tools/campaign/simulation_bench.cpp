@@ -21,7 +21,7 @@ constexpr double kRoomPerBox = 1.7;  // [m^2]
 constexpr double kCastEdge = 20.0;   // [m]
 constexpr double kCastRange = 12.0;  // [m]
 constexpr int kBeams = 360;
-constexpr int kWaypoints = 12;
+constexpr int kBenchWaypoints = 12;
 
 sim::SimulationConfig lab() {
   Scenario scenario;
@@ -38,7 +38,7 @@ sim::SimulationConfig in_hall(int boxes) {
   config.drive.waypoints.clear();
   sim::Rng rng = simulation_streams(kSeed).named("route");
   const sim::FreeSpace free(config.map, config.robot.footprint_radius + 0.1);
-  for (int i = 0; i < kWaypoints; ++i) {
+  for (int i = 0; i < kBenchWaypoints; ++i) {
     if (const auto pose = free.sample(rng)) config.drive.waypoints.push_back(pose->position());
   }
   return config;

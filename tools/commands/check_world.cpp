@@ -17,11 +17,11 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kWidth = 1000;  // [px]
-constexpr int kHeight = 750;  // [px]
+constexpr int kWorldPictureWidth = 1000;  // [px]
+constexpr int kWorldPictureHeight = 750;  // [px]
 
 /// What the command line says.
-struct CheckArguments {
+struct CheckWorldArguments {
   WorldChoice world;
   std::string robot = "waffle";
   std::string scenario;
@@ -44,7 +44,7 @@ std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   std::string overview;
   std::string map;
   try {
-    sim::Renderer renderer(kWidth, kHeight);
+    sim::Renderer renderer(kWorldPictureWidth, kWorldPictureHeight);
     overview = sim::encode_png(renderer.render(world_scene(world)));
     map = sim::encode_png(renderer.render(world_map_scene(world)));
   } catch (const std::runtime_error& error) {
@@ -57,14 +57,14 @@ std::string take_pictures(const LoadedWorld& world, const std::string& out) {
 }
 
 /// Of a scenario: its world, seed and differences.
-void take_scenario(CheckArguments& arguments) {
+void take_scenario(CheckWorldArguments& arguments) {
   arguments.scenario = find_scenario(arguments.scenario, ".").string();
   const LoadedScenario loaded = load_scenario(arguments.scenario, {});
   arguments.world = loaded.scenario.world;
   arguments.seed = loaded.scenario.seed;
 }
 
-int check_world(CheckArguments arguments) {
+int check_world(CheckWorldArguments arguments) {
   std::filesystem::path base = ".";
   if (!arguments.scenario.empty()) {
     take_scenario(arguments);
@@ -94,7 +94,7 @@ int check_world(CheckArguments arguments) {
 }  // namespace
 
 void add_check_world_command(CLI::App& app, std::function<int()>& chosen) {
-  auto a = std::make_shared<CheckArguments>();
+  auto a = std::make_shared<CheckWorldArguments>();
   CLI::App* command = app.add_subcommand(
       "check-world",
       "Print and picture what is understood of a world, and how it is to localize in");

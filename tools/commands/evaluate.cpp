@@ -48,13 +48,13 @@ void print_line(const std::array<std::string, 17>& cells) {
   std::fflush(stdout);
 }
 
-void print_header() {
+void print_evaluation_header() {
   print_line({"log", "localizer", "unknown start", "median", "p90", "way p90", "kidnap", "median",
               "p90", "way p90", "tracking", "noticed mean", "false/h", "wrong", "longest", "Brier",
               "CPU mean, max"});
 }
 
-std::string figure(const std::optional<double>& value, const char* format) {
+std::string evaluation_figure(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
 
@@ -72,9 +72,9 @@ void print_row(const EvaluationRow& row) {
               rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
               quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"),
               tracking, noticed ? fmt::format("{:.1f} s", noticed->mean) : "-",
-              figure(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
+              evaluation_figure(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
               fmt::format("{:.1f} s", row.longest_wrong_s),
-              figure(row.calibration.brier(), "{:.3f}"),
+              evaluation_figure(row.calibration.brier(), "{:.3f}"),
               fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms)});
 }
 
@@ -115,7 +115,7 @@ int evaluate_logs(EvaluateArguments arguments) {
   for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
   validate(arguments.config);
   auto rows = nlohmann::ordered_json::array();
-  if (!arguments.json) print_header();
+  if (!arguments.json) print_evaluation_header();
   for (const std::string& folder : arguments.folders) {
     const RecordedPlace place = load_recorded_place(folder);
     for (const LocalizerSpec& spec : specs) {

@@ -30,7 +30,7 @@ std::string over_seeds(const Json& figures, const std::string& name, const char*
   return number(figure.at("mean"), format) + interval(figure.at("mean_interval"), format);
 }
 
-std::string localizer_line(const std::string& name, const Json& recovery, const Json& figures) {
+std::string seeds_line(const std::string& name, const Json& recovery, const Json& figures) {
   const Json& time = recovery.at("time_s");
   return fmt::format(
       "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
@@ -65,7 +65,7 @@ std::string describe_seeds(const std::filesystem::path& folder) {
   text += fmt::format("  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", "", "recovered",
                       "recovery time [s]", "slowest", "tracking error [m]", "wrong, share");
   for (const auto& [name, localizer] : summary.at("localizers").items()) {
-    text += localizer_line(name, localizer.at("recovery"), figures);
+    text += seeds_line(name, localizer.at("recovery"), figures);
   }
   return text + fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n",
                             folder.string());

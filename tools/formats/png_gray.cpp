@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr png_uint_32 kMaxSide = 32768;
+constexpr png_uint_32 kMaxPngSide = 32768;
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
   throw std::runtime_error(fmt::format("{}: broken PNG: {}; copy the file again", name, what));
@@ -51,7 +51,7 @@ struct PngState {
         png(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning)) {
     info = png_create_info_struct(png);
     png_set_read_fn(png, this, on_read);
-    png_set_user_limits(png, kMaxSide, kMaxSide);
+    png_set_user_limits(png, kMaxPngSide, kMaxPngSide);
   }
   ~PngState() { png_destroy_read_struct(&png, &info, nullptr); }
   PngState(const PngState&) = delete;

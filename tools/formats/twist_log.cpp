@@ -16,16 +16,16 @@ namespace castaway::testbed {
 namespace {
 
 constexpr const char* kHeader = "t_s,v,w";
-constexpr double kLargest = 1e7;  // [s], [m/s], [rad/s]
+constexpr double kLargestTwist = 1e7;  // [s], [m/s], [rad/s]
 
-/// Three numbers of at most `kLargest` between commas; false where there is anything else.
+/// Three numbers of at most `kLargestTwist` between commas; false where there is anything else.
 bool parse(std::string_view line, std::array<double, 3>& numbers) {
   const char* at = line.data();
   const char* const end = at + line.size();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (i > 0 && (at == end || *at++ != ',')) return false;
     const auto [next, error] = std::from_chars(at, end, numbers[i]);
-    if (error != std::errc{} || !(std::abs(numbers[i]) <= kLargest)) return false;
+    if (error != std::errc{} || !(std::abs(numbers[i]) <= kLargestTwist)) return false;
     at = next;
   }
   return at == end;

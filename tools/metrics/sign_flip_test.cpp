@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;  // As of every bootstrap.
+constexpr std::uint64_t kFlipSeed = 1;  // As of every bootstrap.
 constexpr std::size_t kMostExact = 16;
 constexpr int kFlips = 20000;
 
@@ -56,7 +56,7 @@ double sampled(const std::vector<double>& differences, localization::Rng rng) {
 double sign_flip_p_value(const std::vector<double>& differences, const std::string& stream) {
   if (differences.empty()) return 1.0;
   if (differences.size() <= kMostExact) return exact(differences);
-  return sampled(differences, localization::substream(kSeed, "sign-flips/" + stream));
+  return sampled(differences, localization::substream(kFlipSeed, "sign-flips/" + stream));
 }
 
 std::vector<double> holm(const std::vector<double>& p_values) {

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxBytes = 64 * 1024 * 1024;
+constexpr std::size_t kMaxRecordBytes = 64 * 1024 * 1024;
 constexpr std::array<const char*, 3> kClockFiles{"report.html", "timing.csv", "timing.json"};
 
 bool holds_clock_readings(const std::string& path) {
@@ -118,7 +118,7 @@ std::optional<FileRecord> load_record(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(file, none)) return std::nullopt;
   try {
-    if (fs::file_size(file) > kMaxBytes) throw std::runtime_error("too long");
+    if (fs::file_size(file) > kMaxRecordBytes) throw std::runtime_error("too long");
     const Json root = read_json(file);
     if (!root.is_object() || !root.contains("castaway")) throw std::runtime_error("no list");
     return from_json(root);

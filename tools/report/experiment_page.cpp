@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/metrics/discrimination.hpp"
+#include "tools/report/curves_section.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report_style.hpp"
 #include "tools/report/time_plot.hpp"
@@ -15,16 +16,12 @@ namespace castaway::testbed {
 namespace {
 
 using Points = std::vector<std::pair<double, double>>;
-using Figure = double (*)(const ErrorRow&);
+using ErrorOf = double (*)(const ErrorRow&);
 
 /// Plots beside each other where there is room for two.
 constexpr const char* kPlots =
     "<div class=\"pictures\" "
     "style=\"grid-template-columns:repeat(auto-fit,minmax(min(420px,100%),1fr))\">";
-
-std::string section(const std::string& title, const std::string& body) {
-  return fmt::format("<section><h2>{}</h2>\n{}</section>\n", title, body);
-}
 
 std::string legend(const std::vector<std::string>& names) {
   std::string html = "<div class=\"legend\">";
@@ -44,7 +41,7 @@ std::vector<std::string> names_of(const ExperimentPage& page) {
 }
 
 /// One figure of all localizers in the example run.
-TimePlot over_time(const ExperimentPage& page, Figure figure, TimePlot plot) {
+TimePlot over_time(const ExperimentPage& page, ErrorOf figure, TimePlot plot) {
   plot.begin_s = 1e300;
   plot.end_s = 0.0;
   for (std::size_t i = 0; i < page.rows.size(); ++i) {
@@ -64,7 +61,7 @@ TimePlot over_time(const ExperimentPage& page, Figure figure, TimePlot plot) {
   return plot;
 }
 
-double most(const ExperimentPage& page, Figure figure) {
+double most(const ExperimentPage& page, ErrorOf figure) {
   double largest = 1.0;
   for (const PooledRows& rows : page.rows) {
     for (const ErrorRow& row : rows.runs.at(page.example)) {
@@ -75,10 +72,10 @@ double most(const ExperimentPage& page, Figure figure) {
 }
 
 std::string curves(const ExperimentPage& page) {
-  const Figure error = [](const ErrorRow& row) { return *row.error_m; };
-  const Figure quality = [](const ErrorRow& row) { return row.quality; };
-  const Figure sigma = [](const ErrorRow& row) { return row.sigma_m; };
-  const Figure populations = [](const ErrorRow& row) { return row.populations; };
+  const ErrorOf error = [](const ErrorRow& row) { return *row.error_m; };
+  const ErrorOf quality = [](const ErrorRow& row) { return row.quality; };
+  const ErrorOf sigma = [](const ErrorRow& row) { return row.sigma_m; };
+  const ErrorOf populations = [](const ErrorRow& row) { return row.populations; };
   const std::string key = legend(names_of(page));
   const auto logarithmic = [](const char* title) {
     return TimePlot{.title = title, .unit = "m", .low = 0.001, .high = 10.0, .logarithmic = true};
@@ -95,7 +92,7 @@ std::string curves(const ExperimentPage& page) {
          section("Hypotheses over time", render_plot(over_time(page, populations, hypotheses)));
 }
 
-Points error_against(const PooledRows& rows, Figure figure) {
+Points error_against(const PooledRows& rows, ErrorOf figure) {
   Points points;
   for (const std::vector<ErrorRow>& run : rows.runs) {
     for (const ErrorRow& row : run) {
@@ -105,7 +102,7 @@ Points error_against(const PooledRows& rows, Figure figure) {
   return points;
 }
 
-std::string scatter(const ExperimentPage& page, Figure figure, PlotAxis y) {
+std::string scatter(const ExperimentPage& page, ErrorOf figure, PlotAxis y) {
   XyPlot plot;
   plot.title = y.label + " against error";
   plot.x = {"error, m", 0.001, 100.0, true};
@@ -140,8 +137,8 @@ std::string roc(const PooledRows& rows) {
 }
 
 std::string right_from_wrong(const ExperimentPage& page) {
-  const Figure quality = [](const ErrorRow& row) { return row.quality; };
-  const Figure sigma = [](const ErrorRow& row) { return row.sigma_m; };
+  const ErrorOf quality = [](const ErrorRow& row) { return row.quality; };
+  const ErrorOf sigma = [](const ErrorRow& row) { return row.sigma_m; };
   std::string html = section(
       "Quality and uncertainty against error, all runs",
       legend(names_of(page)) + kPlots + scatter(page, quality, {"quality", 0.0, 1.0, false}) +

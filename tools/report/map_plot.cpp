@@ -14,8 +14,8 @@ namespace {
 
 using localization::SE2;
 
-constexpr double kJump = 1.0;    // [m]
-constexpr double kMargin = 1.0;  // [m] Around paths without a map.
+constexpr double kJump = 1.0;       // [m]
+constexpr double kMapMargin = 1.0;  // [m] Around paths without a map.
 
 using PoseOfRow = std::optional<SE2> ReportRow::*;
 
@@ -31,10 +31,11 @@ RosMap bounding_grid(const RunFolder& run) {
   }
   if (bounds.isEmpty()) bounds.extend(Eigen::Vector2d(0.0, 0.0));
   RosMap grid;
-  grid.origin_x = bounds.min().x() - kMargin;
-  grid.origin_y = bounds.min().y() - kMargin;
-  grid.width = static_cast<int>(std::ceil((bounds.sizes().x() + 2 * kMargin) / grid.resolution));
-  grid.height = static_cast<int>(std::ceil((bounds.sizes().y() + 2 * kMargin) / grid.resolution));
+  grid.origin_x = bounds.min().x() - kMapMargin;
+  grid.origin_y = bounds.min().y() - kMapMargin;
+  grid.width = static_cast<int>(std::ceil((bounds.sizes().x() + 2 * kMapMargin) / grid.resolution));
+  grid.height =
+      static_cast<int>(std::ceil((bounds.sizes().y() + 2 * kMapMargin) / grid.resolution));
   return grid;
 }
 

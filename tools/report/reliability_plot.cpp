@@ -9,22 +9,24 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWidth = 900.0;
-constexpr double kHeight = 360.0;
-constexpr double kTop = 24.0;
-constexpr double kSide = 290.0;  // Of both panels, upwards.
+constexpr double kReliabilityWidth = 900.0;
+constexpr double kReliabilityHeight = 360.0;
+constexpr double kReliabilityTop = 24.0;
+constexpr double kReliabilitySide = 290.0;  // Of both panels, upwards.
 constexpr int kBins = 10;
 
 /// A panel whose both axes go from 0 to 1.
 struct Panel {
   double left = 0.0;
-  double width = kSide;
+  double width = kReliabilitySide;
 
   [[nodiscard]] double x(double value) const { return left + value * width; }
-  [[nodiscard]] static double y(double value) { return kTop + (1.0 - value) * kSide; }
+  [[nodiscard]] static double y(double value) {
+    return kReliabilityTop + (1.0 - value) * kReliabilitySide;
+  }
 };
 
-constexpr Panel kDiagram{58.0, kSide};
+constexpr Panel kDiagram{58.0, kReliabilitySide};
 constexpr Panel kHistogram{440.0, 440.0};
 
 void add_grid(const Panel& panel, const char* across, const char* upwards, std::string& svg) {
@@ -93,7 +95,7 @@ std::string render_reliability(const std::vector<ReliabilityCurve>& curves) {
   std::string svg = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
       "aria-label=\"stated probability against observed frequency\">",
-      kWidth, kHeight);
+      kReliabilityWidth, kReliabilityHeight);
   add_grid(kDiagram, "stated probability", "share that is right", svg);
   add_grid(kHistogram, "stated probability", "share of the scans", svg);
   svg +=

@@ -28,7 +28,7 @@ std::string address(const fs::path& file, const fs::path& page) {
   return encoded;
 }
 
-std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+std::string runs_cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
 /// A row a localizer; the run's own cells stand in the first.
 std::string rows_of(const fs::path& folder, const fs::path& page) {
@@ -43,9 +43,9 @@ std::string rows_of(const fs::path& folder, const fs::path& page) {
   std::string rows;
   for (const auto& [name, figures] : localizers.items()) {
     rows += "<tr>" + first + "<td class=\"words\">" + describe_localizer(run, name) + "</td>" +
-            cell(readable(figure_at(figures, "/position_error_m/median"), "m")) +
-            cell(readable(figure_at(figures, "/position_error_m/p95"), "m")) +
-            cell(readable(figure_at(figures, "/recovery/time_s/max"), "s")) + "</tr>\n";
+            runs_cell(readable(figure_at(figures, "/position_error_m/median"), "m")) +
+            runs_cell(readable(figure_at(figures, "/position_error_m/p95"), "m")) +
+            runs_cell(readable(figure_at(figures, "/recovery/time_s/max"), "s")) + "</tr>\n";
     first.clear();
   }
   return rows.empty() ? "<tr>" + first + "<td colspan=\"4\">no localizer</td></tr>\n" : rows;

@@ -11,12 +11,12 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWidth = 900.0;
-constexpr double kHeight = 270.0;
-constexpr double kLeft = 58.0;
-constexpr double kRight = 12.0;
-constexpr double kTop = 22.0;
-constexpr double kBottom = 30.0;
+constexpr double kTimeWidth = 900.0;
+constexpr double kTimeHeight = 270.0;
+constexpr double kTimeLeft = 58.0;
+constexpr double kTimeRight = 12.0;
+constexpr double kTimeTop = 22.0;
+constexpr double kTimeBottom = 30.0;
 constexpr std::size_t kMaxPoints = 1200;
 
 /// From time and value to the picture.
@@ -25,14 +25,14 @@ struct Axes {
 
   [[nodiscard]] double x(double time_s) const {
     const double share = (time_s - plot.begin_s) / (plot.end_s - plot.begin_s);
-    return kLeft + share * (kWidth - kLeft - kRight);
+    return kTimeLeft + share * (kTimeWidth - kTimeLeft - kTimeRight);
   }
   [[nodiscard]] double y(double value) const {
     const auto scaled = [&](double v) { return plot.logarithmic ? std::log10(v) : v; };
     const double clipped = std::clamp(value, plot.low, plot.high);
     const double share =
         (scaled(clipped) - scaled(plot.low)) / (scaled(plot.high) - scaled(plot.low));
-    return kHeight - kBottom - share * (kHeight - kTop - kBottom);
+    return kTimeHeight - kTimeBottom - share * (kTimeHeight - kTimeTop - kTimeBottom);
   }
 };
 
@@ -64,32 +64,33 @@ void add_grid(const TimePlot& plot, const Axes& axes, std::string& svg) {
     svg += fmt::format(
         "<line class=\"grid\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>"
         "<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>",
-        kLeft, kWidth - kRight, axes.y(value), axes.y(value), kLeft - 6, axes.y(value) + 4, value);
+        kTimeLeft, kTimeWidth - kTimeRight, axes.y(value), axes.y(value), kTimeLeft - 6,
+        axes.y(value) + 4, value);
   }
   const double step = time_step(plot.end_s - plot.begin_s);
   for (double t = std::ceil(plot.begin_s / step) * step; t <= plot.end_s + 1e-9; t += step) {
     svg += fmt::format(
         "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.0f}\" y2=\"{2:.0f}\"/>"
         "<text x=\"{0:.1f}\" y=\"{3:.0f}\" text-anchor=\"middle\">{4:g}</text>",
-        axes.x(t), kTop, kHeight - kBottom, kHeight - kBottom + 16, t);
+        axes.x(t), kTimeTop, kTimeHeight - kTimeBottom, kTimeHeight - kTimeBottom + 16, t);
   }
   svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">time, s</text>",
-                     kWidth - kRight, kHeight - 2);
-  svg += fmt::format("<text x=\"{:.0f}\" y=\"12\" text-anchor=\"end\">{}</text>", kLeft - 6,
+                     kTimeWidth - kTimeRight, kTimeHeight - 2);
+  svg += fmt::format("<text x=\"{:.0f}\" y=\"12\" text-anchor=\"end\">{}</text>", kTimeLeft - 6,
                      escape_html(plot.unit));
 }
 
 void add_marks(const TimePlot& plot, const Axes& axes, std::string& svg) {
   if (plot.limit > 0.0) {
     svg += fmt::format(
-        "<line class=\"limit\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", kLeft,
-        kWidth - kRight, axes.y(plot.limit), axes.y(plot.limit));
+        "<line class=\"limit\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
+        kTimeLeft, kTimeWidth - kTimeRight, axes.y(plot.limit), axes.y(plot.limit));
   }
   for (const PlotMark& mark : plot.marks) {
     svg += fmt::format(
         "<line class=\"mark\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.0f}\" y2=\"{2:.0f}\"/>"
         "<text class=\"marked\" x=\"{0:.1f}\" y=\"14\" text-anchor=\"middle\">{3}</text>",
-        axes.x(mark.time_s), kTop, kHeight - kBottom, escape_html(mark.label));
+        axes.x(mark.time_s), kTimeTop, kTimeHeight - kTimeBottom, escape_html(mark.label));
   }
 }
 
@@ -131,7 +132,7 @@ std::string render_plot(const TimePlot& plot) {
   const Axes axes{plot};
   std::string svg = fmt::format(
       "<svg class=\"plot time\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">",
-      kWidth, kHeight, escape_html(plot.title));
+      kTimeWidth, kTimeHeight, escape_html(plot.title));
   add_grid(plot, axes, svg);
   add_marks(plot, axes, svg);
   for (const PlotCurve& curve : plot.curves) add_curve(curve, axes, svg);

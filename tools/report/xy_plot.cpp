@@ -10,12 +10,12 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr double kHeight = 340.0;
-constexpr double kLeft = 58.0;
-constexpr double kRight = 14.0;
-constexpr double kTop = 14.0;
-constexpr double kBottom = 44.0;
+constexpr double kPlotWidth = 520.0;
+constexpr double kPlotHeight = 340.0;
+constexpr double kPlotLeft = 58.0;
+constexpr double kPlotRight = 14.0;
+constexpr double kPlotTop = 14.0;
+constexpr double kPlotBottom = 44.0;
 constexpr std::size_t kMostDots = 2500;
 
 /// Where along an axis a value lies, in [0, 1].
@@ -26,11 +26,11 @@ double share(const PlotAxis& axis, double value) {
 }
 
 double x_of(const XyPlot& plot, double value) {
-  return kLeft + share(plot.x, value) * (kWidth - kLeft - kRight);
+  return kPlotLeft + share(plot.x, value) * (kPlotWidth - kPlotLeft - kPlotRight);
 }
 
 double y_of(const XyPlot& plot, double value) {
-  return kHeight - kBottom - share(plot.y, value) * (kHeight - kTop - kBottom);
+  return kPlotHeight - kPlotBottom - share(plot.y, value) * (kPlotHeight - kPlotTop - kPlotBottom);
 }
 
 std::vector<double> ticks(const PlotAxis& axis) {
@@ -48,21 +48,23 @@ void add_axes(const XyPlot& plot, std::string& svg) {
     svg += fmt::format(
         "<line class=\"grid\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
         "<text x=\"{3:.0f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:g}</text>",
-        kLeft, kWidth - kRight, y_of(plot, value), kLeft - 6, y_of(plot, value) + 4, value);
+        kPlotLeft, kPlotWidth - kPlotRight, y_of(plot, value), kPlotLeft - 6, y_of(plot, value) + 4,
+        value);
   }
   for (const double value : ticks(plot.x)) {
     svg += fmt::format(
         "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.0f}\" y2=\"{2:.0f}\"/>"
         "<text x=\"{0:.1f}\" y=\"{3:.0f}\" text-anchor=\"middle\">{4:g}</text>",
-        x_of(plot, value), kTop, kHeight - kBottom, kHeight - kBottom + 16, value);
+        x_of(plot, value), kPlotTop, kPlotHeight - kPlotBottom, kPlotHeight - kPlotBottom + 16,
+        value);
   }
-  const double middle = kTop + 0.5 * (kHeight - kTop - kBottom);
+  const double middle = kPlotTop + 0.5 * (kPlotHeight - kPlotTop - kPlotBottom);
   svg += fmt::format(
       "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>"
       "<text x=\"12\" y=\"{:.0f}\" text-anchor=\"middle\" transform=\"rotate(-90 12 {:.0f})\">{}"
       "</text>",
-      0.5 * (kLeft + kWidth - kRight), kHeight - 8, escape_html(plot.x.label), middle, middle,
-      escape_html(plot.y.label));
+      0.5 * (kPlotLeft + kPlotWidth - kPlotRight), kPlotHeight - 8, escape_html(plot.x.label),
+      middle, middle, escape_html(plot.y.label));
 }
 
 void add_line(const XyPlot& plot, const XySeries& series, std::string& svg) {
@@ -92,8 +94,8 @@ void add_nothing(const XyPlot& plot, std::string& svg) {
   const auto is_empty = [](const XySeries& series) { return series.points.empty(); };
   if (!std::all_of(plot.series.begin(), plot.series.end(), is_empty)) return;
   svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>",
-                     0.5 * (kLeft + kWidth - kRight), 0.5 * (kTop + kHeight - kBottom),
-                     escape_html(plot.nothing));
+                     0.5 * (kPlotLeft + kPlotWidth - kPlotRight),
+                     0.5 * (kPlotTop + kPlotHeight - kPlotBottom), escape_html(plot.nothing));
 }
 
 }  // namespace
@@ -109,7 +111,7 @@ std::vector<std::pair<double, double>> every_few(
 std::string render_xy_plot(const XyPlot& plot) {
   std::string svg = fmt::format(
       "<svg class=\"plot xy\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">",
-      kWidth, kHeight, escape_html(plot.title));
+      kPlotWidth, kPlotHeight, escape_html(plot.title));
   add_axes(plot, svg);
   add_nothing(plot, svg);
   for (const XySeries& series : plot.series) {

@@ -13,8 +13,8 @@ namespace castaway::testbed {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr double kLongestSweep = 10.0;  // [s] A driver that says more does not know.
-constexpr double kFastest = 20.0;       // [m/s] Faster is no drive but a kidnap.
+constexpr double kLongestRosSweep = 10.0;  // [s] A driver that says more does not know.
+constexpr double kFastest = 20.0;          // [m/s] Faster is no drive but a kidnap.
 
 std::optional<double> number_in(const std::map<std::string, std::string>& texts,
                                 const std::string& key) {
@@ -196,7 +196,7 @@ LaserScan from_ros_scan(const ros::LaserScan& message,
   const double time_increment_s =
       exact_number(message.time_increment, exact, "castaway.time_increment");
   const double sweep_s = time_increment_s * static_cast<double>(message.ranges.size());
-  const bool sensible = sweep_s >= 0.0 && sweep_s <= kLongestSweep;
+  const bool sensible = sweep_s >= 0.0 && sweep_s <= kLongestRosSweep;
   scan.time_increment = localization::from_seconds(sensible ? time_increment_s : 0.0);
   scan.range_min = exact_number(message.range_min, exact, "castaway.range_min");
   scan.range_max = exact_number(range_max, exact, "castaway.range_max");

@@ -6,7 +6,7 @@
 namespace castaway::testbed {
 namespace {
 
-using Kind = sim::Change::Kind;
+using ChangeKind = sim::Change::Kind;
 
 double share(YamlReader& map, const std::string& key) {
   const double value = map.get(key, 0.0);
@@ -19,17 +19,17 @@ sim::Change read_change(YamlReader& entry, const std::filesystem::path& folder) 
   auto [kind, body] = entry.named();
   sim::Change change;
   if (kind == "add") {
-    change.kind = Kind::kAdd;
+    change.kind = ChangeKind::kAdd;
     change.objects = read_world_object(body, 0, folder).bodies;
     return change;
   }
   change.name = body.require<std::string>("name");
   if (kind == "remove") {
-    change.kind = Kind::kRemove;
+    change.kind = ChangeKind::kRemove;
   } else if (kind == "close") {
-    change.kind = Kind::kClose;
+    change.kind = ChangeKind::kClose;
   } else if (kind == "open") {
-    change.kind = Kind::kOpen;
+    change.kind = ChangeKind::kOpen;
     change.open_deg = body.get("open_deg", change.open_deg);
   } else if (kind == "move") {
     change.by = body.get<Eigen::Vector2d>("by", change.by);

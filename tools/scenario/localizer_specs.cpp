@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-const std::vector<std::string> kKinds = {"mh_amcl", "amcl"};
+const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl"};
 const char* const kToldPreset = "amcl-global";
 
 LocalizerSpec read_localizer(YamlReader item) {
@@ -26,7 +26,7 @@ LocalizerSpec read_localizer(YamlReader item) {
     spec.config = read_amcl(body, spec.name);
     spec.relocalize_at_kidnap = spec.name == kToldPreset;
   } else {
-    item.fail("unknown localizer '" + kind + "'; " + suggestion(kind, kKinds));
+    item.fail("unknown localizer '" + kind + "'; " + suggestion(kind, kLocalizerKinds));
   }
   spec.relocalize_at_kidnap = body.get("global_localization_at_kidnap", spec.relocalize_at_kidnap);
   spec.name = get_name(body, "name", spec.name);
@@ -70,7 +70,8 @@ LocalizerSpec parse_localizer(const std::string& text) {
     throw std::invalid_argument("unknown preset '" + preset + "' of amcl; " +
                                 suggestion(preset, amcl_presets()));
   }
-  throw std::invalid_argument("unknown localizer '" + text + "'; " + suggestion(kind, kKinds));
+  throw std::invalid_argument("unknown localizer '" + text + "'; " +
+                              suggestion(kind, kLocalizerKinds));
 }
 
 }  // namespace castaway::testbed

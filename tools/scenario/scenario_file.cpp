@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever they last.
 
-double positive(YamlReader& map, const std::string& key, double fallback) {
+double above_zero(YamlReader& map, const std::string& key, double fallback) {
   const double value = map.get(key, fallback);
-  if (!(value > 0.0)) map.fail("'" + key + "' must be positive");
+  if (!(value > 0.0)) map.fail("'" + key + "' must be above_zero");
   return value;
 }
 
@@ -90,8 +90,8 @@ StartSpec read_start(YamlReader& root) {
     start.place = StartSpec::Place::kRandom;
   }
   start.known = map.get("known", start.known);
-  start.sigma_m = positive(map, "sigma_m", start.sigma_m);
-  start.sigma_yaw = positive(map, "sigma_yaw", start.sigma_yaw);
+  start.sigma_m = above_zero(map, "sigma_m", start.sigma_m);
+  start.sigma_yaw = above_zero(map, "sigma_yaw", start.sigma_yaw);
   start.wrong_by = map.get("wrong_by", start.wrong_by);
   if (!start.known && !start.wrong_by.isZero(0.0)) {
     map.fail("'wrong_by' needs a start that is known");
@@ -112,10 +112,11 @@ DriveSpec read_drive(YamlReader& root) {
   if (!drive.twist_log.empty() && (drive.by != "truth" || !drive.route.empty())) {
     map.fail("'twist_log' drives by itself; leave out 'by' and 'route'");
   }
-  drive.max_speed = positive(map, "max_speed", drive.max_speed);
-  drive.max_turn_rate = positive(map, "max_turn_rate", drive.max_turn_rate);
-  drive.max_acceleration = positive(map, "max_acceleration", drive.max_acceleration);
-  drive.max_turn_acceleration = positive(map, "max_turn_acceleration", drive.max_turn_acceleration);
+  drive.max_speed = above_zero(map, "max_speed", drive.max_speed);
+  drive.max_turn_rate = above_zero(map, "max_turn_rate", drive.max_turn_rate);
+  drive.max_acceleration = above_zero(map, "max_acceleration", drive.max_acceleration);
+  drive.max_turn_acceleration =
+      above_zero(map, "max_turn_acceleration", drive.max_turn_acceleration);
   drive.wait_s = not_negative(map, "wait_s", drive.wait_s);
   return drive;
 }
@@ -183,12 +184,12 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.world = read_world(root, folder);
   scenario.robot = read_robot(root, folder);
   scenario.seed = root.get("seed", scenario.seed);
-  scenario.duration_s = positive(root, "duration_s", scenario.duration_s);
+  scenario.duration_s = above_zero(root, "duration_s", scenario.duration_s);
   scenario.stop_after_m = not_negative(root, "stop_after_m", scenario.stop_after_m);
   scenario.kinematic = root.choice("physics", "bullet", {"bullet", "kinematic"}) == "kinematic";
   scenario.physics_hz =
-      positive(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
-  scenario.wall_height = positive(root, "wall_height", scenario.wall_height);
+      above_zero(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
+  scenario.wall_height = above_zero(root, "wall_height", scenario.wall_height);
   scenario.start = read_start(root);
   if (scenario.start.switch_on_s >= scenario.duration_s) {
     root.fail("'start.switch_on_s' must be less than 'duration_s'");

@@ -11,7 +11,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-std::vector<std::string> words_of(const std::string& command) {
+std::vector<std::string> substitution_words(const std::string& command) {
   std::istringstream stream(command);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
@@ -76,7 +76,7 @@ std::string evaluated(const std::string& expression, const SubstitutionContext& 
 }  // namespace
 
 std::string substitute(const std::string& command, const SubstitutionContext& context) {
-  const std::vector<std::string> words = words_of(command);
+  const std::vector<std::string> words = substitution_words(command);
   if (!words.empty() && words[0] == "eval") {
     return evaluated(command.substr(command.find("eval") + 4), context);
   }

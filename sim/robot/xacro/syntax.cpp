@@ -14,8 +14,8 @@ namespace {
 
 using Kind = Syntax::Kind;
 
-constexpr std::size_t kMaxLength = 4096;
-constexpr int kMaxDepth = 60;
+constexpr std::size_t kMaxExpression = 4096;
+constexpr int kMaxNesting = 60;
 
 /// Recursive descent; one function a level of precedence, the loosest first.
 class Parser {
@@ -75,7 +75,7 @@ class Parser {
 };
 
 Syntax Parser::ternary() {
-  if (++depth_ > kMaxDepth) throw std::invalid_argument("the expression is nested too deeply");
+  if (++depth_ > kMaxNesting) throw std::invalid_argument("the expression is nested too deeply");
   Syntax value = disjunction();
   if (take("if")) {
     Syntax asked = disjunction();
@@ -100,7 +100,7 @@ Syntax Parser::conjunction() {
 
 Syntax Parser::negation() {
   if (!take("not")) return comparison();
-  if (++depth_ > kMaxDepth) throw std::invalid_argument("the expression is nested too deeply");
+  if (++depth_ > kMaxNesting) throw std::invalid_argument("the expression is nested too deeply");
   Syntax result = node(Kind::kNot, "", {negation()});
   --depth_;
   return result;
@@ -154,7 +154,7 @@ Syntax Parser::product() {
 
 Syntax Parser::unary() {
   if (!is("-") && !is("+")) return power();
-  if (++depth_ > kMaxDepth) throw std::invalid_argument("the expression is nested too deeply");
+  if (++depth_ > kMaxNesting) throw std::invalid_argument("the expression is nested too deeply");
   const std::string sign = tokens_[at_++].text;
   Syntax result = node(Kind::kUnary, sign, {unary()});
   --depth_;
@@ -164,7 +164,7 @@ Syntax Parser::unary() {
 Syntax Parser::power() {
   Syntax base = postfix();
   if (!take("**")) return base;
-  if (++depth_ > kMaxDepth) throw std::invalid_argument("the expression is nested too deeply");
+  if (++depth_ > kMaxNesting) throw std::invalid_argument("the expression is nested too deeply");
   base = node(Kind::kBinary, "**", {std::move(base), unary()});
   --depth_;
   return base;
@@ -265,9 +265,9 @@ std::vector<Syntax> Parser::items(std::string_view closing) {
 }  // namespace
 
 Syntax parse_expression(const std::string& expression) {
-  if (expression.size() > kMaxLength) {
+  if (expression.size() > kMaxExpression) {
     throw std::invalid_argument(fmt::format("the expression has {} characters: at most {} are read",
-                                            expression.size(), kMaxLength));
+                                            expression.size(), kMaxExpression));
   }
   return Parser(expression).parse();
 }

@@ -8,7 +8,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-constexpr std::size_t kMaxLength = 65536;
+constexpr std::size_t kMaxText = 65536;
 
 /// A stretch of a text.
 struct Piece {
@@ -95,9 +95,9 @@ Value evaluate_text(const std::string& text, const TextContext& context) {
   std::string joined;
   for (const Piece& part : parts) {
     joined += to_text(value_of(part, context));
-    if (joined.size() > kMaxLength) {
+    if (joined.size() > kMaxText) {
       throw std::invalid_argument(
-          fmt::format("the text grows beyond {} characters: shorten it", kMaxLength));
+          fmt::format("the text grows beyond {} characters: shorten it", kMaxText));
     }
   }
   return {joined};

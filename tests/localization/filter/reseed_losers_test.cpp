@@ -9,7 +9,7 @@ namespace castaway::localization {
 namespace {
 
 /// Particles one metre apart, the later the heavier.
-ParticleSet line(int count) {
+ParticleSet particles_in_line(int count) {
   ParticleSet particles;
   for (int i = 0; i < count; ++i) {
     particles.poses.push_back({static_cast<double>(i), 0.0, 0.0});
@@ -29,7 +29,7 @@ LoserReseedConfig exact(int particles) {
 
 TEST(ReseedLosers, KeepsTheHeavyAndCopiesTheWinners) {
   Rng rng = substream(1, "losers");
-  const ParticleSet next = reseed_losers(exact(100), line(100), rng);
+  const ParticleSet next = reseed_losers(exact(100), particles_in_line(100), rng);
   ASSERT_EQ(next.size(), 100U);
   for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(next.poses[i].x, 99.0 - static_cast<double>(i));
   for (std::size_t i = 20; i < 100; ++i) EXPECT_GE(next.poses[i].x, 90.0);  // ten winners
@@ -38,7 +38,7 @@ TEST(ReseedLosers, KeepsTheHeavyAndCopiesTheWinners) {
 
 TEST(ReseedLosers, DrawsWinnersFromAHalfNormalDistribution) {
   Rng rng = substream(2, "losers");
-  const ParticleSet next = reseed_losers(exact(2000), line(2000), rng);
+  const ParticleSet next = reseed_losers(exact(2000), particles_in_line(2000), rng);
   int first_half = 0;
   const std::size_t copies = next.size() - 400;
   for (std::size_t i = 400; i < next.size(); ++i) first_half += next.poses[i].x >= 1900.0 ? 1 : 0;
@@ -51,7 +51,7 @@ TEST(ReseedLosers, DrawsWinnersFromAHalfNormalDistribution) {
 TEST(ReseedLosers, GrowsWhenSpreadAndShrinksWhenSure) {
   Rng rng = substream(3, "losers");
   LoserReseedConfig config;
-  ParticleSet spread = line(100);
+  ParticleSet spread = particles_in_line(100);
   spread.log_weights.assign(100, 0.0);
   EXPECT_EQ(reseed_losers(config, spread, rng).size(), 130U);
   ParticleSet sure = spread;
@@ -65,7 +65,7 @@ TEST(ReseedLosers, CopiesParticleByParticleWithTheWinnerUnused) {
   Rng rng = substream(4, "losers");
   PublishedDefects defects;
   defects.winner_unused = true;
-  const ParticleSet next = reseed_losers(exact(100), line(100), rng, defects);
+  const ParticleSet next = reseed_losers(exact(100), particles_in_line(100), rng, defects);
   // Loser i is a copy of the i-th heaviest, even of those that are losers themselves.
   for (std::size_t i = 0; i < 80; ++i) {
     EXPECT_EQ(next.poses[20 + i].x, 99.0 - static_cast<double>(i));
@@ -76,7 +76,7 @@ TEST(ReseedLosers, SpreadsCopiesByTheSquareOfTheirDeviation) {
   LoserReseedConfig config = exact(2000);
   config.spread_m = 0.1;
   config.spread_rad = 0.05;
-  ParticleSet one = line(2000);
+  ParticleSet one = particles_in_line(2000);
   for (SE2& pose : one.poses) pose = {};
   PublishedDefects defects;
   for (const bool squared : {false, true}) {
@@ -99,7 +99,7 @@ TEST(ReseedLosers, SpreadsCopiesByTheSquareOfTheirDeviation) {
 
 TEST(ReseedLosers, CountsByTheUnweightedCovarianceWhenAsked) {
   // Two thirds of the particles lie at one place with all the weight: sure, but spread.
-  ParticleSet particles = line(90);
+  ParticleSet particles = particles_in_line(90);
   for (std::size_t i = 0; i < 90; ++i) {
     particles.poses[i] = {i < 60 ? 0.0 : 1.0, 0.0, 0.0};
     particles.log_weights[i] = i < 60 ? 0.0 : -50.0;

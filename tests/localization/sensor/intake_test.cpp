@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 LaserScan scan_of(const std::string& lidar, Stamp stamp) {
   LaserScan scan;
@@ -27,7 +27,7 @@ TEST(Intake, TakesOdometryInOrderAndCountsTheRest) {
   EXPECT_EQ(intake.take({seconds(11), {2.0, 0.0, 0.0}}), OdometryIntake::kTaken);
   EXPECT_EQ(intake.take({seconds(11), {9.0, 0.0, 0.0}}), OdometryIntake::kDropped);
   EXPECT_EQ(intake.take({milliseconds(9001), {9.0, 0.0, 0.0}}), OdometryIntake::kDropped);
-  EXPECT_EQ(intake.take({seconds(12), {kNan, 0.0, 0.0}}), OdometryIntake::kDropped);
+  EXPECT_EQ(intake.take({seconds(12), {kNotANumber, 0.0, 0.0}}), OdometryIntake::kDropped);
   EXPECT_EQ(intake.dropped_odometry(), 3);
   EXPECT_EQ(intake.T_odom_base().at(milliseconds(10500)), (SE2{1.5, 0.0, 0.0}));
 }
@@ -63,10 +63,10 @@ TEST(Intake, RefusesScansFromOutsideOfTheMotionKnownAndWithoutNumbers) {
   EXPECT_FALSE(intake.accept(scan_of("", milliseconds(1501))));  // held for 0.5 s
   EXPECT_TRUE(intake.accept(scan_of("", milliseconds(1500))));
   LaserScan scan = scan_of("other", seconds(1));
-  scan.angle_increment = kNan;
+  scan.angle_increment = kNotANumber;
   EXPECT_FALSE(intake.accept(scan));
   scan.angle_increment = 0.1;
-  scan.T_base_laser.translation().x() = kNan;
+  scan.T_base_laser.translation().x() = kNotANumber;
   EXPECT_FALSE(intake.accept(scan));
   EXPECT_EQ(intake.dropped_scans(), 4);
 }
@@ -74,10 +74,10 @@ TEST(Intake, RefusesScansFromOutsideOfTheMotionKnownAndWithoutNumbers) {
 TEST(Start, MustBeNumbers) {
   PoseWithCovariance start;
   EXPECT_NO_THROW(validate(start));
-  start.covariance(1, 1) = kNan;
+  start.covariance(1, 1) = kNotANumber;
   EXPECT_THROW(validate(start), std::invalid_argument);
   start.covariance.setZero();
-  start.T_map_base.yaw = kNan;
+  start.T_map_base.yaw = kNotANumber;
   EXPECT_THROW(validate(start), std::invalid_argument);
 }
 

@@ -9,13 +9,13 @@
 namespace castaway::localization {
 namespace {
 
-ScanPoints forward(float range) {
+ScanPoints beam_forward(float range) {
   return {{range}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {range}};
 }
 
 bool through(const OccupancyGrid& grid, const SE2& pose, float range) {
   const DistanceField distances(grid, 5.0);
-  return RayConsistency(distances, pose, {}).through_wall(forward(range), 0);
+  return RayConsistency(distances, pose, {}).through_wall(beam_forward(range), 0);
 }
 
 // Walls at x = 2.0..2.1 and x = 5.0..5.1.

@@ -16,7 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// 10 m x 5 m.
 const FreeSpace& hall() {
@@ -121,7 +121,7 @@ TEST(KidnapTarget, TurnsInPlaceToBothSides) {
 
 TEST(KidnapTarget, WaitsWhereThereIsNoRoomToTurnOrToBePushed) {
   Rng rng(1);
-  const Pose2 at_wall{0.1, 2.5, kPi};
+  const Pose2 at_wall{0.1, 2.5, pi};
   EXPECT_FALSE(kidnap_target({.kind = KidnapKind::kTurn}, scene_at(at_wall), rng));
   EXPECT_FALSE(kidnap_target({.kind = KidnapKind::kNudge}, scene_at(at_wall), rng));
 }

@@ -11,7 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string error_of(const KidnapSpec& spec) {
+std::string kidnap_error(const KidnapSpec& spec) {
   try {
     validate(spec);
   } catch (const std::invalid_argument& error) {
@@ -33,20 +33,20 @@ TEST(Kidnap, HasAName) {
 TEST(Kidnap, RunsByItsDefaults) {
   for (const KidnapKind kind : {KidnapKind::kTeleportRandom, KidnapKind::kLookAlike,
                                 KidnapKind::kNudge, KidnapKind::kTurn, KidnapKind::kCarry}) {
-    EXPECT_EQ(error_of({.kind = kind}), "");
+    EXPECT_EQ(kidnap_error({.kind = kind}), "");
   }
 }
 
 TEST(Kidnap, SaysWhatIsWrongWithIt) {
-  EXPECT_THAT(error_of({.kind = KidnapKind::kTeleportTo}),
+  EXPECT_THAT(kidnap_error({.kind = KidnapKind::kTeleportTo}),
               AllOf(HasSubstr("at 30 s"), HasSubstr("add its target")));
-  EXPECT_THAT(error_of({.min_distance_m = -1.0}), HasSubstr("min_distance_m is -1"));
-  EXPECT_THAT(error_of({.kind = KidnapKind::kNudge, .nudge = {1.0, 0.5}}),
+  EXPECT_THAT(kidnap_error({.min_distance_m = -1.0}), HasSubstr("min_distance_m is -1"));
+  EXPECT_THAT(kidnap_error({.kind = KidnapKind::kNudge, .nudge = {1.0, 0.5}}),
               AllOf(HasSubstr("distance_m"), HasSubstr("in order")));
-  EXPECT_THAT(error_of({.kind = KidnapKind::kTurn, .turn = {0.0, 1.0}}), HasSubstr("angle"));
-  EXPECT_THAT(error_of({.kind = KidnapKind::kTurn, .turn = {1.0, 4.0}}), HasSubstr("3.1"));
-  EXPECT_THAT(error_of({.when = {KidnapTrigger::On::kPoisson, 0.0}}), HasSubstr("above 0"));
-  EXPECT_THAT(error_of({.kind = KidnapKind::kCarry, .lift = {.height = 9.0}}),
+  EXPECT_THAT(kidnap_error({.kind = KidnapKind::kTurn, .turn = {0.0, 1.0}}), HasSubstr("angle"));
+  EXPECT_THAT(kidnap_error({.kind = KidnapKind::kTurn, .turn = {1.0, 4.0}}), HasSubstr("3.1"));
+  EXPECT_THAT(kidnap_error({.when = {KidnapTrigger::On::kPoisson, 0.0}}), HasSubstr("above 0"));
+  EXPECT_THAT(kidnap_error({.kind = KidnapKind::kCarry, .lift = {.height = 9.0}}),
               HasSubstr("lift_m is 9"));
 }
 

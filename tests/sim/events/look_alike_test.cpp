@@ -13,7 +13,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Two rooms of 4 m x 4 m with a desk each, 4.2 m apart, both open to a corridor in the south.
 WorldSpec twin_rooms() {
@@ -87,7 +87,7 @@ TEST_F(LookAlikesTest, AreNoWorseThanTheBestOfAllPlaces) {
     for (double y = -1.3; y < 4.0; y += 0.25) {
       if (!free_.contains({x, y}) || std::hypot(x - from.x, y - from.y) < 2.0) continue;
       for (int k = 0; k < 72; ++k) {
-        best = std::min(best, places.unlikeness(from, {x, y, k * kPi / 36.0}));
+        best = std::min(best, places.unlikeness(from, {x, y, k * pi / 36.0}));
       }
     }
   }
@@ -97,13 +97,13 @@ TEST_F(LookAlikesTest, AreNoWorseThanTheBestOfAllPlaces) {
 TEST_F(LookAlikesTest, CompareOnlyWhatTheLidarLooksAt) {
   LidarConfig ahead = level_lidar();
   ahead.beams = 61;
-  ahead.angle_min = -kPi / 6.0;
-  ahead.angle_increment = kPi / 180.0;
+  ahead.angle_min = -pi / 6.0;
+  ahead.angle_increment = pi / 180.0;
   const LookAlikes narrow(scene_, free_, ahead);
   const LookAlikes wide(scene_, free_, level_lidar());
   // Both look at the middle of the corridor's long wall; behind one is a door.
-  const Pose2 a{2.0, -0.6, -0.5 * kPi};
-  const Pose2 b{4.1, -0.6, -0.5 * kPi};
+  const Pose2 a{2.0, -0.6, -0.5 * pi};
+  const Pose2 b{4.1, -0.6, -0.5 * pi};
   EXPECT_LT(narrow.unlikeness(a, b), 0.01);
   EXPECT_GT(wide.unlikeness(a, b), 0.1);
 }
@@ -114,8 +114,8 @@ TEST_F(LookAlikesTest, HoldOneScanAgainstAnotherAsTheLidarTakesThem) {
   LidarConfig exact = config;
   exact.noise.sigma = 0.0;
   exact.beams = 180;
-  exact.angle_min = -kPi;
-  exact.angle_increment = 2.0 * kPi / 180;
+  exact.angle_min = -pi;
+  exact.angle_increment = 2.0 * pi / 180;
   const Lidar lidar(exact);
   const Pose2 a{2.5, 2.2, 0.7};
   const Pose2 b{6.0, 1.0, -1.1};

@@ -7,7 +7,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-FaultSpec fault(FaultKind kind) {
+FaultSpec odometry_fault(FaultKind kind) {
   FaultSpec spec;
   spec.kind = kind;
   spec.at_s = 1.0;
@@ -16,14 +16,14 @@ FaultSpec fault(FaultKind kind) {
 }
 
 TEST(OdometryFaults, AFreezeStopsBothWheels) {
-  const OdometryFaults faults({fault(FaultKind::kOdometryFrozen)});
+  const OdometryFaults faults({odometry_fault(FaultKind::kOdometryFrozen)});
   EXPECT_FALSE(faults.gain(milliseconds(999)).frozen());
   EXPECT_TRUE(faults.gain(milliseconds(1000)).frozen());
   EXPECT_EQ(faults.gain(milliseconds(2000)).left, 1.0);
 }
 
 TEST(OdometryFaults, AWrongScaleGoesForBothWheels) {
-  FaultSpec spec = fault(FaultKind::kOdometryScale);
+  FaultSpec spec = odometry_fault(FaultKind::kOdometryScale);
   spec.scale = 1.25;
   const WheelGain gain = OdometryFaults({spec}).gain(milliseconds(1500));
   EXPECT_EQ(gain.left, 1.25);
@@ -31,7 +31,7 @@ TEST(OdometryFaults, AWrongScaleGoesForBothWheels) {
 }
 
 TEST(OdometryFaults, AReversedWheelIsOneOfTheTwo) {
-  FaultSpec spec = fault(FaultKind::kOdometryReversed);
+  FaultSpec spec = odometry_fault(FaultKind::kOdometryReversed);
   EXPECT_EQ(OdometryFaults({spec}).gain(milliseconds(1500)).right, -1.0);
   EXPECT_EQ(OdometryFaults({spec}).gain(milliseconds(1500)).left, 1.0);
   spec.reverse_right = false;
@@ -39,23 +39,24 @@ TEST(OdometryFaults, AReversedWheelIsOneOfTheTwo) {
 }
 
 TEST(OdometryFaults, OverlappingOnesMultiply) {
-  FaultSpec scale = fault(FaultKind::kOdometryScale);
+  FaultSpec scale = odometry_fault(FaultKind::kOdometryScale);
   scale.scale = 2.0;
-  const WheelGain gain =
-      OdometryFaults({scale, fault(FaultKind::kOdometryReversed)}).gain(milliseconds(1500));
+  const WheelGain gain = OdometryFaults({scale, odometry_fault(FaultKind::kOdometryReversed)})
+                             .gain(milliseconds(1500));
   EXPECT_EQ(gain.left, 2.0);
   EXPECT_EQ(gain.right, -2.0);
 }
 
 TEST(OdometryFaults, ADropoutLosesReadings) {
-  const OdometryFaults faults({fault(FaultKind::kOdometryDropout)});
+  const OdometryFaults faults({odometry_fault(FaultKind::kOdometryDropout)});
   EXPECT_FALSE(faults.lost(milliseconds(999)));
   EXPECT_TRUE(faults.lost(milliseconds(1500)));
   EXPECT_EQ(faults.gain(milliseconds(1500)).left, 1.0);
 }
 
 TEST(OdometryFaults, AResetIsDueOnce) {
-  OdometryFaults faults({fault(FaultKind::kOdometryReset), fault(FaultKind::kLidarDropout)});
+  OdometryFaults faults(
+      {odometry_fault(FaultKind::kOdometryReset), odometry_fault(FaultKind::kLidarDropout)});
   EXPECT_FALSE(faults.reset_due(milliseconds(999)));
   EXPECT_TRUE(faults.reset_due(milliseconds(1001)));
   EXPECT_FALSE(faults.reset_due(milliseconds(1002)));

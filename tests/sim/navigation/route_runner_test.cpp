@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPeriod = 0.05;  // [s]
+constexpr double kControlPeriod = 0.05;  // [s]
 
 FreeSpace room() { return {rasterise(test_room(), 0.2, 0.05), 0.3}; }
 
@@ -23,9 +23,10 @@ RouteConfig route(std::vector<Eigen::Vector2d> waypoints, bool loop) {
 
 /// An exact unicycle.
 Pose2 moved(const Pose2& pose, const Twist2& twist) {
-  const double yaw = pose.yaw + 0.5 * twist.w * kPeriod;
-  return {pose.x + twist.v * kPeriod * std::cos(yaw), pose.y + twist.v * kPeriod * std::sin(yaw),
-          wrap_angle(pose.yaw + twist.w * kPeriod)};
+  const double yaw = pose.yaw + 0.5 * twist.w * kControlPeriod;
+  return {pose.x + twist.v * kControlPeriod * std::cos(yaw),
+          pose.y + twist.v * kControlPeriod * std::sin(yaw),
+          wrap_angle(pose.yaw + twist.w * kControlPeriod)};
 }
 
 TEST(RouteRunner, ReachesItsWaypointsAndStops) {
@@ -60,7 +61,7 @@ TEST(RouteRunner, NeverLeavesTheFreeSpace) {
   for (int i = 0; i < 6000; ++i) {
     const Twist2 twist = runner.command(pose);
     pose = moved(pose, twist);
-    way += twist.v * kPeriod;
+    way += twist.v * kControlPeriod;
     ASSERT_TRUE(tight.contains(pose.position())) << i;
   }
   EXPECT_GT(way, 80.0);

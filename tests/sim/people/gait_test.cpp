@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kStep = 0.05;  // [s]
+constexpr double kGaitStep = 0.05;  // [s]
 
 class GaitTest : public ::testing::Test {
  protected:
@@ -21,10 +21,10 @@ class GaitTest : public ::testing::Test {
     state.velocity = {speed, 0.0};
     stand(state);
     std::vector<PersonState> states{state};
-    for (double t = 0.0; t < seconds; t += kStep) {
+    for (double t = 0.0; t < seconds; t += kGaitStep) {
       const PersonState before = state;
-      state.position.x() += speed * kStep;
-      walk(space_, before, kStep, state);
+      state.position.x() += speed * kGaitStep;
+      walk(space_, before, kGaitStep, state);
       states.push_back(state);
     }
     return states;
@@ -83,12 +83,12 @@ TEST_F(GaitTest, WhoStopsBringsTheFeetTogether) {
   state.velocity.setZero();
   for (int i = 0; i < 60; ++i) {
     const PersonState before = state;
-    walk(space_, before, kStep, state);
+    walk(space_, before, kGaitStep, state);
   }
   EXPECT_LT((state.feet[0] - state.position - Eigen::Vector2d(0.0, kFootSpread)).norm(), 0.081);
   EXPECT_LT((state.feet[1] - state.position + Eigen::Vector2d(0.0, kFootSpread)).norm(), 0.081);
   const PersonState at_rest = state;
-  walk(space_, at_rest, kStep, state);
+  walk(space_, at_rest, kGaitStep, state);
   EXPECT_EQ(state.feet, at_rest.feet);
   EXPECT_EQ(state.gait_phase, at_rest.gait_phase);
 }
@@ -100,7 +100,7 @@ TEST_F(GaitTest, NoFootIsPutIntoAWall) {
   stand(state);
   for (int i = 0; i < 40; ++i) {
     const PersonState before = state;
-    walk(space_, before, kStep, state);
+    walk(space_, before, kGaitStep, state);
     for (const Eigen::Vector2d& foot : state.feet) EXPECT_LT(foot.x(), 10.0);
   }
 }
@@ -110,7 +110,7 @@ TEST_F(GaitTest, WhoIsPutElsewhereStandsThere) {
   stand(before);
   PersonState state = before;
   state.position = {5.0, 5.0};
-  walk(space_, before, kStep, state);
+  walk(space_, before, kGaitStep, state);
   EXPECT_NEAR((state.feet[0] - state.position).norm(), kFootSpread, 1e-12);
 }
 

@@ -9,7 +9,7 @@
 namespace castaway::sim {
 namespace {
 
-const RobotBody kFarRobot = square_robot({50.0, 50.0, 0.0});
+const RobotBody kRobotFarAway = square_robot({50.0, 50.0, 0.0});
 
 std::vector<PersonState> states(const std::vector<Agent>& agents) {
   std::vector<PersonState> result;
@@ -56,7 +56,7 @@ TEST(Separate, PartsTwoByHalfEach) {
   const TestHall hall(6.0);
   const WalkSpace space(hall.map);
   std::vector<Agent> agents{agent_at({0.0, 0.0}), agent_at({0.3, 0.0})};
-  separate(space, kFarRobot, states(agents), agents);
+  separate(space, kRobotFarAway, states(agents), agents);
   EXPECT_NEAR(agents[0].state.position.x(), -0.05, 1e-9);
   EXPECT_NEAR(agents[1].state.position.x(), 0.35, 1e-9);
 }
@@ -75,7 +75,7 @@ TEST(Separate, LeavesWhoIsApartAlone) {
   const WalkSpace space(hall.map);
   std::vector<Agent> agents{agent_at({0.0, 0.0}), agent_at({0.41, 0.0})};
   const auto before = states(agents);
-  separate(space, kFarRobot, before, agents);
+  separate(space, kRobotFarAway, before, agents);
   EXPECT_EQ(agents[0].state.position, before[0].position);
   EXPECT_EQ(agents[1].state.position, before[1].position);
 }

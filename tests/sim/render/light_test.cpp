@@ -21,7 +21,7 @@ SceneItem floor_item() {
   return item;
 }
 
-SceneItem box_at(const Eigen::Vector3f& center) {
+SceneItem lit_box_at(const Eigen::Vector3f& center) {
   SceneItem item;
   item.mesh = box_mesh({1.0F, 1.0F, 1.0F});
   item.T_map_mesh.translation() = center;
@@ -76,7 +76,7 @@ TEST_F(LightTest, LeavesAnOpenFloorItsColour) {
 TEST_F(LightTest, CastsTheShadowOfABoxAwayFromTheSun) {
   Scene scene = floor_from_above();
   const int open = seen(scene, -1.5, -1.0);
-  scene.items.push_back(box_at({0.0F, 0.0F, 0.5F}));
+  scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.5F}));
   EXPECT_LT(seen(scene, 0.7, 0.0), 0.8 * open);
   EXPECT_LT(seen(scene, 0.0, 0.8), 0.8 * open);
   EXPECT_GT(seen(scene, -0.9, 0.0), 0.95 * open);
@@ -86,7 +86,7 @@ TEST_F(LightTest, CastsTheShadowOfABoxAwayFromTheSun) {
 TEST_F(LightTest, LetsThingsStandOnTheFloor) {
   Scene scene = floor_from_above();
   const int open = seen(scene, -1.5, -1.0);
-  scene.items.push_back(box_at({0.0F, 0.0F, 0.5F}));
+  scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.5F}));
   EXPECT_LT(seen(scene, 0.52, 0.0), 0.8 * open);  // No gap of light along its edges.
   EXPECT_LT(seen(scene, 0.0, 0.52), 0.8 * open);
 }
@@ -98,7 +98,7 @@ TEST_F(LightTest, DarkensTheFloorAtTheFootOfASunnyWall) {
   scene.camera.up = Eigen::Vector3f::UnitZ();
   scene.camera.ortho_height = 0.0F;
   const int open = middle(scene);
-  scene.items.push_back(box_at({0.0F, 0.0F, 0.5F}));  // Its face is 5 cm behind.
+  scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.5F}));  // Its face is 5 cm behind.
   EXPECT_LT(middle(scene), 0.96 * open);
   EXPECT_GT(middle(scene), 0.6 * open);
 }
@@ -110,7 +110,7 @@ TEST_F(LightTest, DarkensTheFloorBeneathABoxInTheAir) {
   scene.camera.up = Eigen::Vector3f::UnitZ();
   scene.camera.ortho_height = 0.0F;
   const int open = middle(scene);
-  scene.items.push_back(box_at({0.1F, 0.1F, 1.1F}));
+  scene.items.push_back(lit_box_at({0.1F, 0.1F, 1.1F}));
   EXPECT_LT(middle(scene), 0.8 * open);
   EXPECT_NEAR(middle(scene, 4), open, 0.05 * open);
 }
@@ -118,7 +118,7 @@ TEST_F(LightTest, DarkensTheFloorBeneathABoxInTheAir) {
 TEST_F(LightTest, CastsNoShadowOfWhatLetsLightPass) {
   Scene scene = floor_from_above();
   const int open = seen(scene, 0.7, 0.0);
-  scene.items.push_back(box_at({0.0F, 0.0F, 2.0F}));
+  scene.items.push_back(lit_box_at({0.0F, 0.0F, 2.0F}));
   scene.items.back().casts_shadow = false;
   EXPECT_NEAR(seen(scene, 1.25, 1.0), open, 2.0);
   scene.items.back().casts_shadow = true;
@@ -131,11 +131,11 @@ TEST_F(LightTest, LeavesFacesEven) {
     for (const Eigen::Vector3f& side : {Eigen::Vector3f(1.0F, 0.0F, 0.0F), {0.6F, 0.0F, 0.8F}}) {
       const Eigen::AngleAxisf turn(yaw, Eigen::Vector3f::UnitZ());
       Scene scene;
-      scene.items.push_back(box_at({0.0F, 0.0F, 0.0F}));
+      scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.0F}));
       scene.items.back().mesh = box_mesh({3.0F, 3.0F, 3.0F});
       scene.items.back().T_map_mesh.linear() =
           (turn * Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitX(), side)).matrix();
-      scene.items.push_back(box_at({30.0F, 0.0F, -5.0F}));  // Makes the map coarse.
+      scene.items.push_back(lit_box_at({30.0F, 0.0F, -5.0F}));  // Makes the map coarse.
       scene.camera.eye = 6.0F * (turn * side);
       scene.camera.ortho_height = 1.8F;
       const Image image = renderer_->render(scene);
@@ -149,7 +149,7 @@ TEST_F(LightTest, LeavesFacesEven) {
 TEST_F(LightTest, ChangesNoLabels) {
   Scene scene = floor_from_above();
   scene.camera = {};
-  scene.items.push_back(box_at({0.0F, 0.0F, 0.5F}));
+  scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.5F}));
   scene.items.back().instance = 12;
   const LabelledView lit = renderer_->capture(scene);
   for (SceneItem& item : scene.items) item.shaded = false;
@@ -163,7 +163,7 @@ TEST_F(LightTest, ChangesNoLabels) {
 TEST_F(LightTest, GivesTheSamePixelsTwice) {
   Scene scene = floor_from_above();
   scene.camera = {};
-  scene.items.push_back(box_at({0.3F, 0.1F, 0.5F}));
+  scene.items.push_back(lit_box_at({0.3F, 0.1F, 0.5F}));
   const Image first = renderer_->render(scene);
   Scene between = floor_from_above();
   static_cast<void>(renderer_->render(between));

@@ -11,7 +11,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(10);
 /// No ramp to speak of: the command holds from the first step on.
 const TwistLimits kAtOnce{2.0, 2.0, 1e6, 1e6};
@@ -92,7 +92,7 @@ TEST(KinematicRobot, StopsAtAWallCountsItAndComesOffAgain) {
 }
 
 TEST(KinematicRobot, LeavesTheMarginOfAnObstacleItWasPutInto) {
-  KinematicRobot robot = robot_at({4.9, 0.0, kPi});
+  KinematicRobot robot = robot_at({4.9, 0.0, pi});
   run(robot, {0.5, 0.0}, 200);
   EXPECT_NEAR(pose_of(robot).x, 3.9, 1e-6);
   EXPECT_EQ(robot.collisions(), 0);

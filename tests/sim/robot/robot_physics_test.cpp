@@ -12,8 +12,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(2);
+using std::numbers::pi;
+constexpr std::chrono::nanoseconds kPhysicsStep = std::chrono::milliseconds(2);
 const TwistLimits kLimits{0.5, 1.0, 0.5, 2.0};
 
 WorldSpec open_floor() {
@@ -36,7 +36,7 @@ double tilt(const RobotState& state) {
 }
 
 SquareError drive_square(const RobotModel& robot, double side) {
-  RobotPhysics physics(open_floor(), robot, {}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), robot, {}, kLimits, kPhysicsStep);
   Rng rng;
   WheelOdometry odometry(ideal_odometry(), drive_geometry(robot), rng);
   SquareError error;
@@ -53,7 +53,7 @@ SquareError drive_square(const RobotModel& robot, double side) {
   for (int edge = 0; edge < 4; ++edge) {
     run({0.5, 0.0}, side / 0.5);
     run({0.0, 0.0}, 1.5);
-    run({0.0, 1.0}, 0.5 * kPi);
+    run({0.0, 1.0}, 0.5 * pi);
     run({0.0, 0.0}, 1.0);
   }
   const Pose2 truth = to_planar(physics.state().T_map_base);
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, SquareOf,
                                          CASTAWAY_TEST_DATA "/robots/pioneer_like.urdf"));
 
 TEST(RobotPhysics, RampsUpAndReachesTheCommand) {
-  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.0});
   for (int i = 0; i < 400; ++i) physics.step();  // 0.8 s of acceleration at 0.5 m/s^2.
   EXPECT_NEAR(to_planar(physics.state().T_map_base).x, 0.16, 0.005);
@@ -92,7 +92,7 @@ TEST(RobotPhysics, RampsUpAndReachesTheCommand) {
 }
 
 TEST(RobotPhysics, TurnsCounterClockwiseForPositiveRates) {
-  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.0, 1.0});
   for (int i = 0; i < 750; ++i) physics.step();
   EXPECT_NEAR(to_planar(physics.state().T_map_base).yaw, 1.25, 0.02);
@@ -101,7 +101,7 @@ TEST(RobotPhysics, TurnsCounterClockwiseForPositiveRates) {
 }
 
 TEST(RobotPhysics, StandsStill) {
-  RobotPhysics physics(open_floor(), test_robot(), {1.0, 2.0, 0.5}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), test_robot(), {1.0, 2.0, 0.5}, kLimits, kPhysicsStep);
   for (int i = 0; i < 5000; ++i) physics.step();
   const Pose2 pose = to_planar(physics.state().T_map_base);
   EXPECT_NEAR(pose.x, 1.0, 1e-4);
@@ -111,7 +111,7 @@ TEST(RobotPhysics, StandsStill) {
 }
 
 TEST(RobotPhysics, TeleportMovesTheTruthAndNothingElse) {
-  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.5});
   for (int i = 0; i < 1000; ++i) physics.step();
   const WheelAngles before = physics.state().wheels;
@@ -131,7 +131,7 @@ TEST(RobotPhysics, TeleportMovesTheTruthAndNothingElse) {
 TEST(RobotPhysics, CountsARunIntoAWallOnce) {
   WorldSpec world = open_floor();
   world.objects = {box_on_floor("wall", {0.2, 4.0, 1.0}, {1.1, 0.0})};
-  RobotPhysics physics(world, test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(world, test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.0});
   for (int i = 0; i < 3000; ++i) physics.step();
   EXPECT_EQ(physics.collisions(), 1);
@@ -144,7 +144,7 @@ TEST(RobotPhysics, MeshesStopItToo) {
   cube.shape = MeshShape{CASTAWAY_TEST_DATA "/meshes/cube.obj", Eigen::Vector3d::Ones()};
   cube.T_map_object = Eigen::Translation3d(1.5, 0.0, 0.5);
   world.objects = {cube};
-  RobotPhysics physics(world, test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(world, test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.0});
   for (int i = 0; i < 3000; ++i) physics.step();
   EXPECT_EQ(physics.collisions(), 1);
@@ -158,7 +158,7 @@ TEST(RobotPhysics, AMeshForABodyCollidesAsItsHull) {
   robot.collisions[0].shape =
       MeshShape{CASTAWAY_ROBOTS "/waffle/meshes/base.obj", Eigen::Vector3d::Ones()};
   robot.collisions[0].T_base_part = Eigen::Translation3d(0.0, 0.0, 0.01);
-  RobotPhysics physics(world, robot, {}, kLimits, kStep);
+  RobotPhysics physics(world, robot, {}, kLimits, kPhysicsStep);
   physics.set_command({0.3, 0.0});
   for (int i = 0; i < 3000; ++i) physics.step();
   EXPECT_EQ(physics.collisions(), 1);
@@ -171,7 +171,7 @@ TEST(RobotPhysics, ManyBoxesStopItLikeFew) {
     world.objects.push_back(
         box_on_floor("brick", {0.05, 0.05, 1.0}, {1.0 + 0.05 * (i / 80), 0.05 * (i % 80) - 2.0}));
   }
-  RobotPhysics physics(world, test_robot(), {}, kLimits, kStep);
+  RobotPhysics physics(world, test_robot(), {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.0});
   for (int i = 0; i < 3000; ++i) physics.step();
   EXPECT_EQ(physics.collisions(), 1);
@@ -181,7 +181,7 @@ TEST(RobotPhysics, ManyBoxesStopItLikeFew) {
 TEST(RobotPhysics, KeepsTheCurveWhereWheelsAreTooSlow) {
   RobotModel robot = test_robot();
   for (DriveWheel& wheel : robot.wheels) wheel.speed_max = 6.0;  // 0.2 m/s.
-  RobotPhysics physics(open_floor(), robot, {}, kLimits, kStep);
+  RobotPhysics physics(open_floor(), robot, {}, kLimits, kPhysicsStep);
   physics.set_command({0.4, 0.4});  // A circle of 1 m.
   for (int i = 0; i < 1000; ++i) physics.step();
   const WheelAngles before = physics.state().wheels;

@@ -14,7 +14,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kStepsPerSecond = 500;
 
 /// What README.md of a robot says, and how far odometry may err.
@@ -105,7 +105,7 @@ TEST_P(ShippedRobot, DrivesStraight) {
 
 TEST_P(ShippedRobot, TurnsOnTheSpot) {
   Drive drive(load(GetParam()));
-  drive.run({0.0, 0.8}, 4.0 * kPi / 0.8);
+  drive.run({0.0, 0.8}, 4.0 * pi / 0.8);
   drive.run({0.0, 0.0}, 1.0);
   record("turn", drive);
   EXPECT_LT(drive.yaw_error(), GetParam().turn_error);

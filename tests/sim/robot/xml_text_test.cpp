@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string error_of(const std::string& text) {
+std::string xml_error(const std::string& text) {
   return error_text([&] { (void)parse_xml("a.xml", text); });
 }
 
@@ -21,25 +21,25 @@ TEST(XmlText, IsParsed) {
 }
 
 TEST(XmlText, WithEntitiesIsRefused) {
-  EXPECT_THAT(error_of("\n<!DOCTYPE a [<!ENTITY b \"c\">]><a>&b;</a>"),
+  EXPECT_THAT(xml_error("\n<!DOCTYPE a [<!ENTITY b \"c\">]><a>&b;</a>"),
               HasSubstr("a.xml:2: document types and entities"));
 }
 
 TEST(XmlText, ThatWouldOverflowTheParserIsRefused) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
-  EXPECT_THAT(error_of(deep), HasSubstr("nested deeper than 200"));
+  EXPECT_THAT(xml_error(deep), HasSubstr("nested deeper than 200"));
   std::string wide = "<a>";
   for (int i = 0; i < 200001; ++i) wide += "<b/>";
-  EXPECT_THAT(error_of(wide + "</a>"), HasSubstr("more than 200000 elements"));
+  EXPECT_THAT(xml_error(wide + "</a>"), HasSubstr("more than 200000 elements"));
 }
 
 TEST(XmlText, ThatIsTornOrNoTextIsRefused) {
-  EXPECT_THAT(error_of("<a>\n<b></a>"), HasSubstr("not well-formed"));
-  EXPECT_THAT(error_of("<a"), HasSubstr("a.xml"));
-  EXPECT_THAT(error_of("<!-- never closed"), HasSubstr("a.xml"));
-  EXPECT_THAT(error_of(""), HasSubstr("a.xml"));
-  EXPECT_THAT(error_of(std::string("<a>\0</a>", 8)), HasSubstr("zero byte"));
+  EXPECT_THAT(xml_error("<a>\n<b></a>"), HasSubstr("not well-formed"));
+  EXPECT_THAT(xml_error("<a"), HasSubstr("a.xml"));
+  EXPECT_THAT(xml_error("<!-- never closed"), HasSubstr("a.xml"));
+  EXPECT_THAT(xml_error(""), HasSubstr("a.xml"));
+  EXPECT_THAT(xml_error(std::string("<a>\0</a>", 8)), HasSubstr("zero byte"));
   EXPECT_THAT(error_text([] { (void)read_xml_text("/nowhere.urdf"); }), HasSubstr("cannot read"));
   EXPECT_THAT(error_text([] { (void)read_xml_text("/tmp"); }), HasSubstr("cannot read"));
 }

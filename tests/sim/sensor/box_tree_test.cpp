@@ -1,32 +1,16 @@
 #include "sim/sensor/box_tree.hpp"
 
+#include <gtest/gtest.h>
 #include <limits>
 #include <set>
 
-#include <gtest/gtest.h>
-#include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
-
 #include "sim/random.hpp"
+#include "tests/sim/support/random_rays.hpp"
 
 namespace castaway::sim {
 namespace {
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
-
-Eigen::Vector3d random_point(double reach, Rng& rng) {
-  boost::random::uniform_real_distribution<double> any(-reach, reach);
-  const double x = any(rng);
-  const double y = any(rng);
-  return {x, y, any(rng)};
-}
-
-Eigen::Vector3d random_direction(Rng& rng) {
-  boost::random::normal_distribution<double> normal;
-  const double x = normal(rng);
-  const double y = normal(rng);
-  return Eigen::Vector3d(x, y, normal(rng)).normalized();
-}
 
 Boxes random_boxes(int count, double reach, Rng& rng) {
   Boxes boxes;

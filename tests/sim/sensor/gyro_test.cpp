@@ -26,7 +26,7 @@ double drift(const GyroConfig& config) {
   return std::sqrt(squares / kGyros) / kDegree;
 }
 
-double tolerance(double sigma) { return 4.0 * sigma / std::sqrt(2.0 * kGyros); }
+double gyro_tolerance(double sigma) { return 4.0 * sigma / std::sqrt(2.0 * kGyros); }
 
 TEST(Gyro, WithoutErrorIsExact) {
   Gyro gyro(exact(), Rng(1));
@@ -36,13 +36,13 @@ TEST(Gyro, WithoutErrorIsExact) {
 TEST(Gyro, NoiseWalksWithTheRootOfTime) {
   GyroConfig config = exact();
   config.noise_deg = 0.1;
-  EXPECT_NEAR(drift(config), 0.1 * std::sqrt(10.0), tolerance(0.1 * std::sqrt(10.0)));
+  EXPECT_NEAR(drift(config), 0.1 * std::sqrt(10.0), gyro_tolerance(0.1 * std::sqrt(10.0)));
 }
 
 TEST(Gyro, BiasGrowsWithTime) {
   GyroConfig config = exact();
   config.bias_deg_s = 0.05;
-  EXPECT_NEAR(drift(config), 0.5, tolerance(0.5));
+  EXPECT_NEAR(drift(config), 0.5, gyro_tolerance(0.5));
 }
 
 TEST(Gyro, AWalkingBiasGrowsFaster) {
@@ -50,7 +50,7 @@ TEST(Gyro, AWalkingBiasGrowsFaster) {
   config.bias_walk_deg_s = 0.02;
   // Sum over steps k of k dt, each of variance 0.02^2 dt: dt^3 n (n + 1) (2 n + 1) / 6.
   const double expected = 0.02 * std::sqrt(1e-3 * 100.0 * 101.0 * 201.0 / 6.0);
-  EXPECT_NEAR(drift(config), expected, tolerance(expected));
+  EXPECT_NEAR(drift(config), expected, gyro_tolerance(expected));
 }
 
 TEST(Gyro, ScaleErrsWithTurns) {
@@ -61,7 +61,7 @@ TEST(Gyro, ScaleErrsWithTurns) {
     const double error = Gyro(config, Rng(seed)).measured(2.0, 0.1) - 2.0;
     squares += error * error;
   }
-  EXPECT_NEAR(std::sqrt(squares / kGyros), 0.02, tolerance(0.02));
+  EXPECT_NEAR(std::sqrt(squares / kGyros), 0.02, gyro_tolerance(0.02));
 }
 
 TEST(Gyro, RefusesWhatCannotBe) {

@@ -14,11 +14,11 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(LidarConfig, NamesTheFieldThatIsWrong) {
   LidarConfig config;
-  config.angle_increment = 2.0 * kPi / 359.0;  // The last beam would repeat the first.
+  config.angle_increment = 2.0 * pi / 359.0;  // The last beam would repeat the first.
   try {
     validate(config);
     FAIL();
@@ -32,12 +32,12 @@ TEST(LidarConfig, AFullCircleDoesNotRepeatItsFirstBeam) {
   robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};
   robot.lidar->specs->samples = 360;
   robot.lidar->specs->angle_max = 6.28319;
-  EXPECT_NEAR(lidar_of(robot).angle_increment, 2.0 * kPi / 360.0, 1e-9);
+  EXPECT_NEAR(lidar_of(robot).angle_increment, 2.0 * pi / 360.0, 1e-9);
   EXPECT_NO_THROW(validate(lidar_of(robot)));
-  robot.lidar->specs->angle_min = -kPi / 2;
-  robot.lidar->specs->angle_max = kPi / 2;
+  robot.lidar->specs->angle_min = -pi / 2;
+  robot.lidar->specs->angle_max = pi / 2;
   robot.lidar->specs->samples = 181;
-  EXPECT_NEAR(lidar_of(robot).angle_increment, kPi / 180.0, 1e-9);
+  EXPECT_NEAR(lidar_of(robot).angle_increment, pi / 180.0, 1e-9);
 }
 
 TEST(LidarConfig, OfARobotWithoutOneStandsFreeOfItsBody) {

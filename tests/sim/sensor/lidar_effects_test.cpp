@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const Eigen::Isometry3d kOrigin = Eigen::Isometry3d::Identity();
 
@@ -28,7 +28,7 @@ LidarConfig two_beams() {
   config.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.5);
   config.beams = 2;
   config.angle_min = 0.0;
-  config.angle_increment = kPi / 3;
+  config.angle_increment = pi / 3;
   config.noise = ideal_ranges();
   return config;
 }
@@ -121,8 +121,8 @@ TEST(LidarEffects, ALostBeamIsNoReturnAndShiftsNoNoise) {
 
 TEST(LidarLayers, MeetTheFloorInRings) {
   LidarConfig config = two_beams();
-  config.elevations = {-kPi / 6, -kPi / 12, 0.0};
-  config.angle_min = kPi;  // Away from the wall.
+  config.elevations = {-pi / 6, -pi / 12, 0.0};
+  config.angle_min = pi;  // Away from the wall.
   for (int layer = 0; layer < 2; ++layer) {
     const double elevation = config.elevations[static_cast<std::size_t>(layer)];
     const Beam ring = beam(config, 2 * layer);
@@ -135,14 +135,14 @@ TEST(LidarLayers, MeetTheFloorInRings) {
 TEST(LidarLayers, MeetAWallAsHighAsItIs) {
   LidarConfig config = two_beams();
   // At 2 m, the upper edge of the wall is 0.5 m above the lidar: 14.04 degrees.
-  config.elevations = {14.0 * kPi / 180.0, 14.1 * kPi / 180.0};
-  EXPECT_NEAR(beam(config, 0).range, 2.0 / std::cos(14.0 * kPi / 180.0), 1e-6);
+  config.elevations = {14.0 * pi / 180.0, 14.1 * pi / 180.0};
+  EXPECT_NEAR(beam(config, 0).range, 2.0 / std::cos(14.0 * pi / 180.0), 1e-6);
   EXPECT_EQ(beam(config, 2).range, kInfinity);
 }
 
 TEST(LidarLayers, AScanHoldsThemOneAfterTheOther) {
   LidarConfig config = two_beams();
-  config.elevations = {-kPi / 6, 0.0};
+  config.elevations = {-pi / 6, 0.0};
   const WorldSpec world = one_wall();
   const RayScene scene(ray_primitives(world));
   LidarSweeper sweeper(config, Surfaces(world));

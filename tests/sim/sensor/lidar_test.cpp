@@ -14,8 +14,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr double kPi = std::numbers::pi;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using std::numbers::pi;
+constexpr float kNoEcho = std::numeric_limits<float>::infinity();
 
 /// Walls at x = 2 and y = 1, each 4 m wide and 1 m high.
 RayScene two_walls() {
@@ -30,7 +30,7 @@ LidarConfig four_beams() {
   config.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);
   config.beams = 4;
   config.angle_min = 0.0;
-  config.angle_increment = kPi / 2;
+  config.angle_increment = pi / 2;
   config.noise.sigma = 0.0;
   return config;
 }
@@ -47,30 +47,30 @@ std::vector<float> scan(const LidarConfig& config, const Pose2& T_map_base = {})
 }
 
 TEST(Lidar, MeasuresByHand) {
-  EXPECT_EQ(scan(four_beams()), (std::vector<float>{2.0F, 1.0F, kInfinity, kInfinity}));
+  EXPECT_EQ(scan(four_beams()), (std::vector<float>{2.0F, 1.0F, kNoEcho, kNoEcho}));
 }
 
 TEST(Lidar, SeesFromAMountOffTheCentre) {
   LidarConfig config = four_beams();
   config.T_base_laser = Eigen::Translation3d(0.5, -0.25, 0.3);
-  EXPECT_EQ(scan(config), (std::vector<float>{1.5F, 1.25F, kInfinity, kInfinity}));
+  EXPECT_EQ(scan(config), (std::vector<float>{1.5F, 1.25F, kNoEcho, kNoEcho}));
 }
 
 TEST(Lidar, HungUpsideDownTurnsTheOtherWay) {
   LidarConfig config = four_beams();
   config.T_base_laser =
-      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX());
+      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitX());
   const auto ranges = scan(config);
   EXPECT_NEAR(ranges[0], 2.0F, 1e-6F);
-  EXPECT_EQ(ranges[1], kInfinity);
+  EXPECT_EQ(ranges[1], kNoEcho);
   EXPECT_NEAR(ranges[3], 1.0F, 1e-6F);
 }
 
 TEST(Lidar, TurnsWithTheRobotAndItsMount) {
   LidarConfig config = four_beams();
   config.T_base_laser.linear() =
-      Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  const auto ranges = scan(config, {0.0, 0.0, -kPi});  // Laser's x is map's -y.
+      Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto ranges = scan(config, {0.0, 0.0, -pi});  // Laser's x is map's -y.
   EXPECT_NEAR(ranges[1], 2.0F, 1e-6F);
   EXPECT_NEAR(ranges[2], 1.0F, 1e-6F);
 }
@@ -78,7 +78,7 @@ TEST(Lidar, TurnsWithTheRobotAndItsMount) {
 TEST(Lidar, TiltedDownSeesTheFloor) {
   LidarConfig config = four_beams();
   config.T_base_laser =
-      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitY());
+      Eigen::Translation3d(0.0, 0.0, 0.3) * Eigen::AngleAxisd(pi / 6, Eigen::Vector3d::UnitY());
   LidarDraws rng{Rng(1)};
   const Beam beam = Lidar(config).cast(two_walls(), Eigen::Isometry3d::Identity(), 0, rng);
   EXPECT_NEAR(beam.range, 0.6, 1e-6);
@@ -98,7 +98,7 @@ TEST(Lidar, ReportsTooCloseAndTooFar) {
   LidarConfig config = four_beams();
   config.range_min = 1.2;
   config.range_max = 1.9;
-  EXPECT_EQ(scan(config), (std::vector<float>{kInfinity, -kInfinity, kInfinity, kInfinity}));
+  EXPECT_EQ(scan(config), (std::vector<float>{kNoEcho, -kNoEcho, kNoEcho, kNoEcho}));
 }
 
 TEST(Lidar, NoiseHasItsSigma) {
@@ -140,13 +140,13 @@ TEST(LidarSweeper, ATurningRobotSkewsTheScan) {
   const RayScene scene = two_walls();
   // Turning back as fast as the beam turns, every beam looks ahead.
   const Motion motion{nanoseconds(0), milliseconds(100), to_isometry({}),
-                      to_isometry({0.0, 0.0, -kPi * 0.999999})};
+                      to_isometry({0.0, 0.0, -pi * 0.999999})};
   config.rate_hz = 20.0;
-  config.angle_increment = kPi / 2;
+  config.angle_increment = pi / 2;
   const auto scans = LidarSweeper(config).advance(scene, motion);
   ASSERT_EQ(scans.size(), 2U);
   // A beam every 12.5 ms; the robot turns by -22.5 degrees meanwhile: 67.5 degrees remain.
-  EXPECT_NEAR(scans[0].reading.ranges[1], 1.0 / std::sin(67.5 * kPi / 180.0), 1e-4);
+  EXPECT_NEAR(scans[0].reading.ranges[1], 1.0 / std::sin(67.5 * pi / 180.0), 1e-4);
   config.sweep = false;
   EXPECT_NEAR(LidarSweeper(config).advance(scene, motion)[0].reading.ranges[1], 1.0, 1e-9);
 }

@@ -1,30 +1,17 @@
 #include "sim/sensor/ray_scene.hpp"
 
 #include <gtest/gtest.h>
-#include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/random.hpp"
 #include "sim/world/world_spec.hpp"
+#include "tests/sim/support/random_rays.hpp"
 
 namespace castaway::sim {
 namespace {
 
 double uniform(double low, double high, Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
-Eigen::Vector3d random_point(double reach, Rng& rng) {
-  const double x = uniform(-reach, reach, rng);
-  const double y = uniform(-reach, reach, rng);
-  return {x, y, uniform(-reach, reach, rng)};
-}
-
-Eigen::Vector3d random_direction(Rng& rng) {
-  boost::random::normal_distribution<double> normal;
-  const double x = normal(rng);
-  const double y = normal(rng);
-  return Eigen::Vector3d(x, y, normal(rng)).normalized();
 }
 
 RayShape random_shape(int kind, Rng& rng) {

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 const DriveGeometry kDrive{0.05, 0.05, 0.4, {0.0, 0.0}};
 
 /// Wheel angles of a drive along an arc of radius `radius` [m] by `turn` [rad].
@@ -30,10 +30,10 @@ Pose2 driven(const OdometryConfig& config, const DriveGeometry& drive, const Whe
 }
 
 TEST(WheelOdometry, FollowsAnArcInClosedForm) {
-  const Pose2 pose = driven(ideal_odometry(), kDrive, arc_angles(kDrive, 2.0, kPi / 2), 1);
+  const Pose2 pose = driven(ideal_odometry(), kDrive, arc_angles(kDrive, 2.0, pi / 2), 1);
   EXPECT_NEAR(pose.x, 2.0, 1e-12);
   EXPECT_NEAR(pose.y, 2.0, 1e-12);
-  EXPECT_NEAR(pose.yaw, kPi / 2, 1e-12);
+  EXPECT_NEAR(pose.yaw, pi / 2, 1e-12);
 }
 
 TEST(WheelOdometry, DrivesStraightAndTurnsOnTheSpot) {
@@ -48,7 +48,7 @@ TEST(WheelOdometry, DrivesStraightAndTurnsOnTheSpot) {
 TEST(WheelOdometry, BaseSwingsAboutAnAxleBehindIt) {
   DriveGeometry drive = kDrive;
   drive.p_base_axle = {-0.3, 0.0};
-  const Pose2 pose = driven(ideal_odometry(), drive, arc_angles(drive, 0.0, kPi / 2), 1);
+  const Pose2 pose = driven(ideal_odometry(), drive, arc_angles(drive, 0.0, pi / 2), 1);
   EXPECT_NEAR(pose.x, -0.3, 1e-12);
   EXPECT_NEAR(pose.y, 0.3, 1e-12);
 }
@@ -56,7 +56,7 @@ TEST(WheelOdometry, BaseSwingsAboutAnAxleBehindIt) {
 TEST(WheelOdometry, CountsWholeTicks) {
   OdometryConfig config = ideal_odometry();
   config.ticks_per_turn = 100;
-  const double tick = 2.0 * kPi / 100;
+  const double tick = 2.0 * pi / 100;
   EXPECT_DOUBLE_EQ(driven(config, kDrive, {0.9 * tick, 0.9 * tick}, 1, 1).x, 0.0);
   EXPECT_NEAR(driven(config, kDrive, {7.5 * tick, 7.5 * tick}, 1, 50).x, 7 * tick * 0.05, 1e-12);
   EXPECT_NEAR(driven(config, kDrive, {-1.5 * tick, -1.5 * tick}, 1, 50).x, -2 * tick * 0.05, 1e-12);
@@ -103,7 +103,7 @@ TEST(WheelOdometry, HeadingDriftsByItsSigma) {
   for (unsigned run = 0; run < kRuns; ++run) {
     squares += std::pow(driven(config, kDrive, {80.0, 80.0}, run, 20).yaw, 2);  // 4 m.
   }
-  const double expected = 2.0 * kPi / 180.0;
+  const double expected = 2.0 * pi / 180.0;
   EXPECT_NEAR(std::sqrt(squares / kRuns), expected, expected * 4.0 / std::sqrt(2.0 * kRuns));
 }
 

@@ -9,7 +9,7 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kRadius = 0.05;  // [m]
-const DriveGeometry kDrive{kRadius, kRadius, 0.4, {0.0, 0.0}};
+const DriveGeometry kSlippingDrive{kRadius, kRadius, 0.4, {0.0, 0.0}};
 
 /// Ice from x = 1 to 2 on the left of the x axis.
 std::vector<SlipZone> ice() { return {{"ice", {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 0.2}}; }
@@ -34,14 +34,14 @@ WheelAngles drive(WheelSlip slip, double from, double to, std::int64_t collision
 }
 
 TEST(WheelSlip, WithoutEventsAndZonesIsNone) {
-  const WheelAngles way = drive(WheelSlip(SlipConfig{}, kDrive, {}, Rng(1)), 0.0, 3.0);
+  const WheelAngles way = drive(WheelSlip(SlipConfig{}, kSlippingDrive, {}, Rng(1)), 0.0, 3.0);
   EXPECT_NEAR(way.left, 3.0, 1e-9);
   EXPECT_NEAR(way.right, 3.0, 1e-9);
 }
 
 /// A share of 0.2 is lost: the wheel turns by 1 / 0.8 for every metre.
 TEST(WheelSlip, OnIceAWheelTurnsFurther) {
-  const WheelAngles way = drive(WheelSlip(even(), kDrive, ice(), Rng(1)), 0.0, 3.0);
+  const WheelAngles way = drive(WheelSlip(even(), kSlippingDrive, ice(), Rng(1)), 0.0, 3.0);
   EXPECT_NEAR(way.left, 2.0 + 1.0 / 0.8, 1e-3);
   EXPECT_NEAR(way.right, 3.0, 1e-9);
 }
@@ -49,7 +49,7 @@ TEST(WheelSlip, OnIceAWheelTurnsFurther) {
 TEST(WheelSlip, ZonesCanBeLeftOut) {
   SlipConfig config = even();
   config.zones = false;
-  EXPECT_NEAR(drive(WheelSlip(config, kDrive, ice(), Rng(1)), 0.0, 3.0).left, 3.0, 1e-9);
+  EXPECT_NEAR(drive(WheelSlip(config, kSlippingDrive, ice(), Rng(1)), 0.0, 3.0).left, 3.0, 1e-9);
 }
 
 TEST(WheelSlip, EventsComeAsOftenAndLastAsLongAsTheySay) {
@@ -59,7 +59,7 @@ TEST(WheelSlip, EventsComeAsOftenAndLastAsLongAsTheySay) {
   config.share = 0.3;
   // 2000 m: 4000 events per wheel of 0.05 m, less what overlaps; shares uniform in 0 to 0.6.
   const double metres = 2000.0;
-  const WheelAngles way = drive(WheelSlip(config, kDrive, {}, Rng(1)), 0.0, metres);
+  const WheelAngles way = drive(WheelSlip(config, kSlippingDrive, {}, Rng(1)), 0.0, metres);
   const double slipping = 1.0 - std::exp(-config.rate * config.length);
   const double excess = -std::log(1.0 - 0.6) / 0.6 - 1.0;  // Mean of 1 / (1 - s) - 1.
   const double expected = metres * slipping * excess;
@@ -71,7 +71,7 @@ TEST(WheelSlip, EventsComeAsOftenAndLastAsLongAsTheySay) {
 TEST(WheelSlip, ACollisionMakesBothWheelsSpin) {
   SlipConfig config;
   config.collision_length = 0.1;
-  WheelSlip slip(config, kDrive, {}, Rng(3));
+  WheelSlip slip(config, kSlippingDrive, {}, Rng(3));
   EXPECT_EQ(slip.counted({1e-3, 1e-3}, {}, 0).left, 1e-3);
   const WheelAngles spun = slip.counted({1e-3, 1e-3}, {}, 1);
   EXPECT_GT(spun.left, 1e-3);
@@ -80,14 +80,14 @@ TEST(WheelSlip, ACollisionMakesBothWheelsSpin) {
 }
 
 TEST(WheelSlip, BackwardsSlipsBackwards) {
-  WheelSlip slip(even(), kDrive, ice(), Rng(1));
+  WheelSlip slip(even(), kSlippingDrive, ice(), Rng(1));
   EXPECT_DOUBLE_EQ(slip.counted({-0.01, -0.01}, {1.5, 0.0, 0.0}, 0).left, -0.0125);
 }
 
 TEST(WheelSlip, RefusesWhatCannotBe) {
   SlipConfig config;
   config.share = 0.8;
-  EXPECT_THROW(WheelSlip(config, kDrive, {}, Rng(1)), std::invalid_argument);
+  EXPECT_THROW(WheelSlip(config, kSlippingDrive, {}, Rng(1)), std::invalid_argument);
 }
 
 TEST(Contains, InAndOutOfAnAngle) {

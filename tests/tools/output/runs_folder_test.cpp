@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-OutputRequest request_for(const fs::path& target) { return {target, "run --seeds", "all"}; }
+OutputRequest runs_request(const fs::path& target) { return {target, "run --seeds", "all"}; }
 
 std::vector<PlannedRun> seeds(int count, const std::string& settings = "s") {
   std::vector<PlannedRun> runs;
@@ -21,7 +21,7 @@ std::vector<PlannedRun> seeds(int count, const std::string& settings = "s") {
   return runs;
 }
 
-void write_run(const fs::path& folder, const PlannedRun& run) {
+void write_run_of_many(const fs::path& folder, const PlannedRun& run) {
   OutputFolder output({folder / run.folder, "run", run.settings});
   write_file(output.folder() / "errors.csv", "e");
   output.commit();
@@ -31,11 +31,11 @@ TEST(RunsFolder, GoesOnWhereItWasStopped) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "all";
   {
-    const RunsFolder folder(request_for(path), seeds(3));
+    const RunsFolder folder(runs_request(path), seeds(3));
     EXPECT_FALSE(folder.has_run(0));
-    write_run(path, seeds(3)[0]);
+    write_run_of_many(path, seeds(3)[0]);
   }
-  const RunsFolder again(request_for(path), seeds(3));
+  const RunsFolder again(runs_request(path), seeds(3));
   EXPECT_TRUE(again.has_run(0));
   EXPECT_FALSE(again.has_run(1));
 }
@@ -44,21 +44,21 @@ TEST(RunsFolder, MakesEverythingAgainOnceItIsFinished) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "all";
   {
-    RunsFolder folder(request_for(path), seeds(1));
-    write_run(path, seeds(1)[0]);
+    RunsFolder folder(runs_request(path), seeds(1));
+    write_run_of_many(path, seeds(1)[0]);
     folder.finish();
   }
-  EXPECT_FALSE(RunsFolder(request_for(path), seeds(1)).has_run(0));
+  EXPECT_FALSE(RunsFolder(runs_request(path), seeds(1)).has_run(0));
 }
 
 TEST(RunsFolder, DoesNotGoOnWithOtherSettings) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "all";
   {
-    const RunsFolder folder(request_for(path), seeds(1));
-    write_run(path, seeds(1)[0]);
+    const RunsFolder folder(runs_request(path), seeds(1));
+    write_run_of_many(path, seeds(1)[0]);
   }
-  OutputRequest other = request_for(path);
+  OutputRequest other = runs_request(path);
   other.settings = "other";
   EXPECT_FALSE(RunsFolder(other, seeds(1)).has_run(0));
 }
@@ -67,29 +67,29 @@ TEST(RunsFolder, DoesNotGoOnWithAnotherProgram) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "all";
   {
-    const RunsFolder folder(request_for(path), seeds(1));
-    write_run(path, seeds(1)[0]);
+    const RunsFolder folder(runs_request(path), seeds(1));
+    write_run_of_many(path, seeds(1)[0]);
   }
   FileRecord record = load_record(path).value();
   EXPECT_EQ(record.program, program_hash());
   record.program = "older";
   save_record(path, record);
-  EXPECT_FALSE(RunsFolder(request_for(path), seeds(1)).has_run(0));
+  EXPECT_FALSE(RunsFolder(runs_request(path), seeds(1)).has_run(0));
 }
 
 TEST(RunsFolder, RemovesRunsAndFilesOfAnEarlierCall) {
   const TemporaryFolder temporary;
   const fs::path path = temporary.path() / "all";
   {
-    RunsFolder folder(request_for(path), seeds(3));
-    for (const PlannedRun& run : seeds(3)) write_run(path, run);
+    RunsFolder folder(runs_request(path), seeds(3));
+    for (const PlannedRun& run : seeds(3)) write_run_of_many(path, run);
     folder.put("summary.json", "three");
     folder.put("runs.csv", "three");
     folder.finish();
   }
   temporary.put("all/seed-3/mine.txt", "mine");
   {
-    OutputRequest request = request_for(path);
+    OutputRequest request = runs_request(path);
     RunsFolder folder(request, seeds(1));
     folder.put("summary.json", "one");
     folder.finish();
@@ -107,15 +107,16 @@ TEST(RunsFolder, RefusesFilesOfOthersInItAndInItsRuns) {
   temporary.put("one/mine.txt", "mine");
   temporary.put("two/seed-2/mine.txt", "mine");
   for (const char* name : {"one", "two"}) {
-    EXPECT_TRUE(contains(
-        error_of([&] { RunsFolder(request_for(temporary.path() / name), seeds(2)); }), "mine.txt"));
+    EXPECT_TRUE(
+        contains(error_of([&] { RunsFolder(runs_request(temporary.path() / name), seeds(2)); }),
+                 "mine.txt"));
   }
 }
 
 TEST(RunsFolder, NeverReplacesAFileOfOthers) {
   const TemporaryFolder temporary;
   temporary.put("all/summary.json", "mine");
-  OutputRequest request = request_for(temporary.path() / "all");
+  OutputRequest request = runs_request(temporary.path() / "all");
   request.force = true;
   RunsFolder folder(request, seeds(1));
   EXPECT_TRUE(contains(error_of([&] { folder.put("summary.json", "ours"); }), "did not write"));
@@ -127,7 +128,7 @@ TEST(FreeFolder, KeepsRunsWithOtherSettingsApart) {
   const fs::path path = temporary.path() / "seed-1";
   const OutputRequest request{path, "run", "0123456789abcdef"};
   EXPECT_EQ(free_folder(request), path);
-  write_run(temporary.path(), {"seed-1", "0123456789abcdef"});
+  write_run_of_many(temporary.path(), {"seed-1", "0123456789abcdef"});
   EXPECT_EQ(free_folder(request), path);
   const OutputRequest other{path, "run", "fedcba9876543210"};
   EXPECT_EQ(free_folder(other), temporary.path() / "seed-1-fedcba98");
@@ -138,7 +139,7 @@ TEST(FreeFolder, LeavesAFolderWithFilesOfOthersOrAnInput) {
   const fs::path path = temporary.path() / "seed-1";
   OutputRequest request{path, "run", "0123456789abcdef"};
   request.inputs = {path / "scenario.yaml"};
-  write_run(temporary.path(), {"seed-1", "0123456789abcdef"});
+  write_run_of_many(temporary.path(), {"seed-1", "0123456789abcdef"});
   EXPECT_EQ(free_folder(request), temporary.path() / "seed-1-01234567");
   request.inputs.clear();
   temporary.put("seed-1/mine.txt", "mine");
@@ -147,8 +148,8 @@ TEST(FreeFolder, LeavesAFolderWithFilesOfOthersOrAnInput) {
 
 TEST(FreeRunsFolder, KeepsRunsWithOtherSettingsApart) {
   const TemporaryFolder temporary;
-  const OutputRequest request = request_for(temporary.path() / "lab");
-  write_run(temporary.path() / "lab", seeds(2)[1]);
+  const OutputRequest request = runs_request(temporary.path() / "lab");
+  write_run_of_many(temporary.path() / "lab", seeds(2)[1]);
   EXPECT_EQ(told_free_runs_folder(request, seeds(2)), temporary.path() / "lab");
   EXPECT_EQ(told_free_runs_folder(request, seeds(2, "t")), temporary.path() / "lab-all");
 }

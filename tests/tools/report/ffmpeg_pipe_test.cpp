@@ -1,16 +1,13 @@
 #include "tools/report/ffmpeg_pipe.hpp"
 
-#include <cstdlib>
-
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/ffmpeg.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/formats/file.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-bool has_ffmpeg() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
 
 sim::Image gray(std::uint8_t level) {
   return {64, 48, std::vector<std::uint8_t>(std::size_t{3} * 64 * 48, level)};

@@ -1,9 +1,8 @@
 #include "tools/report/film_sink.hpp"
 
-#include <cstdlib>
-
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/ffmpeg.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 
@@ -11,8 +10,6 @@ namespace castaway::testbed {
 namespace {
 
 const std::vector<std::string> kNames{"a"};
-
-bool has_ffmpeg() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
 
 RosMap small_map() {
   RosMap map;

@@ -7,8 +7,8 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kWidth = 480;
-constexpr int kHeight = 320;
+constexpr int kPictureWidth = 480;
+constexpr int kPictureHeight = 320;
 
 PictureWorld map_of(int width, int height) {
   PictureWorld world;
@@ -46,18 +46,19 @@ TEST(MapView, LeavesTheCaptionItsShare) {
 /// The whole map is to be seen above the caption.
 TEST(MapPicture, HidesNothingOfTheMap) {
   try {
-    sim::Renderer renderer(kWidth, kHeight);
+    sim::Renderer renderer(kPictureWidth, kPictureHeight);
     for (const auto& [width, height] : {std::pair{100, 100}, {200, 60}, {40, 200}}) {
       const PictureWorld world = map_of(width, height);
       ScanRecord record = record_at(1.0, {"a", "b"});
-      const int strip = caption_height(caption_of(record), kWidth, kHeight);
+      const int strip = caption_height(caption_of(record), kPictureWidth, kPictureHeight);
       record.T_map_base_true = SE2{-90.0, 0.0, 0.0};  // Out of sight.
       for (auto& localizer : record.localizers) localizer.estimate.reset();
       const sim::Image image = map_picture(renderer, world, map_item(*world.map), record);
-      const double scale = kHeight / map_height(*world.map, {1.5, double(strip) / kHeight});
+      const double scale =
+          kPictureHeight / map_height(*world.map, {1.5, double(strip) / kPictureHeight});
       int white = 0;
-      for (int y = 0; y < kHeight - strip; ++y) {
-        for (int x = 0; x < kWidth; ++x) white += is_white(image, x, y) ? 1 : 0;
+      for (int y = 0; y < kPictureHeight - strip; ++y) {
+        for (int x = 0; x < kPictureWidth; ++x) white += is_white(image, x, y) ? 1 : 0;
       }
       const double expected = width * height * 0.01 * scale * scale;
       EXPECT_NEAR(white, expected, 0.04 * expected) << width;  // The rim is half covered.

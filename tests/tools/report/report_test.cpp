@@ -12,10 +12,10 @@
 namespace castaway::testbed {
 namespace {
 
-const std::vector<std::string> kNames{"a", "<b>x</b>"};
+const std::vector<std::string> kReported{"a", "<b>x</b>"};
 
 /// 3 x 2 cells of 1 m.
-RosMap small_map() {
+RosMap reported_map() {
   RosMap map;
   map.width = 3;
   map.height = 2;
@@ -28,7 +28,7 @@ RosMap small_map() {
 std::vector<ScanRecord> records(int count) {
   std::vector<ScanRecord> all;
   for (int t = 0; t < count; ++t) {
-    ScanRecord& record = all.emplace_back(record_at(t, kNames));
+    ScanRecord& record = all.emplace_back(record_at(t, kReported));
     if (t < 5) continue;
     record.T_map_base_true->y += 4.0;
     for (auto& localizer : record.localizers) localizer.estimate->T_map_base.y += 4.0;
@@ -37,8 +37,8 @@ std::vector<ScanRecord> records(int count) {
 }
 
 /// The report of a run of these records, written and read back.
-std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kNames),
-                      double wall_s = 1.0, const std::optional<RosMap>& map = small_map()) {
+std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kReported),
+                      double wall_s = 1.0, const std::optional<RosMap>& map = reported_map()) {
   const TemporaryFolder folder;
   std::vector<std::unique_ptr<RunSink>> sinks;
   sinks.push_back(std::make_unique<ErrorsSink>(folder.path()));
@@ -104,7 +104,7 @@ TEST(Report, NeedsNothingButItself) {
 }
 
 TEST(Report, EscapesEveryText) {
-  RunInfo info = run_of(kNames);
+  RunInfo info = run_of(kReported);
   info.scenario = "<i>'s\" & co";
   info.world = "<u>";
   const std::string html = report_of(records(20), info);
@@ -142,8 +142,8 @@ TEST(Report, ShowsCountsAsWholeNumbers) {
 }
 
 TEST(Report, IsTheSameForTheSameRunOutsideOfItsTiming) {
-  const std::string one = report_of(records(20), run_of(kNames), 1.0);
-  const std::string two = report_of(records(20), run_of(kNames), 2.0);
+  const std::string one = report_of(records(20), run_of(kReported), 1.0);
+  const std::string two = report_of(records(20), run_of(kReported), 2.0);
   EXPECT_NE(one, two);
   EXPECT_EQ(without_timing(one), without_timing(two));
 }
@@ -174,15 +174,15 @@ TEST(Report, DoesWithOneRowOrNone) {
 
 TEST(Report, DoesWithoutLocalizersAndMap) {
   expect_sound(report_of({}, run_of({}), 1.0, std::nullopt));
-  expect_sound(report_of(records(20), run_of(kNames), 1.0, std::nullopt));
+  expect_sound(report_of(records(20), run_of(kReported), 1.0, std::nullopt));
 }
 
 TEST(Report, DrawsPathsWithoutMapAsLargeAsTheyAre) {
-  std::vector<ScanRecord> all{record_at(0.0, kNames)};
+  std::vector<ScanRecord> all{record_at(0.0, kReported)};
   all[0].T_map_base_true->x = 1000.0;
   for (auto& localizer : all[0].localizers) localizer.estimate->T_map_base = {1000.0, 0.0, 0.0};
   // the path is a point: 1 m around it, in cells of 5 cm
-  EXPECT_TRUE(contains(report_of(all, run_of(kNames), 1.0, std::nullopt),
+  EXPECT_TRUE(contains(report_of(all, run_of(kReported), 1.0, std::nullopt),
                        "<svg class=\"map\" viewBox=\"0 0 40 41.1\""));
 }
 

@@ -23,7 +23,7 @@ sim::RobotModel two_eyed() {
   return robot;
 }
 
-std::string error_of(const Scenario& scenario, const sim::RobotModel& robot) {
+std::string sensor_error(const Scenario& scenario, const sim::RobotModel& robot) {
   try {
     check_faults(scenario.events.faults, build_lidars(scenario, robot));
   } catch (const std::exception& error) {
@@ -69,23 +69,23 @@ TEST(BuildLidars, AListChoosesAndAdds) {
 TEST(BuildLidars, OneMountForSeveralIsAnError) {
   Scenario scenario;
   scenario.lidar.mount_xyz = Eigen::Vector3d(0.0, 0.0, 1.0);
-  EXPECT_NE(error_of(scenario, two_eyed()).find("one mount for the robot's 2 lidars"),
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("one mount for the robot's 2 lidars"),
             std::string::npos);
 }
 
 TEST(BuildLidars, RefusesFiguresOutOfRange) {
   Scenario scenario;
   scenario.lidar.noise["dropout"] = 2.0;
-  EXPECT_NE(error_of(scenario, two_eyed()).find("noise.dropout is 2"), std::string::npos);
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("noise.dropout is 2"), std::string::npos);
 }
 
 TEST(CheckFaults, NamesTheLidarThatIsMeant) {
   Scenario scenario;
   scenario.events.faults.resize(1);
   scenario.events.faults[0].lidar = "raer";
-  EXPECT_NE(error_of(scenario, two_eyed()).find("'rear'"), std::string::npos);
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("'rear'"), std::string::npos);
   scenario.events.faults[0].lidar = "rear";
-  EXPECT_EQ(error_of(scenario, two_eyed()), "");
+  EXPECT_EQ(sensor_error(scenario, two_eyed()), "");
 }
 
 TEST(BuildOdometry, KnowsEveryProfileOfYaml) {

@@ -12,12 +12,12 @@
 namespace castaway::testbed {
 namespace {
 
-OdometryFrame odometry_at(double t) {
+OdometryFrame carmen_odometry(double t) {
   return {{localization::from_seconds(t), {0.5 * t, 0.0, 0.0}}, std::nullopt};
 }
 
 /// A scan with its first beam at `t`.
-ScanRecord scan_at(double t) {
+ScanRecord carmen_scan(double t) {
   ScanRecord record = record_at(t, {});
   record.scan.stamp = record.stamp;
   record.scan.angle_min = -1.0;
@@ -31,15 +31,15 @@ ScanRecord scan_at(double t) {
 TEST(CarmenSink, PutsLinesInOrderOfTheirStamps) {
   const TemporaryFolder folder;
   CarmenSink sink(folder.path());
-  for (const double t : {0.0, 0.5, 1.0}) sink.on_odometry(odometry_at(t));
-  sink.on_scan(scan_at(0.75));  // Delivered after the odometry at 1 s.
+  for (const double t : {0.0, 0.5, 1.0}) sink.on_odometry(carmen_odometry(t));
+  sink.on_scan(carmen_scan(0.75));  // Delivered after the odometry at 1 s.
   sink.finish({}, {});
   CarmenSource source(folder.path() / "log.carmen");
   std::vector<double> scans;
   while (const auto frame = source.next()) {
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr) continue;
-    scans.push_back(seconds(scan->scan.stamp));
+    scans.push_back(localization::seconds(scan->scan.stamp));
     ASSERT_TRUE(scan->T_map_base_true);
     EXPECT_NEAR(scan->T_map_base_true->x, 0.075, 1e-12);
     EXPECT_EQ(scan->scan.ranges, (std::vector<float>{1.0F, 2.0F, 3.0F}));
@@ -54,7 +54,7 @@ TEST(CarmenSink, PutsLinesInOrderOfTheirStamps) {
 TEST(CarmenSink, HoldsLinesBackNoLongerThanASweep) {
   const TemporaryFolder folder;
   CarmenSink sink(folder.path());
-  for (int i = 0; i < 1000; ++i) sink.on_odometry(odometry_at(0.01 * i));
+  for (int i = 0; i < 1000; ++i) sink.on_odometry(carmen_odometry(0.01 * i));
   sink.finish({}, {});
   const std::string log = read_file(folder.path() / "log.carmen");
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1000);
@@ -63,10 +63,10 @@ TEST(CarmenSink, HoldsLinesBackNoLongerThanASweep) {
 TEST(CarmenSink, NumbersSeveralLidars) {
   const TemporaryFolder folder;
   CarmenSink sink(folder.path());
-  sink.on_odometry(odometry_at(0.0));
-  ScanRecord rear = scan_at(0.0);
+  sink.on_odometry(carmen_odometry(0.0));
+  ScanRecord rear = carmen_scan(0.0);
   rear.scan.lidar = "rear";
-  sink.on_scan(scan_at(0.0));
+  sink.on_scan(carmen_scan(0.0));
   sink.on_scan(rear);
   sink.finish({}, {});
   const std::string log = read_file(folder.path() / "log.carmen");
@@ -75,7 +75,7 @@ TEST(CarmenSink, NumbersSeveralLidars) {
 }
 
 TEST(CarmenSink, TurnsAnUpsideDownLidarRound) {
-  ScanRecord record = scan_at(0.0);
+  ScanRecord record = carmen_scan(0.0);
   LaserScan& scan = record.scan;
   scan.T_base_laser = Eigen::Translation3d(0.1, 0.0, 0.2) *
                       Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()) *

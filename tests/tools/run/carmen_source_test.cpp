@@ -37,7 +37,8 @@ std::string played(const std::string& log, const CarmenSourceConfig& config = {}
     const bool known =
         scan != nullptr ? scan->T_map_base_true.has_value() : odometry->T_map_base_true.has_value();
     text += (scan != nullptr ? "s" : "o") +
-            std::to_string(std::lround(10.0 * seconds(frame->stamp))) + (known ? "* " : " ");
+            std::to_string(std::lround(10.0 * localization::seconds(frame->stamp))) +
+            (known ? "* " : " ");
   }
   return text;
 }
@@ -86,7 +87,7 @@ TEST(CarmenSource, KnowsItsStartItsLengthAndItsRepairs) {
   const std::string late = odom(0.7, 100.2);  // goes back by 0.4 s
   CarmenSource source(folder.put("a.log", kLog + late));
   EXPECT_EQ(source.start_pose(), (SE2{1.0, 2.0, 0.5}));
-  EXPECT_NEAR(seconds(source.duration()), 0.5, 1e-9);
+  EXPECT_NEAR(localization::seconds(source.duration()), 0.5, 1e-9);
   EXPECT_EQ(source.scan_count(), 3);
   EXPECT_EQ(source.truth_count(), 2);
   EXPECT_EQ(source.repaired_stamps(), 1);

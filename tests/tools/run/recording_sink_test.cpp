@@ -10,7 +10,7 @@ namespace {
 
 using Values = std::vector<std::int64_t>;
 
-const std::vector<std::string> kNames{"a", "<b>x</b>"};
+const std::vector<std::string> kRecorded{"a", "<b>x</b>"};
 
 RosMap one_cell() {
   RosMap map;
@@ -23,7 +23,7 @@ RosMap one_cell() {
 /// The file that a run of these records and a kidnap at 1.05 s leaves.
 std::string file_of(const std::vector<ScanRecord>& records, const RecordingConfig& config = {}) {
   const TemporaryFolder folder;
-  RecordingSink sink(folder.path(), run_of(kNames), one_cell(), config);
+  RecordingSink sink(folder.path(), run_of(kRecorded), one_cell(), config);
   sink.on_event(kidnap_to(1.05));
   for (const ScanRecord& record : records) sink.on_scan(record);
   sink.finish(localization::from_seconds(3.0), {});
@@ -31,7 +31,7 @@ std::string file_of(const std::vector<ScanRecord>& records, const RecordingConfi
 }
 
 std::vector<ScanRecord> three_records() {
-  return {record_at(0.0, kNames), record_at(1.0, kNames), record_at(2.0, kNames)};
+  return {record_at(0.0, kRecorded), record_at(1.0, kRecorded), record_at(2.0, kRecorded)};
 }
 
 Values column(const Recording& recording, const std::string& name) {
@@ -41,7 +41,7 @@ Values column(const Recording& recording, const std::string& name) {
 TEST(RecordingSink, KeepsPosesAndBeliefsOfAllScans) {
   const Recording recording = unpack_recording(file_of(three_records()));
   EXPECT_EQ(recording.header.at("scans"), 3);
-  EXPECT_EQ(recording.header.at("localizers"), nlohmann::ordered_json(kNames));
+  EXPECT_EQ(recording.header.at("localizers"), nlohmann::ordered_json(kRecorded));
   EXPECT_EQ(column(recording, "time"), (Values{0, 10000, 20000}));
   EXPECT_EQ(column(recording, "truth/x"), (Values{0, 1000, 2000}));
   EXPECT_EQ(column(recording, "1/y"), (Values{2000, 2000, 2000}));
@@ -100,7 +100,7 @@ TEST(RecordingSink, RepeatsToTheByte) {
 
 TEST(RecordingSink, LeavesNoFileOfARunThatFailed) {
   const TemporaryFolder folder;
-  { const RecordingSink sink(folder.path(), run_of(kNames), one_cell(), {}); }
+  { const RecordingSink sink(folder.path(), run_of(kRecorded), one_cell(), {}); }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -132,21 +132,21 @@ TEST(RosConversion, TellsVelocityInBaseAndNoneOfAKidnap) {
   EXPECT_EQ(twist_between({}, {9.0, 0.0, 0.0}, 0.1).linear.x, 0.0);
 }
 
-RosMap map() { return {"m", 2, 3, 0.05, -1.5, 2.5, 0.25, {-1, 0, 100, 0, 50, 100}}; }
+RosMap turned_map() { return {"m", 2, 3, 0.05, -1.5, 2.5, 0.25, {-1, 0, 100, 0, 50, 100}}; }
 
 TEST(RosConversion, BringsAMapBack) {
-  const RosMap back = from_ros_grid(to_ros_grid(map()), "m");
+  const RosMap back = from_ros_grid(to_ros_grid(turned_map()), "m");
   EXPECT_EQ(back.resolution, 0.05);
   EXPECT_EQ(back.width, 2);
   EXPECT_EQ(back.height, 3);
   EXPECT_EQ(back.origin_x, -1.5);
   EXPECT_EQ(back.origin_y, 2.5);
   EXPECT_NEAR(back.origin_yaw, 0.25, 1e-15);
-  EXPECT_EQ(back.cells, map().cells);
+  EXPECT_EQ(back.cells, turned_map().cells);
 }
 
 TEST(RosConversion, BelievesNoSizeOfAMap) {
-  ros::OccupancyGrid message = to_ros_grid(map());
+  ros::OccupancyGrid message = to_ros_grid(turned_map());
   message.info.width = 4'000'000'000U;
   EXPECT_TRUE(contains(error_of([&] { from_ros_grid(message, "m"); }), "says 4000000000 x 3"));
 }

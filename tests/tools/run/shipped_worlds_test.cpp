@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kRobotHeight = 0.35;  // [m] Whatever begins higher is driven under.
-constexpr double kRoom = 0.42;         // [m] On either side of a route.
+constexpr double kWorldRoom = 0.42;    // [m] On either side of a route.
 
 std::vector<std::string> shipped_worlds() {
   std::vector<std::string> names;
@@ -89,7 +89,7 @@ TEST_P(ShippedWorld, HasFreeRoutesAndStart) {
   const WorldFile world = load_world(find_world(GetParam(), "."));
   EXPECT_EQ(world.spec.name, GetParam());
   EXPECT_GE(world.routes.size(), 2U);
-  expect_free_routes(world, kRoom);
+  expect_free_routes(world, kWorldRoom);
   for (const sim::WorldObject& object : world.spec.objects) {
     if (object.drivable || sim::bounds(object).min().z() > kRobotHeight) continue;
     EXPECT_GE(distance(sim::footprint(object), world.start.position()), 0.3) << object.name;
@@ -137,7 +137,7 @@ TEST_P(ShippedScenario, LoadsAndKeepsItsRoutesFree) {
   for (std::uint64_t seed = 1; seed <= (changes ? 5U : 1U); ++seed) {
     options.seed = seed;
     const LoadedWorld world = build_world(scenario.world, file.parent_path(), options);
-    expect_free_routes(world.file, kRoom);
+    expect_free_routes(world.file, kWorldRoom);
     EXPECT_EQ(world.difference.has_value(), changes);
     const std::string& route = scenario.drive.route;
     const bool drawn = route.empty() || route == "random" || route == "explore" || route == "none";

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = sim::Change::Kind;
 
-sim::DifferenceSpec read(const std::string& text) {
+sim::DifferenceSpec differences_of(const std::string& text) {
   YamlDocument document = YamlDocument::parse(text, "w.yaml");
   YamlReader root = document.root();
   const sim::DifferenceSpec spec = read_differences(root, ".");
@@ -18,10 +18,10 @@ sim::DifferenceSpec read(const std::string& text) {
   return spec;
 }
 
-TEST(DifferenceSpec, IsEmptyWithoutTheKey) { EXPECT_TRUE(read("{}").empty()); }
+TEST(DifferenceSpec, IsEmptyWithoutTheKey) { EXPECT_TRUE(differences_of("{}").empty()); }
 
 TEST(DifferenceSpec, ReadsSharesAndBoxes) {
-  const sim::DifferenceSpec spec = read(
+  const sim::DifferenceSpec spec = differences_of(
       "differences: {move_furniture: 0.3, reach_m: 1, remove: 0.1, close_doors: 0.5, open_doors: "
       "0.2, add_boxes: 4, seed: 9}");
   EXPECT_EQ(spec.move_furniture, 0.3);
@@ -35,7 +35,7 @@ TEST(DifferenceSpec, ReadsSharesAndBoxes) {
 }
 
 TEST(DifferenceSpec, ReadsChangesInOrder) {
-  const sim::DifferenceSpec spec = read(
+  const sim::DifferenceSpec spec = differences_of(
       "differences:\n  changes:\n    - move: {name: a, by: [1, 2], turn_deg: 30}\n"
       "    - remove: {name: b}\n    - open: {name: c, open_deg: 40}\n    - close: {name: d}\n"
       "    - add: {box: {at: [1, 2], size: [1, 1, 1]}}\n");
@@ -51,7 +51,9 @@ TEST(DifferenceSpec, ReadsChangesInOrder) {
 }
 
 TEST(DifferenceSpec, NamesLineAndRemedy) {
-  const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
+  const auto error = [](const std::string& text) {
+    return error_of([&] { differences_of(text); });
+  };
   EXPECT_TRUE(contains(error("differences: {remove: 2}"), "w.yaml:1"));
   EXPECT_TRUE(contains(error("differences: {remove: 2}"), "0 to 1"));
   EXPECT_TRUE(contains(error("differences: {reach_m: 0}"), "above 0"));

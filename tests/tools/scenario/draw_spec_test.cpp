@@ -12,20 +12,20 @@ namespace {
 
 using localization::substream;
 
-Draw read(const std::string& text) {
+Draw draw_of(const std::string& text) {
   YamlDocument document = YamlDocument::parse("x: " + text, "d.yaml");
   const Draw draw = read_draw(*document.root().find("x"));
   document.reject_unknown_keys();
   return draw;
 }
 
-std::string refusal(const std::string& text) {
-  return error_of([&] { read(text); });
+std::string draw_refusal(const std::string& text) {
+  return error_of([&] { draw_of(text); });
 }
 
 /// `count` draws as numbers.
 std::vector<double> numbers(const std::string& text, int count) {
-  const Draw draw = read(text);
+  const Draw draw = draw_of(text);
   localization::Rng rng = substream(1, "draws");
   std::vector<double> values;
   for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(drawn(draw, rng), "x"));
@@ -40,13 +40,13 @@ double mean_of(const std::vector<double>& values) {
 
 TEST(Draw, AFixedValueIsItself) {
   localization::Rng rng = substream(1, "draws");
-  EXPECT_EQ(emit_yaml(drawn(read("office"), rng)), "office\n");
-  EXPECT_EQ(emit_yaml(drawn(read("[1, 2]"), rng)), "[1, 2]\n");
-  EXPECT_EQ(emit_yaml(drawn(read("{value: {count: 3}}"), rng)), "count: 3\n");
+  EXPECT_EQ(emit_yaml(drawn(draw_of("office"), rng)), "office\n");
+  EXPECT_EQ(emit_yaml(drawn(draw_of("[1, 2]"), rng)), "[1, 2]\n");
+  EXPECT_EQ(emit_yaml(drawn(draw_of("{value: {count: 3}}"), rng)), "count: 3\n");
 }
 
 TEST(Draw, ChoicesComeByTheirWeights) {
-  const Draw draw = read("{choice: [a, b, {c: 1}], weights: [3, 0, 1]}");
+  const Draw draw = draw_of("{choice: [a, b, {c: 1}], weights: [3, 0, 1]}");
   localization::Rng rng = substream(1, "draws");
   std::map<std::string, int> counts;
   constexpr int kDraws = 4000;
@@ -90,22 +90,23 @@ TEST(Draw, NumbersAreWrittenShort) {
 }
 
 TEST(Draw, RefusesWhatCannotBeDrawn) {
-  EXPECT_TRUE(contains(refusal("{unifrom: [0, 1]}"),
+  EXPECT_TRUE(contains(draw_refusal("{unifrom: [0, 1]}"),
                        "d.yaml:1: x.unifrom: 'unifrom' is no way to draw a value; did you mean "
                        "'uniform'?"));
-  EXPECT_TRUE(contains(refusal("{uniform: [2, 1]}"), "the lower end comes first"));
-  EXPECT_TRUE(contains(refusal("{log_uniform: [0, 1]}"), "needs positive ends"));
-  EXPECT_TRUE(contains(refusal("{integer: [1]}"), "takes two whole numbers"));
-  EXPECT_TRUE(contains(refusal("{integer: [1.5, 2]}"), "expected a whole number"));
-  EXPECT_TRUE(contains(refusal("{integer: [3, 2]}"), "the lower end comes first"));
-  EXPECT_TRUE(contains(refusal("{choice: []}"), "'choice' is empty"));
-  EXPECT_TRUE(contains(refusal("{choice: [1, 2], weights: [1]}"), "1 'weights' for 2 choices"));
-  EXPECT_TRUE(contains(refusal("{choice: [1], weights: [0]}"), "nor all be 0"));
-  EXPECT_TRUE(contains(refusal("{uniform: [0, 1], weights: [1]}"), "go with 'choice' only"));
-  EXPECT_TRUE(contains(refusal("{uniform: [0, 1], integer: [0, 1]}"), "give one of them"));
-  EXPECT_TRUE(contains(refusal("{normal: {mean: 1, sd: 0, min: 0, max: 1}}"), "'sd' must be"));
-  EXPECT_TRUE(contains(refusal("{normal: {mean: 1, sd: 1, min: 0}}"), "needs the key 'max'"));
-  EXPECT_TRUE(contains(refusal("{}"), "says not how it is drawn"));
+  EXPECT_TRUE(contains(draw_refusal("{uniform: [2, 1]}"), "the lower end comes first"));
+  EXPECT_TRUE(contains(draw_refusal("{log_uniform: [0, 1]}"), "needs positive ends"));
+  EXPECT_TRUE(contains(draw_refusal("{integer: [1]}"), "takes two whole numbers"));
+  EXPECT_TRUE(contains(draw_refusal("{integer: [1.5, 2]}"), "expected a whole number"));
+  EXPECT_TRUE(contains(draw_refusal("{integer: [3, 2]}"), "the lower end comes first"));
+  EXPECT_TRUE(contains(draw_refusal("{choice: []}"), "'choice' is empty"));
+  EXPECT_TRUE(
+      contains(draw_refusal("{choice: [1, 2], weights: [1]}"), "1 'weights' for 2 choices"));
+  EXPECT_TRUE(contains(draw_refusal("{choice: [1], weights: [0]}"), "nor all be 0"));
+  EXPECT_TRUE(contains(draw_refusal("{uniform: [0, 1], weights: [1]}"), "go with 'choice' only"));
+  EXPECT_TRUE(contains(draw_refusal("{uniform: [0, 1], integer: [0, 1]}"), "give one of them"));
+  EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 0, min: 0, max: 1}}"), "'sd' must be"));
+  EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 1, min: 0}}"), "needs the key 'max'"));
+  EXPECT_TRUE(contains(draw_refusal("{}"), "says not how it is drawn"));
 }
 
 }  // namespace

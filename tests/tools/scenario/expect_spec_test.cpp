@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-std::vector<Expectation> read(const std::string& yaml) {
+std::vector<Expectation> expectations_of(const std::string& yaml) {
   YamlDocument document = YamlDocument::parse(yaml, "x.yaml");
   YamlReader root = document.root();
   auto expectations = read_expectations(root, {"mh_amcl"});
@@ -18,7 +18,7 @@ std::vector<Expectation> read(const std::string& yaml) {
 /// Text of what reading throws.
 std::string refused(const std::string& yaml) {
   try {
-    read(yaml);
+    expectations_of(yaml);
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -26,7 +26,7 @@ std::string refused(const std::string& yaml) {
 }
 
 TEST(ExpectSpec, ReadsConditionsAndWhatTheyAreFor) {
-  const auto expectations = read(
+  const auto expectations = expectations_of(
       "expect:\n  mh_amcl.recovery.success: \">= 1\"\n"
       "  mh_amcl.recovery.time_s.p95: {is: \"< 5\", for: mean}\n  collisions: \"0..2\"\n");
   ASSERT_EQ(expectations.size(), 3U);
@@ -38,8 +38,8 @@ TEST(ExpectSpec, ReadsConditionsAndWhatTheyAreFor) {
 }
 
 TEST(ExpectSpec, WithoutTheKeyNothingIsExpected) {
-  EXPECT_TRUE(read("{}").empty());
-  EXPECT_TRUE(read("expect: ~\n").empty());
+  EXPECT_TRUE(expectations_of("{}").empty());
+  EXPECT_TRUE(expectations_of("expect: ~\n").empty());
 }
 
 TEST(ExpectSpec, AnUnknownMetricNamesTheNearest) {

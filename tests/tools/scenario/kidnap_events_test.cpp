@@ -13,7 +13,7 @@ using sim::KidnapKind;
 using sim::KidnapTrigger;
 using testing::HasSubstr;
 
-EventSpecs read(const std::string& body) {
+EventSpecs events_of(const std::string& body) {
   YamlDocument document = YamlDocument::parse(body, "trial.yaml");
   YamlReader root = document.root();
   EventSpecs events;
@@ -22,11 +22,11 @@ EventSpecs read(const std::string& body) {
   return events;
 }
 
-sim::KidnapSpec kidnap(const std::string& body) { return read(body).kidnaps.at(0); }
+sim::KidnapSpec kidnap(const std::string& body) { return events_of(body).kidnaps.at(0); }
 
-std::string error_of(const std::string& body) {
+std::string kidnap_error(const std::string& body) {
   try {
-    read(body);
+    events_of(body);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -68,24 +68,24 @@ TEST(KidnapEvents, ComeAtATimeAWayAtRandomOrWhenLocalized) {
 }
 
 TEST(KidnapEvents, NameTheLocalizerThatTheyWaitFor) {
-  EXPECT_EQ(read("{at_s: 3}").watched, "");
-  EXPECT_EQ(read("{when_localized_s: 5, localizer: amcl}").watched, "amcl");
-  EXPECT_TRUE(waits_for_localizer(read("{when_localized_s: 5}")));
-  EXPECT_FALSE(waits_for_localizer(read("{poisson_s: 5}")));
+  EXPECT_EQ(events_of("{at_s: 3}").watched, "");
+  EXPECT_EQ(events_of("{when_localized_s: 5, localizer: amcl}").watched, "amcl");
+  EXPECT_TRUE(waits_for_localizer(events_of("{when_localized_s: 5}")));
+  EXPECT_FALSE(waits_for_localizer(events_of("{poisson_s: 5}")));
 }
 
 TEST(KidnapEvents, SayWhatIsWrong) {
-  EXPECT_THAT(error_of("{kind: teleport}"), HasSubstr("'at_s', 'at_m', 'poisson_s'"));
-  EXPECT_THAT(error_of("{at_s: 3, at_m: 4}"), HasSubstr("give one of"));
-  EXPECT_THAT(error_of("{at_s: -3}"), HasSubstr("trial.yaml:1"));
-  EXPECT_THAT(error_of("{kind: teleprot, at_s: 3}"), HasSubstr("teleport"));
-  EXPECT_THAT(error_of("{at_s: 3, pose: [1, 2, 3], min_distance_m: 2}"), HasSubstr("not both"));
-  EXPECT_THAT(error_of("{at_s: 3, lift_m: 1}"), HasSubstr("lift_m"));
-  EXPECT_THAT(error_of("{kind: look_alike, at_s: 3, pose: [1, 2, 3]}"), HasSubstr("pose"));
-  EXPECT_THAT(error_of("{kind: nudge, at_s: 3, distance_m: [1, 0.5]}"), HasSubstr("in order"));
-  EXPECT_THAT(error_of("{kind: spin, at_s: 3, lift_m: 20}"), HasSubstr("0 to 3 m"));
-  EXPECT_THAT(error_of("{kind: carry, at_s: 3, wheels: square}"), HasSubstr("locked"));
-  EXPECT_THAT(error_of("{at_s: 3, localizer: amcl}"), HasSubstr("localizer"));
+  EXPECT_THAT(kidnap_error("{kind: teleport}"), HasSubstr("'at_s', 'at_m', 'poisson_s'"));
+  EXPECT_THAT(kidnap_error("{at_s: 3, at_m: 4}"), HasSubstr("give one of"));
+  EXPECT_THAT(kidnap_error("{at_s: -3}"), HasSubstr("trial.yaml:1"));
+  EXPECT_THAT(kidnap_error("{kind: teleprot, at_s: 3}"), HasSubstr("teleport"));
+  EXPECT_THAT(kidnap_error("{at_s: 3, pose: [1, 2, 3], min_distance_m: 2}"), HasSubstr("not both"));
+  EXPECT_THAT(kidnap_error("{at_s: 3, lift_m: 1}"), HasSubstr("lift_m"));
+  EXPECT_THAT(kidnap_error("{kind: look_alike, at_s: 3, pose: [1, 2, 3]}"), HasSubstr("pose"));
+  EXPECT_THAT(kidnap_error("{kind: nudge, at_s: 3, distance_m: [1, 0.5]}"), HasSubstr("in order"));
+  EXPECT_THAT(kidnap_error("{kind: spin, at_s: 3, lift_m: 20}"), HasSubstr("0 to 3 m"));
+  EXPECT_THAT(kidnap_error("{kind: carry, at_s: 3, wheels: square}"), HasSubstr("locked"));
+  EXPECT_THAT(kidnap_error("{at_s: 3, localizer: amcl}"), HasSubstr("localizer"));
 }
 
 }  // namespace

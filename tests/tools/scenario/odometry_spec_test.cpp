@@ -6,7 +6,7 @@
 namespace castaway::testbed {
 namespace {
 
-OdometrySpec read(const std::string& text) {
+OdometrySpec odometry_of(const std::string& text) {
   YamlDocument document = YamlDocument::parse(text, "scenario.yaml");
   YamlReader root = document.root();
   const OdometrySpec odometry = read_odometry(root);
@@ -15,12 +15,12 @@ OdometrySpec read(const std::string& text) {
 }
 
 TEST(OdometrySpec, WithoutTheKeyIsTheDefault) {
-  EXPECT_EQ(read("{}").profile, "default");
-  EXPECT_FALSE(read("{}").gyro.has_value());
+  EXPECT_EQ(odometry_of("{}").profile, "default");
+  EXPECT_FALSE(odometry_of("{}").gyro.has_value());
 }
 
 TEST(OdometrySpec, ReadsAllKeys) {
-  const OdometrySpec odometry = read(
+  const OdometrySpec odometry = odometry_of(
       "odometry: {profile: slippery, ticks_per_turn: 512, radius_sigma: 0.01, track_sigma: 0.02, "
       "drift_along: 0.03, drift_yaw_deg: 0.4, slip: {rate_per_m: 1, length_m: 0.2, share: 0.25, "
       "collision_length_m: 0.5, zones: false, zone_spread: 0.1}, gyro: {noise_deg: 0.5}}");
@@ -36,7 +36,7 @@ TEST(OdometrySpec, ReadsAllKeys) {
 
 TEST(OdometrySpec, NamesTheNearestProfile) {
   try {
-    (void)read("odometry: {profile: worn-wheel}");
+    (void)odometry_of("odometry: {profile: worn-wheel}");
     FAIL();
   } catch (const std::exception& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("'worn-wheels'"));

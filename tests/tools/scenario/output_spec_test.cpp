@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-OutputSpec read(const std::string& text) {
+OutputSpec outputs_of(const std::string& text) {
   YamlDocument document = YamlDocument::parse(text, "scenario.yaml");
   YamlReader root = document.root();
   const OutputSpec outputs = read_outputs(root);
@@ -15,12 +15,12 @@ OutputSpec read(const std::string& text) {
   return outputs;
 }
 
-std::string refusal(const std::string& text) {
-  return error_of([&] { (void)read(text); });
+std::string output_refusal(const std::string& text) {
+  return error_of([&] { (void)outputs_of(text); });
 }
 
 TEST(OutputSpec, HasADefaultForEveryKey) {
-  const OutputSpec outputs = read("{}");
+  const OutputSpec outputs = outputs_of("{}");
   EXPECT_TRUE(outputs.report);
   EXPECT_TRUE(outputs.player);
   EXPECT_TRUE(outputs.snapshots);
@@ -31,17 +31,17 @@ TEST(OutputSpec, HasADefaultForEveryKey) {
 }
 
 TEST(OutputSpec, TablesComeInTwoKinds) {
-  EXPECT_FALSE(read("{}").tables_csv || read("{}").tables_hdf5);
-  EXPECT_TRUE(read("outputs: {tables: csv}").tables_csv);
-  EXPECT_FALSE(read("outputs: {tables: csv}").tables_hdf5);
-  EXPECT_TRUE(read("outputs: {tables: [csv, hdf5]}").tables_csv);
-  EXPECT_TRUE(read("outputs: {tables: [csv, hdf5]}").tables_hdf5);
-  EXPECT_TRUE(contains(refusal("outputs: {tables: hdf}"),
+  EXPECT_FALSE(outputs_of("{}").tables_csv || outputs_of("{}").tables_hdf5);
+  EXPECT_TRUE(outputs_of("outputs: {tables: csv}").tables_csv);
+  EXPECT_FALSE(outputs_of("outputs: {tables: csv}").tables_hdf5);
+  EXPECT_TRUE(outputs_of("outputs: {tables: [csv, hdf5]}").tables_csv);
+  EXPECT_TRUE(outputs_of("outputs: {tables: [csv, hdf5]}").tables_hdf5);
+  EXPECT_TRUE(contains(output_refusal("outputs: {tables: hdf}"),
                        "'hdf' is no kind of table; did you mean 'hdf5'?"));
 }
 
 TEST(OutputSpec, ReadsAllKeys) {
-  const OutputSpec outputs = read(
+  const OutputSpec outputs = outputs_of(
       "outputs: {report: false, player: false, scans: true, points: {every_s: 2}, snapshots: "
       "{every_s: 5, on_events: false, width: 320, height: 240}, video: {width: 640, height: "
       "360, fps: 25, speed: 4, view: map}}");
@@ -61,9 +61,9 @@ TEST(OutputSpec, ReadsAllKeys) {
 }
 
 TEST(OutputSpec, ReadsFormatsOfOtherTools) {
-  const OutputSpec none = read("{}");
+  const OutputSpec none = outputs_of("{}");
   EXPECT_FALSE(none.bag || none.carmen || none.kitti || none.map);
-  const OutputSpec all = read(
+  const OutputSpec all = outputs_of(
       "outputs: {bag: {compression: lz4, particles: true, snapshots: true}, carmen: true, kitti: "
       "true, map: true}");
   ASSERT_TRUE(all.bag);
@@ -74,26 +74,27 @@ TEST(OutputSpec, ReadsFormatsOfOtherTools) {
 }
 
 TEST(OutputSpec, ABagMayBeOneWord) {
-  ASSERT_TRUE(read("outputs: {bag: true}").bag);
-  EXPECT_EQ(read("outputs: {bag: true}").bag->compression, "zstd");
-  EXPECT_FALSE(read("outputs: {bag: false}").bag);
-  EXPECT_TRUE(contains(refusal("outputs: {bag: {compression: gzip}}"), "gzip"));
-  EXPECT_TRUE(contains(refusal("outputs: {bag: {particle: true}}"), "particles"));
+  ASSERT_TRUE(outputs_of("outputs: {bag: true}").bag);
+  EXPECT_EQ(outputs_of("outputs: {bag: true}").bag->compression, "zstd");
+  EXPECT_FALSE(outputs_of("outputs: {bag: false}").bag);
+  EXPECT_TRUE(contains(output_refusal("outputs: {bag: {compression: gzip}}"), "gzip"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {bag: {particle: true}}"), "particles"));
 }
 
 TEST(OutputSpec, SnapshotsMayBeOneWord) {
-  EXPECT_FALSE(read("outputs: {snapshots: false}").snapshots);
+  EXPECT_FALSE(outputs_of("outputs: {snapshots: false}").snapshots);
 }
 
 TEST(OutputSpec, SaysWhatDoesNotDo) {
-  EXPECT_TRUE(contains(refusal("outputs: {snapshots: {width: 5}}"), "16..4096"));
-  EXPECT_TRUE(contains(refusal("outputs: {snapshots: {every_s: -1}}"), "must not be negative"));
-  EXPECT_TRUE(contains(refusal("outputs: {points: {every_s: 0}}"), "must be positive"));
-  EXPECT_TRUE(contains(refusal("outputs: {video: {width: 641}}"), "even"));
-  EXPECT_TRUE(contains(refusal("outputs: {video: {fps: 0}}"), "'fps'"));
-  EXPECT_TRUE(contains(refusal("outputs: {video: {speed: 0}}"), "'speed'"));
-  EXPECT_TRUE(contains(refusal("outputs: {video: {view: chaise}}"), "chase"));
-  EXPECT_TRUE(contains(refusal("outputs: {reprot: true}"), "report"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {snapshots: {width: 5}}"), "16..4096"));
+  EXPECT_TRUE(
+      contains(output_refusal("outputs: {snapshots: {every_s: -1}}"), "must not be negative"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {points: {every_s: 0}}"), "must be positive"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {video: {width: 641}}"), "even"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {video: {fps: 0}}"), "'fps'"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {video: {speed: 0}}"), "'speed'"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {video: {view: chaise}}"), "chase"));
+  EXPECT_TRUE(contains(output_refusal("outputs: {reprot: true}"), "report"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-PeopleSpec read(const std::string& text) {
+PeopleSpec people_of(const std::string& text) {
   YamlDocument document = YamlDocument::parse(text, "scenario.yaml");
   YamlReader root = document.root();
   const PeopleSpec people = read_people(root);
@@ -15,9 +15,9 @@ PeopleSpec read(const std::string& text) {
   return people;
 }
 
-std::string error_of(const std::string& text) {
+std::string people_error(const std::string& text) {
   try {
-    (void)read(text);
+    (void)people_of(text);
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -32,7 +32,7 @@ TEST(PeopleSpec, WithoutTheKeyIsNobodyAndFillsNothingIn) {
 }
 
 TEST(PeopleSpec, ReadsAllKeys) {
-  const PeopleSpec people = read(
+  const PeopleSpec people = people_of(
       "people: {count: 8, behaviour: scared, groups: 0.3, standing: 2, talking: [3, 2], at: [[1, "
       "2], "
       "[3, 4, 0.5]], robot_yields: false, log_every_s: 0.1}");
@@ -48,26 +48,26 @@ TEST(PeopleSpec, ReadsAllKeys) {
 }
 
 TEST(PeopleSpec, MixedIsNoBehaviourInParticular) {
-  EXPECT_FALSE(read("people: {count: 3, behaviour: mixed}").config.behaviour);
+  EXPECT_FALSE(people_of("people: {count: 3, behaviour: mixed}").config.behaviour);
 }
 
 TEST(PeopleSpec, ACrowdBringsItsPeople) {
-  const PeopleSpec people = read("people: {crowd: {blocked: 0.4}}");
+  const PeopleSpec people = people_of("people: {crowd: {blocked: 0.4}}");
   EXPECT_EQ(people.config.blocked_share, 0.4);
   EXPECT_EQ(people.config.walking, 24);
-  EXPECT_EQ(read("people: {count: 12, crowd: {blocked: 0.4}}").config.walking, 12);
+  EXPECT_EQ(people_of("people: {count: 12, crowd: {blocked: 0.4}}").config.walking, 12);
 }
 
 TEST(PeopleSpec, RefusesWhatCannotBe) {
-  EXPECT_NE(error_of("people: {cuont: 3}").find("count"), std::string::npos);
-  EXPECT_NE(error_of("people: {behaviour: sacred}").find("scared"), std::string::npos);
-  EXPECT_NE(error_of("people: {crowd: {blocked: 0.7}}").find("0..0.6"), std::string::npos);
-  EXPECT_NE(error_of("people: {groups: 1.5}").find("0..1"), std::string::npos);
-  EXPECT_NE(error_of("people: {talking: [1]}"), "");
-  EXPECT_NE(error_of("people: {count: 201}").find("200"), std::string::npos);
-  EXPECT_NE(error_of("people: {at: [[1]]}").find("[x, y]"), std::string::npos);
-  EXPECT_NE(error_of("people: {count: -1}"), "");
-  EXPECT_NE(error_of("people: {log_every_s: -1}"), "");
+  EXPECT_NE(people_error("people: {cuont: 3}").find("count"), std::string::npos);
+  EXPECT_NE(people_error("people: {behaviour: sacred}").find("scared"), std::string::npos);
+  EXPECT_NE(people_error("people: {crowd: {blocked: 0.7}}").find("0..0.6"), std::string::npos);
+  EXPECT_NE(people_error("people: {groups: 1.5}").find("0..1"), std::string::npos);
+  EXPECT_NE(people_error("people: {talking: [1]}"), "");
+  EXPECT_NE(people_error("people: {count: 201}").find("200"), std::string::npos);
+  EXPECT_NE(people_error("people: {at: [[1]]}").find("[x, y]"), std::string::npos);
+  EXPECT_NE(people_error("people: {count: -1}"), "");
+  EXPECT_NE(people_error("people: {log_every_s: -1}"), "");
 }
 
 }  // namespace

@@ -1,0 +1,11 @@
+/// Whether films can be made here.
+#pragma once
+
+#include <cstdlib>
+
+namespace castaway::testbed {
+
+/// Whether the program ffmpeg is installed.
+inline bool has_ffmpeg() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
+
+}  // namespace castaway::testbed
