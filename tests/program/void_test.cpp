@@ -63,6 +63,37 @@ TEST(Void, IsLeftOutOfTheSeeds) {
   expect_contains(text_of(folder / "a.xml"), "void: the robot");
 }
 
+/// Data of castaway's own whose laboratory is the cell.
+fs::path data_with_cell(const fs::path& folder) {
+  const fs::path data = folder / "data";
+  fs::create_directories(data / "worlds");
+  for (const char* kind : {"robots", "lidars"}) {
+    fs::create_directory_symlink(fs::path(CASTAWAY_SOURCE_DIR) / kind, data / kind);
+  }
+  std::string world = text_of(folder / "cell.yaml");
+  const std::string way = ": [[1, 1], [4, 2]]";
+  world.insert(world.rfind('}'), ", loop" + way + ", workshop" + way + ", loop-back" + way +
+                                     ", workshop-back" + way + ", both" + way);
+  write(data / "worlds/lab/world.yaml", world);
+  std::string scenario = text_of(folder / "void.yaml");
+  scenario.replace(scenario.find("cell.yaml"), 9, "lab");
+  write(data / "worlds/lab/scenarios/paper-tracking.yaml", scenario);
+  return data;
+}
+
+TEST(Void, IsLeftOutOfAnExperiment) {
+  const fs::path folder = folder_with_cell();
+  const std::string data = "CASTAWAY_DATA=" + data_with_cell(folder).string();
+  const Outcome outcome = castaway(folder, "experiment 1 --out e --junit e.xml", data);
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_contains(outcome.err, "e/runs/both/seed-1: void, and left out: the robot");
+  expect_contains(outcome.err, "no run of the experiment counts: see e");
+  EXPECT_FALSE(fs::exists(folder / "e/summary.json"));
+  const std::string junit = text_of(folder / "e.xml");
+  expect_contains(junit, "errors=\"5\"");
+  expect_contains(junit, "void: the robot");
+}
+
 TEST(Void, IsComparedAndEvaluatedByNobody) {
   const fs::path folder = folder_with_cell();
   ASSERT_EQ(castaway(folder, "run void.yaml --out a").exit_code, 1);

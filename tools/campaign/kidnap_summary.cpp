@@ -91,10 +91,10 @@ KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
 KidnapBatch summarise(std::vector<KidnapReport> reports, const std::vector<std::string>& localizers,
                       double within_s) {
   KidnapBatch batch;
+  if (!reports.empty()) batch.obstacles = reports.front().obstacles;
   batch.voids = static_cast<int>(std::erase_if(
       reports, [](const KidnapReport& report) { return report.void_run.has_value(); }));
   batch.kidnaps = static_cast<int>(reports.size());
-  if (!reports.empty()) batch.obstacles = reports.front().obstacles;
   for (const KidnapReport& report : reports) {
     const SearchOutcome& search = report.search;
     if (search.rank && *search.rank < 1) ++batch.top1;

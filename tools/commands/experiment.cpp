@@ -103,22 +103,38 @@ std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFold
   return codes;
 }
 
-std::vector<ExperimentOutcome> outcomes_of(const std::vector<ExperimentRun>& runs,
-                                           const std::vector<int>& codes,
-                                           const std::filesystem::path& out) {
-  std::vector<ExperimentOutcome> outcomes;
+/// What came of all runs.
+struct PlayedRuns {
+  std::vector<ExperimentOutcome> outcomes;  ///< Of those that count.
+  std::vector<JunitCase> cases;             ///< Of every run.
+  std::size_t voids = 0;
+};
+
+PlayedRuns outcomes_of(const std::vector<ExperimentRun>& runs, const std::vector<int>& codes,
+                       const std::filesystem::path& out) {
+  PlayedRuns played;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (codes[i] != kDone) continue;
     const std::filesystem::path folder = out / runs[i].folder;
+    const auto add_case = [&](double wall_s, std::optional<std::string> error) {
+      played.cases.push_back(run_case(runs[i].part, runs[i].seed, wall_s, std::move(error)));
+    };
+    if (codes[i] != kDone) {
+      add_case(0.0, "the run failed");
+      continue;
+    }
     ExperimentOutcome outcome{runs[i], folder, read_json(folder / "summary.json"),
                               read_json(folder / "timing.json")};
-    if (const auto reason = void_sentence(outcome.summary)) {
+    const auto reason = void_sentence(outcome.summary);
+    add_case(outcome.timing.at("wall_s").get<double>(),
+             reason ? std::optional("void: " + *reason) : std::nullopt);
+    if (reason) {
+      ++played.voids;
       fmt::print(stderr, "castaway: {}: void, and left out: {}\n", folder.string(), *reason);
     } else {
-      outcomes.push_back(std::move(outcome));
+      played.outcomes.push_back(std::move(outcome));
     }
   }
-  return outcomes;
+  return played;
 }
 
 /// What each part's scenario expects, of its own runs.
@@ -164,6 +180,15 @@ std::string command_of(const ExperimentArguments& arguments) {
                      arguments.quick ? " --quick" : "");
 }
 
+void write_junit(const ExperimentArguments& arguments, const std::vector<Check>& checks,
+                 const std::vector<JunitCase>& runs) {
+  if (arguments.junit.empty()) return;
+  const std::string name = fmt::format("experiment-{}", arguments.number);
+  std::vector<JunitCase> cases = junit_cases(name, checks);
+  cases.insert(cases.end(), runs.begin(), runs.end());
+  write_own_file(arguments.junit, junit_xml(name, cases));
+}
+
 int run_experiment(const ExperimentArguments& arguments) {
   const Experiment experiment =
       paper_experiment(arguments.number, arguments.repeats, arguments.quick);
@@ -171,8 +196,13 @@ int run_experiment(const ExperimentArguments& arguments) {
   RunsFolder folder = open_folder(arguments, runs);
   const std::filesystem::path out = folder.path();
   const std::vector<int> codes = play_all(runs, folder, arguments);
-  const std::vector<ExperimentOutcome> outcomes = outcomes_of(runs, codes, out);
-  if (outcomes.empty()) return kRunFailed;
+  const PlayedRuns played = outcomes_of(runs, codes, out);
+  const std::vector<ExperimentOutcome>& outcomes = played.outcomes;
+  if (outcomes.empty()) {
+    write_junit(arguments, {}, played.cases);
+    fmt::print(stderr, "castaway: no run of the experiment counts: see {}\n", out.string());
+    return kRunFailed;
+  }
   ExperimentPage page;
   page.experiment = experiment;
   page.rows = pooled_rows(outcomes);
@@ -187,17 +217,16 @@ int run_experiment(const ExperimentArguments& arguments) {
   folder.put("report.html", render_experiment(page));
   folder.finish();
   const std::vector<Check> checks = judge_parts(experiment, outcomes);
-  const std::string name = fmt::format("experiment-{}", arguments.number);
-  if (!arguments.junit.empty()) {
-    write_own_file(arguments.junit, junit_xml(name, junit_cases(name, checks)));
-  }
+  write_junit(arguments, checks, played.cases);
   if (arguments.json) {
     fmt::print("{}\n", page.summary.dump(2));
   } else {
-    fmt::print("Experiment {}, {}: {} runs, {} failed, {:.0f} s\n\n{}\nFolder: {}\nReport: {}\n",
-               experiment.number, experiment.title, runs.size(), runs.size() - outcomes.size(),
-               timing.at("wall_s").get<double>(), as_text(page.table), out.string(),
-               (out / "report.html").string());
+    fmt::print(
+        "Experiment {}, {}: {} runs, {} failed, {} void, {:.0f} s\n\n{}\nFolder: {}\nReport: {}\n",
+        experiment.number, experiment.title, runs.size(),
+        runs.size() - outcomes.size() - played.voids, played.voids,
+        timing.at("wall_s").get<double>(), as_text(page.table), out.string(),
+        (out / "report.html").string());
   }
   fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
   return outcomes.size() < runs.size() ? static_cast<int>(kRunFailed) : exit_code_of(checks);

@@ -56,6 +56,21 @@ TEST(KidnapOutcome, IsNotRecoveredWhereItGoesWrongAgain) {
   EXPECT_DOUBLE_EQ(*outcome.confident_s, 3.5);
 }
 
+TEST(Summarise, LeavesOutTrialsThatAreVoid) {
+  const KidnapReport counts{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
+  KidnapReport stuck = counts;
+  stuck.void_run = VoidRun{kStuck, 1.0};
+  const KidnapBatch batch = summarise({stuck, counts}, {"amcl"}, 10.0);
+  EXPECT_EQ(batch.voids, 1);
+  EXPECT_EQ(batch.kidnaps, 1);
+  EXPECT_EQ(batch.rows[0].recovered, 1);
+  const KidnapBatch none = summarise({stuck}, {"amcl"}, 10.0);
+  EXPECT_EQ(none.voids, 1);
+  EXPECT_EQ(none.kidnaps, 0);
+  EXPECT_EQ(none.obstacles, 6);
+  EXPECT_EQ(none.blocked_share, 0.0);
+}
+
 TEST(Summarise, PutsTrialsTogether) {
   KidnapReport early{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
   KidnapReport late{1, 6, {}, {}, {5, 0.6}, {outcome_of(kidnapped())}};
