@@ -15,6 +15,7 @@ MapCaption caption_of(const ScanRecord& record) {
     caption.entries.push_back(
         {record.localizers[i].name, palette_color(kLocalizerColors, i), false});
   }
+  if (!record.people.people.empty()) caption.entries.push_back({"people", kPeopleColor, true});
   return caption;
 }
 

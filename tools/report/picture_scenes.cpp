@@ -16,7 +16,6 @@ using Eigen::Vector3f;
 
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
 constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest picture that overviews fit into.
-const Vector3f kPersonColor{0.55F, 0.30F, 0.60F};
 
 Vector3f lifted(const Eigen::Vector2d& p, double z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
@@ -27,7 +26,7 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
   constexpr int kSides = 20;
   constexpr double kDepth = 0.16;   // [m]
   constexpr double kWidth = 0.225;  // [m]
-  sim::SceneLines outline{{}, kPersonColor, 2.0F};
+  sim::SceneLines outline{{}, scene_color(kPeopleColor), 2.0F};
   for (int side = 0; side < kSides; ++side) {
     for (const int end : {side, side + 1}) {
       const double angle = 2.0 * std::numbers::pi * end / kSides;

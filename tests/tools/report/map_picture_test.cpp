@@ -31,6 +31,9 @@ TEST(MapCaptionOfARecord, NamesTruthAndLocalizers) {
   ASSERT_EQ(caption.entries.size(), 3U);
   EXPECT_EQ(caption.entries[0].name, "truth");
   EXPECT_EQ(caption.entries[2].name, "amcl");
+  ScanRecord among_people = record_at(1.0, {"amcl"});
+  among_people.people.people.emplace_back();
+  EXPECT_EQ(caption_of(among_people).entries.back().name, "people");
   ScanRecord recorded = record_at(1.0, {"amcl"});
   recorded.T_map_base_true.reset();
   EXPECT_EQ(caption_of(recorded).entries.size(), 1U);

@@ -20,9 +20,10 @@ Eigen::Vector3d lab(std::uint32_t rgb) {
   return {116.0 * xyz.y() - 16.0, 500.0 * (xyz.x() - xyz.y()), 200.0 * (xyz.y() - xyz.z())};
 }
 
-TEST(Palette, TellsLocalizersAndPopulationsApart) {
+TEST(Palette, TellsLocalizersPopulationsAndPeopleApart) {
   std::vector<std::uint32_t> colors(kLocalizerColors.begin(), kLocalizerColors.end());
   colors.insert(colors.end(), kPopulationColors.begin(), kPopulationColors.end());
+  colors.push_back(kPeopleColor);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       EXPECT_GT((lab(colors[i]) - lab(colors[k])).norm(), 25.0)
