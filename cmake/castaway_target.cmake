@@ -4,6 +4,17 @@ option(CASTAWAY_UNITY "Compile sources of one folder together" ON)
 set(CASTAWAY_UNITY_FILES 12 CACHE STRING "Sources that are compiled together, at most")
 mark_as_advanced(CASTAWAY_UNITY_FILES)
 
+# So many files together take up to 1.2 GB: no more compilers at once than fit into memory.
+if(CASTAWAY_UNITY AND NOT CMAKE_JOB_POOL_COMPILE)
+  cmake_host_system_information(RESULT megabytes QUERY TOTAL_PHYSICAL_MEMORY)
+  math(EXPR compilers "${megabytes} / 1500")
+  if(compilers LESS 1)
+    set(compilers 1)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY JOB_POOLS compile=${compilers})
+  set(CMAKE_JOB_POOL_COMPILE compile)
+endif()
+
 # Groups the sources of a target by their folder, CASTAWAY_UNITY_FILES to a group.
 function(castaway_group_sources name)
   get_target_property(sources ${name} SOURCES)
