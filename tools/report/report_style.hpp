@@ -9,18 +9,18 @@ namespace castaway::testbed {
 inline constexpr const char* kReportStyle = R"(
 :root { color-scheme: light; --page: #fbfbfa; --ink: #1d2328; --soft: #59636d; --line: #d9dde0; --card: #ffffff;
   --mark: #8a3ffc; --link: #0b5c8f; --good: #00724f; --bad: #c1272d; --warn: #b36b00; --warn-text: #8f5500;
-  --free: #ffffff; --wall: #23292e; --unknown: #d5d9dc; --scan: #d0103a; --person: #7a3e86;
+  --free: #ffffff; --wall: #23292e; --unknown: #d5d9dc; --scan: #d0103a; --person: #5b6670;
   --c0: #0072B2; --c1: #D55E00; --c2: #009E73; --c3: #CC79A7; --c4: #E69F00; --c5: #56B4E9;
   --p0: #7A1FA2; --p1: #999900; --p2: #E8007D; --p3: #7F3B08; --p4: #A6D854; --p5: #6A5ACD; }
 :root[data-theme="dark"] { color-scheme: dark; --page: #14181b; --ink: #e6e9eb; --soft: #9fabb5; --line: #343c43;
   --card: #1c2226; --mark: #be95ff; --link: #7cc4f2; --good: #4fd6a4; --bad: #ff7b72; --warn: #f0b04f; --warn-text: #f0b04f;
-  --free: #262d33; --wall: #e2e6e9; --unknown: #14181b; --scan: #ff5d7d; --person: #d8a3e2;
+  --free: #262d33; --wall: #e2e6e9; --unknown: #14181b; --scan: #ff5d7d; --person: #9aa6b0;
   --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5;
   --p0: #c07be0; --p1: #c9c94a; --p2: #ff5fae; --p3: #c98b5c; --p4: #c4ec86; --p5: #a79cf0; }
 @media (prefers-color-scheme: dark) { :root:not([data-theme="light"]) { color-scheme: dark; --page: #14181b; --ink: #e6e9eb;
   --soft: #9fabb5; --line: #343c43; --card: #1c2226; --mark: #be95ff; --link: #7cc4f2; --good: #4fd6a4; --bad: #ff7b72;
   --warn: #f0b04f; --warn-text: #f0b04f; --free: #262d33; --wall: #e2e6e9; --unknown: #14181b; --scan: #ff5d7d;
-  --person: #d8a3e2; --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5;
+  --person: #9aa6b0; --c0: #4fa8e0; --c1: #f0843c; --c2: #2fc79a; --c3: #e39cc4; --c4: #f0c25a; --c5: #9ad4f5;
   --p0: #c07be0; --p1: #c9c94a; --p2: #ff5fae; --p3: #c98b5c; --p4: #c4ec86; --p5: #a79cf0; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 1180px; padding: 1.2rem; background: var(--page); color: var(--ink);
