@@ -21,8 +21,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double kReportWithin = 0.5;      // [m] An output nearer to the truth is right...
-constexpr double kReportWithinYaw = 0.35;  // [rad] ...and so is its heading.
+constexpr double kRightPosition = 0.5;  // [m] An output nearer to the truth is right...
+constexpr double kRightYaw = 0.35;      // [rad] ...and so is its heading.
 
 nanoseconds period_of(double hz, const char* what) {
   if (!(hz > 0.0) || hz > 1e5) {
@@ -116,7 +116,7 @@ void Simulation::State::measured(const char* stage, Work work) {
 bool Simulation::State::localized() const {
   if (!watched) return false;
   const Pose2 error = inverse(to_planar(robot.state().T_map_base)) * *watched;
-  return error.position().norm() < kReportWithin && std::abs(error.yaw) < kReportWithinYaw;
+  return error.position().norm() < kRightPosition && std::abs(error.yaw) < kRightYaw;
 }
 
 void Simulation::State::kidnap() {

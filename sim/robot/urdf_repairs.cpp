@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-std::string repaired_attribute(const TiXmlElement& element, const char* name) {
+std::string attribute_of(const TiXmlElement& element, const char* name) {
   const char* value = element.Attribute(name);
   return value == nullptr ? "" : value;
 }
@@ -23,7 +23,7 @@ std::set<std::string> defined_materials(TiXmlElement& robot) {
   std::set<std::string> names;
   for (TiXmlElement* m = robot.FirstChildElement("material"); m != nullptr;) {
     TiXmlElement* next = m->NextSiblingElement("material");
-    if (!has_look(*m) || !names.insert(repaired_attribute(*m, "name")).second) robot.RemoveChild(m);
+    if (!has_look(*m) || !names.insert(attribute_of(*m, "name")).second) robot.RemoveChild(m);
     m = next;
   }
   // urdfdom keeps a material that a visual shape defines for all that come later.
@@ -32,7 +32,7 @@ std::set<std::string> defined_materials(TiXmlElement& robot) {
     for (auto* v = link->FirstChildElement("visual"); v != nullptr;
          v = v->NextSiblingElement("visual")) {
       const TiXmlElement* m = v->FirstChildElement("material");
-      if (m != nullptr && has_look(*m)) names.insert(repaired_attribute(*m, "name"));
+      if (m != nullptr && has_look(*m)) names.insert(attribute_of(*m, "name"));
     }
   }
   return names;
@@ -46,11 +46,10 @@ void drop_unknown_materials(TiXmlElement& robot, std::vector<std::string>& warni
     for (auto* v = link->FirstChildElement("visual"); v != nullptr;
          v = v->NextSiblingElement("visual")) {
       TiXmlElement* m = v->FirstChildElement("material");
-      if (m == nullptr || has_look(*m) || known.contains(repaired_attribute(*m, "name"))) continue;
-      if (told.insert(repaired_attribute(*m, "name")).second) {
+      if (m == nullptr || has_look(*m) || known.contains(attribute_of(*m, "name"))) continue;
+      if (told.insert(attribute_of(*m, "name")).second) {
         warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey stands for it",
-                                       repaired_attribute(*link, "name"),
-                                       repaired_attribute(*m, "name")));
+                                       attribute_of(*link, "name"), attribute_of(*m, "name")));
       }
       v->RemoveChild(m);
     }
@@ -60,7 +59,7 @@ void drop_unknown_materials(TiXmlElement& robot, std::vector<std::string>& warni
 void add_limits(TiXmlElement& robot, std::vector<std::string>& warnings) {
   for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
-    const std::string type = repaired_attribute(*joint, "type");
+    const std::string type = attribute_of(*joint, "type");
     if (type != "revolute" && type != "prismatic") continue;
     TiXmlElement* limit = joint->FirstChildElement("limit");
     const bool whole = limit != nullptr && limit->Attribute("effort") != nullptr &&
@@ -73,14 +72,14 @@ void add_limits(TiXmlElement& robot, std::vector<std::string>& warnings) {
       if (limit->Attribute(name) == nullptr) limit->SetAttribute(name, "0");
     }
     warnings.push_back(fmt::format("joint {}: no whole <limit>: zeros stand for what is missing",
-                                   repaired_attribute(*joint, "name")));
+                                   attribute_of(*joint, "name")));
   }
 }
 
 }  // namespace
 
 void repair_urdf(TiXmlElement& robot, const std::string& path, std::vector<std::string>& warnings) {
-  if (repaired_attribute(robot, "name").empty()) {
+  if (attribute_of(robot, "name").empty()) {
     const std::string stem = std::filesystem::path(path).stem().stem().string();
     robot.SetAttribute("name", stem);
     warnings.push_back(fmt::format("the robot has no name: '{}', after its file", stem));

@@ -18,7 +18,7 @@ inline constexpr std::array<std::uint32_t, 6> kLocalizerColors{0x0072B2, 0xD55E0
 inline constexpr std::array<std::uint32_t, 6> kPopulationColors{0x7A1FA2, 0x999900, 0xE8007D,
                                                                 0x7F3B08, 0xA6D854, 0x6A5ACD};
 
-/// People on map pictures: far from both.
+/// People on the map, as the player draws them: far from both.
 inline constexpr std::uint32_t kPeopleColor = 0x5B6670;
 
 /// Colour `index` of a palette, from its beginning again behind its end.
