@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,7 +37,7 @@ std::string name_hint(std::string_view name, const std::vector<std::string>& kno
     return fmt::format("did you mean '{}'?", *nearest);
   }
   const std::size_t shown = std::min<std::size_t>(known.size(), 20);
-  return fmt::format("known are: {}{}", fmt::join(known.begin(), known.begin() + shown, ", "),
+  return fmt::format("known are: {}{}", fmt::join(std::span(known).first(shown), ", "),
                      shown < known.size() ? ", ..." : "");
 }
 

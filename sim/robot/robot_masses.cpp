@@ -43,8 +43,9 @@ BodyMass weigh_chassis(const UrdfFile& file, const LinkFrames& frames, bool gues
                        RobotModel& robot) {
   std::vector<BodyMass> bodies;
   for (const auto& [name, link] : file.model->links_) {
-    const bool wheel = std::any_of(robot.wheels.begin(), robot.wheels.end(),
-                                   [&](const DriveWheel& w) { return w.link == link->name; });
+    const bool wheel =
+        std::any_of(robot.wheels.begin(), robot.wheels.end(),
+                    [&own = link->name](const DriveWheel& w) { return w.link == own; });
     if (wheel || (!guess && !link->inertial)) continue;
     const BodyMass body = link_mass(*link, frames, points_of(robot, name), robot.warnings);
     if (body.mass > 0.0) bodies.push_back(body);

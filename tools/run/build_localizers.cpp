@@ -39,7 +39,7 @@ LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
   const double s = scenario.start.sigma_m;
   const double r = scenario.start.sigma_yaw;
   const Eigen::Vector3d& wrong = scenario.start.wrong_by;
-  config.start = {start * SE2(wrong.x(), wrong.y(), wrong.z()),
+  config.start = {start * SE2{wrong.x(), wrong.y(), wrong.z()},
                   Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
   return config;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -21,7 +22,7 @@ constexpr std::size_t kMaxIncludeDepth = 40;
 std::string names_of(const std::vector<std::string>& names) {
   if (names.empty()) return "none is defined";
   const std::size_t shown = std::min<std::size_t>(names.size(), 12);
-  return fmt::format("known: {}{}", fmt::join(names.begin(), names.begin() + shown, ", "),
+  return fmt::format("known: {}{}", fmt::join(std::span(names).first(shown), ", "),
                      shown < names.size() ? ", ..." : "");
 }
 
