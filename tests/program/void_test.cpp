@@ -1,6 +1,7 @@
 // A run that is void is told as such by every command, and scores nobody.
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -103,6 +104,31 @@ TEST(Void, IsComparedAndEvaluatedByNobody) {
   const Outcome evaluated = castaway(folder, "evaluate a");
   EXPECT_NE(evaluated.exit_code, 0);
   expect_contains(evaluated.out + evaluated.err, "void");
+}
+
+/// A hall whose floor is cut into squares of 1 m by such bars: no robot gets out of its square.
+void write_grid(const fs::path& file) {
+  std::ofstream out(file);
+  out << "name: grid\nextent: {min: [0, 0], max: [12, 8]}\nstart: [1.5, 1.5, 0]\nobjects:\n"
+         "  - wall: {points: [[0.1, 0.1], [11.9, 0.1], [11.9, 7.9], [0.1, 7.9]], closed: true}\n";
+  const auto bar = [&](double x, double y, double length, double width) {
+    out << fmt::format(
+        "  - box: {{at: [{}, {}], size: [{}, {}, 0.02], bottom: 0.045, in_map: false}}\n", x, y,
+        length, width);
+  };
+  for (int x = 1; x < 12; ++x) bar(x, 4.0, 0.05, 7.8);
+  for (int y = 1; y < 8; ++y) bar(6.0, y, 11.8, 0.05);
+}
+
+TEST(Void, IsLeftOutOfABenchOfKidnaps) {
+  const fs::path folder = fresh_folder();
+  write_grid(folder / "grid.yaml");
+  const Outcome outcome = castaway(
+      folder,
+      "bench kidnaps --world grid.yaml --kidnaps 3 --window 20 --lead 10 --localizer mh_amcl");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  expect_contains(outcome.out, "3 trials are void and left out");
+  EXPECT_EQ(outcome.out.find(" of 3"), std::string::npos);
 }
 
 TEST(Void, LeavesADatasetUnfinished) {
