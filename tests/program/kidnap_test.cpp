@@ -75,6 +75,19 @@ TEST(Kidnap, IsReproducedByTheScenarioThatARunLeaves) {
   EXPECT_EQ(text_of(folder / "a/scenario.yaml"), text_of(folder / "b/scenario.yaml"));
 }
 
+TEST(Kidnap, ThatComesTooLateIsSaidNotToBeScored) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome = castaway(folder,
+                                   "run --duration 6 --set \"events=[{kidnap: {kind: teleport, "
+                                   "at_s: 3}}]\" --set outputs.snapshots=false "
+                                   "--out run");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.out, "1 kidnap is not scored: less than 5 s before");
+  const std::string page = text_of(folder / "run/report.html");
+  expect_contains(page, "was displaced. 1 kidnap is not scored");
+  EXPECT_EQ(page.find("never displaced"), std::string::npos);
+}
+
 TEST(Run, DrivesByALocalizersEstimate) {
   const fs::path folder = fresh_folder();
   const Outcome outcome = castaway(folder,

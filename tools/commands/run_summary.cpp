@@ -6,6 +6,7 @@
 #include "tools/commands/terminal.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/metrics/unscored.hpp"
 #include "tools/metrics/void_run.hpp"
 
 namespace castaway::testbed {
@@ -79,6 +80,14 @@ std::string driving_line(const Json& summary) {
   return text.empty() ? text : text + "\n\n";
 }
 
+/// The kidnaps that no localizer could recover from; nothing where all are scored.
+std::string unscored_line(const Json& summary) {
+  const Json& localizers = summary.at("localizers");
+  if (localizers.empty()) return "";
+  const std::string sentence = unscored_sentence(localizers.begin()->at("recovery"));
+  return sentence.empty() ? "" : "\n" + sentence + "\n";
+}
+
 std::string cost_line(const Json& timing) {
   const Json& factor = timing.at("realtime_factor");
   const bool fast = factor.is_number() && factor.get<double>() >= 10.0;
@@ -119,6 +128,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   for (const auto& [name, metrics] : summary.at("localizers").items()) {
     text += localizer_line(name, metrics, timing.at("localizers"));
   }
+  text += unscored_line(summary);
   text += cost_line(timing);
   text += fmt::format("\nRun folder: {}\n", run_folder.string());
   const std::filesystem::path report = run_folder / "report.html";

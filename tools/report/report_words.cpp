@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/metrics/unscored.hpp"
 #include "tools/report/html.hpp"
 
 namespace castaway::testbed {
@@ -21,11 +22,22 @@ std::int64_t count_events(const RunFolder& run, const std::string& kind) {
                        [&](const ReportEvent& event) { return event.kind == kind; });
 }
 
+/// A sentence after the others; empty if every kidnap is scored.
+std::string unscored_words(const Json& figures) {
+  const auto recovery = figures.find("recovery");
+  if (recovery == figures.end()) return "";
+  const std::string sentence = unscored_sentence(*recovery);
+  return sentence.empty() ? "" : " " + sentence + ".";
+}
+
 std::string recovery_words(const RunFolder& run, const Json& figures) {
   const auto events = static_cast<int>(figure_at(figures, "/recovery/events").value_or(0));
-  if (events == 0) return "was never displaced";
-  const auto recovered = static_cast<int>(figure_at(figures, "/recovery/recovered").value_or(0));
   const bool known_start = run.summary.value("known_start", true);
+  if (events == 0) {
+    if (unscored_words(figures).empty()) return "was never displaced";
+    return known_start ? "was displaced" : "started at an unknown pose";
+  }
+  const auto recovered = static_cast<int>(figure_at(figures, "/recovery/recovered").value_or(0));
   std::string what = events == 1 ? "kidnap" : "kidnaps";
   if (!known_start) what = events == 1 ? "unknown start" : "losses (unknown start and kidnaps)";
   std::string words = fmt::format("recovered from {} of {} {}", recovered, events, what);
@@ -65,8 +77,9 @@ std::optional<double> figure_at(const Json& json, const std::string& pointer) {
 
 std::string describe_localizer(const RunFolder& run, const std::string& name) {
   const Json& figures = run.summary["localizers"][name];
-  return fmt::format("<strong>{}</strong> {}.{}{}", escape_html(name), recovery_words(run, figures),
-                     error_words(figures), lock_words(figures));
+  return fmt::format("<strong>{}</strong> {}.{}{}{}", escape_html(name),
+                     recovery_words(run, figures), unscored_words(figures), error_words(figures),
+                     lock_words(figures));
 }
 
 std::string describe_run(const RunFolder& run) {

@@ -38,7 +38,8 @@ std::vector<ScanRecord> records(int count) {
 
 /// The report of a run of these records, written and read back.
 std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kReported),
-                      double wall_s = 1.0, const std::optional<RosMap>& map = reported_map()) {
+                      double wall_s = 1.0, const std::optional<RosMap>& map = reported_map(),
+                      double end_s = 20.0) {
   const TemporaryFolder folder;
   std::vector<std::unique_ptr<RunSink>> sinks;
   sinks.push_back(std::make_unique<ErrorsSink>(folder.path()));
@@ -47,7 +48,7 @@ std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(
   for (auto& sink : sinks) {
     sink->on_event(kidnap_to(4.5));
     for (const ScanRecord& record : all) sink->on_scan(record);
-    sink->finish(localization::from_seconds(20.0), {wall_s, {{"lidar", 0.1 * wall_s}}});
+    sink->finish(localization::from_seconds(end_s), {wall_s, {{"lidar", 0.1 * wall_s}}});
   }
   folder.put("snapshots/t0004.500-kidnap-1-map.png", "\x89PNG");
   write_report(folder.path(), map);
@@ -128,6 +129,15 @@ TEST(Report, ShowsTheFiguresOfTheSummary) {
   EXPECT_TRUE(contains(html, row("Brier score", "0.250", "0.250")));  // 0.5 is always stated
   EXPECT_TRUE(contains(html, "<strong>a</strong> recovered from 1 of 1 kidnap, after 0.600 s."));
   EXPECT_TRUE(contains(html, "1.90 m driven in 20.0 s, 1 kidnap, no collision."));
+}
+
+TEST(Report, SaysWhichKidnapsAreNotScored) {
+  const std::string late = report_of(records(20), run_of(kReported), 1.0, reported_map(), 9.0);
+  EXPECT_TRUE(contains(late,
+                       "<strong>a</strong> was displaced. 1 kidnap is not scored: less than 5 s "
+                       "before the next one or the end of the run. While"));
+  EXPECT_EQ(late.find("never displaced"), std::string::npos);
+  EXPECT_EQ(report_of(records(20)).find("not scored"), std::string::npos);
 }
 
 TEST(Report, ShowsCountsAsWholeNumbers) {

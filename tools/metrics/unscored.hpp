@@ -1,0 +1,15 @@
+/// Kidnaps after which no recovery can be scored.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace castaway::testbed {
+
+/// What a page says of the events of a localizer's `recovery` in `summary.json` that are not scored
+/// because the next kidnap or the end of the run followed too soon: "1 kidnap is not scored: ...".
+/// Empty if all are.
+std::string unscored_sentence(const nlohmann::ordered_json& recovery);
+
+}  // namespace castaway::testbed
