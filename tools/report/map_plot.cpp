@@ -7,6 +7,7 @@
 
 #include "sim/render/image.hpp"
 #include "tools/report/html.hpp"
+#include "tools/report/map_backdrop.hpp"
 #include "tools/report/map_caption.hpp"
 
 namespace castaway::testbed {
@@ -37,16 +38,6 @@ RosMap bounding_grid(const RunFolder& run) {
   grid.height =
       static_cast<int>(std::ceil((bounds.sizes().y() + 2 * kMapMargin) / grid.resolution));
   return grid;
-}
-
-sim::Image picture_of(const RosMap& map) {
-  const GrayImage gray = map_image(map);
-  sim::Image image{map.width, map.height, {}};
-  image.pixels.reserve(3 * gray.pixels.size());
-  for (const std::uint16_t pixel : gray.pixels) {
-    image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(pixel));
-  }
-  return image;
 }
 
 /// Pixels of the picture, x right, y down.
@@ -108,7 +99,7 @@ std::string render_map_plot(const RunFolder& run, const std::optional<RosMap>& m
       grid.width, grid.height + 11.0 * stroke);
   if (map) {
     svg += fmt::format("<image width=\"{}\" height=\"{}\" href=\"{}\"/>", grid.width, grid.height,
-                       png_data_uri(sim::encode_png(picture_of(*map))));
+                       png_data_uri(sim::encode_png(map_backdrop(*map))));
   }
   if (!run.curves.empty()) {
     svg += truth_element(path_data(run.curves.front(), &ReportRow::T_map_base_true, grid), stroke);

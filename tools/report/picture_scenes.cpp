@@ -52,14 +52,20 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene&
   }
 }
 
-/// World, robot at its true pose, what moves, and lidar hits.
-sim::Scene base_scene(const PictureWorld& world, const std::vector<sim::SceneItem>& standing,
+/// What stands and what moves, but the robot.
+std::vector<sim::SceneItem> surroundings(const PictureWorld& world,
+                                         std::vector<sim::SceneItem> items) {
+  if (world.moving) {
+    for (sim::SceneItem& item : world.moving()) items.push_back(std::move(item));
+  }
+  return items;
+}
+
+/// `items`, robot at its true pose, and lidar hits.
+sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> items,
                       const ScanRecord& record, const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
-  scene.items = standing;
-  if (world.moving) {
-    for (sim::SceneItem& item : world.moving()) scene.items.push_back(std::move(item));
-  }
+  scene.items = std::move(items);
   if (!record.T_map_base_true) return scene;
   const Eigen::Isometry3f T_map_base =
       localization::to_se3(T_map_now.value_or(*record.T_map_base_true)).cast<float>();
@@ -120,9 +126,10 @@ std::vector<Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base) {
 
 sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_now) {
-  sim::Scene scene = base_scene(world, world.world, record, T_map_now);
+  std::vector<sim::SceneItem> items = surroundings(world, world.world);
   const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
-  const ChaseView view = clear_view(world.world, T_map_base);
+  const ChaseView view = clear_view(items, T_map_base);
+  sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   scene.camera.eye = view.eye;
   scene.camera.target = view.target;
   scene.camera.fov_y_deg = 60.0F;
@@ -132,7 +139,8 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
 sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
                           const std::optional<SE2>& T_map_now) {
   const bool roofed = !world.from_above.empty();
-  sim::Scene scene = base_scene(world, roofed ? world.from_above : world.world, record, T_map_now);
+  std::vector<sim::SceneItem> items = surroundings(world, roofed ? world.from_above : world.world);
+  sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();
   scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);

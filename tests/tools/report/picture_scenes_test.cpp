@@ -1,0 +1,32 @@
+#include "tools/report/picture_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+#include "tools/report/chase_view.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Eigen::Vector3f;
+
+/// A wall across x, 4 m wide and 2.5 m high, at x = -0.6 m.
+sim::SceneItem wall_behind() {
+  sim::SceneItem wall;
+  wall.mesh.vertices = {{-0.6F, -2, 0}, {-0.6F, 2, 0}, {-0.6F, 2, 2.5F}, {-0.6F, -2, 2.5F}};
+  wall.mesh.indices = {0, 1, 2, 0, 2, 3};
+  return wall;
+}
+
+TEST(ChaseScene, SeesTheRobotBesideWhatMoves) {
+  PictureWorld world;
+  const ScanRecord record = record_at(0.0, {});  // The robot stands in the origin.
+  EXPECT_LT(chase_scene(world, record, std::nullopt).camera.eye.x(), -0.6F);
+  world.moving = [] { return std::vector{wall_behind()}; };
+  const sim::Scene scene = chase_scene(world, record, std::nullopt);
+  EXPECT_FALSE(is_hidden({wall_behind()}, Vector3f(0, 0, 0.25F), scene.camera.eye));
+  ASSERT_EQ(scene.items.size(), 1U);
+}
+
+}  // namespace
+}  // namespace castaway::testbed
