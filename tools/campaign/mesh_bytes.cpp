@@ -27,6 +27,7 @@ bool take(std::string_view& bytes, std::vector<Value>& values) {
   bytes.remove_prefix(sizeof count);
   if (count > bytes.size() / sizeof(Value)) return false;
   values.resize(count);
+  if (count == 0) return true;  // memcpy takes no null pointer.
   std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(Value));
   bytes.remove_prefix(count * sizeof(Value));
   return true;

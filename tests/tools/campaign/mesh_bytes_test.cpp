@@ -20,6 +20,12 @@ TEST(MeshBytes, BringAMeshAcross) {
   EXPECT_EQ(mesh.indices, kMesh.indices);
 }
 
+TEST(MeshBytes, BringAMeshOfNothingAcross) {
+  const auto answer = mesh_answer(to_bytes(sim::TriangleMesh{}));
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(std::get<sim::TriangleMesh>(*answer).vertices.empty());
+}
+
 TEST(MeshBytes, BringAReasonAcross) {
   for (const bool too_large : {false, true}) {
     const auto answer = mesh_answer(to_bytes(MeshFailure{"why", too_large}));
