@@ -191,6 +191,7 @@ def mutations(good, rng, count):
 # name: good content, file name, command line
 FORMATS = {
     "scenario": (SCENARIO, "s.yaml", ["run", "s.yaml", "--out", "o"]),
+    "scenario-left": (None, "run/scenario.yaml", ["run", "run/scenario.yaml", "--out", "o"]),
     "world": (WORLD, "w.yaml", ["check-world", "w.yaml", "--no-picture"]),
     "world-run": (WORLD, "w.yaml", ["run", "--world", "w.yaml", "--duration", "1", "--out", "o"] + QUICK),
     "map": (MAP_YAML, "m.yaml", ["run", "--world", "m.yaml", "--duration", "1", "--out", "o"] + QUICK),
