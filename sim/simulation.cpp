@@ -238,6 +238,11 @@ Pose2 Simulation::start_pose() const { return state_->start; }
 
 Pose2 Simulation::true_pose() const { return to_planar(state_->robot.state().T_map_base); }
 
+Eigen::Isometry3d Simulation::T_footprint_base() const {
+  const Eigen::Isometry3d& T_map_base = state_->robot.state().T_map_base;
+  return to_isometry(to_planar(T_map_base)).inverse() * T_map_base;
+}
+
 Twist2 Simulation::commanded() const { return state_->commanded; }
 
 WheelAngles Simulation::wheels() const { return state_->robot.state().wheels; }

@@ -130,6 +130,8 @@ class Simulation {
   [[nodiscard]] Pose2 start_pose() const;
   /// True pose of base now.
   [[nodiscard]] Pose2 true_pose() const;
+  /// Pose of base now over its planar pose (base_footprint of REP-120): height, roll and pitch.
+  [[nodiscard]] Eigen::Isometry3d T_footprint_base() const;
   /// The velocity that the robot was last commanded.
   [[nodiscard]] Twist2 commanded() const;
   /// Its wheels now.

@@ -153,6 +153,7 @@ int with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body
   plan.loop = loop_config(scenario, *source.start_pose());
   if (plan.exports.bag && plan.loop.start) plan.exports.bag->start = plan.loop.start->T_map_base;
   if (plan.exports.bag) plan.exports.bag->drive = [&] { return source.drive_now(wheels); };
+  plan.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };
   if (scenario.people.config.count() > 0) {
     plan.people_every_s = scenario.people.log_every_s;
     plan.picture_world.moving = [&source] { return source.people_items(); };

@@ -128,7 +128,7 @@ void CameraSink::on_odometry(const OdometryFrame& frame) {
 }
 
 void CameraSink::take(Stamp stamp, const SE2& T_map_base) {
-  const Eigen::Isometry3d T_map_robot = localization::to_se3(T_map_base);
+  const Eigen::Isometry3d T_map_robot = pose_in_space(world_, T_map_base);
   const Eigen::Isometry3d T_map_optical = T_map_robot * T_base_optical(config_);
   sim::Scene scene;
   scene.items = world_.world;

@@ -55,10 +55,16 @@ bool hides(const sim::SceneItem& item, const Vector3f& from, const Vector3f& to)
 constexpr float kHeight = 0.25F;  // [m] At which the robot must be seen.
 constexpr float kSide = 0.2F;     // [m] So far from its middle, too.
 
-Vector3f placed(const localization::SE2& T_map_base, float x, float y, float z) {
-  const Eigen::Vector2d p = T_map_base * Eigen::Vector2d(x, y);
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), z};
-}
+/// Where the robot stands.
+struct Stand {
+  localization::SE2 T_map_base;
+  float height;  ///< [m]
+
+  [[nodiscard]] Vector3f at(float x, float y, float z) const {
+    const Eigen::Vector2d p = T_map_base * Eigen::Vector2d(x, y);
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), height + z};
+  }
+};
 
 }  // namespace
 
@@ -72,27 +78,27 @@ bool is_hidden(const std::vector<sim::SceneItem>& items, const Vector3f& from, c
 namespace {
 
 /// The robot's middle and its sides.
-bool is_in_sight(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base,
+bool is_in_sight(const std::vector<sim::SceneItem>& world, const Stand& robot,
                  const Vector3f& eye) {
   for (const float y : {0.0F, kSide, -kSide}) {
-    if (is_hidden(world, placed(T_map_base, 0.0F, y, kHeight), eye)) return false;
+    if (is_hidden(world, robot.at(0.0F, y, kHeight), eye)) return false;
   }
   return true;
 }
 
 }  // namespace
 
-ChaseView clear_view(const std::vector<sim::SceneItem>& world,
-                     const localization::SE2& T_map_base) {
-  const Vector3f robot = placed(T_map_base, 0.0F, 0.0F, kHeight);
-  const Vector3f usual_target = placed(T_map_base, 0.9F, 0.0F, 0.1F);
+ChaseView clear_view(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base,
+                     float height) {
+  const Stand robot{T_map_base, height};
+  const Vector3f usual_target = robot.at(0.9F, 0.0F, 0.1F);
   for (const auto& [x, y, z] : kPlaces) {
-    const Vector3f eye = placed(T_map_base, x, y, z);
-    if (!is_in_sight(world, T_map_base, eye)) continue;
+    const Vector3f eye = robot.at(x, y, z);
+    if (!is_in_sight(world, robot, eye)) continue;
     const bool ahead = x < 0.0F && !is_hidden(world, eye, usual_target);
-    return {eye, ahead ? usual_target : robot};
+    return {eye, ahead ? usual_target : robot.at(0.0F, 0.0F, kHeight)};
   }
-  return {placed(T_map_base, -0.05F, 0.0F, 3.0F), robot};
+  return {robot.at(-0.05F, 0.0F, 3.0F), robot.at(0.0F, 0.0F, kHeight)};
 }
 
 }  // namespace castaway::testbed

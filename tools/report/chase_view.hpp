@@ -20,7 +20,8 @@ bool is_hidden(const std::vector<sim::SceneItem>& items, const Eigen::Vector3f& 
 
 /// Behind and above the robot; where that is behind a wall or in a cupboard, nearer, higher or
 /// beside it: the first place from which the robot and the ground before it are seen; straight from
-/// above if there is none.
-ChaseView clear_view(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base);
+/// above if there is none. `height` [m]: of what the robot stands on.
+ChaseView clear_view(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base,
+                     float height = 0.0F);
 
 }  // namespace castaway::testbed

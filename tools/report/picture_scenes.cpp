@@ -40,15 +40,19 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
   scene.lines.push_back(std::move(outline));
 }
 
-/// Where each localizer believes the robot to be: a ring and an arrow on the floor.
-void add_ghosts(const PictureWorld& world, const ScanRecord& record, sim::Scene& scene) {
+/// Where each localizer believes the robot to be: a ring and an arrow on the floor; near the robot
+/// on what carries that.
+void add_ghosts(const PictureWorld& world, const ScanRecord& record, double height,
+                sim::Scene& scene) {
   constexpr double kFloor = 0.02;  // [m] Above it.
+  constexpr double kNear = 1.0;    // [m]
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;
+    const bool near = distance(estimate->T_map_base, *record.T_map_base_true) < kNear;
     add_pose(estimate->T_map_base, 1.2 * world.robot_radius,
              scene_color(palette_color(kLocalizerColors, i)),
-             kFloor + 0.004 * static_cast<double>(i), scene);
+             kFloor + (near ? height : 0.0) + 0.004 * static_cast<double>(i), scene);
   }
 }
 
@@ -67,14 +71,15 @@ sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> ite
   sim::Scene scene;
   scene.items = std::move(items);
   if (!record.T_map_base_true) return scene;
-  const Eigen::Isometry3f T_map_base =
-      localization::to_se3(T_map_now.value_or(*record.T_map_base_true)).cast<float>();
+  const Eigen::Isometry3d T_map_base =
+      pose_in_space(world, T_map_now.value_or(*record.T_map_base_true));
   for (sim::SceneItem item : world.robot) {
-    item.T_map_mesh = T_map_base * item.T_map_mesh;
+    item.T_map_mesh = T_map_base.cast<float>() * item.T_map_mesh;
     scene.items.push_back(std::move(item));
   }
-  scene.points.push_back({lidar_hits(record.scan, *record.T_map_base_true), kHitColor, 4.0F});
-  add_ghosts(world, record, scene);
+  const Eigen::Isometry3d T_map_base_at_scan = pose_in_space(world, *record.T_map_base_true);
+  scene.points.push_back({lidar_hits(record.scan, T_map_base_at_scan), kHitColor, 4.0F});
+  add_ghosts(world, record, T_map_base.translation().z(), scene);
   return scene;
 }
 
@@ -112,8 +117,13 @@ sim::Camera camera_above(const RosMap& map, const MapView& view) {
 
 }  // namespace
 
-std::vector<Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base) {
-  const Eigen::Isometry3d T_map_laser = localization::to_se3(T_map_base) * scan.T_base_laser;
+Eigen::Isometry3d pose_in_space(const PictureWorld& world, const SE2& T_map_footprint) {
+  const Eigen::Isometry3d T_map_base = localization::to_se3(T_map_footprint);
+  return world.T_footprint_base ? T_map_base * world.T_footprint_base() : T_map_base;
+}
+
+std::vector<Vector3f> lidar_hits(const LaserScan& scan, const Eigen::Isometry3d& T_map_base) {
+  const Eigen::Isometry3d T_map_laser = T_map_base * scan.T_base_laser;
   std::vector<Vector3f> hits;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     if (!std::isfinite(scan.ranges[i])) continue;
@@ -128,7 +138,8 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_now) {
   std::vector<sim::SceneItem> items = surroundings(world, world.world);
   const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
-  const ChaseView view = clear_view(items, T_map_base);
+  const double height = pose_in_space(world, T_map_base).translation().z();
+  const ChaseView view = clear_view(items, T_map_base, static_cast<float>(height));
   sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   scene.camera.eye = view.eye;
   scene.camera.target = view.target;

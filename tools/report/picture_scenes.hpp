@@ -18,12 +18,17 @@ struct PictureWorld {
   std::vector<sim::SceneItem> robot;  ///< In base: `T_map_mesh` is the pose of the mesh in base.
   /// What moves, now, in map: people, doors.
   std::function<std::vector<sim::SceneItem>()> moving;
+  /// Height, roll and pitch of base, now: on ramps, or as it is carried. None: flat on the floor.
+  std::function<Eigen::Isometry3d()> T_footprint_base{};
   Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the world.
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
   double top = 0.0;                      ///< [m] Of what stands in it, roofs left out.
   double robot_radius = 0.2;             ///< [m] Of the outlines on the map.
   std::optional<RosMap> map;             ///< None: no pictures from above.
 };
+
+/// Where base is in space, now, if this is its planar pose.
+Eigen::Isometry3d pose_in_space(const PictureWorld& world, const SE2& T_map_footprint);
 
 /// The robot at a pose (nothing: where it was at the scan) and the scan's hits, from behind the
 /// robot. Needs the truth.
@@ -53,6 +58,6 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
 sim::SceneItem map_item(const RosMap& map);
 
 /// Ends of the beams that hit something, in map. [m]
-std::vector<Eigen::Vector3f> lidar_hits(const LaserScan& scan, const SE2& T_map_base);
+std::vector<Eigen::Vector3f> lidar_hits(const LaserScan& scan, const Eigen::Isometry3d& T_map_base);
 
 }  // namespace castaway::testbed

@@ -49,6 +49,10 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// Command and wheels as they are now: up to a step of physics after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
+  /// Height, roll and pitch of base as they are now, for pictures.
+  [[nodiscard]] Eigen::Isometry3d T_footprint_base() const {
+    return simulation_.T_footprint_base();
+  }
   /// The people as they are now, for pictures.
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 

@@ -124,6 +124,16 @@ TEST_F(CameraSinkTest, TakesPicturesAtItsRateWithTheirPlaces) {
   EXPECT_EQ(json["cx"], 32.0);
 }
 
+TEST_F(CameraSinkTest, StandsOnARampWithTheRobot) {
+  PictureWorld raised = world();
+  raised.T_footprint_base = [] { return Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.25)); };
+  CameraSink sink(folder_.path(), camera(), raised, {});
+  sink.on_odometry({{milliseconds(0), SE2{}}, SE2{}});
+  sink.finish(milliseconds(600), {});
+  const CsvTable frames = read_csv(at("frames.csv"));
+  EXPECT_EQ(csv_number(frames.rows[0][frames.column("z_m")]), 0.75);
+}
+
 TEST_F(CameraSinkTest, LeavesOutWhatIsNotWanted) {
   CameraConfig config = camera();
   config.depth = false;

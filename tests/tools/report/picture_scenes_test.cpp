@@ -1,5 +1,7 @@
 #include "tools/report/picture_scenes.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/records.hpp"
@@ -26,6 +28,23 @@ TEST(ChaseScene, SeesTheRobotBesideWhatMoves) {
   const sim::Scene scene = chase_scene(world, record, std::nullopt);
   EXPECT_FALSE(is_hidden({wall_behind()}, Vector3f(0, 0, 0.25F), scene.camera.eye));
   ASSERT_EQ(scene.items.size(), 1U);
+}
+
+TEST(ChaseScene, ShowsTheRobotOnARampAsItStands) {
+  PictureWorld world;
+  world.robot = {wall_behind()};
+  world.T_footprint_base = [] {
+    const Eigen::Isometry3d up(Eigen::Translation3d(0.0, 0.0, 0.25));
+    return up * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitY());  // Nose up.
+  };
+  ScanRecord record = record_at(0.0, {"near"});
+  record.scan.ranges = {2.0F};
+  const sim::Scene scene = chase_scene(world, record, std::nullopt);
+  EXPECT_NEAR(scene.items.front().T_map_mesh.translation().z(), 0.25, 1e-6);
+  EXPECT_NEAR(scene.camera.eye.z(), 1.95, 1e-5);  // 1.7 m above the robot.
+  ASSERT_EQ(scene.points.front().points.size(), 1U);
+  EXPECT_NEAR(scene.points.front().points.front().z(), 0.25 + 2.0 * std::sin(0.1), 1e-5);
+  EXPECT_NEAR(scene.items.back().T_map_mesh.translation().z(), 0.27, 1e-5);  // The ghost's arrow.
 }
 
 }  // namespace
