@@ -25,7 +25,7 @@ VALUES = NUMBERS + ["", " ", "-", "--", "..", "/", "/dev/zero", "/dev/null", "/n
 # Commands as they work, and what of it may be made odd: all that follows the words of its name.
 COMMANDS = {
     "run": ["--duration", "1", "--out", "o"] + QUICK,
-    "experiment": ["1", "--out", "o"],
+    "experiment": ["1", "--quick", "--out", "o"],
     "compare": ["good", "good", "--out", "o"],
     "dataset": ["d.yaml", "--out", "o", "-n", "1"],
     "replay": ["l.carmen", "--map", "map.yaml", "--out", "o"],

@@ -9,6 +9,7 @@
 
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/sign_flip_test.hpp"
@@ -54,8 +55,8 @@ Json run_summary(const fs::path& folder) {
 ComparedRun compared_run(const fs::path& folder, const Json& summary) {
   ComparedRun run{folder,
                   summary.at("scenario").get<std::string>(),
-                  summary.at("seed").get<std::uint64_t>(),
-                  summary.value("metrics_version", 1),
+                  whole<std::uint64_t>(summary.at("seed")),
+                  whole_or(summary, "metrics_version", 1),
                   {},
                   {}};
   for (const auto& [name, figures] : summary.at("localizers").items()) {

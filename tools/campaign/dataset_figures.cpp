@@ -7,6 +7,7 @@
 #include "tools/campaign/coverage_picture.hpp"
 #include "tools/campaign/dataset_plots.hpp"
 #include "tools/campaign/sequence_statistics.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
@@ -57,7 +58,7 @@ DatasetFile odometry_plot(const DatasetContents& contents) {
   std::map<int, std::vector<double>> errors;
   for (const Json& sequence : contents.sequences) {
     for (const Json& point : sequence.at("statistics").at("odometry_error_m")) {
-      errors[point[0].get<int>()].push_back(point[1].get<double>());
+      errors[whole<int>(point[0])].push_back(point[1].get<double>());
     }
   }
   LinesPlot plot{"Odometry: error of position since the start or the last kidnap",
@@ -89,7 +90,7 @@ Coverage coverage_of(const DatasetContents& contents, const std::string& world) 
   for (const Json& sequence : contents.sequences) {
     if (sequence.at("world") != world) continue;
     for (const Json& cell : sequence.at("statistics").at("coverage")) {
-      coverage[{cell[0].get<int>(), cell[1].get<int>()}] += cell[2].get<double>();
+      coverage[{whole<int>(cell[0]), whole<int>(cell[1])}] += cell[2].get<double>();
     }
   }
   return coverage;

@@ -15,6 +15,7 @@
 #include "tools/formats/csv.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/formats/sha256.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
@@ -165,10 +166,10 @@ void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::files
       };
       csv.text(outcome.run.part).count(static_cast<std::int64_t>(outcome.run.seed)).text(name);
       csv.number(number("/position_error_m/mean")).number(number("/position_error_m/median"));
-      csv.count(figures.at("/recovery/recovered"_json_pointer).get<std::int64_t>());
+      csv.count(whole<std::int64_t>(figures.at("/recovery/recovered"_json_pointer)));
       csv.number(number("/recovery/time_s/mean"));
       csv.number(outcome.summary.at("distance_m").get<double>());
-      csv.count(outcome.summary.at("collisions").get<std::int64_t>()).text(outcome.run.folder);
+      csv.count(whole<std::int64_t>(outcome.summary.at("collisions"))).text(outcome.run.folder);
       csv.end_row();
     }
   }

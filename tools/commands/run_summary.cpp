@@ -6,6 +6,7 @@
 #include "tools/commands/terminal.hpp"
 #include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/unscored.hpp"
 #include "tools/metrics/void_run.hpp"
 
@@ -26,8 +27,8 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
     return object.is_object() ? object.at(key) : Json();
   };
   const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
-  const int recovered = recovery.at("recovered").get<int>();
-  const int events = recovery.at("events").get<int>();
+  const int recovered = whole<int>(recovery.at("recovered"));
+  const int events = whole<int>(recovery.at("events"));
   const std::string share = fmt::format("{:>4} of {:<4}", recovered, events);
   return fmt::format(
       "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
@@ -51,9 +52,9 @@ std::string people_line(const Json& summary) {
   return fmt::format(
       "{} people: {} hit, closest {:.2f} m, within 0.45 m {} times, within 1.2 m {} times; on them "
       "{:.1f} % of the beams, at most {:.1f} %\n\n",
-      people.at("people").get<int>(), people.at("collisions").get<int>(),
-      people.at("closest_m").get<double>(), people.at("intimate").at("intrusions").get<int>(),
-      people.at("personal").at("intrusions").get<int>(), 100.0 * beams.at("mean").get<double>(),
+      whole<int>(people.at("people")), whole<int>(people.at("collisions")),
+      people.at("closest_m").get<double>(), whole<int>(people.at("intimate").at("intrusions")),
+      whole<int>(people.at("personal").at("intrusions")), 100.0 * beams.at("mean").get<double>(),
       100.0 * beams.at("max").get<double>());
 }
 
@@ -64,9 +65,9 @@ std::string difference_line(const Json& summary) {
   return fmt::format(
       "The world is not as mapped: {:.1f} % of the beams end elsewhere; {} moved, {} gone, {} new, "
       "{} doors opened, {} closed\n\n",
-      100.0 * difference.at("beams").get<double>(), difference.at("moved").get<int>(),
-      difference.at("removed").get<int>(), difference.at("added").get<int>(),
-      difference.at("opened").get<int>(), difference.at("closed").get<int>());
+      100.0 * difference.at("beams").get<double>(), whole<int>(difference.at("moved")),
+      whole<int>(difference.at("removed")), whole<int>(difference.at("added")),
+      whole<int>(difference.at("opened")), whole<int>(difference.at("closed")));
 }
 
 /// What kept the robot from getting on; nothing where nothing did.
@@ -74,8 +75,8 @@ std::string driving_line(const Json& summary) {
   if (!summary.contains("driving")) return "";
   std::string text;
   for (const auto& [what, count] : summary.at("driving").items()) {
-    if (count.get<int>() == 0 || what == "recoveries") continue;
-    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", count.get<int>(), what);
+    if (whole<int>(count) == 0 || what == "recoveries") continue;
+    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", whole<int>(count), what);
   }
   return text.empty() ? text : text + "\n\n";
 }
@@ -111,13 +112,13 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   std::string text =
       fmt::format("{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
                   summary.at("scenario").get<std::string>(),
-                  summary.at("seed").get<std::uint64_t>(), summary.at("duration_s").get<double>(),
-                  summary.at("distance_m").get<double>(), summary.at("collisions").get<int>());
+                  whole<std::uint64_t>(summary.at("seed")), summary.at("duration_s").get<double>(),
+                  summary.at("distance_m").get<double>(), whole<int>(summary.at("collisions")));
   if (const auto sentence = void_sentence(summary)) {
     text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);
   }
   if (const auto every = summary.find("scored_every"); every != summary.end()) {
-    text += fmt::format("A long run: one scan in {} is scored.\n\n", every->get<int>());
+    text += fmt::format("A long run: one scan in {} is scored.\n\n", whole<int>(*every));
   }
   text += difference_line(summary);
   text += people_line(summary);

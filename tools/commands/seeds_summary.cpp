@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -34,8 +35,8 @@ std::string seeds_line(const std::string& name, const Json& recovery, const Json
   const Json& time = recovery.at("time_s");
   return fmt::format(
       "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
-      fmt::format("{} of {}{}", recovery.at("recovered").get<int>(),
-                  recovery.at("events").get<int>(),
+      fmt::format("{} of {}{}", whole<int>(recovery.at("recovered")),
+                  whole<int>(recovery.at("events")),
                   interval(recovery.at("success_interval"), "{:.0f} %", 100.0)),
       number(time.at("mean"), "{:.2f}") + interval(time.at("mean_interval"), "{:.2f}"),
       number(time.at("max"), "{:.2f} s"),
@@ -48,7 +49,7 @@ std::string voids_text(const Json& summary) {
   if (!summary.contains("void_seeds") || summary.at("void_seeds").empty()) return "";
   std::string seeds;
   for (const Json& seed : summary.at("void_seeds")) {
-    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", seed.get<std::uint64_t>());
+    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", whole<std::uint64_t>(seed));
   }
   return fmt::format(", {} void (seeds {}) and left out", summary.at("void_seeds").size(), seeds);
 }

@@ -7,6 +7,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -25,7 +26,7 @@ std::string case_name(const Check& check) {
 JudgedRun load_judged_run(const std::filesystem::path& run_folder) {
   const Json summary = read_json(run_folder / "summary.json");
   const Json timing = read_json(run_folder / "timing.json");
-  return {summary.at("seed").get<std::uint64_t>(), run_folder, metric_table(summary, timing),
+  return {whole<std::uint64_t>(summary.at("seed")), run_folder, metric_table(summary, timing),
           timing.at("wall_s").get<double>()};
 }
 

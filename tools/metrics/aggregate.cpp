@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
 
@@ -19,7 +20,7 @@ struct Pool {
 };
 
 void add_run(const Json& recovery, Pool& pool) {
-  pool.events += recovery.at("events").get<int>();
+  pool.events += whole<int>(recovery.at("events"));
   for (const Json& window : recovery.at("each")) {
     if (!window.at("recovered").get<bool>()) continue;
     pool.times.push_back(window.at("time_s").get<double>());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/formats/json_number.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/reliability_plot.hpp"
 #include "tools/report/report_words.hpp"
@@ -33,10 +34,10 @@ std::string table_row(const Json& localizers, std::size_t index) {
   for (const auto& [name, figures] : localizers.items()) {
     const Json bin = bins_of(figures).at(index);
     label = fmt::format("{:g} to {:g}", bin.at("from").get<double>(), bin.at("to").get<double>());
-    const auto scans = bin.at("scans").get<std::int64_t>();
+    const auto scans = whole<std::int64_t>(bin.at("scans"));
     cells += scans == 0
                  ? "<td>–</td>"
-                 : fmt::format("<td>{} of {}</td>", bin.at("right").get<std::int64_t>(), scans);
+                 : fmt::format("<td>{} of {}</td>", whole<std::int64_t>(bin.at("right")), scans);
   }
   return fmt::format("<tr><td>{}</td>{}</tr>", label, cells);
 }

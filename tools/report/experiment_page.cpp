@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/discrimination.hpp"
 #include "tools/report/curves_section.hpp"
 #include "tools/report/html.hpp"
@@ -199,7 +200,7 @@ std::string render_experiment(const ExperimentPage& page) {
   if (!page.rows.empty()) {
     body += fmt::format("<p class=\"soft\">The curves over time show {}, seed {}.</p>\n",
                         escape_html(runs.at(page.example).at("part").get<std::string>()),
-                        runs.at(page.example).at("seed").get<std::uint64_t>());
+                        whole<std::uint64_t>(runs.at(page.example).at("seed")));
     body += curves(page);
     if (page.experiment.number == 2) body += right_from_wrong(page);
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/unscored.hpp"
 #include "tools/report/html.hpp"
 
@@ -15,6 +16,12 @@ using Json = nlohmann::ordered_json;
 std::string plural(std::int64_t count, const std::string& noun) {
   if (count == 0) return "no " + noun;
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// How many; 0 where there is no such figure.
+int whole_at(const Json& json, const char* pointer) {
+  const Json::json_pointer path(pointer);
+  return json.contains(path) ? whole<int>(json.at(path)) : 0;
 }
 
 std::int64_t count_events(const RunFolder& run, const std::string& kind) {
@@ -31,13 +38,13 @@ std::string unscored_words(const Json& figures) {
 }
 
 std::string recovery_words(const RunFolder& run, const Json& figures) {
-  const auto events = static_cast<int>(figure_at(figures, "/recovery/events").value_or(0));
+  const auto events = whole_at(figures, "/recovery/events");
   const bool known_start = run.summary.value("known_start", true);
   if (events == 0) {
     if (unscored_words(figures).empty()) return "was never displaced";
     return known_start ? "was displaced" : "started at an unknown pose";
   }
-  const auto recovered = static_cast<int>(figure_at(figures, "/recovery/recovered").value_or(0));
+  const auto recovered = whole_at(figures, "/recovery/recovered");
   std::string what = events == 1 ? "kidnap" : "kidnaps";
   if (!known_start) what = events == 1 ? "unknown start" : "losses (unknown start and kidnaps)";
   std::string words = fmt::format("recovered from {} of {} {}", recovered, events, what);
@@ -87,10 +94,10 @@ std::string describe_run(const RunFolder& run) {
   return fmt::format(
       "World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
       escape_html(summary.value("world", "?")), escape_html(summary.value("robot", "?")),
-      summary.value("seed", std::uint64_t{0}), readable(figure_at(summary, "/distance_m"), "m"),
+      whole_or(summary, "seed", std::uint64_t{0}), readable(figure_at(summary, "/distance_m"), "m"),
       readable(figure_at(summary, "/duration_s"), "s"),
       plural(count_events(run, "kidnap"), "kidnap"),
-      plural(summary.value("collisions", std::int64_t{0}), "collision"));
+      plural(whole_or(summary, "collisions", std::int64_t{0}), "collision"));
 }
 
 }  // namespace castaway::testbed

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/formats/file.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/report_style.hpp"
@@ -38,7 +39,7 @@ std::string rows_of(const fs::path& folder, const fs::path& page) {
                                   std::max<std::size_t>(1, localizers.size()),
                                   address(folder / "report.html", page),
                                   escape_html(run.summary.value("scenario", "run")),
-                                  run.summary.value("seed", std::uint64_t{0}),
+                                  whole_or(run.summary, "seed", std::uint64_t{0}),
                                   void_sentence(run.summary) ? "<br><strong>void</strong>" : "");
   std::string rows;
   for (const auto& [name, figures] : localizers.items()) {

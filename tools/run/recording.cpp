@@ -4,6 +4,7 @@
 
 #include "tools/formats/gzip.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/formats/varint.hpp"
 
 namespace castaway::testbed {
@@ -50,7 +51,7 @@ Recording unpack_recording(std::string_view file) {
   std::size_t at = 0;
   Recording recording{parse_header(bytes, at), {}};
   for (const Json& section : recording.header["sections"]) {
-    const auto size = section.at("bytes").get<std::size_t>();
+    const auto size = whole<std::size_t>(section.at("bytes"));
     if (size > bytes.size() - at) refuse("it ends in section " + section.at("name").dump());
     recording.sections[section.at("name").get<std::string>()] = bytes.substr(at, size);
     at += size;
@@ -80,8 +81,8 @@ RosMap map_of(const Recording& recording) {
   const Json& header = recording.header.at("map");
   RosMap map;
   map.name = header.at("name").get<std::string>();
-  map.width = header.at("width").get<int>();
-  map.height = header.at("height").get<int>();
+  map.width = whole<int>(header.at("width"));
+  map.height = whole<int>(header.at("height"));
   map.resolution = header.at("resolution_m").get<double>();
   map.origin_x = header.at("origin").at(0).get<double>();
   map.origin_y = header.at("origin").at(1).get<double>();

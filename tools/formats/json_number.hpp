@@ -1,0 +1,42 @@
+/// Whole numbers from JSON of unknown origin.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace castaway::testbed {
+
+/// A whole number. Throws Json::out_of_range if it has a fraction or does not fit into T, where
+/// `get` is undefined; Json::type_error if it is no number.
+template <std::integral T, typename Json>
+T whole(const Json& value) {
+  if (value.is_number_float()) {
+    const double number = value.template get<double>();
+    const double limit = std::ldexp(1.0, std::numeric_limits<T>::digits);
+    const double low = std::is_signed_v<T> ? -limit : 0.0;
+    if (number >= low && number < limit && number == std::floor(number)) {
+      return static_cast<T>(number);
+    }
+  } else if (value.is_number_unsigned()) {
+    const auto number = value.template get<std::uint64_t>();
+    if (std::in_range<T>(number)) return static_cast<T>(number);
+  } else {
+    const auto number = value.template get<std::int64_t>();
+    if (std::in_range<T>(number)) return static_cast<T>(number);
+  }
+  throw Json::out_of_range::create(406, value.dump() + " is no whole number, or too large", &value);
+}
+
+/// That of a key of an object, or `fallback` where there is none.
+template <std::integral T, typename Json>
+T whole_or(const Json& object, const std::string& key, T fallback) {
+  const auto found = object.find(key);
+  return found == object.end() ? fallback : whole<T>(*found);
+}
+
+}  // namespace castaway::testbed
