@@ -27,12 +27,12 @@ def seven_localizers(lab):
     for name, pooled in summary["localizers"].items():
         mean = lambda key: summary["figures"].get(f"{name}.{key}", {}).get("mean")
         wrong = mean("wrong_lock_share")
-        time = pooled["time_s"]
+        recovery = pooled["recovery"]
         rows.append([
             f"`{name}`",
-            f"{pooled['recovered']} of {pooled['events']}",
-            figure(time["mean"], "{:.2f}", " s"),
-            figure(time["max"], "{:.2f}", " s"),
+            f"{recovery['recovered']} of {recovery['events']}",
+            figure(recovery["time_s"]["mean"], "{:.2f}", " s"),
+            figure(recovery["time_s"]["max"], "{:.2f}", " s"),
             figure(mean("tracking_error_m.mean"), "{:.3f}", " m"),
             figure(None if wrong is None else 100 * wrong, "{:.1f}", " %"),
         ])

@@ -19,7 +19,8 @@ def among_people(lab):
         pooled, runs = runs_of(lab, ["--set", setting], 5, setting.replace(".", "-"))
         beams = [run["people"]["beams_on_people"]["mean"] for run in runs]
         way = f"{mean(run['distance_m'] for run in runs):.1f} m"
-        for i, (name, each) in enumerate(pooled["localizers"].items()):
+        for i, (name, figures) in enumerate(pooled["localizers"].items()):
+            each = figures["recovery"]
             first = [f"`{words}`", f"{100 * min(beams):.0f} to {100 * max(beams):.0f} %", way] if i == 0 else ["", "", ""]
             rows.append(first + [f"`{name}`", f"{each['recovered']} of {each['events']}", *times(each["time_s"]),
                                  figure(tracking(pooled, name), "{:.3f}", " m"),
