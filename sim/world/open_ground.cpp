@@ -1,6 +1,11 @@
 #include "sim/world/open_ground.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include <fmt/format.h>
+
+#include "sim/world/grid_tools.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -8,6 +13,7 @@ namespace {
 constexpr double kWhole = 100.0;    // [m] A plane of these sides counts as a whole.
 constexpr double kOfLarger = 50.0;  // [m] Around what stands there.
 constexpr double kOfEndless = 15.0;
+constexpr float kInSight = 5.0F;  // [m] Well within what the lidars of small robots see.
 
 Eigen::AlignedBox2d grown(const WorldSpec& world, double by) {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
@@ -37,6 +43,15 @@ std::optional<std::string> extend_over(const Ground& ground, WorldSpec& world) {
   world.min_corner = world.min_corner.cwiseMin(box.min());
   world.max_corner = world.max_corner.cwiseMax(box.max());
   return line;
+}
+
+Grid near_obstacles(Grid grid) {
+  const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
+  if (std::find(distance.begin(), distance.end(), 0.0F) == distance.end()) return grid;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    if (distance[i] > kInSight) grid.cells[i] = Cell::kUnknown;
+  }
+  return grid;
 }
 
 }  // namespace castaway::sim

@@ -137,7 +137,7 @@ LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::
   if (loaded.ground && (room.at_edge || room.area < kNoRoom)) {
     const auto line = sim::extend_over(*loaded.ground, world.file.spec);
     if (line) world.warnings.push_back(*line);
-    world.grid = cut();
+    world.grid = options.inside ? cut() : sim::near_obstacles(cut());
   }
   (void)told_resolution(world);
   choose_space(options.inside, options.robot_radius, world);

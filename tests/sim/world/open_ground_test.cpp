@@ -42,6 +42,19 @@ TEST(OpenGround, IsFifteenMetresAroundWithoutASize) {
   EXPECT_EQ(world.max_corner, Eigen::Vector2d(45.5, 17.0));
 }
 
+TEST(NearObstacles, AreThePlacesWithinFiveMetres) {
+  Grid grid{300, 200, 0.1, {0.0, 0.0}, 0.0, {}};
+  grid.cells.assign(300 * 200, Cell::kFree);
+  EXPECT_EQ(near_obstacles(grid).cells, grid.cells);  // Nothing stands there.
+  grid.cells[100 * 300 + 150] = Cell::kOccupied;
+  const Grid near = near_obstacles(grid);
+  EXPECT_EQ(near.at(150, 100), Cell::kOccupied);
+  EXPECT_EQ(near.at(200, 100), Cell::kFree);
+  EXPECT_EQ(near.at(201, 100), Cell::kUnknown);
+  EXPECT_EQ(near.at(150, 50), Cell::kFree);
+  EXPECT_EQ(near.at(0, 0), Cell::kUnknown);
+}
+
 TEST(OpenGround, LeavesWhatStandsBesideThePlane) {
   WorldSpec world = wall();
   EXPECT_FALSE(extend_over(plane(10.0, 10.0), world));

@@ -114,6 +114,23 @@ TEST(BuildWorld, GoesOnWhereTheGroundDoes) {
   EXPECT_TRUE(size_of("endless.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
 }
 
+TEST(BuildWorld, KeepsTheRobotInSightOfSomethingOnAPlain) {
+  const TemporaryFolder folder;
+  const auto plane =
+      "<model name='g'><static>1</static><link name='l'><collision name='c'><geometry><plane>"
+      "<normal>0 0 1</normal><size>100 100</size></plane></geometry></collision></link></model>";
+  folder.put("w.sdf", wall_and(plane));
+  const auto cell = [&](const SurveyOptions& options, double x, double y) {
+    const LoadedWorld world = build_world({"w.sdf", {}, {}}, folder.path(), options);
+    return sim::cell_at(world.grid, {x, y});
+  };
+  EXPECT_EQ(cell({}, 4.0, 0.0), sim::Cell::kFree);
+  EXPECT_EQ(cell({}, 30.0, 30.0), sim::Cell::kUnknown);
+  SurveyOptions started;
+  started.inside = Eigen::Vector2d(30.0, 30.0);  // A start there is what the user wants.
+  EXPECT_EQ(cell(started, 30.0, 30.0), sim::Cell::kFree);
+}
+
 TEST(BuildWorld, TakesLargerCellsForALargeWorld) {
   const TemporaryFolder folder;
   folder.put(
