@@ -67,17 +67,22 @@ def odd_case(base, options, rng):
     line = list(base)
     for _ in range(rng.choice([1, 1, 2, 3])):
         value = rng.choice(VALUES)
-        places = [i for i, word in enumerate(line) if not word.startswith("-")]
-        if places and rng.random() < 0.4 or not options:
-            line = line[:-1] if places == [] and line else line
-            line = [value if i == rng.choice(places) else w for i, w in enumerate(line)] if places else line + [value]
-            continue
-        option = rng.choice(options)
-        if option in line and line.index(option) + 1 < len(line):
-            line[line.index(option) + 1] = value
+        arguments = [i for i, word in enumerate(line) if not word.startswith("-")]
+        if options and (not arguments or rng.random() < 0.6):
+            give(line, rng.choice(options), value)
+        elif arguments:
+            line[rng.choice(arguments)] = value
         else:
-            line += [option, value]
+            line.append(value)
     return line
+
+
+def give(line, option, value):
+    """Gives an option the value, in place of the one that it has."""
+    if option in line[:-1]:
+        line[line.index(option) + 1] = value
+    else:
+        line += [option, value]
 
 
 def run_command(lab, name, cases, rng):
