@@ -62,7 +62,8 @@ def discrimination(lab):
 def marathons(lab):
     rows = []
     for seed in [1, 2, 3, 4]:
-        run = lab.summary(["corridor/paper-marathon", "--seed", str(seed), *NO_PICTURES], f"marathon-{seed}")
+        run = lab.summary(["corridor/paper-marathon", "--seed", str(seed), *NO_PICTURES, "--set", "expect={}"],
+                          f"marathon-{seed}")
         driving = run["driving"]
         rows.append([seed, f"{run['duration_s'] / 3600:.2f} h", f"{run['distance_m']:.0f} m", driving["recoveries"], run["collisions"],
                      driving["emergency stop"]])
