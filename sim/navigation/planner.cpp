@@ -11,7 +11,13 @@
 namespace castaway::sim {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+/// A step to one of the nine cells around and at a cell, in a byte: large maps have millions.
+using StepIndex = std::uint8_t;
+constexpr StepIndex kStay = 4;
+constexpr StepIndex step_index(int dx, int dy) {
+  return static_cast<StepIndex>(3 * (dy + 1) + dx + 1);
+}
+
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 /// A cell on the frontier; the least estimate comes first, ties by cell.
@@ -31,10 +37,10 @@ class AStar {
         goal_(goal),
         config_(config),
         cost_(grid_.cells.size(), kUnreached),
-        parent_(grid_.cells.size(), kNone) {}
+        came_by_(grid_.cells.size(), kStay) {}
 
   bool run(CellIndex start) {
-    reach(start, kNone, 0.0F);
+    reach(start, kStay, 0.0F);
     while (!open_.empty()) {
       const Candidate best = open_.top();
       open_.pop();
@@ -48,9 +54,13 @@ class AStar {
 
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const {
     std::vector<Eigen::Vector2d> points;
-    for (std::size_t i = flat_index(grid_, goal_); i != kNone; i = parent_[i]) {
-      points.push_back(center_of(grid_, cell_at_index(i)));
-    }
+    CellIndex cell = goal_;
+    StepIndex step = kStay;
+    do {
+      points.push_back(center_of(grid_, cell));
+      step = came_by_[flat_index(grid_, cell)];
+      cell = {cell.column - (step % 3 - 1), cell.row - (step / 3 - 1)};
+    } while (step != kStay);
     std::reverse(points.begin(), points.end());
     return points;
   }
@@ -84,15 +94,15 @@ class AStar {
         if ((dx == 0 && dy == 0) || !is_free(to) || !side_free) continue;
         const double length = grid_.resolution * (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
         const double cost = cost_[from_index] + length * price(flat_index(grid_, to));
-        reach(to, from_index, static_cast<float>(cost));
+        reach(to, step_index(dx, dy), static_cast<float>(cost));
       }
     }
   }
-  void reach(CellIndex cell, std::size_t from, float cost) {
+  void reach(CellIndex cell, StepIndex by, float cost) {
     const std::size_t i = flat_index(grid_, cell);
     if (cost >= cost_[i]) return;
     cost_[i] = cost;
-    parent_[i] = static_cast<std::uint32_t>(from);
+    came_by_[i] = by;
     open_.push({cost + heuristic(cell), i});
   }
 
@@ -101,7 +111,7 @@ class AStar {
   CellIndex goal_;
   PlannerConfig config_;
   std::vector<float> cost_;
-  std::vector<std::uint32_t> parent_;  ///< Index of the cell before.
+  std::vector<StepIndex> came_by_;  ///< The step into each cell.
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
 };
 

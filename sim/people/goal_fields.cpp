@@ -26,6 +26,10 @@ struct Step {
 };
 constexpr std::array<Step, 8> kSteps = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+constexpr std::uint8_t kNoStep = kSteps.size();
+
+/// The step that undoes another.
+constexpr std::size_t back(std::size_t step) { return kSteps.size() - 1 - step; }
 
 /// Cells of at least `GoalFields::kCell`, free where a person can stand all over them.
 Grid coarse(const WalkSpace& space) {
@@ -139,25 +143,30 @@ struct GoalFields::Frontier {
 };
 static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);  // Buckets that a step spans.
 
+GoalFields::Index GoalFields::stepped(Index cell, std::size_t step) const {
+  const auto [dx, dy] = kSteps[step];
+  return static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
+}
+
 /// Reaches out to a cell's neighbours.
-void GoalFields::spread(Index cell, Frontier& frontier, std::vector<Index>& next) const {
+void GoalFields::spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const {
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     if ((exits_[cell] & (1U << k)) == 0) continue;
     const auto [dx, dy] = kSteps[k];
     const float length = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
     const float whole = frontier.cost[cell] + prices_[cell] * length;
-    const auto to = static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
+    const Index to = stepped(cell, k);
     if (whole >= frontier.cost[to]) continue;
-    next[to] = cell;
+    next[to] = static_cast<StepIndex>(back(k));
     frontier.reach(to, whole);
   }
 }
 
-std::vector<GoalFields::Index> GoalFields::search(Index goal) const {
+std::vector<GoalFields::StepIndex> GoalFields::search(Index goal) const {
   constexpr float kUnreached = std::numeric_limits<float>::infinity();
   const std::size_t cells = grid_.cells.size();
   Frontier frontier{static_cast<float>(grid_.resolution), std::vector<float>(cells, kUnreached)};
-  std::vector<Index> next(cells, kNowhere);
+  std::vector<StepIndex> next(cells, kNoStep);
   frontier.reach(goal, 0.0F);
   for (std::size_t number = 0; frontier.waiting > 0; ++number) {
     Frontier::Bucket& bucket = frontier.bucket(number);
@@ -178,7 +187,8 @@ Eigen::Vector2d GoalFields::ahead(std::size_t place, const Eigen::Vector2d& p_ma
   std::array<Index, kLooks[0] + 1> path{};
   for (Index& step : path) {
     step = cell;
-    if (next_[place][cell] != kNowhere) cell = next_[place][cell];
+    const StepIndex next = next_[place][cell];
+    if (next != kNoStep) cell = stepped(cell, next);
   }
   for (const int look : kLooks) {
     const Eigen::Vector2d p = center(path[static_cast<std::size_t>(look)]);

@@ -31,6 +31,7 @@ class GoalFields {
 
  private:
   using Index = std::uint32_t;
+  using StepIndex = std::uint8_t;  ///< A byte: large maps have millions of cells.
   struct Frontier;
 
   [[nodiscard]] Index cell_near(const Eigen::Vector2d& p_map) const;
@@ -38,9 +39,10 @@ class GoalFields {
   [[nodiscard]] bool is_free(int column, int row) const;
   [[nodiscard]] std::uint16_t exits(Index cell) const;
   [[nodiscard]] float price(Index cell) const;
-  /// By cell: the next one on the way to `goal`.
-  [[nodiscard]] std::vector<Index> search(Index goal) const;
-  void spread(Index cell, Frontier& frontier, std::vector<Index>& next) const;
+  [[nodiscard]] Index stepped(Index cell, std::size_t step) const;
+  /// By cell: the step to take on the way to `goal`.
+  [[nodiscard]] std::vector<StepIndex> search(Index goal) const;
+  void spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const;
 
   const WalkSpace& space_;
   Grid grid_;
@@ -48,7 +50,7 @@ class GoalFields {
   std::vector<float> prices_;         ///< By cell: of entering it straight. [m]
   std::vector<std::uint16_t> exits_;  ///< By cell: which of the eight steps can be taken.
   std::vector<Eigen::Vector2d> places_;
-  std::vector<std::vector<Index>> next_;  ///< By place: the next cell; empty until searched.
+  std::vector<std::vector<StepIndex>> next_;  ///< By place and cell; empty until searched.
 };
 
 }  // namespace castaway::sim

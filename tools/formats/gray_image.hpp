@@ -18,8 +18,8 @@ struct GrayImage {
   std::vector<bool> transparent{};    ///< By pixel: not wholly opaque. Empty: all are.
 };
 
-/// Larger pictures are refused: a run on a map needs up to 60 bytes a cell.
-inline constexpr std::int64_t kMostPixels = 32000000;
+/// Larger pictures are refused: a run with people needs up to 70 bytes a cell.
+inline constexpr std::int64_t kMostPixels = 28000000;
 
 /// @throws std::runtime_error naming the file if a picture has more than `kMostPixels`.
 void refuse_large_picture(int width, int height, const std::string& name);

@@ -25,7 +25,7 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kMapResolution = 0.05;  // [m]
-constexpr double kMostCells = 32e6;      // Of a survey; a run needs up to 60 bytes for each.
+constexpr double kMostCells = 28e6;      // Of a survey; a run with people needs 70 bytes a cell.
 constexpr double kNoRoom = 1.0;          // [m^2] Less free space than this is none.
 constexpr double kTold = 0.001;          // [m] A floor this far from 0 is worth a line.
 constexpr double kPlatform = 0.3;        // [m] What is higher at the start is an obstacle.
