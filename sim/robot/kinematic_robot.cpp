@@ -24,8 +24,9 @@ KinematicRobot::KinematicRobot(const RobotModel& robot, FreeSpace free, const Po
 
 void KinematicRobot::turn_wheels() {
   const double step = time_step_ / wheel_radius_;
-  state_.wheels.left += (twist_.v - 0.5 * track_ * twist_.w) * step;
-  state_.wheels.right += (twist_.v + 0.5 * track_ * twist_.w) * step;
+  const Twist2 axle = axle_twist(twist_, p_base_axle_);
+  state_.wheels.left += (axle.v - 0.5 * track_ * axle.w) * step;
+  state_.wheels.right += (axle.v + 0.5 * track_ * axle.w) * step;
 }
 
 /// A robot that stands in the margin of an obstacle may leave it, but not go deeper.
@@ -38,7 +39,8 @@ bool KinematicRobot::blocked(const Pose2& from, const Pose2& to) const {
 void KinematicRobot::step() {
   twist_ = ramped(twist_, command_, limits_, time_step_);
   const Pose2 T_base_axle{p_base_axle_.x(), p_base_axle_.y(), 0.0};
-  const Pose2 to = T_map_base_ * T_base_axle * arc(twist_.v * time_step_, twist_.w * time_step_) *
+  const Twist2 axle = axle_twist(twist_, p_base_axle_);
+  const Pose2 to = T_map_base_ * T_base_axle * arc(axle.v * time_step_, axle.w * time_step_) *
                    inverse(T_base_axle);
   const bool touches = twist_.v != 0.0 && blocked(T_map_base_, to);
   if (touches) {

@@ -68,7 +68,7 @@ class RobotLoader {
     robot_.lidars = find_lidars(file_, frames_);
     if (!robot_.lidars.empty()) robot_.lidar = robot_.lidars.front();
     measure_extent();
-    if (robot_.wheels.size() > 2) steer_by_skidding();
+    if (robot_.wheels.size() > 2) steer_by_skidding(robot_);
     robot_.frames = frames_;
     tell_once(robot_.warnings);
     return std::move(robot_);
@@ -77,7 +77,6 @@ class RobotLoader {
  private:
   void name_drive();
   void compare_separation();
-  void steer_by_skidding();
   void lock_joints();
   void put_base_on_floor();
   void measure_drive();
@@ -108,13 +107,6 @@ void RobotLoader::compare_separation() {
   robot_.warnings.push_back(
       fmt::format("the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels count",
                   robot_.wheel_separation, tags_.dialect, *tags_.separation));
-}
-
-/// Wheel speeds and odometry go by the track that turns come out right with.
-void RobotLoader::steer_by_skidding() {
-  strengthen_motors(robot_);
-  robot_.track = ideal_skid_track(robot_);
-  robot_.track = measured_skid_track(robot_);
 }
 
 /// Joints that could move, but are not driven.

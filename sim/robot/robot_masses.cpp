@@ -72,4 +72,11 @@ void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robo
   robot.inertia = chassis.inertia;
 }
 
+double wheel_load(const RobotModel& robot) {
+  constexpr double kGravity = 9.81;  // [m/s^2]
+  double mass = robot.chassis_mass;
+  for (const DriveWheel& wheel : robot.wheels) mass += wheel.mass;
+  return kGravity * mass / static_cast<double>(robot.wheels.size());
+}
+
 }  // namespace castaway::sim

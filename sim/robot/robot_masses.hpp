@@ -11,4 +11,8 @@ namespace castaway::sim {
 /// @throws std::runtime_error if there is nothing but wheels.
 void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robot);
 
+/// [N] What a driven wheel carries where they carry alike, and nothing else carries: the robot's
+/// weight by their number.
+double wheel_load(const RobotModel& robot);
+
 }  // namespace castaway::sim

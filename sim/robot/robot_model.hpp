@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "sim/geometry.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
@@ -83,7 +84,7 @@ struct RobotModel {
   double wheel_radius = 0.03;             ///< [m] Mean of the driven wheels.
   double track = 0.3;                     ///< [m] As turns go: of skid steers more than...
   double wheel_separation = 0.3;          ///< [m] ...between the middles of left and right wheels.
-  Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the drive axle.
+  Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the drive axle; see `axle_twist`.
   std::string wheels_found_by;            ///< "kinematics", or the dialect of the plug-in tags.
   std::string other_drive;          ///< How it moves, if not as simulated; see drive_kind.hpp.
   std::optional<LidarMount> lidar;  ///< The first of...
@@ -94,5 +95,11 @@ struct RobotModel {
   std::vector<std::string> locked_joints;           ///< Could move, but are not driven.
   std::vector<std::string> warnings;                ///< What was repaired or guessed.
 };
+
+/// What the axle's middle does as base moves by `twist`: where the axle lies to one side of base,
+/// as it does where one side of a skid steer carries more, it goes forward or back as base turns.
+inline Twist2 axle_twist(const Twist2& twist, const Eigen::Vector2d& p_base_axle) {
+  return {twist.v - twist.w * p_base_axle.y(), twist.w};
+}
 
 }  // namespace castaway::sim

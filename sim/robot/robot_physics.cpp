@@ -95,9 +95,10 @@ void RobotPhysics::Body::place_all(const Eigen::Isometry3d& T_map_base) {
 
 void RobotPhysics::Body::turn_wheels(HeldWheels held) {
   twist = held_twist(held, twist, ramped(twist, command, limits, time_step), time_step);
+  const Twist2 axle = axle_twist(twist, robot.p_base_axle);
   for (WheelBody& wheel : wheels) {
     const double side = is_left(wheel) ? -0.5 : 0.5;
-    wheel.turn((twist.v + side * robot.track * twist.w) / wheel.model().radius * time_step);
+    wheel.turn((axle.v + side * robot.track * axle.w) / wheel.model().radius * time_step);
   }
 }
 
@@ -108,8 +109,9 @@ bool RobotPhysics::Body::is_left(const WheelBody& wheel) const {
 /// Slows both sides alike where a wheel would turn too fast, so that the curve stays the same.
 void RobotPhysics::Body::drive() {
   twist = ramped(twist, command, limits, time_step);
-  const double left = twist.v - 0.5 * robot.track * twist.w;
-  const double right = twist.v + 0.5 * robot.track * twist.w;
+  const Twist2 axle = axle_twist(twist, robot.p_base_axle);
+  const double left = axle.v - 0.5 * robot.track * axle.w;
+  const double right = axle.v + 0.5 * robot.track * axle.w;
   double share = 1.0;
   for (const WheelBody& wheel : wheels) {
     const double limit = wheel.model().speed_max * wheel.model().radius;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/robot/robot_masses.hpp"
 #include "sim/robot/robot_physics.hpp"
 
 namespace castaway::sim {
@@ -16,8 +17,8 @@ constexpr int kSettleSteps = 1000;
 constexpr int kTurnSteps = 1000;
 constexpr double kTurnRate = 0.5;       // [rad/s]
 constexpr double kFloor = 20.0;         // [m]
-constexpr double kGravity = 9.81;       // [m/s^2]
 constexpr double kReserve = 1.2;        // Of torque over friction.
+constexpr double kAside = 0.01;         // [m] Less is not made up for.
 constexpr double kLargestRatio = 10.0;  // Of measured to geometric; beyond it does not turn.
 
 WorldSpec bare_floor() {
@@ -28,6 +29,13 @@ WorldSpec bare_floor() {
 }
 
 double yaw_of(const RobotState& state) { return to_planar(state.T_map_base).yaw; }
+
+/// The point of base that stays where it is from one pose to another, which is turned. [m]
+Eigen::Vector2d pivot(const Pose2& T_map_a, const Pose2& T_map_b) {
+  const Eigen::Matrix2d turned = Eigen::Rotation2Dd(T_map_a.yaw).toRotationMatrix() -
+                                 Eigen::Rotation2Dd(T_map_b.yaw).toRotationMatrix();
+  return turned.inverse() * (T_map_b.position() - T_map_a.position());
+}
 
 }  // namespace
 
@@ -43,9 +51,7 @@ double ideal_skid_track(const RobotModel& robot) {
 }
 
 void strengthen_motors(RobotModel& robot) {
-  double mass = robot.chassis_mass;
-  for (const DriveWheel& wheel : robot.wheels) mass += wheel.mass;
-  const double load = kGravity * mass / static_cast<double>(robot.wheels.size());
+  const double load = wheel_load(robot);
   double lowest = 0.0;
   for (DriveWheel& wheel : robot.wheels) {
     if (wheel.effort_max <= 0.0 || wheel.effort_max > kReserve * load * wheel.radius) continue;
@@ -59,7 +65,7 @@ void strengthen_motors(RobotModel& robot) {
                   lowest));
 }
 
-double measured_skid_track(const RobotModel& robot) {
+SkidTurn measured_skid_turn(const RobotModel& robot) {
   RobotPhysics physics(bare_floor(), robot, {}, {1.0, kTurnRate, 1.0, 1.0}, kStep);
   physics.set_command({0.0, kTurnRate});
   for (int i = 0; i < kSettleSteps; ++i) physics.step();
@@ -72,7 +78,19 @@ double measured_skid_track(const RobotModel& robot) {
   const double track = rolled * robot.wheel_radius / turned;
   const bool sound = std::isfinite(track) && track > 0.5 * robot.wheel_separation &&
                      track < kLargestRatio * robot.wheel_separation;
-  return sound ? track : robot.track;
+  if (!sound) return {robot.track, robot.p_base_axle.y()};
+  const double y = pivot(to_planar(before.T_map_base), to_planar(after.T_map_base)).y();
+  const double aside = std::abs(y - robot.p_base_axle.y());
+  const bool matters = aside > kAside && aside < 0.5 * robot.wheel_separation;
+  return {track, matters ? y : robot.p_base_axle.y()};
+}
+
+void steer_by_skidding(RobotModel& robot) {
+  strengthen_motors(robot);
+  robot.track = ideal_skid_track(robot);
+  const SkidTurn turn = measured_skid_turn(robot);
+  robot.track = turn.track;
+  robot.p_base_axle.y() = turn.axle_y;
 }
 
 }  // namespace castaway::sim

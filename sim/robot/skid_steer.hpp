@@ -16,8 +16,18 @@ double ideal_skid_track(const RobotModel& robot);
 /// not turn.
 void strengthen_motors(RobotModel& robot);
 
-/// The ideal track's counterpart in the simulator's physics: turns the robot on the spot on a bare
-/// floor for two seconds. `robot.track` is the first guess. [m]
-double measured_skid_track(const RobotModel& robot);
+/// How a robot turns on the spot in the simulator's physics.
+struct SkidTurn {
+  double track;   ///< [m] The ideal track's counterpart.
+  double axle_y;  ///< [m] In base, of the point about which it turns: off the middle between the
+                  ///< wheels where one side carries more.
+};
+
+/// Turns the robot on the spot on a bare floor for two seconds. `robot.track` is the first guess.
+SkidTurn measured_skid_turn(const RobotModel& robot);
+
+/// Lets a robot on more than two driven wheels turn: lifts torque limits, sets `track` and the axle
+/// so that commands of its drive and wheel odometry come out right.
+void steer_by_skidding(RobotModel& robot);
 
 }  // namespace castaway::sim

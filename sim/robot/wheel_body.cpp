@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/geometry.hpp"
+#include "sim/robot/robot_masses.hpp"
 #include "sim/world/bullet_types.hpp"
 
 namespace castaway::sim {
@@ -17,18 +18,27 @@ constexpr double kMaxLag = 0.1;       // [rad]
 // word to friction, which stops the skid of a light wheel by its spin: with 1 a robot as long as
 // wide turns half as fast as dry friction lets it, with 7 it is within 3 %.
 constexpr double kSkidSpin = 7.0;
+// [m] What the tyres of four wheels give under their load. Rigid wheels on a flat floor leave open
+// which of them carry: three do, and a robot turns about one end.
+constexpr double kTyreSag = 5e-4;
 
 double body_mass(const DriveWheel& wheel, const RobotModel& robot) {
   return std::max(wheel.mass, kWheelShare * robot.chassis_mass);
 }
 
-/// Motor torque where the file gives none: an acceleration of half a g, shared by the wheels; two g
-/// for a skid steer, whose wheels must overcome friction to turn.
+/// Motor torque where the file gives none: an acceleration of half a g, shared by the wheels; for a
+/// skid steer, whose wheels must overcome friction to turn, three times what that takes of each
+/// where they carry alike.
 double effort_of(const DriveWheel& wheel, const RobotModel& robot) {
   if (wheel.effort_max > 0.0) return wheel.effort_max;
-  const double acceleration = robot.wheels.size() > 2 ? 20.0 : 5.0;  // [m/s^2]
-  return acceleration * robot.chassis_mass * wheel.radius /
-         static_cast<double>(robot.wheels.size());
+  if (robot.wheels.size() > 2) return 3.0 * wheel_load(robot) * wheel.radius;
+  return 5.0 * robot.chassis_mass * wheel.radius / static_cast<double>(robot.wheels.size());
+}
+
+/// Lets a wheel give under its share of the robot's weight, critically damped.
+void soften(btRigidBody& wheel, double mass, double load) {
+  const double stiffness = load / kTyreSag;
+  wheel.setContactStiffnessAndDamping(stiffness, 2.0 * std::sqrt(stiffness * mass));
 }
 
 /// Rotation of `b` against `a` about the common y axis. [rad]
@@ -60,9 +70,11 @@ WheelBody::WheelBody(const DriveWheel& model, const RobotModel& robot, btRigidBo
       effort_(effort_of(model, robot)),
       shape_(std::make_unique<btSphereShape>(model.radius)) {
   const double mass = body_mass(model, robot);
-  const double spin = robot.wheels.size() > 2 ? kSkidSpin : 1.0;
+  const bool skids = robot.wheels.size() > 2;
+  const double spin = skids ? kSkidSpin : 1.0;
   const double moment = spin * 0.4 * mass * model.radius * model.radius;
   body_ = make_body(mass, btVector3(moment, moment, moment), shape_.get(), kWheelFriction);
+  if (skids) soften(*body_, mass, wheel_load(robot));
   // The hinge turns about z of its frames; a rotation of -90 degrees about x puts that on y.
   const btQuaternion z_to_y(btVector3(1.0, 0.0, 0.0), -SIMD_HALF_PI);
   const Eigen::Vector3d p_com_wheel = model.p_base_wheel - robot.p_base_com;

@@ -63,6 +63,15 @@ TEST(KinematicRobot, TurnsAboutTheMiddleOfItsAxle) {
   EXPECT_NEAR(pose_of(robot).y, 0.1 * std::sin(turned), 1e-9);
 }
 
+TEST(KinematicRobot, TurnsAboutBaseWhereItsAxleIsToOneSide) {
+  RobotModel model = test_robot();
+  model.p_base_axle = {0.0, -0.1};
+  KinematicRobot robot(model, floor(), {0.0, 0.0, 0.0}, kAtOnce, kStep);
+  run(robot, {0.0, 1.0}, 157);
+  EXPECT_NEAR(pose_of(robot).position().norm(), 0.0, 1e-9);
+  EXPECT_NEAR(pose_of(robot).yaw, 1.57, 1e-9);
+}
+
 TEST(KinematicRobot, TurnsItsWheelsAsItMoves) {
   KinematicRobot robot = robot_at({});
   run(robot, {0.5, 0.5}, 100);
