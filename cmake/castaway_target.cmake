@@ -30,11 +30,12 @@ function(castaway_group_sources name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# Options of every target of ours: warnings as errors, bit-reproducible floating point, includes from the root.
+# Options of every target of ours: warnings, bit-reproducible floating point, includes from the root.
 function(castaway_target name)
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_options(
-    ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off
+    ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+    $<$<BOOL:${CASTAWAY_WERROR}>:-Werror>
     $<$<NOT:$<BOOL:${CASTAWAY_UNITY}>>:-Wshadow>  # Files compiled together see each other's constants:...
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CASTAWAY_UNITY}>>:-Wshadow=local>  # ...they may hide those.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 raises it falsely on concatenated strings (GCC bug 105651)...

@@ -46,6 +46,14 @@ TEST(BadInput, UnknownWorldRobotAndRoute) {
   expect_refused(castaway(folder, "run --set drive.route=lop"), {"lop", "loop"});
 }
 
+TEST(BadInput, FolderOfDataThatHoldsNone) {
+  const fs::path folder = fresh_folder();
+  for (const char* command : {"run", "run lab/kidnap", "scenarios", "lidars"}) {
+    expect_refused(castaway(folder, command, "CASTAWAY_DATA=/nowhere"),
+                   {"/nowhere", "CASTAWAY_DATA"});
+  }
+}
+
 TEST(BadInput, UrdfWithoutWheels) {
   const fs::path folder = fresh_folder();
   write(folder / "sled.urdf", std::string(kUrdf) + "</robot>");

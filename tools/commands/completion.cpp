@@ -121,7 +121,7 @@ std::string manual(const CLI::App& app) {
       "input.\n.TP\n.B 3\nAn expectation was not met.\n.TP\n.B 130, 143\nInterrupted by Ctrl\\-C "
       "or "
       "SIGTERM.\n.SH ENVIRONMENT\n.TP\n.B CASTAWAY_DATA\nThe folder that holds worlds, robots and "
-      "lidars, instead of the source tree's.\n.TP\n.B NO_COLOR\nNo colours on a terminal.\n";
+      "lidars, instead of the program's own.\n.TP\n.B NO_COLOR\nNo colours on a terminal.\n";
   return text;
 }
 

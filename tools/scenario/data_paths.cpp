@@ -25,6 +25,18 @@ std::vector<std::string> folders_in(const fs::path& path) {
   return names;
 }
 
+/// The folder of data that lies by the program: `share/castaway` beside its folder, as installed,
+/// or in it, where a build tree has links to the source tree's.
+fs::path beside_program() {
+  std::error_code none;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+  for (const fs::path& share : {folder.parent_path() / "share", folder / "share"}) {
+    const fs::path worlds = fs::canonical(share / "castaway/worlds", none);
+    if (!none) return worlds.parent_path();
+  }
+  return folder.parent_path() / "share/castaway";
+}
+
 /// What to look for: `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
               const std::vector<std::string>& files) {
@@ -47,8 +59,14 @@ fs::path shipped_scenarios(const fs::path& world) {
 }  // namespace
 
 fs::path data_root() {
-  const char* root = std::getenv("CASTAWAY_DATA");
-  return root != nullptr ? fs::path(root) : fs::path(CASTAWAY_SOURCE_DIR);
+  static const fs::path shipped = beside_program();
+  const char* named = std::getenv("CASTAWAY_DATA");
+  const fs::path root = named != nullptr ? fs::path(named) : shipped;
+  std::error_code none;
+  if (fs::is_directory(root / "worlds", none)) return root;
+  throw std::runtime_error(fmt::format(
+      "{}: holds no worlds; set CASTAWAY_DATA to the folder that holds worlds, robots and lidars",
+      root.string()));
 }
 
 fs::path find_world(const std::string& text, const fs::path& base) {

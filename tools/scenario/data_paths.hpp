@@ -7,8 +7,9 @@
 
 namespace castaway::testbed {
 
-/// The folder that holds `worlds/` and `robots/`: $CASTAWAY_DATA, or the source tree the program
-/// was built from.
+/// The folder that holds `worlds/`, `robots/`, `lidars/` and `datasets/`: $CASTAWAY_DATA, or
+/// `share/castaway` by the program, installed or in its build tree. @throws std::runtime_error
+/// if it holds no worlds.
 std::filesystem::path data_root();
 
 /// A world's file: `text` itself if it exists (a folder means its world.yaml), else relative to

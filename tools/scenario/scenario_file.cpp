@@ -170,7 +170,11 @@ void check_driver(YamlReader& root, const Scenario& scenario) {
 LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides) {
   YamlDocument document = YamlDocument::load(file);
-  for (const std::string& assignment : overrides) document.set(assignment);
+  for (const std::string& assignment : overrides) {
+    if (assignment.starts_with("robot.")) document.write_out("robot", "file");
+    if (assignment.starts_with("world.")) document.write_out("world", "name");
+    document.set(assignment);
+  }
   return read_scenario(std::move(document), file.parent_path(), file.stem().string());
 }
 

@@ -77,4 +77,14 @@ void put_value(YamlNode& root, const std::string& path, YamlNode value, const st
   *node = std::move(value);
 }
 
+void write_out(YamlNode& root, const std::string& key, const std::string& long_key) {
+  YamlNode* node = root.find(key);
+  if (node == nullptr || node->kind != YamlNode::Kind::kScalar) return;
+  YamlNode map;
+  map.kind = YamlNode::Kind::kMap;
+  map.where = node->where;
+  map.entries.push_back({long_key, std::move(*node)});
+  *node = std::move(map);
+}
+
 }  // namespace castaway::testbed

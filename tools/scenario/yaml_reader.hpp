@@ -135,6 +135,10 @@ class YamlDocument {
 
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
+  /// Writes a key's short form out (see `castaway::testbed::write_out`); call it before reading.
+  void write_out(const std::string& key, const std::string& long_key) {
+    testbed::write_out(*root_, key, long_key);
+  }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
   /// Throws on the first number that is out of its range; call it before reading.
   void check(std::span<const NumberRange> ranges) const { require_ranges(*root_, ranges); }

@@ -46,6 +46,10 @@ void apply_override(YamlNode& root, const std::string& assignment);
 /// Puts `value` at `path` as `apply_override` does; `where` stands for its place in errors.
 void put_value(YamlNode& root, const std::string& path, YamlNode value, const std::string& where);
 
+/// Writes the short form of a key out: `key: value`, a scalar, becomes `key: {long_key: value}`, so
+/// that other keys can stand beside it. Does nothing where it is none.
+void write_out(YamlNode& root, const std::string& key, const std::string& long_key);
+
 /// The tree as block-style YAML text; parsing it gives the same tree.
 std::string emit_yaml(const YamlNode& root);
 

@@ -41,6 +41,20 @@ TEST_F(ScenarioFileTest, HasADefaultForEveryKeyButTheLocalizers) {
   EXPECT_EQ(scenario.localizers.at(0).name, "mh_amcl");
 }
 
+TEST_F(ScenarioFileTest, SetsKeysBesideARobotAndAWorldThatAreGivenShort) {
+  const std::string text = "localizers: [mh_amcl]\nrobot: butler\nworld: office";
+  const Scenario scenario =
+      load(text, {"robot.joints.arm=0.5", "world.search_paths=[models]"}).scenario;
+  EXPECT_EQ(scenario.robot.file, "butler");
+  EXPECT_EQ(scenario.robot.joints.at("arm"), 0.5);
+  EXPECT_EQ(scenario.world.file, "office");
+  EXPECT_EQ(scenario.world.search_paths, std::vector<std::string>{"models"});
+  const Scenario given =
+      load("localizers: [mh_amcl]", {"robot=mule", "robot.joints.arm=1"}).scenario;
+  EXPECT_EQ(given.robot.file, "mule");
+  EXPECT_EQ(load(text, {"robot.file=mule"}).scenario.robot.file, "mule");
+}
+
 TEST_F(ScenarioFileTest, NamesTheWorldInOneWordOrWithItsDifferences) {
   const WorldChoice plain = load("{world: home, localizers: [mh_amcl]}").scenario.world;
   EXPECT_EQ(plain.file, "home");

@@ -1,0 +1,10 @@
+/// The robot's messages as castaway::localization takes them: SI units, REP-103 axes, REP-117
+/// ranges.
+#pragma once
+
+#include <localization/localizer.hpp>
+
+#include "messages.hpp"
+
+castaway::localization::Odometry to_odometry(const WheelMessage& message);
+castaway::localization::LaserScan to_scan(const SweepMessage& message);

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs castaway into an empty folder, runs the program there, and builds programs outside of the tree with its libraries.
+# usage: installed_test.sh BUILD_DIR SOURCE_DIR COMPILER
+set -euo pipefail
+build=$1 source=$2 compiler=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset CASTAWAY_DATA
+
+fail() { echo "installed_test: $1" >&2; exit 1; }
+
+cmake --install "$build" --prefix "$work/usr" >"$work/install.log"
+
+cd "$work"
+usr/bin/castaway run --duration 2 --set outputs.snapshots=false --out run >run.log
+[ -s run/summary.json ] || fail "the installed program left no summary.json"
+usr/bin/castaway scenarios | grep -q "$work/usr/share/castaway/worlds/lab/scenarios/kidnap.yaml" ||
+  fail "the installed program does not take its own data"
+zcat usr/share/man/man1/castaway.1.gz | grep -q "SH COMMANDS" || fail "no manual page"
+bash -c '. usr/share/bash-completion/completions/castaway; complete -p castaway' | grep -q castaway || fail "no completion"
+
+# Debug information and sanitizers name source files, and what is built outside must be linked with sanitizers, too.
+flags="$(grep -oP '(?<=^CMAKE_CXX_FLAGS_DEBUG:STRING=).*' "$build/CMakeCache.txt" || true)"
+grep -q '^CMAKE_BUILD_TYPE:STRING=Debug' "$build/CMakeCache.txt" || flags=""
+if [ -z "$flags" ] && grep -aqF "$source/" usr/bin/castaway; then fail "the program holds a path of the source tree"; fi
+outside() {  # NAME SOURCES
+  cmake -S "$2" -B "$1" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$work/usr" -DCMAKE_CXX_FLAGS="$flags" >"$1.log"
+  cmake --build "$1" >>"$1.log" || { cat "$1.log"; fail "$1 does not build"; }
+}
+outside embed "$source/examples/embed"
+embed/embed | tail -1 | grep -qx "found itself" || fail "examples/embed does not find itself"
+outside sim "$source/tests/install/sim"
+sim/load usr/share/castaway/robots/mule/mule.urdf.xacro | grep -qx "mule: 4 wheels" || fail "castaway::sim loads no robot"
