@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/drive_setup.hpp"
-#include "sim/drive_space.hpp"
-#include "sim/drive_stage.hpp"
-#include "sim/kidnap_stage.hpp"
-#include "sim/people_stage.hpp"
 #include "sim/robot/sim_robot.hpp"
-#include "sim/sensor_stage.hpp"
+#include "sim/stages/drive_setup.hpp"
+#include "sim/stages/drive_space.hpp"
+#include "sim/stages/drive_stage.hpp"
+#include "sim/stages/kidnap_stage.hpp"
+#include "sim/stages/people_stage.hpp"
+#include "sim/stages/sensor_stage.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -14,18 +14,18 @@
 
 #include <Eigen/Core>
 
+#include "sim/common/geometry.hpp"
+#include "sim/common/random.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
-#include "sim/geometry.hpp"
+#include "sim/map/grid.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
-#include "sim/progress_watch.hpp"
-#include "sim/random.hpp"
-#include "sim/robot/robot_model.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
-#include "sim/world/grid.hpp"
+#include "sim/stages/progress_watch.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

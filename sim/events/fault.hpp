@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 
 namespace castaway::sim {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "sim/common/geometry.hpp"
 #include "sim/events/kidnap_trigger.hpp"
 #include "sim/events/lift.hpp"
-#include "sim/geometry.hpp"
 
 namespace castaway::sim {
 

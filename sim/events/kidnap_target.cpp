@@ -10,7 +10,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/events/look_alike.hpp"
-#include "sim/world/free_space.hpp"
+#include "sim/map/free_space.hpp"
 
 namespace castaway::sim {
 namespace {

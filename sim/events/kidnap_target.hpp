@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "sim/common/geometry.hpp"
+#include "sim/common/random.hpp"
 #include "sim/events/kidnap.hpp"
-#include "sim/geometry.hpp"
-#include "sim/random.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 
 namespace castaway::sim {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/world/grid_tools.hpp"
+#include "sim/map/grid_tools.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,10 +6,10 @@
 
 #include <Eigen/Core>
 
-#include "sim/geometry.hpp"
+#include "sim/casting/ray_scene.hpp"
+#include "sim/common/geometry.hpp"
+#include "sim/map/free_space.hpp"
 #include "sim/sensor/lidar_config.hpp"
-#include "sim/sensor/ray_scene.hpp"
-#include "sim/world/free_space.hpp"
 
 namespace castaway::sim {
 

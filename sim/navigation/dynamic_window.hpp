@@ -11,9 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 #include "sim/navigation/movers.hpp"
-#include "sim/robot/twist_ramp.hpp"
+#include "sim/robot/bodies/twist_ramp.hpp"
 
 namespace castaway::sim {
 

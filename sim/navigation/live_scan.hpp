@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 #include "sim/navigation/movers.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"

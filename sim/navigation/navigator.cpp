@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/world/grid_tools.hpp"
+#include "sim/map/grid_tools.hpp"
 
 namespace castaway::sim {
 namespace {

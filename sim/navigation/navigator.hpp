@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
+#include "sim/map/grid.hpp"
 #include "sim/navigation/dynamic_window.hpp"
 #include "sim/navigation/live_scan.hpp"
 #include "sim/navigation/movers.hpp"
 #include "sim/navigation/passing.hpp"
 #include "sim/navigation/recoveries.hpp"
 #include "sim/navigation/route_runner.hpp"
-#include "sim/world/grid.hpp"
 
 namespace castaway::sim {
 

@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "sim/map/free_space.hpp"
 #include "sim/navigation/movers.hpp"
 #include "sim/navigation/route_runner.hpp"
-#include "sim/world/free_space.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 
 namespace castaway::sim {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/world/free_space.hpp"
+#include "sim/map/free_space.hpp"
 
 namespace castaway::sim {
 

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
+#include "sim/map/free_space.hpp"
 #include "sim/navigation/path_follower.hpp"
-#include "sim/world/free_space.hpp"
 
 namespace castaway::sim {
 

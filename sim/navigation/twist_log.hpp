@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/geometry.hpp"
+#include "sim/common/geometry.hpp"
 
 namespace castaway::sim {
 

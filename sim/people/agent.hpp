@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "sim/people/person.hpp"
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
+#include "sim/people/bodies/person.hpp"
 
 namespace castaway::sim {
 

@@ -10,7 +10,7 @@
 
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include "sim/world/grid_tools.hpp"
+#include "sim/map/grid_tools.hpp"
 
 namespace castaway::sim {
 namespace {

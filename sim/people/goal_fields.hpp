@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
+#include "sim/common/random.hpp"
 #include "sim/people/walk_space.hpp"
-#include "sim/random.hpp"
 
 namespace castaway::sim {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/people/gait.hpp"
+#include "sim/people/bodies/gait.hpp"
+#include "sim/people/bodies/person_rays.hpp"
 #include "sim/people/intent.hpp"
-#include "sim/people/person_rays.hpp"
 #include "sim/people/reaction.hpp"
 #include "sim/people/separation.hpp"
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/casting/moving_scene.hpp"
 #include "sim/people/agent.hpp"
 #include "sim/people/crowd.hpp"
 #include "sim/people/goal_fields.hpp"
@@ -14,7 +15,6 @@
 #include "sim/people/robot_body.hpp"
 #include "sim/people/social_force.hpp"
 #include "sim/people/walk_space.hpp"
-#include "sim/sensor/moving_scene.hpp"
 
 namespace castaway::sim {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/geometry.hpp"
-#include "sim/people/person.hpp"
+#include "sim/common/geometry.hpp"
+#include "sim/people/bodies/person.hpp"
 
 namespace castaway::sim {
 

@@ -10,8 +10,8 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "sim/people/gait.hpp"
-#include "sim/world/grid_tools.hpp"
+#include "sim/map/grid_tools.hpp"
+#include "sim/people/bodies/gait.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/robot/part_points.hpp"
+#include "sim/robot/urdf/part_points.hpp"
 
 namespace castaway::sim {
 namespace {

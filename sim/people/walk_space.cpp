@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/sensor/ray_shapes.hpp"
-#include "sim/world/cell_index.hpp"
-#include "sim/world/rasterise.hpp"
+#include "sim/casting/ray_shapes.hpp"
+#include "sim/common/cell_index.hpp"
+#include "sim/map/rasterise.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "sim/world/free_space.hpp"
-#include "sim/world/grid.hpp"
+#include "sim/map/free_space.hpp"
+#include "sim/map/grid.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

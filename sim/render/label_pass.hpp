@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/render/gl_program.hpp"
+#include "sim/render/gl/gl_program.hpp"
 #include "sim/render/scene.hpp"
 
 namespace castaway::sim {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/render/scene.hpp"
-#include "sim/robot/robot_model.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
 
 namespace castaway::sim {

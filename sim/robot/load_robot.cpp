@@ -8,17 +8,17 @@
 
 #include <fmt/format.h>
 
-#include "sim/robot/drive_kind.hpp"
-#include "sim/robot/lidar_discovery.hpp"
-#include "sim/robot/mount_wheels.hpp"
-#include "sim/robot/part_points.hpp"
-#include "sim/robot/robot_masses.hpp"
-#include "sim/robot/skid_steer.hpp"
-#include "sim/robot/supports.hpp"
-#include "sim/robot/urdf_parts.hpp"
-#include "sim/robot/wheel_discovery.hpp"
-#include "sim/robot/xacro/expand.hpp"
-#include "sim/robot/xml_text.hpp"
+#include "sim/common/xml_text.hpp"
+#include "sim/robot/bodies/robot_masses.hpp"
+#include "sim/robot/bodies/skid_steer.hpp"
+#include "sim/robot/discovery/drive_kind.hpp"
+#include "sim/robot/discovery/lidar_discovery.hpp"
+#include "sim/robot/discovery/mount_wheels.hpp"
+#include "sim/robot/discovery/supports.hpp"
+#include "sim/robot/discovery/wheel_discovery.hpp"
+#include "sim/robot/urdf/part_points.hpp"
+#include "sim/robot/urdf/urdf_parts.hpp"
+#include "sim/xacro/expand.hpp"
 
 namespace castaway::sim {
 namespace {

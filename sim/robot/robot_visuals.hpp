@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/render/scene.hpp"
-#include "sim/robot/robot_model.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 
 namespace castaway::sim {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "sim/robot/kinematic_robot.hpp"
-#include "sim/robot/robot_physics.hpp"
+#include "sim/robot/bodies/kinematic_robot.hpp"
+#include "sim/robot/bodies/robot_physics.hpp"
 
 namespace castaway::sim {
 

@@ -7,7 +7,7 @@
 #include <boost/random/exponential_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 
-#include "sim/sensor/ray_normals.hpp"
+#include "sim/casting/ray_normals.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/random.hpp"
+#include "sim/casting/surfaces.hpp"
+#include "sim/casting/surroundings.hpp"
+#include "sim/common/random.hpp"
 #include "sim/sensor/light_effects.hpp"
-#include "sim/sensor/surfaces.hpp"
-#include "sim/sensor/surroundings.hpp"
 
 namespace castaway::sim {
 

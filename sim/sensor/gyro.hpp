@@ -1,7 +1,7 @@
 /// A gyro about the robot's vertical axis.
 #pragma once
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 
 namespace castaway::sim {
 

@@ -1,7 +1,7 @@
 /// Noise of measured ranges.
 #pragma once
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 
 namespace castaway::sim {
 

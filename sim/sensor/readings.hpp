@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/geometry.hpp"
-#include "sim/sensor/surfaces.hpp"
+#include "sim/casting/surfaces.hpp"
+#include "sim/common/geometry.hpp"
 
 namespace castaway::sim {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <boost/random/normal_distribution.hpp>
 
-#include "sim/robot/robot_model.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "sim/geometry.hpp"
-#include "sim/random.hpp"
+#include "sim/common/geometry.hpp"
+#include "sim/common/random.hpp"
 #include "sim/sensor/gyro.hpp"
 
 namespace castaway::sim {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "sim/world/world_spec.hpp"
 

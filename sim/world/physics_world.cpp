@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "sim/common/cell_index.hpp"
 #include "sim/world/bullet_types.hpp"
-#include "sim/world/cell_index.hpp"
 #include "sim/world/floor.hpp"
 #include "sim/world/footprint.hpp"
 #include "sim/world/mesh.hpp"

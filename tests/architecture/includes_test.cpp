@@ -115,13 +115,13 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
 
 TEST(Includes, RunMetricsAndFormatsLinkWithoutTheSimulator) {
   const std::set<std::string> conversions = {
-      "tools/run/build_drive.cpp",      "tools/run/build_drive.hpp",
-      "tools/run/build_robot.cpp",      "tools/run/build_robot.hpp",
-      "tools/run/build_sensors.cpp",    "tools/run/build_sensors.hpp",
-      "tools/run/build_simulation.cpp", "tools/run/build_simulation.hpp",
-      "tools/run/build_world.cpp",      "tools/run/build_world.hpp",
-      "tools/run/scan_truth.cpp",       "tools/run/scan_truth.hpp",
-      "tools/run/simulator_source.cpp", "tools/run/simulator_source.hpp"};
+      "tools/sources/build_drive.cpp",      "tools/sources/build_drive.hpp",
+      "tools/sources/build_robot.cpp",      "tools/sources/build_robot.hpp",
+      "tools/sources/build_sensors.cpp",    "tools/sources/build_sensors.hpp",
+      "tools/sources/build_simulation.cpp", "tools/sources/build_simulation.hpp",
+      "tools/sources/build_world.cpp",      "tools/sources/build_world.hpp",
+      "tools/sources/scan_truth.cpp",       "tools/sources/scan_truth.hpp",
+      "tools/sources/simulator_source.cpp", "tools/sources/simulator_source.hpp"};
   EXPECT_EQ(
       violations(
           [&](const std::string& h) { return starts_with(h, "sim/") || conversions.contains(h); },

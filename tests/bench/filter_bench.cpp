@@ -2,7 +2,7 @@
 /// same written without any thought of speed beside it.
 #include <benchmark/benchmark.h>
 
-#include "tools/campaign/bench_filters.hpp"
+#include "tools/bench/bench_filters.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "localization/matching/cascade_matcher.hpp"
-#include "tools/campaign/bench_scene.hpp"
+#include "tools/bench/bench_scene.hpp"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/scenario/ros_map_file.hpp"
+#include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/scenario/world_file.hpp"
+#include "tools/scenario/world/world_file.hpp"
 
 namespace {
 

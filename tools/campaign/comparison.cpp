@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
-#include "tools/metrics/bootstrap.hpp"
 #include "tools/metrics/metrics_json.hpp"
-#include "tools/metrics/sign_flip_test.hpp"
+#include "tools/metrics/statistics/bootstrap.hpp"
+#include "tools/metrics/statistics/sign_flip_test.hpp"
 #include "tools/metrics/void_run.hpp"
-#include "tools/scenario/yaml_tree.hpp"
+#include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {
 namespace {

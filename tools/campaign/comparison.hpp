@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/metrics/metric_paths.hpp"
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "tools/metrics/aggregate.hpp"
-#include "tools/metrics/bootstrap.hpp"
+#include "tools/campaign/aggregate.hpp"
 #include "tools/metrics/discrimination.hpp"
 #include "tools/metrics/metrics_json.hpp"
+#include "tools/metrics/statistics/bootstrap.hpp"
 
 namespace castaway::testbed {
 namespace {

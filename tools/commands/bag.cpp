@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/terminal.hpp"
-#include "tools/run/bag_json.hpp"
-#include "tools/run/bag_topics.hpp"
-#include "tools/scenario/bag_folder.hpp"
+#include "tools/play/terminal.hpp"
+#include "tools/ros/bag_json.hpp"
+#include "tools/ros/bag_topics.hpp"
+#include "tools/scenario/files/bag_folder.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/stamp.hpp"
-#include "tools/campaign/crowd_hours.hpp"
+#include "tools/bench/crowd_hours.hpp"
 #include "tools/commands/bench.hpp"
 #include "tools/run/cpu_clock.hpp"
 

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/kidnap_bench.hpp"
 #include "tools/commands/bench.hpp"
-#include "tools/commands/progress.hpp"
-#include "tools/metrics/intervals.hpp"
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/intervals.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/play/progress.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/trials/kidnap_bench.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/localization_bench.hpp"
+#include "tools/bench/localization_bench.hpp"
 #include "tools/commands/bench.hpp"
 
 namespace castaway::testbed {

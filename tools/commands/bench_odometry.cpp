@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/odometry_bench.hpp"
+#include "tools/bench/odometry_bench.hpp"
 #include "tools/commands/bench.hpp"
-#include "tools/run/carmen_source.hpp"
-#include "tools/scenario/odometry_spec.hpp"
+#include "tools/scenario/sections/odometry_spec.hpp"
+#include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/physics_bench.hpp"
+#include "tools/bench/physics_bench.hpp"
 #include "tools/commands/bench.hpp"
-#include "tools/run/build_robot.hpp"
+#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

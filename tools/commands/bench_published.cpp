@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/published_bench.hpp"
 #include "tools/commands/bench.hpp"
-#include "tools/commands/progress.hpp"
-#include "tools/metrics/intervals.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/metrics/statistics/intervals.hpp"
+#include "tools/play/progress.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/trials/published_bench.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/simulation_bench.hpp"
+#include "tools/bench/simulation_bench.hpp"
 #include "tools/commands/bench.hpp"
 
 namespace castaway::testbed {

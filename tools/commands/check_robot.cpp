@@ -6,13 +6,13 @@
 #include "sim/render/renderer.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/robot_arguments.hpp"
-#include "tools/commands/robot_report.hpp"
-#include "tools/commands/terminal.hpp"
+#include "tools/inspect/robot_report.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
-#include "tools/run/build_robot.hpp"
-#include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/joint_states.hpp"
+#include "tools/play/terminal.hpp"
+#include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/sections/joint_states.hpp"
+#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

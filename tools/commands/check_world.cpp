@@ -7,12 +7,12 @@
 #include "sim/render/renderer.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/world_report.hpp"
+#include "tools/inspect/world_report.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
-#include "tools/run/build_robot.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/formats/file.hpp"
-#include "tools/formats/sha256.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/report/comparison_page.hpp"
 

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "tools/commands/commands.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
 namespace {

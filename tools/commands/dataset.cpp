@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/dataset_manifest.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/dataset_run.hpp"
+#include "tools/dataset/dataset_manifest.hpp"
+#include "tools/dataset/dataset_run.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/evaluation.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/progress.hpp"
-#include "tools/metrics/intervals.hpp"
+#include "tools/evaluate/evaluation.hpp"
 #include "tools/metrics/metrics_json.hpp"
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/intervals.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/play/progress.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
-#include "tools/scenario/lidar_profile.hpp"
+#include "tools/scenario/sections/lidar_profile.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "tools/campaign/isolated_meshes.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/terminal.hpp"
 #include "tools/commands/usage.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/play/terminal.hpp"
+#include "tools/workers/isolated_meshes.hpp"
 
 namespace {
 

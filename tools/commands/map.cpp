@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "sim/map/rasterise.hpp"
 #include "sim/sensor/lidar_config.hpp"
-#include "sim/world/rasterise.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/formats/gray_image.hpp"
+#include "tools/formats/images/gray_image.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
-#include "tools/run/build_robot.hpp"
-#include "tools/run/build_world.hpp"
-#include "tools/run/simulator_source.hpp"
+#include "tools/sources/build_robot.hpp"
+#include "tools/sources/build_world.hpp"
+#include "tools/sources/simulator_source.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,19 +5,19 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/execute.hpp"
-#include "tools/commands/terminal.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/file_name.hpp"
-#include "tools/run/bag_reading.hpp"
-#include "tools/run/build_localizers.hpp"
-#include "tools/run/carmen_source.hpp"
+#include "tools/play/execute.hpp"
+#include "tools/play/terminal.hpp"
 #include "tools/run/cpu_clock.hpp"
-#include "tools/run/map_conversion.hpp"
-#include "tools/run/recorded_source.hpp"
-#include "tools/scenario/bag_folder.hpp"
-#include "tools/scenario/ros_map_file.hpp"
+#include "tools/scenario/files/bag_folder.hpp"
+#include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/build_localizers.hpp"
+#include "tools/sources/carmen_source.hpp"
+#include "tools/sources/map_conversion.hpp"
+#include "tools/sources/recorded_source.hpp"
 
 namespace castaway::testbed {
 namespace {

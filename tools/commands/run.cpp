@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/play.hpp"
 #include "tools/commands/robot_arguments.hpp"
-#include "tools/commands/run_seeds.hpp"
-#include "tools/commands/verdict_output.hpp"
-#include "tools/formats/sha256.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
-#include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/expect_spec.hpp"
+#include "tools/play/play.hpp"
+#include "tools/play/run_seeds.hpp"
+#include "tools/play/verdict_output.hpp"
+#include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/sections/expect_spec.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/scenario/nearest.hpp"
+#include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "localization/geometry/se2.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 

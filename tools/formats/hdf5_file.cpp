@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file_error.hpp"
+#include "tools/files/file_error.hpp"
 #include "tools/formats/hdf5_handle.hpp"
 
 namespace castaway::testbed {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "tools/formats/gray_image.hpp"
+#include "tools/formats/images/gray_image.hpp"
 
 namespace castaway::testbed {
 

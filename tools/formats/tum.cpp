@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {

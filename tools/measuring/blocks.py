@@ -6,10 +6,10 @@ import typing
 from measuring import localizers, people, robots, sensors, speed, worlds
 from measuring.lab import bench
 
-LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/run/build_localizers.cpp"]
-WORLD = ["sim", ":(exclude)sim/render", "tools/run/build_*.cpp", "tools/run/simulator_source.cpp", "worlds/lab", "robots/waffle"]
+LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/sources/build_localizers.cpp"]
+WORLD = ["sim", ":(exclude)sim/render", "tools/sources/build_*.cpp", "tools/sources/simulator_source.cpp", "worlds/lab", "robots/waffle"]
 SIMULATOR = LOOP + WORLD
-REPLAY = LOOP + ["tools/run/carmen_*.cpp", "tools/campaign/evaluation.cpp"]
+REPLAY = LOOP + ["tools/sources/carmen_*.cpp", "tools/evaluate/evaluation.cpp"]
 
 
 @dataclasses.dataclass
@@ -36,10 +36,10 @@ BLOCKS = {
     "published-defects": Block(LOCALIZATION, localizers.published_defects, SIMULATOR),
     "kidnaps-among-people": Block(LOCALIZATION, localizers.kidnaps_among_people, SIMULATOR + ["worlds/office"]),
     "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True),
-    "localization-speed": Block(LOCALIZATION, bench("bench", "localization"), ["localization", "tools/campaign/plain_*.cpp"]),
+    "localization-speed": Block(LOCALIZATION, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"]),
     "odometry-profiles": Block(SENSORS, sensors.odometry_profiles,
-                               ["sim/sensor", "tools/campaign/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),
-    "odometry-logs": Block(SENSORS, sensors.odometry_logs, ["tools/campaign/odometry_drift.cpp"], logs=True),
+                               ["sim/sensor", "tools/bench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),
+    "odometry-logs": Block(SENSORS, sensors.odometry_logs, ["tools/bench/odometry_drift.cpp"], logs=True),
     "real-lidar": Block(SENSORS, sensors.real_lidar, SIMULATOR + ["lidars"], cheap=True),
     "glass": Block(SENSORS, sensors.glass, WORLD + ["lidars", "worlds/home"]),
     "faults": Block(SENSORS, sensors.faults, SIMULATOR, cheap=True),
@@ -50,13 +50,13 @@ BLOCKS = {
     "discrimination": Block(EXPERIMENTS, people.discrimination, SIMULATOR),
     "kidnap-kinds": Block("docs/kidnaps.md", people.kidnap_kinds, SIMULATOR),
     "among-people": Block(PEOPLE_PAGE, people.among_people, SIMULATOR),
-    "simulation-speed": Block(PEOPLE_PAGE, bench("bench", "simulation"), ["sim", "tools/campaign/simulation_bench.cpp"]),
+    "simulation-speed": Block(PEOPLE_PAGE, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"]),
     "moved": Block(WORLDS, worlds.moved, SIMULATOR + ["worlds"]),
-    "twins": Block(WORLDS, worlds.twins, ["sim/world", "worlds"]),
-    "exact-beams": Block(WORLDS, worlds.exact_beams, ["sim/sensor", "sim/world", "worlds"]),
-    "published-worlds": Block(WORLDS, worlds.published_worlds, ["sim/world"], worlds=True),
-    "physics": Block("docs/driving.md", bench("bench", "physics"), ["sim/robot", "sim/drive_stage.cpp", "robots/waffle"], cheap=True),
+    "twins": Block(WORLDS, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),
+    "exact-beams": Block(WORLDS, worlds.exact_beams, ["sim/sensor", "sim/casting", "sim/world", "worlds"]),
+    "published-worlds": Block(WORLDS, worlds.published_worlds, ["sim/world", "sim/map"], worlds=True),
+    "physics": Block("docs/driving.md", bench("bench", "physics"), ["sim/robot", "sim/stages/drive_stage.cpp", "robots/waffle"], cheap=True),
     "shipped-robots": Block("docs/robots.md", robots.shipped_robots, ["sim/robot", "robots"]),
-    "dataset-speed": Block("docs/datasets.md", speed.dataset_speed, ["tools/campaign", "tools/commands/dataset*.cpp", "sim"]),
-    "bag-cost": Block("docs/formats.md", speed.bag_cost, ["tools/formats", "tools/run/bag_*.cpp"]),
+    "dataset-speed": Block("docs/datasets.md", speed.dataset_speed, ["tools/dataset", "sim"]),
+    "bag-cost": Block("docs/formats.md", speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"]),
 }

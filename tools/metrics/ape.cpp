@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "tools/metrics/intervals.hpp"
 #include "tools/metrics/recovery.hpp"
+#include "tools/metrics/statistics/intervals.hpp"
 
 namespace castaway::testbed {
 

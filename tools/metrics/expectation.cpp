@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/metrics/bootstrap.hpp"
+#include "tools/metrics/statistics/bootstrap.hpp"
 
 namespace castaway::testbed {
 namespace {

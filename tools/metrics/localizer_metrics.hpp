@@ -14,7 +14,7 @@
 #include "tools/metrics/discrimination.hpp"
 #include "tools/metrics/output_jumps.hpp"
 #include "tools/metrics/recovery.hpp"
-#include "tools/metrics/statistics.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 

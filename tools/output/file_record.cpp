@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
-#include "tools/formats/sha256.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tools/formats/file_error.hpp"
+#include "tools/files/file_error.hpp"
 
 namespace castaway::testbed {
 

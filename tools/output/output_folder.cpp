@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file_error.hpp"
+#include "tools/files/file_error.hpp"
 
 namespace castaway::testbed {
 namespace {

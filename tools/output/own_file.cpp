@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 #include "tools/output/file_record.hpp"
 #include "tools/output/folder_lock.hpp"
 

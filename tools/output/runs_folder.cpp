@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file.hpp"
-#include "tools/formats/file_error.hpp"
-#include "tools/formats/sha256.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/file_error.hpp"
+#include "tools/files/sha256.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "tools/formats/json_number.hpp"
-#include "tools/report/html.hpp"
-#include "tools/report/reliability_plot.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/reliability_plot.hpp"
 #include "tools/report/report_words.hpp"
 
 namespace castaway::testbed {

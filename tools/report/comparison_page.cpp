@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/report/experiment_page.hpp"
-#include "tools/report/html.hpp"
+#include "tools/report/html/html.hpp"
 
 namespace castaway::testbed {
 namespace {

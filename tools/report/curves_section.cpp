@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html.hpp"
-#include "tools/report/time_plot.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/time_plot.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -8,10 +8,10 @@
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/discrimination.hpp"
 #include "tools/report/curves_section.hpp"
-#include "tools/report/html.hpp"
-#include "tools/report/report_style.hpp"
-#include "tools/report/time_plot.hpp"
-#include "tools/report/xy_plot.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/report_style.hpp"
+#include "tools/report/html/time_plot.hpp"
+#include "tools/report/html/xy_plot.hpp"
 
 namespace castaway::testbed {
 namespace {

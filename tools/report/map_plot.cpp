@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "sim/render/image.hpp"
-#include "tools/report/html.hpp"
-#include "tools/report/map_backdrop.hpp"
-#include "tools/report/map_caption.hpp"
+#include "tools/pictures/map_backdrop.hpp"
+#include "tools/pictures/map_caption.hpp"
+#include "tools/report/html/html.hpp"
 
 namespace castaway::testbed {
 namespace {

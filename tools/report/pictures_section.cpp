@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/report/curves_section.hpp"
-#include "tools/report/html.hpp"
+#include "tools/report/html/html.hpp"
 
 namespace castaway::testbed {
 namespace {

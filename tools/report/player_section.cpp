@@ -4,8 +4,8 @@
 
 #include "tools/metrics/recovery.hpp"
 #include "tools/report/curves_section.hpp"
-#include "tools/report/html.hpp"
-#include "tools/report/web_bundle.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,18 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/records/recording.hpp"
 #include "tools/report/calibration_section.hpp"
 #include "tools/report/curves_section.hpp"
-#include "tools/report/html.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/report_style.hpp"
 #include "tools/report/map_plot.hpp"
 #include "tools/report/pictures_section.hpp"
 #include "tools/report/player_section.hpp"
-#include "tools/report/report_style.hpp"
 #include "tools/report/report_tables.hpp"
 #include "tools/report/report_words.hpp"
-#include "tools/run/recording.hpp"
 
 namespace castaway::testbed {
 namespace {

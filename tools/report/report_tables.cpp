@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html.hpp"
+#include "tools/report/html/html.hpp"
 #include "tools/report/report_words.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/unscored.hpp"
-#include "tools/report/html.hpp"
+#include "tools/report/html/html.hpp"
 
 namespace castaway::testbed {
 namespace {

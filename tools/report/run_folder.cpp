@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/files/file.hpp"
 #include "tools/formats/csv.hpp"
-#include "tools/formats/file.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/report/thinned_curve.hpp"
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/void_run.hpp"
-#include "tools/report/html.hpp"
-#include "tools/report/report_style.hpp"
+#include "tools/report/html/html.hpp"
+#include "tools/report/html/report_style.hpp"
 #include "tools/report/report_words.hpp"
 #include "tools/report/run_folder.hpp"
 

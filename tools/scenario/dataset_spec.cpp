@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/name_spec.hpp"
+#include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/sections/name_spec.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,7 +10,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "tools/scenario/nearest.hpp"
+#include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "localization/random.hpp"
-#include "tools/scenario/yaml_reader.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/scenario/amcl_spec.hpp"
-#include "tools/scenario/mh_amcl_spec.hpp"
-#include "tools/scenario/name_spec.hpp"
-#include "tools/scenario/nearest.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/scenario/sections/amcl_spec.hpp"
+#include "tools/scenario/sections/mh_amcl_spec.hpp"
+#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {

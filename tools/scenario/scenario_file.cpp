@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/scenario/difference_spec.hpp"
-#include "tools/scenario/expect_spec.hpp"
-#include "tools/scenario/fault_events.hpp"
-#include "tools/scenario/joint_states.hpp"
-#include "tools/scenario/kidnap_events.hpp"
-#include "tools/scenario/lidar_spec.hpp"
-#include "tools/scenario/name_spec.hpp"
-#include "tools/scenario/nearest.hpp"
-#include "tools/scenario/odometry_spec.hpp"
-#include "tools/scenario/output_spec.hpp"
-#include "tools/scenario/people_spec.hpp"
+#include "tools/scenario/sections/expect_spec.hpp"
+#include "tools/scenario/sections/fault_events.hpp"
+#include "tools/scenario/sections/joint_states.hpp"
+#include "tools/scenario/sections/kidnap_events.hpp"
+#include "tools/scenario/sections/lidar_spec.hpp"
+#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/sections/odometry_spec.hpp"
+#include "tools/scenario/sections/output_spec.hpp"
+#include "tools/scenario/sections/people_spec.hpp"
+#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/scenario/scenario.hpp"
-#include "tools/scenario/yaml_reader.hpp"
+#include "tools/scenario/sections/scenario.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {
 

@@ -1,7 +1,7 @@
 // The ranges of all numbers of a scenario.
 #include <array>
 
-#include "tools/scenario/number_range.hpp"
+#include "tools/scenario/yaml/number_range.hpp"
 
 namespace castaway::testbed {
 namespace {

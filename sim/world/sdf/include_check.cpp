@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/robot/xml_text.hpp"
+#include "sim/common/xml_text.hpp"
 #include "sim/world/sdf/scenery.hpp"
 
 namespace castaway::sim {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "sim/robot/xacro/expand.hpp"
-#include "sim/robot/xml_text.hpp"
+#include "sim/common/xml_text.hpp"
 #include "sim/world/footprint.hpp"
 #include "sim/world/sdf/read_pieces.hpp"
 #include "sim/world/sdf/sdf_bodies.hpp"
 #include "sim/world/sdf/world_pieces.hpp"
+#include "sim/xacro/expand.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "sim/casting/ray_scene.hpp"
+#include "sim/map/extrude.hpp"
+#include "sim/map/free_space.hpp"
+#include "sim/map/rasterise.hpp"
 #include "sim/robot/load_robot.hpp"
-#include "sim/sensor/ray_scene.hpp"
-#include "sim/world/extrude.hpp"
-#include "sim/world/free_space.hpp"
-#include "sim/world/rasterise.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace {

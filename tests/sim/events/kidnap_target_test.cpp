@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/world/free_space.hpp"
+#include "sim/map/free_space.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/map/rasterise.hpp"
 #include "sim/sensor/lidar.hpp"
-#include "sim/world/rasterise.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

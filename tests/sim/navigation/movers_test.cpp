@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 #include "tests/sim/support/people_scene.hpp"
 
 namespace castaway::sim {

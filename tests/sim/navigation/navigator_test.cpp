@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/drive_setup.hpp"
+#include "sim/stages/drive_setup.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

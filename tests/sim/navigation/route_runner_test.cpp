@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/world/rasterise.hpp"
+#include "sim/map/rasterise.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

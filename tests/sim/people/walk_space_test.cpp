@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/sensor/ray_scene.hpp"
+#include "sim/casting/ray_scene.hpp"
 #include "tests/sim/support/people_scene.hpp"
 #include "tests/sim/support/test_people.hpp"
 

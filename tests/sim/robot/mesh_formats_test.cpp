@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/robot/load_robot.hpp"
-#include "sim/robot/part_points.hpp"
+#include "sim/robot/urdf/part_points.hpp"
 #include "tests/sim/robot/robot_files.hpp"
 #include "tests/sim/robot/urdf_parts_for_tests.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 #include "sim/robot/load_robot.hpp"
 #include "tests/sim/robot/robot_files.hpp"
 

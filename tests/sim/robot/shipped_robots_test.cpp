@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/robot/bodies/robot_physics.hpp"
 #include "sim/robot/load_robot.hpp"
-#include "sim/robot/robot_physics.hpp"
 #include "tests/sim/robot/robot_files.hpp"
 
 namespace castaway::sim {

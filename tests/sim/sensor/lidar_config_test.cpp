@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/robot/robot_model.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 
 namespace castaway::sim {
 namespace {

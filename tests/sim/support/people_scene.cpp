@@ -2,7 +2,7 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "sim/people/person_rays.hpp"
+#include "sim/people/bodies/person_rays.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

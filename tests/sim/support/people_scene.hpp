@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sim/random.hpp"
-#include "sim/sensor/moving_scene.hpp"
+#include "sim/casting/moving_scene.hpp"
+#include "sim/common/random.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

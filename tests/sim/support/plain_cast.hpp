@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "sim/sensor/moving_scene.hpp"
-#include "sim/sensor/ray_scene.hpp"
+#include "sim/casting/moving_scene.hpp"
+#include "sim/casting/ray_scene.hpp"
 
 namespace castaway::sim {
 

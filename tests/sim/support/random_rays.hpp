@@ -5,7 +5,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "sim/random.hpp"
+#include "sim/common/random.hpp"
 
 namespace castaway::sim {
 

@@ -1,6 +1,6 @@
 #include "tests/sim/support/test_people.hpp"
 
-#include "sim/world/rasterise.hpp"
+#include "sim/map/rasterise.hpp"
 
 namespace castaway::sim {
 

@@ -1,7 +1,7 @@
 #include "tests/sim/support/test_world.hpp"
 
-#include "sim/world/grid_tools.hpp"
-#include "sim/world/rasterise.hpp"
+#include "sim/map/grid_tools.hpp"
+#include "sim/map/rasterise.hpp"
 
 namespace castaway::sim {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/robot/robot_model.hpp"
+#include "sim/map/grid.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
 #include "sim/simulation.hpp"
-#include "sim/world/grid.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

@@ -6,8 +6,8 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "sim/random.hpp"
-#include "sim/sensor/ray_scene.hpp"
+#include "sim/casting/ray_scene.hpp"
+#include "sim/common/random.hpp"
 #include "sim/world/mesh.hpp"
 #include "tests/sim/support/plain_cast.hpp"
 

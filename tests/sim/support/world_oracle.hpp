@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/sensor/ray_shapes.hpp"
+#include "sim/casting/ray_shapes.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/sensor/ray_shapes.hpp"
-#include "sim/world/rasterise.hpp"
+#include "sim/casting/ray_shapes.hpp"
+#include "sim/map/rasterise.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

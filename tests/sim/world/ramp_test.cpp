@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/robot_physics.hpp"
-#include "sim/sensor/ray_scene.hpp"
-#include "sim/sensor/ray_shapes.hpp"
+#include "sim/casting/ray_scene.hpp"
+#include "sim/casting/ray_shapes.hpp"
+#include "sim/map/rasterise.hpp"
+#include "sim/robot/bodies/robot_physics.hpp"
 #include "sim/world/physics_world.hpp"
-#include "sim/world/rasterise.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tests/sim/support/test_world.hpp"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/files/file.hpp"
 #include "tools/metrics/metrics_json.hpp"
 
 namespace castaway::testbed {

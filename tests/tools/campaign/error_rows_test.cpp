@@ -4,7 +4,7 @@
 
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/run/errors_sink.hpp"
+#include "tools/sinks/errors_sink.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "tests/tools/support/h5dump.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/formats/file.hpp"
-#include "tools/formats/file_error.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/file_error.hpp"
 
 namespace castaway::testbed {
 namespace {

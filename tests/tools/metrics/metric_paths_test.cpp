@@ -7,8 +7,8 @@
 #include "localization/stamp.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/run/summary_sink.hpp"
-#include "tools/run/timing_sink.hpp"
+#include "tools/sinks/summary_sink.hpp"
+#include "tools/sinks/timing_sink.hpp"
 
 namespace castaway::testbed {
 namespace {

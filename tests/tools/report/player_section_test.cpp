@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/report/web_bundle.hpp"
+#include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/formats/file.hpp"
-#include "tools/run/errors_sink.hpp"
-#include "tools/run/summary_sink.hpp"
-#include "tools/run/timing_sink.hpp"
+#include "tools/files/file.hpp"
+#include "tools/sinks/errors_sink.hpp"
+#include "tools/sinks/summary_sink.hpp"
+#include "tools/sinks/timing_sink.hpp"
 
 namespace castaway::testbed {
 namespace {

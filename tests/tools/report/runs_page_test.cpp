@@ -4,9 +4,9 @@
 
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/formats/file.hpp"
-#include "tools/run/errors_sink.hpp"
-#include "tools/run/summary_sink.hpp"
+#include "tools/files/file.hpp"
+#include "tools/sinks/errors_sink.hpp"
+#include "tools/sinks/summary_sink.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tests/sim/support/world_oracle.hpp"
-#include "tools/scenario/data_paths.hpp"
-#include "tools/scenario/world_file.hpp"
+#include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/world/world_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace castaway;

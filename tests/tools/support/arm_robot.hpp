@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tools/formats/file.hpp"
-#include "tools/scenario/data_paths.hpp"
+#include "tools/files/file.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
 

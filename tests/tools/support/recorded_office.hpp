@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "tests/support/grid_world.hpp"
-#include "tools/campaign/evaluation.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/evaluate/evaluation.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 

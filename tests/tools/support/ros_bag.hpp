@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tools/formats/cdr.hpp"
-#include "tools/formats/mcap_writer.hpp"
-#include "tools/formats/ros_message.hpp"
-#include "tools/formats/ros_visualization.hpp"
+#include "tools/ros/cdr.hpp"
+#include "tools/ros/mcap/mcap_writer.hpp"
+#include "tools/ros/ros_message.hpp"
+#include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/campaign/dataset_contents.hpp"
-#include "tools/formats/file.hpp"
+#include "tools/dataset/dataset_contents.hpp"
+#include "tools/files/file.hpp"
 
 namespace castaway::testbed {
 

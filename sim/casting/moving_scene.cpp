@@ -1,0 +1,96 @@
+#include "sim/casting/moving_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace castaway::sim {
+namespace {
+
+constexpr float kMargin = 1e-3F;  // [m] More than single precision loses within 1 km.
+constexpr int kNobody = -1;
+
+/// A disc about the middle of all parts that covers them.
+std::pair<Eigen::Vector2d, double> cover(const MovingBody& body) {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < body.count; ++i) {
+    center += body.parts[i].center / static_cast<double>(body.count);
+  }
+  double far = 0.0;  // Squared: one root is dearer than a disc that is a little too wide.
+  double half_size = 0.0;
+  for (std::size_t i = 0; i < body.count; ++i) {
+    const UprightPart& part = body.parts[i];
+    far = std::max(far, (part.center - center).squaredNorm());
+    half_size = std::max(half_size, part.half_size.maxCoeff());
+  }
+  return {center, std::sqrt(far) + half_size};
+}
+
+}  // namespace
+
+/// A ray prepared for many discs.
+struct MovingScene::Walk {
+  explicit Walk(const Ray& ray)
+      : x(static_cast<float>(ray.origin.x())),
+        y(static_cast<float>(ray.origin.y())),
+        dx(static_cast<float>(ray.direction.x())),
+        dy(static_cast<float>(ray.direction.y())),
+        level(std::sqrt(dx * dx + dy * dy)) {}
+
+  /// Not negative where the ray may meet a disc before `nearest`. One expression: temporaries would
+  /// cost more than what they spare.
+  [[nodiscard]] Lanes overlap(const Discs& discs, float nearest) const {
+    const float limit = nearest * level * level;
+    const auto to_x = discs.x - x;
+    const auto to_y = discs.y - y;
+    const auto along = to_x * dx + to_y * dy;
+    return discs.radius * level - (to_y * dx - to_x * dy).abs().max(-along).max(along - limit);
+  }
+
+  float x, y, dx, dy;
+  float level;  ///< Length of the direction seen from above.
+};
+
+MovingScene::MovingScene(std::vector<MovingBody> bodies) : bodies_(std::move(bodies)) {
+  discs_.resize((bodies_.size() + kWidth - 1) / kWidth);
+  for (Discs& discs : discs_) discs = {Lanes::Zero(), Lanes::Zero(), Lanes::Constant(-1.0F)};
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto [center, radius] = cover(bodies_[i]);
+    Discs& discs = discs_[i / kWidth];
+    const auto lane = static_cast<Eigen::Index>(i % kWidth);
+    discs.x[lane] = static_cast<float>(center.x());
+    discs.y[lane] = static_cast<float>(center.y());
+    discs.radius[lane] = static_cast<float>(radius) + kMargin;
+  }
+}
+
+void MovingScene::visit(const MovingBody& body, const Ray& ray, RayHit& nearest) {
+  const double z_begin = ray.origin.z();
+  const double z_end = z_begin + std::min(nearest.distance, 1e9) * ray.direction.z();
+  const double low = std::min(z_begin, z_end);
+  const double high = std::max(z_begin, z_end);
+  for (std::size_t i = 0; i < body.count; ++i) {
+    if (low > body.parts[i].top || high < body.parts[i].bottom) continue;
+    const double distance = intersect(body.parts[i], ray);
+    if (distance < nearest.distance) nearest = {distance, body.object, kNoPrimitive};
+  }
+}
+
+std::optional<RayHit> MovingScene::cast(const Ray& ray, double max_distance) const {
+  const Walk walk(ray);
+  RayHit nearest{max_distance, kNobody, kNoPrimitive};
+  for (std::size_t block = 0; block < discs_.size(); ++block) {
+    const float limit = static_cast<float>(std::min(nearest.distance, 1e30)) + kMargin;
+    const Lanes overlap = walk.overlap(discs_[block], limit);
+    if (overlap.maxCoeff() < 0.0F) continue;
+    const std::size_t first = block * kWidth;
+    for (std::size_t k = 0; k < kWidth && first + k < bodies_.size(); ++k) {
+      if (overlap[static_cast<Eigen::Index>(k)] >= 0.0F) visit(bodies_[first + k], ray, nearest);
+    }
+  }
+  if (nearest.object == kNobody) return std::nullopt;
+  return nearest;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,54 @@
+/// Exact ray casts into bodies that move.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/casting/ray_scene.hpp"
+#include "sim/casting/upright_part.hpp"
+
+namespace castaway::sim {
+
+/// A body of a few parts, such as a person.
+struct MovingBody {
+  static constexpr std::size_t kMaxParts = 4;
+
+  int object = 0;  ///< Label carried to hits.
+  std::array<UprightPart, kMaxParts> parts;
+  std::size_t count = 0;  ///< Of the parts that there are.
+};
+
+/// Bodies that are elsewhere at every update: a tree would be out of date at once. A ray is held
+/// against the discs around sixteen bodies at a time, in single precision and a little too wide,
+/// and against the parts, in double, of those that are left: results equal those of a loop over
+/// all.
+class MovingScene {
+ public:
+  MovingScene() = default;
+  explicit MovingScene(std::vector<MovingBody> bodies);
+
+  /// The nearest hit within `max_distance` [m]; nothing if the way is clear. Linear in the bodies.
+  [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, double max_distance) const;
+  [[nodiscard]] const std::vector<MovingBody>& bodies() const { return bodies_; }
+
+ private:
+  static constexpr std::size_t kWidth = 16;
+  using Lanes = Eigen::Array<float, kWidth, 1>;
+
+  /// Discs around bodies, seen from above. An absent one has a negative radius.
+  struct Discs {
+    Lanes x;       ///< [m]
+    Lanes y;       ///< [m]
+    Lanes radius;  ///< [m]
+  };
+  struct Walk;
+
+  static void visit(const MovingBody& body, const Ray& ray, RayHit& nearest);
+
+  std::vector<MovingBody> bodies_;
+  std::vector<Discs> discs_;
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,47 @@
+#include "sim/casting/upright_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace castaway::sim {
+namespace {
+
+/// A point or direction of map along the part's axes, in semi-axes.
+Eigen::Vector2d scaled(const UprightPart& part, const Eigen::Vector2d& v) {
+  const Eigen::Vector2d axis_y(-part.axis_x.y(), part.axis_x.x());
+  return {v.dot(part.axis_x) / part.half_size.x(), v.dot(axis_y) / part.half_size.y()};
+}
+
+}  // namespace
+
+double intersect(const UprightPart& part, const Ray& ray) {
+  double enter = 0.0;
+  double leave = kNoHit;
+  const double dz = ray.direction.z();
+  if (dz != 0.0) {
+    const double t1 = (part.bottom - ray.origin.z()) / dz;
+    const double t2 = (part.top - ray.origin.z()) / dz;
+    enter = std::max(enter, std::min(t1, t2));
+    leave = std::min(leave, std::max(t1, t2));
+  } else if (ray.origin.z() < part.bottom || ray.origin.z() > part.top) {
+    return kNoHit;
+  }
+  if (enter > leave) return kNoHit;
+  const Eigen::Vector2d o = scaled(part, ray.origin.head<2>() - part.center);
+  const Eigen::Vector2d d = scaled(part, ray.direction.head<2>());
+  const double a = d.squaredNorm();
+  if (a > 0.0) {
+    // Distance of the line from the centre first: b^2 - a c would cancel far away.
+    const double b = o.dot(d);
+    const double discriminant = a - (o * a - d * b).squaredNorm() / a;
+    if (discriminant < 0.0) return kNoHit;
+    const double root = std::sqrt(discriminant);
+    enter = std::max(enter, (-b - root) / a);
+    leave = std::min(leave, (-b + root) / a);
+  } else if (o.squaredNorm() > 1.0) {
+    return kNoHit;
+  }
+  return enter <= leave ? enter : kNoHit;
+}
+
+}  // namespace castaway::sim

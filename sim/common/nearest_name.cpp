@@ -1,0 +1,44 @@
+#include "sim/common/nearest_name.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace castaway::sim {
+namespace {
+
+/// Levenshtein's.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string name_hint(std::string_view name, const std::vector<std::string>& known) {
+  if (known.empty()) return "there is none at all";
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](auto& a, auto& b) {
+    return distance(name, a) < distance(name, b);
+  });
+  if (distance(name, *nearest) <= std::max<std::size_t>(2, name.size() / 3)) {
+    return fmt::format("did you mean '{}'?", *nearest);
+  }
+  const std::size_t shown = std::min<std::size_t>(known.size(), 20);
+  return fmt::format("known are: {}{}", fmt::join(std::span(known).first(shown), ", "),
+                     shown < known.size() ? ", ..." : "");
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,113 @@
+#include "sim/difference/room_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/common/cell_index.hpp"
+#include "sim/map/grid_tools.hpp"
+#include "sim/world/footprint.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kGap = 0.03;        // [m] Between two objects.
+constexpr double kRouteRoom = 0.45;  // [m] On either side of a route.
+constexpr double kStartRoom = 0.6;   // [m]
+constexpr double kDoorRoom = 0.8;    // [m] About the middle of an opening.
+constexpr double kStep = 0.05;       // [m] Between points of routes.
+
+std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& route) {
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    const Eigen::Vector2d& from = route[i];
+    const Eigen::Vector2d& to = route[(i + 1) % route.size()];
+    const int steps = cell_index(std::ceil((to - from).norm() / kStep));
+    for (int k = 0; k < steps; ++k) points.emplace_back(from + (to - from) * k / steps);
+  }
+  return points;
+}
+
+/// An outline with its bounds grown on all sides.
+Eigen::AlignedBox2d grown(const ConvexOutline& outline, double by) {
+  Eigen::AlignedBox2d box = bounds(outline);
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
+  return {box.min() - margin, box.max() + margin};
+}
+
+/// Moved outwards from its middle, so that all corners gain `by` at least.
+ConvexOutline inflated(const ConvexOutline& outline, double by) {
+  const Eigen::Vector2d center = bounds(outline).center();
+  ConvexOutline result;
+  for (const Eigen::Vector2d& p : outline.points) {
+    const double length = (p - center).norm();
+    result.points.emplace_back(p + (p - center) * (1.5 * by / std::max(length, by)));
+  }
+  return result;
+}
+
+}  // namespace
+
+RoomCheck::RoomCheck(const WorldSpec& world, const Grid& map, const KeepClear& keep)
+    : map_(map), start_(keep.start) {
+  for (std::size_t i = 0; i < world.objects.size(); ++i) update(world, i);
+  for (const auto& route : keep.routes) {
+    const auto points = points_along(route);
+    way_.insert(way_.end(), points.begin(), points.end());
+  }
+  for (const Door& door : world.doors) {
+    const Eigen::Vector3d middle =
+        door.T_map_hinge * Eigen::Vector3d(0.5 * door.leaf.x(), 0.0, 0.0);
+    doors_.emplace_back(middle.head<2>());
+  }
+}
+
+void RoomCheck::update(const WorldSpec& world, std::size_t object) {
+  if (standing_.size() <= object) standing_.resize(object + 1);
+  const WorldObject& o = world.objects[object];
+  if (!o.in_world) {
+    standing_[object] = {};
+    return;
+  }
+  const ConvexOutline outline = footprint(o);
+  standing_[object] = {true, o.movable, outline, bounds(outline)};
+}
+
+bool RoomCheck::passable(const ConvexOutline& outline) const {
+  const Eigen::AlignedBox2d near = grown(outline, kStartRoom);
+  if (start_ && distance(outline, *start_) < kStartRoom) return false;
+  return std::none_of(way_.begin(), way_.end(), [&](const Eigen::Vector2d& p) {
+    return near.contains(p) && distance(outline, p) < kRouteRoom;
+  });
+}
+
+bool RoomCheck::known(const ConvexOutline& outline) const {
+  return std::all_of(outline.points.begin(), outline.points.end(),
+                     [&](const Eigen::Vector2d& p) { return cell_at(map_, p) != Cell::kUnknown; });
+}
+
+bool RoomCheck::fits(const std::vector<ConvexOutline>& outlines,
+                     const std::vector<std::size_t>& except) const {
+  for (const ConvexOutline& outline : outlines) {
+    if (!known(outline) || !passable(outline)) return false;
+    for (const Eigen::Vector2d& door : doors_) {
+      if (distance(outline, door) < kDoorRoom) return false;
+    }
+    const ConvexOutline wide = inflated(outline, kGap);
+    const Eigen::AlignedBox2d near = bounds(wide);
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+      if (!standing_[i].there || !near.intersects(standing_[i].box)) continue;
+      if (std::find(except.begin(), except.end(), i) != except.end()) continue;
+      if (overlap(wide, standing_[i].outline)) return false;
+    }
+  }
+  return true;
+}
+
+bool RoomCheck::leaf_fits(const ConvexOutline& leaf) const {
+  return passable(leaf) &&
+         std::none_of(standing_.begin(), standing_.end(), [&](const Standing& other) {
+           return other.there && other.movable && overlap(leaf, other.outline);
+         });
+}
+
+}  // namespace castaway::sim

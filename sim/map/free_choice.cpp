@@ -1,0 +1,213 @@
+#include "sim/map/free_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/map/grid_tools.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kSizeable = 1.0;  // [m^2]
+constexpr double kRoom = 10.0;     // [m^2] Smaller rooms are not what a map is about.
+constexpr double kRival = 0.1;     // Of the area of the part chosen.
+constexpr double kOutside = 0.5;   // Of the edge's cells: a part that holds so many is outside.
+
+/// A part, in cells.
+struct Part {
+  std::size_t cells = 0;
+  std::size_t edge_cells = 0;
+};
+
+std::vector<Part> parts_of(const Grid& grid, const std::vector<int>& labels) {
+  std::vector<Part> parts;
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const int label = labels[flat_index(grid, {column, row})];
+      if (label < 0) continue;
+      if (static_cast<std::size_t>(label) >= parts.size()) {
+        parts.resize(static_cast<std::size_t>(label) + 1);
+      }
+      Part& part = parts[static_cast<std::size_t>(label)];
+      ++part.cells;
+      const bool edge =
+          row == 0 || column == 0 || row == grid.height - 1 || column == grid.width - 1;
+      part.edge_cells += edge ? 1U : 0U;
+    }
+  }
+  return parts;
+}
+
+/// Label of the part at a point, or of the nearest within `reach` [m]; -1: none.
+int part_near(const Grid& grid, const std::vector<int>& labels, const Eigen::Vector2d& p,
+              double reach) {
+  const CellIndex middle = cell_of(grid, p);
+  const int around = static_cast<int>(std::ceil(reach / grid.resolution));
+  int best = -1;
+  double best_distance = reach + grid.resolution;
+  for (int row = middle.row - around; row <= middle.row + around; ++row) {
+    for (int column = middle.column - around; column <= middle.column + around; ++column) {
+      if (!grid.contains(column, row)) continue;
+      const int label = labels[flat_index(grid, {column, row})];
+      const double distance = (center_of(grid, {column, row}) - p).norm();
+      if (label < 0 || distance >= best_distance) continue;
+      best = label;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+/// The largest part with or without cells at the edge; -1: none.
+int largest(const std::vector<Part>& parts, bool at_edge) {
+  int best = -1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if ((parts[i].edge_cells > 0) != at_edge) continue;
+    if (best < 0 || parts[i].cells > parts[static_cast<std::size_t>(best)].cells) {
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+/// The free space in parts that a disc does not pass between.
+struct Parting {
+  double reach = 0.0;  ///< [m] Of the disc's edge, with half a cell.
+  std::vector<int> labels;
+  std::vector<Part> parts;
+
+  [[nodiscard]] const Part& at(int part) const { return parts[static_cast<std::size_t>(part)]; }
+};
+
+Parting part(const Grid& grid, const std::vector<float>& distance, double radius) {
+  Parting parting;
+  parting.reach = radius + 0.5 * grid.resolution;
+  parting.labels = component_labels(eroded(grid, distance, radius));
+  parting.parts = parts_of(grid, parting.labels);
+  return parting;
+}
+
+/// An enclosed part that counts beside the largest one at the edge; -1: there is none.
+int rival(const Grid& grid, const Parting& parting) {
+  const int enclosed = largest(parting.parts, false);
+  const int open = largest(parting.parts, true);
+  if (enclosed < 0 || open < 0) return enclosed;
+  const auto inner = static_cast<double>(parting.at(enclosed).cells);
+  if (inner * grid.resolution * grid.resolution < kSizeable) return -1;
+  return inner >= kRival * static_cast<double>(parting.at(open).cells) ? enclosed : -1;
+}
+
+/// True if the largest part at the edge is what lies outside of the walls.
+bool outside(const Grid& grid, const Parting& parting) {
+  const int open = largest(parting.parts, true);
+  const double edge = 2.0 * (grid.width + grid.height) - 4.0;
+  return open >= 0 && static_cast<double>(parting.at(open).edge_cells) >= kOutside * edge;
+}
+
+/// The part to take where no start is given; -1: none.
+int without_start(const Grid& grid, const Parting& parting) {
+  const int enclosed = largest(parting.parts, false);
+  const int open = largest(parting.parts, true);
+  if (enclosed < 0 || open < 0) return std::max(enclosed, open);
+  if (rival(grid, parting) >= 0) return enclosed;
+  const double cell = grid.resolution * grid.resolution;
+  if (static_cast<double>(parting.at(enclosed).cells) * cell < kRoom) return open;
+  return outside(grid, parting) ? enclosed : open;
+}
+
+/// The grid with those free cells only that lie in a part, or within `reach` [m] beside it.
+Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, double reach) {
+  Grid others = grid;
+  for (std::size_t i = 0; i < others.cells.size(); ++i) {
+    others.cells[i] = labels[i] == part ? Cell::kOccupied : Cell::kFree;
+  }
+  const std::vector<float> distance = distance_to_obstacle(others, GridEdge::kOpen);
+  Grid result = grid;
+  for (std::size_t i = 0; i < result.cells.size(); ++i) {
+    if (result.cells[i] == Cell::kFree && distance[i] > reach) result.cells[i] = Cell::kUnknown;
+  }
+  const std::vector<int> pieces = component_labels(result);  // What lies behind walls is no part.
+  std::vector<bool> kept;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (labels[i] != part) continue;
+    const auto piece = static_cast<std::size_t>(pieces[i]);
+    if (piece >= kept.size()) kept.resize(piece + 1);
+    kept[piece] = true;
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto piece = static_cast<std::size_t>(std::max(pieces[i], 0));
+    if (pieces[i] >= 0 && (piece >= kept.size() || !kept[piece])) {
+      result.cells[i] = Cell::kUnknown;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+FreeChoice choose_free(const Grid& grid, double radius,
+                       const std::optional<Eigen::Vector2d>& start) {
+  FreeChoice choice;
+  choice.grid = grid;
+  const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
+  Parting parting = part(grid, distance, radius);
+  int chosen =
+      start ? part_near(grid, parting.labels, *start, parting.reach + grid.resolution) : -1;
+  const bool by_start = chosen >= 0;
+  if (!by_start) chosen = without_start(grid, parting);
+  // A house whose walls have gaps is one with the outside, but for larger robots.
+  for (const double larger : {1.5, 2.0}) {
+    if (by_start || rival(grid, parting) >= 0 || chosen < 0 || !outside(grid, parting)) break;
+    Parting coarse = part(grid, distance, larger * radius);
+    const int inner = rival(grid, coarse);
+    if (inner < 0) continue;
+    parting = std::move(coarse);
+    chosen = inner;
+  }
+  if (chosen < 0) return choice;
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < parting.parts.size(); ++i) {
+    if (static_cast<int>(i) != chosen) other = std::max(other, parting.parts[i].cells);
+  }
+  const Part& taken = parting.at(chosen);
+  const double cell = grid.resolution * grid.resolution;
+  choice.area = static_cast<double>(taken.cells) * cell;
+  choice.other_area = static_cast<double>(other) * cell;
+  choice.at_edge = taken.edge_cells > 0;
+  if (choice.other_area >= std::max(kSizeable, kRival * choice.area)) {
+    using Reason = FreeChoice::Reason;
+    choice.reason = by_start         ? Reason::kStart
+                    : choice.at_edge ? Reason::kLargest
+                                     : Reason::kEnclosed;
+  }
+  if (other >= taken.cells) {
+    choice.grid = around_part(grid, parting.labels, chosen, parting.reach + 1.5 * grid.resolution);
+  }
+  return choice;
+}
+
+std::optional<std::string> describe(const FreeChoice& choice) {
+  using Reason = FreeChoice::Reason;
+  const auto sentence = [&](const char* why) {
+    return fmt::format(
+        "free space: of several parts the one of {:.0f} m2 is taken, {}; the largest other one "
+        "has {:.0f} m2; a pose in `start` chooses",
+        choice.area, why, choice.other_area);
+  };
+  switch (choice.reason) {
+    case Reason::kStart:
+      return sentence("in which the start lies");
+    case Reason::kEnclosed:
+      return sentence("the largest that does not touch the map's edge");
+    case Reason::kLargest:
+      return sentence("the largest, though it touches the map's edge");
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,62 @@
+/// Geometry of grids: cells and points, distances, erosion, connected components.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/map/grid.hpp"
+
+namespace castaway::sim {
+
+/// Column and row of a cell; may lie outside of the grid.
+struct CellIndex {
+  int column = 0;
+  int row = 0;
+  bool operator==(const CellIndex&) const = default;
+};
+
+/// Index into `Grid::cells` of a cell within the grid.
+inline std::size_t flat_index(const Grid& grid, CellIndex cell) {
+  return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(grid.width) +
+         static_cast<std::size_t>(cell.column);
+}
+
+/// A grid of `width` x `height` cells, all `value`.
+Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin, Cell value);
+
+/// The cell that holds a point of map.
+CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map);
+/// Centre of a cell in map. [m]
+Eigen::Vector2d center_of(const Grid& grid, CellIndex cell);
+/// Value at a point of map; unknown outside of the grid.
+Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map);
+
+/// What lies beyond a grid's outermost cells.
+enum class GridEdge : std::uint8_t {
+  kWall,  ///< Cells that are not free.
+  kOpen,  ///< More of the same.
+};
+
+/// Euclidean distance from each cell's centre to the centre of the nearest cell that is not free,
+/// [m]; 0 in those. Linear in the number of cells.
+std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge = GridEdge::kWall);
+
+/// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: where the centre
+/// of a disc can be. Errs on the safe side by up to half a cell.
+Grid eroded(const Grid& grid, double radius);
+/// The same where the distances to obstacles are known.
+Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius);
+
+/// Number of the 4-connected component of each free cell, from 0; -1 in the others.
+std::vector<int> component_labels(const Grid& grid);
+
+/// The grid with all free cells but the largest 4-connected component made unknown.
+Grid largest_component(const Grid& grid);
+
+/// The same with the component that holds a point; the largest if the point is not free.
+Grid component_at(const Grid& grid, const Eigen::Vector2d& p_map);
+
+}  // namespace castaway::sim

@@ -1,0 +1,25 @@
+/// The ground that wheels roll on: the floor, and what is meant to be driven over.
+#pragma once
+
+#include <vector>
+
+#include "sim/map/grid.hpp"
+#include "sim/world/world_spec.hpp"
+
+namespace castaway::sim {
+
+/// Height of the ground at the centre of each cell, [m]; 0 on the floor. Empty if nothing in the
+/// world is meant to be driven over. @throws std::runtime_error if a mesh cannot be read.
+std::vector<float> ground_heights(const WorldSpec& world, const Grid& grid);
+
+/// Makes cells of raised ground free, whatever the map says of them.
+void free_raised(Grid& grid, const std::vector<float>& heights);
+
+/// Makes the cells on either side of a ledge occupied: where the ground of two neighbours differs
+/// by more than 3 cm. Slopes up to 60 % at 5 cm a cell are none.
+void mark_ledges(Grid& grid, const std::vector<float>& heights);
+
+/// Makes cells more than 1 cm above the floor occupied: where a robot cannot be put down.
+void mark_raised(Grid& grid, const std::vector<float>& heights);
+
+}  // namespace castaway::sim

@@ -1,0 +1,57 @@
+#include "sim/map/open_ground.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/map/grid_tools.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kWhole = 100.0;    // [m] A plane of these sides counts as a whole.
+constexpr double kOfLarger = 50.0;  // [m] Around what stands there.
+constexpr double kOfEndless = 15.0;
+constexpr float kInSight = 5.0F;  // [m] Well within what the lidars of small robots see.
+
+Eigen::AlignedBox2d grown(const WorldSpec& world, double by) {
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
+  return {world.min_corner - margin, world.max_corner + margin};
+}
+
+}  // namespace
+
+std::optional<std::string> extend_over(const Ground& ground, WorldSpec& world) {
+  std::optional<std::string> line;
+  Eigen::AlignedBox2d box = ground.extent;
+  if (box.isEmpty()) {
+    box = grown(world, kOfEndless);
+    line = fmt::format(
+        "the ground plane has no size: it counts up to {} m around what stands there", kOfEndless);
+  } else if (box.sizes().maxCoeff() > kWhole) {
+    const Eigen::Vector2d size = box.sizes();
+    const Eigen::AlignedBox2d near = box.intersection(grown(world, kOfLarger));
+    if (!near.isApprox(box)) {
+      line = fmt::format(
+          "the ground plane of {:.6g} m x {:.6g} m counts up to {} m around what stands there",
+          size.x(), size.y(), kOfLarger);
+    }
+    box = near;
+  }
+  if (box.isEmpty()) return std::nullopt;
+  world.min_corner = world.min_corner.cwiseMin(box.min());
+  world.max_corner = world.max_corner.cwiseMax(box.max());
+  return line;
+}
+
+Grid near_obstacles(Grid grid) {
+  const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
+  if (std::find(distance.begin(), distance.end(), 0.0F) == distance.end()) return grid;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    if (distance[i] > kInSight) grid.cells[i] = Cell::kUnknown;
+  }
+  return grid;
+}
+
+}  // namespace castaway::sim

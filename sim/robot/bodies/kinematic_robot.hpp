@@ -1,0 +1,54 @@
+/// A robot in a world without physics: it moves exactly as commanded.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "sim/common/geometry.hpp"
+#include "sim/events/lift.hpp"
+#include "sim/map/free_space.hpp"
+#include "sim/robot/bodies/robot_state.hpp"
+#include "sim/robot/bodies/twist_ramp.hpp"
+#include "sim/robot/urdf/robot_model.hpp"
+
+namespace castaway::sim {
+
+/// Integrates the unicycle exactly: arcs of constant velocity within a step. The floor is flat and
+/// holds; a step that would bring the robot's disc into an obstacle of the grid is not made, and
+/// the drive stops. For speed, and for descriptions whose contacts physics cannot make sense of.
+class KinematicRobot {
+ public:
+  /// `free`: where the middle of the robot's disc can be. `time_step`: above 0.
+  KinematicRobot(const RobotModel& robot, FreeSpace free, const Pose2& start,
+                 const TwistLimits& limits, std::chrono::nanoseconds time_step);
+
+  /// As those of `RobotPhysics`.
+  void set_command(const Twist2& command) { command_ = command; }
+  void step();
+  void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels);
+  void teleport(const Pose2& T_map_base);
+  [[nodiscard]] const RobotState& state() const { return state_; }
+  /// Runs into obstacles begun so far.
+  [[nodiscard]] std::int64_t collisions() const { return collisions_; }
+  /// Held up by an obstacle now.
+  [[nodiscard]] bool touching() const { return contact_age_ == 0.0; }
+
+ private:
+  void turn_wheels();
+  [[nodiscard]] bool blocked(const Pose2& from, const Pose2& to) const;
+
+  double track_;
+  double wheel_radius_;
+  Eigen::Vector2d p_base_axle_;
+  FreeSpace free_;
+  TwistLimits limits_;
+  double time_step_;
+  Twist2 command_;
+  Twist2 twist_;
+  Pose2 T_map_base_;
+  RobotState state_;
+  std::int64_t collisions_ = 0;
+  double contact_age_;
+};
+
+}  // namespace castaway::sim

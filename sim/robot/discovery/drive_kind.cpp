@@ -1,0 +1,130 @@
+#include "sim/robot/discovery/drive_kind.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kUpright = 0.9;     // Of the cosine.
+constexpr double kSameHeight = 0.5;  // Of a wheel's radius.
+constexpr double kAside = 0.05;      // [m]
+
+const char* const kSteered = "steered wheels";
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool holds(const std::string& text, const char* word) {
+  return text.find(word) != std::string::npos;
+}
+
+/// Names of the plug-ins below an element, in lower case, with blanks between them.
+std::string plugin_names(const TiXmlElement& from) {
+  std::string names;
+  for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (e->ValueStr() == "plugin") {
+      for (const char* key : {"name", "filename"}) {
+        if (e->Attribute(key) != nullptr) names += lower(e->Attribute(key)) + " ";
+      }
+    }
+    names += plugin_names(*e);
+  }
+  return names;
+}
+
+/// What a wheel, its joint and its meshes are called.
+std::string wheel_names(const UrdfFile& file, const DriveWheel& wheel) {
+  std::string names = wheel.joint + " " + wheel.link;
+  for (const auto& visual : file.model->links_.at(wheel.link)->visual_array) {
+    const auto* mesh = dynamic_cast<const urdf::Mesh*>(visual->geometry.get());
+    if (mesh != nullptr) names += " " + mesh->filename.substr(mesh->filename.rfind('/') + 1);
+  }
+  return lower(names);
+}
+
+/// A joint that turns a wheel about the upright within limits, or whose name says so.
+bool steers(const urdf::Joint& joint, const LinkFrames& frames) {
+  if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS) return false;
+  if (holds(lower(joint.name), "steer")) return true;
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  const Eigen::Vector3d in_root = frames.at(joint.child_link_name).linear() * axis.normalized();
+  return joint.type == urdf::Joint::REVOLUTE && std::abs(in_root.z()) > kUpright;
+}
+
+/// True if a joint between a wheel and the root steers it.
+bool is_steered(const UrdfFile& file, const LinkFrames& frames, const std::string& wheel_link) {
+  auto link = file.model->getLink(wheel_link);
+  for (link = file.model->getLink(link->parent_joint->parent_link_name); link->parent_joint;
+       link = file.model->getLink(link->parent_joint->parent_link_name)) {
+    if (steers(*link->parent_joint, frames)) return true;
+  }
+  return false;
+}
+
+/// True if a joint turns as driven wheels do: about y, at the height of their axles.
+bool turns_as_wheel(const urdf::Joint& joint, const LinkFrames& frames,
+                    const std::vector<DriveWheel>& wheels) {
+  const Eigen::Isometry3d& frame = frames.at(joint.child_link_name);
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (std::abs((frame.linear() * axis.normalized()).y()) < kUpright) return false;
+  return std::any_of(wheels.begin(), wheels.end(), [&](const DriveWheel& wheel) {
+    const double axle = frames.at(wheel.link).translation().z();
+    return std::abs(frame.translation().z() - axle) < kSameHeight * wheel.radius;
+  });
+}
+
+/// Also wheels that are not driven may steer: those of a car's front axle. An arm's joints turn
+/// about the upright, too: what steers is called a wheel, or is one by its place and there is
+/// another on the other side.
+bool any_steered(const UrdfFile& file, const LinkFrames& frames,
+                 const std::vector<DriveWheel>& wheels) {
+  int named = 0;
+  bool left = false;
+  bool right = false;
+  for (const auto& [name, joint] : file.model->joints_) {
+    const std::string names = lower(name + " " + joint->child_link_name);
+    const bool caster = holds(names, "caster") || holds(names, "castor");
+    if (joint->type != urdf::Joint::CONTINUOUS || caster || steers(*joint, frames)) continue;
+    if (!is_steered(file, frames, joint->child_link_name)) continue;
+    named += holds(names, "wheel") || holds(names, "tire") ? 1 : 0;
+    if (!turns_as_wheel(*joint, frames, wheels)) continue;
+    const double y = frames.at(joint->child_link_name).translation().y();
+    left = left || y > kAside;
+    right = right || y < -kAside;
+  }
+  return named >= 2 || (left && right);
+}
+
+}  // namespace
+
+std::optional<std::string> other_drive(const UrdfFile& file, const LinkFrames& frames,
+                                       const std::vector<DriveWheel>& wheels) {
+  const std::string plugins = plugin_names(*file.xml->RootElement());
+  std::string names;
+  for (const DriveWheel& wheel : wheels) names += wheel_names(file, wheel) + " ";
+  if (holds(names, "mecanum") || holds(plugins, "mecanum")) return "mecanum wheels";
+  if (holds(names, "omni")) return "omni wheels";
+  if (any_steered(file, frames, wheels)) return kSteered;
+  if (holds(plugins, "planar_move")) return "a planar_move plug-in";
+  return std::nullopt;
+}
+
+std::string other_drive_warning(const std::string& drive, std::size_t wheels) {
+  const char* here = wheels > 2 ? "skid steer" : "differential drive";
+  if (drive == kSteered) {
+    return fmt::format(
+        "moves by steered wheels: simulated as {} with the steering locked straight, which turns "
+        "on the spot as the robot cannot",
+        here);
+  }
+  return fmt::format("moves by {}: simulated as {}, which never moves sideways", drive, here);
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,22 @@
+/// How a robot moves where that is not what is simulated: by wheels that roll sideways, or steer.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/robot/urdf/robot_model.hpp"
+#include "sim/robot/urdf/urdf_parts.hpp"
+
+namespace castaway::sim {
+
+/// "mecanum wheels", "omni wheels", "a planar_move plug-in", "steered wheels"; nothing: its wheels
+/// roll along x, and it turns by their difference. Found by the names of wheels, their meshes and
+/// plug-ins, and by joints that steer wheels.
+std::optional<std::string> other_drive(const UrdfFile& file, const LinkFrames& frames,
+                                       const std::vector<DriveWheel>& wheels);
+
+/// What it cannot do here, for a warning.
+std::string other_drive_warning(const std::string& drive, std::size_t wheels);
+
+}  // namespace castaway::sim

@@ -1,0 +1,150 @@
+#include "sim/robot/discovery/drive_tags.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+
+#include "sim/robot/discovery/drive_parameters.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using Visit = std::function<void(const TiXmlElement&)>;
+
+/// All elements of a name below another.
+void for_each(const TiXmlElement& from, const std::string& name, const Visit& visit) {
+  for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (e->ValueStr() == name) visit(*e);
+    for_each(*e, name, visit);
+  }
+}
+
+std::string trimmed(const char* text) {
+  const std::string all = text == nullptr ? "" : text;
+  const std::size_t first = all.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return all.substr(first, all.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::string attribute(const TiXmlElement& element, const char* name) {
+  return trimmed(element.Attribute(name));
+}
+
+template <std::size_t N>
+bool one_of(const std::string& text, const std::array<const char*, N>& names) {
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+
+constexpr std::array<const char*, 8> kLeft{
+    "leftJoint",  "leftFrontJoint",        "leftRearJoint",    "left_joint",
+    "left_wheel", "left_wheel_joint_name", "left_front_joint", "left_rear_joint"};
+constexpr std::array<const char*, 8> kRight{
+    "rightJoint",  "rightFrontJoint",        "rightRearJoint",    "right_joint",
+    "right_wheel", "right_wheel_joint_name", "right_front_joint", "right_rear_joint"};
+constexpr std::array<const char*, 2> kSeparation{"wheelSeparation", "wheel_separation"};
+constexpr std::array<const char*, 2> kDiameter{"wheelDiameter", "wheel_diameter"};
+constexpr std::array<const char*, 2> kRadius{"wheelRadius", "wheel_radius"};
+
+std::optional<double> positive(const std::string& text) {
+  const xacro::Value value = xacro::from_literal(text);
+  if (!xacro::is_number(value) || xacro::to_double(value) <= 0.0) return std::nullopt;
+  return xacro::to_double(value);
+}
+
+std::string dialect_of(const TiXmlElement& plugin, const std::string& joint_tag) {
+  const std::string names = attribute(plugin, "filename") + " " + attribute(plugin, "name");
+  for (const char* hint : {"diff-drive", "gz::sim", "gazebo::systems"}) {
+    if (names.find(hint) != std::string::npos) return "gz-sim";
+  }
+  const bool camel = joint_tag.find("Joint") != std::string::npos;
+  return camel ? "gazebo-classic" : "gazebo-ros2";
+}
+
+/// A plug-in that names joints on both sides; else its dialect is empty.
+DriveTags of_plugin(const TiXmlElement& plugin) {
+  DriveTags tags;
+  std::string joint_tag;
+  for (auto* e = plugin.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    const std::string& tag = e->ValueStr();
+    const std::string text = trimmed(e->GetText());
+    if (one_of(tag, kLeft)) {
+      tags.left.push_back(text);
+      joint_tag = tag;
+    }
+    if (one_of(tag, kRight)) tags.right.push_back(text);
+    if (one_of(tag, kSeparation)) tags.separation = positive(text);
+    if (one_of(tag, kRadius)) tags.radius = positive(text);
+    if (one_of(tag, kDiameter) && positive(text)) tags.radius = 0.5 * *positive(text);
+  }
+  if (!tags.left.empty() && !tags.right.empty()) tags.dialect = dialect_of(plugin, joint_tag);
+  return tags;
+}
+
+/// Joints that are commanded by their velocity.
+std::vector<std::string> velocity_joints(const TiXmlElement& root) {
+  std::vector<std::string> joints;
+  for_each(root, "ros2_control", [&](const TiXmlElement& control) {
+    for_each(control, "joint", [&](const TiXmlElement& joint) {
+      for_each(joint, "command_interface", [&](const TiXmlElement& interface) {
+        if (attribute(interface, "name") == "velocity") joints.push_back(attribute(joint, "name"));
+      });
+    });
+  });
+  return joints;
+}
+
+std::vector<std::string> transmission_joints(const TiXmlElement& root) {
+  std::vector<std::string> joints;
+  for_each(root, "transmission", [&](const TiXmlElement& transmission) {
+    bool velocity = false;
+    for_each(transmission, "hardwareInterface", [&](const TiXmlElement& interface) {
+      velocity = velocity || trimmed(interface.GetText()).find("Velocity") != std::string::npos;
+    });
+    for_each(transmission, "joint", [&](const TiXmlElement& joint) {
+      if (velocity) joints.push_back(attribute(joint, "name"));
+    });
+  });
+  return joints;
+}
+
+/// Adds what the parameter files of plug-ins say about a differential drive.
+void add_parameters(const UrdfFile& file, const PackageFinder& packages,
+                    const RobotOptions& options, DriveTags& tags) {
+  if (!options.read_yaml) return;
+  for_each(*file.xml->RootElement(), "parameters", [&](const TiXmlElement& e) {
+    std::filesystem::path path = trimmed(e.GetText());
+    if (path.is_relative()) path = std::filesystem::path(file.path).parent_path() / path;
+    std::error_code none;
+    if (!packages.may_read(path) || !std::filesystem::is_regular_file(path, none)) return;
+    try {
+      add_drive_parameters(options.read_yaml(path.string()), tags);
+    } catch (const std::runtime_error&) {
+      return;  // What drives is known without it.
+    }
+  });
+}
+
+}  // namespace
+
+DriveTags find_drive_tags(const UrdfFile& file, const PackageFinder& packages,
+                          const RobotOptions& options) {
+  const TiXmlElement& root = *file.xml->RootElement();
+  DriveTags tags;
+  for_each(root, "plugin", [&](const TiXmlElement& plugin) {
+    if (tags.dialect.empty()) tags = of_plugin(plugin);
+  });
+  if (!tags.dialect.empty()) return tags;
+  tags = {};
+  tags.driven = velocity_joints(root);
+  if (!tags.driven.empty()) tags.dialect = "ros2_control";
+  if (tags.dialect.empty()) {
+    tags.driven = transmission_joints(root);
+    if (!tags.driven.empty()) tags.dialect = "transmission";
+  }
+  add_parameters(file, packages, options, tags);
+  return tags;
+}
+
+}  // namespace castaway::sim

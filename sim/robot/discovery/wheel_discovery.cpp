@@ -1,0 +1,208 @@
+#include "sim/robot/discovery/wheel_discovery.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kMirrorTolerance = 0.02;  // [m]
+constexpr double kAxisTolerance = 0.02;    // Of the cosine.
+constexpr double kMinTrack = 0.04;         // [m]
+constexpr double kFloorTolerance = 0.03;   // [m]
+constexpr std::size_t kMostPairs = 10;
+
+/// A joint that could carry a wheel.
+struct Candidate {
+  std::string joint;
+  Eigen::Vector3d p_root = Eigen::Vector3d::Zero();
+  double low = 0.0;  ///< [m] Its wheel's lowest point in the root link.
+};
+
+/// Left and right.
+struct Pair {
+  Candidate left;
+  Candidate right;
+};
+
+/// What may stand between a wheel and the chassis.
+enum class Hang { kFixed, kSuspension, kAny };
+
+bool allows(Hang hang, const urdf::Joint& joint) {
+  if (joint.type == urdf::Joint::FIXED || hang == Hang::kAny) return true;
+  const bool bounded = joint.type == urdf::Joint::PRISMATIC || joint.type == urdf::Joint::REVOLUTE;
+  return hang == Hang::kSuspension && bounded;
+}
+
+bool hangs(const urdf::ModelInterface& model, const urdf::Joint& joint, Hang hang) {
+  for (auto link = model.getLink(joint.parent_link_name); link->parent_joint;
+       link = model.getLink(link->parent_joint->parent_link_name)) {
+    if (!allows(hang, *link->parent_joint)) return false;
+  }
+  return true;
+}
+
+bool turns_about_y(const urdf::Joint& joint, const LinkFrames& frames) {
+  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  const Eigen::Vector3d in_root = frames.at(joint.child_link_name).linear() * axis.normalized();
+  return std::abs(in_root.y()) > 1.0 - kAxisTolerance;
+}
+
+bool is_passive(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* word : {"caster", "castor", "passive", "idler"}) {
+    if (name.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// Gathers candidates from one robot.
+class Gatherer {
+ public:
+  Gatherer(const UrdfFile& file, const LinkFrames& frames, const MeshFinder& finder)
+      : model_(*file.model), frames_(frames), finder_(finder) {}
+
+  /// Those that a plug-in names as the wheels that it drives.
+  [[nodiscard]] std::vector<Candidate> among(const std::set<std::string>& names) const {
+    std::vector<Candidate> result;
+    for (const std::string& name : names) {
+      const auto joint = model_.joints_.find(name);
+      if (joint != model_.joints_.end() && joint->second->type != urdf::Joint::FIXED &&
+          turns_about_y(*joint->second, frames_)) {
+        result.push_back(candidate(*joint->second));
+      }
+    }
+    return result;
+  }
+
+  /// Those of joints that are commanded, whatever they move: a motor's tag alone makes no wheel.
+  /// Casters, and what hangs below something that turns freely, do not drive.
+  [[nodiscard]] std::vector<Candidate> driving_among(const std::set<std::string>& names) const {
+    std::set<std::string> driving;
+    for (const std::string& name : names) {
+      const auto joint = model_.joints_.find(name);
+      if (joint == model_.joints_.end() || is_passive(name)) continue;
+      const bool passive =
+          is_passive(joint->second->child_link_name) || is_passive(joint->second->parent_link_name);
+      if (!passive && hangs(model_, *joint->second, Hang::kSuspension)) driving.insert(name);
+    }
+    return among(driving);
+  }
+
+  [[nodiscard]] std::vector<Candidate> hanging(Hang hang) const {
+    std::vector<Candidate> result;
+    for (const auto& [name, joint] : model_.joints_) {
+      const bool wheel = joint->type == urdf::Joint::CONTINUOUS && !joint->mimic &&
+                         !is_passive(name) && !is_passive(joint->child_link_name);
+      if (wheel && hangs(model_, *joint, hang) && turns_about_y(*joint, frames_)) {
+        result.push_back(candidate(*joint));
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Candidate candidate(const urdf::Joint& joint) const {
+    const urdf::Link& link = *model_.links_.at(joint.child_link_name);
+    const Eigen::Vector3d p = frames_.at(link.name).translation();
+    const auto shape = wheel_shape(link, frames_, finder_);
+    return {joint.name, p, p.z() - (shape ? shape->radius : 0.0)};
+  }
+
+  const urdf::ModelInterface& model_;
+  const LinkFrames& frames_;
+  const MeshFinder& finder_;
+};
+
+bool beside(const Candidate& left, const Candidate& right) {
+  return left.p_root.y() - right.p_root.y() > kMinTrack &&
+         std::abs(left.p_root.x() - right.p_root.x()) < kMirrorTolerance &&
+         std::abs(left.p_root.z() - right.p_root.z()) < kMirrorTolerance;
+}
+
+/// Each joint in one pair at most: the outermost ones pair up. The front pair first.
+std::vector<Pair> pairs_of(std::vector<Candidate> joints) {
+  std::sort(joints.begin(), joints.end(), [](const Candidate& a, const Candidate& b) {
+    return a.p_root.y() != b.p_root.y() ? a.p_root.y() > b.p_root.y() : a.joint < b.joint;
+  });
+  std::vector<Pair> pairs;
+  std::set<std::string> taken;
+  for (const Candidate& left : joints) {
+    if (taken.contains(left.joint)) continue;
+    const auto right = std::find_if(joints.rbegin(), joints.rend(), [&](const Candidate& c) {
+      return !taken.contains(c.joint) && beside(left, c);
+    });
+    if (right == joints.rend()) continue;
+    taken.insert({left.joint, right->joint});
+    pairs.push_back({left, *right});
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.left.p_root.x() > b.left.p_root.x();
+  });
+  return pairs;
+}
+
+/// Without those whose wheels do not come as far down as the others.
+std::vector<Pair> on_floor(std::vector<Pair> pairs) {
+  double floor = 1e9;
+  for (const Pair& pair : pairs) floor = std::min(floor, pair.left.low);
+  std::erase_if(pairs, [floor](const Pair& p) { return p.left.low > floor + kFloorTolerance; });
+  return pairs;
+}
+
+std::vector<Pair> named_pairs(const Gatherer& gatherer, const DriveTags& tags) {
+  std::set<std::string> names(tags.left.begin(), tags.left.end());
+  names.insert(tags.right.begin(), tags.right.end());
+  if (!names.empty()) return on_floor(pairs_of(gatherer.among(names)));
+  names.insert(tags.driven.begin(), tags.driven.end());
+  return on_floor(pairs_of(gatherer.driving_among(names)));
+}
+
+[[noreturn]] void no_wheels(const UrdfFile& file, const Gatherer& gatherer) {
+  std::vector<std::string> found;
+  for (const Candidate& c : gatherer.hanging(Hang::kAny)) found.push_back(c.joint);
+  throw std::runtime_error(fmt::format(
+      "{}: no drive wheels: needs two joints of type continuous with their axes along y, left and "
+      "right of each other; found [{}]: check <joint type> and <axis>",
+      file.path, fmt::join(found, ", ")));
+}
+
+}  // namespace
+
+DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
+                              const MeshFinder& finder, const DriveTags& tags,
+                              std::vector<std::string>& warnings) {
+  const Gatherer gatherer(file, frames, finder);
+  DriveJoints result;
+  result.found_by = tags.dialect;
+  std::vector<Pair> pairs = named_pairs(gatherer, tags);
+  if (pairs.empty()) {
+    result.found_by = "kinematics";
+    for (const Hang hang : {Hang::kFixed, Hang::kSuspension}) {
+      if (pairs.empty()) pairs = on_floor(pairs_of(gatherer.hanging(hang)));
+    }
+    if (pairs.empty()) no_wheels(file, gatherer);
+    if (!tags.dialect.empty()) {
+      warnings.push_back(fmt::format(
+          "the {} tag names no pair of wheels of this robot: found by kinematics", tags.dialect));
+    }
+  }
+  if (pairs.size() > kMostPairs) {
+    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} make a robot", file.path,
+                                         2 * pairs.size(), 2 * kMostPairs));
+  }
+  for (const Pair& pair : pairs) {
+    result.joints.push_back(pair.left.joint);
+    result.joints.push_back(pair.right.joint);
+  }
+  return result;
+}
+
+}  // namespace castaway::sim

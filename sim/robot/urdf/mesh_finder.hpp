@@ -1,0 +1,30 @@
+/// Files behind mesh URIs.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/common/package_finder.hpp"
+
+namespace castaway::sim {
+
+/// Resolves `package://`, `model://`, `file://`, absolute and relative URIs of one robot. Relative
+/// ones start at the file's folder, its package and the search paths.
+class MeshFinder {
+ public:
+  explicit MeshFinder(const PackageFinder& packages) : packages_(&packages) {}
+
+  /// The file, absolute; nothing if it is nowhere.
+  /// @throws std::runtime_error if it lies where the robot has no business (see `PackageFinder`),
+  /// and on a scheme that is not known.
+  [[nodiscard]] std::optional<std::string> find(const std::string& uri) const;
+
+ private:
+  [[nodiscard]] std::optional<std::string> if_file(const std::filesystem::path& path) const;
+  [[nodiscard]] std::optional<std::string> in_package(const std::string& package_path) const;
+  [[nodiscard]] std::optional<std::string> relative(const std::string& path) const;
+
+  const PackageFinder* packages_;
+};
+
+}  // namespace castaway::sim

@@ -1,0 +1,90 @@
+#include "sim/robot/urdf/urdf_file.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+
+#include "sim/common/xml_text.hpp"
+#include "sim/robot/urdf/urdf_repairs.hpp"
+#include "sim/robot/urdf/urdf_tree.hpp"
+#include "sim/xacro/expand.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr std::size_t kMaxLinks = 2000;
+constexpr double kMaxOffset = 1000.0;  // [m]
+
+/// Keeps what urdfdom would print.
+class ConsoleCapture : public console_bridge::OutputHandler {
+ public:
+  ConsoleCapture() { console_bridge::useOutputHandler(this); }
+  ~ConsoleCapture() override { console_bridge::restorePreviousOutputHandler(); }
+  ConsoleCapture(const ConsoleCapture&) = delete;
+  ConsoleCapture& operator=(const ConsoleCapture&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    if (!errors_.empty()) errors_ += "; ";
+    for (const char c : text) errors_ += c == '\n' ? ' ' : c;
+  }
+  [[nodiscard]] const std::string& errors() const { return errors_; }
+
+ private:
+  std::string errors_;
+};
+
+urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
+  if (file.xml->RootElement()->FirstChildElement("link") == nullptr) {
+    throw std::runtime_error(
+        file.path + ": not a valid URDF: it has no <link>; if it defines macros only, give the " +
+        "file that calls them");
+  }
+  const ConsoleCapture console;
+  urdf::ModelInterfaceSharedPtr model;
+  std::string problem;
+  try {
+    model = urdf::parseURDF(xml_text_of(*file.xml));
+    problem = console.errors();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (model && model->getRoot() && problem.empty()) return model;
+  throw std::runtime_error(fmt::format("{}: not a valid URDF: {}", file.path,
+                                       problem.empty() ? "it has no links" : problem));
+}
+
+void require_sound(const UrdfFile& file) {
+  if (file.model->links_.size() > kMaxLinks) {
+    throw std::runtime_error(fmt::format("{}: {} links: at most {} make a robot", file.path,
+                                         file.model->links_.size(), kMaxLinks));
+  }
+  for (const auto& [name, joint] : file.model->joints_) {
+    const urdf::Vector3& p = joint->parent_to_joint_origin_transform.position;
+    for (const double x : {p.x, p.y, p.z}) {
+      if (std::abs(x) <= kMaxOffset) continue;  // False for nan.
+      throw std::runtime_error(fmt::format(
+          "{}: joint {}: its <origin> is at {}: give finite metres", file.path, name, x));
+    }
+  }
+}
+
+}  // namespace
+
+UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
+                   const RobotOptions& options) {
+  UrdfFile file;
+  file.path = path;
+  xacro::Expansion expansion = xacro::expand(path, packages, options);
+  file.xml = std::move(expansion.xml);
+  file.warnings = std::move(expansion.warnings);
+  repair_urdf(*file.xml->RootElement(), path, file.warnings);
+  require_tree(*file.xml->RootElement(), path);
+  file.model = parse(file);
+  require_sound(file);
+  return file;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,89 @@
+#include "sim/stages/drive_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/stages/drive_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr double kAsideMost = 1.2;     // [m] Off the path, for people's sake.
+constexpr double kPassed = 0.3;        // [m] From a waypoint: somebody may stand there.
+constexpr double kBeyond = 0.1;        // [m] Of the horizon's way, to the target.
+constexpr double kFirstMove = 0.5;     // [s] At full speed.
+constexpr double kMove = 5.0;          // [s] The same.
+constexpr double kNever = 1e9;         // [m] or [rad]
+constexpr double kLogWay = 0.3;        // [m]
+constexpr double kLogTurn = 0.5;       // [rad]
+constexpr double kStuck = 15.0;        // [s] Besides half a turn on the spot.
+constexpr double kBrakingShare = 0.6;  // Of the acceleration limit: the guard reacts late.
+
+}  // namespace
+
+TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot) {
+  TwistLimits limits{drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
+                     drive.max_turn_acceleration};
+  for (const DriveWheel& wheel : robot.wheels) {
+    if (wheel.speed_max <= 0.0) continue;
+    const double rim = wheel.speed_max * wheel.radius;
+    limits.max_speed = std::min(limits.max_speed, rim);
+    limits.max_turn_rate = std::min(limits.max_turn_rate, 2.0 * rim / robot.track);
+  }
+  return limits;
+}
+
+RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot) {
+  RouteConfig route;
+  route.waypoints = drive.waypoints;
+  route.loop = drive.loop;
+  route.follower.limits = limits_of(drive, robot);
+  return route;
+}
+
+NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) {
+  NavigatorConfig config;
+  config.route = route_of(drive, robot);
+  config.local.limits = config.route.follower.limits;
+  config.local.radius = robot.footprint_radius;
+  config.plan_margin = kDriveMargin;
+  config.route.replan_distance = kAsideMost;
+  config.route.follower.goal_tolerance = kPassed;
+  // A nearer target would be reached within the horizon: no velocity beyond it would gain anything.
+  double& lookahead = config.route.follower.lookahead;
+  lookahead = std::max(lookahead, config.local.limits.max_speed * config.local.horizon + kBeyond);
+  return config;
+}
+
+GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot) {
+  GuardConfig guard;
+  guard.radius = robot.footprint_radius;
+  guard.deceleration = kBrakingShare * drive.max_acceleration;
+  return guard;
+}
+
+ProgressConfig progress_of(const DriveConfig& drive, const RobotModel& robot) {
+  const TwistLimits limits = limits_of(drive, robot);
+  ProgressConfig config;
+  config.first_way = std::min(config.first_way, kFirstMove * limits.max_speed);
+  config.first_turn = std::min(config.first_turn, kFirstMove * limits.max_turn_rate);
+  config.way = std::min(config.way, kMove * limits.max_speed);
+  config.stuck_s = kStuck + std::numbers::pi / limits.max_turn_rate;
+  if (!drive.log.empty()) {  // Commands may be anything: turns in place, small steps.
+    double v = 0.0;
+    double w = 0.0;
+    for (const TimedTwist& line : drive.log) {
+      v = std::max(v, std::abs(line.twist.v));
+      w = std::max(w, std::abs(line.twist.w));
+    }
+    // What is not commanded is no progress.
+    config.first_way = std::min(config.first_way, v > 0.0 ? kFirstMove * v : kNever);
+    config.first_turn = std::min(config.first_turn, w > 0.0 ? kFirstMove * w : kNever);
+    config.way = v > 0.0 ? std::min(kLogWay, kMove * v) : kNever;
+    config.turn = w > 0.0 ? std::min(kLogTurn, kMove * w) : kNever;
+  }
+  return config;
+}
+
+}  // namespace castaway::sim

@@ -1,0 +1,73 @@
+#include "sim/stages/drive_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/stages/drive_setup.hpp"
+#include "sim/stages/drive_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+constexpr std::chrono::nanoseconds kPeriod = std::chrono::milliseconds(50);
+constexpr double kRightWithin = 0.15;     // [m] A belief this near to the truth...
+constexpr double kRightWithinYaw = 0.15;  // [rad] ...is no reason to get stuck.
+constexpr double kInTheWay = 1.0;         // [m] From the robot to who may hold it up.
+
+}  // namespace
+
+DriveStage::DriveStage(const SimulationConfig& config, const Grid& drive_grid)
+    : wait_(std::llround(1e9 * config.drive.wait_s)),
+      log_(config.drive.log),
+      radius_(config.robot.footprint_radius) {
+  if (config.drive.by_estimate) {
+    navigator_.emplace(navigator_of(config.drive, config.robot), config.map);
+  } else {
+    route_.emplace(route_of(config.drive, config.robot),
+                   FreeSpace(drive_grid, config.robot.footprint_radius + kDriveMargin));
+  }
+}
+
+Twist2 DriveStage::command(std::chrono::nanoseconds now, const Pose2& T_map_base,
+                           PeopleStage& people) {
+  next_ += kPeriod;
+  wants_ = false;
+  if (now < wait_) return {};
+  if (!log_.empty()) {
+    const Twist2 twist = twist_at(log_, std::chrono::duration<double>(now).count());
+    wants_ = twist.v != 0.0 || twist.w != 0.0;
+    return twist;
+  }
+  const bool done = navigator_ ? navigator_->done() : route_->done();
+  wants_ = !done && believes_rightly(T_map_base) && !somebody_near(T_map_base, people);
+  if (navigator_) return navigator_->command(believed_);
+  return people.yielded(route_->command(T_map_base), *route_);
+}
+
+bool DriveStage::believes_rightly(const Pose2& T_map_base) const {
+  if (!navigator_) return true;
+  if (!believed_) return false;
+  const Pose2 error = inverse(T_map_base) * *believed_;
+  return error.position().norm() < kRightWithin && std::abs(error.yaw) < kRightWithinYaw;
+}
+
+bool DriveStage::somebody_near(const Pose2& T_map_base, const PeopleStage& people) const {
+  const std::vector<Eigen::Vector2d> positions = people.positions();
+  return std::any_of(positions.begin(), positions.end(), [&](const Eigen::Vector2d& p_map) {
+    return (p_map - T_map_base.position()).norm() < radius_ + kInTheWay;
+  });
+}
+
+void DriveStage::on_odometry(const OdometryReading& reading) {
+  if (navigator_) navigator_->on_odometry(reading);
+}
+
+void DriveStage::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
+  if (navigator_) navigator_->on_scan(scan, lidar);
+}
+
+std::vector<std::string> DriveStage::take_events() {
+  return navigator_ ? navigator_->take_events() : std::vector<std::string>{};
+}
+
+}  // namespace castaway::sim

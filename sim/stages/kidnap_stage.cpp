@@ -1,0 +1,132 @@
+#include "sim/stages/kidnap_stage.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/navigation/planner.hpp"
+#include "sim/people/bodies/person.hpp"
+#include "sim/stages/drive_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr double kClearOfPeople = 0.1;  // [m] Between bodies.
+
+bool takes_time(const KidnapSpec& spec) {
+  return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kSpin;
+}
+
+/// The stream of a kidnap's times; others draw nothing.
+Rng clock_stream(const KidnapSpec& spec, std::size_t index, const NamedStreams& streams) {
+  if (spec.when.on != KidnapTrigger::On::kPoisson) return Rng();
+  if (!streams) {
+    throw std::invalid_argument(
+        "kidnaps at random times: no random streams for them: give SimulationStreams::named");
+  }
+  return streams(fmt::format("events/kidnap/{}", index));
+}
+
+/// A target that can never be reached is refused before the run.
+void check_target(const KidnapSpec& spec, const Pose2& start, const FreeSpace& free) {
+  if (!spec.target) return;
+  Rng unused;
+  KidnapSpec there = spec;
+  there.kind = KidnapKind::kTeleportTo;
+  kidnap_target(there, {start, free}, unused);
+}
+
+TriggerInput trigger_input(const KidnapInput& input) {
+  return {std::chrono::duration<double>(input.now).count(), input.driven, input.localized};
+}
+
+}  // namespace
+
+KidnapStage::KidnapStage(const SimulationConfig& config, const Grid& drive_grid,
+                         const RayScene& scene, const NamedStreams& streams)
+    : scene_(&scene),
+      lidar_(config.lidar),
+      keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
+  for (std::size_t i = 0; i < config.kidnaps.size(); ++i) {
+    const KidnapSpec& spec = config.kidnaps[i];
+    validate(spec);
+    const double radius = config.robot.footprint_radius + spec.margin_m;
+    const FreeSpace& free = spaces_.try_emplace(radius, drive_grid, radius).first->second;
+    check_target(spec, config.start, free);
+    if (spec.kind == KidnapKind::kCarry && !carry_space_) carry_space_.emplace(drive_grid, 0.0);
+    entries_.push_back({spec, {spec.when, clock_stream(spec, i, streams)}, radius});
+  }
+}
+
+KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {
+  KidnapOutcome outcome;
+  if (held_) outcome = finish(input.now);
+  const TriggerInput trigger = trigger_input(input);
+  for (Entry& entry : entries_) {
+    const bool due = entry.clock.due(trigger);
+    if (!due || held_ || outcome.done) continue;
+    outcome = begin(entry, input, rng);
+    if (outcome.done || outcome.picked_up) entry.clock.happened(trigger);
+  }
+  return outcome;
+}
+
+KidnapOutcome KidnapStage::finish(nanoseconds now) {
+  const double held_for = std::chrono::duration<double>(now - held_->record.since).count();
+  if (held_for < held_->lift.duration()) return {};
+  KidnapOutcome outcome;
+  outcome.done = held_->record;
+  outcome.done->stamp = now;
+  power_cycle_ = held_->spec->power_cycle;
+  held_.reset();
+  return outcome;
+}
+
+KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rng) {
+  KidnapScene scene{
+      input.T_map_base, spaces_.at(entry.radius), {}, keep_clear_, look_alikes_of(entry)};
+  if (input.people) scene.people = input.people();
+  const auto target = kidnap_target(entry.spec, scene, rng);
+  if (!target) return {};
+  if (takes_time(entry.spec)) return lifted(entry, input, *target);
+  power_cycle_ = entry.spec.power_cycle;
+  KidnapOutcome outcome;
+  outcome.done = KidnapRecord{input.now, entry.spec.kind,    input.T_map_base, target->T_map_base,
+                              input.now, target->unlikeness, target->too_near};
+  return outcome;
+}
+
+KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
+                                  const KidnapTarget& target) {
+  const Pose2& T_map_to = target.T_map_base;
+  const Pose2& from = input.T_map_base;
+  std::optional<std::vector<Eigen::Vector2d>> path;
+  if (entry.spec.kind == KidnapKind::kCarry) {
+    path = plan_path(*carry_space_, from.position(), T_map_to.position());
+  }
+  KidnapRecord record{input.now, entry.spec.kind, from, T_map_to, input.now, {}, target.too_near};
+  Lift lift(entry.spec.lift, from, T_map_to,
+            path ? *path : std::vector<Eigen::Vector2d>{from.position()});
+  held_ = std::make_unique<Held>(Held{&entry.spec, record, std::move(lift)});
+  KidnapOutcome outcome;
+  outcome.picked_up = PickUpRecord{input.now, entry.spec.kind, from};
+  return outcome;
+}
+
+const LookAlikes* KidnapStage::look_alikes_of(Entry& entry) {
+  if (entry.spec.kind != KidnapKind::kLookAlike) return nullptr;
+  if (!entry.look_alikes) {
+    entry.look_alikes = std::make_unique<LookAlikes>(*scene_, spaces_.at(entry.radius), lidar_);
+  }
+  return entry.look_alikes.get();
+}
+
+Eigen::Isometry3d KidnapStage::held_at(nanoseconds stamp) const {
+  return held_->lift.at(std::chrono::duration<double>(stamp - held_->record.since).count());
+}
+
+}  // namespace castaway::sim

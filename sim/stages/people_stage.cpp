@@ -1,0 +1,129 @@
+#include "sim/stages/people_stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/map/grid_tools.hpp"
+#include "sim/stages/drive_setup.hpp"
+#include "sim/stages/drive_space.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
+constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm meanwhile.
+constexpr nanoseconds kCrowd = milliseconds(500);
+constexpr int kPatience = 60;          // Calls of `yielded` for which the robot waits: 3 s...
+constexpr int kLongestPatience = 480;  // ...and, in a throng, twice as long each time: 24 s.
+
+/// The people within a few metres.
+std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Pose2& robot) {
+  constexpr double kWithin = 4.0;
+  std::vector<RoundObstacle> discs;
+  for (const Agent& agent : agents) {
+    const bool near = (agent.state.position - robot.position()).norm() <= kWithin;
+    if (near) discs.push_back({agent.state.position, agent.body.radius});
+  }
+  return discs;
+}
+
+}  // namespace
+
+PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
+                         const NamedStreams& streams)
+    : yields_(config.people.robot_yields),
+      guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
+      patience_(kPatience) {
+  if (config.people.count() == 0) return;
+  if (!streams) {
+    throw std::invalid_argument(
+        "people: no random streams for them: give SimulationStreams::named");
+  }
+  robot_ = {robot_outline(config.robot), config.robot.footprint_radius, robot, {0.0, 0.0}};
+  people_ = std::make_unique<People>(config.people, config.world, config.map, config.lidar, robot_,
+                                     streams);
+}
+
+void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen::Vector2d& velocity,
+                          const RayScene& standing) {
+  if (!people_) return;
+  robot_.T_map_base = T_map_base;
+  robot_.velocity = velocity;
+  if (now >= next_crowd_) {
+    next_crowd_ += kCrowd;
+    people_->gather(robot_, standing);
+  }
+  if (now >= next_step_) {
+    next_step_ += kStep;
+    people_->step(robot_);
+    hits_.insert(hits_.end(), people_->hits().begin(), people_->hits().end());
+  }
+  if (now >= next_scene_) {
+    next_scene_ += kScene;
+    scene_ = people_->scene(fraction(now));
+  }
+}
+
+double PeopleStage::fraction(nanoseconds stamp) const {
+  const double past = static_cast<double>((stamp - (next_step_ - kStep)).count());
+  return std::clamp(past / static_cast<double>(kStep.count()), 0.0, 1.0);
+}
+
+void PeopleStage::on_kidnap(const Pose2& T_map_base) {
+  if (!people_) return;
+  robot_.T_map_base = T_map_base;
+  robot_.velocity.setZero();
+  people_->make_way(robot_);
+  scene_ = people_->scene(1.0);
+}
+
+Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route) {
+  if (!people_ || !yields_) return command;
+  const Pose2 T_base_map = inverse(robot_.T_map_base);
+  std::vector<Eigen::Vector2d> p_base;
+  for (const Eigen::Vector2d& p_map : positions()) p_base.emplace_back(T_base_map * p_map);
+  const Twist2 twist = guard_.guarded(command, p_base);
+  if (twist.v == command.v) patience_ = kPatience;
+  if (guard_.waited(patience_)) {
+    patience_ = std::min(2 * patience_, kLongestPatience);
+    const std::vector<RoundObstacle> discs = discs_near(people_->agents(), robot_.T_map_base);
+    route.detour(robot_.T_map_base, route.free().with_discs(discs));
+  }
+  return twist;
+}
+
+Surroundings PeopleStage::around(const RayScene& standing) const {
+  return people_ ? Surroundings(standing, scene_) : Surroundings(standing);
+}
+
+std::vector<Eigen::Vector2d> PeopleStage::positions() const {
+  std::vector<Eigen::Vector2d> result;
+  if (!people_) return result;
+  for (const Agent& agent : people_->agents()) result.push_back(agent.state.position);
+  return result;
+}
+
+std::vector<int> PeopleStage::take_hits() { return std::exchange(hits_, {}); }
+
+std::vector<PersonReading> PeopleStage::readings(nanoseconds stamp, const Pose2& T_map_base) const {
+  std::vector<PersonReading> result;
+  if (!people_) return result;
+  RobotBody robot = robot_;
+  robot.T_map_base = T_map_base;
+  const std::vector<PersonState> states = people_->states(fraction(stamp));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const PersonState& state = states[i];
+    const double gap =
+        distance_to(robot, state.position).distance - people_->agents()[i].body.radius;
+    result.push_back({static_cast<int>(i),
+                      {state.position.x(), state.position.y(), state.heading},
+                      state.velocity,
+                      gap});
+  }
+  return result;
+}
+
+}  // namespace castaway::sim

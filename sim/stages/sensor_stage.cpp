@@ -1,0 +1,102 @@
+#include "sim/stages/sensor_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/stages/sensor_streams.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::nanoseconds;
+
+WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fraction) {
+  return {a.left + fraction * (b.left - a.left), a.right + fraction * (b.right - a.right)};
+}
+
+double turn_of(const Motion& motion) {
+  return wrap_angle(to_planar(motion.T_map_base_end).yaw - to_planar(motion.T_map_base_begin).yaw);
+}
+
+}  // namespace
+
+std::vector<LidarConfig> all_lidars(const SimulationConfig& config) {
+  std::vector<LidarConfig> lidars = {config.lidar};
+  for (const LidarConfig& lidar : config.more_lidars) {
+    const bool taken = std::any_of(lidars.begin(), lidars.end(), [&](const LidarConfig& other) {
+      return other.name == lidar.name;
+    });
+    if (taken) {
+      throw std::invalid_argument("lidars: two are named '" + lidar.name +
+                                  "': give each a name of its own");
+    }
+    lidars.push_back(lidar);
+  }
+  return lidars;
+}
+
+SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams& streams)
+    : scene_(ray_primitives(config.world)),
+      configs_(all_lidars(config)),
+      timeline_(config.faults),
+      odometry_(config, streams),
+      odometry_period_(std::llround(1e9 / config.odometry.rate_hz)) {
+  const Surfaces surfaces(config.world);
+  for (const LidarConfig& lidar : configs_) {
+    devices_.push_back({LidarSweeper(lidar, surfaces, lidar_draws(streams, lidar)),
+                        LidarFaults(config.faults, lidar)});
+  }
+}
+
+void SensorStage::set_covered(bool covered) {
+  for (Device& device : devices_) device.sweeper.set_covered(covered);
+}
+
+std::vector<FaultRecord> SensorStage::read_faults(const Motion& motion) {
+  std::vector<FaultRecord> records = timeline_.reached(motion.end - nanoseconds(1));
+  for (FaultRecord& record : records) record.T_map_base_true = to_planar(motion.at(record.stamp));
+  return records;
+}
+
+std::vector<OdometryReading> SensorStage::read_odometry(const Motion& motion,
+                                                        const WheelAngles& begin,
+                                                        const WheelAngles& end,
+                                                        std::int64_t collisions) {
+  std::vector<OdometryReading> readings;
+  const double turn = turn_of(motion);
+  for (; next_odometry_ < motion.end; next_odometry_ += odometry_period_) {
+    const double fraction = motion.fraction(next_odometry_);
+    const auto reading = odometry_.read({next_odometry_, interpolate(begin, end, fraction),
+                                         turned_ + fraction * turn,
+                                         to_planar(motion.at(next_odometry_)), collisions});
+    if (reading) readings.push_back(*reading);
+  }
+  turned_ += turn;
+  return readings;
+}
+
+std::vector<SimFrame> SensorStage::read_lidars(const Surroundings& around, const Motion& motion) {
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    for (Sweep& sweep : devices_[i].sweeper.advance(around, motion)) {
+      sweep.reading.lidar = i;
+      auto passed = devices_[i].faults.passed(std::move(sweep));
+      if (passed) pending_.push_back(std::move(*passed));
+    }
+  }
+  std::vector<SimFrame> due;
+  if (pending_.empty()) return due;
+  std::vector<Sweep> later;
+  for (Sweep& sweep : pending_) {
+    if (sweep.last_beam < motion.end) {
+      due.push_back({sweep.last_beam, std::move(sweep.reading)});
+    } else {
+      later.push_back(std::move(sweep));
+    }
+  }
+  pending_ = std::move(later);
+  return due;
+}
+
+}  // namespace castaway::sim

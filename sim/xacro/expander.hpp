@@ -1,0 +1,83 @@
+/// The expander's working parts. Internal to sim/robot/xacro.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/xacro/expand.hpp"
+#include "sim/xacro/scope.hpp"
+#include "sim/xacro/text.hpp"
+
+namespace castaway::sim::xacro {
+
+/// Copies a source tree to an output tree and evaluates on the way. Source trees stay as they are:
+/// macros and blocks point into them.
+class Expander {
+ public:
+  Expander(const PackageFinder& packages, const RobotOptions& options);
+
+  Expansion run(const std::string& path);
+
+ private:
+  void require_known_arguments() const;
+  using Element = TiXmlElement;
+
+  // elements.cpp: what stands where.
+  void expand_children(const TiXmlNode& from, Scope& scope, TiXmlNode& to);
+  void expand_element(const Element& from, Scope& scope, TiXmlNode& to);
+  void copy(const Element& from, Scope& scope, TiXmlNode& to);
+  void dispatch(const Element& from, Scope& scope, TiXmlNode& to);
+  void choose(const Element& from, Scope& scope, TiXmlNode& to, bool wanted);
+  void insert_block(const Element& from, Scope& scope, TiXmlNode& to);
+  void count(const Element& output);
+  void count_tree(const TiXmlNode& output);
+
+  // definitions.cpp: properties, arguments, macros, and how texts are evaluated.
+  void define_property(const Element& from, Scope& scope);
+  void define_argument(const Element& from, Scope& scope);
+  void define_macro(const Element& from, Scope& scope);
+  [[nodiscard]] Value evaluate_in(Scope& scope, const std::string& text);
+  [[nodiscard]] std::string text_in(Scope& scope, const std::string& text);
+  [[nodiscard]] std::optional<Value> property_in(Scope& scope, const std::string& name);
+  [[nodiscard]] std::string package_folder(const std::string& name);
+  [[nodiscard]] std::optional<Value> function(const std::string& name, const List& arguments);
+
+  // calls.cpp: macros called, files included.
+  void call(const Element& from, const std::string& name, Scope& scope, TiXmlNode& to);
+  void bind_values(const Element& from, const Macro& macro, Scope& caller, Scope& local);
+  void bind_default(const Parameter& parameter, const Macro& macro, Scope& caller, Scope& local);
+  void bind_blocks(const Element& from, const Macro& macro, Scope& caller, Scope& local);
+  void include(const Element& from, Scope& scope, TiXmlNode& to);
+  [[nodiscard]] std::string path_of_include(const Element& from, Scope& scope);
+  const Element& load(const std::string& path);
+
+  const PackageFinder& packages_;
+  const RobotOptions& options_;
+  std::map<std::string, std::string> arguments_;
+  std::set<std::string> known_arguments_;  ///< Defined or asked for by the files.
+  std::map<std::string, std::unique_ptr<TiXmlDocument>> documents_;  ///< By path.
+  std::vector<std::string> including_;                               ///< Files, outermost first.
+  std::vector<std::string> calling_;                                 ///< Macros, outermost first.
+  std::string file_;                                                 ///< Where the element stands.
+  std::set<std::string> missing_packages_;
+  std::vector<std::string> warnings_;
+  int depth_ = 0;
+  int calls_ = 0;
+  int elements_ = 0;        ///< Looked at or put out.
+  std::size_t bytes_ = 0;   ///< Of texts put out.
+  bool must_find_ = false;  ///< In the name of an include: a missing package is an error.
+};
+
+/// An attribute's text; empty if there is none.
+std::string attribute(const TiXmlElement& element, const char* name);
+
+/// An attribute that must be there. @throws std::invalid_argument naming it.
+std::string required(const TiXmlElement& element, const char* name);
+
+/// Only attributes of these names may stand there. @throws std::invalid_argument naming another.
+void allow_only(const TiXmlElement& element, const std::vector<std::string>& names);
+
+}  // namespace castaway::sim::xacro

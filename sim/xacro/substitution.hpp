@@ -1,0 +1,25 @@
+/// Substitutions: the insides of `$()`.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "sim/xacro/expression.hpp"
+
+namespace castaway::sim::xacro {
+
+/// What substitutions are made from.
+struct SubstitutionContext {
+  const std::map<std::string, std::string>* arguments;  ///< By name.
+  std::function<std::string(const std::string&)> find;  ///< The folder of a package.
+  std::string folder;                                   ///< Of the file.
+  std::function<void(const std::string&)> on_argument;  ///< Told of every argument asked for.
+};
+
+/// The text for `arg NAME`, `find PACKAGE`, `env NAME`, `optenv NAME default...`, `dirname`,
+/// `eval EXPRESSION` (arguments by their names; arg(), find(), env(), optenv(), dirname()).
+/// @throws std::invalid_argument naming what is missing and the remedy.
+std::string substitute(const std::string& command, const SubstitutionContext& context);
+
+}  // namespace castaway::sim::xacro

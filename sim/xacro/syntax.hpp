@@ -1,0 +1,41 @@
+/// Syntax trees of xacro expressions: Python's grammar of expressions, without comprehensions,
+/// lambdas, slices and assignments.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/xacro/value.hpp"
+
+namespace castaway::sim::xacro {
+
+/// A node of a syntax tree.
+struct Syntax {
+  enum class Kind {
+    kLiteral,    ///< `literal`
+    kName,       ///< `text`
+    kUnary,      ///< `text` is + or -; one child
+    kBinary,     ///< `text` is the operator; two children
+    kNot,        ///< One child.
+    kAnd,        ///< Two children.
+    kOr,         ///< Two children.
+    kTernary,    ///< Then, condition, else.
+    kCall,       ///< The callee, then the arguments.
+    kIndex,      ///< The container, then the index.
+    kAttribute,  ///< `text` of the child.
+    kKeyword,    ///< An argument `text` = child.
+    kList,       ///< The items.
+    kDict,       ///< Key, value, key, value...
+  };
+
+  Kind kind = Kind::kLiteral;
+  std::string text;
+  Value literal;
+  std::vector<Syntax> children;
+};
+
+/// @throws std::invalid_argument saying what is wrong; also where the expression is nested deeper
+/// than 60 or longer than 4096 characters.
+Syntax parse_expression(const std::string& expression);
+
+}  // namespace castaway::sim::xacro

@@ -1,0 +1,24 @@
+/// Tokens of xacro expressions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/xacro/value.hpp"
+
+namespace castaway::sim::xacro {
+
+/// One token.
+struct Token {
+  enum class Kind { kNumber, kText, kName, kOperator, kEnd };
+
+  Kind kind = Kind::kEnd;
+  std::string text;  ///< As written; of texts, what stands between the quotes.
+  Value literal;     ///< Of numbers.
+};
+
+/// The tokens of an expression, the last of kind kEnd.
+/// @throws std::invalid_argument on a character that does not belong there and on open quotes.
+std::vector<Token> tokenize(const std::string& expression);
+
+}  // namespace castaway::sim::xacro

@@ -1,0 +1,50 @@
+#include "tools/dataset/dataset_finish.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/small_dataset.hpp"
+#include "tools/formats/csv.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+TEST(DatasetFinish, LeavesAllThatStandsBesideTheSequences) {
+  const SmallDataset dataset;
+  const std::filesystem::path& path = dataset.folder().path();
+  finish_dataset(dataset.folder(), dataset.contents());
+  EXPECT_TRUE(dataset.folder().is_finished());
+  EXPECT_FALSE(std::filesystem::exists(path / ".work"));
+  EXPECT_EQ(read_file(path / "splits/train.txt"), "000001\n000002\n");
+  EXPECT_EQ(read_file(path / "splits/val.txt"), "");
+  EXPECT_EQ(read_file(path / "splits/test.txt"), "000000\n");
+  EXPECT_EQ(read_csv(path / "sequences.csv").rows.size(), 3U);
+  EXPECT_TRUE(std::filesystem::exists(path / "maps/office.pgm"));
+  EXPECT_TRUE(contains(read_file(path / "maps/office.yaml"), "office.pgm"));
+  EXPECT_TRUE(contains(read_file(path / "README.md"), "# small"));
+  // The sums of the sequences' files are taken from their lists: here, made up.
+  EXPECT_EQ(verify_dataset(path).size(), 3U);
+  EXPECT_TRUE(contains(verify_dataset(path)[0], "sequences/000000/truth.tum: changed"));
+}
+
+TEST(DatasetFinish, TellsWhatItAmountsTo) {
+  const SmallDataset dataset;
+  DatasetMaking making;
+  making.wall_s = 10.0;
+  making.made = 3;
+  making.workers = 2;
+  making.cpu_s = 18.0;
+  making.largest_mb = 64.0;
+  const std::string words = describe_dataset(dataset.folder(), dataset.contents(), making);
+  EXPECT_TRUE(contains(words, "small: 3 sequences, 3.0 min, 30 m, 12 scans"));
+  EXPECT_TRUE(contains(words,
+                       "3 made now in 10.0 s, 2 at a time: workers busy 90 %, the largest "
+                       "took 64 MB"));
+  EXPECT_TRUE(contains(words, "Splits: 2 worlds for 3 parts"));
+  const auto json =
+      nlohmann::ordered_json::parse(dataset_json(dataset.folder(), dataset.contents(), making));
+  EXPECT_EQ(json.at("scans"), 12.0);
+  EXPECT_EQ(json.at("timing").at("made"), 3);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

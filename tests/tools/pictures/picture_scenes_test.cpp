@@ -1,0 +1,51 @@
+#include "tools/pictures/picture_scenes.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+#include "tools/pictures/chase_view.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Eigen::Vector3f;
+
+/// A wall across x, 4 m wide and 2.5 m high, at x = -0.6 m.
+sim::SceneItem wall_behind() {
+  sim::SceneItem wall;
+  wall.mesh.vertices = {{-0.6F, -2, 0}, {-0.6F, 2, 0}, {-0.6F, 2, 2.5F}, {-0.6F, -2, 2.5F}};
+  wall.mesh.indices = {0, 1, 2, 0, 2, 3};
+  return wall;
+}
+
+TEST(ChaseScene, SeesTheRobotBesideWhatMoves) {
+  PictureWorld world;
+  const ScanRecord record = record_at(0.0, {});  // The robot stands in the origin.
+  EXPECT_LT(chase_scene(world, record, std::nullopt).camera.eye.x(), -0.6F);
+  world.moving = [] { return std::vector{wall_behind()}; };
+  const sim::Scene scene = chase_scene(world, record, std::nullopt);
+  EXPECT_FALSE(is_hidden({wall_behind()}, Vector3f(0, 0, 0.25F), scene.camera.eye));
+  ASSERT_EQ(scene.items.size(), 1U);
+}
+
+TEST(ChaseScene, ShowsTheRobotOnARampAsItStands) {
+  PictureWorld world;
+  world.robot = {wall_behind()};
+  world.T_footprint_base = [] {
+    const Eigen::Isometry3d up(Eigen::Translation3d(0.0, 0.0, 0.25));
+    return up * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitY());  // Nose up.
+  };
+  ScanRecord record = record_at(0.0, {"near"});
+  record.scan.ranges = {2.0F};
+  const sim::Scene scene = chase_scene(world, record, std::nullopt);
+  EXPECT_NEAR(scene.items.front().T_map_mesh.translation().z(), 0.25, 1e-6);
+  EXPECT_NEAR(scene.camera.eye.z(), 1.95, 1e-5);  // 1.7 m above the robot.
+  ASSERT_EQ(scene.points.front().points.size(), 1U);
+  EXPECT_NEAR(scene.points.front().points.front().z(), 0.25 + 2.0 * std::sin(0.1), 1e-5);
+  EXPECT_NEAR(scene.items.back().T_map_mesh.translation().z(), 0.27, 1e-5);  // The ghost's arrow.
+}
+
+}  // namespace
+}  // namespace castaway::testbed

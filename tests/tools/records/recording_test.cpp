@@ -1,0 +1,74 @@
+#include "tools/records/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+#include "tools/files/gzip.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+RosMap small_map() {
+  RosMap map;
+  map.name = "small";
+  map.width = 3;
+  map.height = 2;
+  map.resolution = 0.5;
+  map.origin_x = -1.0;
+  map.origin_y = 2.0;
+  map.origin_yaw = 0.25;
+  map.cells = {0, 0, -1, -1, 100, 60};
+  return map;
+}
+
+std::string whole() {
+  return pack_recording({{"map", map_header(small_map())}},
+                        {{"map", pack_cells(small_map())}, {"b", "bytes"}, {"none", ""}});
+}
+
+TEST(Recording, IsTakenApartAsItWasPutTogether) {
+  const Recording recording = unpack_recording(whole());
+  EXPECT_EQ(recording.sections.at("b"), "bytes");
+  EXPECT_EQ(recording.sections.at("none"), "");
+  EXPECT_EQ(recording.sections.at("map"), std::string("\x01\x02\x00\x02\x65\x01\x3d\x01", 8));
+}
+
+TEST(Recording, KeepsItsMap) {
+  const RosMap map = map_of(unpack_recording(whole()));
+  EXPECT_EQ(map.name, "small");
+  EXPECT_EQ(map.width, 3);
+  EXPECT_EQ(map.height, 2);
+  EXPECT_EQ(map.resolution, 0.5);
+  EXPECT_EQ(map.origin_x, -1.0);
+  EXPECT_EQ(map.origin_y, 2.0);
+  EXPECT_EQ(map.origin_yaw, 0.25);
+  EXPECT_EQ(map.cells, small_map().cells);
+}
+
+TEST(Recording, IsTheSameForTheSame) { EXPECT_EQ(whole(), whole()); }
+
+TEST(Recording, RefusesWhatIsNone) {
+  const auto error = [](const std::string& bytes) {
+    return error_of([&] { unpack_recording(gzip(bytes)); });
+  };
+  EXPECT_TRUE(contains(error("castaway recording 2\n{}\n"), "first line"));
+  EXPECT_TRUE(contains(error("castaway recording 1\n{}"), "ends in its header"));
+  EXPECT_TRUE(contains(error("castaway recording 1\n{\n"), "header is broken"));
+  EXPECT_TRUE(contains(error("castaway recording 1\n{\"sections\": [{\"name\": \"a\", \"bytes\": "
+                             "9}]}\n12345678"),
+                       "section \"a\""));
+  EXPECT_TRUE(contains(error_of([] { unpack_recording("text"); }), "not a gzip stream"));
+}
+
+TEST(Recording, RefusesAMapThatIsNotWhole) {
+  RosMap map = small_map();
+  const auto error = [&](const std::string& cells) {
+    const std::string file = pack_recording({{"map", map_header(map)}}, {{"map", cells}});
+    return error_of([&] { map_of(unpack_recording(file)); });
+  };
+  EXPECT_TRUE(contains(error(std::string("\x01\x05", 2)), "lacks cells"));
+  EXPECT_TRUE(contains(error(std::string("\x01\x07", 2)), "too many cells"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,79 @@
+// The recording that the tests of the player read (tests/data/recording/small.bin) is what the sink
+// writes: both sides are held to the same bytes.
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+#include "tests/tools/support/temporary.hpp"
+#include "tools/files/gzip.hpp"
+#include "tools/sinks/recording_sink.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+const std::vector<std::string> kNames{"a", "</script>\"b\""};
+
+/// 3 x 2 cells of 0.5 m about (-1, 2), turned by 0.25.
+RosMap fixture_map() {
+  RosMap map;
+  map.name = "small";
+  map.width = 3;
+  map.height = 2;
+  map.resolution = 0.5;
+  map.origin_x = -1.0;
+  map.origin_y = 2.0;
+  map.origin_yaw = 0.25;
+  map.cells = {0, 0, -1, -1, 100, 60};
+  return map;
+}
+
+localization::PopulationView population() {
+  localization::PopulationView view;
+  view.id = 4;
+  view.T_map_base = {1.0, 2.0, 0.5};
+  view.quality = 0.25;
+  view.share = 0.75;
+  view.selected = true;
+  view.particles = {{1.1, 2.0, 0.0}, {0.9, 1.97, 0.0}};
+  return view;
+}
+
+/// Scans at 1, 0 and 2 s in this order of delivery; beams at 0, 90 and 180 degrees, one empty.
+std::vector<ScanRecord> fixture_records() {
+  std::vector<ScanRecord> records;
+  for (const double t : {1.0, 0.0, 2.0}) {
+    ScanRecord& record = records.emplace_back(record_at(t, kNames));
+    record.scan.angle_increment = 1.5;
+    record.scan.range_max = 10.0;
+    record.scan.ranges = {1.0F, std::numeric_limits<float>::infinity(), 2.5F};
+    record.scan.T_base_laser.translation() = Eigen::Vector3d(0.1, 0.0, 0.2);
+    record.localizers[0].diagnostics.populations = {population()};
+  }
+  records[0].people.people.push_back({7, {-1.0, 2.5, 1.0}, Eigen::Vector2d::Zero(), 1.0});
+  records[1].localizers[1].estimate.reset();
+  records[2].localizers[1].estimate->lost = true;
+  return records;
+}
+
+TEST(RecordingFixture, IsWhatTheSinkWrites) {
+  const TemporaryFolder folder;
+  RecordingConfig config;
+  config.robot_radius_m = 0.25;
+  RecordingSink sink(folder.path(), run_of(kNames), fixture_map(), config);
+  sink.on_event(kidnap_to(1.05));
+  for (const ScanRecord& record : fixture_records()) sink.on_scan(record);
+  sink.finish(localization::from_seconds(3.0), {});
+  const std::string bytes = gunzip(read_file(folder.path() / "recording.gz"));
+  const std::filesystem::path kept =
+      std::filesystem::path(CASTAWAY_SOURCE_DIR) / "tests/data/recording/small.bin";
+  const std::filesystem::path now =
+      std::filesystem::path(testing::TempDir()) / "castaway-small-recording.bin";
+  write_file(now, bytes);
+  EXPECT_TRUE(read_file(kept) == bytes)
+      << "the format changed: raise its version, copy " << now << " to " << kept
+      << " and change what reads it: web/src/recording.js";
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,108 @@
+#include "tools/sinks/recording_sink.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+#include "tests/tools/support/temporary.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Values = std::vector<std::int64_t>;
+
+const std::vector<std::string> kRecorded{"a", "<b>x</b>"};
+
+RosMap one_cell() {
+  RosMap map;
+  map.width = 1;
+  map.height = 1;
+  map.cells = {0};
+  return map;
+}
+
+/// The file that a run of these records and a kidnap at 1.05 s leaves.
+std::string file_of(const std::vector<ScanRecord>& records, const RecordingConfig& config = {}) {
+  const TemporaryFolder folder;
+  RecordingSink sink(folder.path(), run_of(kRecorded), one_cell(), config);
+  sink.on_event(kidnap_to(1.05));
+  for (const ScanRecord& record : records) sink.on_scan(record);
+  sink.finish(localization::from_seconds(3.0), {});
+  return read_file(folder.path() / "recording.gz");
+}
+
+std::vector<ScanRecord> three_records() {
+  return {record_at(0.0, kRecorded), record_at(1.0, kRecorded), record_at(2.0, kRecorded)};
+}
+
+Values column(const Recording& recording, const std::string& name) {
+  return column_values(recording.sections.at(name));
+}
+
+TEST(RecordingSink, KeepsPosesAndBeliefsOfAllScans) {
+  const Recording recording = unpack_recording(file_of(three_records()));
+  EXPECT_EQ(recording.header.at("scans"), 3);
+  EXPECT_EQ(recording.header.at("localizers"), nlohmann::ordered_json(kRecorded));
+  EXPECT_EQ(column(recording, "time"), (Values{0, 10000, 20000}));
+  EXPECT_EQ(column(recording, "truth/x"), (Values{0, 1000, 2000}));
+  EXPECT_EQ(column(recording, "1/y"), (Values{2000, 2000, 2000}));
+  EXPECT_EQ(column(recording, "1/yaw"), (Values{1000, 1000, 1000}));
+  EXPECT_EQ(column(recording, "0/quality"), (Values{750, 750, 750}));
+  EXPECT_EQ(column(recording, "0/probability"), (Values{500, 500, 500}));
+}
+
+TEST(RecordingSink, MarksTheScanThatAKidnapTore) {
+  EXPECT_EQ(column(unpack_recording(file_of(three_records())), "flags"), (Values{1, 3, 1}));
+}
+
+TEST(RecordingSink, SaysWhatIsNotThere) {
+  std::vector<ScanRecord> records = three_records();
+  records[1].T_map_base_true.reset();
+  records[1].localizers[0].estimate.reset();
+  records[2].localizers[0].estimate->lost = true;
+  const Recording recording = unpack_recording(file_of(records));
+  EXPECT_EQ(column(recording, "flags"), (Values{1, 2, 1}));
+  EXPECT_EQ(column(recording, "truth/x"), (Values{0, 0, 2000}));
+  EXPECT_EQ(column(recording, "0/flags"), (Values{1, 0, 3}));
+  EXPECT_EQ(column(recording, "0/x"), (Values{0, 0, 2000}));
+}
+
+TEST(RecordingSink, TellsEachLidarOnce) {
+  std::vector<ScanRecord> records = three_records();
+  for (ScanRecord& record : records) record.scan.ranges.assign(1000, 2.0F);
+  records[1].scan.lidar = "rear";
+  records[1].scan.T_base_laser.translation().x() = -0.5;
+  const Recording recording = unpack_recording(file_of(records));
+  const auto& lidars = recording.header.at("lidars");
+  ASSERT_EQ(lidars.size(), 2U);
+  EXPECT_EQ(lidars.at(1).at("name"), "rear");
+  EXPECT_EQ(lidars.at(1).at("T_base_laser").at(3), -0.5);
+  // a byte for the lidar, two for 2.01 m, one for each of the other beams
+  EXPECT_EQ(column(recording, "beams/sizes"), (Values{336, 336, 336}));
+}
+
+TEST(RecordingSink, KeepsDetailsOfLongRunsLessOften) {
+  EXPECT_EQ(detail_period(120.0), 0.0);
+  EXPECT_EQ(detail_period(600.0), 0.0);
+  EXPECT_DOUBLE_EQ(detail_period(3600.0), 0.6);
+  EXPECT_EQ(scan_period(3600.0), 0.0);
+  EXPECT_DOUBLE_EQ(scan_period(86400.0), 1.44);
+  RecordingConfig config;
+  config.detail_every_s = 1.5;
+  const Recording recording = unpack_recording(file_of(three_records(), config));
+  EXPECT_EQ(column(recording, "time").size(), 3U);
+  EXPECT_EQ(column(recording, "detail"), (Values{0, 2}));
+  EXPECT_EQ(column(recording, "0/points/sizes").size(), 2U);
+}
+
+TEST(RecordingSink, RepeatsToTheByte) {
+  EXPECT_EQ(file_of(three_records()), file_of(three_records()));
+}
+
+TEST(RecordingSink, LeavesNoFileOfARunThatFailed) {
+  const TemporaryFolder folder;
+  { const RecordingSink sink(folder.path(), run_of(kRecorded), one_cell(), {}); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

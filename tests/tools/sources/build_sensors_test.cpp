@@ -1,0 +1,113 @@
+#include "tools/sources/build_sensors.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "sim/sensor/odometry_profiles.hpp"
+#include "tools/scenario/sections/odometry_spec.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// A robot with a lidar in front and one behind.
+sim::RobotModel two_eyed() {
+  sim::RobotModel robot;
+  for (const std::string name : {"front", "rear"}) {
+    sim::LidarMount mount{name + "_link", Eigen::Isometry3d::Identity(), sim::LidarSpecs{}, name};
+    mount.T_base_laser.translation().x() = name == "front" ? 0.3 : -0.3;
+    mount.specs->angle_max = 3.0;
+    robot.lidars.push_back(mount);
+  }
+  robot.lidar = robot.lidars.front();
+  return robot;
+}
+
+std::string sensor_error(const Scenario& scenario, const sim::RobotModel& robot) {
+  try {
+    check_faults(scenario.events.faults, build_lidars(scenario, robot));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BuildLidars, WithoutAListAreAllOfTheRobot) {
+  Scenario scenario;
+  scenario.lidar.rate_hz = 7.0;
+  const auto lidars = build_lidars(scenario, two_eyed());
+  ASSERT_EQ(lidars.size(), 2U);
+  EXPECT_EQ(lidars[0].name, "front");
+  EXPECT_EQ(lidars[1].name, "rear");
+  EXPECT_EQ(lidars[1].T_base_laser.translation().x(), -0.3);
+  EXPECT_EQ(lidars[1].frame, "rear_link");
+  EXPECT_EQ(lidars[1].rate_hz, 7.0);
+}
+
+TEST(BuildLidars, OfARobotWithOneIsNamedLidar) {
+  const auto lidars = build_lidars({}, sim::RobotModel{});
+  ASSERT_EQ(lidars.size(), 1U);
+  EXPECT_EQ(lidars[0].name, "lidar");
+}
+
+TEST(BuildLidars, AListChoosesAndAdds) {
+  Scenario scenario;
+  scenario.lidars.resize(2);
+  scenario.lidars[0].name = "rear";
+  scenario.lidars[1].name = "mast";
+  scenario.lidars[1].profile = "lds-01";
+  scenario.lidars[1].mount_xyz = Eigen::Vector3d(0.0, 0.0, 1.5);
+  const auto lidars = build_lidars(scenario, two_eyed());
+  ASSERT_EQ(lidars.size(), 2U);
+  EXPECT_EQ(lidars[0].T_base_laser.translation().x(), -0.3);
+  EXPECT_EQ(lidars[1].name, "mast");
+  EXPECT_EQ(lidars[1].frame, "mast");
+  EXPECT_EQ(lidars[1].range_max, 3.5);
+  EXPECT_EQ(lidars[1].T_base_laser.translation().z(), 1.5);
+}
+
+TEST(BuildLidars, OneMountForSeveralIsAnError) {
+  Scenario scenario;
+  scenario.lidar.mount_xyz = Eigen::Vector3d(0.0, 0.0, 1.0);
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("one mount for the robot's 2 lidars"),
+            std::string::npos);
+}
+
+TEST(BuildLidars, RefusesFiguresOutOfRange) {
+  Scenario scenario;
+  scenario.lidar.noise["dropout"] = 2.0;
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("noise.dropout is 2"), std::string::npos);
+}
+
+TEST(CheckFaults, NamesTheLidarThatIsMeant) {
+  Scenario scenario;
+  scenario.events.faults.resize(1);
+  scenario.events.faults[0].lidar = "raer";
+  EXPECT_NE(sensor_error(scenario, two_eyed()).find("'rear'"), std::string::npos);
+  scenario.events.faults[0].lidar = "rear";
+  EXPECT_EQ(sensor_error(scenario, two_eyed()), "");
+}
+
+TEST(BuildOdometry, KnowsEveryProfileOfYaml) {
+  EXPECT_EQ(sim::odometry_profile_names(), kOdometryProfiles);
+}
+
+TEST(BuildOdometry, ChangesItsProfile) {
+  OdometrySpec spec;
+  spec.profile = "slippery";
+  spec.slip["rate_per_m"] = 9.0;
+  spec.slip_zones = false;
+  spec.gyro = sim::GyroConfig{};
+  spec.track_sigma = 0.0;
+  const sim::OdometryConfig config = build_odometry(spec);
+  EXPECT_EQ(config.slip.rate, 9.0);
+  EXPECT_FALSE(config.slip.zones);
+  EXPECT_TRUE(config.gyro.has_value());
+  EXPECT_EQ(config.track_sigma, 0.0);
+  EXPECT_EQ(config.drift_along, sim::odometry_profile("slippery")->drift_along);
+  spec.slip["share"] = 0.9;
+  EXPECT_THROW(build_odometry(spec), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

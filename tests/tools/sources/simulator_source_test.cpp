@@ -1,0 +1,104 @@
+#include "tools/sources/simulator_source.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "localization/stamp.hpp"
+#include "tools/sources/build_sensors.hpp"
+#include "tools/sources/build_simulation.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// The lab, a few seconds, one kidnap.
+SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
+  Scenario scenario;
+  scenario.duration_s = 3.0;
+  scenario.events.kidnaps = {{.when = {.value = 1.5}}};
+  scenario.lidar = lidar;
+  PreparedSimulation prepared = build_simulation(scenario, ".");
+  const std::vector<sim::LidarConfig> configs = sim::all_lidars(prepared.config);
+  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed)), configs,
+          localization::from_seconds(3.0)};
+}
+
+TEST(Poses, SurviveTheRoundTrip) {
+  const SE2 pose{1.0, -2.0, 0.3};
+  EXPECT_EQ(to_se2(to_pose2(pose)), pose);
+}
+
+TEST(Grids, SurviveTheRoundTrip) {
+  sim::Grid grid{2, 1, 0.05, {1.0, 2.0}, 0.5, {sim::Cell::kOccupied, sim::Cell::kUnknown}};
+  const RosMap map = to_ros_map(grid, "two");
+  EXPECT_EQ(map.cells, (std::vector<std::int8_t>{100, -1}));
+  EXPECT_EQ(map.origin_yaw, 0.5);
+  EXPECT_EQ(to_sim_grid(map).cells, grid.cells);
+}
+
+TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
+  SimulatorSource source = lab_source(1);
+  Stamp last{};
+  int odometry = 0;
+  int scans = 0;
+  int kidnaps = 0;
+  while (const auto frame = source.next()) {
+    EXPECT_GE(frame->stamp, last);
+    last = frame->stamp;
+    if (const auto* scan = std::get_if<ScanFrame>(&frame->data)) {
+      ++scans;
+      ASSERT_TRUE(scan->T_map_base_true);
+      EXPECT_GE(frame->stamp, scan->scan.beam_stamp(scan->scan.ranges.size() - 1));
+      EXPECT_EQ(scan->scan.ranges.size(), 360U);
+    } else if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
+      ++kidnaps;
+      EXPECT_EQ(event->kind, "kidnap");
+      EXPECT_GE(distance(*event->T_map_from, *event->T_map_to), 3.0);
+    } else {
+      ++odometry;
+    }
+  }
+  EXPECT_GE(odometry, 299);
+  EXPECT_GE(scans, 14);  // the waffle's lidar turns five times a second
+  EXPECT_EQ(kidnaps, 1);
+}
+
+TEST(SimulatorSource, OdometryDoesNotNoticeTheKidnap) {
+  SimulatorSource source = lab_source(1);
+  std::optional<SE2> before;
+  double longest = 0.0;
+  while (const auto frame = source.next()) {
+    const auto* odometry = std::get_if<OdometryFrame>(&frame->data);
+    if (odometry == nullptr) continue;
+    if (before) longest = std::max(longest, distance(*before, odometry->odometry.T_odom_base));
+    before = odometry->odometry.T_odom_base;
+  }
+  EXPECT_LT(longest, 0.02);  // 0.26 m/s, 100 readings a second
+}
+
+TEST(BuildLidar, HonoursTheMountOfTheScenario) {
+  LidarSpec spec;
+  spec.mount_xyz = Eigen::Vector3d(0.1, 0.2, 0.3);
+  spec.mount_rpy = Eigen::Vector3d(3.141592653589793, 0.0, 0.5);
+  spec.beams = 90;
+  const sim::LidarConfig lidar = build_lidar(spec, sim::RobotModel{});
+  EXPECT_EQ(lidar.T_base_laser.translation(), *spec.mount_xyz);
+  EXPECT_NEAR(lidar.T_base_laser.linear()(2, 2), -1.0, 1e-12);  // upside down
+  EXPECT_NEAR(lidar.T_base_laser.linear()(0, 0), std::cos(0.5), 1e-12);
+  EXPECT_EQ(lidar.beams, 90);
+  EXPECT_NEAR(lidar.angle_increment * 90, 2.0 * 3.141592653589793, 1e-12);
+}
+
+TEST(BuildSimulation, NamesRoutesThatAreNotThere) {
+  Scenario scenario;
+  scenario.drive.route = "lop";
+  try {
+    (void)build_simulation(scenario, ".");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("loop"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace castaway::testbed

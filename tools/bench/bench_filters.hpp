@@ -1,0 +1,62 @@
+/// Five populations as the localizer holds them and as a plain reference does, with the steps that
+/// benchmarks time.
+#pragma once
+
+#include <vector>
+
+#include "localization/filter/particle_set.hpp"
+#include "localization/sensor/evidence_model.hpp"
+#include "localization/sensor/ray_local_model.hpp"
+#include "tools/bench/bench_scene.hpp"
+#include "tools/bench/plain_reference.hpp"
+
+namespace castaway::testbed {
+
+/// The localizer's own parts. The scene outlives it; copies are independent.
+class FastFilters {
+ public:
+  static constexpr int kPopulations = 5;
+  static constexpr int kParticles = 200;  ///< Of each.
+
+  /// All populations are spread around the scene's pose by 0.1 m and 0.05 rad.
+  explicit FastFilters(const BenchScene& scene);
+
+  void predict();                  ///< By the step of 10 ms.
+  void correct();                  ///< By end points, as in mode `improved`.
+  void correct_by_rays();          ///< As in mode `paper`.
+  void reseed();                   ///< Around the scene's pose.
+  double evidence() const;         ///< Sum over the populations at their means.
+  double update();                 ///< Predict, correct, evidence, reseed.
+  double mean_log_weight() const;  ///< Over all particles.
+
+ private:
+  const BenchScene* scene_;
+  localization::EndpointModel endpoints_;
+  localization::RayLocalModel rays_;
+  localization::EvidenceModel evidence_;
+  localization::PoseGaussian winner_;
+  localization::Rng rng_;
+  std::vector<localization::ParticleSet> populations_;
+};
+
+/// The same by the reference, from the same particles.
+class PlainFilters {
+ public:
+  explicit PlainFilters(const BenchScene& scene);
+
+  void predict();
+  void correct();
+  void correct_by_rays();
+  void reseed();
+  double evidence() const;
+  double update();
+  double mean_log_weight() const;
+
+ private:
+  const BenchScene* scene_;
+  PlainScan scan_;
+  localization::Rng rng_;
+  std::vector<std::vector<PlainParticle>> populations_;
+};
+
+}  // namespace castaway::testbed

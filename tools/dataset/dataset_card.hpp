@@ -1,0 +1,14 @@
+/// README.md of a data set.
+#pragma once
+
+#include <string>
+
+#include "tools/dataset/dataset_contents.hpp"
+
+namespace castaway::testbed {
+
+/// What it holds, how it was made, statistics, plots, and how to load each format, as Markdown. The
+/// same data set gives the same text.
+std::string dataset_card(const DatasetContents& contents);
+
+}  // namespace castaway::testbed

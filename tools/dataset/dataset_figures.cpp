@@ -1,0 +1,134 @@
+#include "tools/dataset/dataset_figures.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/dataset/coverage_picture.hpp"
+#include "tools/dataset/dataset_plots.hpp"
+#include "tools/dataset/sequence_statistics.hpp"
+#include "tools/formats/json_number.hpp"
+#include "tools/output/file_name.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Columns of sequences.csv that stand in a sequence.json.
+const std::vector<std::pair<const char*, const char*>> kColumns{
+    {"sequence", "/sequence"},
+    {"world", "/world"},
+    {"robot", "/robot"},
+    {"seed", "/seed"},
+    {"duration_s", "/duration_s"},
+    {"distance_m", "/distance_m"},
+    {"scans", "/scans"},
+    {"people", "/people"},
+    {"collisions", "/collisions"},
+    {"faults", "/faults"},
+    {"map_ambiguity", "/difficulty/map_ambiguity"},
+    {"map_twins", "/difficulty/map_twins"},
+    {"map_difference", "/difficulty/map_difference"},
+    {"ambiguity", "/difficulty/ambiguity"},
+    {"occluded_mean", "/difficulty/occluded_mean"},
+    {"occluded_max", "/difficulty/occluded_max"},
+    {"odometry_error_per_m", "/difficulty/odometry_error_per_m"},
+    {"odometry_yaw_error_rad_per_m", "/difficulty/odometry_yaw_error_rad_per_m"}};
+
+std::string cell_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump();
+}
+
+DatasetFile ranges_plot(const DatasetContents& contents) {
+  return {"plots/ranges.svg", histogram_svg({"Ranges of all returns", "range [m]", kRangeBin,
+                                             contents.counts("/statistics/ranges")})};
+}
+
+DatasetFile occlusion_plot(const DatasetContents& contents) {
+  return {"plots/occlusion.svg", histogram_svg({"Occlusion: beams on what the map does not show",
+                                                "share of a scan's beams", 1.0 / kOccludedBins,
+                                                contents.counts("/statistics/occluded")})};
+}
+
+/// Median and 90th percentile over the runs at each whole metre.
+DatasetFile odometry_plot(const DatasetContents& contents) {
+  std::map<int, std::vector<double>> errors;
+  for (const Json& sequence : contents.sequences) {
+    for (const Json& point : sequence.at("statistics").at("odometry_error_m")) {
+      errors[whole<int>(point[0])].push_back(point[1].get<double>());
+    }
+  }
+  LinesPlot plot{"Odometry: error of position since the start or the last kidnap",
+                 "driven [m]",
+                 "error [m]",
+                 {{"median", {{0.0, 0.0}}}, {"90th percentile", {{0.0, 0.0}}}}};
+  for (const auto& [metre, all] : errors) {
+    plot.lines[0].points.emplace_back(metre, quantile(all, 0.5));
+    plot.lines[1].points.emplace_back(metre, quantile(all, 0.9));
+  }
+  return {"plots/odometry.svg", lines_svg(plot)};
+}
+
+DatasetFile kidnap_plot(const DatasetContents& contents) {
+  constexpr double kBin = 2.0;  // [m]
+  std::vector<double> counts;
+  for (const Json& sequence : contents.sequences) {
+    for (const Json& kidnap : sequence.at("kidnaps")) {
+      const auto bin = static_cast<std::size_t>(kidnap.at("distance_m").get<double>() / kBin);
+      counts.resize(std::max(counts.size(), bin + 1));
+      counts[bin] += 1.0;
+    }
+  }
+  return {"plots/kidnaps.svg", histogram_svg({"Kidnaps: how far", "distance [m]", kBin, counts})};
+}
+
+Coverage coverage_of(const DatasetContents& contents, const std::string& world) {
+  Coverage coverage;
+  for (const Json& sequence : contents.sequences) {
+    if (sequence.at("world") != world) continue;
+    for (const Json& cell : sequence.at("statistics").at("coverage")) {
+      coverage[{whole<int>(cell[0]), whole<int>(cell[1])}] += cell[2].get<double>();
+    }
+  }
+  return coverage;
+}
+
+}  // namespace
+
+std::vector<DatasetFile> dataset_plots(const DatasetContents& contents) {
+  std::vector<DatasetFile> files{ranges_plot(contents), occlusion_plot(contents),
+                                 odometry_plot(contents), kidnap_plot(contents)};
+  for (const auto& [world, map] : contents.maps) {
+    files.emplace_back("plots/coverage-" + file_name_of(world) + ".png",
+                       coverage_png(map, coverage_of(contents, world), kCoverageCell));
+  }
+  return files;
+}
+
+std::vector<std::vector<std::string>> sequence_rows(const DatasetContents& contents) {
+  std::vector<std::string> header;
+  for (const auto& [name, pointer] : kColumns) header.emplace_back(name);
+  header.insert(header.end(), {"kidnaps", "split", "bytes"});
+  for (const VariedKey& key : contents.spec.vary) header.push_back("vary." + key.path);
+  std::vector<std::vector<std::string>> rows{header};
+  for (std::size_t i = 0; i < contents.sequences.size(); ++i) {
+    const Json& sequence = contents.sequences[i];
+    std::vector<std::string> row;
+    for (const auto& [name, pointer] : kColumns) {
+      row.push_back(cell_of(sequence.at(Json::json_pointer(pointer))));
+    }
+    row.push_back(std::to_string(sequence.at("kidnaps").size()));
+    row.emplace_back(kSplitNames[static_cast<std::size_t>(contents.splits.part[i])]);
+    row.push_back(std::to_string(contents.bytes[i]));
+    for (const VariedKey& key : contents.spec.vary) {
+      row.push_back(cell_of(sequence.at("drawn").at(key.path)));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace castaway::testbed

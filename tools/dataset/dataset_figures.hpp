@@ -1,0 +1,21 @@
+/// The pictures and tables of a data set's card.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/dataset/dataset_contents.hpp"
+
+namespace castaway::testbed {
+
+/// A file beside the sequences: its path from the data set's folder, and its bytes.
+using DatasetFile = std::pair<std::string, std::string>;
+
+/// plots/*.svg and plots/coverage-<world>.png.
+std::vector<DatasetFile> dataset_plots(const DatasetContents& contents);
+
+/// The rows of sequences.csv, its header first: what a sequence is, how hard it is, what was drawn.
+std::vector<std::vector<std::string>> sequence_rows(const DatasetContents& contents);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,166 @@
+#include "tools/dataset/dataset_folder.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/dataset/dataset_manifest.hpp"
+#include "tools/files/durable.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/file_error.hpp"
+#include "tools/files/sha256.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
+#include "tools/output/file_record.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string identity_text(const DatasetIdentity& identity) {
+  const Json root{
+      {"castaway", identity.version}, {"seed", identity.seed}, {"sequences", identity.sequences}};
+  return root.dump(1) + "\n";
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw std::runtime_error(
+      fmt::format("{}: {}; choose another folder with --out", folder.string(), why));
+}
+
+/// The first line in which two texts differ, in words.
+std::string first_difference(const std::string& there, const std::string& here) {
+  std::istringstream old_text(there);
+  std::istringstream new_text(here);
+  std::string a;
+  std::string b;
+  for (int line = 1;; ++line) {
+    const bool more_a = static_cast<bool>(std::getline(old_text, a));
+    const bool more_b = static_cast<bool>(std::getline(new_text, b));
+    if (more_a && more_b && a == b) continue;
+    const auto shown = [](bool more, const std::string& text) {
+      const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+      return more ? "'" + text.substr(begin) + "'" : "nothing";
+    };
+    return fmt::format("line {} of its dataset.yaml is {}, now it would be {}", line,
+                       shown(more_a, a), shown(more_b, b));
+  }
+}
+
+constexpr const char* kMadeBy = "dataset";
+constexpr double kPatience = 10.0;  // [s]
+
+/// A folder that holds no data set may hold what castaway began one with.
+void check_unused(const fs::path& folder) {
+  const std::optional<FileRecord> record = load_record(folder);
+  std::set<std::string> own{kRecordName};
+  if (record && record->made_by == kMadeBy) own.insert({".work", "sequences", "dataset.yaml"});
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (!own.contains(name) && !name.starts_with(std::string(kRecordName) + ".part-"))
+      refuse(folder, fmt::format("holds '{}' and no data set", name));
+  }
+}
+
+/// A finished data set is about to grow: its card and tables are made again, and must still be
+/// ours.
+void require_unchanged(const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json")) return;
+  for (const ManifestFile& file : read_manifest(folder / "manifest.json")) {
+    if (file.path.starts_with("sequences/") || !fs::exists(folder / file.path)) continue;
+    if (sha256_of_file(folder / file.path) == file.sha256) continue;
+    refuse(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
+  }
+}
+
+}  // namespace
+
+void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
+  std::error_code none;
+  if (fs::exists(folder, none) && !fs::is_directory(folder, none)) refuse(folder, "is no folder");
+  if (!fs::exists(folder / "dataset.json", none)) return check_unused(folder);
+  const std::string text = read_file(folder / "dataset.json");
+  const Json root = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
+  if (!root.is_object()) refuse(folder, "its dataset.json cannot be read");
+  const auto version = root.value("castaway", std::string());
+  if (version != identity.version) {
+    refuse(folder, fmt::format("was made by castaway {}, this is {}", version, identity.version));
+  }
+  const auto seed = whole_or(root, "seed", std::uint64_t{0});
+  if (seed != identity.seed) {
+    refuse(folder, fmt::format("was made with seed {}, not {}", seed, identity.seed));
+  }
+  const std::string spec = read_file(folder / "dataset.yaml");
+  if (spec != identity.spec) {
+    refuse(folder, "was made from another specification: " + first_difference(spec, identity.spec));
+  }
+  const int sequences = whole_or(root, "sequences", 0);
+  if (sequences > identity.sequences) {
+    refuse(folder, fmt::format("has {} sequences, more than {}", sequences, identity.sequences));
+  }
+}
+
+DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
+    : folder_(std::move(folder)) {
+  if (!folder_.has_filename()) folder_ = folder_.parent_path();
+  check_identity(folder_, identity);
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) {
+    throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
+                                folder_.string(), error.message()));
+  }
+  lock_.emplace(folder_, kPatience);
+  const bool begun = fs::exists(folder_ / "dataset.json");
+  if (!begun) save_record(folder_, {kMadeBy, {}, false, {}, {}});
+  clear_leftovers(folder_, std::nullopt);
+  clear_work();
+  fs::create_directories(folder_ / "sequences");
+  const std::string text = identity_text(identity);
+  if (!begun || read_file(folder_ / "dataset.json") != text) {
+    require_unchanged(folder_);
+    fs::remove(folder_ / "manifest.json", error);
+    put("dataset.yaml", identity.spec);
+    put("dataset.json", text);
+  }
+  fs::remove(folder_ / kRecordName, error);  // From here on, dataset.json says whose folder it is.
+}
+
+bool DatasetFolder::is_finished() const { return fs::exists(folder_ / "manifest.json"); }
+
+bool DatasetFolder::has_sequence(const std::string& name) const {
+  return fs::exists(sequence(name));
+}
+
+fs::path DatasetFolder::sequence(const std::string& name) const {
+  return folder_ / "sequences" / name;
+}
+
+fs::path DatasetFolder::draft(const std::string& name) const { return folder_ / ".work" / name; }
+
+void DatasetFolder::commit_sequence(const std::string& name) const {
+  move_durable(draft(name), sequence(name));
+}
+
+void DatasetFolder::put(const std::string& path, std::string_view bytes) const {
+  write_durable(folder_ / ".work/file", folder_ / path, bytes);
+}
+
+void DatasetFolder::clear_work() const {
+  std::error_code error;
+  fs::remove_all(folder_ / ".work", error);
+  if (error) {
+    throw FileError(
+        fmt::format("{}: cannot be removed ({})", (folder_ / ".work").string(), error.message()));
+  }
+}
+
+}  // namespace castaway::testbed

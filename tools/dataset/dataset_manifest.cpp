@@ -1,0 +1,131 @@
+#include "tools/dataset/dataset_manifest.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/output/file_record.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Files that cannot be in a list of which they are made.
+const std::set<std::string> kOfTheList{"manifest.json", "SHA256SUMS"};
+
+/// Paths from the folder, in order.
+std::vector<std::string> paths_in(const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() && !entry.is_symlink()) continue;
+    if (entry.path().filename() == kRecordName) continue;
+    paths.push_back(entry.path().lexically_relative(folder).generic_string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// What is wrong with a listed file; nothing if it is as it should be.
+std::string trouble_with(const fs::path& folder, const ManifestFile& file) {
+  const fs::path path = folder / file.path;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return fmt::format("{}: missing", file.path);
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  if (bytes != file.bytes) {
+    return fmt::format("{}: changed: {} bytes instead of {}", file.path, bytes, file.bytes);
+  }
+  const std::string sum = sha256_of_file(path);
+  if (sum == file.sha256) return "";
+  return fmt::format("{}: changed: SHA-256 {}... instead of {}...", file.path, sum.substr(0, 12),
+                     file.sha256.substr(0, 12));
+}
+
+/// A manifest lists files of its folder and no others.
+std::string checked_path(const std::string& path) {
+  const fs::path parsed = path;
+  const bool outside = std::find(parsed.begin(), parsed.end(), "..") != parsed.end();
+  if (path.empty() || parsed.is_absolute() || outside) {
+    throw std::runtime_error("'" + path + "' is no path within the data set");
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<ManifestFile> survey_files(const fs::path& folder) {
+  std::vector<ManifestFile> files;
+  for (const std::string& path : paths_in(folder)) {
+    files.push_back({path, fs::file_size(folder / path), sha256_of_file(folder / path)});
+  }
+  return files;
+}
+
+std::string manifest_text(const std::vector<ManifestFile>& files) {
+  Json list = Json::array();
+  std::uintmax_t bytes = 0;
+  for (const ManifestFile& file : files) {
+    list.push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+    bytes += file.bytes;
+  }
+  const Json root{{"castaway", CASTAWAY_VERSION}, {"bytes", bytes}, {"files", std::move(list)}};
+  return root.dump(1) + "\n";
+}
+
+std::string sums_text(const std::vector<ManifestFile>& files) {
+  std::string text;
+  for (const ManifestFile& file : files) text += file.sha256 + "  " + file.path + "\n";
+  return text;
+}
+
+std::vector<ManifestFile> read_manifest(const fs::path& file) {
+  try {
+    std::vector<ManifestFile> files;
+    const std::string text = read_file(file);
+    const Json root = nests_too_deep(text) ? Json() : Json::parse(text);
+    for (const Json& entry : root.at("files")) {
+      files.push_back({checked_path(entry.at("path").get<std::string>()),
+                       entry.at("bytes").get<std::uintmax_t>(),
+                       entry.at("sha256").get<std::string>()});
+    }
+    return files;
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: no manifest of a data set: {}", file.string(), error.what()));
+  }
+}
+
+std::vector<std::string> verify_dataset(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / "manifest.json")) {
+    throw std::runtime_error(fmt::format(
+        "{}: no manifest.json: no data set, or one that is not finished; the command that made it "
+        "goes on with it",
+        folder.string()));
+  }
+  const std::vector<ManifestFile> files = read_manifest(folder / "manifest.json");
+  std::vector<std::string> troubles;
+  std::set<std::string> listed = kOfTheList;
+  for (const ManifestFile& file : files) {
+    listed.insert(file.path);
+    const std::string trouble = trouble_with(folder, file);
+    if (!trouble.empty()) troubles.push_back(trouble);
+  }
+  if (!fs::is_regular_file(folder / "SHA256SUMS")) {
+    troubles.emplace_back("SHA256SUMS: missing");
+  } else if (read_file(folder / "SHA256SUMS") != sums_text(files)) {
+    troubles.emplace_back("SHA256SUMS: changed: it does not agree with manifest.json");
+  }
+  for (const std::string& path : paths_in(folder)) {
+    if (!listed.contains(path)) troubles.push_back(path + ": not listed in manifest.json");
+  }
+  return troubles;
+}
+
+}  // namespace castaway::testbed

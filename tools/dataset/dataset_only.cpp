@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include "tools/commands/commands.hpp"
+#include "tools/dataset/dataset_run.hpp"
+#include "tools/dataset/dataset_sequence.hpp"
+#include "tools/output/output_folder.hpp"
+
+namespace castaway::testbed {
+
+int make_only(const DatasetRequest& request, int index) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const SampledSequence sequence = sample_sequence(spec, index);
+  std::error_code none;
+  if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
+    throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
+  }
+  OutputFolder output({request.out, "dataset --only", {}, {request.spec}, false, false});
+  DatasetWorlds worlds(spec.base);
+  worlds.check(sequence.loaded.scenario);
+  worlds.ask_scores(sequence.loaded.scenario);
+  try {
+    const std::filesystem::path scores = output.folder() / "scores";
+    worlds.find_scores(1, scores);
+    std::filesystem::remove_all(scores);
+    make_sequence(spec, worlds, sequence, output.folder());
+    output.commit();
+  } catch (const std::exception& error) {
+    throw_if_interrupted();
+    fmt::print(stderr, "castaway: {}\n", error.what());
+    return kRunFailed;
+  }
+  fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
+  return kDone;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,84 @@
+#include "tools/dataset/dataset_sequence.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tools/dataset/dataset_manifest.hpp"
+#include "tools/dataset/sequence_statistics.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/file_error.hpp"
+#include "tools/metrics/void_run.hpp"
+#include "tools/play/play.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// To six digits after the point.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json drawn_json(const SampledSequence& sequence) {
+  Json drawn = Json::object();
+  for (const auto& [key, value] : sequence.drawn) drawn[key] = value;
+  return drawn;
+}
+
+Json files_json(const std::filesystem::path& folder) {
+  Json files = Json::array();
+  for (const ManifestFile& file : survey_files(folder)) {
+    files.push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  }
+  return files;
+}
+
+/// Plays it and returns what it is: names, and what was counted.
+Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSequence& sequence,
+            const std::filesystem::path& draft) {
+  SequenceStatistics statistics;
+  RunInfo info;
+  PlayOptions options;
+  options.base = spec.base;
+  options.out = draft;
+  options.keep_list = false;
+  options.quiet = true;
+  options.timing = false;
+  options.scores = std::make_shared<const PlaceScores>(scores.places);
+  options.sinks.push_back([&](const auto&, const RunPlan& plan) {
+    info = plan.info;
+    return std::make_unique<StatisticsSink>(statistics, plan.labels);
+  });
+  play_silently(sequence.loaded, options);
+  if (const auto reason = void_sentence_of(draft)) {
+    throw std::runtime_error("its run is void: " + *reason);
+  }
+  Json root{{"sequence", sequence_name(sequence.index)},
+            {"castaway", CASTAWAY_VERSION},
+            {"seed", sequence.seed},
+            {"world", info.world},
+            {"robot", info.robot},
+            {"drawn", drawn_json(sequence)}};
+  root.update(statistics.json());
+  root["difficulty"]["map_ambiguity"] = rounded(scores.ambiguity.mean);
+  root["difficulty"]["map_twins"] = rounded(scores.ambiguity.twins);
+  root["difficulty"]["map_difference"] = info.difference ? rounded(info.difference->beams) : 0.0;
+  return root;
+}
+
+}  // namespace
+
+void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
+                   const SampledSequence& sequence, const std::filesystem::path& draft) {
+  try {
+    const MapScores& scores = worlds.scores(sequence.loaded.scenario);
+    Json root = played(spec, scores, sequence, draft);
+    root["files"] = files_json(draft);
+    write_file(draft / "sequence.json", root.dump() + "\n");
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+  }
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,103 @@
+#include "tools/dataset/dataset_worlds.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tools/files/file.hpp"
+#include "tools/files/file_error.hpp"
+#include "tools/sources/build_simulation.hpp"
+#include "tools/workers/worker_pool.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+std::string lidar_key(const LidarSpec& lidar) {
+  const Eigen::Vector3d mount = lidar.mount_xyz.value_or(Eigen::Vector3d::Zero());
+  return fmt::format("{} {} {} {} {} {}", lidar.name, lidar.profile, lidar.mount_xyz.has_value(),
+                     mount.z(), lidar.elevations_deg.size(), lidar.range_max.has_value());
+}
+
+std::string world_key(const Scenario& scenario) {
+  return fmt::format("{} {} {}", scenario.world.file, scenario.world.search_paths,
+                     scenario.wall_height);
+}
+
+/// Scenarios with the same one can be built or not, all of them, as far as names go.
+std::string structure_key(const Scenario& scenario) {
+  std::string key =
+      fmt::format("{} | {} {} {} | {} {} | {}", world_key(scenario), scenario.robot.file,
+                  scenario.robot.arguments, scenario.robot.search_paths, scenario.drive.route,
+                  scenario.drive.twist_log, lidar_key(scenario.lidar));
+  for (const LidarSpec& lidar : scenario.lidars) key += " | " + lidar_key(lidar);
+  for (const sim::FaultSpec& fault : scenario.events.faults) key += " | " + fault.lidar;
+  return key;
+}
+
+/// Of the first lidar, as far as the scenario says.
+double range_of(const Scenario& scenario, const sim::LidarConfig& built) {
+  const LidarSpec& spec = scenario.lidars.empty() ? scenario.lidar : scenario.lidars.front();
+  return spec.range_max.value_or(built.range_max);
+}
+
+}  // namespace
+
+void DatasetWorlds::check(const Scenario& scenario) {
+  const std::string key = structure_key(scenario);
+  if (built_.contains(key)) return;
+  PreparedSimulation prepared = build_simulation(scenario, base_);
+  built_.emplace(key, Built{prepared.config.lidar, prepared.world_name});
+  maps_.try_emplace(prepared.world_name, std::move(prepared.map));
+}
+
+const DatasetWorlds::Built& DatasetWorlds::built(const Scenario& scenario) const {
+  return built_.at(structure_key(scenario));
+}
+
+std::string DatasetWorlds::score_key(const Scenario& scenario) const {
+  const sim::LidarConfig& lidar = built(scenario).lidar;
+  return fmt::format("{} | {} {}", world_key(scenario), lidar.T_base_laser.translation().z(),
+                     judged_range(range_of(scenario, lidar)));
+}
+
+void DatasetWorlds::ask_scores(const Scenario& scenario) {
+  asked_.try_emplace(score_key(scenario), scenario);
+}
+
+MapScores DatasetWorlds::judged(const Scenario& scenario) const {
+  sim::LidarConfig lidar = built(scenario).lidar;
+  lidar.range_max = range_of(scenario, lidar);
+  return map_scores(scenario, base_, lidar);
+}
+
+void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts) {
+  std::vector<std::pair<std::string, Scenario>> jobs(asked_.begin(), asked_.end());
+  asked_.clear();
+  const auto file_of = [&](int job) { return drafts / fmt::format("scores-{}", job); };
+  int failed = 0;
+  run_jobs(
+      static_cast<int>(jobs.size()), workers,
+      [&](int job) {
+        const Scenario& scenario = jobs[static_cast<std::size_t>(job)].second;
+        write_file(file_of(job), scores_text(judged(scenario)));
+        return 0;
+      },
+      [&](int job, int code) {
+        failed += code == 0 ? 0 : 1;
+        if (code != 0) return;
+        scores_.insert_or_assign(jobs[static_cast<std::size_t>(job)].first,
+                                 parse_scores(read_file(file_of(job))));
+      });
+  if (failed > 0) {
+    throw FileError(drafts.string() + ": what was found out of the maps cannot be kept there");
+  }
+}
+
+const MapScores& DatasetWorlds::scores(const Scenario& scenario) const {
+  return scores_.at(score_key(scenario));
+}
+
+const std::string& DatasetWorlds::world(const Scenario& scenario) const {
+  return built(scenario).world;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/render/bounds.hpp"
+#include "sim/render/camera.hpp"
+#include "sim/render/primitives.hpp"
+#include "sim/world/world_visuals.hpp"
+#include "tools/inspect/world_report.hpp"
+#include "tools/pictures/palette.hpp"
+#include "tools/pictures/picture_scenes.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Eigen::Vector3f;
+
+const Vector3f kRouteColor = scene_color(0x0072B2);
+const Vector3f kSlipColor = scene_color(0xE69F00);
+
+Vector3f lifted(const Eigen::Vector2d& p, float z) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), z};
+}
+
+/// A closed line.
+sim::SceneLines outline(const std::vector<Eigen::Vector2d>& points, const Vector3f& color) {
+  sim::SceneLines lines{{}, color, 2.0F};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lines.points.push_back(lifted(points[i], 0.02F));
+    lines.points.push_back(lifted(points[(i + 1) % points.size()], 0.02F));
+  }
+  return lines;
+}
+
+void add_marks(const LoadedWorld& world, sim::Scene& scene) {
+  for (const auto& [name, route] : world.file.routes) {
+    scene.lines.push_back(outline(route, kRouteColor));
+  }
+  for (const sim::SlipZone& zone : world.file.spec.slip_zones) {
+    scene.lines.push_back(outline(zone.outline, kSlipColor));
+  }
+  if (!world.has_start) return;
+  sim::SceneItem arrow;
+  arrow.mesh = sim::arrow_mesh(0.9F, 0.5F);
+  arrow.T_map_mesh = sim::to_isometry(world.file.start).cast<float>();
+  arrow.T_map_mesh.translation().z() = 0.03F;
+  arrow.color = scene_color(0xD55E00);
+  arrow.shaded = false;
+  scene.items.push_back(std::move(arrow));
+}
+
+sim::SceneItem floor_of(const sim::WorldSpec& world) {
+  sim::SceneItem item;
+  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
+  item.T_map_mesh.translation().z() = -0.003F;
+  item.color = {0.80F, 0.77F, 0.72F};
+  item.casts_shadow = false;
+  return item;
+}
+
+}  // namespace
+
+sim::Scene world_scene(const LoadedWorld& world) {
+  sim::Scene scene;
+  const sim::WorldSpec& spec = world.file.spec;
+  scene.items = sim::world_visuals_from_above(spec);
+  scene.items.push_back(floor_of(spec));
+  add_marks(world, scene);
+  const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
+  const float reach = 1.06F * std::max(size.x(), 1.25F * size.y());
+  scene.camera.target = lifted(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
+  scene.camera.target.y() -= 0.06F * size.y();
+  scene.camera.eye = scene.camera.target + reach * Vector3f(-0.04F, -0.62F, 0.95F);
+  scene.camera.fov_y_deg = 42.0F;
+  const float top = sim::standing_height(scene.items);
+  scene.camera = sim::step_back(
+      scene.camera, {lifted(spec.min_corner, 0.0F), lifted(spec.max_corner, top)}, 4.0F / 3.0F);
+  return scene;
+}
+
+sim::Scene world_map_scene(const LoadedWorld& world) {
+  sim::Scene scene;
+  scene.items.push_back(map_item(world.map));
+  add_marks(world, scene);
+  const sim::WorldSpec& spec = world.file.spec;
+  const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
+  scene.camera.target = lifted(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
+  scene.camera.eye = scene.camera.target + Vector3f(0.0F, 0.0F, 50.0F);
+  scene.camera.up = Vector3f::UnitY();
+  scene.camera.ortho_height = 1.04F * std::max(size.y(), size.x() * 0.75F);
+  return scene;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,82 @@
+/// What a camera on the robot sees: colour, depth, and what every pixel belongs to.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "sim/render/renderer.hpp"
+#include "tools/formats/csv.hpp"
+#include "tools/pictures/coco.hpp"
+#include "tools/pictures/picture_scenes.hpp"
+
+namespace castaway::testbed {
+
+/// A camera without distortion.
+struct CameraConfig {
+  double rate_hz = 2.0;                           ///< [Hz] Pictures.
+  int width = 640;                                ///< [px]
+  int height = 480;                               ///< [px]
+  double fov_deg = 70.0;                          ///< [deg] From left to right.
+  Eigen::Vector3d p_base{0.1, 0.0, 0.4};          ///< [m] Of its optical centre, in base.
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< [rad] Roll, pitch, yaw of where it looks.
+  bool depth = true;                              ///< camera/depth
+  bool instances = true;                          ///< camera/instances
+};
+
+/// Throws std::invalid_argument, naming the value, for a camera that cannot be.
+void validate(const CameraConfig& config);
+
+/// Focal length and optical centre. [px] Pixel (0, 0) has its middle at (0, 0).
+struct Intrinsics {
+  double f = 1.0;
+  double cx = 0.0;
+  double cy = 0.0;
+};
+Intrinsics intrinsics(const CameraConfig& config);
+
+/// The camera's optical frame in base, by REP-103: z ahead, x to the right, y down.
+Eigen::Isometry3d T_base_optical(const CameraConfig& config);
+
+/// Takes a picture at the first odometry reading of every period:
+///
+///     camera/rgb/000000.png        8 bits a channel
+///     camera/depth/000000.png      16 bits: mm along the optical axis, 0: nothing (or 65.535 m on)
+///     camera/instances/000000.png  16 bits: what it shows, 0: nothing
+///     camera/frames.csv            frame, stamp_s, true pose of the optical frame in map
+///     camera/camera.json           size, intrinsics, T_base_optical, units
+///     camera/instances.json        what the numbers mean that occur
+///     camera/coco.json             people: boxes and masks
+class CameraSink final : public RunSink {
+ public:
+  /// `names`: of instances; floor, robot and people have theirs. Throws std::runtime_error where
+  /// there is no EGL, std::invalid_argument for a camera that cannot be.
+  CameraSink(const std::filesystem::path& run_folder, const CameraConfig& config,
+             PictureWorld world, std::map<int, std::string> names);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame& frame) override;
+  void on_scan(const ScanRecord&) override {}
+  void finish(Stamp, const RunTiming&) override;
+
+ private:
+  void take(Stamp stamp, const SE2& T_map_base);
+  void save(const sim::LabelledView& view, const std::string& name) const;
+  void write_camera() const;
+
+  std::filesystem::path folder_;
+  CameraConfig config_;
+  PictureWorld world_;
+  std::map<int, std::string> names_;
+  sim::Renderer renderer_;
+  CsvWriter frames_;
+  CocoFile coco_;
+  std::set<std::uint16_t> seen_;
+  std::optional<Stamp> next_;
+  int taken_ = 0;
+};
+
+}  // namespace castaway::testbed

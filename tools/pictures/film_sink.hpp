@@ -1,0 +1,52 @@
+/// A film of a run.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/render/renderer.hpp"
+#include "tools/pictures/ffmpeg_pipe.hpp"
+#include "tools/pictures/picture_scenes.hpp"
+
+namespace castaway::testbed {
+
+/// What a film shows, and how fast.
+struct FilmConfig {
+  FilmFormat format;
+  std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
+  double speed = 1.0;          ///< Seconds of the run in a second of film.
+};
+
+/// Throws std::invalid_argument on a format that does not do, another view, a speed not above 0.
+void validate(const FilmConfig& config);
+
+/// `inset` put into the upper right corner of `image`, with a border.
+void put_into_corner(const sim::Image& inset, sim::Image& image);
+
+/// Takes a picture at the first odometry reading of every stretch of `speed` / fps seconds. It
+/// needs the truth; without any, no film appears.
+class FilmSink final : public RunSink {
+ public:
+  /// Throws std::exception for a configuration that does not do, where ffmpeg or EGL is missing.
+  FilmSink(const FilmConfig& config, PictureWorld world);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame& frame) override;
+  void on_scan(const ScanRecord& record) override { newest_ = record; }
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  void take(const SE2& T_map_base);
+
+  FilmConfig config_;
+  PictureWorld world_;
+  std::optional<sim::SceneItem> map_item_;
+  sim::Renderer renderer_;
+  std::optional<sim::Renderer> inset_;
+  FfmpegPipe film_;
+  std::optional<ScanRecord> newest_;
+  std::optional<Stamp> next_;
+  bool any_ = false;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,65 @@
+#include "tools/play/progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "localization/stamp.hpp"
+#include "tools/run/cpu_clock.hpp"
+#include "tools/workers/progress_text.hpp"
+
+namespace castaway::testbed {
+
+Progress::Progress(Stamp duration, bool quiet)
+    : duration_(duration), terminal_(!quiet && isatty(fileno(stderr)) != 0), begin_(wall_time()) {}
+
+Progress::~Progress() {
+  if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::show(Stamp reached) {
+  constexpr std::chrono::milliseconds kPause(100);
+  const std::chrono::nanoseconds now = wall_time();
+  if (!terminal_ || now - shown_ < kPause) return;
+  shown_ = now;
+  const double factor = localization::seconds(reached) / localization::seconds(now - begin_);
+  const double left = localization::seconds(duration_ - reached) / std::max(factor, 1e-3);
+  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.3g} x real time   {} left",
+             localization::seconds(reached), localization::seconds(duration_), factor,
+             minutes_and_seconds(left));
+  std::fflush(stderr);
+}
+
+CampaignProgress::CampaignProgress(int all, std::string what)
+    : all_(all),
+      what_(std::move(what)),
+      terminal_(isatty(fileno(stderr)) != 0),
+      begin_(wall_time()) {}
+
+CampaignProgress::~CampaignProgress() {
+  if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void CampaignProgress::next(const std::string& result) {
+  ++done_;
+  if (!terminal_) return;
+  const double elapsed_s = localization::seconds(wall_time() - begin_);
+  fmt::print(stderr, "\r\033[K{}{}{}", progress_text(done_, all_, what_, elapsed_s),
+             result.empty() ? "" : "; ", result);
+  std::fflush(stderr);
+}
+
+TrialCount::TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) != 0) {}
+
+void TrialCount::next() {
+  ++done_;
+  if (!terminal_) return;
+  fmt::print(stderr, "\r\033[K{} / {} trials{}", done_, all_, done_ == all_ ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
+}  // namespace castaway::testbed

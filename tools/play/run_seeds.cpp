@@ -1,0 +1,199 @@
+#include "tools/play/run_seeds.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/campaign/aggregate.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/metrics/localizer_metrics.hpp"
+#include "tools/metrics/void_run.hpp"
+#include "tools/output/default_folder.hpp"
+#include "tools/output/own_file.hpp"
+#include "tools/output/runs_folder.hpp"
+#include "tools/play/play.hpp"
+#include "tools/play/progress.hpp"
+#include "tools/play/seeds_summary.hpp"
+#include "tools/play/verdict_output.hpp"
+#include "tools/workers/worker_pool.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t seed_of(const SeedsRequest& request, int index) {
+  return request.seeds.first + static_cast<std::uint64_t>(index);
+}
+
+std::filesystem::path folder_of(const SeedsRequest& request, int index) {
+  return request.out / fmt::format("seed-{}", seed_of(request, index));
+}
+
+LoadedScenario load(const SeedsRequest& request, int index) {
+  std::vector<std::string> overrides = request.overrides;
+  overrides.push_back(fmt::format("seed={}", seed_of(request, index)));
+  LoadedScenario loaded = load_scenario(request.scenario, overrides);
+  loaded.scenario.world.strict = request.strict;
+  return loaded;
+}
+
+int play_seed(const SeedsRequest& request, int index) {
+  PlayOptions options;
+  options.base = request.scenario.parent_path();
+  options.out = folder_of(request, index);
+  options.force = request.force;
+  options.quiet = true;
+  return play(load(request, index), options);
+}
+
+/// A folder for each seed.
+std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
+  std::vector<PlannedRun> runs;
+  for (int i = 0; i < request.seeds.count; ++i) {
+    runs.push_back(
+        {fmt::format("seed-{}", seed_of(request, i)), sha256(load(request, i).effective)});
+  }
+  return runs;
+}
+
+/// The folder of all; what it is made from is the scenario, whatever the seeds.
+RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
+  const std::vector<PlannedRun> runs = planned_runs(request);
+  const std::string settings = load_scenario(request.scenario, request.overrides).effective;
+  OutputRequest output{request.out, "run --seeds", sha256(settings),
+                       inputs_of(scenario, request.scenario), request.force};
+  if (request.out.empty()) {
+    output.target = default_run_folder(scenario).parent_path();
+    output.target = told_free_runs_folder(output, runs);
+  }
+  if (!request.junit.empty()) require_own_file(request.junit);
+  request.out = output.target;
+  return {std::move(output), runs};
+}
+
+/// What became of a seed.
+struct Outcome {
+  std::optional<JudgedRun> run;             ///< Nothing: it failed, or is void.
+  std::optional<std::string> void_because;  ///< Why it is void.
+};
+using Outcomes = std::vector<Outcome>;  // By index.
+
+Outcome outcome_of(const std::filesystem::path& folder) {
+  if (auto reason = void_sentence_of(folder)) return {std::nullopt, std::move(reason)};
+  return {load_judged_run(folder), std::nullopt};
+}
+
+Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
+  Outcomes outcomes(static_cast<std::size_t>(request.seeds.count));
+  CampaignProgress progress(request.seeds.count, "runs");
+  RecoveryTally tally;
+  int finished = 0;
+  const auto take = [&](int index) {
+    Outcome& outcome = outcomes[static_cast<std::size_t>(index)];
+    outcome = outcome_of(folder_of(request, index));
+    if (outcome.run) tally.add(outcome.run->metrics);
+    ++finished;
+  };
+  try {
+    run_jobs(
+        request.seeds.count, request.workers,
+        [&](int index) {
+          const bool made = folder.has_run(static_cast<std::size_t>(index));
+          return made ? static_cast<int>(kDone) : play_seed(request, index);
+        },
+        [&](int index, int exit_code) {
+          if (exit_code == kDone) take(index);
+          progress.next(tally.text());
+        });
+  } catch (Interrupted& interrupted) {
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+                                   finished, request.seeds.count, request.out.string());
+    throw;
+  }
+  return outcomes;
+}
+
+Json summary_of(const SeedsRequest& request, const std::string& scenario,
+                const Outcomes& outcomes) {
+  std::vector<Json> summaries;
+  std::vector<MetricTable> tables;
+  Json seeds = Json::array();
+  Json failed = Json::array();
+  Json voids = Json::array();
+  for (int i = 0; i < request.seeds.count; ++i) {
+    const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+    (outcome.run ? seeds : outcome.void_because ? voids : failed).push_back(seed_of(request, i));
+    if (!outcome.run) continue;
+    summaries.push_back(read_json(outcome.run->folder / "summary.json"));
+    tables.push_back(metric_table(summaries.back()));
+  }
+  return {{"castaway", CASTAWAY_VERSION},
+          {"metrics_version", kMetricsVersion},
+          {"kind", "seeds"},
+          {"scenario", scenario},
+          {"seeds", seeds},
+          {"failed_seeds", failed},
+          {"void_seeds", voids},
+          {"localizers", pooled_recoveries(summaries)},
+          {"figures", aggregate_figures(tables)}};
+}
+
+Json timing_of(const std::vector<JudgedRun>& runs) {
+  std::vector<MetricTable> tables;
+  for (const JudgedRun& run : runs) {
+    MetricTable timing;
+    for (const auto& [name, value] : run.metrics) {
+      if (name.starts_with("timing.")) timing[name.substr(7)] = value;
+    }
+    tables.push_back(std::move(timing));
+  }
+  return {{"figures", aggregate_figures(tables)}};
+}
+
+std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
+  std::vector<JudgedRun> runs;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.run) runs.push_back(*outcome.run);
+  }
+  return runs;
+}
+
+void write_junit(const SeedsRequest& request, const std::string& scenario, const Outcomes& outcomes,
+                 const std::vector<Check>& checks) {
+  if (request.junit.empty()) return;
+  std::vector<JunitCase> cases = junit_cases(scenario, checks);
+  for (int i = 0; i < request.seeds.count; ++i) {
+    const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+    std::optional<std::string> error;
+    if (!outcome.run) {
+      error = outcome.void_because ? "void: " + *outcome.void_because : "the run failed";
+    }
+    const double wall_s = outcome.run ? outcome.run->wall_s : 0.0;
+    cases.push_back(run_case(scenario, seed_of(request, i), wall_s, std::move(error)));
+  }
+  write_own_file(request.junit, junit_xml(scenario, cases));
+}
+
+}  // namespace
+
+int run_seeds(SeedsRequest request) {
+  const Scenario scenario = load(request, 0).scenario;
+  std::vector<Expectation> expectations = scenario.expect;
+  expectations.insert(expectations.end(), request.expectations.begin(), request.expectations.end());
+  RunsFolder folder = open_folder(request, scenario);
+  const Outcomes outcomes = play_all(request, folder);
+  const std::vector<JudgedRun> runs = done_of(outcomes);
+  const Json summary = summary_of(request, scenario.name, outcomes);
+  folder.put("summary.json", summary.dump(2) + "\n");
+  folder.put("timing.json", timing_of(runs).dump(2) + "\n");
+  folder.finish();
+  const std::vector<Check> checks = judge(expectations, runs);
+  write_junit(request, scenario.name, outcomes, checks);
+  fmt::print("{}", request.json ? summary.dump(2) + "\n" : describe_seeds(request.out));
+  fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
+  return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
+}
+
+}  // namespace castaway::testbed

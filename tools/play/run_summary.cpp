@@ -1,0 +1,140 @@
+#include "tools/play/run_summary.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/files/file.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
+#include "tools/metrics/unscored.hpp"
+#include "tools/metrics/void_run.hpp"
+#include "tools/play/terminal.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A figure, or "-" where there was nothing to measure.
+std::string figure(const Json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
+}
+
+std::string localizer_line(const std::string& name, const Json& metrics, const Json& timing) {
+  const Json& recovery = metrics.at("recovery");
+  const Json& tracking = metrics.at("tracking_error_m");
+  const auto part = [](const Json& object, const char* key) {
+    return object.is_object() ? object.at(key) : Json();
+  };
+  const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
+  const int recovered = whole<int>(recovery.at("recovered"));
+  const int events = whole<int>(recovery.at("events"));
+  const std::string share = fmt::format("{:>4} of {:<4}", recovered, events);
+  return fmt::format(
+      "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
+      events == 0 ? share : paint(share, recovered < events ? Color::kRed : Color::kGreen, stdout),
+      figure(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
+      figure(part(recovery.at("time_s"), "max"), "{:.2f} s"),
+      figure(part(tracking, "mean"), "{:.3f} m"), figure(part(tracking, "p95"), "{:.3f} m"),
+      figure(metrics.at("wrong_lock_share").is_number()
+                 ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
+                 : Json(),
+             "{:.1f} %"),
+      figure(metrics.at("calibration").at("brier"), "{:.3f}"),
+      figure(part(update, "mean"), "{:.2f} ms"), figure(part(update, "max"), "{:.2f} ms"));
+}
+
+/// How near people came; nothing where there were none.
+std::string people_line(const Json& summary) {
+  if (!summary.contains("people")) return "";
+  const Json& people = summary.at("people");
+  const Json& beams = people.at("beams_on_people");
+  return fmt::format(
+      "{} people: {} hit, closest {:.2f} m, within 0.45 m {} times, within 1.2 m {} times; on them "
+      "{:.1f} % of the beams, at most {:.1f} %\n\n",
+      whole<int>(people.at("people")), whole<int>(people.at("collisions")),
+      people.at("closest_m").get<double>(), whole<int>(people.at("intimate").at("intrusions")),
+      whole<int>(people.at("personal").at("intrusions")), 100.0 * beams.at("mean").get<double>(),
+      100.0 * beams.at("max").get<double>());
+}
+
+/// How much the world differs from its map; nothing where it does not.
+std::string difference_line(const Json& summary) {
+  if (!summary.contains("difference")) return "";
+  const Json& difference = summary.at("difference");
+  return fmt::format(
+      "The world is not as mapped: {:.1f} % of the beams end elsewhere; {} moved, {} gone, {} new, "
+      "{} doors opened, {} closed\n\n",
+      100.0 * difference.at("beams").get<double>(), whole<int>(difference.at("moved")),
+      whole<int>(difference.at("removed")), whole<int>(difference.at("added")),
+      whole<int>(difference.at("opened")), whole<int>(difference.at("closed")));
+}
+
+/// What kept the robot from getting on; nothing where nothing did.
+std::string driving_line(const Json& summary) {
+  if (!summary.contains("driving")) return "";
+  std::string text;
+  for (const auto& [what, count] : summary.at("driving").items()) {
+    if (whole<int>(count) == 0 || what == "recoveries") continue;
+    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", whole<int>(count), what);
+  }
+  return text.empty() ? text : text + "\n\n";
+}
+
+/// The kidnaps that no localizer could recover from; nothing where all are scored.
+std::string unscored_line(const Json& summary) {
+  const Json& localizers = summary.at("localizers");
+  if (localizers.empty()) return "";
+  const std::string sentence = unscored_sentence(localizers.begin()->at("recovery"));
+  return sentence.empty() ? "" : "\n" + sentence + "\n";
+}
+
+std::string cost_line(const Json& timing) {
+  const Json& factor = timing.at("realtime_factor");
+  const bool fast = factor.is_number() && factor.get<double>() >= 10.0;
+  std::string text =
+      fmt::format("\n{} x real time ({} wall, {} of it to load). CPU:",
+                  figure(factor, fast ? "{:.0f}" : "{:.2g}"),
+                  figure(timing.at("wall_s"), "{:.2f} s"), figure(timing.at("load_s"), "{:.2f} s"));
+  const char* separator = " ";
+  for (const auto& [stage, time] : timing.at("cpu_s").items()) {
+    text += fmt::format("{}{} {}", separator, stage, figure(time, "{:.2f} s"));
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string describe_run(const std::filesystem::path& run_folder) {
+  const Json summary = read_json(run_folder / "summary.json");
+  const Json timing = read_json(run_folder / "timing.json");
+  std::string text =
+      fmt::format("{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
+                  summary.at("scenario").get<std::string>(),
+                  whole<std::uint64_t>(summary.at("seed")), summary.at("duration_s").get<double>(),
+                  summary.at("distance_m").get<double>(), whole<int>(summary.at("collisions")));
+  if (const auto sentence = void_sentence(summary)) {
+    text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);
+  }
+  if (const auto every = summary.find("scored_every"); every != summary.end()) {
+    text += fmt::format("A long run: one scan in {} is scored.\n\n", whole<int>(*every));
+  }
+  text += difference_line(summary);
+  text += people_line(summary);
+  text += driving_line(summary);
+  text +=
+      fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
+                  "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");
+  for (const auto& [name, metrics] : summary.at("localizers").items()) {
+    text += localizer_line(name, metrics, timing.at("localizers"));
+  }
+  text += unscored_line(summary);
+  text += cost_line(timing);
+  text += fmt::format("\nRun folder: {}\n", run_folder.string());
+  const std::filesystem::path report = run_folder / "report.html";
+  if (std::filesystem::exists(report)) text += fmt::format("Report:     {}\n", report.string());
+  return text;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,96 @@
+#include "tools/play/seeds_summary.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/json_file.hpp"
+#include "tools/formats/json_number.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(const Json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
+}
+
+std::string interval(const Json& ends, const char* format, double factor = 1.0) {
+  if (!ends.is_array()) return "";
+  const auto end = [&](int i) {
+    return fmt::format(fmt::runtime(format),
+                       factor * ends.at(static_cast<std::size_t>(i)).get<double>());
+  };
+  return " [" + end(0) + ", " + end(1) + "]";
+}
+
+/// A figure over seeds: mean with its interval.
+std::string over_seeds(const Json& figures, const std::string& name, const char* format) {
+  if (!figures.contains(name)) return "-";
+  const Json& figure = figures.at(name);
+  return number(figure.at("mean"), format) + interval(figure.at("mean_interval"), format);
+}
+
+std::string seeds_line(const std::string& name, const Json& recovery, const Json& figures) {
+  const Json& time = recovery.at("time_s");
+  return fmt::format(
+      "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
+      fmt::format("{} of {}{}", whole<int>(recovery.at("recovered")),
+                  whole<int>(recovery.at("events")),
+                  interval(recovery.at("success_interval"), "{:.0f} %", 100.0)),
+      number(time.at("mean"), "{:.2f}") + interval(time.at("mean_interval"), "{:.2f}"),
+      number(time.at("max"), "{:.2f} s"),
+      over_seeds(figures, name + ".tracking_error_m.mean", "{:.4f}"),
+      over_seeds(figures, name + ".wrong_lock_share", "{:.3f}"));
+}
+
+/// ", 2 void (seeds 3, 7) and left out"; nothing where none is.
+std::string voids_text(const Json& summary) {
+  if (!summary.contains("void_seeds") || summary.at("void_seeds").empty()) return "";
+  std::string seeds;
+  for (const Json& seed : summary.at("void_seeds")) {
+    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", whole<std::uint64_t>(seed));
+  }
+  return fmt::format(", {} void (seeds {}) and left out", summary.at("void_seeds").size(), seeds);
+}
+
+}  // namespace
+
+std::string describe_seeds(const std::filesystem::path& folder) {
+  const Json summary = read_json(folder / "summary.json");
+  const Json& figures = summary.at("figures");
+  std::string text =
+      fmt::format("{}: {} seeds, {} failed{}; means with 95 % intervals\n\n",
+                  summary.at("scenario").get<std::string>(), summary.at("seeds").size(),
+                  summary.at("failed_seeds").size(), voids_text(summary));
+  text += fmt::format("  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", "", "recovered",
+                      "recovery time [s]", "slowest", "tracking error [m]", "wrong, share");
+  for (const auto& [name, localizer] : summary.at("localizers").items()) {
+    text += seeds_line(name, localizer.at("recovery"), figures);
+  }
+  return text + fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n",
+                            folder.string());
+}
+
+void RecoveryTally::add(const MetricTable& run) {
+  constexpr std::string_view kEvents = ".recovery.events";
+  for (const auto& [name, events] : run) {
+    if (!name.ends_with(kEvents) || !events) continue;
+    const std::string localizer = name.substr(0, name.size() - kEvents.size());
+    auto& [recovered, all] = counts_[localizer];
+    all += static_cast<int>(*events);
+    recovered += static_cast<int>(run.at(localizer + ".recovery.recovered").value_or(0.0));
+  }
+}
+
+std::string RecoveryTally::text() const {
+  std::string text;
+  for (const auto& [name, counts] : counts_) {
+    if (counts.second == 0) continue;
+    text +=
+        fmt::format("{}{} {} of {}", text.empty() ? "" : ", ", name, counts.first, counts.second);
+  }
+  return text.empty() ? text : text + " recovered";
+}
+
+}  // namespace castaway::testbed

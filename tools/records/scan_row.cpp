@@ -1,0 +1,71 @@
+#include "tools/records/scan_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/metrics/recovery.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// Labels of the beams, and the share that `hides_map`.
+void label_beams(const HitLegend& legend, const std::vector<int>& labels, ScanRow& row) {
+  std::size_t hidden = 0;
+  for (const int label : labels) {
+    const BeamClass of = legend.class_of(label);
+    hidden += hides_map(of) ? 1 : 0;
+    row.classes.push_back(static_cast<std::uint8_t>(of));
+    row.hits.push_back(legend.id_of(label));
+  }
+  const auto beams = static_cast<double>(std::max<std::size_t>(labels.size(), 1));
+  row.occluded = static_cast<double>(hidden) / beams;
+}
+
+}  // namespace
+
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
+  return {std::atan2(rotation(2, 1), rotation(2, 2)),
+          -std::asin(std::clamp(rotation(2, 0), -1.0, 1.0)),
+          std::atan2(rotation(1, 0), rotation(0, 0))};
+}
+
+bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true) {
+  if (!localizer.estimate) return true;
+  const RecoveryConfig right;
+  const SE2& estimate = localizer.estimate->T_map_base;
+  return localization::distance(T_map_base_true, estimate) >= right.position_m ||
+         localization::yaw_distance(T_map_base_true, estimate) >= right.yaw_rad;
+}
+
+void ScanLabeller::add(const RunEvent& event) {
+  if (event.kind == "pick-up") picked_up_ = event.stamp;
+  if (event.kind != "kidnap") return;
+  picked_up_.reset();
+  kidnaps_.push_back(event);
+}
+
+ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
+  ScanRow row;
+  row.stamp_s = seconds(record.stamp);
+  row.T_map_base = record.T_map_base_true;
+  row.T_odom_base = record.T_odom_base;
+  for (const RunEvent& kidnap : kidnaps_) {
+    if (kidnap.stamp <= record.stamp) {
+      row.since_kidnap_s = seconds(record.stamp - kidnap.stamp);
+      continue;
+    }
+    row.torn = row.torn || kidnap.begun() < record.delivered;
+    row.held = row.held || kidnap.begun() <= record.stamp;
+  }
+  row.held = row.held || (picked_up_ && record.stamp >= *picked_up_);
+  row.torn = row.torn || (picked_up_ && record.stamp < *picked_up_);
+  label_beams(context_->legend, record.truth.labels, row);
+  if (!record.T_map_base_true) return row;
+  row.ambiguity = context_->ambiguity.at(record.T_map_base_true->translation());
+  for (const LocalizerRecord& localizer : record.localizers) {
+    row.lost.push_back(is_off(localizer, *record.T_map_base_true) ? 1 : 0);
+  }
+  return row;
+}
+
+}  // namespace castaway::testbed

@@ -1,8 +1,0 @@
-// Built instead of the bundle where there is no Node.js.
-#include "tools/report/web_bundle.hpp"
-
-namespace castaway::testbed {
-
-std::optional<WebBundle> web_bundle() { return std::nullopt; }
-
-}  // namespace castaway::testbed

@@ -1,0 +1,175 @@
+#include "tools/ros/bag_topics.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tools/ros/ros_sensor.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Names = std::vector<std::string>;
+
+void add_file(BagInventory& bag, const std::filesystem::path& file,
+              std::map<std::string, BagTopicInfo>& topics) {
+  McapReader reader(file);
+  while (const auto message = reader.next()) {
+    const McapChannel& channel = *message->channel;
+    BagTopicInfo& topic = topics[channel.topic];
+    if (topic.messages++ == 0) {
+      const McapSchema* schema = reader.schema_of(channel);
+      topic = {channel.topic, schema != nullptr ? schema->name : "", channel.encoding,
+               channel.metadata, 1};
+    }
+    const std::int64_t time = message->log_time_ns;
+    bag.start_ns = bag.messages == 0 ? time : std::min(bag.start_ns, time);
+    bag.end_ns = bag.messages == 0 ? time : std::max(bag.end_ns, time);
+    ++bag.messages;
+  }
+  for (const auto& [name, texts] : reader.metadata()) bag.metadata[name] = texts;
+  bag.attachments.insert(bag.attachments.end(), reader.attachments().begin(),
+                         reader.attachments().end());
+  if (reader.warning()) bag.warnings.push_back(*reader.warning());
+}
+
+bool is_truth(const std::string& topic) { return topic.starts_with("/ground_truth/"); }
+
+Names topics_of_type(const BagInventory& bag, const std::string& type) {
+  Names names;
+  for (const BagTopicInfo& topic : bag.topics) {
+    if (topic.type == type) names.push_back(topic.name);
+  }
+  return names;
+}
+
+std::string list_of(const BagInventory& bag) {
+  Names lines;
+  for (const BagTopicInfo& topic : bag.topics) {
+    lines.push_back(fmt::format("{} ({})", topic.name, topic.type));
+  }
+  return lines.empty() ? "none" : fmt::format("{}", fmt::join(lines, ", "));
+}
+
+const BagTopicInfo& topic_named(const BagInventory& bag, const std::string& name,
+                                const char* option) {
+  const auto found = std::find_if(bag.topics.begin(), bag.topics.end(),
+                                  [&](const BagTopicInfo& topic) { return topic.name == name; });
+  if (found == bag.topics.end()) {
+    throw std::runtime_error(fmt::format("{}: {} {}: there is no such topic; there are: {}",
+                                         bag.name, option, name, list_of(bag)));
+  }
+  return *found;
+}
+
+/// The topic of an option, of one of `types`.
+std::string required(const BagInventory& bag, const std::string& name, const char* option,
+                     const Names& types) {
+  const BagTopicInfo& topic = topic_named(bag, name, option);
+  if (std::find(types.begin(), types.end(), topic.type) == types.end()) {
+    throw std::runtime_error(fmt::format("{}: {} {}: its type is {}; {} is taken", bag.name, option,
+                                         name, topic.type, fmt::join(types, " or ")));
+  }
+  return name;
+}
+
+/// The only one, or that of the usual name; an error where several remain; empty of none.
+std::string only_one(const BagInventory& bag, const Names& names, const std::string& usual,
+                     const char* option) {
+  if (names.empty()) return "";
+  if (names.size() == 1) return names.front();
+  if (std::find(names.begin(), names.end(), usual) != names.end()) return usual;
+  throw std::runtime_error(fmt::format("{}: {} topics could be meant; say which by {}: {}",
+                                       bag.name, names.size(), option, fmt::join(names, ", ")));
+}
+
+/// True if the scans are ours: then all lidars are taken.
+bool tells_lidar(const BagInventory& bag, const std::string& name) {
+  return topic_named(bag, name, "").metadata.contains("castaway.lidar");
+}
+
+Names choose_scans(const BagInventory& bag, const BagTopicOptions& options) {
+  if (!options.scans.empty()) {
+    for (const std::string& name : options.scans) {
+      required(bag, name, "--scan-topic", {ros::LaserScan::kType});
+    }
+    return options.scans;
+  }
+  Names names = topics_of_type(bag, ros::LaserScan::kType);
+  if (names.empty()) {
+    throw std::runtime_error(fmt::format("{}: holds no {}; its topics are: {}", bag.name,
+                                         ros::LaserScan::kType, list_of(bag)));
+  }
+  const bool ours = std::all_of(names.begin(), names.end(),
+                                [&](const std::string& name) { return tells_lidar(bag, name); });
+  if (ours) return names;
+  return {only_one(bag, names, "/scan", "--scan-topic")};
+}
+
+std::string choose_odometry(const BagInventory& bag, const BagTopicOptions& options) {
+  if (!options.odometry.empty()) {
+    const std::string name = required(bag, options.odometry, "--odom-topic",
+                                      {ros::Odometry::kType, ros::TFMessage::kType});
+    return topic_named(bag, name, "").type == ros::Odometry::kType ? name : "";
+  }
+  Names names = topics_of_type(bag, ros::Odometry::kType);
+  names.erase(std::remove_if(names.begin(), names.end(), is_truth), names.end());
+  const std::string name = only_one(bag, names, "/odom", "--odom-topic");
+  if (name.empty() && topics_of_type(bag, ros::TFMessage::kType).empty()) {
+    throw std::runtime_error(fmt::format("{}: holds neither {} nor {}; its topics are: {}",
+                                         bag.name, ros::Odometry::kType, ros::TFMessage::kType,
+                                         list_of(bag)));
+  }
+  return name;
+}
+
+std::string there_or_empty(const BagInventory& bag, const std::string& name, const char* type) {
+  const Names names = topics_of_type(bag, type);
+  return std::find(names.begin(), names.end(), name) != names.end() ? name : "";
+}
+
+void require_cdr(const BagInventory& bag, const Names& names) {
+  for (const std::string& name : names) {
+    if (name.empty()) continue;
+    const std::string& encoding = topic_named(bag, name, "").encoding;
+    if (encoding == "cdr") continue;
+    throw std::runtime_error(
+        fmt::format("{}: {} is encoded as '{}'; bags of ROS 2 (cdr) are read, convert it first",
+                    bag.name, name, encoding));
+  }
+}
+
+}  // namespace
+
+BagInventory take_inventory(const std::string& name, std::vector<std::filesystem::path> files) {
+  BagInventory bag;
+  bag.name = name;
+  bag.files = std::move(files);
+  std::map<std::string, BagTopicInfo> topics;
+  for (const auto& file : bag.files) add_file(bag, file, topics);
+  for (const auto& [topic, info] : topics) bag.topics.push_back(info);
+  return bag;
+}
+
+BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& options) {
+  BagTopicChoice choice;
+  choice.scans = choose_scans(bag, options);
+  choice.odometry = choose_odometry(bag, options);
+  if (!options.truth.empty()) {
+    choice.truth = required(
+        bag, options.truth, "--truth-topic",
+        {ros::Odometry::kType, ros::PoseStamped::kType, ros::PoseWithCovarianceStamped::kType});
+  } else {
+    choice.truth = there_or_empty(bag, "/ground_truth/odom", ros::Odometry::kType);
+    choice.scan_truth = there_or_empty(bag, "/ground_truth/scan_pose", ros::PoseStamped::kType);
+  }
+  choice.map = only_one(bag, topics_of_type(bag, ros::OccupancyGrid::kType), "/map", "--map");
+  Names taken = choice.scans;
+  taken.insert(taken.end(), {choice.odometry, choice.truth, choice.scan_truth, choice.map});
+  require_cdr(bag, taken);
+  return choice;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,59 @@
+#include "tools/ros/event_json.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/json_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pose_json(const SE2& pose) { return {pose.x, pose.y, pose.yaw}; }
+
+std::optional<SE2> pose_of(const Json& json, const char* key) {
+  if (!json.contains(key)) return std::nullopt;
+  const Json& pose = json.at(key);
+  return SE2{pose.at(0).get<double>(), pose.at(1).get<double>(), pose.at(2).get<double>()};
+}
+
+/// Nothing of a time that no run reaches.
+std::optional<Stamp> stamp_of(const Json& json) {
+  constexpr double kLongest = 1e9;
+  const auto time_s = json.get<double>();
+  return std::abs(time_s) < kLongest ? std::optional(localization::from_seconds(time_s))
+                                     : std::nullopt;
+}
+
+}  // namespace
+
+std::string event_json(const RunEvent& event) {
+  Json json = {{"kind", event.kind}, {"detail", event.detail}, {"stamp_s", seconds(event.stamp)}};
+  if (event.since) json["since_s"] = seconds(*event.since);
+  if (event.T_map_from) json["from"] = pose_json(*event.T_map_from);
+  if (event.T_map_to) json["to"] = pose_json(*event.T_map_to);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<RunEvent> event_of_json(const std::string& text) {
+  if (nests_too_deep(text)) return std::nullopt;
+  const Json json = Json::parse(text, nullptr, false);
+  try {
+    RunEvent event;
+    event.kind = json.at("kind").get<std::string>();
+    event.detail = json.at("detail").get<std::string>();
+    const std::optional<Stamp> stamp = stamp_of(json.at("stamp_s"));
+    if (!stamp) return std::nullopt;
+    event.stamp = *stamp;
+    if (json.contains("since_s")) event.since = stamp_of(json.at("since_s"));
+    event.T_map_from = pose_of(json, "from");
+    event.T_map_to = pose_of(json, "to");
+    return event;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,79 @@
+/// What MCAP files are made of (specification: mcap.dev/spec, version 0).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "tools/ros/mcap/byte_writer.hpp"
+
+namespace castaway::testbed {
+
+/// First and last bytes of a file.
+inline constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
+
+/// Kinds of records.
+enum class McapOpcode : std::uint8_t {
+  kHeader = 0x01,
+  kFooter = 0x02,
+  kSchema = 0x03,
+  kChannel = 0x04,
+  kMessage = 0x05,
+  kChunk = 0x06,
+  kMessageIndex = 0x07,
+  kChunkIndex = 0x08,
+  kAttachment = 0x09,
+  kAttachmentIndex = 0x0A,
+  kStatistics = 0x0B,
+  kMetadata = 0x0C,
+  kMetadataIndex = 0x0D,
+  kSummaryOffset = 0x0E,
+  kDataEnd = 0x0F,
+};
+
+/// Bytes of a record before its content: kind and length.
+inline constexpr std::uint64_t kMcapRecordHead = 9;
+
+/// How the chunks of a file are packed.
+enum class McapCompression : std::uint8_t { kNone, kZstd, kLz4 };
+
+/// The type of a channel's messages.
+struct McapSchema {
+  std::string name;      ///< "sensor_msgs/msg/LaserScan"
+  std::string encoding;  ///< "ros2msg"
+  std::string data;      ///< The definition.
+};
+
+/// A topic.
+struct McapChannel {
+  std::uint16_t schema = 0;  ///< Id of its schema; 0: none.
+  std::string topic;
+  std::string encoding;                         ///< Of its messages: "cdr".
+  std::map<std::string, std::string> metadata;  ///< "offered_qos_profiles" and the like.
+};
+
+/// A file within the file.
+struct McapAttachment {
+  std::int64_t log_time_ns = 0;
+  std::string name;
+  std::string media_type;
+  std::string data;
+};
+
+/// Begins a record; its length is filled in by `end_record`. Returns where it begins.
+inline std::size_t begin_record(std::string& bytes, McapOpcode opcode) {
+  const std::size_t begin = bytes.size();
+  append_number(bytes, static_cast<std::uint8_t>(opcode));
+  append_number(bytes, std::uint64_t{0});
+  return begin;
+}
+
+/// Fills in the length of the record that began at `begin` and goes to the end of `bytes`.
+inline void end_record(std::string& bytes, std::size_t begin) {
+  std::string length;
+  append_number(length, static_cast<std::uint64_t>(bytes.size() - begin - kMcapRecordHead));
+  bytes.replace(begin + 1, length.size(), length);
+}
+
+}  // namespace castaway::testbed

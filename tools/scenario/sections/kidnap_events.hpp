@@ -1,0 +1,16 @@
+/// Kidnaps in a scenario.
+#pragma once
+
+#include "tools/scenario/sections/scenario.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
+
+namespace castaway::testbed {
+
+/// Reads the body of `- kidnap: {...}` and adds it to `events`. Throws std::runtime_error at a
+/// value that cannot be.
+void read_kidnap(YamlReader& body, EventSpecs& events);
+
+/// True where a kidnap waits for a localizer to be right and sure.
+bool waits_for_localizer(const EventSpecs& events);
+
+}  // namespace castaway::testbed

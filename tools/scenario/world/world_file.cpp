@@ -1,0 +1,100 @@
+#include "tools/scenario/world/world_file.hpp"
+
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/world/world_objects.hpp"
+#include "tools/scenario/world/world_zones.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kMaxSide = 1000.0;  // [m]
+
+void read_extent(YamlReader extent, sim::WorldSpec& spec) {
+  spec.min_corner = extent.require<Eigen::Vector2d>("min");
+  spec.max_corner = extent.require<Eigen::Vector2d>("max");
+  const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
+  if (size.minCoeff() <= 0.0) extent.fail("max must lie above and to the right of min");
+  if (size.maxCoeff() > kMaxSide) {
+    extent.fail(fmt::format("{} m x {} m: at most 1000 m either way; lengths are in metres",
+                            size.x(), size.y()));
+  }
+}
+
+bool is_inside(const sim::WorldSpec& spec, const Eigen::Vector2d& p) {
+  return (p.array() >= spec.min_corner.array()).all() &&
+         (p.array() <= spec.max_corner.array()).all();
+}
+
+sim::Pose2 read_start(YamlReader& root, const sim::WorldSpec& spec) {
+  const auto start = root.get<Eigen::Vector3d>("start", Eigen::Vector3d::Zero());
+  if (!is_inside(spec, start.head<2>())) {
+    const std::string message =
+        fmt::format("the start ({}, {}) is outside of the extent; give `start: [x, y, yaw]`",
+                    start.x(), start.y());
+    root.find("start")->fail(message);
+  }
+  return {start.x(), start.y(), start.z()};
+}
+
+void read_objects(YamlReader& root, const std::filesystem::path& folder, sim::WorldSpec& spec) {
+  std::set<std::string> names;
+  std::size_t index = 0;
+  for (YamlReader entry : root.list("objects")) {
+    Bodies read = read_world_object(entry, index++, folder);
+    for (sim::WorldObject& object : read.bodies) {
+      if (!names.insert(object.name).second) {
+        entry.fail("the name '" + object.name + "' is taken; every object needs its own");
+      }
+      spec.objects.push_back(std::move(object));
+    }
+    if (spec.objects.size() > kMaxBodies) {
+      entry.fail(fmt::format("more than {} bodies in the world; leave some out", kMaxBodies));
+    }
+    std::move(read.doors.begin(), read.doors.end(), std::back_inserter(spec.doors));
+  }
+}
+
+std::vector<Eigen::Vector2d> read_route(const YamlReader& route, const sim::WorldSpec& spec) {
+  std::vector<Eigen::Vector2d> points;
+  for (const YamlReader& point : route.items()) {
+    points.push_back(point.as<Eigen::Vector2d>());
+    if (!is_inside(spec, points.back())) point.fail("is outside of the world's extent");
+  }
+  if (points.size() < 2) route.fail("a route needs at least two points [x, y]");
+  return points;
+}
+
+}  // namespace
+
+WorldFile load_world(const std::filesystem::path& path) {
+  const auto file = std::filesystem::is_directory(path) ? path / "world.yaml" : path;
+  YamlDocument document = YamlDocument::load(file);
+  YamlReader root = document.root();
+  WorldFile world;
+  world.spec.name = root.require<std::string>("name");
+  require_name(root, "name", world.spec.name);
+  read_extent(root.child("extent"), world.spec);
+  world.start = read_start(root, world.spec);
+  world.spec.inside = world.start.position();
+  if (const auto map = root.get_optional<std::string>("map")) {
+    world.map = file.parent_path() / *map;
+  }
+  read_objects(root, file.parent_path(), world.spec);
+  YamlReader routes = root.child("routes");
+  for (const auto& [name, route] : routes.entries()) {
+    world.routes[name] = read_route(route, world.spec);
+  }
+  world.spec.slip_zones = read_slip_zones(root);
+  world.differences = read_differences(root, file.parent_path());
+  document.reject_unknown_keys();
+  return world;
+}
+
+}  // namespace castaway::testbed

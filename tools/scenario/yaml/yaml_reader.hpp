@@ -1,0 +1,154 @@
+/// Strict reading of YAML: typed, with defaults, with errors that say where and what.
+///
+///     YamlDocument document = YamlDocument::load("scenario.yaml");
+///     document.set("lidar.rate_hz=5");                        // --set
+///     YamlReader root = document.root();
+///     config.seed = root.get("seed", config.seed);            // typed, default
+///     config.rate_hz = root.child("lidar").get("rate_hz", 10.0);
+///     for (YamlReader event : root.list("events")) {          // - kidnap: {at_s: 30}
+///       auto [kind, body] = event.named();
+///       kidnap.at_s = body.require<double>("at_s");
+///     }
+///     document.reject_unknown_keys();                         // after all has been read
+///     save(document.effective());                             // with every default filled in
+///
+/// Every text of an error begins with "file:line: " (or "--set a.b=c: ").
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tools/scenario/yaml/number_range.hpp"
+#include "tools/scenario/yaml/yaml_tree.hpp"
+
+namespace castaway::testbed {
+
+/// The types that a value is read as: bool, int, std::uint64_t, double (at most 1e9 either way),
+/// std::string, std::vector<double>, std::vector<std::string>, Eigen::Vector2d, Eigen::Vector3d.
+template <typename T>
+T read_yaml(const YamlNode& node, const std::string& path);
+
+/// The inverse of `read_yaml`; doubles in the shortest form that reads back as the same.
+YamlNode write_yaml(bool value);
+YamlNode write_yaml(int value);
+YamlNode write_yaml(std::uint64_t value);
+YamlNode write_yaml(double value);
+YamlNode write_yaml(const std::string& value);
+YamlNode write_yaml(const std::vector<double>& value);
+YamlNode write_yaml(const std::vector<std::string>& value);
+YamlNode write_yaml(const Eigen::Vector2d& value);
+YamlNode write_yaml(const Eigen::Vector3d& value);
+
+/// A view of one value of a document, which must outlive it. Reading fills defaults into the
+/// document and notes which keys are known.
+class YamlReader {
+ public:
+  YamlReader(YamlNode& node, std::string path) : node_(&node), path_(std::move(path)) {}
+
+  [[nodiscard]] bool is_null() const { return node_->kind == YamlNode::Kind::kNull; }
+  [[nodiscard]] bool is_scalar() const { return node_->kind == YamlNode::Kind::kScalar; }
+  [[nodiscard]] bool is_list() const { return node_->kind == YamlNode::Kind::kList; }
+  [[nodiscard]] bool is_map() const { return node_->kind == YamlNode::Kind::kMap; }
+  /// Keys from the root, "events[0].kidnap".
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// This value as a T.
+  template <typename T>
+  [[nodiscard]] T as() const {
+    return read_yaml<T>(*node_, path_);
+  }
+
+  /// True if the map has `key` with a value; either way `key` is known from now on.
+  [[nodiscard]] bool has(const std::string& key) { return find(key).has_value(); }
+  /// The value of `key`, or nothing (also for `key: ~`).
+  [[nodiscard]] std::optional<YamlReader> find(const std::string& key);
+  /// The map under `key`; an empty one is made where there is none.
+  [[nodiscard]] YamlReader child(const std::string& key);
+  /// The elements of the list under `key`; none where there is no such key.
+  [[nodiscard]] std::vector<YamlReader> list(const std::string& key);
+  /// This value as it was written; all keys in it become known.
+  [[nodiscard]] YamlNode raw() const;
+  /// The elements of this list.
+  [[nodiscard]] std::vector<YamlReader> items() const;
+  /// Keys and values of this map, for maps whose keys the user names: all become known.
+  [[nodiscard]] std::vector<std::pair<std::string, YamlReader>> entries();
+  /// A name with an optional body: `amcl`, or a map of one key `amcl: {...}`.
+  [[nodiscard]] std::pair<std::string, YamlReader> named();
+
+  /// The value of `key`, or `fallback`, which then stands in the effective document.
+  template <typename T>
+  [[nodiscard]] T get(const std::string& key, const T& fallback) {
+    if (const auto found = find(key)) return found->template as<T>();
+    fill(key, write_yaml(fallback));
+    return fallback;
+  }
+  [[nodiscard]] std::string get(const std::string& key, const char* fallback) {
+    return get(key, std::string(fallback));
+  }
+  /// The value of `key`; an error where there is none.
+  template <typename T>
+  [[nodiscard]] T require(const std::string& key) {
+    return required(key).template as<T>();
+  }
+  /// The value of `key`, where it is there; nothing is filled in.
+  template <typename T>
+  [[nodiscard]] std::optional<T> get_optional(const std::string& key) {
+    const auto found = find(key);
+    return found ? std::optional<T>(found->template as<T>()) : std::nullopt;
+  }
+  /// The value of `key`, which must be one of `allowed`.
+  [[nodiscard]] std::string choice(const std::string& key, const std::string& fallback,
+                                   const std::vector<std::string>& allowed);
+
+  /// Throws std::runtime_error "file:line: path: message".
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  [[nodiscard]] std::string path_of(const std::string& key) const;
+  YamlReader required(const std::string& key);
+  void fill(const std::string& key, YamlNode value);
+  void expect_map();
+
+  YamlNode* node_;
+  std::string path_;
+};
+
+/// A YAML file being read. Readers point into it; moving it keeps them valid.
+class YamlDocument {
+ public:
+  /// Throws std::runtime_error if the file cannot be read or is malformed.
+  static YamlDocument load(const std::filesystem::path& file);
+  /// `name` stands for the file in errors.
+  static YamlDocument parse(const std::string& text, const std::string& name);
+
+  /// A tree that was parsed before.
+  explicit YamlDocument(YamlNode root) : root_(std::make_unique<YamlNode>(std::move(root))) {}
+
+  /// Applies `key=value` (see `apply_override`); call it before reading.
+  void set(const std::string& assignment) { apply_override(*root_, assignment); }
+  /// Writes a key's short form out (see `castaway::testbed::write_out`); call it before reading.
+  void write_out(const std::string& key, const std::string& long_key) {
+    testbed::write_out(*root_, key, long_key);
+  }
+  [[nodiscard]] YamlReader root() { return {*root_, ""}; }
+  /// Throws on the first number that is out of its range; call it before reading.
+  void check(std::span<const NumberRange> ranges) const { require_ranges(*root_, ranges); }
+  /// Throws on the first key that no reader has asked for, naming the nearest one that was.
+  void reject_unknown_keys() const;
+  /// YAML text of all values, defaults included; reading it gives the same configuration.
+  [[nodiscard]] std::string effective() const { return emit_yaml(*root_); }
+
+ private:
+  std::unique_ptr<YamlNode> root_;
+};
+
+}  // namespace castaway::testbed

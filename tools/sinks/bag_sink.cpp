@@ -1,0 +1,242 @@
+#include "tools/sinks/bag_sink.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "tools/files/file.hpp"
+#include "tools/ros/bag_markers.hpp"
+#include "tools/ros/event_json.hpp"
+#include "tools/ros/ros_visualization.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+ros::Odometry odometry_message(Stamp stamp, const std::string& frame, const SE2& pose) {
+  ros::Odometry message;
+  message.header = ros_header(stamp, frame);
+  message.child_frame_id = kBaseFrame;
+  message.pose.pose = to_ros_pose(pose);
+  return message;
+}
+
+ros::TFMessage transform_message(const ros::Header& header, const std::string& child,
+                                 const ros::Pose& pose) {
+  const ros::Point& p = pose.position;
+  return {{{header, child, {{p.x, p.y, p.z}, pose.orientation}}}};
+}
+
+ros::Int32MultiArray labels_message(const std::vector<int>& labels) {
+  const auto count = static_cast<std::uint32_t>(labels.size());
+  return {{{{"beam", count, count}}, 0}, {labels.begin(), labels.end()}};
+}
+
+ros::PoseArray particles_message(Stamp stamp,
+                                 const std::vector<localization::PopulationView>& populations) {
+  ros::PoseArray message{ros_header(stamp, "map"), {}};
+  for (const auto& population : populations) {
+    for (const SE2& particle : population.particles) message.poses.push_back(to_ros_pose(particle));
+  }
+  return message;
+}
+
+/// "/front" of several lidars, "" of the only one.
+std::string prefix_of(const LaserScan& scan, const BagConfig& config) {
+  return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
+}
+
+}  // namespace
+
+BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
+                 BagConfig config)
+    : config_(std::move(config)),
+      bag_(run_folder / "bag", info.scenario, config_.compression),
+      frames_(config_.links, config_.lidars),
+      map_(bag_.add_topic<ros::OccupancyGrid>("/map", Durability::kTransientLocal)),
+      tf_static_(bag_.add_topic<ros::TFMessage>("/tf_static", Durability::kTransientLocal)),
+      tf_(bag_.add_topic<ros::TFMessage>("/tf")),
+      odom_(bag_.add_topic<ros::Odometry>("/odom")),
+      true_odom_(bag_.add_topic<ros::Odometry>("/ground_truth/odom")),
+      true_pose_(bag_.add_topic<ros::PoseStamped>("/ground_truth/scan_pose")),
+      people_(bag_.add_topic<ros::MarkerArray>("/people")),
+      events_(bag_.add_topic<ros::String>("/events")),
+      snapshots_(run_folder) {
+  if (config_.drive) {
+    command_ = bag_.add_topic<ros::TwistStamped>("/cmd_vel");
+    joints_ = bag_.add_topic<ros::JointState>("/joint_states");
+  }
+  add_localizers(info.localizers);
+  attach_inputs(map);
+  describe(info);
+  bag_.publish(map_, {}, to_ros_grid(map));
+  bag_.publish(tf_static_, {}, frames_.message({}));
+}
+
+void BagSink::attach_inputs(const RosMap& map) {
+  bag_.attach("scenario.yaml", "application/yaml", config_.scenario_yaml);
+  bag_.attach("map.yaml", "application/yaml", ros_map_yaml(map, "map.pgm"));
+  bag_.attach("map.pgm", "image/x-portable-graymap", encode_pgm(map_image(map)));
+  if (config_.robot_file.empty()) return;
+  bag_.attach(config_.robot_file.filename().string(), "application/xml",
+              read_file(config_.robot_file));
+}
+
+void BagSink::describe(const RunInfo& info) {
+  std::map<std::string, std::string> run = {{"castaway", CASTAWAY_VERSION},
+                                            {"scenario", info.scenario},
+                                            {"world", info.world},
+                                            {"robot", info.robot},
+                                            {"seed", std::to_string(info.seed)},
+                                            {"time_0_ns", std::to_string(kBagEpoch.count())}};
+  if (config_.start) {
+    const SE2& start = *config_.start;
+    run["start"] = fmt::format("{} {} {}", start.x, start.y, start.yaw);
+  }
+  bag_.add_metadata("run", run);
+}
+
+void BagSink::add_localizers(const std::vector<std::string>& names) {
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    std::string part = topic_part(name);
+    while (!taken.insert(part).second) part += '_';
+    const std::string prefix = "/" + part;
+    LocalizerTopics topics;
+    topics.pose = bag_.add_topic<ros::PoseWithCovarianceStamped>(prefix + "/amcl_pose");
+    topics.hypotheses = bag_.add_topic<ros::MarkerArray>(prefix + "/hypotheses");
+    if (config_.particles) {
+      topics.particles = bag_.add_topic<ros::PoseArray>(prefix + "/particlecloud");
+    }
+    localizers_.push_back(topics);
+  }
+}
+
+void BagSink::on_event(const RunEvent& event) {
+  bag_.publish(events_, event.stamp, ros::String{event_json(event)});
+}
+
+void BagSink::write_drive(Stamp stamp, double dt_s) {
+  if (!config_.drive) return;
+  DriveNow now = config_.drive();
+  bag_.publish(command_, stamp, command_message(stamp, now));
+  bag_.publish(joints_, stamp, joints_message(stamp, now, drive_, dt_s));
+  drive_ = std::move(now);
+}
+
+void BagSink::on_odometry(const OdometryFrame& frame) {
+  const Stamp stamp = frame.odometry.stamp;
+  const SE2& T_odom_base = frame.odometry.T_odom_base;
+  const double dt_s = last_ ? seconds(stamp - last_->odometry.stamp) : 0.0;
+  T_odom_base_.add(stamp, T_odom_base);
+  ros::Odometry odometry = odometry_message(stamp, "odom", T_odom_base);
+  if (last_) odometry.twist.twist = twist_between(last_->odometry.T_odom_base, T_odom_base, dt_s);
+  bag_.publish(odom_, stamp, odometry);
+  bag_.publish(tf_, stamp, transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
+  if (frame.T_map_base_true) {
+    ros::Odometry truth = odometry_message(stamp, "map", *frame.T_map_base_true);
+    if (last_ && last_->T_map_base_true) {
+      truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
+    }
+    bag_.publish(true_odom_, stamp, truth);
+  }
+  write_drive(stamp, dt_s);
+  last_ = frame;
+}
+
+const BagSink::LidarTopics& BagSink::topics_of(const LaserScan& scan) {
+  const auto [topics, first] = lidars_.try_emplace(scan.lidar);
+  if (first) {
+    const std::string prefix = prefix_of(scan, config_);
+    topics->second.scan = bag_.add_topic<ros::LaserScan>(prefix + "/scan", Durability::kVolatile,
+                                                         exact_scan_numbers(scan));
+    topics->second.labels = bag_.add_topic<ros::Int32MultiArray>(prefix + "/scan_labels");
+  }
+  return topics->second;
+}
+
+void BagSink::write_scan(const ScanRecord& record) {
+  const LidarTopics& topics = topics_of(record.scan);
+  if (frames_.set_mount(record.scan.lidar, record.scan.T_base_laser)) {
+    bag_.publish(tf_static_, record.delivered, frames_.message(record.stamp));
+  }
+  bag_.publish(topics.scan, record.delivered,
+               to_ros_scan(record.scan, record.truth, frames_.frame_of(record.scan.lidar)));
+  if (record.truth.labels.empty()) return;
+  bag_.publish(topics.labels, record.delivered, labels_message(record.truth.labels));
+  labels_.insert(record.truth.labels.begin(), record.truth.labels.end());
+}
+
+void BagSink::write_truth(const ScanRecord& record) {
+  if (record.T_map_base_true) {
+    bag_.publish(
+        true_pose_, record.delivered,
+        ros::PoseStamped{ros_header(record.stamp, "map"), to_ros_pose(*record.T_map_base_true)});
+  }
+  if (record.people.people.empty()) return;
+  bag_.publish(people_, record.delivered, people_markers(record.stamp, record.people.people));
+}
+
+/// map -> odom of the first localizer, once it has an answer.
+void BagSink::write_map_frame(const ScanRecord& record) {
+  if (record.localizers.empty() || !record.localizers.front().estimate) return;
+  const localization::Estimate& estimate = *record.localizers.front().estimate;
+  const std::optional<SE2> T_odom_base = T_odom_base_.at(estimate.stamp);
+  if (!T_odom_base) return;
+  bag_.publish(tf_, record.delivered,
+               transform_message(ros_header(estimate.stamp, "map"), "odom",
+                                 to_ros_pose(estimate.T_map_base * T_odom_base->inverse())));
+}
+
+void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
+  const LocalizerRecord& localizer = record.localizers[index];
+  const LocalizerTopics& topics = localizers_[index];
+  if (localizer.estimate) {
+    ros::PoseWithCovarianceStamped pose;
+    pose.header = ros_header(localizer.estimate->stamp, "map");
+    pose.pose.pose = to_ros_pose(localizer.estimate->T_map_base);
+    pose.pose.covariance = to_ros_covariance(localizer.estimate->covariance);
+    bag_.publish(topics.pose, record.delivered, pose);
+  }
+  const auto& populations = localizer.diagnostics.populations;
+  bag_.publish(topics.hypotheses, record.delivered, hypothesis_markers(record.stamp, populations));
+  if (!config_.particles) return;
+  bag_.publish(topics.particles, record.delivered, particles_message(record.stamp, populations));
+}
+
+/// Pictures are taken after this sink has seen a scan: they are logged with the next one.
+void BagSink::write_snapshots(Stamp delivered) {
+  if (!config_.snapshots) return;
+  for (Snapshot& snapshot : snapshots_.fresh()) {
+    const auto [topic, first] = views_.try_emplace(snapshot.view);
+    if (first) {
+      topic->second =
+          bag_.add_topic<ros::CompressedImage>("/snapshot/" + topic_part(snapshot.view));
+    }
+    bag_.publish(
+        topic->second, delivered,
+        ros::CompressedImage{
+            ros_header(snapshot.stamp, "map"), "png", {snapshot.png.begin(), snapshot.png.end()}});
+  }
+}
+
+void BagSink::on_scan(const ScanRecord& record) {
+  assert(record.localizers.size() == localizers_.size());
+  write_snapshots(record.delivered);
+  write_scan(record);
+  write_truth(record);
+  write_map_frame(record);
+  for (std::size_t i = 0; i < localizers_.size(); ++i) write_localizer(record, i);
+}
+
+void BagSink::finish(Stamp end, const RunTiming&) {
+  write_snapshots(end);
+  if (config_.label_name) {
+    std::map<std::string, std::string> names;
+    for (const int label : labels_) names[std::to_string(label)] = config_.label_name(label);
+    bag_.add_metadata("labels", names);
+  }
+  bag_.finish();
+}
+
+}  // namespace castaway::testbed

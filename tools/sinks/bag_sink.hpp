@@ -1,0 +1,94 @@
+/// bag/: a run as ROS 2 would have recorded it, for `ros2 bag` and Foxglove; see docs/formats.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tools/records/snapshot_feed.hpp"
+#include "tools/ros/bag_drive.hpp"
+#include "tools/ros/bag_frames.hpp"
+#include "tools/ros/bag_writer.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// What a bag tells besides what happens.
+struct BagConfig {
+  McapCompression compression = McapCompression::kZstd;
+  bool particles = false;                          ///< All particles of all localizers.
+  bool snapshots = false;                          ///< The run's pictures.
+  std::map<std::string, Eigen::Isometry3d> links;  ///< T_base_link of the robot's links.
+  std::vector<BagLidar> lidars;
+  std::filesystem::path robot_file;              ///< Attached; empty: none.
+  std::string scenario_yaml;                     ///< Attached.
+  std::optional<SE2> start;                      ///< That the localizers are told.
+  std::function<std::string(int)> label_name{};  ///< What beams hit; empty: nobody knows.
+  std::function<DriveNow()> drive{};             ///< Command and wheels; empty: nobody knows.
+};
+
+/// Writes the messages of a run as they come. Memory does not grow with the run, but for an index
+/// of some 100 bytes a MiB.
+class BagSink final : public RunSink {
+ public:
+  BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
+          BagConfig config);
+
+  void on_event(const RunEvent& event) override;
+  void on_odometry(const OdometryFrame& frame) override;
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  /// Numbers of a localizer's topics.
+  struct LocalizerTopics {
+    std::uint16_t pose = 0;
+    std::uint16_t hypotheses = 0;
+    std::uint16_t particles = 0;
+  };
+  /// Numbers of a lidar's topics.
+  struct LidarTopics {
+    std::uint16_t scan = 0;
+    std::uint16_t labels = 0;
+  };
+  void attach_inputs(const RosMap& map);
+  void describe(const RunInfo& info);
+  void add_localizers(const std::vector<std::string>& names);
+  const LidarTopics& topics_of(const LaserScan& scan);
+  void write_scan(const ScanRecord& record);
+  void write_truth(const ScanRecord& record);
+  void write_map_frame(const ScanRecord& record);
+  void write_snapshots(Stamp delivered);
+  void write_drive(Stamp stamp, double dt_s);
+  void write_localizer(const ScanRecord& record, std::size_t index);
+
+  BagConfig config_;
+  BagWriter bag_;
+  BagFrames frames_;
+  std::uint16_t map_;
+  std::uint16_t tf_static_;
+  std::uint16_t tf_;
+  std::uint16_t odom_;
+  std::uint16_t true_odom_;
+  std::uint16_t true_pose_;
+  std::uint16_t people_;
+  std::uint16_t events_;
+  std::vector<LocalizerTopics> localizers_;
+  std::map<std::string, LidarTopics> lidars_;
+  localization::TransformBuffer T_odom_base_;
+  std::optional<OdometryFrame> last_;
+  SnapshotFeed snapshots_;
+  std::map<std::string, std::uint16_t> views_;  ///< Topics of pictures.
+  std::set<int> labels_;
+  std::uint16_t command_ = 0;
+  std::uint16_t joints_ = 0;
+  std::optional<DriveNow> drive_;  ///< At the newest odometry.
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,69 @@
+#include "tools/sinks/errors_sink.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace castaway::testbed {
+namespace {
+
+using localization::Estimate;
+using localization::PopulationView;
+
+void write_errors(CsvWriter& csv, const std::optional<SE2>& truth,
+                  const std::optional<Estimate>& estimate) {
+  if (truth && estimate) {
+    csv.number(localization::distance(*truth, estimate->T_map_base));
+    csv.number(localization::yaw_distance(*truth, estimate->T_map_base));
+  } else {
+    csv.empty().empty();
+  }
+}
+
+void write_belief(CsvWriter& csv, const std::optional<Estimate>& estimate) {
+  if (!estimate) {
+    csv.empty().empty().empty().empty().empty();
+    return;
+  }
+  const Eigen::Matrix3d& covariance = estimate->covariance;
+  csv.number(estimate->quality);
+  csv.number(std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1))));
+  csv.number(std::sqrt(covariance(2, 2)));
+  csv.number(estimate->probability).count(estimate->lost ? 1 : 0);
+}
+
+void write_populations(CsvWriter& csv, const std::vector<PopulationView>& populations) {
+  std::size_t particles = 0;
+  for (const PopulationView& population : populations) particles += population.particles.size();
+  csv.count(static_cast<std::int64_t>(populations.size()));
+  csv.count(static_cast<std::int64_t>(particles));
+  const auto selected = std::find_if(populations.begin(), populations.end(),
+                                     [](const PopulationView& view) { return view.selected; });
+  if (selected == populations.end()) {
+    csv.empty();
+  } else {
+    csv.count(selected->id);
+  }
+}
+
+}  // namespace
+
+ErrorsSink::ErrorsSink(const std::filesystem::path& run_folder)
+    : csv_(run_folder / "errors.csv",
+           {"stamp_s", "localizer", "true_x_m", "true_y_m", "true_yaw_rad", "x_m", "y_m", "yaw_rad",
+            "position_error_m", "yaw_error_rad", "quality", "sigma_m", "sigma_yaw_rad",
+            "probability", "lost", "populations", "particles", "selected"}) {}
+
+void ErrorsSink::on_scan(const ScanRecord& record) {
+  for (const LocalizerRecord& localizer : record.localizers) {
+    csv_.number(seconds(record.stamp)).text(localizer.name);
+    csv_.pose(record.T_map_base_true);
+    csv_.pose(localizer.estimate ? std::optional<SE2>(localizer.estimate->T_map_base)
+                                 : std::nullopt);
+    write_errors(csv_, record.T_map_base_true, localizer.estimate);
+    write_belief(csv_, localizer.estimate);
+    write_populations(csv_, localizer.diagnostics.populations);
+    csv_.end_row();
+  }
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,188 @@
+#include "tools/sinks/recording_sink.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "localization/stamp.hpp"
+#include "tools/records/recording_blocks.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using localization::Estimate;
+
+constexpr double kMostDetails = 6000.0;
+constexpr double kMostScans = 60000.0;
+constexpr std::array<const char*, 4> kBelief{"/quality", "/probability", "/sigma", "/sigma_yaw"};
+
+std::string of_localizer(std::size_t index) { return std::to_string(index); }
+
+/// Rotation and translation, row by row.
+Json matrix(const Eigen::Isometry3d& T) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) rows.push_back(T(row, column));
+  }
+  return rows;
+}
+
+Json lidar_header(const LaserScan& scan, std::size_t stride) {
+  return {{"name", scan.lidar},
+          {"angle_min_rad", scan.angle_min},
+          {"angle_increment_rad", scan.angle_increment * static_cast<double>(stride)},
+          {"range_max_m", scan.range_max},
+          {"T_base_laser", matrix(scan.T_base_laser)}};
+}
+
+Json header_of(const RunInfo& info, const RosMap& map, const RecordingConfig& config) {
+  return {{"scenario", info.scenario},
+          {"world", info.world},
+          {"robot", info.robot},
+          {"seed", info.seed},
+          {"localizers", info.localizers},
+          {"robot_radius_m", config.robot_radius_m},
+          {"steps",
+           {{"pose", kRecordingPose},
+            {"point", kRecordingPoint},
+            {"angle", kRecordingAngle},
+            {"share", kRecordingShare},
+            {"time", kRecordingTime}}},
+          {"map", map_header(map)},
+          {"lidars", Json::array()}};
+}
+
+}  // namespace
+
+double detail_period(double duration_s) {
+  const double period_s = duration_s / kMostDetails;
+  return period_s > 0.1 ? period_s : 0.0;
+}
+
+double scan_period(double duration_s) {
+  const double period_s = duration_s / kMostScans;
+  return period_s > 0.1 ? period_s : 0.0;
+}
+
+RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunInfo& info,
+                             const RosMap& map, const RecordingConfig& config)
+    : file_(run_folder / "recording.gz"),
+      config_(config),
+      header_(header_of(info, map, config)),
+      fixed_{{"map", pack_cells(map)}} {}
+
+void RecordingSink::on_event(const RunEvent& event) {
+  if (event.kind == "kidnap") kidnaps_.push_back(event);
+}
+
+bool RecordingSink::is_torn(const ScanRecord& record) const {
+  const auto within = [&](Stamp stamp) {
+    return stamp > record.stamp && stamp < std::max(record.stamp, record.delivered);
+  };
+  return std::any_of(kidnaps_.begin(), kidnaps_.end(), [&](const RunEvent& kidnap) {
+    return within(kidnap.stamp) || within(kidnap.begun());
+  });
+}
+
+/// Whether it is time for another scan of a lidar, and when it is for the one after.
+bool RecordingSink::is_due(const ScanRecord& record, double every_s,
+                           std::map<std::string, Stamp>& next) {
+  if (every_s <= 0.0) return true;
+  const auto [due, first] = next.try_emplace(record.scan.lidar, record.stamp);
+  if (record.stamp < due->second) return false;
+  due->second += localization::from_seconds(every_s);
+  return true;
+}
+
+/// Index of the scan's lidar among those of the header, where it is put at its first scan.
+std::size_t RecordingSink::lidar_of(const LaserScan& scan, std::size_t stride) {
+  const Json lidar = lidar_header(scan, stride);
+  Json& lidars = header_["lidars"];
+  const auto found = std::find(lidars.begin(), lidars.end(), lidar);
+  const auto index = static_cast<std::size_t>(found - lidars.begin());
+  if (found == lidars.end()) lidars.push_back(lidar);
+  return index;
+}
+
+void RecordingSink::add_pose(const std::string& prefix, const SE2& pose) {
+  columns_[prefix + "/x"].add(quantized(pose.x, kRecordingPose));
+  columns_[prefix + "/y"].add(quantized(pose.y, kRecordingPose));
+  columns_[prefix + "/yaw"].add(quantized(pose.yaw, kRecordingPose));
+}
+
+void RecordingSink::repeat_pose(const std::string& prefix) {
+  for (const char* part : {"/x", "/y", "/yaw"}) columns_[prefix + part].repeat();
+}
+
+void RecordingSink::add_belief(const std::string& prefix, const Estimate& estimate) {
+  const Eigen::Matrix3d& covariance = estimate.covariance;
+  const double sigma = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
+  columns_[prefix + "/quality"].add(quantized(estimate.quality, kRecordingShare));
+  columns_[prefix + "/probability"].add(quantized(estimate.probability, kRecordingShare));
+  columns_[prefix + "/sigma"].add(quantized(sigma, kRecordingPose));
+  columns_[prefix + "/sigma_yaw"].add(quantized(std::sqrt(covariance(2, 2)), kRecordingPose));
+}
+
+void RecordingSink::add_localizer(std::size_t index, const LocalizerRecord& localizer) {
+  const std::string prefix = of_localizer(index);
+  const auto& estimate = localizer.estimate;
+  columns_[prefix + "/flags"].add((estimate ? 1 : 0) + (estimate && estimate->lost ? 2 : 0));
+  if (estimate) {
+    add_pose(prefix, estimate->T_map_base);
+    add_belief(prefix, *estimate);
+  } else {
+    repeat_pose(prefix);
+    for (const char* part : kBelief) columns_[prefix + part].repeat();
+  }
+  std::size_t particles = 0;
+  const auto& populations = localizer.diagnostics.populations;
+  for (const auto& population : populations) particles += population.particles.size();
+  columns_[prefix + "/populations"].add(static_cast<std::int64_t>(populations.size()));
+  columns_[prefix + "/particles"].add(static_cast<std::int64_t>(particles));
+}
+
+void RecordingSink::add_block(const std::string& name, const std::string& block) {
+  columns_[name + "/sizes"].add(static_cast<std::int64_t>(block.size()));
+  blocks_[name] += block;
+}
+
+void RecordingSink::add_detail(const ScanRecord& record) {
+  const std::size_t stride = beam_stride(record.scan.ranges.size(), config_.most_beams);
+  columns_["detail"].add(scans_);
+  add_block("beams", pack_beams(lidar_of(record.scan, stride), record.scan, stride));
+  add_block("people", pack_people(record.people.people));
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    add_block(of_localizer(i) + "/points",
+              pack_populations(record.localizers[i].diagnostics.populations, config_.most_points));
+  }
+}
+
+void RecordingSink::on_scan(const ScanRecord& record) {
+  assert(record.localizers.size() == header_["localizers"].size());
+  if (!is_due(record, config_.scan_every_s, next_scan_)) return;
+  columns_["time"].add(quantized(seconds(record.stamp), kRecordingTime));
+  columns_["flags"].add((record.T_map_base_true ? 1 : 0) + (is_torn(record) ? 2 : 0));
+  if (record.T_map_base_true) {
+    add_pose("truth", *record.T_map_base_true);
+  } else {
+    repeat_pose("truth");
+  }
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    add_localizer(i, record.localizers[i]);
+  }
+  if (is_due(record, config_.detail_every_s, next_detail_)) add_detail(record);
+  ++scans_;
+}
+
+void RecordingSink::finish(Stamp, const RunTiming&) {
+  header_["scans"] = scans_;
+  std::vector<RecordingSection> sections = fixed_;
+  for (const auto& [name, column] : columns_) sections.push_back({name, column.bytes()});
+  for (const auto& [name, bytes] : blocks_) sections.push_back({name, bytes});
+  file_.write(pack_recording(header_, sections));
+  file_.commit();
+}
+
+}  // namespace castaway::testbed

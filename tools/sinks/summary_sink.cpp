@@ -1,0 +1,143 @@
+#include "tools/sinks/summary_sink.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/csv.hpp"
+#include "tools/metrics/fault_metrics.hpp"
+#include "tools/metrics/metrics_json.hpp"
+#include "tools/metrics/void_run.hpp"
+#include "tools/records/event_log.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Whole run; nothing if there was no scan.
+std::optional<double> total_distance(const RunHistory& history) {
+  const std::vector<MetricRow>& rows = history.rows.empty() ? history.path : history.rows.front();
+  if (rows.empty()) return std::nullopt;
+  return driven_distance(rows, kidnaps_of(history.events)).back();
+}
+
+std::int64_t collisions(const RunHistory& history) {
+  return std::count_if(history.events.begin(), history.events.end(),
+                       [](const RunEvent& event) { return event.kind == "collision"; });
+}
+
+/// How often the robot recovered from not getting on, by behaviour, and stopped short.
+Json driving_figures(const RunHistory& history) {
+  Json counts{{"recoveries", 0}, {"wait", 0}, {"re-plan", 0},
+              {"back up", 0},    {"spin", 0}, {"emergency stop", 0}};
+  const auto count = [&counts](const std::string& what) {
+    counts[what] = counts[what].get<int>() + 1;
+  };
+  for (const RunEvent& event : history.events) {
+    if (event.kind != "driving") continue;
+    count(event.detail);
+    if (event.detail != "emergency stop") count("recoveries");
+  }
+  return counts;
+}
+
+/// Of the collisions, those with people.
+std::int64_t people_hit(const RunHistory& history) {
+  return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
+    return event.kind == "collision" && event.detail.starts_with("person ");
+  });
+}
+
+Json to_json(const MapDifference& difference) {
+  return {{"beams", difference.beams},     {"moved", difference.moved},
+          {"removed", difference.removed}, {"opened", difference.opened},
+          {"closed", difference.closed},   {"added", difference.added}};
+}
+
+Json to_json(const PeopleMetrics& people, const RunHistory& history) {
+  Json root{{"people", people.people},
+            {"collisions", people_hit(history)},
+            {"closest_m", *people.closest_m},
+            {"closest_person", people.closest_person},
+            {"beams_on_people", {{"mean", people.beams_mean}, {"max", people.beams_max}}}};
+  for (std::size_t i = 0; i < kProxemicZones.size(); ++i) {
+    root[kProxemicZones[i].name] = {{"within_m", kProxemicZones[i].within_m},
+                                    {"intrusions", people.entries[i]},
+                                    {"share_of_time", people.share[i]}};
+  }
+  return root;
+}
+
+Json faults_json(const RunHistory& history, Stamp end) {
+  Json list = Json::array();
+  for (const FaultWindow& window : fault_windows(history.events, end)) {
+    Json fault{{"fault", window.fault},
+               {"begin_s", seconds(window.begin)},
+               {"end_s", seconds(window.end)},
+               {"localizers", Json::object()}};
+    for (std::size_t i = 0; i < history.rows.size(); ++i) {
+      fault["localizers"][history.info.localizers[i]] =
+          to_json(measure_fault(history.rows[i], window));
+    }
+    list.push_back(std::move(fault));
+  }
+  return list;
+}
+
+Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics,
+             const std::optional<PeopleMetrics>& people, Stamp end) {
+  const RunInfo& info = history.info;
+  const std::optional<double> distance_m = total_distance(history);
+  Json root{{"castaway", CASTAWAY_VERSION},
+            {"metrics_version", kMetricsVersion},
+            {"scenario", info.scenario},
+            {"seed", info.seed},
+            {"duration_s", seconds(end - std::min(history.first_stamp, end))},
+            {"distance_m", distance_m ? Json(std::round(*distance_m * 1e9) / 1e9) : Json()},
+            {"world", info.world},
+            {"robot", info.robot},
+            {"known_start", info.known_start},
+            {"void", void_json(void_run(history.events))},
+            {"collisions", collisions(history)},
+            {"driving", driving_figures(history)}};
+  if (history.stride > 1) root["scored_every"] = history.stride;
+  if (info.difference) root["difference"] = to_json(*info.difference);
+  if (people) root["people"] = to_json(*people, history);
+  const Json faults = faults_json(history, end);
+  if (!faults.empty()) root["faults"] = faults;
+  root["localizers"] = Json::object();
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    root["localizers"][info.localizers[i]] = to_json(metrics[i]);
+  }
+  return root;
+}
+
+void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::path& path) {
+  CsvWriter csv(path, {"stamp_s", "kind", "detail", "localizer", "from_x_m", "from_y_m",
+                       "from_yaw_rad", "to_x_m", "to_y_m", "to_yaw_rad", "time_s", "distance_m"});
+  for (const LoggedEvent& logged : log) {
+    csv.number(seconds(logged.event.stamp)).text(logged.event.kind).text(logged.event.detail);
+    csv.text(logged.localizer);
+    csv.pose(logged.event.T_map_from);
+    csv.pose(logged.event.T_map_to);
+    csv.number(logged.time_s).number(logged.distance_m);
+    csv.end_row();
+  }
+  csv.commit();
+}
+
+}  // namespace
+
+void SummarySink::finish(Stamp end, const RunTiming&) {
+  std::vector<LocalizerMetrics> metrics;
+  for (std::size_t i = 0; i < history_.rows.size(); ++i) {
+    metrics.push_back(history_.metrics(i, end));
+  }
+  write_events(log_events(history_, metrics), run_folder_ / "events.csv");
+  write_file(run_folder_ / "summary.json",
+             summary(history_, metrics, people_.metrics(), end).dump(2) + "\n");
+}
+
+}  // namespace castaway::testbed

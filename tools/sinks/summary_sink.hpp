@@ -1,0 +1,37 @@
+/// summary.json and events.csv: what a run amounts to.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/metrics/people_metrics.hpp"
+#include "tools/records/run_history.hpp"
+
+namespace castaway::testbed {
+
+/// summary.json: as in FORMATS.md; what its figures mean is in metrics/localizer_metrics.hpp.
+///
+/// events.csv: stamp_s, kind, detail, localizer, from_x_m, from_y_m, from_yaw_rad, to_x_m, to_y_m,
+/// to_yaw_rad, time_s, distance_m, in order of time. Kinds: what happened to the robot ("kidnap",
+/// "collision"...: from and to are true poses), "alarm on" and "alarm off" of a localizer, and its
+/// "recovery", with time and distance since the kidnap or the start.
+class SummarySink final : public RunSink {
+ public:
+  SummarySink(std::filesystem::path run_folder, RunInfo info,
+              std::size_t most_rows = RunHistory::kMostRows)
+      : run_folder_(std::move(run_folder)), history_(std::move(info), most_rows) {}
+
+  void on_event(const RunEvent& event) override { history_.add(event); }
+  void on_odometry(const OdometryFrame& frame) override { history_.add(frame); }
+  void on_scan(const ScanRecord& record) override {
+    history_.add(record);
+    people_.add(record.people);
+  }
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  std::filesystem::path run_folder_;
+  RunHistory history_;
+  PeopleMeter people_;
+};
+
+}  // namespace castaway::testbed

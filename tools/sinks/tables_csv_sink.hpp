@@ -1,0 +1,48 @@
+/// tables/*.csv: scans with their labels, odometry and people, for learning.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "tools/formats/csv.hpp"
+#include "tools/records/scan_row.hpp"
+
+namespace castaway::testbed {
+
+/// tables/scans.csv: a row for every scan in order of delivery: stamp_s; lidar; x_m, y_m, yaw_rad
+/// (true pose of base in map); odom_x_m, odom_y_m, odom_yaw_rad (odometry); since_kidnap_s; held,
+/// torn (0, 1); occluded, ambiguity [0, 1]; lost_<localizer> (0, 1) for each; ranges_m (inf: no
+/// return, -inf: too close), classes, hits: as many numbers as there are beams, with spaces
+/// between. What the labels mean: `ScanRow`, `BeamClass`.
+///
+/// tables/lidars.csv: where a lidar's beams go, as its first scan says. tables/odometry.csv: every
+/// reading and the true pose. tables/people.csv: every person at every scan. tables/objects.csv:
+/// id, class and name of what beams can hit, for `hits`.
+class TablesCsvSink final : public RunSink {
+ public:
+  /// `localizers`: of the run, in its order.
+  TablesCsvSink(const std::filesystem::path& run_folder, const std::vector<std::string>& localizers,
+                std::shared_ptr<const LabelContext> context);
+
+  void on_event(const RunEvent& event) override { labeller_.add(event); }
+  void on_odometry(const OdometryFrame& frame) override;
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  void write_lidar(const ScanRecord& record);
+  void write_people(const ScanRecord& record);
+
+  std::shared_ptr<const LabelContext> context_;  // Shared by the sinks of a run.
+  ScanLabeller labeller_;
+  std::size_t localizers_;
+  CsvWriter scans_;
+  CsvWriter lidars_;
+  CsvWriter odometry_;
+  CsvWriter people_;
+  CsvWriter objects_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace castaway::testbed

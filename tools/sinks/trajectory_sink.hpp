@@ -1,0 +1,30 @@
+/// truth.tum and <localizer>.tum: trajectories at the stamps of the scans.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+
+#include "tools/files/file.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Writes one trajectory for the truth and one a localizer; scans without a pose leave no line,
+/// nor do those whose stamp is not after all before (of a second lidar, of a clock set back).
+/// A slash in a localizer's name becomes an underscore in its file's.
+class TrajectorySink final : public RunSink {
+ public:
+  TrajectorySink(const std::filesystem::path& run_folder, const RunInfo& info);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp, const RunTiming&) override;
+
+ private:
+  AtomicFile truth_;
+  std::deque<AtomicFile> localizers_;
+  Stamp newest_ = Stamp::min();
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,31 @@
+#include "tools/sources/bag_reading.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/sources/bag_collector.hpp"
+
+namespace castaway::testbed {
+
+BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics) {
+  BagCollector collector(bag, topics);
+  for (const auto& file : bag.files) {
+    McapReader reader(file);
+    while (const auto message = reader.next()) {
+      const McapSchema* schema = reader.schema_of(*message->channel);
+      try {
+        collector.take(*message, schema != nullptr ? schema->name : "");
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: topic {} at {} ns: {}", file.string(),
+                                             message->channel->topic, message->log_time_ns,
+                                             error.what()));
+      }
+    }
+  }
+  BagRecording recording = collector.finish();
+  recording.warnings.insert(recording.warnings.begin(), bag.warnings.begin(), bag.warnings.end());
+  return recording;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,150 @@
+#include "tools/sources/build_simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "localization/stamp.hpp"
+#include "sim/map/free_space.hpp"
+#include "sim/stages/drive_setup.hpp"
+#include "tools/sources/build_drive.hpp"
+#include "tools/sources/build_robot.hpp"
+#include "tools/sources/build_sensors.hpp"
+#include "tools/sources/build_world.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kWorthTelling =
+    0.5;  // Of the speed asked for; the robot's own is expected to be less.
+
+void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
+  config.start = world.file.start;
+  if (start.place == StartSpec::Place::kPose) {
+    config.start = {start.pose.x(), start.pose.y(), start.pose.z()};
+  }
+  config.random_start = start.place == StartSpec::Place::kRandom ||
+                        (start.place == StartSpec::Place::kWorld && !world.has_start);
+}
+
+/// A robot and its lidars.
+struct LoadedRobot {
+  sim::RobotModel robot;
+  std::vector<sim::LidarConfig> lidars;
+};
+
+LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path& base) {
+  LoadedRobot loaded;
+  loaded.robot = build_robot(scenario.robot, base);
+  loaded.lidars = build_lidars(scenario, loaded.robot);
+  return loaded;
+}
+
+SurveyOptions survey_options(const Scenario& scenario, const LoadedRobot& robot) {
+  SurveyOptions options{robot.lidars.front().T_base_laser.translation().z(), scenario.wall_height};
+  options.seed = scenario.seed;
+  options.robot_radius = robot.robot.footprint_radius;
+  options.strict = scenario.world.strict;
+  if (scenario.start.place == StartSpec::Place::kPose) {
+    options.inside = scenario.start.pose.head<2>();
+  }
+  return options;
+}
+
+/// What stands where it was not mapped, and how much a lidar sees of that.
+std::optional<MapDifference> difference_of(const LoadedWorld& world,
+                                           const sim::LidarConfig& lidar) {
+  if (!differs_from_map(world.file.spec)) return std::nullopt;
+  const sim::PlaceView view{lidar.T_base_laser.translation().z(), lidar.range_max};
+  const sim::BeamChange beams = sim::changed_beams(world.file.spec, world.grid, view);
+  const WorldDifference layer = world.difference.value_or(WorldDifference{});
+  return MapDifference{beams.share,  layer.moved,  layer.removed,
+                       layer.opened, layer.closed, layer.added};
+}
+
+/// Wheels that turn slower than the scenario drives.
+void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
+  const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
+  if (limits.max_speed > kWorthTelling * config.drive.max_speed) return;
+  warnings.push_back(
+      fmt::format("<limit velocity> of the wheels' joints slows the robot down to {:.2f} m/s; "
+                  "drive.max_speed is {:.2f} m/s",
+                  limits.max_speed, config.drive.max_speed));
+}
+
+/// A robot that is wider than its route.
+void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
+  const auto& waypoints = config.drive.waypoints;
+  const sim::FreeSpace space(config.map, config.robot.footprint_radius);
+  const auto tight = std::count_if(waypoints.begin(), waypoints.end(),
+                                   [&](const auto& p) { return !space.contains(p); });
+  if (tight == 0) return;
+  warnings.push_back(fmt::format(
+      "the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: free places "
+      "beside them stand for them; `robot: {{joints: ...}}` folds an arm",
+      config.robot.footprint_radius, tight, waypoints.size()));
+}
+
+/// A lidar that the robot's file knows nothing of.
+void warn_of_default_lidar(const sim::SimulationConfig& config,
+                           std::vector<std::string>& warnings) {
+  if (!config.robot.lidars.empty()) return;
+  const Eigen::Vector3d p = config.lidar.T_base_laser.translation();
+  const bool beside = p.head<2>().norm() > config.robot.footprint_radius;
+  const bool free = beside || p.z() > config.robot.height;
+  warnings.push_back(
+      fmt::format("the robot's file has no lidar: one is put at ({:.2f}, {:.2f}, {:.2f}) m, {}; "
+                  "lidar.mount_xyz "
+                  "puts it elsewhere",
+                  p.x(), p.y(), p.z(),
+                  free ? "free of the body" : "not free of the body: its beams pass through it"));
+}
+
+PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
+                                LoadedRobot robot, LoadedWorld world) {
+  PreparedSimulation prepared;
+  sim::SimulationConfig& config = prepared.config;
+  config.robot = std::move(robot.robot);
+  config.lidar = robot.lidars.front();
+  config.more_lidars.assign(robot.lidars.begin() + 1, robot.lidars.end());
+  config.faults = scenario.events.faults;
+  check_faults(config.faults, robot.lidars);
+  config.odometry = build_odometry(scenario.odometry);
+  config.drive = build_drive(scenario, base,
+                             {&world.file.routes, &world.grid, world.file.spec.name}, config.robot);
+  config.kidnaps = scenario.events.kidnaps;
+  config.people = scenario.people.config;
+  config.duration = localization::from_seconds(scenario.duration_s);
+  config.physics_hz = scenario.physics_hz;
+  if (scenario.kinematic) config.drive_model = sim::DriveModel::kKinematic;
+  place_start(scenario.start, world, config);
+  prepared.world_name = world.file.spec.name;
+  prepared.warnings = config.robot.warnings;
+  warn_of_slow_wheels(config, prepared.warnings);
+  warn_of_default_lidar(config, prepared.warnings);
+  prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());
+  prepared.difference = difference_of(world, config.lidar);
+  prepared.map = std::move(world.map);
+  config.map = std::move(world.grid);
+  if (!world.file.routes.empty()) warn_of_tight_route(config, prepared.warnings);
+  config.world = std::move(world.file.spec);
+  return prepared;
+}
+
+}  // namespace
+
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
+  LoadedRobot robot = load_any_robot(scenario, base);
+  const SurveyOptions options = survey_options(scenario, robot);
+  return put_together(scenario, base, std::move(robot), build_world(scenario.world, base, options));
+}
+
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
+                                    RosMap map) {
+  LoadedRobot robot = load_any_robot(scenario, base);
+  const SurveyOptions options = survey_options(scenario, robot);
+  return put_together(scenario, base, std::move(robot), world_of_map(std::move(map), options));
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,45 @@
+#include "tools/sources/carmen_source.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/sources/carmen_frames.hpp"
+
+namespace castaway::testbed {
+
+CarmenSource::CarmenSource(const std::filesystem::path& path, const CarmenSourceConfig& config) {
+  CarmenLogReader reader(path);
+  CarmenFrames frames(config);
+  while (!frames.complete()) {
+    const auto message = reader.next();
+    if (!message) break;
+    frames.add(*message);
+  }
+  frames_ = frames.take();
+  repaired_stamps_ = frames.repaired_stamps();
+  for (const Frame& frame : frames_) {
+    const auto* scan = std::get_if<ScanFrame>(&frame.data);
+    if (scan == nullptr) continue;
+    ++scan_count_;
+    if (scan->T_map_base_true) ++truth_count_;
+  }
+  if (scan_count_ == 0) {
+    throw std::runtime_error(
+        fmt::format("{}: no FLASER or ROBOTLASER1 to play from scan {} on; check --from-scan",
+                    path.string(), config.from_scan));
+  }
+}
+
+std::optional<Frame> CarmenSource::next() {
+  if (next_ == frames_.size()) return std::nullopt;
+  return frames_[next_++];
+}
+
+std::optional<SE2> CarmenSource::start_pose() const {
+  return std::get<OdometryFrame>(frames_.front().data).T_map_base_true;
+}
+
+Stamp CarmenSource::duration() const { return frames_.back().stamp - frames_.front().stamp; }
+
+}  // namespace castaway::testbed

@@ -1,0 +1,126 @@
+#include "tools/trials/kidnap_bench.hpp"
+
+#include <algorithm>
+
+#include "tools/records/run_history.hpp"
+#include "tools/sources/build_localizers.hpp"
+#include "tools/sources/map_conversion.hpp"
+#include "tools/sources/simulator_source.hpp"
+#include "tools/trials/place_finder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// A trial as played.
+struct PlayedTrial {
+  RunHistory history;
+  localization::TransformBuffer T_odom_base;
+  std::optional<localization::ScanPoints> points;  ///< Of the first whole scan after the kidnap...
+  SE2 T_map_base_true;                             ///< ...and where it was taken.
+  Stamp end{};
+
+  explicit PlayedTrial(RunInfo info) : history(std::move(info)) {}
+};
+
+/// Writes into a trial that outlives it.
+class TrialSink final : public RunSink {
+ public:
+  explicit TrialSink(PlayedTrial& played) : played_(played) {}
+
+  void on_event(const RunEvent& event) override { played_.history.add(event); }
+  void on_odometry(const OdometryFrame& frame) override {
+    played_.T_odom_base.add(frame.odometry.stamp, frame.odometry.T_odom_base);
+  }
+  void on_scan(const ScanRecord& record) override {
+    played_.history.add(record);
+    const std::vector<RunEvent> kidnaps = kidnaps_of(played_.history.events);
+    if (played_.points || kidnaps.empty() || record.stamp < kidnaps.front().stamp) return;
+    played_.points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
+                                                localization::MhAmclConfig{}.beams);
+    played_.T_map_base_true = record.T_map_base_true.value();
+  }
+  void finish(Stamp end, const RunTiming&) override { played_.end = end; }
+
+ private:
+  PlayedTrial& played_;
+};
+
+/// One map, searched and localized on.
+struct Stage {
+  localization::OccupancyGrid map;
+  PlaceFinder finder;
+
+  explicit Stage(const RosMap& ros_map)
+      : map(to_occupancy_grid(ros_map)), finder(localization::MhAmclConfig{}, map) {}
+};
+
+PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<LocalizerSpec>& specs) {
+  RunInfo info;
+  for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
+  PlayedTrial played(info);
+  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(trial.simulation);
+  const Stamp duration = trial.simulation.duration;
+  SimulatorSource source(
+      sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidars,
+      duration);
+  std::vector<NamedLocalizer> localizers = build_localizers(specs, stage.map, trial.seed);
+  std::vector<std::unique_ptr<RunSink>> sinks;
+  sinks.push_back(std::make_unique<TrialSink>(played));
+  LoopConfig loop;
+  loop.start = {*source.start_pose(), Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+  Loop(loop, localizers, sinks).run(source);
+  return played;
+}
+
+/// Searches for a scan that was taken at a known pose.
+SearchOutcome search(const PlaceFinder& finder, const localization::ScanPoints& points,
+                     const SE2& T_map_base_true) {
+  SearchOutcome outcome;
+  outcome.blocked_share = finder.blocked_share(points, T_map_base_true);
+  outcome.right = finder.refined(points, T_map_base_true).log_likelihood;
+  const std::vector<FoundPlace> places = finder.find(points);
+  if (!places.empty()) {
+    outcome.fifth = places[std::min<std::size_t>(4, places.size() - 1)].log_likelihood;
+  }
+  for (std::size_t i = 0; i < places.size() && !outcome.rank; ++i) {
+    MetricRow row;
+    row.T_map_base_true = T_map_base_true;
+    row.T_map_base_estimate = places[i].T_map_base;
+    if (is_right(row, {})) outcome.rank = i;
+  }
+  return outcome;
+}
+
+KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
+  KidnapReport report;
+  const RunEvent kidnap = kidnaps_of(played.history.events).at(0);
+  report.T_map_from = kidnap.T_map_from.value();
+  report.T_map_to = kidnap.T_map_to.value();
+  report.void_run = void_run(played.history.events);
+  if (played.points) {
+    report.search = search(stage.finder, *played.points, played.T_map_base_true);
+  }
+  for (const auto& rows : played.history.rows) {
+    report.outcomes.push_back(kidnap_outcome(rows, played.history.events, played.end));
+  }
+  return report;
+}
+
+}  // namespace
+
+std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
+                                       const std::vector<LocalizerSpec>& localizers, int kidnaps,
+                                       int obstacles,
+                                       const std::function<void(const KidnapReport&)>& on_trial) {
+  const Stage stage(trials.map());
+  std::vector<KidnapReport> reports;
+  for (int index = 0; index < kidnaps; ++index) {
+    reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles), localizers)));
+    reports.back().index = index;
+    reports.back().obstacles = obstacles;
+    on_trial(reports.back());
+  }
+  return reports;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,59 @@
+#include "tools/trials/place_finder.hpp"
+
+#include "localization/hypotheses/map_search.hpp"
+#include "localization/map/ray_cast.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using localization::SE2;
+
+constexpr double kBlocked = 0.3;  // [m]
+
+}  // namespace
+
+PlaceFinder::PlaceFinder(const localization::MhAmclConfig& config,
+                         const localization::OccupancyGrid& map)
+    : config_(config),
+      map_(map),
+      distances_(map, config.max_distance),
+      endpoint_(config.evidence.endpoint, distances_),
+      evidence_(config.evidence, map, distances_),
+      matcher_(config.matcher, map, distances_) {}
+
+std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points) const {
+  if (points.empty()) return {};
+  const localization::CreateContext context{config_.create, config_.merge, config_.posterior,
+                                            config_.motion, endpoint_,     evidence_};
+  std::vector<FoundPlace> found;
+  for (const auto& place : find_places(context, matcher_, points)) {
+    found.push_back({place.T_map_base, place.newest.log_likelihood});
+  }
+  return found;
+}
+
+FoundPlace PlaceFinder::refined(const localization::ScanPoints& points,
+                                const SE2& T_map_base) const {
+  const SE2 pose = refine_pose(endpoint_, points, T_map_base, std::nullopt, config_.create.refine);
+  return {pose, evidence_.evaluate(points, pose).log_likelihood};
+}
+
+double PlaceFinder::blocked_share(const localization::ScanPoints& points,
+                                  const SE2& T_map_base) const {
+  if (points.empty()) return 0.0;
+  const double resolution = map_.frame.resolution;
+  const SE2 T_grid_base = map_.frame.T_map_grid.inverse() * T_map_base;
+  int blocked = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d from =
+        T_grid_base * Eigen::Vector2d(points.origin_x[i], points.origin_y[i]);
+    const Eigen::Vector2d to = T_grid_base * Eigen::Vector2d(points.x[i], points.y[i]);
+    const double longest = static_cast<double>(points.range[i]) + kBlocked;
+    const double way = resolution * cast_ray(map_, from / resolution, (to - from).normalized(),
+                                             longest / resolution);
+    if (way >= longest) ++blocked;
+  }
+  return static_cast<double>(blocked) / static_cast<double>(points.size());
+}
+
+}  // namespace castaway::testbed
