@@ -9,96 +9,15 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "sim/common/geometry.hpp"
-#include "sim/common/random.hpp"
-#include "sim/events/fault.hpp"
-#include "sim/events/kidnap.hpp"
-#include "sim/map/grid.hpp"
-#include "sim/navigation/twist_log.hpp"
-#include "sim/people/people_config.hpp"
-#include "sim/robot/urdf/robot_model.hpp"
-#include "sim/sensor/lidar_config.hpp"
-#include "sim/sensor/readings.hpp"
-#include "sim/sensor/wheel_odometry.hpp"
+#include "sim/people/bodies/person.hpp"
 #include "sim/stages/progress_watch.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/stages/sim_frame.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
-
-/// Where the robot drives and how fast.
-struct DriveConfig {
-  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: the robot stands still.
-  bool loop = true;                        ///< Starts again after the last waypoint.
-  std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints; may be empty.
-  bool by_estimate = false;                ///< Drives by `set_drive_pose`; false: by the true pose.
-  double max_speed = 0.5;                  ///< [m/s] The wheels' own limit applies too.
-  double max_turn_rate = 1.0;              ///< [rad/s]
-  double max_acceleration = 0.5;           ///< [m/s^2]
-  double max_turn_acceleration = 2.0;      ///< [rad/s^2]
-  double wait_s = 0.0;                     ///< [s] The robot stands still at first.
-};
-
-/// By what the robot moves.
-enum class DriveModel : std::uint8_t {
-  kPhysics,    ///< Bullet: masses, contacts, motors.
-  kKinematic,  ///< Exactly as commanded; obstacles stop it.
-};
-
-/// All that a simulated run depends on, besides its random streams.
-struct SimulationConfig {
-  WorldSpec world;
-  Grid map;  ///< What the robot's planner knows; objects missing on it are avoided all the same.
-  RobotModel robot;
-  LidarConfig lidar;                       ///< The first; people and guards go by it.
-  std::vector<LidarConfig> more_lidars{};  ///< Further ones, with other names.
-  OdometryConfig odometry;
-  DriveConfig drive;
-  std::vector<KidnapSpec> kidnaps;
-  std::vector<FaultSpec> faults{};
-  PeopleConfig people;
-  Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
-  bool random_start = false;  ///< Draws a pose in reachable free space.
-  std::chrono::nanoseconds duration = std::chrono::seconds(120);
-  double physics_hz = 500.0;  ///< [Hz] Rounded to whole nanoseconds a step.
-  DriveModel drive_model = DriveModel::kPhysics;
-};
-
-/// One stream of random numbers for each consumer.
-struct SimulationStreams {
-  Rng lidar;
-  Rng odometry;
-  Rng events;
-  /// Streams by name, "people/...", "lidar/...", "odometry/..."; needed for people and for sensors
-  /// with more than plain noise.
-  std::function<Rng(const std::string& name)> named{};
-};
-
-/// The robot was lifted from the floor. A kidnap's record follows when it stands again.
-struct PickUpRecord {
-  std::chrono::nanoseconds stamp{};
-  KidnapKind kind = KidnapKind::kCarry;
-  Pose2 T_map_base;  ///< True pose of base.
-};
-
-/// The robot recovered from not getting on, or stopped short.
-struct DriveRecord {
-  std::chrono::nanoseconds stamp{};
-  std::string what;  ///< "wait", "re-plan", "back up", "spin" or "emergency stop".
-  Pose2 T_map_base;  ///< True pose of base.
-};
-
-/// One delivery. A scan is delivered at the time of its last beam.
-struct SimFrame {
-  std::chrono::nanoseconds stamp{};
-  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord, PickUpRecord,
-               DriveRecord>
-      data;
-};
 
 /// A run of the simulator. Same configuration, same streams: same frames, to the bit.
 class Simulation {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/people/bodies/gait.hpp"
 #include "sim/people/bodies/person_rays.hpp"
+#include "sim/people/gait.hpp"
 #include "sim/people/intent.hpp"
 #include "sim/people/reaction.hpp"
 #include "sim/people/separation.hpp"

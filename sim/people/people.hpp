@@ -43,8 +43,6 @@ class People {
   /// People whom the robot ran into at the last step.
   [[nodiscard]] const std::vector<int>& hits() const { return hits_; }
 
-  /// True where there is a crowd to be gathered.
-  [[nodiscard]] bool has_crowd() const { return crowd_.has_value(); }
   /// All people, in order of their numbers, at the end of the last step.
   [[nodiscard]] const std::vector<Agent>& agents() const { return agents_; }
   /// Where they are a fraction of the last step after its beginning.

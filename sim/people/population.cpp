@@ -11,7 +11,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/map/grid_tools.hpp"
-#include "sim/people/bodies/gait.hpp"
+#include "sim/people/gait.hpp"
 
 namespace castaway::sim {
 namespace {

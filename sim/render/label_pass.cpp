@@ -6,7 +6,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "sim/render/gl/gl_vertex_array.hpp"
+#include "sim/render/gl_vertex_array.hpp"
 #include "sim/render/shaders.hpp"
 
 namespace castaway::sim {

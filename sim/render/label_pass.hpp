@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "sim/render/gl/gl_program.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/render/gl_program.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

@@ -7,9 +7,9 @@
 #include <epoxy/gl.h>
 #include <Eigen/LU>
 
-#include "sim/render/camera.hpp"
 #include "sim/render/light_shaders.hpp"
 #include "sim/render/shaders.hpp"
+#include "sim/scene/camera.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -10,9 +10,9 @@
 
 #include <vector>
 
-#include "sim/render/gl/gl_program.hpp"
-#include "sim/render/gl/gl_texture.hpp"
-#include "sim/render/gl/gl_vertex_array.hpp"
+#include "sim/render/gl_program.hpp"
+#include "sim/render/gl_texture.hpp"
+#include "sim/render/gl_vertex_array.hpp"
 #include "sim/render/shadow_map.hpp"
 
 namespace castaway::sim {

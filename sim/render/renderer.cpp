@@ -4,15 +4,15 @@
 
 #include <epoxy/gl.h>
 
-#include "sim/render/camera.hpp"
-#include "sim/render/gl/egl_context.hpp"
-#include "sim/render/gl/gl_program.hpp"
-#include "sim/render/gl/gl_target.hpp"
-#include "sim/render/gl/gl_vertex_array.hpp"
+#include "sim/render/egl_context.hpp"
+#include "sim/render/gl_program.hpp"
+#include "sim/render/gl_target.hpp"
+#include "sim/render/gl_vertex_array.hpp"
 #include "sim/render/label_pass.hpp"
 #include "sim/render/light_pass.hpp"
 #include "sim/render/light_shaders.hpp"
 #include "sim/render/shaders.hpp"
+#include "sim/scene/camera.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/render/image.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/scene/image.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

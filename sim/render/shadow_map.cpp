@@ -2,9 +2,9 @@
 
 #include <epoxy/gl.h>
 
-#include "sim/render/bounds.hpp"
 #include "sim/render/light_shaders.hpp"
 #include "sim/render/shaders.hpp"
+#include "sim/scene/bounds.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <vector>
 
-#include "sim/render/gl/gl_program.hpp"
-#include "sim/render/gl/gl_texture.hpp"
-#include "sim/render/gl/gl_vertex_array.hpp"
-#include "sim/render/light_frame.hpp"
+#include "sim/render/gl_program.hpp"
+#include "sim/render/gl_texture.hpp"
+#include "sim/render/gl_vertex_array.hpp"
+#include "sim/scene/light_frame.hpp"
 
 namespace castaway::sim {
 

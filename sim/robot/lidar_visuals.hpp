@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sim/render/scene.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/sensor/lidar_config.hpp"
 
 namespace castaway::sim {

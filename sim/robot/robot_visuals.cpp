@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/world/mesh.hpp"
 
 namespace castaway::sim {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/render/scene.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

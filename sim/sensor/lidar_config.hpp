@@ -14,8 +14,6 @@
 
 namespace castaway::sim {
 
-struct RobotModel;
-
 /// A lidar. Beam i points to `angle_min + i * angle_increment` about the laser's z, of a 3-D lidar
 /// once for each layer.
 struct LidarConfig {
@@ -44,13 +42,6 @@ void validate(const LidarConfig& config);
 Eigen::Vector3d beam_direction(const LidarConfig& config, std::size_t index);
 /// The point of base that lies `range` [m] along it.
 Eigen::Vector3d beam_point(const LidarConfig& config, std::size_t index, double range);
-
-/// The lidar that the robot's description carries; what it does not say keeps its default. A robot
-/// without any gets one over its origin, 0.2 m above the floor or, where that is lower, 2 cm above
-/// its highest part.
-LidarConfig lidar_of(const RobotModel& robot);
-/// All that it carries, in its order, named by their sensors or links; none: one of the defaults.
-std::vector<LidarConfig> lidars_of(const RobotModel& robot);
 
 /// The layer that stands for all: `planar_layer`, or the one nearest to the laser's plane.
 int level_layer(const LidarConfig& config);

@@ -17,8 +17,6 @@ void require_noise_not_negative(double value, const char* field) {
 
 }  // namespace
 
-RangeNoise ideal_ranges() { return {0.0, 0.0, 0.0, 0.0, 0.0}; }
-
 void validate(const RangeNoise& noise) {
   require_noise_not_negative(noise.sigma, "sigma");
   require_noise_not_negative(noise.sigma_relative, "sigma_relative");

@@ -14,9 +14,6 @@ struct RangeNoise {
   double resolution = 0.0;       ///< [m] Ranges are rounded to multiples of it; 0: they are not.
 };
 
-/// No error at all.
-RangeNoise ideal_ranges();
-
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const RangeNoise& noise);
 

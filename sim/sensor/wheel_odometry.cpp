@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <boost/random/normal_distribution.hpp>
 
-#include "sim/robot/urdf/robot_model.hpp"
-
 namespace castaway::sim {
 namespace {
 
@@ -51,10 +49,6 @@ OdometryConfig ideal_odometry() {
   config.drift_along = config.drift_yaw_deg = 0.0;
   config.slip.zones = false;
   return config;
-}
-
-DriveGeometry drive_geometry(const RobotModel& robot) {
-  return {robot.wheel_radius, robot.wheel_radius, robot.track, robot.p_base_axle};
 }
 
 WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng)

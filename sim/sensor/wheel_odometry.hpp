@@ -13,8 +13,6 @@
 
 namespace castaway::sim {
 
-struct RobotModel;
-
 /// "Never", as a way to the next slip. [m]
 inline constexpr double kNoSlip = std::numeric_limits<double>::infinity();
 
@@ -63,9 +61,6 @@ struct DriveGeometry {
   Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the axle.
 };
 
-/// The true geometry of a robot's drive.
-DriveGeometry drive_geometry(const RobotModel& robot);
-
 /// Integrates wheel angles into a pose. Starts at the identity.
 class WheelOdometry {
  public:
@@ -79,8 +74,6 @@ class WheelOdometry {
   void reset();
   /// The accumulated pose; continuous.
   [[nodiscard]] Pose2 T_odom_base() const;
-  /// What the robot believes its drive to be.
-  [[nodiscard]] const DriveGeometry& believed() const { return believed_; }
 
  private:
   [[nodiscard]] double measured(double angle) const;

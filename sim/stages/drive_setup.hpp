@@ -5,8 +5,8 @@
 #include "sim/navigation/people_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
-#include "sim/simulation.hpp"
 #include "sim/stages/progress_watch.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 
 #include "sim/map/free_space.hpp"
 #include "sim/map/grid.hpp"
-#include "sim/simulation.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -10,8 +10,8 @@
 #include "sim/navigation/navigator.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/sensor/readings.hpp"
-#include "sim/simulation.hpp"
 #include "sim/stages/people_stage.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -12,7 +12,8 @@
 #include "sim/events/kidnap_target.hpp"
 #include "sim/events/look_alike.hpp"
 #include "sim/robot/sim_robot.hpp"
-#include "sim/simulation.hpp"
+#include "sim/stages/sim_frame.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -1,5 +1,6 @@
 #include "sim/stages/odometry_sensor.hpp"
 
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/stages/sensor_streams.hpp"
 
 namespace castaway::sim {

@@ -6,7 +6,7 @@
 #include "sim/events/odometry_faults.hpp"
 #include "sim/sensor/gyro.hpp"
 #include "sim/sensor/wheel_slip.hpp"
-#include "sim/simulation.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -9,7 +9,7 @@
 #include "sim/navigation/people_guard.hpp"
 #include "sim/navigation/route_runner.hpp"
 #include "sim/people/people.hpp"
-#include "sim/simulation.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -7,8 +7,9 @@
 
 #include "sim/events/lidar_faults.hpp"
 #include "sim/sensor/lidar.hpp"
-#include "sim/simulation.hpp"
 #include "sim/stages/odometry_sensor.hpp"
+#include "sim/stages/sim_frame.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/sensor/beam_light.hpp"
-#include "sim/simulation.hpp"
+#include "sim/stages/simulation_config.hpp"
 
 namespace castaway::sim {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

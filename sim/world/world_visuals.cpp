@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
 #include "sim/world/roof.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {

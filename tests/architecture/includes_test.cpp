@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <regex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -113,24 +113,105 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
             Names{});
 }
 
-TEST(Includes, RunMetricsAndFormatsLinkWithoutTheSimulator) {
-  const std::set<std::string> conversions = {
-      "tools/sources/build_drive.cpp",      "tools/sources/build_drive.hpp",
-      "tools/sources/build_robot.cpp",      "tools/sources/build_robot.hpp",
-      "tools/sources/build_sensors.cpp",    "tools/sources/build_sensors.hpp",
-      "tools/sources/build_simulation.cpp", "tools/sources/build_simulation.hpp",
-      "tools/sources/build_world.cpp",      "tools/sources/build_world.hpp",
-      "tools/sources/scan_truth.cpp",       "tools/sources/scan_truth.hpp",
-      "tools/sources/simulator_source.cpp", "tools/sources/simulator_source.hpp"};
-  EXPECT_EQ(
-      violations(
-          [&](const std::string& h) { return starts_with(h, "sim/") || conversions.contains(h); },
-          [&](const std::string& f) {
-            const bool bound = starts_with(f, "tools/run/") || starts_with(f, "tools/metrics/") ||
-                               starts_with(f, "tools/formats/");
-            return !bound || conversions.contains(f);
-          }),
-      Names{});
+TEST(Includes, RunSinksMetricsAndFormatsLinkWithoutTheSimulator) {
+  EXPECT_EQ(violations(
+                [](const std::string& h) {
+                  return starts_with(h, "sim/") && !starts_with(h, "sim/scene/");  // Plain data.
+                },
+                [](const std::string& f) {
+                  const Names bound = {"tools/run/",     "tools/records/", "tools/sinks/",
+                                       "tools/metrics/", "tools/formats/", "tools/ros/",
+                                       "tools/files/",   "tools/output/",  "tools/report/"};
+                  return std::none_of(bound.begin(), bound.end(),
+                                      [&](const auto& room) { return starts_with(f, room); });
+                }),
+            Names{});
+}
+
+/// Rooms from the lowest up; a room includes itself and rooms of the lines above it only.
+using Layers = std::vector<Names>;
+
+const Layers kSimLayers = {
+    {"sim/common", "sim/scene"},
+    {"sim/render", "sim/world", "sim/xacro"},
+    {"sim/casting", "sim/robot/urdf", "sim/world/sdf"},
+    {"sim/map", "sim/robot/discovery", "sim/sensor"},
+    {"sim/difference", "sim/events", "sim/people/bodies"},
+    {"sim/people", "sim/robot/bodies"},
+    {"sim/navigation", "sim/robot"},
+    {"sim/stages"},
+    {"sim"},
+};
+
+const Layers kToolsLayers = {
+    {"tools/files", "tools/metrics/statistics", "tools/report/html", "tools/run"},
+    {"tools/formats/images", "tools/ros/mcap", "tools/scenario/yaml"},
+    {"tools/formats"},
+    {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
+    {"tools/campaign", "tools/records", "tools/scenario/sections", "tools/workers"},
+    {"tools/pictures", "tools/scenario/world", "tools/sinks"},
+    {"tools/report", "tools/scenario", "tools/sources"},
+    {"tools/evaluate", "tools/inspect", "tools/trials"},
+    {"tools/bench", "tools/play"},
+    {"tools/dataset"},
+    {"tools/commands"},
+};
+
+std::string room_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
+
+/// The layer of a room; -1 of one that is not listed.
+int layer_of(const Layers& layers, const std::string& room) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (std::find(layers[i].begin(), layers[i].end(), room) != layers[i].end()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Includes within a library that do not point to a lower layer, as "file -> header".
+Names against_layers(const Layers& layers, const std::string& library) {
+  Names found;
+  for (const Include& include : all_includes()) {
+    const bool within = starts_with(include.file, library) && starts_with(include.header, library);
+    const std::string from = room_of(include.file);
+    const std::string to = room_of(include.header);
+    if (!within || from == to) continue;
+    const int low = layer_of(layers, to);
+    if (low < 0 || low >= layer_of(layers, from)) {
+      found.push_back(include.file + " -> " + include.header);
+    }
+  }
+  return found;
+}
+
+TEST(Includes, RoomsOfTheSimulatorFormLayers) {
+  EXPECT_EQ(against_layers(kSimLayers, "sim/"), Names{});
+}
+
+TEST(Includes, RoomsOfTheToolsFormLayers) {
+  EXPECT_EQ(against_layers(kToolsLayers, "tools/"), Names{});
+}
+
+TEST(Includes, ARoomInTheWrongLayerIsFound) {
+  const Layers upside_down = {{"sim"}, {"sim/stages"}};
+  EXPECT_FALSE(against_layers(upside_down, "sim/").empty());
+}
+
+/// A room that outgrows this is divided by subject.
+TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
+  std::map<std::string, int> files;
+  for (const char* part : {"localization", "sim", "tools"}) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(CASTAWAY_SOURCE_DIR) / part)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".hpp" || extension == ".cpp") {
+        ++files[fs::relative(entry.path().parent_path(), CASTAWAY_SOURCE_DIR).generic_string()];
+      }
+    }
+  }
+  EXPECT_GT(files.size(), 40U);
+  for (const auto& [room, count] : files) EXPECT_LE(count, 30) << room;
 }
 
 TEST(Includes, OnlyTheProgramReadsWallClocks) {

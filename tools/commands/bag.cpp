@@ -101,19 +101,19 @@ int describe_bag(const BagArguments& arguments) {
 
 }  // namespace
 
-void add_bag_command(CLI::App& app, std::function<int()>& chosen) {
+void add_bag_command(Command& app) {
   auto a = std::make_shared<BagArguments>();
-  CLI::App* command =
-      app.add_subcommand("bag", "Say what a bag of ROS 2 (MCAP) holds: topics, types, counts");
-  command->add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
-      ->required();
-  command->add_flag("--json", a->json, "Print JSON");
-  command->add_flag("--messages", a->messages, "Print every message as a line of JSON");
-  command->footer(
+  Command command =
+      app.add_command("bag", "Say what a bag of ROS 2 (MCAP) holds: topics, types, counts");
+  command.add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
+      .required();
+  command.add_flag("--json", a->json, "Print JSON");
+  command.add_flag("--messages", a->messages, "Print every message as a line of JSON");
+  command.footer(
       "Examples:\n"
       "  castaway bag runs/lab-kidnap/seed-1\n"
       "  castaway bag rosbag2_2026_01_31 --messages | grep '\"/odom\"' | head");
-  command->callback([&chosen, a] { chosen = [a] { return describe_bag(*a); }; });
+  command.action([a] { return describe_bag(*a); });
 }
 
 }  // namespace castaway::testbed

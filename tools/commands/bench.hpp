@@ -6,12 +6,12 @@
 
 namespace castaway::testbed {
 
-void add_bench_crowds(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_localization(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_odometry(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_physics(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_published(CLI::App& bench, std::function<int()>& chosen);
-void add_bench_simulation(CLI::App& bench, std::function<int()>& chosen);
+void add_bench_crowds(Command& bench);
+void add_bench_kidnaps(Command& bench);
+void add_bench_localization(Command& bench);
+void add_bench_odometry(Command& bench);
+void add_bench_physics(Command& bench);
+void add_bench_published(Command& bench);
+void add_bench_simulation(Command& bench);
 
 }  // namespace castaway::testbed

@@ -50,29 +50,27 @@ int bench_crowds(CrowdArguments arguments) {
 
 }  // namespace
 
-void add_bench_crowds(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_crowds(Command& bench) {
   auto arguments = std::make_shared<CrowdArguments>();
   arguments->config.people.walking = 20;
   arguments->config.people.in_groups = 0.3;
-  CLI::App* command =
-      bench.add_subcommand("crowds", "Hours of people in a world: does anybody pass a wall?");
+  Command command =
+      bench.add_command("crowds", "Hours of people in a world: does anybody pass a wall?");
   CrowdHoursConfig& config = arguments->config;
-  command->add_option("--hours", config.hours, "Simulated time [h]")->check(CLI::Range(1e-4, 1e4));
-  command->add_option("--people", config.people.walking, "How many walk")
-      ->check(CLI::Range(1, 200));
-  command->add_option("--crowd", config.people.blocked_share, "Share of beams to block")
-      ->check(CLI::Range(0.0, 0.6));
-  command->add_option("--world", config.world, "A world's name or path, or a ROS map's .yaml");
-  command->add_option("--seed", config.seed, "Root seed of all random streams");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer(
+  command.add_option("--hours", config.hours, "Simulated time [h]").range(1e-4, 1e4);
+  command.add_option("--people", config.people.walking, "How many walk").range(1, 200);
+  command.add_option("--crowd", config.people.blocked_share, "Share of beams to block")
+      .range(0.0, 0.6);
+  command.add_option("--world", config.world, "A world's name or path, or a ROS map's .yaml");
+  command.add_option("--seed", config.seed, "Root seed of all random streams");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
       "People of all behaviours, a third of them in groups, and a robot that drives its route "
       "whoever\nis in the way. Every step is held against the world's true shapes at four "
       "heights.\n"
       "Exit code 1 if anybody passed or entered a wall. Example:\n"
       "  castaway bench crowds --hours 100");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return bench_crowds(*arguments); }; });
+  command.action([arguments] { return bench_crowds(*arguments); });
 }
 
 }  // namespace castaway::testbed

@@ -165,47 +165,47 @@ int bench_kidnaps(KidnapArguments arguments) {
 
 }  // namespace
 
-void add_bench_kidnaps(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_kidnaps(Command& bench) {
   auto a = std::make_shared<KidnapArguments>();
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.add_command(
       "kidnaps", "Random kidnaps in the simulator, with people about who are on no map");
   command
-      ->add_option("--world", a->trials.world,
-                   "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
-      ->capture_default_str();
-  command->add_option("--kidnaps", a->kidnaps, "Trials of each batch")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+      .add_option("--world", a->trials.world,
+                  "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
+      .show_default();
+  command.add_option("--kidnaps", a->kidnaps, "Trials of each batch")
+      .range(1, 100000)
+      .show_default();
   command
-      ->add_option("--obstacles", a->obstacles,
-                   "People within 4 m of where the robot comes to; repeat for several batches "
-                   "(default: 0)")
-      ->check(CLI::Range(0, 200))
-      ->allow_extra_args(false);
-  command->add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
-      ->check(CLI::Range(0.1, 1e5))
-      ->capture_default_str();
-  command->add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
-      ->check(CLI::Range(0.1, 1e5))
-      ->capture_default_str();
-  command->add_option("--within", a->within_s, "Time within which to be right [s]")
-      ->check(CLI::Range(0.1, 1e5))
-      ->capture_default_str();
+      .add_option("--obstacles", a->obstacles,
+                  "People within 4 m of where the robot comes to; repeat for several batches "
+                  "(default: 0)")
+      .range(0, 200)
+      .repeatable();
+  command.add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
+      .range(0.1, 1e5)
+      .show_default();
+  command.add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
+      .range(0.1, 1e5)
+      .show_default();
+  command.add_option("--within", a->within_s, "Time within which to be right [s]")
+      .range(0.1, 1e5)
+      .show_default();
   command
-      ->add_option("--localizer", a->localizers,
-                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl and amcl)")
-      ->allow_extra_args(false);
-  command->add_option("--seed", a->trials.seed, "Root seed")->capture_default_str();
-  command->add_flag("--verbose", a->verbose,
-                    "Print the trials that fail: of the matcher and of the first localizer");
-  command->add_flag("--json", a->json, "Print JSON");
-  command->footer(
+      .add_option("--localizer", a->localizers,
+                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl and amcl)")
+      .repeatable();
+  command.add_option("--seed", a->trials.seed, "Root seed").show_default();
+  command.add_flag("--verbose", a->verbose,
+                   "Print the trials that fail: of the matcher and of the first localizer");
+  command.add_flag("--json", a->json, "Print JSON");
+  command.footer(
       "Right: error below 0.5 m and 0.35 rad to the end of the window. Matcher: the search of the "
       "whole map by the first whole scan alone.\n"
       "Examples:\n"
       "  castaway bench kidnaps --kidnaps 300\n"
       "  castaway bench kidnaps --world office --obstacles 0 --obstacles 6 --obstacles 12");
-  command->callback([&chosen, a] { chosen = [a] { return bench_kidnaps(*a); }; });
+  command.action([a] { return bench_kidnaps(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -92,20 +92,19 @@ int bench_localization(const LocalizationArguments& arguments) {
 
 }  // namespace
 
-void add_bench_localization(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_localization(Command& bench) {
   auto arguments = std::make_shared<LocalizationArguments>();
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.add_command(
       "localization", "How fast the parts of the localizer are, beside a plain reference");
-  command->add_flag("--quick", arguments->quick, "Rough figures and small maps only");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer(
+  command.add_flag("--quick", arguments->quick, "Rough figures and small maps only");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
       "CPU time of one core, median of many repetitions. The reference does the same work "
       "straight\n"
       "from the formulas, in double, with sine and cosine at every beam.\n"
       "Example:\n"
       "  castaway bench localization");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return bench_localization(*arguments); }; });
+  command.action([arguments] { return bench_localization(*arguments); });
 }
 
 }  // namespace castaway::testbed

@@ -77,21 +77,18 @@ int bench_odometry(const OdometryArguments& arguments) {
 
 }  // namespace
 
-void add_bench_odometry(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_odometry(Command& bench) {
   auto arguments = std::make_shared<OdometryArguments>();
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.add_command(
       "odometry", "Drift of the odometry profiles, and of recorded logs with reference poses");
-  command->add_option("logs", arguments->logs, "CARMEN logs with TRUEPOS, .gz too");
-  command->add_option("--seeds", arguments->config.seeds, "Robots of each profile")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--duration", arguments->config.duration_s, "Simulated time of each [s]")
-      ->check(CLI::Range(1.0, 1e5));
-  command->add_option("--length", arguments->config.length_m, "Of a segment [m]")
-      ->check(CLI::Range(0.1, 1e4));
-  command->add_flag("--json", arguments->json, "Print JSON instead of words");
-  command->footer("Example:\n  castaway bench odometry intel.log.gz --seeds 4");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return bench_odometry(*arguments); }; });
+  command.add_option("logs", arguments->logs, "CARMEN logs with TRUEPOS, .gz too");
+  command.add_option("--seeds", arguments->config.seeds, "Robots of each profile").range(1, 1000);
+  command.add_option("--duration", arguments->config.duration_s, "Simulated time of each [s]")
+      .range(1.0, 1e5);
+  command.add_option("--length", arguments->config.length_m, "Of a segment [m]").range(0.1, 1e4);
+  command.add_flag("--json", arguments->json, "Print JSON instead of words");
+  command.footer("Example:\n  castaway bench odometry intel.log.gz --seeds 4");
+  command.action([arguments] { return bench_odometry(*arguments); });
 }
 
 }  // namespace castaway::testbed

@@ -43,20 +43,18 @@ int bench_physics(const PhysicsArguments& arguments) {
 
 }  // namespace
 
-void add_bench_physics(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_physics(Command& bench) {
   auto arguments = std::make_shared<PhysicsArguments>();
-  CLI::App* command =
-      bench.add_subcommand("physics", "A robot's drive against what mechanics says in one line");
-  command->add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
-  command->add_option("--physics-hz", arguments->physics_hz, "Steps a second")
-      ->check(CLI::Range(100.0, 10000.0));
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer(
+  Command command =
+      bench.add_command("physics", "A robot's drive against what mechanics says in one line");
+  command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
+  command.add_option("--physics-hz", arguments->physics_hz, "Steps a second").range(100.0, 10000.0);
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
       "A straight line, a stop, a turn in place, an arc and a slope.\n"
       "Example:\n"
       "  castaway bench physics --robot butler");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return bench_physics(*arguments); }; });
+  command.action([arguments] { return bench_physics(*arguments); });
 }
 
 }  // namespace castaway::testbed

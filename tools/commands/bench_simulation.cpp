@@ -97,22 +97,21 @@ int bench_simulation(const SimulationArguments& arguments) {
 
 }  // namespace
 
-void add_bench_simulation(CLI::App& bench, std::function<int()>& chosen) {
+void add_bench_simulation(Command& bench) {
   auto arguments = std::make_shared<SimulationArguments>();
-  CLI::App* command = bench.add_subcommand(
+  Command command = bench.add_command(
       "simulation", "What a simulated second costs over people, beams and obstacles");
-  command->add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
-      ->check(CLI::Range(0.1, 1e6));
-  command->add_flag("--quick", arguments->quick, "Four runs and rough figures");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer(
+  command.add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
+      .range(0.1, 1e6);
+  command.add_flag("--quick", arguments->quick, "Four runs and rough figures");
+  command.add_flag("--json", arguments->json, "Print JSON");
+  command.footer(
       "CPU time of one core; physics at 240 Hz (kinematic: steps of 10 ms), a lidar of 10 Hz, no "
       "localizer. The last lines: "
       "beams\ncast in a hall of 20 m x 20 m, by the scene's tree and by a loop over all shapes.\n"
       "Example:\n"
       "  castaway bench simulation");
-  command->callback(
-      [&chosen, arguments] { chosen = [arguments] { return bench_simulation(*arguments); }; });
+  command.action([arguments] { return bench_simulation(*arguments); });
 }
 
 }  // namespace castaway::testbed

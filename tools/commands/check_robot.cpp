@@ -76,23 +76,23 @@ int check_robot(CheckArguments arguments) {
 
 }  // namespace
 
-void add_check_robot_command(CLI::App& app, std::function<int()>& chosen) {
+void add_check_robot_command(Command& app) {
   auto a = std::make_shared<CheckArguments>();
-  CLI::App* command =
-      app.add_subcommand("check-robot", "Print and picture what is understood of a robot");
-  command->add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro")->required();
+  Command command =
+      app.add_command("check-robot", "Print and picture what is understood of a robot");
+  command.add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro").required();
   add_robot_options(command, a->options);
-  command->add_option("--joints", a->joints,
-                      "File of joint positions, as `ros2 topic echo --once /joint_states` prints");
-  command->add_option("--out", a->out, "Picture to write (default: <robot's name>.png)");
-  command->add_flag("--no-picture", a->no_picture, "Write no picture");
-  command->add_flag("--json", a->json, "Print JSON instead of words");
-  command->add_flag("--expand", a->expand, "Print the URDF that xacro expands to, nothing else");
-  command->footer(
+  command.add_option("--joints", a->joints,
+                     "File of joint positions, as `ros2 topic echo --once /joint_states` prints");
+  command.add_option("--out", a->out, "Picture to write (default: <robot's name>.png)");
+  command.add_flag("--no-picture", a->no_picture, "Write no picture");
+  command.add_flag("--json", a->json, "Print JSON instead of words");
+  command.add_flag("--expand", a->expand, "Print the URDF that xacro expands to, nothing else");
+  command.footer(
       "Examples:\n"
       "  castaway check-robot my_robot.urdf\n"
       "  castaway check-robot my_robot.urdf.xacro --arg prefix:=a_ --search-path ~/ws/src");
-  command->callback([&chosen, a] { chosen = [a] { return check_robot(*a); }; });
+  command.action([a] { return check_robot(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/render/renderer.hpp"
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/inspect/world_report.hpp"
@@ -93,37 +94,35 @@ int check_world(CheckWorldArguments arguments) {
 
 }  // namespace
 
-void add_check_world_command(CLI::App& app, std::function<int()>& chosen) {
+void add_check_world_command(Command& app) {
   auto a = std::make_shared<CheckWorldArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "check-world",
       "Print and picture what is understood of a world, and how it is to localize in");
+  command.add_option("world", a->world.file, "A world's name or file (YAML, .sdf, .world, ROS map)")
+      .show_default();
+  command.add_option("--scenario", a->scenario,
+                     "Scenario whose world is checked, with its seed and its differences");
   command
-      ->add_option("world", a->world.file, "A world's name or file (YAML, .sdf, .world, ROS map)")
-      ->capture_default_str();
-  command->add_option("--scenario", a->scenario,
-                      "Scenario whose world is checked, with its seed and its differences");
-  command
-      ->add_option("--search-path", a->world.search_paths,
-                   "Folder that models of an SDF world are looked for in (besides "
-                   "GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH)")
-      ->allow_extra_args(false);
-  command->add_option("--robot", a->robot, "Robot whose lidar's height is taken")
-      ->capture_default_str();
-  command->add_option("--range-max", a->range_max, "Of the lidar that sees places alike [m]")
-      ->capture_default_str()
-      ->check(CLI::Range(0.5, 200.0));
-  command->add_option("--out", a->out,
-                      "Picture to write (default: <world's name>.png); the map's goes beside it");
-  command->add_flag("--no-picture", a->no_picture, "Write no pictures");
-  command->add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
-  command->add_flag("--json", a->json, "Print JSON instead of words");
-  command->footer(
+      .add_option("--search-path", a->world.search_paths,
+                  "Folder that models of an SDF world are looked for in (besides "
+                  "GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH)")
+      .repeatable();
+  command.add_option("--robot", a->robot, "Robot whose lidar's height is taken").show_default();
+  command.add_option("--range-max", a->range_max, "Of the lidar that sees places alike [m]")
+      .show_default()
+      .range(0.5, 200.0);
+  command.add_option("--out", a->out,
+                     "Picture to write (default: <world's name>.png); the map's goes beside it");
+  command.add_flag("--no-picture", a->no_picture, "Write no pictures");
+  command.add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
+  command.add_flag("--json", a->json, "Print JSON instead of words");
+  command.footer(
       "Examples:\n"
       "  castaway check-world office\n"
       "  castaway check-world my_world.sdf --search-path ~/models --out my_world.png\n"
       "  castaway check-world --scenario worlds/lab/scenarios/moved.yaml --no-picture");
-  command->callback([&chosen, a] { chosen = [a] { return check_world(*a); }; });
+  command.action([a] { return check_world(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -2,36 +2,26 @@
 /// are.
 #pragma once
 
-#include <functional>
-
-#include <CLI/CLI.hpp>
+#include "tools/commands/command_line.hpp"
+#include "tools/output/exit_code.hpp"
 
 namespace castaway::testbed {
 
-/// Exit codes of the program.
-enum ExitCode : int {
-  kDone = 0,
-  kRunFailed = 1,
-  kBadInput = 2,
-  kExpectationNotMet = 3,
-};
-
-/// Adds a subcommand; `chosen` is set to its action when it is on the command line. Actions return
-/// an exit code and throw std::exception for bad input.
-void add_run_command(CLI::App& app, std::function<int()>& chosen);
-void add_dataset_command(CLI::App& app, std::function<int()>& chosen);
-void add_compare_command(CLI::App& app, std::function<int()>& chosen);
-void add_experiment_command(CLI::App& app, std::function<int()>& chosen);
-void add_replay_command(CLI::App& app, std::function<int()>& chosen);
-void add_bag_command(CLI::App& app, std::function<int()>& chosen);
-void add_report_command(CLI::App& app, std::function<int()>& chosen);
-void add_evaluate_command(CLI::App& app, std::function<int()>& chosen);
-void add_map_command(CLI::App& app, std::function<int()>& chosen);
-void add_check_robot_command(CLI::App& app, std::function<int()>& chosen);
-void add_check_world_command(CLI::App& app, std::function<int()>& chosen);
-void add_lidars_command(CLI::App& app, std::function<int()>& chosen);
-void add_list_commands(CLI::App& app, std::function<int()>& chosen);
-void add_completion_command(CLI::App& app, std::function<int()>& chosen);
-void add_bench_command(CLI::App& app, std::function<int()>& chosen);
+/// Adds a subcommand. Its action returns an exit code and throws std::exception for bad input.
+void add_run_command(Command& app);
+void add_dataset_command(Command& app);
+void add_compare_command(Command& app);
+void add_experiment_command(Command& app);
+void add_replay_command(Command& app);
+void add_bag_command(Command& app);
+void add_report_command(Command& app);
+void add_evaluate_command(Command& app);
+void add_map_command(Command& app);
+void add_check_robot_command(Command& app);
+void add_check_world_command(Command& app);
+void add_lidars_command(Command& app);
+void add_list_commands(Command& app);
+void add_completion_command(Command& app);
+void add_bench_command(Command& app);
 
 }  // namespace castaway::testbed

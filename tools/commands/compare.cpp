@@ -67,28 +67,28 @@ int compare_folders(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, std::function<int()>& chosen) {
+void add_compare_command(Command& app) {
   auto a = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "compare", "Runs against runs: paired by scenario and seed, differences with intervals");
   command
-      ->add_option("folders", a->folders,
-                   "Run folders, or folders of runs; the others against the first")
-      ->required()
-      ->expected(2, -1);
-  command->add_option("--out", a->out,
-                      "Where comparison.json and comparison.html go (default: runs/comparison)");
-  command->add_flag("--force", a->force,
-                    "Use a folder that holds other files, too; replaces only castaway's own");
-  command->add_flag("--json", a->json, "Print JSON instead of a table");
-  command->footer(
+      .add_option("folders", a->folders,
+                  "Run folders, or folders of runs; the others against the first")
+      .required()
+      .at_least(2);
+  command.add_option("--out", a->out,
+                     "Where comparison.json and comparison.html go (default: runs/comparison)");
+  command.add_flag("--force", a->force,
+                   "Use a folder that holds other files, too; replaces only castaway's own");
+  command.add_flag("--json", a->json, "Print JSON instead of a table");
+  command.footer(
       "Refuses what is not comparable: another scenario, other metrics, no seed in common. A "
       "localizer's settings may differ: that is what is compared.\n"
       "Example:\n"
       "  castaway run my.yaml --seeds 20 --out before\n"
       "  castaway run my.yaml --seeds 20 --out after --set localizers.0.mh_amcl.max_beams=30\n"
       "  castaway compare before after");
-  command->callback([&chosen, a] { chosen = [a] { return compare_folders(*a); }; });
+  command.action([a] { return compare_folders(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -12,32 +12,28 @@
 namespace castaway::testbed {
 namespace {
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// Subcommands and long options of a command.
-std::vector<std::string> words_of(const CLI::App& command) {
+std::vector<std::string> words_of(const Command& command) {
   std::vector<std::string> words;
-  for (const CLI::App* sub : commands_of(command)) words.push_back(sub->get_name());
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  for (const Command& sub : command.commands()) words.push_back(sub.name());
+  for (const OptionText& option : command.options()) {
+    for (const std::string& name : option.long_names) words.push_back("--" + name);
   }
   return words;
 }
 
 /// A case for each command, by its path ("bench kidnaps").
-std::string cases(const CLI::App& command, const std::string& path) {
+std::string cases(const Command& command, const std::string& path) {
   std::string text =
       fmt::format("    \"{}\") words=\"{}\" ;;\n", path, fmt::join(words_of(command), " "));
-  for (const CLI::App* sub : commands_of(command)) {
-    text += cases(*sub, path.empty() ? sub->get_name() : path + " " + sub->get_name());
+  for (const Command& sub : command.commands()) {
+    text += cases(sub, path.empty() ? sub.name() : path + " " + sub.name());
   }
   return text;
 }
 
 /// Works in bash, and in zsh with bashcompinit.
-std::string bash_script(const CLI::App& app) {
+std::string bash_script(const Command& app) {
   return fmt::format(R"sh(# Completion of castaway for bash: eval "$(castaway completion bash)"
 _castaway() {{
   local current="${{COMP_WORDS[COMP_CWORD]}}" previous="${{COMP_WORDS[COMP_CWORD-1]}}" words="" path="" word i
@@ -64,7 +60,7 @@ complete -o default -F _castaway castaway
                      fmt::join(scenario_names(), " "));
 }
 
-std::string script(const CLI::App& app, const std::string& shell) {
+std::string script(const Command& app, const std::string& shell) {
   if (shell == "zsh") return "autoload -U +X bashcompinit && bashcompinit\n" + bash_script(app);
   return bash_script(app);
 }
@@ -87,34 +83,30 @@ std::string roff(const std::string& text) {
   return escaped;
 }
 
-std::string option_text(const CLI::Option& option) {
-  const std::string name = option.get_positional() ? option.get_name(true) : option.get_name();
-  const std::string value = option.get_type_name().empty() || option.get_items_expected_max() == 0
-                                ? ""
-                                : " " + option.get_type_name();
-  return fmt::format(".TP\n.B {}{}\n{}\n", roff(name), roff(value), roff(option.get_description()));
+std::string option_text(const OptionText& option) {
+  const std::string value = option.value.empty() ? "" : " " + option.value;
+  return fmt::format(".TP\n.B {}{}\n{}\n", roff(option.name), roff(value), roff(option.what));
 }
 
-std::string section(const CLI::App& command, const std::string& path) {
-  std::string text =
-      fmt::format(".SS castaway {}\n{}\n", roff(path), roff(command.get_description()));
-  for (const CLI::Option* option : command.get_options()) text += option_text(*option);
-  if (!command.get_footer().empty())
-    text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.get_footer()));
-  for (const CLI::App* sub : commands_of(command))
-    text += section(*sub, path + " " + sub->get_name());
+std::string section(const Command& command, const std::string& path) {
+  std::string text = fmt::format(".SS castaway {}\n{}\n", roff(path), roff(command.what()));
+  for (const OptionText& option : command.options()) text += option_text(option);
+  if (!command.footer().empty()) {
+    text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.footer()));
+  }
+  for (const Command& sub : command.commands()) text += section(sub, path + " " + sub.name());
   return text;
 }
 
-std::string manual(const CLI::App& app) {
+std::string manual(const Command& app) {
   std::string text = fmt::format(
       ".TH CASTAWAY 1 \"\" \"castaway {}\" \"User Commands\"\n.SH NAME\ncastaway \\- kidnap a "
       "simulated robot "
       "and measure how a localizer finds it again\n.SH SYNOPSIS\n.B castaway\n.I "
       "command\n[options]\n.SH "
       "DESCRIPTION\n{}\n.SH COMMANDS\n",
-      CASTAWAY_VERSION, roff(app.get_description()));
-  for (const CLI::App* command : commands_of(app)) text += section(*command, command->get_name());
+      CASTAWAY_VERSION, roff(app.what()));
+  for (const Command& command : app.commands()) text += section(command, command.name());
   text +=
       ".SH EXIT STATUS\n.TP\n.B 0\nDone.\n.TP\n.B 1\nThe run failed or is void.\n.TP\n.B 2\nBad "
       "usage or "
@@ -127,27 +119,21 @@ std::string manual(const CLI::App& app) {
 
 }  // namespace
 
-void add_completion_command(CLI::App& app, std::function<int()>& chosen) {
+void add_completion_command(Command& app) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* completion =
-      app.add_subcommand("completion", "Print a script that completes commands in a shell");
-  completion->add_option("shell", *shell, "bash or zsh")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh"}));
-  completion->footer("Example, for ~/.bashrc:\n  eval \"$(castaway completion bash)\"");
-  completion->callback([&app, &chosen, shell] {
-    chosen = [&app, shell] {
-      fmt::print("{}", script(app, *shell));
-      return kDone;
-    };
+  Command completion =
+      app.add_command("completion", "Print a script that completes commands in a shell");
+  completion.add_option("shell", *shell, "bash or zsh").required().one_of({"bash", "zsh"});
+  completion.footer("Example, for ~/.bashrc:\n  eval \"$(castaway completion bash)\"");
+  completion.action([app, shell] {
+    fmt::print("{}", script(app, *shell));
+    return kDone;
   });
-  CLI::App* man = app.add_subcommand("man", "Print the manual page");
-  man->footer("Example:\n  castaway man | man -l -");
-  man->callback([&app, &chosen] {
-    chosen = [&app] {
-      fmt::print("{}", manual(app));
-      return kDone;
-    };
+  Command man = app.add_command("man", "Print the manual page");
+  man.footer("Example:\n  castaway man | man -l -");
+  man.action([app] {
+    fmt::print("{}", manual(app));
+    return kDone;
   });
 }
 

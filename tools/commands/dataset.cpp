@@ -55,37 +55,32 @@ int dataset(DatasetArguments arguments, bool seeded) {
 
 }  // namespace
 
-void add_dataset_command(CLI::App& app, std::function<int()>& chosen) {
+void add_dataset_command(Command& app) {
   auto a = std::make_shared<DatasetArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "dataset", "Many runs drawn from a specification, as a data set with labels and a card");
-  command->add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
-  command->add_option("-n", a->request.sequences, "Sequences")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 999999));
-  command->add_option("-j", a->request.workers, "At a time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--out", a->out, "Folder to make, or to go on with");
-  const CLI::Option* seed =
-      command->add_option("--seed", a->seed, "Root of all draws, instead of the specification's");
+  command.add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
+  command.add_option("-n", a->request.sequences, "Sequences").show_default().range(1, 999999);
+  command.add_option("-j", a->request.workers, "At a time").show_default().range(1, 1024);
+  command.add_option("--out", a->out, "Folder to make, or to go on with");
+  const Option seed =
+      command.add_option("--seed", a->seed, "Root of all draws, instead of the specification's");
   command
-      ->add_option("--set", a->request.overrides.scenario,
-                   "key=value of the scenario that all sequences share")
-      ->allow_extra_args(false);
-  command->add_option("--only", a->only, "Makes this sequence alone, again, as folder --out")
-      ->check(CLI::Range(0, 999999));
-  command->add_option("--verify", a->verify,
-                      "Holds a data set's files against its manifest; makes nothing");
-  command->add_flag("--json", a->request.json, "Print JSON instead of words");
-  command->footer(
+      .add_option("--set", a->request.overrides.scenario,
+                  "key=value of the scenario that all sequences share")
+      .repeatable();
+  command.add_option("--only", a->only, "Makes this sequence alone, again, as folder --out")
+      .range(0, 999999);
+  command.add_option("--verify", a->verify,
+                     "Holds a data set's files against its manifest; makes nothing");
+  command.add_flag("--json", a->request.json, "Print JSON instead of words");
+  command.footer(
       "A call that was stopped goes on where it was when it is made again.\n"
       "Examples:\n"
       "  castaway dataset datasets/office-people.yaml -n 100 -j 2 --out data/office\n"
       "  castaway dataset --verify data/office\n"
       "  castaway dataset data/office/dataset.yaml --only 42 --out again");
-  command->callback(
-      [&chosen, a, seed] { chosen = [a, seed] { return dataset(*a, seed->count() > 0); }; });
+  command.action([a, seed] { return dataset(*a, seed.given()); });
 }
 
 }  // namespace castaway::testbed

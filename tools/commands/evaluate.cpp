@@ -132,45 +132,45 @@ int evaluate_logs(EvaluateArguments arguments) {
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& app, std::function<int()>& chosen) {
+void add_evaluate_command(Command& app) {
   auto a = std::make_shared<EvaluateArguments>();
   EvaluationConfig& config = a->config;
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "evaluate", "Judge localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
-  command->add_option("folders", a->folders, "Folders that hold a log and a map")->required();
+  command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
   command
-      ->add_option("--localizer", a->localizers,
-                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
-      ->allow_extra_args(false);
-  command->add_option("--starts", config.starts, "Unknown starts in each log")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  command->add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  command->add_option("--window", config.window_s, "Time to be right [s]")
-      ->check(CLI::Range(0.1, 1e6))
-      ->capture_default_str();
-  command->add_option("--seed", config.seed, "Seed of the stress")->capture_default_str();
-  command->add_flag("!--no-tracking", config.tracking,
-                    "Leave out the whole log from its true start");
-  command->add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
+      .add_option("--localizer", a->localizers,
+                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+      .repeatable();
+  command.add_option("--starts", config.starts, "Unknown starts in each log")
+      .range(0, 100000)
+      .show_default();
+  command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
+      .range(0, 100000)
+      .show_default();
+  command.add_option("--window", config.window_s, "Time to be right [s]")
+      .range(0.1, 1e6)
+      .show_default();
+  command.add_option("--seed", config.seed, "Seed of the stress").show_default();
+  command.add_flag("!--no-tracking", config.tracking,
+                   "Leave out the whole log from its true start");
+  command.add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
   command
-      ->add_option("--blocked", config.stress.blocked_share,
-                   "Share of the view blocked by people near the robot")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres")
-      ->check(CLI::Range(0.1, 1e4));
+      .add_option("--blocked", config.stress.blocked_share,
+                  "Share of the view blocked by people near the robot")
+      .range(0.0, 1.0);
+  command.add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres")
+      .range(0.1, 1e4);
   command
-      ->add_option("--erase-walls", config.stress.erased_share,
-                   "Share of the map's wall tiles (1 m) erased")
-      ->check(CLI::Range(0.0, 1.0));
+      .add_option("--erase-walls", config.stress.erased_share,
+                  "Share of the map's wall tiles (1 m) erased")
+      .range(0.0, 1.0);
   command
-      ->add_option("--add-boxes", config.stress.boxes_per_m2,
-                   "Boxes of 0.5 m drawn into the map per square metre")
-      ->check(CLI::Range(0.0, 4.0));
-  command->add_flag("--json", a->json, "Print JSON");
-  command->footer(
+      .add_option("--add-boxes", config.stress.boxes_per_m2,
+                  "Boxes of 0.5 m drawn into the map per square metre")
+      .range(0.0, 4.0);
+  command.add_flag("--json", a->json, "Print JSON");
+  command.footer(
       "Right: error below 0.5 m and 0.35 rad to the end of the window. Wrong: share of scans in "
       "which the localizer says "
       "that it is right and is not. Noticed: a kidnap answered by an alarm or the right pose. "
@@ -178,7 +178,7 @@ void add_evaluate_command(CLI::App& app, std::function<int()>& chosen) {
       "Example:\n"
       "  castaway evaluate logs/intel logs/aces --starts 24 --kidnaps 24 --window 60 --localizer "
       "mh_amcl --localizer amcl");
-  command->callback([&chosen, a] { chosen = [a] { return evaluate_logs(*a); }; });
+  command.action([a] { return evaluate_logs(*a); });
 }
 
 }  // namespace castaway::testbed

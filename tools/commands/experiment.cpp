@@ -235,23 +235,21 @@ int run_experiment(const ExperimentArguments& arguments) {
 
 }  // namespace
 
-void add_experiment_command(CLI::App& app, std::function<int()>& chosen) {
+void add_experiment_command(Command& app) {
   auto a = std::make_shared<ExperimentArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "experiment", "The paper's experiments: 1 tracking, 2 recovery, 3 an hour among people");
-  command->add_option("number", a->number, "1, 2 or 3")->required();
-  command->add_option("--seeds", a->repeats, "How often each of the paper's runs is made")
-      ->capture_default_str();
-  command->add_flag("--quick", a->quick, "Some seconds of it, to see that it works");
-  command->add_option("-j,--jobs", a->workers, "Runs at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
-  command->add_option("--junit", a->junit, "Write the expectations as JUnit XML");
-  command->add_flag("--force", a->force,
-                    "Use a folder that holds other files, too; replaces only castaway's own");
-  command->add_flag("--json", a->json, "Print summary.json instead of words");
-  command->footer(
+  command.add_option("number", a->number, "1, 2 or 3").required();
+  command.add_option("--seeds", a->repeats, "How often each of the paper's runs is made")
+      .show_default();
+  command.add_flag("--quick", a->quick, "Some seconds of it, to see that it works");
+  command.add_option("-j,--jobs", a->workers, "Runs at a time").range(1, 1024).show_default();
+  command.add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
+  command.add_option("--junit", a->junit, "Write the expectations as JUnit XML");
+  command.add_flag("--force", a->force,
+                   "Use a folder that holds other files, too; replaces only castaway's own");
+  command.add_flag("--json", a->json, "Print summary.json instead of words");
+  command.footer(
       "Prints the paper's table with its figures and this run's; leaves summary.json, runs.csv, a "
       "page with the paper's figures and a folder for every run. Exits with 3 where an expectation "
       "of a scenario was not met.\n"
@@ -259,7 +257,7 @@ void add_experiment_command(CLI::App& app, std::function<int()>& chosen) {
       "  castaway experiment 1\n"
       "  castaway experiment 2 --seeds 10 -j 4\n"
       "  castaway experiment 3 --out /tmp/an-hour");
-  command->callback([&chosen, a] { chosen = [a] { return run_experiment(*a); }; });
+  command.action([a] { return run_experiment(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -69,12 +69,12 @@ int list_lidars(bool json) {
 
 }  // namespace
 
-void add_lidars_command(CLI::App& app, std::function<int()>& chosen) {
+void add_lidars_command(Command& app) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("lidars", "List the devices that a scenario can name");
-  command->add_flag("--json", *json, "Print JSON instead of a table");
-  command->footer("Example:\n  castaway lidars\n  castaway run --set lidar.profile=lds-01");
-  command->callback([&chosen, json] { chosen = [json] { return list_lidars(*json); }; });
+  Command command = app.add_command("lidars", "List the devices that a scenario can name");
+  command.add_flag("--json", *json, "Print JSON instead of a table");
+  command.footer("Example:\n  castaway lidars\n  castaway run --set lidar.profile=lds-01");
+  command.action([json] { return list_lidars(*json); });
 }
 
 }  // namespace castaway::testbed

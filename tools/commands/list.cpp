@@ -44,24 +44,21 @@ int print(const std::vector<Listed>& list, bool json) {
   return kDone;
 }
 
-void add_list(CLI::App& app, std::function<int()>& chosen, const std::string& name,
-              const std::string& text, const std::string& example, std::vector<Listed> (*list)()) {
+void add_list(Command& app, const std::string& name, const std::string& text,
+              const std::string& example, std::vector<Listed> (*list)()) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand(name, text);
-  command->add_flag("--json", *json, "Print JSON instead of a table");
-  command->footer("Example:\n  castaway " + name + "\n  " + example);
-  command->callback(
-      [&chosen, json, list] { chosen = [json, list] { return print(list(), *json); }; });
+  Command command = app.add_command(name, text);
+  command.add_flag("--json", *json, "Print JSON instead of a table");
+  command.footer("Example:\n  castaway " + name + "\n  " + example);
+  command.action([json, list] { return print(list(), *json); });
 }
 
 }  // namespace
 
-void add_list_commands(CLI::App& app, std::function<int()>& chosen) {
-  add_list(app, chosen, "worlds", "List the worlds that come along", "castaway run --world office",
-           worlds);
-  add_list(app, chosen, "robots", "List the robots that come along", "castaway run --robot mule",
-           robots);
-  add_list(app, chosen, "scenarios", "List the scenarios that come along",
+void add_list_commands(Command& app) {
+  add_list(app, "worlds", "List the worlds that come along", "castaway run --world office", worlds);
+  add_list(app, "robots", "List the robots that come along", "castaway run --robot mule", robots);
+  add_list(app, "scenarios", "List the scenarios that come along",
            "castaway run office/look-alikes", scenarios);
 }
 

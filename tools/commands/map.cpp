@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/map/rasterise.hpp"
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/formats/images/gray_image.hpp"
@@ -59,26 +60,25 @@ int make_map(const MapArguments& arguments) {
 
 }  // namespace
 
-void add_map_command(CLI::App& app, std::function<int()>& chosen) {
+void add_map_command(Command& app) {
   auto a = std::make_shared<MapArguments>();
-  CLI::App* command = app.add_subcommand("map", "Survey a world into a ROS map (.yaml and .pgm)");
-  command->add_option("world", a->world, "A world's name or path")->required();
-  command->add_option("--robot", a->robot, "Robot whose lidar's height is taken")
-      ->capture_default_str();
-  command->add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar")
-      ->check(CLI::Range(-1000.0, 1000.0));
-  command->add_option("--resolution", a->resolution, "Edge of a cell [m]")
-      ->capture_default_str()
-      ->check(CLI::Range(0.005, 1.0));
-  command->add_option("--out", a->out,
-                      "YAML file to write (default: <world>.yaml); the picture goes beside it");
+  Command command = app.add_command("map", "Survey a world into a ROS map (.yaml and .pgm)");
+  command.add_option("world", a->world, "A world's name or path").required();
+  command.add_option("--robot", a->robot, "Robot whose lidar's height is taken").show_default();
+  command.add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar")
+      .range(-1000.0, 1000.0);
+  command.add_option("--resolution", a->resolution, "Edge of a cell [m]")
+      .show_default()
+      .range(0.005, 1.0);
+  command.add_option("--out", a->out,
+                     "YAML file to write (default: <world>.yaml); the picture goes beside it");
   command
-      ->add_option("--search-path", a->search_paths,
-                   "Folder that models of an SDF world are looked for in")
-      ->allow_extra_args(false);
-  command->add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
-  command->footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
-  command->callback([&chosen, a] { chosen = [a] { return make_map(*a); }; });
+      .add_option("--search-path", a->search_paths,
+                  "Folder that models of an SDF world are looked for in")
+      .repeatable();
+  command.add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
+  command.footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
+  command.action([a] { return make_map(*a); });
 }
 
 }  // namespace castaway::testbed

@@ -221,49 +221,48 @@ int replay_log(ReplayArguments arguments) {
 
 }  // namespace
 
-void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
+void add_replay_command(Command& app) {
   auto a = std::make_shared<ReplayArguments>();
-  CLI::App* command =
-      app.add_subcommand("replay", "Localize a recorded log: CARMEN, or a bag of ROS 2");
+  Command command = app.add_command("replay", "Localize a recorded log: CARMEN, or a bag of ROS 2");
   command
-      ->add_option("log", a->log,
-                   "CARMEN log (.log, .carmen, .gz), or a rosbag2: its folder or an .mcap file")
-      ->required();
-  command->add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
+      .add_option("log", a->log,
+                  "CARMEN log (.log, .carmen, .gz), or a rosbag2: its folder or an .mcap file")
+      .required();
+  command.add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
   command
-      ->add_option("--scan-topic", a->topics.scans, "LaserScan topic of a bag; repeat for several")
-      ->allow_extra_args(false);
-  command->add_option("--odom-topic", a->topics.odometry,
-                      "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
-  command->add_option("--truth-topic", a->topics.truth,
-                      "Topic of the true pose (default: /ground_truth/odom, if there is one)");
-  command->add_option("--start", a->start, "truth or unknown")
-      ->check(CLI::IsMember({"truth", "unknown"}))
-      ->capture_default_str();
-  command->add_option("--from-scan", a->source.from_scan, "Index of the first scan played")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--scans", a->source.scans, "How many scans are played (default: all)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--splice", a->splice,
-                      "I:J jumps from scan I to scan J while odometry runs on: a kidnap");
+      .add_option("--scan-topic", a->topics.scans, "LaserScan topic of a bag; repeat for several")
+      .repeatable();
+  command.add_option("--odom-topic", a->topics.odometry,
+                     "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
+  command.add_option("--truth-topic", a->topics.truth,
+                     "Topic of the true pose (default: /ground_truth/odom, if there is one)");
+  command.add_option("--start", a->start, "truth or unknown")
+      .one_of({"truth", "unknown"})
+      .show_default();
+  command.add_option("--from-scan", a->source.from_scan, "Index of the first scan played")
+      .not_negative();
+  command.add_option("--scans", a->source.scans, "How many scans are played (default: all)")
+      .positive();
+  command.add_option("--splice", a->splice,
+                     "I:J jumps from scan I to scan J while odometry runs on: a kidnap");
   command
-      ->add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
-      ->check(CLI::IsMember({"all", "even", "odd"}))
-      ->capture_default_str();
+      .add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
+      .one_of({"all", "even", "odd"})
+      .show_default();
   command
-      ->add_option("--localizer", a->localizers,
-                   "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
-      ->allow_extra_args(false);
-  command->add_option("--seed", a->seed, "Root seed")->capture_default_str();
-  command->add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
-  command->add_flag("--force", a->force,
-                    "Use a folder that holds other files, too; replaces only castaway's own");
-  command->add_flag("--json", a->json, "Print summary.json instead of words");
-  command->add_flag("--pictures,!--no-pictures", a->pictures, "Take pictures (default: yes)");
+      .add_option("--localizer", a->localizers,
+                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+      .repeatable();
+  command.add_option("--seed", a->seed, "Root seed").show_default();
+  command.add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
+  command.add_flag("--force", a->force,
+                   "Use a folder that holds other files, too; replaces only castaway's own");
+  command.add_flag("--json", a->json, "Print summary.json instead of words");
+  command.add_flag("--pictures,!--no-pictures", a->pictures, "Take pictures (default: yes)");
   command
-      ->add_option("--pictures-every", a->pictures_every_s, "Also a picture every so many seconds")
-      ->check(CLI::NonNegativeNumber);
-  command->footer(
+      .add_option("--pictures-every", a->pictures_every_s, "Also a picture every so many seconds")
+      .not_negative();
+  command.footer(
       "TRUEPOS lines, and the truth topic of a bag, are the truth of the metrics; no localizer "
       "sees "
       "them.\n"
@@ -271,7 +270,7 @@ void add_replay_command(CLI::App& app, std::function<int()>& chosen) {
       "  castaway replay intel.log.gz --map intel.yaml --start unknown --localizer mh_amcl "
       "--localizer amcl\n"
       "  castaway replay rosbag2_2026_01_31 --map office.yaml --scan-topic /front/scan");
-  command->callback([&chosen, a] { chosen = [a] { return replay_log(*a); }; });
+  command.action([a] { return replay_log(*a); });
 }
 
 }  // namespace castaway::testbed

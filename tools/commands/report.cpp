@@ -59,17 +59,17 @@ int make_reports(const ReportArguments& arguments) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, std::function<int()>& chosen) {
+void add_report_command(Command& app) {
   auto a = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.add_command(
       "report", "Make report.html of run folders again; of several also a page that leads to them");
-  command->add_option("runs", a->runs, "Run folders, or folders of runs")->required();
-  command->add_option("--out", a->out, "Page that leads to the runs (default: runs.html)");
-  command->footer(
+  command.add_option("runs", a->runs, "Run folders, or folders of runs").required();
+  command.add_option("--out", a->out, "Page that leads to the runs (default: runs.html)");
+  command.footer(
       "Examples:\n"
       "  castaway report runs/lab-kidnap/seed-1\n"
       "  castaway report runs/lab-kidnap/* --out runs/lab-kidnap/index.html");
-  command->callback([&chosen, a] { chosen = [a] { return make_reports(*a); }; });
+  command.action([a] { return make_reports(*a); });
 }
 
 }  // namespace castaway::testbed

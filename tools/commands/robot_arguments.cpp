@@ -16,16 +16,15 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-void add_robot_options(CLI::App* command, RobotArguments& arguments) {
+void add_robot_options(Command command, RobotArguments& arguments) {
   command
-      ->add_option("--arg", arguments.assignments,
-                   "Argument of the robot's xacro file: name:=value")
-      ->allow_extra_args(false);
+      .add_option("--arg", arguments.assignments, "Argument of the robot's xacro file: name:=value")
+      .repeatable();
   command
-      ->add_option("--search-path", arguments.search_paths,
-                   "Folder that the robot's packages are looked for in (besides "
-                   "CASTAWAY_PACKAGE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
-      ->allow_extra_args(false);
+      .add_option("--search-path", arguments.search_paths,
+                  "Folder that the robot's packages are looked for in (besides "
+                  "CASTAWAY_PACKAGE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
+      .repeatable();
 }
 
 std::pair<std::string, std::string> parse_assignment(const std::string& text) {

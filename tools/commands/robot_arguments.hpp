@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 namespace castaway::testbed {
 
 /// What the command line says about how a robot is read.
@@ -15,7 +13,7 @@ struct RobotArguments {
 };
 
 /// Adds the two options. `arguments` must outlive the parsing.
-void add_robot_options(CLI::App* command, RobotArguments& arguments);
+void add_robot_options(Command command, RobotArguments& arguments);
 
 /// Name and value of `name:=value`, as ROS writes it, or of `name=value`. Throws
 /// std::invalid_argument naming the option.

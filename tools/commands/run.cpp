@@ -1,4 +1,5 @@
 // castaway run: a scenario, simulated; with --seeds, many times.
+#include <charconv>
 #include <memory>
 #include <stdexcept>
 
@@ -160,79 +161,71 @@ int run_many(const RunArguments& arguments) {
   return run_seeds(request);
 }
 
+/// What is wrong with the value of --duration; empty: nothing.
+std::string seconds_trouble(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const bool good = error == std::errc{} && stop == end && value > 0.0;
+  return good ? std::string() : "needs a number of seconds above 0, not " + text;
+}
+
 /// Options that stand for a key of the scenario.
-void add_shortcuts(CLI::App* command, const std::shared_ptr<RunArguments>& arguments) {
+void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& arguments) {
   const auto shortcut = [&](const std::string& flag, const std::string& key,
                             const std::string& text) {
-    command->add_option_function<std::string>(
+    return command.add_option(
         flag,
         [arguments, key](const std::string& value) {
           arguments->shortcuts.push_back(key + "=" + value);
         },
         text);
   };
-  command->add_option_function<std::uint64_t>(
-      "--seed",
-      [arguments](std::uint64_t seed) {
-        arguments->shortcuts.push_back(fmt::format("seed={}", seed));
-      },
-      "Root seed of all random streams");
-  command
-      ->add_option_function<double>(
-          "--duration",
-          [arguments](double duration) {
-            arguments->shortcuts.push_back(fmt::format("duration_s={}", duration));
-          },
-          "Simulated time [s]")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            double value = 0.0;
-            const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0;
-            return good ? std::string() : "needs a number of seconds above 0, not " + text;
-          },
-          ""));
+  shortcut("--seed", "seed", "Root seed of all random streams").value_name("UINT");
+  shortcut("--duration", "duration_s", "Simulated time [s]")
+      .value_name("FLOAT")
+      .check(seconds_trouble);
   shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
-  command->add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
+  command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
   add_robot_options(command, arguments->robot_options);
 }
 
 }  // namespace
 
-void add_run_command(CLI::App& app, std::function<int()>& chosen) {
+void add_run_command(Command& app) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command =
-      app.add_subcommand("run", "Simulate a scenario; without one, the default kidnap");
-  command->add_option("scenario", arguments->scenario,
-                      "Scenario file (YAML), or <world>/<name> of one that comes along");
+  Command command = app.add_command("run", "Simulate a scenario; without one, the default kidnap");
+  command.add_option("scenario", arguments->scenario,
+                     "Scenario file (YAML), or <world>/<name> of one that comes along");
   add_shortcuts(command, arguments);
-  command->add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
-      ->allow_extra_args(false);
+  command.add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
+      .repeatable();
   command
-      ->add_option("--localizer", arguments->localizers,
-                   "NAME or NAME:PRESET instead of the scenario's; repeat for several")
-      ->allow_extra_args(false);
+      .add_option("--localizer", arguments->localizers,
+                  "NAME or NAME:PRESET instead of the scenario's; repeat for several")
+      .repeatable();
   command
-      ->add_option("--expect", arguments->expects,
-                   "Besides the scenario's: METRIC CONDITION, \"mh_amcl.recovery.success >= 1\"")
-      ->allow_extra_args(false);
-  command->add_option("--seeds", arguments->seeds,
-                      "So many seeds from the scenario's on, or A..B: a folder for each and "
-                      "what they amount to");
-  command->add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_option("--out", arguments->out,
-                      "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
-                      "above it)");
-  command->add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
-  command->add_option("--video", arguments->video,
-                      "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
-  command->add_flag("--force", arguments->force,
-                    "Use a folder that holds other files, too; replaces only castaway's own");
-  command->add_flag("--strict", arguments->strict,
-                    "Refuse an SDF world if a piece of it cannot be read");
-  command->add_flag("--json", arguments->json, "Print summary.json instead of words");
-  command->footer(
+      .add_option("--expect", arguments->expects,
+                  "Besides the scenario's: METRIC CONDITION, \"mh_amcl.recovery.success >= 1\"")
+      .repeatable();
+  command.add_option("--seeds", arguments->seeds,
+                     "So many seeds from the scenario's on, or A..B: a folder for each and "
+                     "what they amount to");
+  command.add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
+      .range(1, 1024)
+      .show_default();
+  command.add_option("--out", arguments->out,
+                     "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
+                     "above it)");
+  command.add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
+  command.add_option("--video", arguments->video,
+                     "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
+  command.add_flag("--force", arguments->force,
+                   "Use a folder that holds other files, too; replaces only castaway's own");
+  command.add_flag("--strict", arguments->strict,
+                   "Refuse an SDF world if a piece of it cannot be read");
+  command.add_flag("--json", arguments->json, "Print summary.json instead of words");
+  command.footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"
       "Examples:\n"
       "  castaway run\n"
@@ -241,10 +234,8 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
       "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
       "  castaway run --video kidnap.mp4 --set outputs.video.view=overview\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
-  command->callback([&chosen, arguments] {
-    chosen = [arguments] {
-      return arguments->seeds.empty() ? run_once(*arguments) : run_many(*arguments);
-    };
+  command.action([arguments] {
+    return arguments->seeds.empty() ? run_once(*arguments) : run_many(*arguments);
   });
 }
 

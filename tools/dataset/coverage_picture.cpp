@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
 namespace castaway::testbed {
 namespace {

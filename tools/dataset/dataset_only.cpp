@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_run.hpp"
 #include "tools/dataset/dataset_sequence.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/output/output_folder.hpp"
 
 namespace castaway::testbed {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_finish.hpp"
 #include "tools/dataset/dataset_folder.hpp"
 #include "tools/dataset/dataset_sequence.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/workers/worker_notes.hpp"

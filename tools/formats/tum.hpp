@@ -2,9 +2,7 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "localization/geometry/se2.hpp"
 
@@ -18,9 +16,5 @@ struct StampedPose {
 
 /// One line with its newline: seconds with 9 digits, metres and quaternion with 9 digits.
 std::string tum_line(const StampedPose& pose);
-
-/// Reads a trajectory; comments (#) and empty lines are skipped, z, roll and pitch ignored. Throws
-/// std::runtime_error "file:line: ..." on a broken line.
-std::vector<StampedPose> read_tum(const std::filesystem::path& path);
 
 }  // namespace castaway::testbed

@@ -43,14 +43,4 @@ std::int64_t VarintReader::next_signed() {
   return static_cast<std::int64_t>((value & 1U) != 0U ? ~(value >> 1U) : value >> 1U);
 }
 
-std::vector<std::int64_t> column_values(std::string_view bytes) {
-  std::vector<std::int64_t> values;
-  std::int64_t last = 0;
-  for (VarintReader reader(bytes); !reader.done();) {
-    last += reader.next_signed();
-    values.push_back(last);
-  }
-  return values;
-}
-
 }  // namespace castaway::testbed

@@ -46,7 +46,4 @@ class VarintReader {
   std::size_t at_ = 0;
 };
 
-/// The numbers of a column.
-std::vector<std::int64_t> column_values(std::string_view bytes);
-
 }  // namespace castaway::testbed

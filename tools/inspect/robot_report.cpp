@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 
 namespace castaway::testbed {

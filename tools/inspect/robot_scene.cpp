@@ -2,9 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/render/primitives.hpp"
 #include "sim/robot/lidar_visuals.hpp"
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/robot/robot_visuals.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/inspect/robot_report.hpp"
 #include "tools/pictures/palette.hpp"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/map/ambiguity.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "tools/sources/build_world.hpp"
 
 namespace castaway::testbed {

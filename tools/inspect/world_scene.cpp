@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/render/bounds.hpp"
-#include "sim/render/camera.hpp"
-#include "sim/render/primitives.hpp"
+#include "sim/scene/bounds.hpp"
+#include "sim/scene/camera.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/inspect/world_report.hpp"
 #include "tools/pictures/palette.hpp"

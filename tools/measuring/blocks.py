@@ -22,6 +22,7 @@ class Block:
     cheap: bool = False  # Seconds, and nothing that a clock measured but what CLOCKS hides.
     logs: bool = False  # Takes recorded logs.
     worlds: bool = False  # Takes published worlds.
+    times: bool = False  # A clock measured some of it.
 
 
 LOCALIZATION, SENSORS, EXPERIMENTS = "docs/localization.md", "docs/sensors.md", "docs/experiments.md"
@@ -30,13 +31,13 @@ WORLDS, PEOPLE_PAGE = "docs/worlds.md", "docs/people.md"
 BLOCKS = {
     "default-run": Block("README.md", localizers.default_run, SIMULATOR, cheap=True),
     "twenty-seeds": Block("README.md", localizers.twenty_seeds, SIMULATOR, cheap=True),
-    "replays": Block("README.md", localizers.replays, REPLAY, logs=True),
-    "evaluations": Block("README.md", localizers.evaluations, REPLAY, logs=True),
+    "replays": Block("README.md", localizers.replays, REPLAY, logs=True, times=True),
+    "evaluations": Block("README.md", localizers.evaluations, REPLAY, logs=True, times=True),
     "seven-localizers": Block(LOCALIZATION, localizers.seven_localizers, SIMULATOR),
     "published-defects": Block(LOCALIZATION, localizers.published_defects, SIMULATOR),
     "kidnaps-among-people": Block(LOCALIZATION, localizers.kidnaps_among_people, SIMULATOR + ["worlds/office"]),
-    "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True),
-    "localization-speed": Block(LOCALIZATION, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"]),
+    "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True, times=True),
+    "localization-speed": Block(LOCALIZATION, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"], times=True),
     "odometry-profiles": Block(SENSORS, sensors.odometry_profiles,
                                ["sim/sensor", "tools/bench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),
     "odometry-logs": Block(SENSORS, sensors.odometry_logs, ["tools/bench/odometry_drift.cpp"], logs=True),
@@ -50,13 +51,13 @@ BLOCKS = {
     "discrimination": Block(EXPERIMENTS, people.discrimination, SIMULATOR),
     "kidnap-kinds": Block("docs/kidnaps.md", people.kidnap_kinds, SIMULATOR),
     "among-people": Block(PEOPLE_PAGE, people.among_people, SIMULATOR),
-    "simulation-speed": Block(PEOPLE_PAGE, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"]),
+    "simulation-speed": Block(PEOPLE_PAGE, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"], times=True),
     "moved": Block(WORLDS, worlds.moved, SIMULATOR + ["worlds"]),
     "twins": Block(WORLDS, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),
     "exact-beams": Block(WORLDS, worlds.exact_beams, ["sim/sensor", "sim/casting", "sim/world", "worlds"]),
     "published-worlds": Block(WORLDS, worlds.published_worlds, ["sim/world", "sim/map"], worlds=True),
     "physics": Block("docs/driving.md", bench("bench", "physics"), ["sim/robot", "sim/stages/drive_stage.cpp", "robots/waffle"], cheap=True),
     "shipped-robots": Block("docs/robots.md", robots.shipped_robots, ["sim/robot", "robots"]),
-    "dataset-speed": Block("docs/datasets.md", speed.dataset_speed, ["tools/dataset", "sim"]),
-    "bag-cost": Block("docs/formats.md", speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"]),
+    "dataset-speed": Block("docs/datasets.md", speed.dataset_speed, ["tools/dataset", "sim"], times=True),
+    "bag-cost": Block("docs/formats.md", speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"], times=True),
 }

@@ -16,17 +16,23 @@ def git(*arguments):
     return subprocess.run(["git", "-C", str(ROOT), *arguments], text=True, capture_output=True).stdout.strip()
 
 
+def meaning_of(path):
+    """What of a file can change a figure: of C++ not its comments, includes, white space and place."""
+    data = path.read_bytes()
+    if path.suffix not in (".cpp", ".hpp"):
+        return data
+    text = re.sub(r"^\s*(#include|#pragma once|//).*$|(?<=[;{},)])\s*//.*$", "", data.decode(), flags=re.M)
+    return "".join(text.split()).encode()
+
+
 def code_of(depends):
-    """Hash of the files under these paths, as they stand."""
+    """Hash of the files under these paths, as they stand, whatever their names."""
     listed = git("ls-files", *depends).splitlines()
     if not listed:  # Not a checkout: every file.
         listed = [str(p.relative_to(ROOT)) for d in depends for p in sorted((ROOT / d).rglob("*")) if p.is_file()]
-    digest = hashlib.sha256()
-    for name in sorted(listed):
-        path = ROOT / name
-        if path.is_file():
-            digest.update(name.encode() + b"\0" + path.read_bytes() + b"\0")
-    return digest.hexdigest()[:12]
+    paths = [ROOT / name for name in listed if not name.endswith("CMakeLists.txt")]
+    files = sorted(hashlib.sha256(meaning_of(path)).digest() for path in paths if path.is_file())
+    return hashlib.sha256(b"".join(files)).hexdigest()[:12]
 
 
 def machine():
@@ -56,6 +62,16 @@ def write(name, block, text):
     head = (f"<!-- measured: {name}, commit {git('rev-parse', '--short', 'HEAD')}, {datetime.date.today()}, {machine()}, "
             f"code {code_of(block.depends)} -->\n")
     path.write_text(old[: found.start()] + head + text + f"<!-- end of {name} -->\n" + old[found.end():])
+
+
+def restamp(name, block):
+    """States that the code as it stands gives the same figures."""
+    path = ROOT / block.page
+    old = path.read_text()
+    found = find(old, name)
+    head = re.sub(r"code \w+(, same results at \w+)?", f"code {code_of(block.depends)}, same results at {git('rev-parse', '--short', 'HEAD')}",
+                  found.group(1))
+    path.write_text(old[: found.start(1)] + head + old[found.end(1):])
 
 
 def is_fresh(name, block):

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
 namespace castaway::testbed {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {
 namespace {

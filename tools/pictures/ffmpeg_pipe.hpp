@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
 namespace castaway::testbed {
 

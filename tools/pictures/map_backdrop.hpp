@@ -1,7 +1,7 @@
 /// The map behind a plot's paths.
 #pragma once
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 #include "tools/formats/ros_map.hpp"
 
 namespace castaway::testbed {

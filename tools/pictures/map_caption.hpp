@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
 namespace castaway::testbed {
 

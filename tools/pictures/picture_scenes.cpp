@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/render/camera.hpp"
+#include "sim/scene/camera.hpp"
 #include "tools/pictures/chase_view.hpp"
 #include "tools/pictures/palette.hpp"
 #include "tools/pictures/pose_marks.hpp"

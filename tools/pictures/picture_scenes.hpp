@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 

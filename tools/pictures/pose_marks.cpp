@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "localization/geometry/se2.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {
 

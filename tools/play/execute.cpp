@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/run_summary.hpp"

@@ -1,9 +1,9 @@
 #include "tools/play/picture_plan.hpp"
 
-#include "sim/render/bounds.hpp"
-#include "sim/render/primitives.hpp"
 #include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_visuals.hpp"
+#include "sim/scene/bounds.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
 
 namespace castaway::testbed {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "localization/stamp.hpp"
-#include "tools/commands/commands.hpp"
 #include "tools/inspect/map_scores.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/play/picture_plan.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/cpu_clock.hpp"

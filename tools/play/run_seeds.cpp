@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "tools/campaign/aggregate.hpp"
-#include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
 #include "tools/play/play.hpp"

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/commands/commands.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
+#include "tools/output/exit_code.hpp"
 
 namespace castaway::testbed {
 namespace {

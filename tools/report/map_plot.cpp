@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 #include "tools/pictures/map_backdrop.hpp"
 #include "tools/pictures/map_caption.hpp"
 #include "tools/report/html/html.hpp"

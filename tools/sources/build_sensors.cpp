@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/odometry_profiles.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
 #include "tools/scenario/sections/odometry_spec.hpp"

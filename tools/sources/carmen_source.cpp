@@ -1,5 +1,6 @@
 #include "tools/sources/carmen_source.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -18,13 +19,10 @@ CarmenSource::CarmenSource(const std::filesystem::path& path, const CarmenSource
   }
   frames_ = frames.take();
   repaired_stamps_ = frames.repaired_stamps();
-  for (const Frame& frame : frames_) {
-    const auto* scan = std::get_if<ScanFrame>(&frame.data);
-    if (scan == nullptr) continue;
-    ++scan_count_;
-    if (scan->T_map_base_true) ++truth_count_;
-  }
-  if (scan_count_ == 0) {
+  const bool has_scan = std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) {
+    return std::holds_alternative<ScanFrame>(frame.data);
+  });
+  if (!has_scan) {
     throw std::runtime_error(
         fmt::format("{}: no FLASER or ROBOTLASER1 to play from scan {} on; check --from-scan",
                     path.string(), config.from_scan));

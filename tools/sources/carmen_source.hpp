@@ -48,15 +48,11 @@ class CarmenSource final : public SensorSource {
   /// Stamps that ran backwards and were set to the one before.
   [[nodiscard]] std::int64_t repaired_stamps() const { return repaired_stamps_; }
   /// Scans that are played, and how many of them have a truth.
-  [[nodiscard]] std::int64_t scan_count() const { return scan_count_; }
-  [[nodiscard]] std::int64_t truth_count() const { return truth_count_; }
 
  private:
   std::vector<Frame> frames_;
   std::size_t next_ = 0;
   std::int64_t repaired_stamps_ = 0;
-  std::int64_t scan_count_ = 0;
-  std::int64_t truth_count_ = 0;
 };
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "localization/map/occupancy_grid.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/simulation.hpp"
 #include "sim/stages/sensor_stage.hpp"
 #include "tools/formats/ros_map.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/people/bodies/person.hpp"
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

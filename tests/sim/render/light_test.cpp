@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/primitives.hpp"
 #include "sim/render/renderer.hpp"
+#include "sim/scene/primitives.hpp"
 
 namespace castaway::sim {
 namespace {

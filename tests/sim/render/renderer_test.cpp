@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 
 namespace castaway::sim {
 namespace {

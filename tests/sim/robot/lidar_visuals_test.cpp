@@ -1,4 +1,5 @@
 #include "sim/robot/lidar_visuals.hpp"
+#include "sim/robot/robot_sensors.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/sensor/lidar_config.hpp"
 

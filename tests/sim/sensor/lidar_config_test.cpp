@@ -7,8 +7,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/robot/urdf/robot_model.hpp"
-
 namespace castaway::sim {
 namespace {
 
@@ -27,29 +25,6 @@ TEST(LidarConfig, NamesTheFieldThatIsWrong) {
   }
 }
 
-TEST(LidarConfig, AFullCircleDoesNotRepeatItsFirstBeam) {
-  RobotModel robot;
-  robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};
-  robot.lidar->specs->samples = 360;
-  robot.lidar->specs->angle_max = 6.28319;
-  EXPECT_NEAR(lidar_of(robot).angle_increment, 2.0 * pi / 360.0, 1e-9);
-  EXPECT_NO_THROW(validate(lidar_of(robot)));
-  robot.lidar->specs->angle_min = -pi / 2;
-  robot.lidar->specs->angle_max = pi / 2;
-  robot.lidar->specs->samples = 181;
-  EXPECT_NEAR(lidar_of(robot).angle_increment, pi / 180.0, 1e-9);
-}
-
-TEST(LidarConfig, OfARobotWithoutOneStandsFreeOfItsBody) {
-  RobotModel robot;
-  robot.height = 0.15;
-  EXPECT_EQ(lidar_of(robot).T_base_laser.translation().z(), 0.2);
-  robot.height = 0.2;
-  EXPECT_NEAR(lidar_of(robot).T_base_laser.translation().z(), 0.22, 1e-12);
-  robot.height = 1.1;
-  EXPECT_NEAR(lidar_of(robot).T_base_laser.translation().z(), 1.12, 1e-12);
-}
-
 TEST(LidarConfig, TakesAMillionRaysASweepAtMost) {
   LidarConfig config;
   config.beams = 100000;
@@ -58,19 +33,6 @@ TEST(LidarConfig, TakesAMillionRaysASweepAtMost) {
   EXPECT_NO_THROW(validate(config));
   config.elevations.assign(11, 0.0);
   EXPECT_THROW(validate(config), std::invalid_argument);
-}
-
-TEST(LidarConfig, LayersComeFromTheDescription) {
-  RobotModel robot;
-  robot.lidar = LidarMount{"scan", Eigen::Isometry3d::Identity(), LidarSpecs{}};
-  robot.lidar->specs->angle_max = 3.0;
-  EXPECT_EQ(lidar_of(robot).elevations, std::vector<double>{0.0});
-  robot.lidar->specs->layers = 3;
-  robot.lidar->specs->layer_min = -0.2;
-  robot.lidar->specs->layer_max = 0.4;
-  const std::vector<double> elevations = lidar_of(robot).elevations;
-  ASSERT_EQ(elevations.size(), 3U);
-  EXPECT_NEAR(elevations[1], 0.1, 1e-12);
 }
 
 TEST(LidarConfig, TheMostLevelLayerStandsForAllUnlessOneIsChosen) {
@@ -99,19 +61,6 @@ TEST(LidarConfig, BeamsPointByLayerAndAngle) {
   EXPECT_LT(off(beam_direction(config, 6), {-std::sqrt(0.75), 0.0, 0.5}), 1e-15);
   EXPECT_LT(off(beam_point(config, 1, 2.0), {0.1, 2.0, 0.3}), 1e-15);
   EXPECT_LT(off(beam_point(config, 6, 2.0), {0.1 - std::sqrt(3.0), 0.0, 1.3}), 1e-15);
-}
-
-TEST(LidarConfig, LidarsOfOneMacroGetNamesOfTheirOwn) {
-  RobotModel robot;
-  for (const char* link : {"front", "rear"}) {
-    robot.lidars.push_back({link, Eigen::Isometry3d::Identity(), std::nullopt, "scanner"});
-  }
-  robot.lidar = robot.lidars.front();
-  const auto lidars = lidars_of(robot);
-  ASSERT_EQ(lidars.size(), 2U);
-  EXPECT_EQ(lidars[0].name, "scanner");
-  EXPECT_EQ(lidars[1].name, "scanner_rear");
-  EXPECT_EQ(lidars[1].frame, "rear");
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 namespace castaway::sim {
 namespace {
 
+constexpr RangeNoise kNoNoise{0.0, 0.0, 0.0, 0.0, 0.0};
+
 using std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const Eigen::Isometry3d kOrigin = Eigen::Isometry3d::Identity();
@@ -29,7 +31,7 @@ LidarConfig two_beams() {
   config.beams = 2;
   config.angle_min = 0.0;
   config.angle_increment = pi / 3;
-  config.noise = ideal_ranges();
+  config.noise = kNoNoise;
   return config;
 }
 

@@ -8,6 +8,8 @@
 namespace castaway::sim {
 namespace {
 
+constexpr RangeNoise kNoNoise{0.0, 0.0, 0.0, 0.0, 0.0};
+
 constexpr int kDraws = 20000;
 
 /// Mean and standard deviation of many measurements.
@@ -26,19 +28,19 @@ std::pair<double, double> moments(const RangeNoise& noise, double range) {
 
 TEST(RangeNoise, WithoutErrorIsExactAndDrawsNothing) {
   Rng rng(1);
-  EXPECT_EQ(measured_range(ideal_ranges(), 3.7, 0.0, rng), 3.7);
+  EXPECT_EQ(measured_range(kNoNoise, 3.7, 0.0, rng), 3.7);
   EXPECT_EQ(rng, Rng(1));
 }
 
 TEST(RangeNoise, BiasIsAdded) {
-  RangeNoise noise = ideal_ranges();
+  RangeNoise noise = kNoNoise;
   noise.bias = -0.02;
   Rng rng(1);
   EXPECT_DOUBLE_EQ(measured_range(noise, 3.0, 0.005, rng), 2.985);
 }
 
 TEST(RangeNoise, RoundsToItsResolution) {
-  RangeNoise noise = ideal_ranges();
+  RangeNoise noise = kNoNoise;
   noise.resolution = 0.01;
   Rng rng(1);
   EXPECT_DOUBLE_EQ(measured_range(noise, 1.2345, 0.0, rng), 1.23);
@@ -46,7 +48,7 @@ TEST(RangeNoise, RoundsToItsResolution) {
 }
 
 TEST(RangeNoise, DeviatesByItsConstantAndItsShareOfRange) {
-  RangeNoise noise = ideal_ranges();
+  RangeNoise noise = kNoNoise;
   noise.sigma = 0.01;
   noise.sigma_relative = 0.02;
   const auto [mean, sigma] = moments(noise, 2.0);

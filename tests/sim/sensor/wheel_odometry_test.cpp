@@ -62,22 +62,29 @@ TEST(WheelOdometry, CountsWholeTicks) {
   EXPECT_NEAR(driven(config, kDrive, {-1.5 * tick, -1.5 * tick}, 1, 50).x, -2 * tick * 0.05, 1e-12);
 }
 
-TEST(WheelOdometry, MisjudgesRadiiAndTrackByTheirSigmas) {
+TEST(WheelOdometry, MisjudgesRadiiByTheirSigma) {
   OdometryConfig config = ideal_odometry();
   config.radius_sigma = 0.005;
-  config.track_sigma = 0.01;
-  constexpr int kRobots = 4000;
-  double radius = 0.0;
-  double track = 0.0;
-  Rng rng(2);
-  for (int i = 0; i < kRobots; ++i) {
-    const WheelOdometry odometry(config, kDrive, rng);
-    radius += std::pow(odometry.believed().radius_left / 0.05 - 1.0, 2);
-    track += std::pow(odometry.believed().track / 0.4 - 1.0, 2);
+  constexpr unsigned kRobots = 4000;
+  double squares = 0.0;
+  for (unsigned seed = 0; seed < kRobots; ++seed) {
+    const double way = driven(config, kDrive, {1.0, 1.0}, seed, 1).x;  // Mean of both radii.
+    squares += std::pow(way / 0.05 - 1.0, 2);
   }
-  const double tolerance = 4.0 / std::sqrt(2.0 * kRobots);
-  EXPECT_NEAR(std::sqrt(radius / kRobots), 0.005, 0.005 * tolerance);
-  EXPECT_NEAR(std::sqrt(track / kRobots), 0.01, 0.01 * tolerance);
+  const double expected = 0.005 / std::sqrt(2.0);
+  EXPECT_NEAR(std::sqrt(squares / kRobots), expected, expected * 4.0 / std::sqrt(2.0 * kRobots));
+}
+
+TEST(WheelOdometry, MisjudgesTheTrackByItsSigma) {
+  OdometryConfig config = ideal_odometry();
+  config.track_sigma = 0.01;
+  constexpr unsigned kRobots = 4000;
+  double squares = 0.0;
+  for (unsigned seed = 0; seed < kRobots; ++seed) {
+    const double track = 0.1 / driven(config, kDrive, {-1.0, 1.0}, seed, 1).yaw;
+    squares += std::pow(track / 0.4 - 1.0, 2);
+  }
+  EXPECT_NEAR(std::sqrt(squares / kRobots), 0.01, 0.01 * 4.0 / std::sqrt(2.0 * kRobots));
 }
 
 TEST(WheelOdometry, DriftGrowsWithTheRootOfTheWay) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
 
 namespace castaway::sim {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/columns.hpp"
 #include "tests/tools/support/temporary.hpp"
 
 namespace castaway::testbed {

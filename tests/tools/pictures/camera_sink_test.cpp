@@ -7,7 +7,7 @@
 #include <png.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {
 namespace {

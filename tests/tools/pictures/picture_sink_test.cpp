@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/columns.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 

@@ -29,12 +29,13 @@ TEST(TrajectorySink, WritesTheTruthAndEachLocalizerAtTheScansStamps) {
   EXPECT_EQ(read_file(folder.path() / "truth.tum"),
             "1.250000000 0.125000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
             "1.000000000\n");
-  const auto a = read_tum(folder.path() / "a.tum");
-  ASSERT_EQ(a.size(), 2U);
-  EXPECT_EQ(a[1].stamp, record.stamp);
-  EXPECT_NEAR(a[1].T_map_base.x, 0.25, 1e-9);
-  EXPECT_NEAR(a[1].T_map_base.yaw, -0.5 * std::numbers::pi, 1e-8);
-  EXPECT_EQ(read_tum(folder.path() / "group_b.tum").size(), 1U);
+  const std::string a = read_file(folder.path() / "a.tum");
+  EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 2);
+  EXPECT_TRUE(a.ends_with(
+      "\n2.500000000 0.250000000 0.000000000 0.000000000 0.000000000 0.000000000 -0.707106781 "
+      "0.707106781\n"));
+  const std::string b = read_file(folder.path() / "group_b.tum");
+  EXPECT_EQ(std::count(b.begin(), b.end(), '\n'), 1);
 }
 
 TEST(TrajectorySink, LinesHaveEightColumnsOneSpaceApartAndAUnitQuaternion) {

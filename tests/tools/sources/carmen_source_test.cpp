@@ -88,8 +88,6 @@ TEST(CarmenSource, KnowsItsStartItsLengthAndItsRepairs) {
   CarmenSource source(folder.put("a.log", kLog + late));
   EXPECT_EQ(source.start_pose(), (SE2{1.0, 2.0, 0.5}));
   EXPECT_NEAR(localization::seconds(source.duration()), 0.5, 1e-9);
-  EXPECT_EQ(source.scan_count(), 3);
-  EXPECT_EQ(source.truth_count(), 2);
   EXPECT_EQ(source.repaired_stamps(), 1);
   EXPECT_EQ(played(odom(0.0, 100.0) + flaser(0.0, 100.2) + late + odom(0.8, 100.1)),
             "o2 s2 o2 o2 ");

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/world/footprint.hpp"
 #include "tools/scenario/files/data_paths.hpp"

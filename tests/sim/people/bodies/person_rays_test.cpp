@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/people/bodies/gait.hpp"
+#include "sim/people/gait.hpp"
 #include "sim/sensor/readings.hpp"
 
 namespace castaway::sim {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/people/bodies/gait.hpp"
+#include "sim/people/gait.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/robot/load_robot.hpp"
+#include "sim/robot/robot_sensors.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

@@ -1,4 +1,4 @@
-#include "sim/render/gl/gl_vertex_array.hpp"
+#include "sim/render/gl_vertex_array.hpp"
 
 #include <cassert>
 #include <utility>

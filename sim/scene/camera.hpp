@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/render/camera.hpp"
+#include "sim/scene/camera.hpp"
 
 #include <gtest/gtest.h>
 

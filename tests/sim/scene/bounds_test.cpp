@@ -1,8 +1,8 @@
-#include "sim/render/bounds.hpp"
+#include "sim/scene/bounds.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -1,8 +1,4 @@
-#include "sim/render/image.hpp"
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include "sim/scene/image.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -34,23 +30,6 @@ TEST(Image, HasTheSameBytesEachTimeAndNoTime) {
 TEST(Image, RefusesPixelsThatDoNotFit) {
   EXPECT_THROW(encode_png({2, 2, {1, 2, 3}}), std::invalid_argument);
   EXPECT_THROW(encode_png({}), std::invalid_argument);
-}
-
-TEST(Image, IsWrittenToAFile) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "castaway_image_test.png";
-  write_png(two_pixels(), path);
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), encode_png(two_pixels()));
-  std::filesystem::remove(path);
-}
-
-TEST(Image, NamesTheFileThatCannotBeWritten) {
-  try {
-    write_png(two_pixels(), "/nowhere/picture.png");
-    FAIL() << "no exception";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("/nowhere/picture.png"), std::string::npos);
-  }
 }
 
 }  // namespace

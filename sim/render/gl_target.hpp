@@ -1,7 +1,7 @@
 /// An off-screen framebuffer with multisampling.
 #pragma once
 
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
 namespace castaway::sim {
 

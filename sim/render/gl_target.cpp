@@ -1,4 +1,4 @@
-#include "sim/render/gl/gl_target.hpp"
+#include "sim/render/gl_target.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "sim/render/gl/egl_context.hpp"
+#include "sim/render/egl_context.hpp"
 
 #include <array>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "sim/render/light_frame.hpp"
+#include "sim/scene/light_frame.hpp"
 
 #include <cmath>
 

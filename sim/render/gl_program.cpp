@@ -1,4 +1,4 @@
-#include "sim/render/gl/gl_program.hpp"
+#include "sim/render/gl_program.hpp"
 
 #include <array>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/render/scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/render/gl/gl_texture.hpp"
+#include "sim/render/gl_texture.hpp"
 
 #include <stdexcept>
 

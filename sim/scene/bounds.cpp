@@ -1,4 +1,4 @@
-#include "sim/render/bounds.hpp"
+#include "sim/scene/bounds.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sim/people/bodies/gait.hpp"
+#include "sim/people/gait.hpp"
 
 #include <cmath>
 #include <vector>

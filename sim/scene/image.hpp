@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,5 @@ struct DeepImage {
 
 /// The bytes of a 16-bit grey PNG file. Throws as the one above.
 std::string encode_deep_png(const DeepImage& image);
-
-/// Writes a PNG file. Throws std::runtime_error if `path` is not writable.
-void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace castaway::sim

@@ -1,6 +1,5 @@
-#include "sim/render/image.hpp"
+#include "sim/scene/image.hpp"
 
-#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -42,18 +41,6 @@ std::string encode_png(const Image& image) {
 std::string encode_deep_png(const DeepImage& image) {
   require_fit(image.width, image.height, image.pixels.size(), 1);
   return encoded(PNG_FORMAT_LINEAR_Y, image.width, image.height, image.pixels.data());
-}
-
-void write_png(const Image& image, const std::filesystem::path& path) {
-  const std::string png = encode_png(image);
-  std::ofstream file(path, std::ios::binary);
-  file.write(png.data(), static_cast<std::streamsize>(png.size()));
-  file.close();
-  if (!file) {
-    throw std::runtime_error(fmt::format(
-        "{}: cannot write the picture; check that the folder exists, is writable and not full",
-        path.string()));
-  }
 }
 
 }  // namespace castaway::sim

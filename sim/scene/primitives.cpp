@@ -1,4 +1,4 @@
-#include "sim/render/primitives.hpp"
+#include "sim/scene/primitives.hpp"
 
 #include <cmath>
 #include <numbers>

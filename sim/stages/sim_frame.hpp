@@ -1,0 +1,37 @@
+/// What a simulated run delivers.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <variant>
+
+#include "sim/common/geometry.hpp"
+#include "sim/events/fault.hpp"
+#include "sim/events/kidnap.hpp"
+#include "sim/sensor/readings.hpp"
+
+namespace castaway::sim {
+
+/// The robot was lifted from the floor. A kidnap's record follows when it stands again.
+struct PickUpRecord {
+  std::chrono::nanoseconds stamp{};
+  KidnapKind kind = KidnapKind::kCarry;
+  Pose2 T_map_base;  ///< True pose of base.
+};
+
+/// The robot recovered from not getting on, or stopped short.
+struct DriveRecord {
+  std::chrono::nanoseconds stamp{};
+  std::string what;  ///< "wait", "re-plan", "back up", "spin" or "emergency stop".
+  Pose2 T_map_base;  ///< True pose of base.
+};
+
+/// One delivery. A scan is delivered at the time of its last beam.
+struct SimFrame {
+  std::chrono::nanoseconds stamp{};
+  std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord, PickUpRecord,
+               DriveRecord>
+      data;
+};
+
+}  // namespace castaway::sim

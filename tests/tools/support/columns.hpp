@@ -1,0 +1,23 @@
+// Reads what IntColumn writes.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "tools/formats/varint.hpp"
+
+namespace castaway::testbed {
+
+/// The numbers of a column.
+inline std::vector<std::int64_t> column_values(std::string_view bytes) {
+  std::vector<std::int64_t> values;
+  std::int64_t last = 0;
+  for (VarintReader reader(bytes); !reader.done();) {
+    last += reader.next_signed();
+    values.push_back(last);
+  }
+  return values;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,253 @@
+#include "tools/commands/command_line.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "tools/output/exit_code.hpp"
+#include "tools/scenario/yaml/nearest.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+/// "castaway bench kidnaps": as far as the parser came.
+std::string path_of(const CLI::App& app, const CLI::App*& last) {
+  std::string path = "castaway";
+  last = &app;
+  for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = last->get_subcommands()) {
+    last = chosen.front();
+    path += " " + last->get_name();
+  }
+  return path;
+}
+
+std::vector<std::string> options_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// The option that an unexpected word may have meant.
+std::string not_expected(const CLI::App& command, const std::string& word) {
+  if (!word.starts_with("-")) return fmt::format("'{}' is one word too many", word);
+  const std::string name = word.substr(0, word.find('='));
+  const auto near = nearest_name(name, options_of(command));
+  const bool close = near && edit_distance(name, *near) <= 3;
+  return fmt::format("no option '{}'{}", name,
+                     close ? fmt::format("; did you mean '{}'?", *near) : "");
+}
+
+std::string describe_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* command = nullptr;
+  const std::string path = path_of(app, command);
+  std::string what = error.what();
+  const std::vector<std::string> extras = command->remaining();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extras.empty()) {
+    what = not_expected(*command, extras.front());
+  }
+  std::replace(what.begin(), what.end(), '\n', ' ');
+  return fmt::format("{}: {}; `{} --help` says what it takes", path, what, path);
+}
+
+std::string whole_number_trouble(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const bool good = error == std::errc{} && stop == end;
+  return good ? std::string() : "needs a whole number from 0 to 2^64 - 1, not " + text;
+}
+
+void require_whole_seeds(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    CLI::Option* seed = command->get_option_no_throw("--seed");
+    if (seed != nullptr) seed->check(CLI::Validator(whole_number_trouble, ""));
+    require_whole_seeds(*command);
+  }
+}
+
+}  // namespace
+
+Option Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option Option::at_least(int least) {
+  option_->expected(least, -1);
+  return *this;
+}
+
+Option Option::repeatable() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option Option::show_default() {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Option::range(int low, int high) {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::range(double low, double high) {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& values) {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+
+Option Option::value_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+
+Option Option::not_negative() {
+  option_->check(CLI::NonNegativeNumber);
+  return *this;
+}
+
+Option Option::positive() {
+  option_->check(CLI::PositiveNumber);
+  return *this;
+}
+
+Option Option::check(const Check& check) {
+  option_->check(CLI::Validator([check](const std::string& value) { return check(value); }, ""));
+  return *this;
+}
+
+bool Option::given() const { return option_->count() > 0; }
+
+Command Command::add_command(const std::string& name, const std::string& what) {
+  return {app_->add_subcommand(name, what), chosen_};
+}
+
+template <typename T>
+Option Command::add_option(const std::string& names, T& value, const std::string& what) {
+  return Option(app_->add_option(names, value, what));
+}
+
+#define CASTAWAY_OPTION_OF(T) \
+  template Option Command::add_option(const std::string&, T&, const std::string&)
+CASTAWAY_OPTION_OF(std::string);
+CASTAWAY_OPTION_OF(std::vector<std::string>);
+CASTAWAY_OPTION_OF(std::vector<int>);
+CASTAWAY_OPTION_OF(int);
+CASTAWAY_OPTION_OF(std::int64_t);
+CASTAWAY_OPTION_OF(std::uint64_t);
+CASTAWAY_OPTION_OF(double);
+CASTAWAY_OPTION_OF(std::optional<double>);
+CASTAWAY_OPTION_OF(std::optional<std::int64_t>);
+CASTAWAY_OPTION_OF(std::optional<std::uint64_t>);
+#undef CASTAWAY_OPTION_OF
+
+Option Command::add_option(const std::string& names, std::function<void(const std::string&)> take,
+                           const std::string& what) {
+  return Option(app_->add_option_function<std::string>(names, std::move(take), what));
+}
+
+void Command::add_flag(const std::string& names, bool& value, const std::string& what) {
+  app_->add_flag(names, value, what);
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+
+void Command::action(const std::function<int()>& act) {
+  app_->callback([chosen = chosen_, act] { *chosen = act; });
+}
+
+void Command::require_command() { app_->require_subcommand(1); }
+
+std::string Command::name() const { return app_->get_name(); }
+
+std::string Command::what() const { return app_->get_description(); }
+
+std::string Command::footer() const { return app_->get_footer(); }
+
+std::vector<Command> Command::commands() const {
+  std::vector<Command> commands;
+  for (CLI::App* command : app_->get_subcommands([](const CLI::App*) { return true; })) {
+    commands.emplace_back(command, chosen_);
+  }
+  return commands;
+}
+
+std::vector<OptionText> Command::options() const {
+  std::vector<OptionText> texts;
+  for (const CLI::Option* option : app_->get_options()) {
+    const bool takes_value = option->get_items_expected_max() != 0;
+    texts.push_back({option->get_positional() ? option->get_name(true) : option->get_name(),
+                     takes_value ? option->get_type_name() : "", option->get_description(),
+                     option->get_lnames()});
+  }
+  return texts;
+}
+
+CommandLine::CommandLine(const std::string& what, const std::string& version)
+    : app_(std::make_unique<CLI::App>(what)) {
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::root() { return {app_.get(), &chosen_}; }
+
+void CommandLine::require_whole_seeds() { testbed::require_whole_seeds(*app_); }
+
+std::optional<std::string> CommandLine::unknown_command(const std::vector<std::string>& words) {
+  const CLI::App* level = app_.get();
+  std::string path = "castaway";
+  for (std::size_t i = 0;; ++i) {
+    const std::vector<const CLI::App*> known = commands_of(*level);
+    if (known.empty()) return std::nullopt;
+    if (i >= words.size()) {
+      return fmt::format("{}: give a command: {}; `{} --help` says what they do", path,
+                         fmt::join(names_of(known), ", "), path);
+    }
+    if (words[i].starts_with("-")) return std::nullopt;  // --help, --version, or an option amiss.
+    const auto found = std::find_if(known.begin(), known.end(), [&](const CLI::App* command) {
+      return command->get_name() == words[i];
+    });
+    if (found == known.end()) {
+      return fmt::format("{}: no command '{}'; {}; `{} --help` lists them", path, words[i],
+                         suggestion(words[i], names_of(known)), path);
+    }
+    level = *found;
+    path += " " + level->get_name();
+  }
+}
+
+CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
+  try {
+    app_->parse(argc, argv);
+    return {chosen_, kDone, {}};
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return {{}, app_->exit(error), {}};  // --help, --version
+    return {{}, kBadInput, describe_usage(*app_, error)};
+  }
+}
+
+}  // namespace castaway::testbed

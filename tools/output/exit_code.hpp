@@ -1,0 +1,14 @@
+/// Exit codes of the program.
+#pragma once
+
+namespace castaway::testbed {
+
+/// What the program tells its caller.
+enum ExitCode : int {
+  kDone = 0,
+  kRunFailed = 1,
+  kBadInput = 2,
+  kExpectationNotMet = 3,
+};
+
+}  // namespace castaway::testbed
