@@ -25,8 +25,8 @@ class Block:
     times: bool = False  # A clock measured some of it.
 
 
-LOCALIZATION, SENSORS, EXPERIMENTS = "docs/localization.md", "docs/sensors.md", "docs/experiments.md"
-WORLDS, PEOPLE_PAGE = "docs/worlds.md", "docs/people.md"
+LOCALIZATION, SIMULATION = "docs/figures/localization.md", "docs/figures/simulation.md"
+EXPERIMENTS, SPEED = "docs/figures/experiments.md", "docs/figures/speed.md"
 
 BLOCKS = {
     "default-run": Block("README.md", localizers.default_run, SIMULATOR, cheap=True),
@@ -37,27 +37,27 @@ BLOCKS = {
     "published-defects": Block(LOCALIZATION, localizers.published_defects, SIMULATOR),
     "kidnaps-among-people": Block(LOCALIZATION, localizers.kidnaps_among_people, SIMULATOR + ["worlds/office"]),
     "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True, times=True),
-    "localization-speed": Block(LOCALIZATION, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"], times=True),
-    "odometry-profiles": Block(SENSORS, sensors.odometry_profiles,
+    "localization-speed": Block(SPEED, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"], times=True),
+    "odometry-profiles": Block(SIMULATION, sensors.odometry_profiles,
                                ["sim/sensor", "tools/bench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),
-    "odometry-logs": Block(SENSORS, sensors.odometry_logs, ["tools/bench/odometry_drift.cpp"], logs=True),
-    "real-lidar": Block(SENSORS, sensors.real_lidar, SIMULATOR + ["lidars"], cheap=True),
-    "glass": Block(SENSORS, sensors.glass, WORLD + ["lidars", "worlds/home"]),
-    "faults": Block(SENSORS, sensors.faults, SIMULATOR, cheap=True),
+    "odometry-logs": Block(SIMULATION, sensors.odometry_logs, ["tools/bench/odometry_drift.cpp"], logs=True),
+    "real-lidar": Block(LOCALIZATION, sensors.real_lidar, SIMULATOR + ["lidars"], cheap=True),
+    "glass": Block(SIMULATION, sensors.glass, WORLD + ["lidars", "worlds/home"]),
+    "faults": Block(LOCALIZATION, sensors.faults, SIMULATOR, cheap=True),
     "experiment-1": Block(EXPERIMENTS, localizers.experiment(1), SIMULATOR),
     "experiment-2": Block(EXPERIMENTS, localizers.experiment(2, "--seeds", "10", "-j", "2"), SIMULATOR),
     "experiment-3": Block(EXPERIMENTS, localizers.experiment(3), SIMULATOR + ["worlds/corridor"]),
     "marathons": Block(EXPERIMENTS, people.marathons, SIMULATOR + ["worlds/corridor", "robots/butler"]),
     "discrimination": Block(EXPERIMENTS, people.discrimination, SIMULATOR),
-    "kidnap-kinds": Block("docs/kidnaps.md", people.kidnap_kinds, SIMULATOR),
-    "among-people": Block(PEOPLE_PAGE, people.among_people, SIMULATOR),
-    "simulation-speed": Block(PEOPLE_PAGE, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"], times=True),
-    "moved": Block(WORLDS, worlds.moved, SIMULATOR + ["worlds"]),
-    "twins": Block(WORLDS, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),
-    "exact-beams": Block(WORLDS, worlds.exact_beams, ["sim/sensor", "sim/casting", "sim/world", "worlds"]),
-    "published-worlds": Block(WORLDS, worlds.published_worlds, ["sim/world", "sim/map"], worlds=True),
-    "physics": Block("docs/driving.md", bench("bench", "physics"), ["sim/robot", "sim/stages/drive_stage.cpp", "robots/waffle"], cheap=True),
-    "shipped-robots": Block("docs/robots.md", robots.shipped_robots, ["sim/robot", "robots"]),
-    "dataset-speed": Block("docs/datasets.md", speed.dataset_speed, ["tools/dataset", "sim"], times=True),
-    "bag-cost": Block("docs/formats.md", speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"], times=True),
+    "kidnap-kinds": Block(LOCALIZATION, people.kidnap_kinds, SIMULATOR),
+    "among-people": Block(LOCALIZATION, people.among_people, SIMULATOR),
+    "simulation-speed": Block(SPEED, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"], times=True),
+    "moved": Block(LOCALIZATION, worlds.moved, SIMULATOR + ["worlds"]),
+    "twins": Block(SIMULATION, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),
+    "exact-beams": Block(SIMULATION, worlds.exact_beams, ["sim/sensor", "sim/casting", "sim/world", "worlds"]),
+    "published-worlds": Block(SIMULATION, worlds.published_worlds, ["sim/world", "sim/map"], worlds=True),
+    "physics": Block(SIMULATION, bench("bench", "physics"), ["sim/robot", "sim/stages/drive_stage.cpp", "robots/waffle"], cheap=True),
+    "shipped-robots": Block(SIMULATION, robots.shipped_robots, ["sim/robot", "robots"]),
+    "dataset-speed": Block(SPEED, speed.dataset_speed, ["tools/dataset", "sim"], times=True),
+    "bag-cost": Block(SPEED, speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"], times=True),
 }

@@ -30,7 +30,7 @@ def code_of(depends):
     listed = git("ls-files", *depends).splitlines()
     if not listed:  # Not a checkout: every file.
         listed = [str(p.relative_to(ROOT)) for d in depends for p in sorted((ROOT / d).rglob("*")) if p.is_file()]
-    paths = [ROOT / name for name in listed if not name.endswith("CMakeLists.txt")]
+    paths = [ROOT / name for name in listed if not name.endswith(("CMakeLists.txt", ".md"))]
     files = sorted(hashlib.sha256(meaning_of(path)).digest() for path in paths if path.is_file())
     return hashlib.sha256(b"".join(files)).hexdigest()[:12]
 
