@@ -33,7 +33,7 @@ function numbers(ending) {
 }
 
 writeFileSync(out, `// Made by web/build.mjs from web/src.
-#include "tools/report/web_bundle.hpp"
+#include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 namespace {
