@@ -23,8 +23,7 @@ constexpr double kBrakingShare = 0.6;  // Of the acceleration limit: the guard r
 }  // namespace
 
 TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot) {
-  TwistLimits limits{drive.max_speed, drive.max_turn_rate, drive.max_acceleration,
-                     drive.max_turn_acceleration};
+  TwistLimits limits = drive.limits;
   for (const DriveWheel& wheel : robot.wheels) {
     if (wheel.speed_max <= 0.0) continue;
     const double rim = wheel.speed_max * wheel.radius;
@@ -59,7 +58,7 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) 
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot) {
   GuardConfig guard;
   guard.radius = robot.footprint_radius;
-  guard.deceleration = kBrakingShare * drive.max_acceleration;
+  guard.deceleration = kBrakingShare * drive.limits.max_acceleration;
   return guard;
 }
 

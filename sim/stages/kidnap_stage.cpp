@@ -49,7 +49,7 @@ TriggerInput trigger_input(const KidnapInput& input) {
 KidnapStage::KidnapStage(const SimulationConfig& config, const Grid& drive_grid,
                          const RayScene& scene, const NamedStreams& streams)
     : scene_(&scene),
-      lidar_(config.lidar),
+      lidar_(config.lidars.front()),
       keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
   for (std::size_t i = 0; i < config.kidnaps.size(); ++i) {
     const KidnapSpec& spec = config.kidnaps[i];

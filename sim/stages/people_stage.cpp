@@ -43,8 +43,8 @@ PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
         "people: no random streams for them: give SimulationStreams::named");
   }
   robot_ = {robot_outline(config.robot), config.robot.footprint_radius, robot, {0.0, 0.0}};
-  people_ = std::make_unique<People>(config.people, config.world, config.map, config.lidar, robot_,
-                                     streams);
+  people_ = std::make_unique<People>(config.people, config.world, config.map, config.lidars.front(),
+                                     robot_, streams);
 }
 
 void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen::Vector2d& velocity,

@@ -20,26 +20,24 @@ double turn_of(const Motion& motion) {
   return wrap_angle(to_planar(motion.T_map_base_end).yaw - to_planar(motion.T_map_base_begin).yaw);
 }
 
-}  // namespace
-
-std::vector<LidarConfig> all_lidars(const SimulationConfig& config) {
-  std::vector<LidarConfig> lidars = {config.lidar};
-  for (const LidarConfig& lidar : config.more_lidars) {
-    const bool taken = std::any_of(lidars.begin(), lidars.end(), [&](const LidarConfig& other) {
-      return other.name == lidar.name;
-    });
+std::vector<LidarConfig> require_own_names(const std::vector<LidarConfig>& lidars) {
+  if (lidars.empty()) throw std::invalid_argument("lidars: there is none: give one");
+  for (auto lidar = lidars.begin(); lidar != lidars.end(); ++lidar) {
+    const bool taken = std::any_of(
+        lidars.begin(), lidar, [&](const LidarConfig& other) { return other.name == lidar->name; });
     if (taken) {
-      throw std::invalid_argument("lidars: two are named '" + lidar.name +
+      throw std::invalid_argument("lidars: two are named '" + lidar->name +
                                   "': give each a name of its own");
     }
-    lidars.push_back(lidar);
   }
   return lidars;
 }
 
+}  // namespace
+
 SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams& streams)
     : scene_(ray_primitives(config.world)),
-      configs_(all_lidars(config)),
+      configs_(require_own_names(config.lidars)),
       timeline_(config.faults),
       odometry_(config, streams),
       odometry_period_(std::llround(1e9 / config.odometry.rate_hz)) {

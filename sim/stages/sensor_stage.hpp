@@ -13,10 +13,6 @@
 
 namespace castaway::sim {
 
-/// All lidars of a configuration, as `LidarReading::lidar` counts them.
-/// @throws std::invalid_argument if two bear one name.
-std::vector<LidarConfig> all_lidars(const SimulationConfig& config);
-
 /// Lidars and odometry of a run on its clock, each with its own streams, and their faults.
 class SensorStage {
  public:

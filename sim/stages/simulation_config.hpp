@@ -16,6 +16,7 @@
 #include "sim/map/grid.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
+#include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
@@ -29,10 +30,7 @@ struct DriveConfig {
   bool loop = true;                        ///< Starts again after the last waypoint.
   std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints; may be empty.
   bool by_estimate = false;                ///< Drives by `set_drive_pose`; false: by the true pose.
-  double max_speed = 0.5;                  ///< [m/s] The wheels' own limit applies too.
-  double max_turn_rate = 1.0;              ///< [rad/s]
-  double max_acceleration = 0.5;           ///< [m/s^2]
-  double max_turn_acceleration = 2.0;      ///< [rad/s^2]
+  TwistLimits limits;                      ///< The wheels' own limits apply too.
   double wait_s = 0.0;                     ///< [s] The robot stands still at first.
 };
 
@@ -47,8 +45,8 @@ struct SimulationConfig {
   WorldSpec world;
   Grid map;  ///< What the robot's planner knows; objects missing on it are avoided all the same.
   RobotModel robot;
-  LidarConfig lidar;                       ///< The first; people and guards go by it.
-  std::vector<LidarConfig> more_lidars{};  ///< Further ones, with other names.
+  /// With names of their own, at least one. People, guards and kidnaps go by the first.
+  std::vector<LidarConfig> lidars{LidarConfig{}};
   OdometryConfig odometry;
   DriveConfig drive;
   std::vector<KidnapSpec> kidnaps;

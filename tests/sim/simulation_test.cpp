@@ -141,7 +141,7 @@ TEST(Simulation, AClockChangesNothing) {
 TEST(Simulation, StreamsDoNotDisturbEachOther) {
   auto config = noisy_kidnap_simulation();
   const auto with_noise = all_of<OdometryReading>(run(config, 5));
-  config.lidar.noise.sigma = 0.0;
+  config.lidars.front().noise.sigma = 0.0;
   const auto without = all_of<OdometryReading>(run(config, 5));
   ASSERT_EQ(with_noise.size(), without.size());
   EXPECT_EQ(with_noise.back().T_odom_base, without.back().T_odom_base);
@@ -260,9 +260,9 @@ TEST(Simulation, KidnapsOnceTheWatchedLocalizerIsRightAndSure) {
 
 TEST(Simulation, ScansFitTheWorldAtTheTruePose) {
   auto config = test_simulation();
-  config.lidar.sweep = false;
+  config.lidars.front().sweep = false;
   const auto scans = all_of<LidarReading>(run(config, 1));
-  const Lidar lidar(config.lidar);
+  const Lidar lidar(config.lidars.front());
   const RayScene scene(ray_primitives(config.world));
   LidarDraws rng;
   for (std::size_t i = 0; i < scans.size(); i += 7) {

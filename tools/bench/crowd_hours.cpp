@@ -92,7 +92,7 @@ CrowdHours watch_crowd(const CrowdHoursConfig& config, const std::function<void(
   const sim::SimulationConfig simulation = build_simulation(scenario, ".").config;
   const sim::RayScene walls(sim::ray_primitives(simulation.world));
   Sliding robot(simulation);
-  sim::People people(config.people, simulation.world, simulation.map, simulation.lidar,
+  sim::People people(config.people, simulation.world, simulation.map, simulation.lidars.front(),
                      robot.body(), simulation_streams(config.seed).named);
   CrowdHours seen;
   seen.closest_pair_m = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "tools/bench/odometry_bench.hpp"
 
 #include "localization/stamp.hpp"
+#include "sim/sensor/odometry_profiles.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/sources/simulator_source.hpp"
 
@@ -11,11 +12,10 @@ Frames drive(const std::string& profile, std::uint64_t seed, double duration_s) 
   Scenario scenario;
   scenario.seed = seed;
   scenario.duration_s = duration_s;
-  scenario.odometry.profile = profile;
-  scenario.lidar.beams = 1;  // Nobody looks.
-  scenario.lidar.rate_hz = 1.0;
+  scenario.odometry = sim::odometry_profile(profile).value();
+  scenario.lidars.front().set("beams", 1).set("rate_hz", 1.0);  // Nobody looks.
   PreparedSimulation prepared = build_simulation(scenario, ".");
-  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
   SimulatorSource source(
       sim::Simulation(std::move(prepared.config), simulation_streams(scenario.seed)),
       std::move(lidars), localization::from_seconds(duration_s));

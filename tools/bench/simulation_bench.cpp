@@ -25,15 +25,15 @@ constexpr int kBenchWaypoints = 12;
 
 sim::SimulationConfig lab() {
   Scenario scenario;
-  scenario.lidar.rate_hz = 10.0;
-  scenario.lidar.range_max = kCastRange;
+  scenario.lidars.front().set("rate_hz", 10.0).set("range_max", kCastRange);
   return build_simulation(scenario, ".").config;
 }
 
 sim::SimulationConfig in_hall(int boxes) {
   sim::SimulationConfig config = lab();
   config.world = bench_hall(boxes, std::sqrt(kRoomPerBox * boxes), kSeed);
-  config.map = sim::rasterise(config.world, config.lidar.T_base_laser.translation().z(), 0.05);
+  config.map =
+      sim::rasterise(config.world, config.lidars.front().T_base_laser.translation().z(), 0.05);
   config.random_start = true;
   config.drive.waypoints.clear();
   sim::Rng rng = simulation_streams(kSeed).named("route");
@@ -87,8 +87,9 @@ double plain_cast(const std::vector<sim::RayPrimitive>& primitives,
 
 SimulationCost time_simulation(const SimulationCostSpec& spec) {
   sim::SimulationConfig config = spec.obstacles > 0 ? in_hall(spec.obstacles) : lab();
-  config.lidar.angle_increment *= static_cast<double>(config.lidar.beams) / spec.beams;
-  config.lidar.beams = spec.beams;
+  sim::LidarConfig& lidar = config.lidars.front();
+  lidar.angle_increment *= static_cast<double>(lidar.beams) / spec.beams;
+  lidar.beams = spec.beams;
   config.people.walking = spec.people;
   config.physics_hz = spec.kinematic ? 100.0 : 240.0;
   if (spec.kinematic) config.drive_model = sim::DriveModel::kKinematic;

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/sensor/odometry_profiles.hpp"
 #include "tools/bench/odometry_bench.hpp"
 #include "tools/commands/bench.hpp"
-#include "tools/scenario/sections/odometry_spec.hpp"
 #include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {
@@ -65,7 +65,7 @@ int bench_odometry(const OdometryArguments& arguments) {
     fmt::print("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
                "segments", "%", "deg/m");
   }
-  for (const std::string& profile : kOdometryProfiles) {
+  for (const std::string& profile : sim::odometry_profile_names()) {
     (void)add_row(profile, simulated_drift(profile, arguments.config), words, json);
   }
   for (std::size_t i = 0; i < recorded.size(); ++i) {

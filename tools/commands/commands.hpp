@@ -20,6 +20,7 @@ void add_map_command(Command& app);
 void add_check_robot_command(Command& app);
 void add_check_world_command(Command& app);
 void add_lidars_command(Command& app);
+void add_settings_command(Command& app);
 void add_list_commands(Command& app);
 void add_completion_command(Command& app);
 void add_bench_command(Command& app);

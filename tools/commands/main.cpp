@@ -29,6 +29,7 @@ void add_commands(Command app) {
   add_check_robot_command(app);
   add_check_world_command(app);
   add_lidars_command(app);
+  add_settings_command(app);
   add_list_commands(app);
   add_bench_command(app);
   add_completion_command(app);

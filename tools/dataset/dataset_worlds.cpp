@@ -5,16 +5,22 @@
 
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/scenario/sections/lidar_spec.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
 
+std::string setting_text(const LidarSpec& lidar, const char* key) {
+  const YamlNode* value = lidar.changes.find(key);
+  return value == nullptr ? "-" : emit_yaml(*value);
+}
+
+/// Of what decides whether a lidar can be built: its mount and its layers, not its figures.
 std::string lidar_key(const LidarSpec& lidar) {
-  const Eigen::Vector3d mount = lidar.mount_xyz.value_or(Eigen::Vector3d::Zero());
-  return fmt::format("{} {} {} {} {} {}", lidar.name, lidar.profile, lidar.mount_xyz.has_value(),
-                     mount.z(), lidar.elevations_deg.size(), lidar.range_max.has_value());
+  return fmt::format("{} {} {} {}", lidar.name, lidar.profile, setting_text(lidar, "mount_xyz"),
+                     setting_text(lidar, "elevations_deg"));
 }
 
 std::string world_key(const Scenario& scenario) {
@@ -24,10 +30,9 @@ std::string world_key(const Scenario& scenario) {
 
 /// Scenarios with the same one can be built or not, all of them, as far as names go.
 std::string structure_key(const Scenario& scenario) {
-  std::string key =
-      fmt::format("{} | {} {} {} | {} {} | {}", world_key(scenario), scenario.robot.file,
-                  scenario.robot.arguments, scenario.robot.search_paths, scenario.drive.route,
-                  scenario.drive.twist_log, lidar_key(scenario.lidar));
+  std::string key = fmt::format("{} | {} {} {} | {} {}", world_key(scenario), scenario.robot.file,
+                                scenario.robot.arguments, scenario.robot.search_paths,
+                                scenario.drive.route, scenario.drive.twist_log);
   for (const LidarSpec& lidar : scenario.lidars) key += " | " + lidar_key(lidar);
   for (const sim::FaultSpec& fault : scenario.events.faults) key += " | " + fault.lidar;
   return key;
@@ -35,8 +40,7 @@ std::string structure_key(const Scenario& scenario) {
 
 /// Of the first lidar, as far as the scenario says.
 double range_of(const Scenario& scenario, const sim::LidarConfig& built) {
-  const LidarSpec& spec = scenario.lidars.empty() ? scenario.lidar : scenario.lidars.front();
-  return spec.range_max.value_or(built.range_max);
+  return changed(built, scenario.lidars.front().changes).range_max;
 }
 
 }  // namespace
@@ -45,7 +49,7 @@ void DatasetWorlds::check(const Scenario& scenario) {
   const std::string key = structure_key(scenario);
   if (built_.contains(key)) return;
   PreparedSimulation prepared = build_simulation(scenario, base_);
-  built_.emplace(key, Built{prepared.config.lidar, prepared.world_name});
+  built_.emplace(key, Built{prepared.config.lidars.front(), prepared.world_name});
   maps_.try_emplace(prepared.world_name, std::move(prepared.map));
 }
 

@@ -68,8 +68,8 @@ std::optional<double> OdometryDrift::yaw_per_metre() const {
 
 void SequenceStatistics::add(const RunEvent& event) {
   ++events_[event.kind];
-  if (event.kind != "kidnap" && event.kind != "pick-up") return;
-  held_ = event.kind == "pick-up";
+  if (event.kind != EventKind::kKidnap && event.kind != EventKind::kPickUp) return;
+  held_ = event.kind == EventKind::kPickUp;
   last_.reset();
   drift_.restart();
   if (held_ || !event.T_map_from || !event.T_map_to) return;
@@ -115,7 +115,7 @@ void SequenceStatistics::add(const ScanRecord& record, const ScanRow& row) {
 }
 
 Json SequenceStatistics::json() const {
-  const auto count_of = [this](const char* kind) {
+  const auto count_of = [this](EventKind kind) {
     const auto found = events_.find(kind);
     return found == events_.end() ? 0 : found->second;
   };
@@ -134,8 +134,8 @@ Json SequenceStatistics::json() const {
           {"scans", scans_},
           {"beams", beams_},
           {"people", people_},
-          {"collisions", count_of("collision")},
-          {"faults", count_of("fault on")},
+          {"collisions", count_of(EventKind::kCollision)},
+          {"faults", count_of(EventKind::kFaultOn)},
           {"kidnaps", kidnaps_},
           {"lost", lost},
           {"difficulty",

@@ -13,12 +13,12 @@ std::vector<FaultWindow> fault_windows(const std::vector<RunEvent>& events, Stam
   std::vector<FaultWindow> windows;
   std::vector<bool> open;
   for (const RunEvent& event : events) {
-    if (event.kind == "fault on") {
+    if (event.kind == EventKind::kFaultOn) {
       const bool instant = event.detail == "odometry-reset";
       windows.push_back({event.detail, event.stamp, instant ? event.stamp : end});
       open.push_back(!instant);
     }
-    if (event.kind != "fault off") continue;
+    if (event.kind != EventKind::kFaultOff) continue;
     for (std::size_t i = 0; i < windows.size(); ++i) {
       if (!open[i] || windows[i].fault != event.detail) continue;
       windows[i].end = event.stamp;

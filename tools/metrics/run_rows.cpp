@@ -36,7 +36,7 @@ std::optional<PoseError> pose_error(const MetricRow& row) {
 std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   std::vector<RunEvent> kidnaps;
   std::copy_if(events.begin(), events.end(), std::back_inserter(kidnaps),
-               [](const RunEvent& event) { return event.kind == "kidnap"; });
+               [](const RunEvent& event) { return event.kind == EventKind::kKidnap; });
   return kidnaps;
 }
 

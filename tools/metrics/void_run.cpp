@@ -12,8 +12,9 @@ namespace castaway::testbed {
 using Json = nlohmann::ordered_json;
 
 std::optional<VoidRun> void_run(const std::vector<RunEvent>& events) {
-  const auto found = std::find_if(events.begin(), events.end(),
-                                  [](const RunEvent& event) { return event.kind == "void"; });
+  const auto found = std::find_if(events.begin(), events.end(), [](const RunEvent& event) {
+    return event.kind == EventKind::kVoid;
+  });
   if (found == events.end()) return std::nullopt;
   return VoidRun{found->detail, seconds(found->begun())};
 }

@@ -11,21 +11,10 @@
 #include "sim/render/renderer.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/pictures/coco.hpp"
+#include "tools/pictures/picture_config.hpp"
 #include "tools/pictures/picture_scenes.hpp"
 
 namespace castaway::testbed {
-
-/// A camera without distortion.
-struct CameraConfig {
-  double rate_hz = 2.0;                           ///< [Hz] Pictures.
-  int width = 640;                                ///< [px]
-  int height = 480;                               ///< [px]
-  double fov_deg = 70.0;                          ///< [deg] From left to right.
-  Eigen::Vector3d p_base{0.1, 0.0, 0.4};          ///< [m] Of its optical centre, in base.
-  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< [rad] Roll, pitch, yaw of where it looks.
-  bool depth = true;                              ///< camera/depth
-  bool instances = true;                          ///< camera/instances
-};
 
 /// Throws std::invalid_argument, naming the value, for a camera that cannot be.
 void validate(const CameraConfig& config);

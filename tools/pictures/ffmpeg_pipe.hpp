@@ -8,16 +8,9 @@
 #include <string>
 
 #include "sim/scene/image.hpp"
+#include "tools/pictures/picture_config.hpp"
 
 namespace castaway::testbed {
-
-/// How a film is made.
-struct FilmFormat {
-  std::filesystem::path file;  ///< Ends in .mp4 (H.264) or .webm (VP9).
-  int width = 1280;            ///< [px] Even.
-  int height = 720;            ///< [px] Even.
-  int fps = 20;                ///< [1/s] Pictures a second of film.
-};
 
 /// Throws std::invalid_argument naming the file or key that does not do.
 void validate(const FilmFormat& format);

@@ -6,16 +6,10 @@
 
 #include "sim/render/renderer.hpp"
 #include "tools/pictures/ffmpeg_pipe.hpp"
+#include "tools/pictures/picture_config.hpp"
 #include "tools/pictures/picture_scenes.hpp"
 
 namespace castaway::testbed {
-
-/// What a film shows, and how fast.
-struct FilmConfig {
-  FilmFormat format;
-  std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
-  double speed = 1.0;          ///< Seconds of the run in a second of film.
-};
 
 /// Throws std::invalid_argument on a format that does not do, another view, a speed not above 0.
 void validate(const FilmConfig& config);

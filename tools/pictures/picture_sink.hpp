@@ -8,18 +8,11 @@
 #include <vector>
 
 #include "sim/render/renderer.hpp"
+#include "tools/pictures/picture_config.hpp"
 #include "tools/pictures/picture_scenes.hpp"
 #include "tools/records/run_history.hpp"
 
 namespace castaway::testbed {
-
-/// When pictures are taken.
-struct PictureConfig {
-  double every_s = 0.0;   ///< [s] Between two pictures; 0: none by time.
-  bool on_events = true;  ///< At each kidnap and each recovery of the first localizer.
-  int width = 960;        ///< [px]
-  int height = 640;       ///< [px]
-};
 
 /// Throws std::invalid_argument on a negative time and a size outside 16 to 8192 px.
 void validate(const PictureConfig& config);

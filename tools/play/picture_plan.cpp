@@ -36,7 +36,8 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   }
   world.world.push_back(floor_item(prepared.config.world));
   world.robot = sim::robot_visuals(prepared.config.robot);
-  for (sim::SceneItem& item : sim::lidar_visuals(prepared.config.robot, prepared.config.lidar)) {
+  for (sim::SceneItem& item :
+       sim::lidar_visuals(prepared.config.robot, prepared.config.lidars.front())) {
     world.robot.push_back(std::move(item));
   }
   world.top = sim::standing_height(world.world);
@@ -47,9 +48,8 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   return world;
 }
 
-void add_camera(const CameraSpec& spec, const sim::WorldSpec& world, RunPlan& plan) {
-  plan.camera = CameraConfig{spec.rate_hz,   spec.width,     spec.height, spec.fov_deg,
-                             spec.mount_xyz, spec.mount_rpy, spec.depth,  spec.instances};
+void add_camera(const CameraConfig& camera, const sim::WorldSpec& world, RunPlan& plan) {
+  plan.camera = camera;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     plan.instances[sim::kFirstObjectInstance + static_cast<int>(i)] = world.objects[i].name;
   }
@@ -67,13 +67,10 @@ void plan_pictures(const OutputSpec& outputs, const std::filesystem::path& video
     plan.picture_world = picture_world_of(prepared);
   }
   if (outputs.camera) add_camera(*outputs.camera, prepared.config.world, plan);
-  if (outputs.snapshots) {
-    plan.pictures = PictureConfig{outputs.snapshot_every_s, outputs.snapshot_on_events,
-                                  outputs.snapshot_width, outputs.snapshot_height};
-  }
+  if (outputs.snapshots) plan.pictures = outputs.pictures;
   if (video.empty()) return;
-  const VideoSpec& film = outputs.video;
-  plan.film = FilmConfig{{video, film.width, film.height, film.fps}, film.view, film.speed};
+  plan.film = outputs.video;
+  plan.film->format.file = video;
 }
 
 }  // namespace castaway::testbed

@@ -29,8 +29,7 @@ void tell_intensities(sim::SimulationConfig& config) {
   const auto tell = [](sim::LidarConfig& lidar) {
     if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
   };
-  tell(config.lidar);
-  for (sim::LidarConfig& lidar : config.more_lidars) tell(lidar);
+  for (sim::LidarConfig& lidar : config.lidars) tell(lidar);
 }
 
 void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, RunPlan& plan) {
@@ -48,26 +47,19 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   plan.tables_hdf5 = scenario.outputs.tables_hdf5;
   if (!plan.tables_csv && !plan.tables_hdf5 && options.sinks.empty()) return;
   LabelContext labels{hit_legend(prepared.config.world), {}};
-  labels.ambiguity = options.scores
-                         ? *options.scores
-                         : map_scores(scenario, options.base, prepared.config.lidar).places;
+  labels.ambiguity =
+      options.scores ? *options.scores
+                     : map_scores(scenario, options.base, prepared.config.lidars.front()).places;
   plan.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
-McapCompression compression_of(const std::string& name) {
-  if (name == "none") return McapCompression::kNone;
-  return name == "lz4" ? McapCompression::kLz4 : McapCompression::kZstd;
-}
-
 /// A bag of the run; where the localizers start is known later.
-BagConfig bag_config(const BagSpec& spec, const PreparedSimulation& prepared) {
+BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepared) {
   const sim::RobotModel& robot = prepared.config.robot;
   BagConfig bag;
-  bag.compression = compression_of(spec.compression);
-  bag.particles = spec.particles;
-  bag.snapshots = spec.snapshots;
+  bag.options = options;
   bag.links = robot.frames;
-  for (const sim::LidarConfig& lidar : sim::all_lidars(prepared.config)) {
+  for (const sim::LidarConfig& lidar : prepared.config.lidars) {
     bag.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
   }
   bag.robot_file = robot.path;
@@ -115,7 +107,7 @@ RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
 }
 
 SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
-  std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
   const Stamp duration = prepared.config.duration;
   return {sim::Simulation(std::move(prepared.config), simulation_streams(seed), thread_cpu_time),
           std::move(lidars), duration};

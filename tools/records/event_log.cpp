@@ -10,8 +10,11 @@ void add_alarms(const std::vector<MetricRow>& rows, const std::string& localizer
   bool was_lost = false;
   for (const MetricRow& row : rows) {
     if (row.lost != was_lost) {
-      const RunEvent event{
-          row.answered(), row.lost ? "alarm on" : "alarm off", "", row.T_map_base_true, {}};
+      const RunEvent event{row.answered(),
+                           row.lost ? EventKind::kAlarmOn : EventKind::kAlarmOff,
+                           "",
+                           row.T_map_base_true,
+                           {}};
       log.push_back({event, localizer});
     }
     was_lost = row.lost;
@@ -23,10 +26,12 @@ void add_recoveries(const LocalizerMetrics& metrics, const std::string& localize
   for (const RecoveryWindow& window : metrics.windows) {
     if (!window.recovered) continue;
     const std::string detail = window.unknown_start ? "from unknown start" : "from kidnap";
-    log.push_back({{*window.recovered, "recovery", detail, {}, {}},
-                   localizer,
-                   seconds(*window.recovered - window.begin),
-                   window.distance_m});
+    RunEvent event;
+    event.stamp = *window.recovered;
+    event.kind = EventKind::kRecovery;
+    event.detail = detail;
+    log.push_back(
+        {event, localizer, seconds(*window.recovered - window.begin), window.distance_m});
   }
 }
 

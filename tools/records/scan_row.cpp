@@ -38,8 +38,8 @@ bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true) {
 }
 
 void ScanLabeller::add(const RunEvent& event) {
-  if (event.kind == "pick-up") picked_up_ = event.stamp;
-  if (event.kind != "kidnap") return;
+  if (event.kind == EventKind::kPickUp) picked_up_ = event.stamp;
+  if (event.kind != EventKind::kKidnap) return;
   picked_up_.reset();
   kidnaps_.push_back(event);
 }

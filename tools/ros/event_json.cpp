@@ -30,7 +30,9 @@ std::optional<Stamp> stamp_of(const Json& json) {
 }  // namespace
 
 std::string event_json(const RunEvent& event) {
-  Json json = {{"kind", event.kind}, {"detail", event.detail}, {"stamp_s", seconds(event.stamp)}};
+  Json json = {{"kind", event_name(event.kind)},
+               {"detail", event.detail},
+               {"stamp_s", seconds(event.stamp)}};
   if (event.since) json["since_s"] = seconds(*event.since);
   if (event.T_map_from) json["from"] = pose_json(*event.T_map_from);
   if (event.T_map_to) json["to"] = pose_json(*event.T_map_to);
@@ -42,7 +44,9 @@ std::optional<RunEvent> event_of_json(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   try {
     RunEvent event;
-    event.kind = json.at("kind").get<std::string>();
+    const std::optional<EventKind> kind = event_kind(json.at("kind").get<std::string>());
+    if (!kind) return std::nullopt;
+    event.kind = *kind;
     event.detail = json.at("detail").get<std::string>();
     const std::optional<Stamp> stamp = stamp_of(json.at("stamp_s"));
     if (!stamp) return std::nullopt;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "localization/localizer.hpp"
+#include "tools/run/event.hpp"
 
 namespace castaway::testbed {
 
@@ -18,19 +19,6 @@ using localization::Stamp;
 
 /// [s] of a stamp or a duration.
 inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp).count(); }
-
-/// Something that happened to the robot and that no localizer is told.
-struct RunEvent {
-  Stamp stamp{};
-  std::string kind;               ///< "kidnap", "collision", "fault on", "fault off"...
-  std::string detail;             ///< What exactly, e.g. "teleport", "person 3".
-  std::optional<SE2> T_map_from;  ///< True pose of base before.
-  std::optional<SE2> T_map_to;    ///< True pose of base after.
-  std::optional<Stamp> since{};   ///< When it began; nothing: at `stamp`, it took no time.
-
-  /// When it began.
-  [[nodiscard]] Stamp begun() const { return since.value_or(stamp); }
-};
 
 /// Where a person was.
 struct PersonTruth {

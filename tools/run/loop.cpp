@@ -59,7 +59,7 @@ void Loop::take(SensorSource& source, const Frame& frame) {
 
 void Loop::take(const RunEvent& event) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    if (!localizers_[i].relocalize_at_kidnap || event.kind != "kidnap") continue;
+    if (!localizers_[i].relocalize_at_kidnap || event.kind != EventKind::kKidnap) continue;
     const std::chrono::nanoseconds begin = thread_cpu_time();
     localizers_[i].localizer->initialize(std::nullopt);
     costs_[i].since_scan += thread_cpu_time() - begin;

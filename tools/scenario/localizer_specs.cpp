@@ -48,6 +48,13 @@ std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& 
   return specs;
 }
 
+void describe_localizers(std::vector<SettingText>& texts) {
+  localization::AmclConfig amcl;
+  Settings settings = Settings::describing(texts, "localizers[].amcl.");
+  settings.form({"preset", "", "amcl, amcl-recovery, amcl-global, amcl-prob."}, "amcl");
+  fields(settings, amcl);
+}
+
 LocalizerSpec parse_localizer(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);

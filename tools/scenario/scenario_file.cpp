@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/scenario/sections/drive_spec.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 #include "tools/scenario/sections/fault_events.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
@@ -14,22 +15,26 @@
 #include "tools/scenario/sections/people_spec.hpp"
 #include "tools/scenario/world/difference_spec.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever they last.
 
-double above_zero(YamlReader& map, const std::string& key, double fallback) {
-  const double value = map.get(key, fallback);
-  if (!(value > 0.0)) map.fail("'" + key + "' must be above_zero");
-  return value;
-}
-
-double not_negative(YamlReader& map, const std::string& key, double fallback) {
-  const double value = map.get(key, fallback);
-  if (!(value >= 0.0)) map.fail("'" + key + "' must not be negative");
-  return value;
+void run_fields(Settings settings, Scenario& scenario) {
+  settings.field({"seed", "", "Root of all random streams.", {0.0, 1.9e19}}, scenario.seed);
+  settings.field({"duration_s", "s", "Simulated time.", {1e-3, 1e7}}, scenario.duration_s);
+  settings.field(
+      {"stop_after_m", "m", "The run ends once so much is driven; 0: it does not.", {0.0, 1e7}},
+      scenario.stop_after_m);
+  settings.choice({"physics", "", "kinematic: the robot moves exactly as commanded."},
+                  scenario.kinematic, {{"bullet", false}, {"kinematic", true}});
+  if (scenario.kinematic) scenario.physics_hz = kKinematicHz;
+  settings.field({"physics_hz", "Hz", "Steps of the simulation; kinematic: 100.", {10.0, 1e4}},
+                 scenario.physics_hz);
+  settings.field({"wall_height", "m", "Of a world made from a map.", {0.01, 100.0}},
+                 scenario.wall_height);
 }
 
 RobotSpec read_robot(YamlReader& root, const std::filesystem::path& folder) {
@@ -67,58 +72,6 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
   }
   if (map.has("differences")) world.differences = read_differences(map, folder);
   return world;
-}
-
-StartSpec read_start(YamlReader& root) {
-  StartSpec start;
-  const std::optional<YamlReader> scalar = root.find("start");
-  if (scalar && scalar->is_scalar()) {
-    if (scalar->as<std::string>() != "unknown") {
-      scalar->fail("'start' is 'unknown' or a map with 'pose', 'random', 'known'");
-    }
-    start.place = StartSpec::Place::kRandom;
-    start.known = false;
-    return start;
-  }
-  YamlReader map = root.child("start");
-  if (const auto pose = map.get_optional<Eigen::Vector3d>("pose")) {
-    start.place = StartSpec::Place::kPose;
-    start.pose = *pose;
-  }
-  if (map.get("random", false)) {
-    if (start.place == StartSpec::Place::kPose) map.fail("give 'pose' or 'random', not both");
-    start.place = StartSpec::Place::kRandom;
-  }
-  start.known = map.get("known", start.known);
-  start.sigma_m = above_zero(map, "sigma_m", start.sigma_m);
-  start.sigma_yaw = above_zero(map, "sigma_yaw", start.sigma_yaw);
-  start.wrong_by = map.get("wrong_by", start.wrong_by);
-  if (!start.known && !start.wrong_by.isZero(0.0)) {
-    map.fail("'wrong_by' needs a start that is known");
-  }
-  start.switch_on_s = not_negative(map, "switch_on_s", start.switch_on_s);
-  if (start.known && start.switch_on_s > 0.0) {
-    map.fail("'switch_on_s' needs 'known: false': nobody could tell where the robot is by then");
-  }
-  return start;
-}
-
-DriveSpec read_drive(YamlReader& root) {
-  DriveSpec drive;
-  YamlReader map = root.child("drive");
-  drive.route = map.get("route", drive.route);
-  drive.by = map.get("by", drive.by);
-  drive.twist_log = map.get("twist_log", drive.twist_log);
-  if (!drive.twist_log.empty() && (drive.by != "truth" || !drive.route.empty())) {
-    map.fail("'twist_log' drives by itself; leave out 'by' and 'route'");
-  }
-  drive.max_speed = above_zero(map, "max_speed", drive.max_speed);
-  drive.max_turn_rate = above_zero(map, "max_turn_rate", drive.max_turn_rate);
-  drive.max_acceleration = above_zero(map, "max_acceleration", drive.max_acceleration);
-  drive.max_turn_acceleration =
-      above_zero(map, "max_turn_acceleration", drive.max_turn_acceleration);
-  drive.wait_s = not_negative(map, "wait_s", drive.wait_s);
-  return drive;
 }
 
 EventSpecs read_events(YamlReader& root) {
@@ -167,6 +120,37 @@ void check_driver(YamlReader& root, const Scenario& scenario) {
 
 }  // namespace
 
+std::vector<SettingText> scenario_settings() {
+  std::vector<SettingText> texts;
+  const auto under = [&](const std::string& prefix) { return Settings::describing(texts, prefix); };
+  Scenario scenario;
+  Settings root = under("");
+  root.form({"name", "", "Names the run folder."}, "the file's");
+  root.form({"world", "", "A world's name or file, or a map {name, search_paths, differences}."},
+            "lab");
+  root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},
+            "waffle");
+  run_fields(root, scenario);
+  fields(under("start."), scenario.start);
+  fields(under("drive."), scenario.drive);
+  under("lidar.").form({"profile", "", "robot, ideal, or a device of `castaway lidars`."}, "robot");
+  sim::LidarConfig lidar;
+  fields(under("lidar."), lidar);
+  under("odometry.")
+      .form({"profile", "", "ideal, new-wheels, worn-wheels, default, slippery."}, "default");
+  fields(under("odometry."), scenario.odometry);
+  sim::KidnapSpec kidnap;
+  fields(under("events[].kidnap."), kidnap);
+  sim::FaultSpec fault;
+  fields(under("events[].fault."), fault);
+  fields(under("people."), scenario.people);
+  describe_localizers(texts);
+  describe_outputs(under("outputs."));
+  root.form({"expect", "", "Metrics and their conditions: `mh_amcl.recovery.success: \">= 1\"`."},
+            "{}");
+  return texts;
+}
+
 LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides) {
   YamlDocument document = YamlDocument::load(file);
@@ -181,26 +165,18 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
                              const std::string& name) {
   if (!document.root().has("localizers")) document.set("localizers=[mh_amcl, amcl]");
-  document.check(scenario_ranges());
   YamlReader root = document.root();
   Scenario scenario;
   scenario.name = get_name(root, "name", name);
   scenario.world = read_world(root, folder);
   scenario.robot = read_robot(root, folder);
-  scenario.seed = root.get("seed", scenario.seed);
-  scenario.duration_s = above_zero(root, "duration_s", scenario.duration_s);
-  scenario.stop_after_m = not_negative(root, "stop_after_m", scenario.stop_after_m);
-  scenario.kinematic = root.choice("physics", "bullet", {"bullet", "kinematic"}) == "kinematic";
-  scenario.physics_hz =
-      above_zero(root, "physics_hz", scenario.kinematic ? kKinematicHz : scenario.physics_hz);
-  scenario.wall_height = above_zero(root, "wall_height", scenario.wall_height);
+  run_fields(Settings::reading(root), scenario);
   scenario.start = read_start(root);
   if (scenario.start.switch_on_s >= scenario.duration_s) {
     root.fail("'start.switch_on_s' must be less than 'duration_s'");
   }
   scenario.drive = read_drive(root);
   scenario.lidars = read_lidars(root);
-  if (scenario.lidars.empty()) scenario.lidar = read_lidar(root);
   scenario.odometry = read_odometry(root);
   scenario.events = read_events(root);
   scenario.people = read_people(root);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/scenario/sections/scenario.hpp"
-#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 
@@ -27,6 +27,12 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
 /// unless it says one. Throws as `load_scenario` does.
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
                              const std::string& name);
+
+/// Every setting of a scenario, in the order of the docs.
+std::vector<SettingText> scenario_settings();
+
+/// Appends the settings of all localizers.
+void describe_localizers(std::vector<SettingText>& texts);
 
 /// Reads the list of localizers under `key`: names, or maps of one name to its settings. `[]` means
 /// none; no list at all is an error.

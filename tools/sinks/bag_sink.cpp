@@ -51,7 +51,7 @@ std::string prefix_of(const LaserScan& scan, const BagConfig& config) {
 BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
                  BagConfig config)
     : config_(std::move(config)),
-      bag_(run_folder / "bag", info.scenario, config_.compression),
+      bag_(run_folder / "bag", info.scenario, config_.options.compression),
       frames_(config_.links, config_.lidars),
       map_(bag_.add_topic<ros::OccupancyGrid>("/map", Durability::kTransientLocal)),
       tf_static_(bag_.add_topic<ros::TFMessage>("/tf_static", Durability::kTransientLocal)),
@@ -105,7 +105,7 @@ void BagSink::add_localizers(const std::vector<std::string>& names) {
     LocalizerTopics topics;
     topics.pose = bag_.add_topic<ros::PoseWithCovarianceStamped>(prefix + "/amcl_pose");
     topics.hypotheses = bag_.add_topic<ros::MarkerArray>(prefix + "/hypotheses");
-    if (config_.particles) {
+    if (config_.options.particles) {
       topics.particles = bag_.add_topic<ros::PoseArray>(prefix + "/particlecloud");
     }
     localizers_.push_back(topics);
@@ -200,13 +200,13 @@ void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
   }
   const auto& populations = localizer.diagnostics.populations;
   bag_.publish(topics.hypotheses, record.delivered, hypothesis_markers(record.stamp, populations));
-  if (!config_.particles) return;
+  if (!config_.options.particles) return;
   bag_.publish(topics.particles, record.delivered, particles_message(record.stamp, populations));
 }
 
 /// Pictures are taken after this sink has seen a scan: they are logged with the next one.
 void BagSink::write_snapshots(Stamp delivered) {
-  if (!config_.snapshots) return;
+  if (!config_.options.snapshots) return;
   for (Snapshot& snapshot : snapshots_.fresh()) {
     const auto [topic, first] = views_.try_emplace(snapshot.view);
     if (first) {

@@ -14,6 +14,7 @@
 #include "tools/records/snapshot_feed.hpp"
 #include "tools/ros/bag_drive.hpp"
 #include "tools/ros/bag_frames.hpp"
+#include "tools/ros/bag_options.hpp"
 #include "tools/ros/bag_writer.hpp"
 #include "tools/run/run_sink.hpp"
 
@@ -21,9 +22,7 @@ namespace castaway::testbed {
 
 /// What a bag tells besides what happens.
 struct BagConfig {
-  McapCompression compression = McapCompression::kZstd;
-  bool particles = false;                          ///< All particles of all localizers.
-  bool snapshots = false;                          ///< The run's pictures.
+  BagOptions options;
   std::map<std::string, Eigen::Isometry3d> links;  ///< T_base_link of the robot's links.
   std::vector<BagLidar> lidars;
   std::filesystem::path robot_file;              ///< Attached; empty: none.

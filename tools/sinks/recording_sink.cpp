@@ -74,7 +74,7 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
       fixed_{{"map", pack_cells(map)}} {}
 
 void RecordingSink::on_event(const RunEvent& event) {
-  if (event.kind == "kidnap") kidnaps_.push_back(event);
+  if (event.kind == EventKind::kKidnap) kidnaps_.push_back(event);
 }
 
 bool RecordingSink::is_torn(const ScanRecord& record) const {

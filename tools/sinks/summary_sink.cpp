@@ -25,7 +25,7 @@ std::optional<double> total_distance(const RunHistory& history) {
 
 std::int64_t collisions(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(),
-                       [](const RunEvent& event) { return event.kind == "collision"; });
+                       [](const RunEvent& event) { return event.kind == EventKind::kCollision; });
 }
 
 /// How often the robot recovered from not getting on, by behaviour, and stopped short.
@@ -36,7 +36,7 @@ Json driving_figures(const RunHistory& history) {
     counts[what] = counts[what].get<int>() + 1;
   };
   for (const RunEvent& event : history.events) {
-    if (event.kind != "driving") continue;
+    if (event.kind != EventKind::kDriving) continue;
     count(event.detail);
     if (event.detail != "emergency stop") count("recoveries");
   }
@@ -46,7 +46,7 @@ Json driving_figures(const RunHistory& history) {
 /// Of the collisions, those with people.
 std::int64_t people_hit(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
-    return event.kind == "collision" && event.detail.starts_with("person ");
+    return event.kind == EventKind::kCollision && event.detail.starts_with("person ");
   });
 }
 
@@ -118,7 +118,9 @@ void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::pa
   CsvWriter csv(path, {"stamp_s", "kind", "detail", "localizer", "from_x_m", "from_y_m",
                        "from_yaw_rad", "to_x_m", "to_y_m", "to_yaw_rad", "time_s", "distance_m"});
   for (const LoggedEvent& logged : log) {
-    csv.number(seconds(logged.event.stamp)).text(logged.event.kind).text(logged.event.detail);
+    csv.number(seconds(logged.event.stamp))
+        .text(event_name(logged.event.kind))
+        .text(logged.event.detail);
     csv.text(logged.localizer);
     csv.pose(logged.event.T_map_from);
     csv.pose(logged.event.T_map_to);

@@ -179,7 +179,7 @@ void TablesHdf5Sink::write_events() {
     file_.append(begun, std::vector<double>{seconds(event.begun())});
     file_.append(from, numbers(event.T_map_from));
     file_.append(to, numbers(event.T_map_to));
-    kinds.push_back(event.kind);
+    kinds.push_back(event_name(event.kind));
     details.push_back(event.detail);
   }
   file_.write_texts("/events/kind", kinds);

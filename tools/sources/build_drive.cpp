@@ -87,10 +87,7 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   const DriveSpec& spec = scenario.drive;
   sim::DriveConfig drive;
   drive.by_estimate = spec.by != "truth";
-  drive.max_speed = spec.max_speed;
-  drive.max_turn_rate = spec.max_turn_rate;
-  drive.max_acceleration = spec.max_acceleration;
-  drive.max_turn_acceleration = spec.max_turn_acceleration;
+  drive.limits = spec.limits;
   drive.wait_s = spec.wait_s;
   if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);

@@ -5,7 +5,6 @@
 
 #include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
-#include "sim/sensor/wheel_odometry.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -18,10 +17,6 @@ sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot
 
 /// All lidars of a run: those that the scenario lists, or all that the robot has.
 std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot);
-
-/// Odometry by its profile and the scenario's changes. Throws std::invalid_argument where a figure
-/// is out of its range.
-sim::OdometryConfig build_odometry(const OdometrySpec& spec);
 
 /// Throws std::invalid_argument if a fault means a lidar that there is not, naming the nearest.
 void check_faults(const std::vector<sim::FaultSpec>& faults,

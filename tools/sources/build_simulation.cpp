@@ -66,11 +66,11 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
 /// Wheels that turn slower than the scenario drives.
 void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
-  if (limits.max_speed > kWorthTelling * config.drive.max_speed) return;
+  if (limits.max_speed > kWorthTelling * config.drive.limits.max_speed) return;
   warnings.push_back(
       fmt::format("<limit velocity> of the wheels' joints slows the robot down to {:.2f} m/s; "
                   "drive.max_speed is {:.2f} m/s",
-                  limits.max_speed, config.drive.max_speed));
+                  limits.max_speed, config.drive.limits.max_speed));
 }
 
 /// A robot that is wider than its route.
@@ -90,7 +90,7 @@ void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::s
 void warn_of_default_lidar(const sim::SimulationConfig& config,
                            std::vector<std::string>& warnings) {
   if (!config.robot.lidars.empty()) return;
-  const Eigen::Vector3d p = config.lidar.T_base_laser.translation();
+  const Eigen::Vector3d p = config.lidars.front().T_base_laser.translation();
   const bool beside = p.head<2>().norm() > config.robot.footprint_radius;
   const bool free = beside || p.z() > config.robot.height;
   warnings.push_back(
@@ -106,11 +106,10 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
-  config.lidar = robot.lidars.front();
-  config.more_lidars.assign(robot.lidars.begin() + 1, robot.lidars.end());
+  config.lidars = robot.lidars;
   config.faults = scenario.events.faults;
   check_faults(config.faults, robot.lidars);
-  config.odometry = build_odometry(scenario.odometry);
+  config.odometry = scenario.odometry;
   config.drive = build_drive(scenario, base,
                              {&world.file.routes, &world.grid, world.file.spec.name}, config.robot);
   config.kidnaps = scenario.events.kidnaps;
@@ -124,7 +123,7 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
   warn_of_slow_wheels(config, prepared.warnings);
   warn_of_default_lidar(config, prepared.warnings);
   prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());
-  prepared.difference = difference_of(world, config.lidar);
+  prepared.difference = difference_of(world, config.lidars.front());
   prepared.map = std::move(world.map);
   config.map = std::move(world.grid);
   if (!world.file.routes.empty()) warn_of_tight_route(config, prepared.warnings);

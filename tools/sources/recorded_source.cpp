@@ -83,7 +83,7 @@ Frames splice(const Frames& frames, const Splice& at) {
   part.emplace_back();
   part.back().stamp = jump;
   part.back().data =
-      RunEvent{jump, "kidnap", "splice", before.T_map_base_true, after.T_map_base_true};
+      RunEvent{jump, EventKind::kKidnap, "splice", before.T_map_base_true, after.T_map_base_true};
   for (std::size_t i = next; i < frames.size(); ++i) {
     if (frames[i].stamp - frames[next].stamp > at.window) break;
     part.push_back(frames[i]);

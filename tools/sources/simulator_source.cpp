@@ -122,14 +122,14 @@ void SimulatorSource::take_next() {
   newest_ = frame->stamp;
   if (simulation_.collisions() != collisions_) {
     collisions_ = simulation_.collisions();
-    tell("collision", "", simulation_.true_pose());
+    tell(EventKind::kCollision, "", simulation_.true_pose());
   }
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame->data)) note(*kidnap);
   pending_.push_back(convert(*frame));
 }
 
-void SimulatorSource::tell(const std::string& kind, const std::string& detail,
-                           const sim::Pose2& pose, std::optional<Stamp> since) {
+void SimulatorSource::tell(EventKind kind, const std::string& detail, const sim::Pose2& pose,
+                           std::optional<Stamp> since) {
   const SE2 T_map_base = to_se2(pose);
   pending_.push_back({newest_, RunEvent{newest_, kind, detail, T_map_base, T_map_base, since}});
 }
@@ -137,7 +137,8 @@ void SimulatorSource::tell(const std::string& kind, const std::string& detail,
 void SimulatorSource::finish() {
   over_ = true;
   const std::optional<sim::VoidRecord> found = simulation_.void_record();
-  if (found) tell("void", reason_of(found->reason), simulation_.true_pose(), found->since);
+  if (found)
+    tell(EventKind::kVoid, reason_of(found->reason), simulation_.true_pose(), found->since);
 }
 
 void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
@@ -146,18 +147,18 @@ void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
       "kidnap at {:.2f} s: no free place as far away as its min_distance_m asks for; it goes to "
       "the farthest, {:.2f} m away",
       seconds(kidnap.since), (kidnap.T_map_to.position() - kidnap.T_map_from.position()).norm()));
-  tell("warning", warnings_.back(), kidnap.T_map_from);
+  tell(EventKind::kWarning, warnings_.back(), kidnap.T_map_from);
 }
 
 Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame.data)) {
     return {frame.stamp,
-            RunEvent{kidnap->stamp, "kidnap", sim::to_string(kidnap->kind),
+            RunEvent{kidnap->stamp, EventKind::kKidnap, sim::to_string(kidnap->kind),
                      to_se2(kidnap->T_map_from), to_se2(kidnap->T_map_to), kidnap->since}};
   }
   if (const auto* pick_up = std::get_if<sim::PickUpRecord>(&frame.data)) {
     const SE2 T_map_base = to_se2(pick_up->T_map_base);
-    return {frame.stamp, RunEvent{pick_up->stamp, "pick-up", sim::to_string(pick_up->kind),
+    return {frame.stamp, RunEvent{pick_up->stamp, EventKind::kPickUp, sim::to_string(pick_up->kind),
                                   T_map_base, T_map_base}};
   }
   if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
@@ -167,17 +168,18 @@ Frame SimulatorSource::convert(const sim::SimFrame& frame) const {
   if (const auto* driving = std::get_if<sim::DriveRecord>(&frame.data)) {
     const SE2 T_map_base = to_se2(driving->T_map_base);
     return {frame.stamp,
-            RunEvent{driving->stamp, "driving", driving->what, T_map_base, T_map_base}};
+            RunEvent{driving->stamp, EventKind::kDriving, driving->what, T_map_base, T_map_base}};
   }
   if (const auto* hit = std::get_if<sim::PersonHit>(&frame.data)) {
     const SE2 T_map_base = to_se2(hit->T_map_base_true);
-    return {frame.stamp, RunEvent{hit->stamp, "collision", "person " + std::to_string(hit->person),
-                                  T_map_base, T_map_base}};
+    return {frame.stamp, RunEvent{hit->stamp, EventKind::kCollision,
+                                  "person " + std::to_string(hit->person), T_map_base, T_map_base}};
   }
   if (const auto* fault = std::get_if<sim::FaultRecord>(&frame.data)) {
     const SE2 T_map_base = to_se2(fault->T_map_base_true);
-    return {frame.stamp, RunEvent{fault->stamp, fault->begins ? "fault on" : "fault off",
-                                  name_of(*fault), T_map_base, T_map_base}};
+    return {frame.stamp,
+            RunEvent{fault->stamp, fault->begins ? EventKind::kFaultOn : EventKind::kFaultOff,
+                     name_of(*fault), T_map_base, T_map_base}};
   }
   return {frame.stamp, convert(std::get<sim::LidarReading>(frame.data))};
 }

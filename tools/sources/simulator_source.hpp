@@ -30,7 +30,7 @@ sim::SimulationStreams simulation_streams(std::uint64_t seed);
 /// Plays a simulation. Collisions become events; a run that is void ends with a "void" event.
 class SimulatorSource final : public SensorSource {
  public:
-  /// `lidars` are those that the simulation was configured with (`sim::all_lidars`).
+  /// `lidars` are those that the simulation was configured with (`SimulationConfig::lidars`).
   SimulatorSource(sim::Simulation simulation, std::vector<sim::LidarConfig> lidars, Stamp duration);
 
   std::optional<Frame> next() override;
@@ -59,7 +59,7 @@ class SimulatorSource final : public SensorSource {
  private:
   std::optional<Frame> next_of_all();
   void take_next();
-  void tell(const std::string& kind, const std::string& detail, const sim::Pose2& pose,
+  void tell(EventKind kind, const std::string& detail, const sim::Pose2& pose,
             std::optional<Stamp> since = {});
   void note(const sim::KidnapRecord& kidnap);
   void finish();

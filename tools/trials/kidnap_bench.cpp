@@ -58,7 +58,7 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<Locali
   RunInfo info;
   for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
   PlayedTrial played(info);
-  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(trial.simulation);
+  const std::vector<sim::LidarConfig> lidars = trial.simulation.lidars;
   const Stamp duration = trial.simulation.duration;
   SimulatorSource source(
       sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidars,

@@ -33,8 +33,7 @@ PreparedSimulation prepare(const KidnapTrialConfig& config) {
   validate(config);
   Scenario scenario;
   scenario.world.file = config.world;
-  scenario.lidar.rate_hz = 10.0;
-  scenario.lidar.range_max = 12.0;
+  scenario.lidars.front().set("rate_hz", 10.0).set("range_max", 12.0);
   scenario.drive.route = "none";
   return config.world == "office" ? build_simulation(scenario, ".", draw_office())
                                   : build_simulation(scenario, ".");

@@ -56,7 +56,7 @@ void play(const Scenario& scenario, const std::filesystem::path& base,
   RunInfo info;
   info.known_start = scenario.start.known;
   for (const PublishedVariant& variant : variants) info.localizers.push_back(variant.name);
-  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  const std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config),
                                          simulation_streams(scenario.seed), thread_cpu_time),

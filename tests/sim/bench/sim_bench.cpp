@@ -115,8 +115,8 @@ int main() {
   time_rays("920 turned boxes", hall(920));
   SimulationConfig room = test_simulation();
   room.robot = load_robot(CASTAWAY_ROBOTS "/waffle/waffle.urdf");
-  room.lidar.T_base_laser = room.robot.lidar->T_base_laser;
-  room.lidar.noise.sigma = 0.01;
+  room.lidars.front().T_base_laser = room.robot.lidar->T_base_laser;
+  room.lidars.front().noise.sigma = 0.01;
   room.odometry = OdometryConfig{};
   time_run("room, 500 Hz", room);
   room.physics_hz = 240.0;

@@ -90,7 +90,7 @@ TEST(Navigator, StopsShortAndCountsIt) {
   LidarReading scan;
   scan.ranges.assign(360, std::numeric_limits<float>::infinity());
   scan.hit_object.assign(360, kHitNothing);
-  navigator.on_scan(scan, config.lidar);
+  navigator.on_scan(scan, config.lidars.front());
   Twist2 twist;
   Pose2 pose{-2.0, -2.2, 0.0};
   for (int i = 0; i < 100 && twist.v < 0.45; ++i) {
@@ -102,7 +102,7 @@ TEST(Navigator, StopsShortAndCountsIt) {
   const auto ahead = static_cast<std::size_t>(180);  // angle_min is -pi
   for (std::size_t i = ahead - 10; i <= ahead + 10; ++i) scan.ranges[i] = 0.3F;
   scan.stamp = seconds(9);
-  navigator.on_scan(scan, config.lidar);
+  navigator.on_scan(scan, config.lidars.front());
   EXPECT_EQ(navigator.command(pose).v, 0.0);
   navigator.command(pose);
   const auto events = navigator.take_events();

@@ -75,11 +75,11 @@ FaultSpec fault(FaultKind kind, double at_s) {
 
 TEST(SensorStage, EveryLidarReadsAtItsOwnRate) {
   SimulationConfig config = test_simulation();
-  LidarConfig rear = config.lidar;
+  LidarConfig rear = config.lidars.front();
   rear.name = "rear";
   rear.rate_hz = 20.0;
   rear.noise.sigma = 0.0;
-  config.more_lidars = {rear};
+  config.lidars.push_back(rear);
   SimulationStreams streams = test_streams(1);
   streams.named = named_streams(1);
   SensorStage stage(config, streams);
@@ -93,7 +93,7 @@ TEST(SensorStage, EveryLidarReadsAtItsOwnRate) {
 
 TEST(SensorStage, TwoLidarsOfOneNameAreAnError) {
   SimulationConfig config = test_simulation();
-  config.more_lidars = {config.lidar};
+  config.lidars.push_back(config.lidars.front());
   EXPECT_THROW(SensorStage(config, test_streams(1)), std::invalid_argument);
 }
 
@@ -125,7 +125,7 @@ TEST(SensorStage, RefusesSensorsThatCannotBe) {
   config.odometry.rate_hz = 0.0;
   EXPECT_THROW(SensorStage(config, test_streams(1)), std::invalid_argument);
   config = test_simulation();
-  config.lidar.beams = 0;
+  config.lidars.front().beams = 0;
   EXPECT_THROW(SensorStage(config, test_streams(1)), std::invalid_argument);
 }
 

@@ -67,7 +67,7 @@ SimulationConfig test_simulation() {
   config.world = test_room();
   config.map = rasterise(config.world, 0.2, 0.05);
   config.robot = test_robot();
-  config.lidar.noise.sigma = 0.0;
+  config.lidars.front().noise.sigma = 0.0;
   config.odometry = ideal_odometry();
   config.drive.waypoints = {{2.5, -1.5}, {2.5, 2.0}, {-2.0, 2.0}, {-3.0, -2.0}};
   config.start = {-1.0, -2.0, 0.0};
@@ -78,7 +78,7 @@ SimulationConfig test_simulation() {
 SimulationConfig noisy_kidnap_simulation() {
   SimulationConfig config = test_simulation();
   config.odometry = OdometryConfig{};
-  config.lidar.noise.sigma = 0.01;
+  config.lidars.front().noise.sigma = 0.01;
   config.kidnaps = {{.when = {.value = 4.0}, .min_distance_m = 2.0}};
   return config;
 }

@@ -9,7 +9,7 @@ namespace {
 
 using localization::from_seconds;
 
-RunEvent event(double t, const std::string& kind, const std::string& detail) {
+RunEvent event(double t, EventKind kind, const std::string& detail) {
   return {from_seconds(t), kind, detail, {}, {}};
 }
 
@@ -24,11 +24,12 @@ MetricRow row(double t, double error_m, bool lost = false) {
 }
 
 TEST(FaultWindows, ReachFromOnToOff) {
-  const auto windows =
-      fault_windows({event(2, "fault on", "lidar-late"),
-                     event(3, "fault on", "lidar-dropout front"), event(4, "kidnap", "teleport"),
-                     event(5, "fault off", "lidar-late"), event(6, "fault on", "odometry-reset")},
-                    from_seconds(20));
+  const auto windows = fault_windows(
+      {event(2, EventKind::kFaultOn, "lidar-late"),
+       event(3, EventKind::kFaultOn, "lidar-dropout front"),
+       event(4, EventKind::kKidnap, "teleport"), event(5, EventKind::kFaultOff, "lidar-late"),
+       event(6, EventKind::kFaultOn, "odometry-reset")},
+      from_seconds(20));
   ASSERT_EQ(windows.size(), 3U);
   EXPECT_EQ(windows[0].begin, from_seconds(2));
   EXPECT_EQ(windows[0].end, from_seconds(5));

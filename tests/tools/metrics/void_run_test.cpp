@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-RunEvent event(const std::string& kind, const std::string& detail) {
+RunEvent event(EventKind kind, const std::string& detail) {
   RunEvent event;
   event.stamp = localization::from_seconds(30.0);
   event.kind = kind;
@@ -21,8 +21,9 @@ RunEvent event(const std::string& kind, const std::string& detail) {
 }
 
 TEST(VoidRun, IsWhatTheEventSays) {
-  EXPECT_FALSE(void_run({event("kidnap", "teleport")}).has_value());
-  const auto found = void_run({event("kidnap", "teleport"), event("void", kStuck)});
+  EXPECT_FALSE(void_run({event(EventKind::kKidnap, "teleport")}).has_value());
+  const auto found =
+      void_run({event(EventKind::kKidnap, "teleport"), event(EventKind::kVoid, kStuck)});
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->reason, "stuck");
   EXPECT_EQ(found->at_s, 4.5);

@@ -20,7 +20,7 @@ TEST(EventJson, IsReadBack) {
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stamp, event.stamp);
   EXPECT_EQ(read->since, event.since);
-  EXPECT_EQ(read->kind, "kidnap");
+  EXPECT_EQ(read->kind, EventKind::kKidnap);
   EXPECT_EQ(read->T_map_from, event.T_map_from);
   EXPECT_EQ(read->T_map_to, event.T_map_to);
 }

@@ -35,7 +35,9 @@ class ListSource final : public SensorSource {
 /// Writes down the order of calls.
 class ListSink final : public RunSink {
  public:
-  void on_event(const RunEvent& event) override { calls.push_back("event " + event.kind); }
+  void on_event(const RunEvent& event) override {
+    calls.push_back("event " + event_name(event.kind));
+  }
   void on_odometry(const OdometryFrame&) override { calls.emplace_back("odometry"); }
   void on_scan(const ScanRecord& record) override {
     calls.emplace_back("scan");
@@ -70,9 +72,10 @@ class LoopTest : public testing::Test {
     sinks_.push_back(std::move(sink));
     config_.start = localization::PoseWithCovariance{{5.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()};
   }
-  ListSource source_{
-      {odometry(0, {1.0, 0.0, 0.0}), odometry(10, {2.0, 0.0, 0.0}), scan(10, {6.0, 0.0, 0.0}),
-       Frame{Stamp(15), RunEvent{Stamp(15), "kidnap", "", {}, {}}}, odometry(20, {4.0, 0.0, 0.0})}};
+  ListSource source_{{odometry(0, {1.0, 0.0, 0.0}), odometry(10, {2.0, 0.0, 0.0}),
+                      scan(10, {6.0, 0.0, 0.0}),
+                      Frame{Stamp(15), RunEvent{Stamp(15), EventKind::kKidnap, "", {}, {}}},
+                      odometry(20, {4.0, 0.0, 0.0})}};
   LoopConfig config_;
   std::vector<NamedLocalizer> localizers_;
   std::vector<std::unique_ptr<RunSink>> sinks_;
@@ -151,8 +154,8 @@ TEST_F(LoopTest, TakesNoAnswerForADroppedScan) {
 
 TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
   localizers_.push_back({"told", std::make_unique<test::DeadReckoning>(), true});
-  const Frame kidnap{Stamp(7), RunEvent{Stamp(7), "kidnap", "", {}, {}}};
-  const Frame collision{Stamp(3), RunEvent{Stamp(3), "collision", "", {}, {}}};
+  const Frame kidnap{Stamp(7), RunEvent{Stamp(7), EventKind::kKidnap, "", {}, {}}};
+  const Frame collision{Stamp(3), RunEvent{Stamp(3), EventKind::kCollision, "", {}, {}}};
   ListSource source({odometry(0, {}), collision, scan(5, {}), kidnap, scan(10, {})});
   Loop(config_, localizers_, sinks_).run(source);
   ASSERT_EQ(sink_->records.size(), 2U);

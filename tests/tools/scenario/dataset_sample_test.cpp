@@ -19,7 +19,7 @@ TEST(DatasetSample, PutsDrawnValuesIntoTheScenario) {
   const Scenario& scenario = sequence.loaded.scenario;
   EXPECT_EQ(scenario.name, "set-000012");
   EXPECT_EQ(scenario.seed, sequence.seed);
-  EXPECT_EQ(scenario.lidar.rate_hz, 5.0);
+  EXPECT_EQ(scenario.lidars.front().changes.find("rate_hz")->scalar, "5");
   EXPECT_TRUE(scenario.people.config.count() == 3 || scenario.people.config.count() == 4);
   ASSERT_EQ(sequence.drawn.size(), 2U);
   EXPECT_EQ(sequence.drawn[0].first, "people.count");

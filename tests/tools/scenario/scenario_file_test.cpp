@@ -110,8 +110,9 @@ outputs: {snapshots: {every_s: 5, on_events: false}}
   EXPECT_EQ(scenario.start.place, StartSpec::Place::kPose);
   EXPECT_EQ(scenario.start.pose, Eigen::Vector3d(1, 2, 0.5));
   EXPECT_EQ(scenario.drive.by, "mh_amcl");
-  EXPECT_EQ(scenario.lidar.beams, 180);
-  EXPECT_EQ(scenario.odometry.profile, "ideal");
+  EXPECT_EQ(scenario.lidars.front().changes.find("beams")->scalar, "180");
+  EXPECT_EQ(scenario.odometry.track_sigma, 0.0);
+  EXPECT_EQ(scenario.odometry.drift_yaw_deg, 2.0);
   ASSERT_EQ(scenario.events.kidnaps.size(), 2U);
   EXPECT_EQ(scenario.events.kidnaps[0].min_distance_m, 5.0);
   EXPECT_EQ(scenario.events.kidnaps[1].target->y, 4.0);
@@ -119,7 +120,7 @@ outputs: {snapshots: {every_s: 5, on_events: false}}
   const auto& amcl = std::get<localization::AmclConfig>(scenario.localizers[1].config);
   EXPECT_EQ(amcl.kld.max_particles, 900);
   EXPECT_EQ(amcl.recovery.alpha_fast, 0.1);
-  EXPECT_FALSE(scenario.outputs.snapshot_on_events);
+  EXPECT_FALSE(scenario.outputs.pictures.on_events);
 }
 
 TEST_F(ScenarioFileTest, TakesAnUnknownStart) {
@@ -135,7 +136,7 @@ TEST_F(ScenarioFileTest, ItsEffectiveTextReproducesIt) {
   const LoadedScenario second = load(first.effective);
   EXPECT_EQ(second.effective, first.effective);
   EXPECT_EQ(second.scenario.seed, 9U);
-  EXPECT_EQ(second.scenario.lidar.beams, 90);
+  EXPECT_EQ(second.scenario.lidars.front().changes.find("beams")->scalar, "90");
   EXPECT_EQ(second.scenario.events.kidnaps.at(0).when.value, 3.0);
 }
 

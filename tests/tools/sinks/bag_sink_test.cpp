@@ -177,7 +177,7 @@ TEST_F(BagSinkTest, WritesLocalizersInTheirNamespaces) {
 
 TEST_F(BagSinkTest, WritesParticlesWhereAskedTo) {
   BagConfig all = config();
-  all.particles = true;
+  all.options.particles = true;
   write(all);
   const auto clouds = messages_of<ros::PoseArray>(folder(), "/mh_amcl/particlecloud");
   ASSERT_EQ(clouds.size(), 2U);
@@ -187,7 +187,7 @@ TEST_F(BagSinkTest, WritesParticlesWhereAskedTo) {
 
 TEST_F(BagSinkTest, WritesPicturesWhereAskedTo) {
   BagConfig with = config();
-  with.snapshots = true;
+  with.options.snapshots = true;
   std::filesystem::create_directories(folder() / "snapshots");
   std::ofstream(folder() / "snapshots" / "t0000.200-time-map.png") << "a picture";
   write(with);
@@ -205,7 +205,7 @@ TEST_F(BagSinkTest, WritesPeopleEventsAndTheMap) {
   EXPECT_EQ(people[0].markers.at(0).id, 3);
   const auto events = messages_of<ros::String>(folder(), "/events");
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(event_of_json(events[0].data)->kind, "kidnap");
+  EXPECT_EQ(event_of_json(events[0].data)->kind, EventKind::kKidnap);
   const auto maps = messages_of<ros::OccupancyGrid>(folder(), "/map");
   ASSERT_EQ(maps.size(), 1U);
   EXPECT_EQ(maps[0].data, map().cells);

@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/sensor/odometry_profiles.hpp"
-#include "tools/scenario/sections/odometry_spec.hpp"
-
 namespace castaway::testbed {
 namespace {
 
@@ -34,7 +31,7 @@ std::string sensor_error(const Scenario& scenario, const sim::RobotModel& robot)
 
 TEST(BuildLidars, WithoutAListAreAllOfTheRobot) {
   Scenario scenario;
-  scenario.lidar.rate_hz = 7.0;
+  scenario.lidars.front().set("rate_hz", 7.0);
   const auto lidars = build_lidars(scenario, two_eyed());
   ASSERT_EQ(lidars.size(), 2U);
   EXPECT_EQ(lidars[0].name, "front");
@@ -56,7 +53,7 @@ TEST(BuildLidars, AListChoosesAndAdds) {
   scenario.lidars[0].name = "rear";
   scenario.lidars[1].name = "mast";
   scenario.lidars[1].profile = "lds-01";
-  scenario.lidars[1].mount_xyz = Eigen::Vector3d(0.0, 0.0, 1.5);
+  scenario.lidars[1].set("mount_xyz", {0.0, 0.0, 1.5});
   const auto lidars = build_lidars(scenario, two_eyed());
   ASSERT_EQ(lidars.size(), 2U);
   EXPECT_EQ(lidars[0].T_base_laser.translation().x(), -0.3);
@@ -68,14 +65,14 @@ TEST(BuildLidars, AListChoosesAndAdds) {
 
 TEST(BuildLidars, OneMountForSeveralIsAnError) {
   Scenario scenario;
-  scenario.lidar.mount_xyz = Eigen::Vector3d(0.0, 0.0, 1.0);
+  scenario.lidars.front().set("mount_xyz", {0.0, 0.0, 1.0});
   EXPECT_NE(sensor_error(scenario, two_eyed()).find("one mount for the robot's 2 lidars"),
             std::string::npos);
 }
 
 TEST(BuildLidars, RefusesFiguresOutOfRange) {
   Scenario scenario;
-  scenario.lidar.noise["dropout"] = 2.0;
+  scenario.lidars.front().set("noise.dropout", 2.0);
   EXPECT_NE(sensor_error(scenario, two_eyed()).find("noise.dropout is 2"), std::string::npos);
 }
 
@@ -86,27 +83,6 @@ TEST(CheckFaults, NamesTheLidarThatIsMeant) {
   EXPECT_NE(sensor_error(scenario, two_eyed()).find("'rear'"), std::string::npos);
   scenario.events.faults[0].lidar = "rear";
   EXPECT_EQ(sensor_error(scenario, two_eyed()), "");
-}
-
-TEST(BuildOdometry, KnowsEveryProfileOfYaml) {
-  EXPECT_EQ(sim::odometry_profile_names(), kOdometryProfiles);
-}
-
-TEST(BuildOdometry, ChangesItsProfile) {
-  OdometrySpec spec;
-  spec.profile = "slippery";
-  spec.slip["rate_per_m"] = 9.0;
-  spec.slip_zones = false;
-  spec.gyro = sim::GyroConfig{};
-  spec.track_sigma = 0.0;
-  const sim::OdometryConfig config = build_odometry(spec);
-  EXPECT_EQ(config.slip.rate, 9.0);
-  EXPECT_FALSE(config.slip.zones);
-  EXPECT_TRUE(config.gyro.has_value());
-  EXPECT_EQ(config.track_sigma, 0.0);
-  EXPECT_EQ(config.drift_along, sim::odometry_profile("slippery")->drift_along);
-  spec.slip["share"] = 0.9;
-  EXPECT_THROW(build_odometry(spec), std::invalid_argument);
 }
 
 }  // namespace

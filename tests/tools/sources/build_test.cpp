@@ -126,7 +126,7 @@ std::string warnings_without_lidar(const std::optional<Eigen::Vector3d>& mount) 
   Scenario scenario;
   scenario.robot.file = folder.put("bare.urdf", kBareRobot).string();
   scenario.drive.route = "none";
-  scenario.lidar.mount_xyz = mount;
+  if (mount) scenario.lidars.front().set("mount_xyz", *mount);
   RosMap map{"box", 60, 40, 0.05, 0.0, 0.0, 0.0, std::vector<std::int8_t>(60 * 40, 0)};
   std::string text;
   for (const std::string& line : build_simulation(scenario, ".", map).warnings) text += line + "\n";

@@ -27,7 +27,7 @@ class Keeper final : public RunSink {
 Keeper run_with(sim::FaultKind kind) {
   Scenario scenario;
   scenario.duration_s = 5.0;
-  scenario.lidar.rate_hz = 10.0;
+  scenario.lidars.front().set("rate_hz", 10.0);
   scenario.localizers = {{"mh_amcl", localization::MhAmclConfig{}},
                          {"amcl", localization::AmclConfig{}}};
   sim::FaultSpec fault;
@@ -37,7 +37,7 @@ Keeper run_with(sim::FaultKind kind) {
   scenario.events.faults = {fault};
   PreparedSimulation prepared = build_simulation(scenario, ".");
   auto localizers = build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), 1);
-  auto lidars = sim::all_lidars(prepared.config);
+  auto lidars = prepared.config.lidars;
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config), simulation_streams(1)),
                          std::move(lidars), duration);
@@ -53,7 +53,7 @@ TEST_P(EveryFault, IsLoggedAndSurvived) {
   const auto kind = static_cast<sim::FaultKind>(GetParam());
   const Keeper run = run_with(kind);
   ASSERT_FALSE(run.events.empty());
-  EXPECT_EQ(run.events[0].kind, "fault on");
+  EXPECT_EQ(run.events[0].kind, EventKind::kFaultOn);
   EXPECT_EQ(run.events[0].detail, sim::to_string(kind));
   EXPECT_EQ(run.events[0].stamp, std::chrono::milliseconds(1500));
   const bool ends = kind != sim::FaultKind::kOdometryReset;

@@ -16,9 +16,9 @@ SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
   Scenario scenario;
   scenario.duration_s = 3.0;
   scenario.events.kidnaps = {{.when = {.value = 1.5}}};
-  scenario.lidar = lidar;
+  scenario.lidars = {lidar};
   PreparedSimulation prepared = build_simulation(scenario, ".");
-  const std::vector<sim::LidarConfig> configs = sim::all_lidars(prepared.config);
+  const std::vector<sim::LidarConfig> configs = prepared.config.lidars;
   return {sim::Simulation(std::move(prepared.config), simulation_streams(seed)), configs,
           localization::from_seconds(3.0)};
 }
@@ -52,7 +52,7 @@ TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
       EXPECT_EQ(scan->scan.ranges.size(), 360U);
     } else if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
       ++kidnaps;
-      EXPECT_EQ(event->kind, "kidnap");
+      EXPECT_EQ(event->kind, EventKind::kKidnap);
       EXPECT_GE(distance(*event->T_map_from, *event->T_map_to), 3.0);
     } else {
       ++odometry;
@@ -78,11 +78,10 @@ TEST(SimulatorSource, OdometryDoesNotNoticeTheKidnap) {
 
 TEST(BuildLidar, HonoursTheMountOfTheScenario) {
   LidarSpec spec;
-  spec.mount_xyz = Eigen::Vector3d(0.1, 0.2, 0.3);
-  spec.mount_rpy = Eigen::Vector3d(3.141592653589793, 0.0, 0.5);
-  spec.beams = 90;
+  const Eigen::Vector3d mount(0.1, 0.2, 0.3);
+  spec.set("mount_xyz", mount).set("mount_rpy", {3.141592653589793, 0.0, 0.5}).set("beams", 90);
   const sim::LidarConfig lidar = build_lidar(spec, sim::RobotModel{});
-  EXPECT_EQ(lidar.T_base_laser.translation(), *spec.mount_xyz);
+  EXPECT_EQ(lidar.T_base_laser.translation(), mount);
   EXPECT_NEAR(lidar.T_base_laser.linear()(2, 2), -1.0, 1e-12);  // upside down
   EXPECT_NEAR(lidar.T_base_laser.linear()(0, 0), std::cos(0.5), 1e-12);
   EXPECT_EQ(lidar.beams, 90);

@@ -19,7 +19,7 @@ struct Played {
 
 Played play(const Scenario& scenario, const std::filesystem::path& base) {
   PreparedSimulation prepared = build_simulation(scenario, base);
-  const std::vector<sim::LidarConfig> lidars = sim::all_lidars(prepared.config);
+  const std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
   const Stamp duration = prepared.config.duration;
   sim::Simulation simulation(std::move(prepared.config), simulation_streams(scenario.seed));
   const SE2 start = to_se2(simulation.start_pose());
@@ -41,7 +41,7 @@ Played play(const Scenario& scenario, const std::filesystem::path& base) {
 std::vector<std::string> voids_of(const Played& played) {
   std::vector<std::string> reasons;
   for (const RunEvent& event : played.events) {
-    if (event.kind == "void") reasons.push_back(event.detail);
+    if (event.kind == EventKind::kVoid) reasons.push_back(event.detail);
   }
   return reasons;
 }
@@ -50,7 +50,7 @@ Scenario scenario_in(const std::string& world) {
   Scenario scenario;
   scenario.world.file = world;
   scenario.duration_s = 30.0;
-  scenario.odometry.profile = "ideal";
+  scenario.odometry = sim::ideal_odometry();
   return scenario;
 }
 
@@ -155,9 +155,9 @@ TEST(ShortKidnap, IsToldWithItsKey) {
   scenario.events.kidnaps = {{.when = {.value = 3.0}, .min_distance_m = 80.0}};
   const Played played = play(scenario, ".");
   ASSERT_EQ(played.events.size(), 2U);
-  EXPECT_EQ(played.events[0].kind, "warning");
+  EXPECT_EQ(played.events[0].kind, EventKind::kWarning);
   EXPECT_TRUE(contains(played.events[0].detail, "min_distance_m"));
-  EXPECT_EQ(played.events[1].kind, "kidnap");
+  EXPECT_EQ(played.events[1].kind, EventKind::kKidnap);
 }
 
 }  // namespace

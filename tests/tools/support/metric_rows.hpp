@@ -33,6 +33,8 @@ inline std::vector<MetricRow> right_rows(std::size_t count) {
 }
 
 /// A kidnap of which only the time is known.
-inline RunEvent kidnap_at(double t) { return {from_seconds(t), "kidnap", "teleport", {}, {}}; }
+inline RunEvent kidnap_at(double t) {
+  return {from_seconds(t), EventKind::kKidnap, "teleport", {}, {}};
+}
 
 }  // namespace castaway::testbed

@@ -8,34 +8,91 @@ namespace {
 using localization::AmclConfig;
 using localization::AmclSensorModel;
 
-/// `laser_model_type`.
-AmclSensorModel read_model(YamlReader& body, AmclSensorModel fallback) {
-  const std::vector<std::string> names = {"likelihood_field", "likelihood_field_prob", "beam"};
-  const std::string name =
-      body.choice("laser_model_type", names[static_cast<std::size_t>(fallback)], names);
-  if (name == "beam") return AmclSensorModel::kBeam;
-  return name == "likelihood_field" ? AmclSensorModel::kLikelihoodField
-                                    : AmclSensorModel::kLikelihoodFieldProb;
+constexpr NumberRange kShare{0.0, 1.0};
+constexpr double kMostParticles = 200000;
+
+void sensor_fields(Settings& settings, AmclConfig& config) {
+  localization::LikelihoodFieldConfig& field = config.sensor;
+  localization::BeamModelConfig& beam = config.beam;
+  settings.choice({"laser_model_type", "", "Sensor model."}, config.model,
+                  {{"likelihood_field", AmclSensorModel::kLikelihoodField},
+                   {"likelihood_field_prob", AmclSensorModel::kLikelihoodFieldProb},
+                   {"beam", AmclSensorModel::kBeam}});
+  settings.field({"z_hit", "", "Weight of hits.", kShare}, field.z_hit);
+  settings.field({"z_rand", "", "Weight of random returns.", kShare}, field.z_rand);
+  settings.field({"sigma_hit", "m", "Standard deviation of hits.", {1e-3, 100.0}}, field.sigma_hit);
+  beam.z_hit = field.z_hit;
+  beam.z_rand = field.z_rand;
+  beam.sigma_hit = field.sigma_hit;
+  settings.field({"z_short", "", "beam: weight of short returns.", kShare}, beam.z_short);
+  settings.field({"z_max", "", "beam: weight of beams without a return.", kShare}, beam.z_max);
+  settings.field({"lambda_short", "1/m", "beam: decay of short returns.", {1e-6, 1e3}},
+                 beam.lambda_short);
+  settings.field({"laser_likelihood_max_dist", "m", "Cap of the distance field.", {0.01, 1000.0}},
+                 field.max_distance);
+  settings.field({"max_beams", "", "Beams used of a scan.", {1.0, 1e5}}, config.max_beams);
+  settings.field({"laser_max_range", "m", "Longer returns are ignored.", {0.01, 1e4}},
+                 config.max_range);
 }
 
-/// The beam model's own keys; z_hit, z_rand and sigma_hit are those of the likelihood field.
-void read_beam_model(YamlReader& body, AmclConfig& config) {
-  config.beam.z_hit = config.sensor.z_hit;
-  config.beam.z_rand = config.sensor.z_rand;
-  config.beam.sigma_hit = config.sensor.sigma_hit;
-  config.beam.z_short = body.get("z_short", config.beam.z_short);
-  config.beam.z_max = body.get("z_max", config.beam.z_max);
-  config.beam.lambda_short = body.get("lambda_short", config.beam.lambda_short);
+void motion_fields(Settings& settings, localization::DifferentialMotionConfig& motion) {
+  constexpr NumberRange kAlpha{0.0, 100.0};
+  settings.field({"alpha1", "", "Turn noise from turning.", kAlpha}, motion.alpha1);
+  settings.field({"alpha2", "", "Turn noise from driving.", kAlpha}, motion.alpha2);
+  settings.field({"alpha3", "", "Drive noise from driving.", kAlpha}, motion.alpha3);
+  settings.field({"alpha4", "", "Drive noise from turning.", kAlpha}, motion.alpha4);
 }
 
-void read_beam_skip(YamlReader& body, localization::BeamSkipConfig& skip) {
-  skip.enabled = body.get("do_beamskip", skip.enabled);
-  skip.distance = body.get("beam_skip_distance", skip.distance);
-  skip.threshold = body.get("beam_skip_threshold", skip.threshold);
-  skip.error_threshold = body.get("beam_skip_error_threshold", skip.error_threshold);
+void filter_fields(Settings& settings, AmclConfig& config) {
+  localization::KldConfig& kld = config.kld;
+  settings.field({"min_particles", "", "Least particles.", {1.0, kMostParticles}},
+                 kld.min_particles);
+  settings.field({"max_particles", "", "Most particles.", {1.0, kMostParticles}},
+                 kld.max_particles);
+  settings.field({"pf_err", "", "Bound of the Kullback-Leibler distance.", {1e-4, 1.0}}, kld.error);
+  settings.field({"pf_z", "", "Quantile of the normal distribution.", {0.0, 100.0}}, kld.z);
+  settings.field({"bin_m", "m", "Edge of a bin in x and y.", {0.01, 10.0}}, kld.bin_m);
+  settings.field({"bin_rad", "rad", "Edge of a bin in yaw.", {0.01, 3.2}}, kld.bin_rad);
+  settings.field({"recovery_alpha_slow", "", "Rate of the slow average.", kShare},
+                 config.recovery.alpha_slow);
+  settings.field({"recovery_alpha_fast", "", "Rate of the fast average.", kShare},
+                 config.recovery.alpha_fast);
+  settings.field({"initial_sigma_m", "m", "Spread of a start whose covariance is 0.", {0.0, 100.0}},
+                 config.initial.sigma_m);
+  settings.field({"initial_sigma_yaw", "rad", "Its spread in yaw.", {0.0, 100.0}},
+                 config.initial.sigma_yaw);
+}
+
+void beam_skip_fields(Settings& settings, localization::BeamSkipConfig& skip) {
+  settings.field({"do_beamskip", "", "likelihood_field_prob: skips beams nobody explains."},
+                 skip.enabled);
+  settings.field(
+      {"beam_skip_distance", "m", "A beam that ends so near a wall is explained.", {0.0, 1000.0}},
+      skip.distance);
+  settings.field(
+      {"beam_skip_threshold", "", "A beam explained by fewer particles is skipped.", kShare},
+      skip.threshold);
+  settings.field(
+      {"beam_skip_error_threshold", "", "No beam is skipped where more would be.", kShare},
+      skip.error_threshold);
 }
 
 }  // namespace
+
+void fields(Settings settings, AmclConfig& config) {
+  motion_fields(settings, config.motion);
+  sensor_fields(settings, config);
+  filter_fields(settings, config);
+  beam_skip_fields(settings, config.beam_skip);
+  settings.field({"update_min_d", "m", "Way along x or y between two updates.", {0.0, 1000.0}},
+                 config.update_min_d);
+  settings.field({"update_min_a", "rad", "Turn between two updates.", {0.0, 100.0}},
+                 config.update_min_a);
+  settings.field({"update_at_rest", "", "Updates at every scan, moved or not."},
+                 config.update_at_rest);
+  settings.field({"half_cell_shift", "", "Nav2's grid convention: half a cell off."},
+                 config.half_cell_shift);
+}
 
 const std::vector<std::string>& amcl_presets() {
   static const std::vector<std::string> kPresets = {"amcl", "amcl-recovery", "amcl-global",
@@ -52,29 +109,7 @@ AmclConfig amcl_preset(const std::string& preset) {
 
 AmclConfig read_amcl(YamlReader& body, const std::string& preset) {
   AmclConfig config = amcl_preset(preset);
-  config.model = read_model(body, config.model);
-  config.motion.alpha1 = body.get("alpha1", config.motion.alpha1);
-  config.motion.alpha2 = body.get("alpha2", config.motion.alpha2);
-  config.motion.alpha3 = body.get("alpha3", config.motion.alpha3);
-  config.motion.alpha4 = body.get("alpha4", config.motion.alpha4);
-  config.sensor.z_hit = body.get("z_hit", config.sensor.z_hit);
-  config.sensor.z_rand = body.get("z_rand", config.sensor.z_rand);
-  config.sensor.sigma_hit = body.get("sigma_hit", config.sensor.sigma_hit);
-  read_beam_model(body, config);
-  config.sensor.max_distance = body.get("laser_likelihood_max_dist", config.sensor.max_distance);
-  config.kld.min_particles = body.get("min_particles", config.kld.min_particles);
-  config.kld.max_particles = body.get("max_particles", config.kld.max_particles);
-  config.kld.error = body.get("pf_err", config.kld.error);
-  config.kld.z = body.get("pf_z", config.kld.z);
-  config.recovery.alpha_slow = body.get("recovery_alpha_slow", config.recovery.alpha_slow);
-  config.recovery.alpha_fast = body.get("recovery_alpha_fast", config.recovery.alpha_fast);
-  read_beam_skip(body, config.beam_skip);
-  config.update_min_d = body.get("update_min_d", config.update_min_d);
-  config.update_min_a = body.get("update_min_a", config.update_min_a);
-  config.max_beams = body.get("max_beams", config.max_beams);
-  config.max_range = body.get("laser_max_range", config.max_range);
-  config.update_at_rest = body.get("update_at_rest", config.update_at_rest);
-  config.half_cell_shift = body.get("half_cell_shift", config.half_cell_shift);
+  fields(Settings::reading(body), config);
   try {
     validate(config);
   } catch (const std::invalid_argument& error) {

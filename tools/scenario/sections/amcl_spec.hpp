@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "localization/amcl_config.hpp"
-#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 
@@ -15,6 +15,9 @@ const std::vector<std::string>& amcl_presets();
 
 /// The settings of a preset; that `amcl-global` is told stands in its `LocalizerSpec`.
 localization::AmclConfig amcl_preset(const std::string& preset);
+
+/// The settings of AMCL.
+void fields(Settings settings, localization::AmclConfig& config);
 
 /// Reads a localizer's body; what it does not say is as in the preset.
 localization::AmclConfig read_amcl(YamlReader& body, const std::string& preset);

@@ -1,80 +1,85 @@
 #include "tools/scenario/sections/fault_events.hpp"
 
-#include <algorithm>
 #include <numbers>
-
-#include <fmt/format.h>
 
 namespace castaway::testbed {
 namespace {
 
 using sim::FaultKind;
 
-/// Values that a key may have.
-struct Bounds {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-double within(YamlReader& body, const std::string& key, double fallback, const Bounds& bounds) {
-  const double value = body.get(key, fallback);
-  if (value >= bounds.low && value <= bounds.high) return value;
-  body.find(key)->fail(
-      fmt::format("'{}' is {}: give {} to {}", key, value, bounds.low, bounds.high));
+void blocked_fields(Settings& settings, sim::FaultSpec& fault) {
+  settings.field({"from_deg", "deg", "lidar-blocked: the sector begins here.", {-360.0, 360.0}},
+                 fault.from_deg);
+  settings.field({"to_deg", "deg", "lidar-blocked: the sector ends here.", {-360.0, 360.0}},
+                 fault.to_deg);
+  settings.field({"distance_m", "m", "lidar-blocked: range of what blocks it.", {0.001, 100.0}},
+                 fault.distance);
 }
 
-void read_blocked(YamlReader& body, sim::FaultSpec& fault) {
-  fault.from_deg = within(body, "from_deg", fault.from_deg, {-360.0, 360.0});
-  fault.to_deg = within(body, "to_deg", fault.to_deg, {-360.0, 360.0});
-  fault.distance = within(body, "distance_m", fault.distance, {0.001, 100.0});
-}
-
-void read_mount(YamlReader& body, sim::FaultSpec& fault) {
-  fault.mount_error.x = within(body, "dx_m", 0.0, {-10.0, 10.0});
-  fault.mount_error.y = within(body, "dy_m", 0.0, {-10.0, 10.0});
-  const double yaw_deg = within(body, "yaw_deg", 0.0, {-180.0, 180.0});
+void mount_fields(Settings& settings, sim::FaultSpec& fault) {
+  double yaw_deg = 0.0;
+  settings.field({"dx_m", "m", "lidar-mount: error of the mount told.", {-10.0, 10.0}},
+                 fault.mount_error.x);
+  settings.field({"dy_m", "m", "lidar-mount: error of the mount told.", {-10.0, 10.0}},
+                 fault.mount_error.y);
+  settings.field({"yaw_deg", "deg", "lidar-mount: error of the mount told.", {-180.0, 180.0}},
+                 yaw_deg);
   fault.mount_error.yaw = yaw_deg * std::numbers::pi / 180.0;
-  if (fault.mount_error == sim::Pose2{}) {
-    body.fail("a mount without an error: give 'dx_m', 'dy_m' or 'yaw_deg'");
+  if (!settings.describes() && fault.mount_error == sim::Pose2{}) {
+    settings.fail("a mount without an error: give 'dx_m', 'dy_m' or 'yaw_deg'");
   }
 }
 
-void read_figures(YamlReader& body, sim::FaultSpec& fault) {
-  if (fault.kind == FaultKind::kLidarBlocked) read_blocked(body, fault);
-  if (fault.kind == FaultKind::kLidarMount) read_mount(body, fault);
-  if (fault.kind == FaultKind::kLidarLate) {
-    fault.delay_s = within(body, "delay_s", fault.delay_s, {0.001, 10.0});
+void kind_fields(Settings& settings, sim::FaultSpec& fault) {
+  const auto is = [&](FaultKind kind) { return settings.describes() || fault.kind == kind; };
+  if (is(FaultKind::kLidarBlocked)) blocked_fields(settings, fault);
+  if (is(FaultKind::kLidarMount)) mount_fields(settings, fault);
+  if (is(FaultKind::kLidarLate)) {
+    settings.field({"delay_s", "s", "lidar-late: of each scan.", {0.001, 10.0}}, fault.delay_s);
   }
-  if (fault.kind == FaultKind::kLidarClock) {
-    fault.offset_s = within(body, "offset_s", fault.offset_s, {-10.0, 10.0});
+  if (is(FaultKind::kLidarClock)) {
+    settings.field({"offset_s", "s", "lidar-clock: of the stamps; above 0: fast.", {-10.0, 10.0}},
+                   fault.offset_s);
   }
-  if (fault.kind == FaultKind::kOdometryScale) {
-    fault.scale = within(body, "scale", fault.scale, {0.01, 10.0});
+  if (is(FaultKind::kOdometryScale)) {
+    settings.field({"scale", "", "odometry-scale: of the wheels' counts.", {0.01, 10.0}},
+                   fault.scale);
   }
-  if (fault.kind == FaultKind::kOdometryReversed) {
-    fault.reverse_right = body.choice("wheel", "right", {"left", "right"}) == "right";
+  if (is(FaultKind::kOdometryReversed)) {
+    settings.choice({"wheel", "", "odometry-reversed: which counts backwards."},
+                    fault.reverse_right, {{"left", false}, {"right", true}});
   }
+}
+
+std::vector<std::pair<std::string, FaultKind>> fault_kinds() {
+  std::vector<std::pair<std::string, FaultKind>> kinds;
+  for (const char* name : sim::kFaultNames) {
+    kinds.emplace_back(name, static_cast<FaultKind>(kinds.size()));
+  }
+  return kinds;
 }
 
 }  // namespace
 
-sim::FaultSpec read_fault(YamlReader body) {
-  const std::vector<std::string> names(sim::kFaultNames.begin(), sim::kFaultNames.end());
-  (void)body.require<std::string>("kind");
-  const std::string kind = body.choice("kind", "", names);
-  sim::FaultSpec fault;
-  const auto found = std::find(names.begin(), names.end(), kind);
-  fault.kind = static_cast<FaultKind>(found - names.begin());
-  (void)body.require<double>("at_s");
-  fault.at_s = within(body, "at_s", 0.0, {0.0, 1e6});
+void fields(Settings settings, sim::FaultSpec& fault) {
+  settings.choice({"kind", "", "What goes wrong."}, fault.kind, fault_kinds());
+  settings.field({"at_s", "s", "When it begins.", {0.0, 1e6}}, fault.at_s);
   if (fault.kind != FaultKind::kOdometryReset) {
-    (void)body.require<double>("for_s");
-    fault.for_s = within(body, "for_s", 1.0, {0.001, 1e6});
+    settings.field({"for_s", "s", "How long it lasts.", {0.001, 1e6}}, fault.for_s);
   }
-  if (sim::is_lidar_fault(fault.kind) && body.has("lidar")) {
-    fault.lidar = body.require<std::string>("lidar");
+  if (sim::is_lidar_fault(fault.kind) && settings.has("lidar")) {
+    settings.field({"lidar", "", "Name of the lidar; without it all of them."}, fault.lidar);
   }
-  read_figures(body, fault);
+  kind_fields(settings, fault);
+}
+
+sim::FaultSpec read_fault(YamlReader body) {
+  (void)body.require<std::string>("kind");
+  (void)body.require<double>("at_s");
+  sim::FaultSpec fault;
+  Settings::reading(body).choice({"kind", "", ""}, fault.kind, fault_kinds());
+  if (fault.kind != FaultKind::kOdometryReset) (void)body.require<double>("for_s");
+  fields(Settings::reading(body), fault);
   return fault;
 }
 

@@ -13,110 +13,115 @@ using sim::KidnapTrigger;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-template <typename Value>
-Value chosen(YamlReader& body, const std::string& key, const std::string& fallback,
-             const std::vector<std::pair<std::string, Value>>& values) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : values) names.push_back(name);
-  const std::string name = body.choice(key, fallback, names);
-  return std::find_if(values.begin(), values.end(),
-                      [&](const auto& entry) { return entry.first == name; })
-      ->second;
-}
-
-KidnapKind read_kind(YamlReader& body) {
-  return chosen<KidnapKind>(body, "kind", "teleport",
-                            {{"teleport", KidnapKind::kTeleportRandom},
-                             {"look_alike", KidnapKind::kLookAlike},
-                             {"nudge", KidnapKind::kNudge},
-                             {"turn", KidnapKind::kTurn},
-                             {"carry", KidnapKind::kCarry},
-                             {"spin", KidnapKind::kSpin}});
-}
+const std::vector<std::pair<std::string, KidnapKind>> kKinds{
+    {"teleport", KidnapKind::kTeleportRandom},
+    {"look_alike", KidnapKind::kLookAlike},
+    {"nudge", KidnapKind::kNudge},
+    {"turn", KidnapKind::kTurn},
+    {"carry", KidnapKind::kCarry},
+    {"spin", KidnapKind::kSpin}};
 
 /// One of the four keys that say when.
-KidnapTrigger read_trigger(YamlReader& body) {
-  static const std::vector<std::pair<std::string, KidnapTrigger::On>> kKeys{
-      {"at_s", KidnapTrigger::On::kTime},
-      {"at_m", KidnapTrigger::On::kDistance},
-      {"poisson_s", KidnapTrigger::On::kPoisson},
-      {"when_localized_s", KidnapTrigger::On::kLocalized}};
+void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
+  const std::vector<std::pair<Setting, KidnapTrigger::On>> keys{
+      {{"at_s", "s", "Simulated time.", {0.0, kLongest}}, KidnapTrigger::On::kTime},
+      {{"at_m", "m", "Way driven.", {0.0, kFarthest}}, KidnapTrigger::On::kDistance},
+      {{"poisson_s", "s", "At random, so far apart on average.", {0.1, kLongest}},
+       KidnapTrigger::On::kPoisson},
+      {{"when_localized_s",
+        "s",
+        "The watched localizer has been right for so long.",
+        {0.0, kLongest}},
+       KidnapTrigger::On::kLocalized}};
   std::vector<KidnapTrigger> found;
-  for (const auto& [key, on] : kKeys) {
-    if (const auto value = body.get_optional<double>(key)) found.push_back({on, *value});
+  for (const auto& [about, on] : keys) {
+    std::optional<double> value;
+    if (settings.optional(about, value)) found.push_back({on, *value});
   }
-  if (found.size() != 1) {
-    body.fail("give one of 'at_s', 'at_m', 'poisson_s' and 'when_localized_s'");
+  if (!settings.describes() && found.size() != 1) {
+    settings.fail("give one of 'at_s', 'at_m', 'poisson_s' and 'when_localized_s'");
   }
-  KidnapTrigger trigger = found.front();
-  trigger.times = body.get("times", trigger.on == KidnapTrigger::On::kPoisson ? 0 : 1);
-  return trigger;
+  if (!found.empty()) trigger = found.front();
+  trigger.times = trigger.on == KidnapTrigger::On::kPoisson ? 0 : 1;
+  settings.field({"times", "", "How often; 0: until the run ends.", {0.0, 1e6}}, trigger.times);
 }
 
-sim::Bounds read_bounds(YamlReader& body, const std::string& key, const sim::Bounds& fallback) {
-  const auto pair = body.get(key, Eigen::Vector2d(fallback.min, fallback.max));
-  return {pair.x(), pair.y()};
+void bounds_field(Settings& settings, const Setting& about, sim::Bounds& bounds) {
+  Eigen::Vector2d pair(bounds.min, bounds.max);
+  settings.field(about, pair);
+  bounds = {pair.x(), pair.y()};
 }
 
-sim::LiftConfig read_lift(YamlReader& body, KidnapKind kind) {
-  sim::LiftConfig lift;
+void lift_fields(Settings& settings, KidnapKind kind, sim::LiftConfig& lift) {
   if (kind == KidnapKind::kSpin) lift.height = 0.05;
-  lift.height = body.get("lift_m", lift.height);
-  lift.seconds = body.get("lift_s", lift.seconds);
-  if (kind == KidnapKind::kCarry) lift.speed = body.get("speed", lift.speed);
-  lift.wheels = chosen<HeldWheels>(body, "wheels", "driven",
-                                   {{"driven", HeldWheels::kDriven},
-                                    {"free", HeldWheels::kFree},
-                                    {"locked", HeldWheels::kLocked}});
-  lift.covered = body.get("covered", lift.covered);
-  return lift;
+  settings.field({"lift_m", "m", "Height that the robot is lifted to.", {0.0, 100.0}}, lift.height);
+  settings.field({"lift_s", "s", "Time to lift it, and to put it down.", {1e-3, 1e4}},
+                 lift.seconds);
+  if (kind == KidnapKind::kCarry || settings.describes()) {
+    settings.field({"speed", "m/s", "At which it is carried.", {1e-3, 100.0}}, lift.speed);
+  }
+  settings.choice({"wheels", "", "In the air."}, lift.wheels,
+                  {{"driven", HeldWheels::kDriven},
+                   {"free", HeldWheels::kFree},
+                   {"locked", HeldWheels::kLocked}});
+  settings.field({"covered", "", "Whoever carries it covers the lidars."}, lift.covered);
 }
 
 /// Where it goes, for the kinds that go far.
-void read_target(YamlReader& body, sim::KidnapSpec& kidnap) {
+void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
   if (kidnap.kind != KidnapKind::kLookAlike) {
-    if (const auto pose = body.get_optional<Eigen::Vector3d>("pose")) {
-      kidnap.target = sim::Pose2{pose->x(), pose->y(), pose->z()};
-    }
+    std::optional<Eigen::Vector3d> pose;
+    settings.optional({"pose",
+                       "m, rad",
+                       "Where it is put: x, y, yaw in map; else at random.",
+                       {-kFarthest, kFarthest}},
+                      pose);
+    if (pose) kidnap.target = sim::Pose2{pose->x(), pose->y(), pose->z()};
   }
-  if (kidnap.target && body.has("min_distance_m")) {
-    body.fail("give 'pose' or 'min_distance_m', not both");
+  if (kidnap.target && settings.has("min_distance_m")) {
+    settings.fail("give 'pose' or 'min_distance_m', not both");
   }
-  if (!kidnap.target) kidnap.min_distance_m = body.get("min_distance_m", kidnap.min_distance_m);
-  if (kidnap.target && kidnap.kind == KidnapKind::kTeleportRandom) {
+  if (!kidnap.target) {
+    settings.field({"min_distance_m", "m", "Least distance of a random place.", {0.0, 1e5}},
+                   kidnap.min_distance_m);
+  } else if (kidnap.kind == KidnapKind::kTeleportRandom) {
     kidnap.kind = KidnapKind::kTeleportTo;
   }
 }
 
-void read_details(YamlReader& body, sim::KidnapSpec& kidnap) {
-  switch (kidnap.kind) {
-    case KidnapKind::kNudge:
-      kidnap.nudge = read_bounds(body, "distance_m", kidnap.nudge);
-      break;
-    case KidnapKind::kTurn:
-      kidnap.turn = read_bounds(body, "angle_deg", {45.0, 180.0});
-      kidnap.turn = {kidnap.turn.min * kDegree, kidnap.turn.max * kDegree};
-      break;
-    case KidnapKind::kSpin:
-      kidnap.lift = read_lift(body, kidnap.kind);
-      break;
-    case KidnapKind::kCarry:
-      kidnap.lift = read_lift(body, kidnap.kind);
-      read_target(body, kidnap);
-      break;
-    default:
-      read_target(body, kidnap);
-  }
+void turn_field(Settings& settings, sim::KidnapSpec& kidnap) {
+  sim::Bounds degrees{45.0, 180.0};
+  bounds_field(settings, {"angle_deg", "deg", "Of a turn: least and most.", {1e-6, 360.0}},
+               degrees);
+  kidnap.turn = {degrees.min * kDegree, degrees.max * kDegree};
 }
 
 }  // namespace
 
+void fields(Settings settings, sim::KidnapSpec& kidnap) {
+  const bool all = settings.describes();
+  settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kKinds);
+  const KidnapKind kind = kidnap.kind;
+  trigger_fields(settings, kidnap.when);
+  const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin;
+  const bool stays = kind == KidnapKind::kNudge || kind == KidnapKind::kTurn;
+  if (all || kind == KidnapKind::kNudge) {
+    bounds_field(settings, {"distance_m", "m", "Of a nudge: least and most.", {1e-6, 1e5}},
+                 kidnap.nudge);
+  }
+  if (all || kind == KidnapKind::kTurn) turn_field(settings, kidnap);
+  if (all || lifted) lift_fields(settings, kind, kidnap.lift);
+  if (all || !(stays || kind == KidnapKind::kSpin)) target_fields(settings, kidnap);
+  settings.field({"power_cycle", "",
+                  "Sensors are off from pick-up to put-down, then odometry "
+                  "starts from zero."},
+                 kidnap.power_cycle);
+  settings.form({"localizer", "", "Which `when_localized_s` watches."}, "the first");
+}
+
 void read_kidnap(YamlReader& body, EventSpecs& events) {
   sim::KidnapSpec kidnap;
-  kidnap.kind = read_kind(body);
-  kidnap.when = read_trigger(body);
-  read_details(body, kidnap);
-  kidnap.power_cycle = body.get("power_cycle", kidnap.power_cycle);
+  fields(Settings::reading(body), kidnap);
   try {
     sim::validate(kidnap);
   } catch (const std::invalid_argument& error) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "tools/scenario/sections/scenario.hpp"
-#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
+
+/// The settings of a kidnap, those of its kind.
+void fields(Settings settings, sim::KidnapSpec& kidnap);
 
 /// Reads the body of `- kidnap: {...}` and adds it to `events`. Throws std::runtime_error at a
 /// value that cannot be.

@@ -34,7 +34,7 @@ LidarProfile load_lidar_profile(const std::string& name) {
   profile.name = name;
   profile.device = root.require<std::string>("device");
   profile.source = root.require<std::string>("source");
-  profile.figures = read_lidar_figures(root);
+  profile.changes = read_lidar_changes(root);
   document.reject_unknown_keys();
   return profile;
 }
@@ -47,7 +47,7 @@ sim::LidarConfig with_profile(const sim::LidarConfig& lidar, const std::string& 
   if (profile == "ideal") return result;
   result.elevations = {0.0};
   result.planar_layer.reset();
-  return changed(result, load_lidar_profile(profile).figures);
+  return changed(result, load_lidar_profile(profile).changes);
 }
 
 }  // namespace castaway::testbed

@@ -13,7 +13,7 @@ struct LidarProfile {
   std::string name;    ///< Of its file: "lds-01".
   std::string device;  ///< In full: "ROBOTIS LDS-01".
   std::string source;  ///< What its figures were taken from.
-  LidarSpec figures;
+  YamlNode changes;    ///< Its settings, by their keys.
 };
 
 /// Reads `<data>/lidars/<name>.yaml`. Throws std::runtime_error naming the nearest known device,

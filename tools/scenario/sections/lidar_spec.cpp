@@ -1,10 +1,8 @@
 #include "tools/scenario/sections/lidar_spec.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "tools/scenario/sections/lidar_noise.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 
 namespace castaway::testbed {
@@ -12,90 +10,145 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-void read_noise(YamlReader& map, LidarSpec& lidar) {
-  if (!map.has("noise")) return;
-  YamlReader noise = map.child("noise");
-  for (const LidarNoiseKey& known : kLidarNoiseKeys) {
-    const auto value = noise.get_optional<double>(known.key);
-    if (value) lidar.noise[known.key] = *value;
-  }
-  lidar.glass = noise.get_optional<bool>("glass");
-}
-
 LidarSpec read_named_lidar(const std::string& name, YamlReader body) {
-  LidarSpec lidar = read_lidar_figures(body);
+  LidarSpec lidar;
   lidar.name = name;
+  lidar.changes = read_lidar_changes(body);
   lidar.profile = body.get("profile", lidar.profile);
   return lidar;
 }
 
-sim::Intensity intensity_of(const std::string& name) {
-  if (name == "power") return sim::Intensity::kPower;
-  return name == "reflectivity" ? sim::Intensity::kReflectivity : sim::Intensity::kNone;
+/// Another number of beams over the same field of view.
+void resample(int beams, sim::LidarConfig& lidar) {
+  lidar.angle_increment *= static_cast<double>(lidar.beams) / beams;
+  lidar.beams = beams;
 }
 
-/// Beams over a field of view; the last beam of a full circle does not repeat the first.
-void spread(sim::LidarConfig& lidar, const LidarSpec& spec) {
-  if (spec.beams) {
-    lidar.angle_increment *= static_cast<double>(lidar.beams) / *spec.beams;
-    lidar.beams = *spec.beams;
-  }
-  if (spec.fov_deg) {
-    const bool circle = *spec.fov_deg >= 360.0;
-    const int gaps = circle ? lidar.beams : std::max(lidar.beams - 1, 1);
-    lidar.angle_increment = *spec.fov_deg * kRadians / gaps;
-    lidar.angle_min = -0.5 * *spec.fov_deg * kRadians;
-  }
-  if (spec.angle_min_deg) lidar.angle_min = *spec.angle_min_deg * kRadians;
+/// The beams over a field of view ahead; the last beam of a full circle does not repeat the first.
+void spread(double fov_deg, sim::LidarConfig& lidar) {
+  const int gaps = fov_deg >= 360.0 ? lidar.beams : std::max(lidar.beams - 1, 1);
+  lidar.angle_increment = fov_deg * kRadians / gaps;
+  lidar.angle_min = -0.5 * fov_deg * kRadians;
 }
 
-void mount(sim::LidarConfig& lidar, const LidarSpec& spec) {
-  if (spec.mount_xyz) lidar.T_base_laser.translation() = *spec.mount_xyz;
-  if (!spec.mount_rpy) return;
-  lidar.T_base_laser.linear() = (Eigen::AngleAxisd(spec.mount_rpy->z(), Eigen::Vector3d::UnitZ()) *
-                                 Eigen::AngleAxisd(spec.mount_rpy->y(), Eigen::Vector3d::UnitY()) *
-                                 Eigen::AngleAxisd(spec.mount_rpy->x(), Eigen::Vector3d::UnitX()))
-                                    .toRotationMatrix();
+Eigen::Matrix3d rotation(const Eigen::Vector3d& rpy) {
+  return (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
 }
 
-void add_noise(sim::LidarConfig& lidar, const LidarSpec& spec) {
-  lidar.noise.sigma = spec.range_sigma.value_or(lidar.noise.sigma);
-  for (const LidarNoiseKey& known : kLidarNoiseKeys) {
-    const auto found = spec.noise.find(known.key);
-    if (found != spec.noise.end()) known.of(lidar) = found->second;
+void angle_fields(Settings& settings, sim::LidarConfig& lidar) {
+  int beams = lidar.beams;
+  double fov_deg = lidar.angle_increment * lidar.beams / kRadians;
+  double angle_min_deg = lidar.angle_min / kRadians;
+  std::vector<double> elevations_deg;
+  for (const double elevation : lidar.elevations) elevations_deg.push_back(elevation / kRadians);
+  if (settings.field({"beams", "", "Beams of a layer.", {1.0, 1e5}}, beams)) resample(beams, lidar);
+  if (settings.field({"fov_deg",
+                      "deg",
+                      "Field of view ahead, from the first beam to the last.",
+                      {1e-3, 720.0}},
+                     fov_deg)) {
+    spread(fov_deg, lidar);
   }
-  lidar.light.glass = spec.glass.value_or(lidar.light.glass);
+  if (settings.field({"angle_min_deg", "deg", "Direction of the first beam.", {-720.0, 720.0}},
+                     angle_min_deg)) {
+    lidar.angle_min = angle_min_deg * kRadians;
+  }
+  if (settings.field({"elevations_deg", "deg", "Of the layers of a 3-D lidar.", {-90.0, 90.0}},
+                     elevations_deg)) {
+    lidar.elevations.clear();
+    for (const double degrees : elevations_deg) lidar.elevations.push_back(degrees * kRadians);
+  }
+  settings.optional({"localize_layer",
+                     "",
+                     "Layer that the localizers get; without one the most level layer.",
+                     {0.0, 1e4}},
+                    lidar.planar_layer);
+}
+
+constexpr NumberRange kNoiseRange{-1e4, 1e4};
+
+void fields(Settings settings, sim::RangeNoise& noise) {
+  const auto field = [&](const char* key, const char* unit, const char* what, double& value) {
+    settings.field({key, unit, what, kNoiseRange}, value);
+  };
+  field("sigma_m", "m", "Standard deviation of a range at range 0.", noise.sigma);
+  field("sigma_relative", "m/m", "Added to it for every metre of range.", noise.sigma_relative);
+  field("bias_m", "m", "Added to every range.", noise.bias);
+  field("beam_bias_sigma_m", "m", "Standard deviation of an offset that each beam keeps.",
+        noise.beam_bias_sigma);
+  field("resolution_m", "m", "Ranges are rounded to multiples of it; 0: they are not.",
+        noise.resolution);
+}
+
+void fields(Settings settings, sim::LightEffects& light) {
+  const auto field = [&](const char* key, const char* unit, const char* what, double& value) {
+    settings.field({key, unit, what, kNoiseRange}, value);
+  };
+  field("dark_range_m", "m",
+        "Range at which a surface of reflectivity 0.1 is just seen at normal incidence; 0: all "
+        "surfaces are seen.",
+        light.dark_range);
+  field("dropout", "", "Share of the returns that are lost.", light.dropout);
+  field("dropout_far", "", "Share lost besides at range_max; grows with the square of range.",
+        light.dropout_far);
+  field("dropout_grazing", "", "Share lost besides at grazing incidence.", light.dropout_grazing);
+  field("dropout_dark", "", "Share lost besides on black surfaces.", light.dropout_dark);
+  field("dust_per_m", "1/m", "Grains or drops in a metre of beam that return it.", light.dust_rate);
+  field("dust_range_m", "m", "Farther grains return too little light.", light.dust_range);
+  field("divergence_deg", "deg", "Full opening of a beam; 0: no mixed pixels.",
+        light.divergence_deg);
+  field("mixed_reach_m", "m", "Smaller depth steps within a beam are reported as one range.",
+        light.mixed_reach);
+  settings.field({"glass", "", "Light passes glass."}, light.glass);
+  field("glass_return", "", "Share of beams that a pane mirrors back at normal incidence.",
+        light.glass_return);
+  field("glass_angle_deg", "deg", "A pane mirrors beams back within this angle off its normal.",
+        light.glass_angle_deg);
+}
+
+void mount_fields(Settings& settings, sim::LidarConfig& lidar) {
+  Eigen::Vector3d xyz = lidar.T_base_laser.translation();
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
+  if (settings.field({"mount_xyz", "m", "Position of the laser in base.", {-100.0, 100.0}}, xyz)) {
+    lidar.T_base_laser.translation() = xyz;
+  }
+  if (settings.field(
+          {"mount_rpy", "rad", "Roll, pitch, yaw of the laser in base.", {-100.0, 100.0}}, rpy)) {
+    lidar.T_base_laser.linear() = rotation(rpy);
+  }
 }
 
 }  // namespace
 
-LidarSpec read_lidar_figures(YamlReader& map) {
-  LidarSpec lidar;
-  lidar.beams = map.get_optional<int>("beams");
-  if (lidar.beams && (*lidar.beams < 1 || *lidar.beams > 100000)) {
-    map.find("beams")->fail("'beams' must be 1 to 100000");
-  }
-  lidar.angle_min_deg = map.get_optional<double>("angle_min_deg");
-  lidar.fov_deg = map.get_optional<double>("fov_deg");
-  lidar.range_min = map.get_optional<double>("range_min");
-  lidar.range_max = map.get_optional<double>("range_max");
-  lidar.rate_hz = map.get_optional<double>("rate_hz");
-  lidar.range_sigma = map.get_optional<double>("range_sigma");
-  lidar.sweep = map.get_optional<bool>("sweep");
-  if (map.has("elevations_deg")) {
-    lidar.elevations_deg = map.require<std::vector<double>>("elevations_deg");
-  }
-  lidar.localize_layer = map.get_optional<int>("localize_layer");
-  if (map.has("intensity")) {
-    lidar.intensity = map.choice("intensity", "none", {"none", "power", "reflectivity"});
-  }
-  read_noise(map, lidar);
-  lidar.mount_xyz = map.get_optional<Eigen::Vector3d>("mount_xyz");
-  lidar.mount_rpy = map.get_optional<Eigen::Vector3d>("mount_rpy");
-  return lidar;
+void fields(Settings settings, sim::LidarConfig& lidar) {
+  using sim::Intensity;
+  angle_fields(settings, lidar);
+  settings.field({"range_min", "m", "Shorter returns are reported as -inf.", {0.0, 1e4}},
+                 lidar.range_min);
+  settings.field({"range_max", "m", "Longer returns are reported as +inf.", {1e-3, 1e4}},
+                 lidar.range_max);
+  settings.field({"rate_hz", "Hz", "Turns a second.", {0.01, 1000.0}}, lidar.rate_hz);
+  settings.field({"sweep", "", "Each beam at its own time; false: all at the scan's stamp."},
+                 lidar.sweep);
+  settings.choice({"intensity", "", "What the intensities tell."}, lidar.intensity,
+                  {{"none", Intensity::kNone},
+                   {"power", Intensity::kPower},
+                   {"reflectivity", Intensity::kReflectivity}});
+  settings.field({"range_sigma", "m", "Short for noise.sigma_m.", {0.0, 1000.0}},
+                 lidar.noise.sigma);
+  fields(settings.group("noise"), lidar.noise);
+  fields(settings.group("noise"), lidar.light);
+  mount_fields(settings, lidar);
 }
 
-LidarSpec read_lidar(YamlReader& root) { return read_named_lidar("", root.child("lidar")); }
+YamlNode read_lidar_changes(YamlReader& map) {
+  sim::LidarConfig scratch;
+  fields(Settings::changing(map), scratch);
+  return map.copy();
+}
 
 std::vector<LidarSpec> read_lidars(YamlReader& root) {
   std::vector<LidarSpec> lidars;
@@ -107,22 +160,13 @@ std::vector<LidarSpec> read_lidars(YamlReader& root) {
     }
     lidars.push_back(read_named_lidar(name, body));
   }
+  if (lidars.empty()) lidars.push_back(read_named_lidar("", root.child("lidar")));
   return lidars;
 }
 
-sim::LidarConfig changed(sim::LidarConfig lidar, const LidarSpec& spec) {
-  if (!spec.name.empty()) lidar.name = spec.name;
-  spread(lidar, spec);
-  lidar.range_min = spec.range_min.value_or(lidar.range_min);
-  lidar.range_max = spec.range_max.value_or(lidar.range_max);
-  lidar.rate_hz = spec.rate_hz.value_or(lidar.rate_hz);
-  lidar.sweep = spec.sweep.value_or(lidar.sweep);
-  if (!spec.elevations_deg.empty()) lidar.elevations.clear();
-  for (const double degrees : spec.elevations_deg) lidar.elevations.push_back(degrees * kRadians);
-  if (spec.localize_layer) lidar.planar_layer = spec.localize_layer;
-  if (spec.intensity) lidar.intensity = intensity_of(*spec.intensity);
-  add_noise(lidar, spec);
-  mount(lidar, spec);
+sim::LidarConfig changed(sim::LidarConfig lidar, const YamlNode& changes) {
+  YamlNode copy = changes;
+  fields(Settings::changing({copy, "lidar"}), lidar);
   return lidar;
 }
 

@@ -1,42 +1,68 @@
 #include "tools/scenario/sections/odometry_spec.hpp"
 
+#include <stdexcept>
+
+#include "sim/sensor/odometry_profiles.hpp"
+
 namespace castaway::testbed {
 namespace {
 
-void read_slip(YamlReader& map, OdometrySpec& odometry) {
-  if (!map.has("slip")) return;
-  YamlReader slip = map.child("slip");
-  for (const SlipKey& known : kSlipKeys) {
-    const auto value = slip.get_optional<double>(known.key);
-    if (value) odometry.slip[known.key] = *value;
-  }
-  odometry.slip_zones = slip.get_optional<bool>("zones");
+void fields(Settings settings, sim::SlipConfig& slip) {
+  settings.field({"rate_per_m", "1/m", "Slips in a metre that a wheel rolls.", {0.0, 1000.0}},
+                 slip.rate);
+  settings.field({"length_m", "m", "Way of the wheel that a slip lasts.", {0.0, 1000.0}},
+                 slip.length);
+  settings.field({"share", "", "Share of that way that is lost, on average.", {0.0, 1.0}},
+                 slip.share);
+  settings.field(
+      {"collision_length_m", "m", "Way lost by both wheels in a collision.", {0.0, 1000.0}},
+      slip.collision_length);
+  settings.field({"zones", "", "Wheels slip in the world's slip zones."}, slip.zones);
+  settings.field({"zone_spread", "", "Slip of a zone varies by this share.", {0.0, 100.0}},
+                 slip.zone_spread);
 }
 
-void read_gyro(YamlReader& map, OdometrySpec& odometry) {
-  if (!map.has("gyro")) return;
-  YamlReader gyro = map.child("gyro");
-  sim::GyroConfig config;
-  config.noise_deg = gyro.get("noise_deg", config.noise_deg);
-  config.bias_deg_s = gyro.get("bias_deg_s", config.bias_deg_s);
-  config.bias_walk_deg_s = gyro.get("bias_walk_deg_s", config.bias_walk_deg_s);
-  config.scale_sigma = gyro.get("scale_sigma", config.scale_sigma);
-  odometry.gyro = config;
+void fields(Settings settings, sim::GyroConfig& gyro) {
+  constexpr NumberRange kRange{0.0, 360.0};
+  settings.field({"noise_deg", "deg/sqrt(s)", "Random walk of the angle.", kRange}, gyro.noise_deg);
+  settings.field(
+      {"bias_deg_s", "deg/s", "Standard deviation of the bias left by calibration.", kRange},
+      gyro.bias_deg_s);
+  settings.field({"bias_walk_deg_s", "deg/s/sqrt(s)", "Random walk of the bias.", kRange},
+                 gyro.bias_walk_deg_s);
+  settings.field({"scale_sigma", "", "Relative error of every turn, drawn once.", kRange},
+                 gyro.scale_sigma);
 }
 
 }  // namespace
 
-OdometrySpec read_odometry(YamlReader& root) {
-  OdometrySpec odometry;
+void fields(Settings settings, sim::OdometryConfig& odometry) {
+  settings.field({"ticks_per_turn", "", "Encoder resolution; 0: continuous.", {0.0, 1e9}},
+                 odometry.ticks_per_turn);
+  settings.field(
+      {"radius_sigma", "", "Relative error of each wheel's radius, drawn once.", {0.0, 1.0}},
+      odometry.radius_sigma);
+  settings.field({"track_sigma", "", "Relative error of the track, drawn once.", {0.0, 1.0}},
+                 odometry.track_sigma);
+  settings.field({"drift_along", "m/sqrt(m)", "Random walk along the heading.", {0.0, 10.0}},
+                 odometry.drift_along);
+  settings.field({"drift_yaw_deg", "deg/sqrt(m)", "Random walk of the heading.", {0.0, 360.0}},
+                 odometry.drift_yaw_deg);
+  fields(settings.group("slip"), odometry.slip);
+  if (settings.has("gyro")) odometry.gyro = sim::GyroConfig{};
+  if (odometry.gyro) fields(settings.group("gyro"), *odometry.gyro);
+}
+
+sim::OdometryConfig read_odometry(YamlReader& root) {
   YamlReader map = root.child("odometry");
-  odometry.profile = map.choice("profile", odometry.profile, kOdometryProfiles);
-  odometry.ticks_per_turn = map.get_optional<int>("ticks_per_turn");
-  odometry.radius_sigma = map.get_optional<double>("radius_sigma");
-  odometry.track_sigma = map.get_optional<double>("track_sigma");
-  odometry.drift_along = map.get_optional<double>("drift_along");
-  odometry.drift_yaw_deg = map.get_optional<double>("drift_yaw_deg");
-  read_slip(map, odometry);
-  read_gyro(map, odometry);
+  const std::string profile = map.choice("profile", "default", sim::odometry_profile_names());
+  sim::OdometryConfig odometry = sim::odometry_profile(profile).value();
+  fields(Settings::reading(map), odometry);
+  try {
+    sim::validate(odometry);
+  } catch (const std::invalid_argument& error) {
+    map.fail(error.what());
+  }
   return odometry;
 }
 

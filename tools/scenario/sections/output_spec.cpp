@@ -3,9 +3,66 @@
 #include <optional>
 
 #include "tools/scenario/yaml/nearest.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+constexpr NumberRange kPixels{16.0, 4096.0};
+
+void fields(Settings settings, PictureConfig& pictures) {
+  settings.field({"every_s", "s", "Time between two pictures; 0: none by time.", {0.01, 1e7, true}},
+                 pictures.every_s);
+  settings.field({"on_events", "", "Pictures at kidnaps and recoveries."}, pictures.on_events);
+  settings.field({"width", "px", "Of each picture.", kPixels}, pictures.width);
+  settings.field({"height", "px", "Of each picture.", kPixels}, pictures.height);
+}
+
+void fields(Settings settings, FilmConfig& film) {
+  settings.field({"width", "px", "Even.", kPixels}, film.format.width);
+  settings.field({"height", "px", "Even.", kPixels}, film.format.height);
+  settings.field({"fps", "1/s", "Pictures a second of film.", {1.0, 120.0}}, film.format.fps);
+  settings.field({"speed", "", "Seconds of the run in a second of film.", {1e-3, 1e4}}, film.speed);
+  settings.choice({"view", "", "What the film shows."}, film.view, {"chase", "overview", "map"});
+  if (film.format.width % 2 != 0 || film.format.height % 2 != 0) {
+    settings.fail("'width' and 'height' must be even");
+  }
+}
+
+void fields(Settings settings, BagOptions& bag) {
+  settings.choice({"compression", "", "Of the bag's chunks."}, bag.compression,
+                  {{"zstd", McapCompression::kZstd},
+                   {"lz4", McapCompression::kLz4},
+                   {"none", McapCompression::kNone}});
+  settings.field({"particles", "", "All particles of all localizers."}, bag.particles);
+  settings.field({"snapshots", "", "The run's pictures, if it takes any."}, bag.snapshots);
+}
+
+void fields(Settings settings, CameraConfig& camera) {
+  settings.field({"rate_hz", "Hz", "Pictures a second.", {1e-3, 100.0}}, camera.rate_hz);
+  settings.field({"width", "px", "Of each picture.", kPixels}, camera.width);
+  settings.field({"height", "px", "Of each picture.", kPixels}, camera.height);
+  settings.field({"fov_deg", "deg", "Field of view, from left to right.", {5.0, 150.0}},
+                 camera.fov_deg);
+  settings.field({"mount_xyz", "m", "Position of the optical centre in base.", {-100.0, 100.0}},
+                 camera.p_base);
+  settings.field({"mount_rpy", "rad", "Roll, pitch, yaw of the view in base.", {-100.0, 100.0}},
+                 camera.rpy);
+  settings.field({"depth", "", "Writes camera/depth."}, camera.depth);
+  settings.field({"instances", "", "Writes camera/instances."}, camera.instances);
+}
+
+/// `key: false`, `key: true`, or a map of what differs from the defaults.
+template <typename Config>
+std::optional<Config> read_switch(YamlReader& map, const std::string& key) {
+  const std::optional<YamlReader> given = map.find(key);
+  if (!given || given->is_scalar()) {
+    return map.get(key, false) ? std::optional(Config{}) : std::nullopt;
+  }
+  Config config;
+  fields(Settings::reading(*given), config);
+  return config;
+}
 
 void read_snapshots(YamlReader& map, OutputSpec& outputs) {
   const std::optional<YamlReader> scalar = map.find("snapshots");
@@ -13,34 +70,7 @@ void read_snapshots(YamlReader& map, OutputSpec& outputs) {
     outputs.snapshots = scalar->as<bool>();
     return;
   }
-  YamlReader snapshots = map.child("snapshots");
-  outputs.snapshot_every_s = snapshots.get("every_s", outputs.snapshot_every_s);
-  if (!(outputs.snapshot_every_s >= 0.0)) snapshots.fail("'every_s' must not be negative");
-  outputs.snapshot_on_events = snapshots.get("on_events", outputs.snapshot_on_events);
-  outputs.snapshot_width = snapshots.get("width", outputs.snapshot_width);
-  outputs.snapshot_height = snapshots.get("height", outputs.snapshot_height);
-  for (const int size : {outputs.snapshot_width, outputs.snapshot_height}) {
-    if (size < 16 || size > 4096) snapshots.fail("'width' and 'height' must be in 16..4096");
-  }
-}
-
-VideoSpec read_video(YamlReader& map) {
-  VideoSpec video;
-  if (!map.has("video")) return video;
-  YamlReader reader = map.child("video");
-  video.width = reader.get("width", video.width);
-  video.height = reader.get("height", video.height);
-  for (const int size : {video.width, video.height}) {
-    if (size < 16 || size > 4096 || size % 2 != 0) {
-      reader.fail("'width' and 'height' must be even and in 16..4096");
-    }
-  }
-  video.fps = reader.get("fps", video.fps);
-  if (video.fps < 1 || video.fps > 120) reader.fail("'fps' must be in 1..120");
-  video.speed = reader.get("speed", video.speed);
-  if (!(video.speed > 0.0)) reader.fail("'speed' must be positive");
-  video.view = reader.choice("view", video.view, {"chase", "overview", "map"});
-  return video;
+  fields(Settings::reading(map.child("snapshots")), outputs.pictures);
 }
 
 void read_tables(YamlReader& map, OutputSpec& outputs) {
@@ -62,67 +92,49 @@ void read_tables(YamlReader& map, OutputSpec& outputs) {
   for (const YamlReader& item : list->items()) take(item);
 }
 
-/// A flag, or a map of what differs from the defaults.
-std::optional<BagSpec> read_bag(YamlReader& map) {
-  const std::optional<YamlReader> given = map.find("bag");
-  if (!given || given->is_scalar()) {
-    return map.get("bag", false) ? std::optional(BagSpec{}) : std::nullopt;
-  }
-  YamlReader reader = map.child("bag");
-  BagSpec bag;
-  bag.compression = reader.choice("compression", bag.compression, {"zstd", "lz4", "none"});
-  bag.particles = reader.get("particles", bag.particles);
-  bag.snapshots = reader.get("snapshots", bag.snapshots);
-  return bag;
-}
-
-std::optional<CameraSpec> read_camera(YamlReader& map) {
-  const std::optional<YamlReader> given = map.find("camera");
-  if (!given || given->is_scalar()) {
-    return map.get("camera", false) ? std::optional(CameraSpec{}) : std::nullopt;
-  }
-  YamlReader reader = map.child("camera");
-  CameraSpec camera;
-  camera.rate_hz = reader.get("rate_hz", camera.rate_hz);
-  if (!(camera.rate_hz > 0.0 && camera.rate_hz <= 100.0)) {
-    reader.fail("'rate_hz' must be above 0 and at most 100");
-  }
-  camera.width = reader.get("width", camera.width);
-  camera.height = reader.get("height", camera.height);
-  for (const int size : {camera.width, camera.height}) {
-    if (size < 16 || size > 4096) reader.fail("'width' and 'height' must be in 16..4096");
-  }
-  camera.fov_deg = reader.get("fov_deg", camera.fov_deg);
-  if (!(camera.fov_deg >= 5.0 && camera.fov_deg <= 150.0)) {
-    reader.fail("'fov_deg' must be in 5..150");
-  }
-  camera.mount_xyz = reader.get("mount_xyz", camera.mount_xyz);
-  camera.mount_rpy = reader.get("mount_rpy", camera.mount_rpy);
-  camera.depth = reader.get("depth", camera.depth);
-  camera.instances = reader.get("instances", camera.instances);
-  return camera;
+void flag_fields(Settings& settings, OutputSpec& outputs) {
+  settings.field({"report", "", "Writes report.html."}, outputs.report);
+  settings.field({"player", "", "Puts the player into the report; writes recording.gz."},
+                 outputs.player);
+  settings.field({"scans", "", "Writes scans.csv and labels.csv."}, outputs.scans);
+  settings.field({"carmen", "", "Writes log.carmen."}, outputs.carmen);
+  settings.field({"kitti", "", "Writes kitti/."}, outputs.kitti);
+  settings.field({"map", "", "Writes map/map.yaml and map/map.pgm."}, outputs.map);
 }
 
 }  // namespace
 
+void describe_outputs(Settings settings) {
+  OutputSpec outputs;
+  flag_fields(settings, outputs);
+  settings.form({"tables", "", "Tables of all scans: csv, hdf5, or a list of both."}, "none");
+  settings.form({"points.every_s", "s", "Time between two PLY files of a lidar.", {0.01, 1e7}},
+                "~");
+  settings.form({"snapshots", "", "Pictures: false, or a map."}, "");
+  fields(settings.group("snapshots"), outputs.pictures);
+  fields(settings.group("video"), outputs.video);
+  settings.form({"bag", "", "A bag of ROS 2 messages: true, or a map."}, "false");
+  BagOptions bag;
+  fields(settings.group("bag"), bag);
+  settings.form({"camera", "", "A camera on the robot: true, or a map."}, "false");
+  CameraConfig camera;
+  fields(settings.group("camera"), camera);
+}
+
 OutputSpec read_outputs(YamlReader& root) {
   OutputSpec outputs;
   YamlReader map = root.child("outputs");
-  outputs.report = map.get("report", outputs.report);
-  outputs.player = map.get("player", outputs.player);
-  outputs.scans = map.get("scans", outputs.scans);
+  Settings settings = Settings::reading(map);
+  flag_fields(settings, outputs);
   read_tables(map, outputs);
-  outputs.video = read_video(map);
+  if (map.has("video")) fields(Settings::reading(map.child("video")), outputs.video);
   if (map.has("points")) {
-    YamlReader points = map.child("points");
-    outputs.points_every_s = points.get("every_s", 1.0);
-    if (!(outputs.points_every_s > 0.0)) points.fail("'every_s' must be positive");
+    outputs.points_every_s = 1.0;
+    Settings::reading(map.child("points"))
+        .field({"every_s", "s", "", {0.01, 1e7}}, outputs.points_every_s);
   }
-  outputs.bag = read_bag(map);
-  outputs.carmen = map.get("carmen", outputs.carmen);
-  outputs.kitti = map.get("kitti", outputs.kitti);
-  outputs.map = map.get("map", outputs.map);
-  outputs.camera = read_camera(map);
+  outputs.bag = read_switch<BagOptions>(map, "bag");
+  outputs.camera = read_switch<CameraConfig>(map, "camera");
   read_snapshots(map, outputs);
   return outputs;
 }

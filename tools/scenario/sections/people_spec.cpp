@@ -7,37 +7,19 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kCrowdPerShare = 60.0;  // Walkers for all beams, where there is no count.
-const char* const kMixed = "mixed";
 
-std::optional<sim::Behaviour> read_behaviour(YamlReader& map) {
-  std::vector<std::string> names;
+std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() {
+  std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> names;
   for (const sim::Behaviour behaviour : sim::kBehaviours) {
-    names.emplace_back(sim::behaviour_name(behaviour));
+    names.emplace_back(sim::behaviour_name(behaviour), behaviour);
   }
-  names.emplace_back(kMixed);
-  const std::string name = map.choice("behaviour", names.front(), names);
-  if (name == kMixed) return std::nullopt;
-  const auto found = std::find(names.begin(), names.end(), name);
-  return sim::kBehaviours[static_cast<std::size_t>(found - names.begin())];
+  names.emplace_back("mixed", std::nullopt);
+  return names;
 }
 
 /// As many as such a crowd takes; more would block beams as they pass.
 int crowd_count(double blocked_share) {
   return static_cast<int>(std::lround(kCrowdPerShare * blocked_share));
-}
-
-int read_count(YamlReader& map, const std::string& key, int fallback) {
-  const int count = map.get(key, fallback);
-  if (count < 0) map.fail("'" + key + "' must not be negative");
-  return count;
-}
-
-double read_share(YamlReader& map, const std::string& key, double fallback, double most) {
-  const double share = map.get(key, fallback);
-  if (!(share >= 0.0 && share <= most)) {
-    map.fail("'" + key + "' must be in 0.." + std::string(most < 1.0 ? "0.6" : "1"));
-  }
-  return share;
 }
 
 std::vector<int> read_talking(YamlReader& map) {
@@ -53,6 +35,7 @@ std::vector<int> read_talking(YamlReader& map) {
 std::vector<sim::Pose2> read_placed(YamlReader& map) {
   std::vector<sim::Pose2> poses;
   for (const YamlReader& item : map.list("at")) {
+    item.require_in({-1e7, 1e7}, "m, rad");
     const auto numbers = item.as<std::vector<double>>();
     if (numbers.size() != 2 && numbers.size() != 3) item.fail("give [x, y] or [x, y, yaw]");
     poses.push_back({numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0});
@@ -60,26 +43,55 @@ std::vector<sim::Pose2> read_placed(YamlReader& map) {
   return poses;
 }
 
+constexpr NumberRange kCount{0.0, sim::kMaxPeople};
+
+void crowd_fields(Settings settings, sim::PeopleConfig& people) {
+  settings.field(
+      {"blocked", "", "Share of the lidar's beams that walkers about the robot block.", {0.0, 0.6}},
+      people.blocked_share);
+}
+
 }  // namespace
+
+void fields(Settings settings, PeopleSpec& people) {
+  sim::PeopleConfig& config = people.config;
+  settings.field({"count", "",
+                  "People who walk from place to place; with a crowd, as many as it "
+                  "takes.",
+                  kCount},
+                 config.walking);
+  settings.choice({"behaviour", "", "What they do about the robot."}, config.behaviour,
+                  behaviours());
+  settings.field({"groups", "", "Share of the walkers that go in groups of 2 to 4.", {0.0, 1.0}},
+                 config.in_groups);
+  settings.field({"standing", "", "People who stand somewhere.", kCount}, config.standing);
+  settings.form({"talking", "", "Sizes of groups that stand and talk, 2 to 6 each.", {2.0, 6.0}},
+                "[]");
+  settings.form({"at", "m, rad", "People who stand here: a list of [x, y] or [x, y, yaw]."}, "[]");
+  settings.field({"robot_yields", "", "A robot driven by truth stops before people."},
+                 config.robot_yields);
+  settings.field({"log_every_s",
+                  "s",
+                  "Time between two rows of a person in people.csv; 0: no such "
+                  "file.",
+                  {0.01, 1e7, true}},
+                 people.log_every_s);
+  if (settings.describes()) crowd_fields(settings.group("crowd"), config);
+}
 
 PeopleSpec read_people(YamlReader& root) {
   PeopleSpec people;
   if (!root.has("people")) return people;
   YamlReader map = root.child("people");
   if (map.has("crowd")) {
-    YamlReader body = map.child("crowd");
-    people.config.blocked_share = body.require<double>("blocked");
-    (void)read_share(body, "blocked", 0.0, 0.6);
+    YamlReader crowd = map.child("crowd");
+    people.config.blocked_share = crowd.require<double>("blocked");
+    crowd_fields(Settings::reading(crowd), people.config);
+    people.config.walking = crowd_count(people.config.blocked_share);
   }
-  people.config.walking = read_count(map, "count", crowd_count(people.config.blocked_share));
-  people.config.behaviour = read_behaviour(map);
-  people.config.in_groups = read_share(map, "groups", people.config.in_groups, 1.0);
-  people.config.standing = read_count(map, "standing", people.config.standing);
+  fields(Settings::reading(map), people);
   people.config.talking = read_talking(map);
   people.config.placed = read_placed(map);
-  people.config.robot_yields = map.get("robot_yields", people.config.robot_yields);
-  people.log_every_s = map.get("log_every_s", people.log_every_s);
-  if (!(people.log_every_s >= 0.0)) map.fail("'log_every_s' must not be negative");
   if (people.config.count() > sim::kMaxPeople) map.fail("at most 200 people, all kinds together");
   return people;
 }

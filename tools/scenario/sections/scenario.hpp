@@ -16,10 +16,17 @@
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
 #include "sim/people/people_config.hpp"
-#include "sim/sensor/gyro.hpp"
+#include "sim/robot/bodies/twist_ramp.hpp"
+#include "sim/sensor/wheel_odometry.hpp"
 #include "tools/metrics/expectation.hpp"
+#include "tools/pictures/picture_config.hpp"
+#include "tools/ros/bag_options.hpp"
+#include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {
+
+inline constexpr double kLongest = 1e7;   ///< [s] 115 days.
+inline constexpr double kFarthest = 1e7;  ///< [m] UTM coordinates stay below.
 
 /// The robot.
 struct RobotSpec {
@@ -59,47 +66,21 @@ struct DriveSpec {
   std::string route;      ///< A route of the world, "random", "explore" or "none"; empty: the first
                           ///< one, else random.
   std::string twist_log;  ///< File of recorded commands to drive by instead; empty: none.
-  std::string by = "truth";            ///< "truth" or the name of a localizer.
-  double max_speed = 0.5;              ///< [m/s]
-  double max_turn_rate = 1.0;          ///< [rad/s]
-  double max_acceleration = 0.5;       ///< [m/s^2] Speeding up and braking.
-  double max_turn_acceleration = 2.0;  ///< [rad/s^2]
-  double wait_s = 0.0;                 ///< [s] Stands still at first.
+  std::string by = "truth";  ///< "truth" or the name of a localizer.
+  sim::TwistLimits limits;
+  double wait_s = 0.0;  ///< [s] Stands still at first.
 };
 
 /// A lidar: what differs from its profile, or from the robot's description.
 struct LidarSpec {
-  std::string name;               ///< Of one of several; empty: the robot's only one.
+  std::string name;               ///< Of one of several; empty: every lidar of the description.
   std::string profile = "robot";  ///< "robot": as its description says, "ideal": the same without
                                   ///< any error, or a device of `lidars/`.
-  std::optional<int> beams;       ///< Over the same field of view.
-  std::optional<double> angle_min_deg;       ///< [deg] Of the first beam.
-  std::optional<double> fov_deg;             ///< [deg] From the first beam to the last.
-  std::optional<double> range_min;           ///< [m]
-  std::optional<double> range_max;           ///< [m]
-  std::optional<double> rate_hz;             ///< [Hz]
-  std::optional<double> range_sigma;         ///< [m] The same as noise.sigma_m.
-  std::optional<bool> sweep;                 ///< Each beam at its own time; nothing: it does.
-  std::vector<double> elevations_deg;        ///< [deg] Of the layers; none: as they are.
-  std::optional<int> localize_layer;         ///< Which the localizers see; nothing: most level.
-  std::optional<std::string> intensity;      ///< "none", "power" or "reflectivity".
-  std::map<std::string, double> noise;       ///< By key, as in `lidar_noise.hpp`.
-  std::optional<bool> glass;                 ///< Light passes glass.
-  std::optional<Eigen::Vector3d> mount_xyz;  ///< [m] In base.
-  std::optional<Eigen::Vector3d> mount_rpy;  ///< [rad] Roll, pitch, yaw in base.
-};
+  YamlNode changes;               ///< Settings by their keys (`fields` of a lidar).
 
-/// Wheel odometry.
-struct OdometrySpec {
-  std::string profile = "default";      ///< A profile's name; the rest differs from it.
-  std::optional<int> ticks_per_turn;    ///< 0: continuous.
-  std::optional<double> radius_sigma;   ///< Relative.
-  std::optional<double> track_sigma;    ///< Relative.
-  std::optional<double> drift_along;    ///< [m/sqrt(m)]
-  std::optional<double> drift_yaw_deg;  ///< [deg/sqrt(m)]
-  std::map<std::string, double> slip;   ///< By key, as in `odometry_spec.hpp`.
-  std::optional<bool> slip_zones;       ///< Wheels slip in the world's slip zones.
-  std::optional<sim::GyroConfig> gyro;  ///< Nothing: the profile's, if it has one.
+  /// Changes a setting.
+  LidarSpec& set(const std::string& key, double value);
+  LidarSpec& set(const std::string& key, const Eigen::Vector3d& value);
 };
 
 /// What happens to the robot and when.
@@ -123,53 +104,22 @@ struct LocalizerSpec {
   bool relocalize_at_kidnap = false;
 };
 
-/// A film of the run; where it goes is said on the command line.
-struct VideoSpec {
-  int width = 1280;            ///< [px] Even.
-  int height = 720;            ///< [px] Even.
-  int fps = 20;                ///< [1/s]
-  double speed = 1.0;          ///< Seconds of the run in a second of film.
-  std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
-};
-
-/// A bag of ROS 2 messages.
-struct BagSpec {
-  std::string compression = "zstd";  ///< "zstd", "lz4" or "none".
-  bool particles = false;            ///< All particles of all localizers.
-  bool snapshots = false;            ///< The run's pictures, if it takes any.
-};
-
-/// A camera on the robot.
-struct CameraSpec {
-  double rate_hz = 2.0;                                 ///< [Hz]
-  int width = 640;                                      ///< [px]
-  int height = 480;                                     ///< [px]
-  double fov_deg = 70.0;                                ///< [deg] From left to right.
-  Eigen::Vector3d mount_xyz{0.1, 0.0, 0.4};             ///< [m] In base.
-  Eigen::Vector3d mount_rpy = Eigen::Vector3d::Zero();  ///< [rad]
-  bool depth = true;                                    ///< camera/depth
-  bool instances = true;                                ///< camera/instances
-};
-
 /// What the run leaves behind, besides its tables.
 struct OutputSpec {
-  bool snapshots = true;             ///< Pictures at all.
-  double snapshot_every_s = 0.0;     ///< [s] 0: not by time.
-  bool snapshot_on_events = true;    ///< At kidnaps and recoveries.
-  int snapshot_width = 960;          ///< [px]
-  int snapshot_height = 720;         ///< [px]
-  bool report = true;                ///< report.html
-  bool player = true;                ///< In the report, and the recording.gz that it plays.
-  VideoSpec video;                   ///< With `castaway run --video FILE` only.
-  bool scans = false;                ///< scans.csv and labels.csv
-  bool tables_csv = false;           ///< tables/*.csv
-  bool tables_hdf5 = false;          ///< tables.h5
-  double points_every_s = 0.0;       ///< [s] Between two PLY files of a lidar; 0: none.
-  std::optional<BagSpec> bag;        ///< bag/; nothing: none.
-  bool carmen = false;               ///< log.carmen
-  bool kitti = false;                ///< kitti/
-  bool map = false;                  ///< map/
-  std::optional<CameraSpec> camera;  ///< camera/; nothing: none.
+  bool snapshots = true;  ///< Pictures at all.
+  PictureConfig pictures;
+  bool report = true;                  ///< report.html
+  bool player = true;                  ///< In the report, and the recording.gz that it plays.
+  FilmConfig video;                    ///< With `castaway run --video FILE` only.
+  bool scans = false;                  ///< scans.csv and labels.csv
+  bool tables_csv = false;             ///< tables/*.csv
+  bool tables_hdf5 = false;            ///< tables.h5
+  double points_every_s = 0.0;         ///< [s] Between two PLY files of a lidar; 0: none.
+  std::optional<BagOptions> bag;       ///< bag/; nothing: none.
+  bool carmen = false;                 ///< log.carmen
+  bool kitti = false;                  ///< kitti/
+  bool map = false;                    ///< map/
+  std::optional<CameraConfig> camera;  ///< camera/; nothing: none.
 };
 
 /// A run.
@@ -185,9 +135,8 @@ struct Scenario {
   double wall_height = 2.0;   ///< [m] Of a world made from a map.
   StartSpec start;
   DriveSpec drive;
-  LidarSpec lidar;                ///< Changes every lidar of the robot's description...
-  std::vector<LidarSpec> lidars;  ///< ...or these are all that there are.
-  OdometrySpec odometry;
+  std::vector<LidarSpec> lidars{LidarSpec{}};  ///< One without a name, or all that there are.
+  sim::OdometryConfig odometry;
   EventSpecs events;
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;

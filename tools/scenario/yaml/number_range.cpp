@@ -3,8 +3,6 @@
 #include <charconv>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -23,55 +21,28 @@ std::optional<double> number_in(const std::string& text) {
   return error == std::errc::result_out_of_range ? std::optional(value) : std::nullopt;
 }
 
-std::string bounds(const NumberRange& range) {
-  return fmt::format("{}from {} to {}{}{}", range.zero_too ? "0, or " : "", range.low, range.high,
-                     *range.unit == '\0' ? "" : " ", range.unit);
+bool holds(const NumberRange& range, double value) {
+  return (value >= range.low && value <= range.high) || (range.zero_too && value == 0.0);
 }
-
-/// A value against what is left of a range's path.
-class Check {
- public:
-  explicit Check(const NumberRange& range) : range_(range) {}
-
-  void visit(const YamlNode& node, std::string_view path, const std::string& name) const {
-    if (path.empty()) return judge(node, name);
-    const std::size_t dot = path.find('.');
-    const std::string_view key = path.substr(0, dot);
-    const std::string_view rest = dot == path.npos ? "" : path.substr(dot + 1);
-    for (const YamlEntry& entry : node.entries) {
-      if (key == "*" || key == entry.key) visit(entry.value, rest, joined(name, entry.key));
-    }
-    std::size_t index = 0;
-    for (const YamlNode& item : node.items) {
-      const std::string at = fmt::format("{}[{}]", name, index++);
-      if (key == "*") visit(item, rest, at);
-    }
-  }
-
- private:
-  static std::string joined(const std::string& name, const std::string& key) {
-    return name.empty() ? key : name + "." + key;
-  }
-
-  void judge(const YamlNode& node, const std::string& name) const {
-    for (const YamlNode& item : node.items) {
-      if (item.kind == Kind::kScalar) judge(item, name);
-    }
-    if (node.kind != Kind::kScalar) return;
-    const std::optional<double> value = number_in(node.scalar);
-    if (!value || (*value >= range_.low && *value <= range_.high)) return;
-    if (range_.zero_too && *value == 0.0) return;
-    throw std::runtime_error(fmt::format("{}: {}: {} is out of range; give {}", node.where, name,
-                                         node.scalar, bounds(range_)));
-  }
-
-  const NumberRange& range_;
-};
 
 }  // namespace
 
-void require_ranges(const YamlNode& root, std::span<const NumberRange> ranges) {
-  for (const NumberRange& range : ranges) Check(range).visit(root, range.path, "");
+std::string range_text(const NumberRange& range) {
+  if (range.low == NumberRange{}.low && range.high == NumberRange{}.high) return "";
+  return fmt::format("{}{} to {}", range.zero_too ? "0, or " : "", range.low, range.high);
+}
+
+void require_in(const YamlNode& node, const std::string& name, const NumberRange& range,
+                const std::string& unit) {
+  for (const YamlNode& item : node.items) {
+    if (item.kind == Kind::kScalar) require_in(item, name, range, unit);
+  }
+  if (node.kind != Kind::kScalar) return;
+  const std::optional<double> value = number_in(node.scalar);
+  if (!value || holds(range, *value)) return;
+  throw std::runtime_error(fmt::format(
+      "{}: {}: {} is out of range; give {}from {} to {}{}{}", node.where, name, node.scalar,
+      range.zero_too ? "0, or " : "", range.low, range.high, unit.empty() ? "" : " ", unit));
 }
 
 }  // namespace castaway::testbed

@@ -1,27 +1,26 @@
-/// Ranges of the numbers in a YAML file, checked on the tree before anything is read from it.
+/// What a number in a YAML file may be.
 #pragma once
 
-#include <span>
+#include <string>
 
 #include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {
 
-/// What a number may be. It holds for a scalar and for every number in a list.
+/// Bounds keep nonsense out: what a robot, a sensor, a localizer of any size may have. What a part
+/// takes beyond that, it says itself.
 struct NumberRange {
-  const char* path;       ///< Keys from the root with dots; `*` is any key or index.
-  double low;             ///< Least value...
-  double high;            ///< ...and greatest, both allowed.
-  const char* unit = "";  ///< For the message.
+  double low = -1e9;      ///< Least value...
+  double high = 1e9;      ///< ...and greatest, both allowed.
   bool zero_too = false;  ///< 0 is allowed besides, where it switches something off.
 };
 
-/// Throws std::runtime_error "file:line: key: ..." for the first number that is out of its range.
-/// Values that are no numbers are left to who reads them.
-void require_ranges(const YamlNode& root, std::span<const NumberRange> ranges);
+/// "0.001 to 100"; empty where any number will do.
+std::string range_text(const NumberRange& range);
 
-/// The ranges of a scenario: what a robot, a sensor, a localizer of any size may have. They keep
-/// nonsense out; what a part takes beyond that, it says itself.
-[[nodiscard]] std::span<const NumberRange> scenario_ranges();
+/// Throws std::runtime_error "file:line: key: ..." for a number, or a number in a list, that is out
+/// of its range. Values that are no numbers are left to who reads them. `name`: the key's path.
+void require_in(const YamlNode& node, const std::string& name, const NumberRange& range,
+                const std::string& unit);
 
 }  // namespace castaway::testbed

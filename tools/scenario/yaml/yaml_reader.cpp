@@ -86,6 +86,10 @@ std::vector<YamlReader> YamlReader::list(const std::string& key) {
 
 YamlNode YamlReader::raw() const {
   know_all(*node_);
+  return copy();
+}
+
+YamlNode YamlReader::copy() const {
   YamlNode copy = *node_;
   forget_known(copy);
   return copy;

@@ -19,7 +19,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -77,6 +76,8 @@ class YamlReader {
   [[nodiscard]] std::vector<YamlReader> list(const std::string& key);
   /// This value as it was written; all keys in it become known.
   [[nodiscard]] YamlNode raw() const;
+  /// This value as it was written; no key in it becomes known.
+  [[nodiscard]] YamlNode copy() const;
   /// The elements of this list.
   [[nodiscard]] std::vector<YamlReader> items() const;
   /// Keys and values of this map, for maps whose keys the user names: all become known.
@@ -109,6 +110,12 @@ class YamlReader {
   [[nodiscard]] std::string choice(const std::string& key, const std::string& fallback,
                                    const std::vector<std::string>& allowed);
 
+  /// Throws std::runtime_error naming place, key and range if this number, or one of this list, is
+  /// out of its range.
+  void require_in(const NumberRange& range, const std::string& unit) const {
+    testbed::require_in(*node_, path_, range, unit);
+  }
+
   /// Throws std::runtime_error "file:line: path: message".
   [[noreturn]] void fail(const std::string& message) const;
 
@@ -140,8 +147,6 @@ class YamlDocument {
     testbed::write_out(*root_, key, long_key);
   }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
-  /// Throws on the first number that is out of its range; call it before reading.
-  void check(std::span<const NumberRange> ranges) const { require_ranges(*root_, ranges); }
   /// Throws on the first key that no reader has asked for, naming the nearest one that was.
   void reject_unknown_keys() const;
   /// YAML text of all values, defaults included; reading it gives the same configuration.

@@ -26,7 +26,7 @@ TEST(OutputSpec, HasADefaultForEveryKey) {
   EXPECT_TRUE(outputs.snapshots);
   EXPECT_FALSE(outputs.scans);
   EXPECT_EQ(outputs.points_every_s, 0.0);
-  EXPECT_EQ(outputs.video.fps, 20);
+  EXPECT_EQ(outputs.video.format.fps, 20);
   EXPECT_EQ(outputs.video.view, "chase");
 }
 
@@ -49,13 +49,13 @@ TEST(OutputSpec, ReadsAllKeys) {
   EXPECT_FALSE(outputs.player);
   EXPECT_TRUE(outputs.scans);
   EXPECT_EQ(outputs.points_every_s, 2.0);
-  EXPECT_EQ(outputs.snapshot_every_s, 5.0);
-  EXPECT_FALSE(outputs.snapshot_on_events);
-  EXPECT_EQ(outputs.snapshot_width, 320);
-  EXPECT_EQ(outputs.snapshot_height, 240);
-  EXPECT_EQ(outputs.video.width, 640);
-  EXPECT_EQ(outputs.video.height, 360);
-  EXPECT_EQ(outputs.video.fps, 25);
+  EXPECT_EQ(outputs.pictures.every_s, 5.0);
+  EXPECT_FALSE(outputs.pictures.on_events);
+  EXPECT_EQ(outputs.pictures.width, 320);
+  EXPECT_EQ(outputs.pictures.height, 240);
+  EXPECT_EQ(outputs.video.format.width, 640);
+  EXPECT_EQ(outputs.video.format.height, 360);
+  EXPECT_EQ(outputs.video.format.fps, 25);
   EXPECT_EQ(outputs.video.speed, 4.0);
   EXPECT_EQ(outputs.video.view, "map");
 }
