@@ -43,7 +43,7 @@ function(castaway_install_component component)
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 castaway_install_component(localization localization)
-castaway_install_component(sim sim sim_events sim_layout sim_scene sim_render)
+castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render)
 
 configure_package_config_file(cmake/castaway-config.cmake.in ${PROJECT_BINARY_DIR}/castaway-config.cmake
   INSTALL_DESTINATION ${CASTAWAY_CONFIG_DIR})

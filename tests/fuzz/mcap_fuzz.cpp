@@ -4,7 +4,7 @@
 
 #include "tests/fuzz/fuzz_input.hpp"
 #include "tools/ros/bag_topics.hpp"
-#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway::testbed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/bootstrap.hpp"

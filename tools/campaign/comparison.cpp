@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
 #include "tools/formats/json_file.hpp"

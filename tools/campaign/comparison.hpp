@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "tools/metrics/metric_paths.hpp"
 #include "tools/metrics/statistics/statistics.hpp"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/campaign/aggregate.hpp"
 #include "tools/metrics/discrimination.hpp"
 #include "tools/metrics/metrics_json.hpp"

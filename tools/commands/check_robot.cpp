@@ -7,6 +7,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/robot_arguments.hpp"
 #include "tools/inspect/robot_report.hpp"
+#include "tools/inspect/robot_scene.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/play/terminal.hpp"

@@ -9,6 +9,7 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/inspect/world_report.hpp"
+#include "tools/inspect/world_scene.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/scenario/files/data_paths.hpp"

@@ -7,7 +7,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_manifest.hpp"
-#include "tools/dataset/dataset_run.hpp"
+#include "tools/dataset/dataset_only.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/campaign/experiment_summary.hpp"
 #include "tools/campaign/experiment_table.hpp"

@@ -13,7 +13,7 @@
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/carmen_source.hpp"
 #include "tools/sources/map_conversion.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/dataset/dataset_card_formats.hpp"
 #include "tools/dataset/dataset_figures.hpp"

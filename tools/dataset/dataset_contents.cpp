@@ -4,6 +4,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/metrics/statistics/statistics.hpp"

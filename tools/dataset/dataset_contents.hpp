@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "tools/dataset/dataset_folder.hpp"
 #include "tools/dataset/dataset_manifest.hpp"

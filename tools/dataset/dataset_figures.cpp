@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/dataset/coverage_picture.hpp"
 #include "tools/dataset/dataset_plots.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/dataset/dataset_card.hpp"
 #include "tools/dataset/dataset_figures.hpp"

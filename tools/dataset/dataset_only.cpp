@@ -1,6 +1,7 @@
+#include "tools/dataset/dataset_only.hpp"
+
 #include <fmt/format.h>
 
-#include "tools/dataset/dataset_run.hpp"
 #include "tools/dataset/dataset_sequence.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/output/output_folder.hpp"

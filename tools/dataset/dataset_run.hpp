@@ -1,4 +1,4 @@
-/// Making data sets: all of one, or one sequence of it.
+/// Makes data sets.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,5 @@ struct DatasetRequest {
 /// finished sequences stay, and the same call goes on with the rest. Throws std::exception for a
 /// specification that cannot be, or an `out` that holds something else, before anything is made.
 int make_dataset(const DatasetRequest& request);
-
-/// Makes sequence `index` again, as folder `out`, byte for byte.
-int make_only(const DatasetRequest& request, int index);
 
 }  // namespace castaway::testbed

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/dataset/dataset_manifest.hpp"
 #include "tools/dataset/sequence_statistics.hpp"
 #include "tools/files/file.hpp"

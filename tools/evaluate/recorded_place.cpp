@@ -8,7 +8,7 @@
 #include "tools/metrics/void_run.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
-#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/files/file.hpp"
 
 namespace castaway::testbed {

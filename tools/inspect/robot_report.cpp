@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"

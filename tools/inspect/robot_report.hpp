@@ -1,12 +1,11 @@
-/// What was understood of a robot, as text, as JSON and as a scene.
+/// What was understood of a robot, as text and as JSON.
 #pragma once
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "sim/robot/urdf/robot_model.hpp"
-#include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {
 
@@ -15,10 +14,5 @@ std::string robot_text(const sim::RobotModel& robot);
 
 /// The same figures by name; SI units.
 nlohmann::ordered_json robot_json(const sim::RobotModel& robot);
-
-/// The robot from the front left on a floor of squares of 0.1 m (1 m for large ones); wheels
-/// outlined in blue, casters in orange, the scans' planes in red, the axes of base.
-/// @throws std::runtime_error if a mesh cannot be read.
-sim::Scene robot_scene(const sim::RobotModel& robot);
 
 }  // namespace castaway::testbed

@@ -1,3 +1,5 @@
+#include "tools/inspect/robot_scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,7 +9,6 @@
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/scene/primitives.hpp"
 #include "sim/sensor/lidar_config.hpp"
-#include "tools/inspect/robot_report.hpp"
 #include "tools/pictures/palette.hpp"
 
 namespace castaway::testbed {

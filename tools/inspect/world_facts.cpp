@@ -1,3 +1,5 @@
+#include "tools/inspect/world_facts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "tools/inspect/world_likeness.hpp"
-#include "tools/inspect/world_report.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,3 +1,5 @@
+#include "tools/inspect/world_scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,7 +7,6 @@
 #include "sim/scene/camera.hpp"
 #include "sim/scene/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
-#include "tools/inspect/world_report.hpp"
 #include "tools/pictures/palette.hpp"
 #include "tools/pictures/picture_scenes.hpp"
 

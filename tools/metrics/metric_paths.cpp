@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/people_metrics.hpp"
 

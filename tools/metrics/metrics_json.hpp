@@ -1,7 +1,7 @@
 /// Metrics as summary.json shows them.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/localizer_metrics.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/scene/scene.hpp"
 
 namespace castaway::testbed {

@@ -1,6 +1,7 @@
 #include "tools/play/run_seeds.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/campaign/aggregate.hpp"
 #include "tools/files/file.hpp"

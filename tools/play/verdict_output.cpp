@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"

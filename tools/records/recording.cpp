@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/files/gzip.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"

@@ -1,6 +1,7 @@
 #include "tools/report/calibration_section.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/formats/json_number.hpp"
 #include "tools/report/html/html.hpp"

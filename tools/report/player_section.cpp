@@ -1,6 +1,7 @@
 #include "tools/report/player_section.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/metrics/recovery.hpp"
 #include "tools/report/curves_section.hpp"

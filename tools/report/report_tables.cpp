@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/report/html/html.hpp"
 #include "tools/report/report_words.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/unscored.hpp"

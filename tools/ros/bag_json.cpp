@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/ros_message.hpp"
 #include "tools/ros/ros_visualization.hpp"

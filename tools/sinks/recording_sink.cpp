@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "localization/stamp.hpp"
 #include "tools/records/recording_blocks.hpp"
 

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr RangeNoise kNoNoise{0.0, 0.0, 0.0, 0.0, 0.0};
+constexpr RangeNoise kExactRanges{0.0, 0.0, 0.0, 0.0, 0.0};
 
 using std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -31,7 +31,7 @@ LidarConfig two_beams() {
   config.beams = 2;
   config.angle_min = 0.0;
   config.angle_increment = pi / 3;
-  config.noise = kNoNoise;
+  config.noise = kExactRanges;
   return config;
 }
 

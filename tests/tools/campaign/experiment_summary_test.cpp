@@ -1,6 +1,7 @@
 #include "tools/campaign/experiment_summary.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/experiment_outcomes.hpp"
 

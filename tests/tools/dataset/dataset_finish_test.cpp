@@ -1,6 +1,7 @@
 #include "tools/dataset/dataset_finish.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/small_dataset.hpp"
 #include "tools/formats/csv.hpp"

@@ -1,6 +1,7 @@
 #include "tools/formats/json_number.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace castaway::testbed {
 namespace {

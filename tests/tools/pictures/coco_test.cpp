@@ -1,6 +1,7 @@
 #include "tools/pictures/coco.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/scene/scene.hpp"
 

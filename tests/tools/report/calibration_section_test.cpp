@@ -1,6 +1,7 @@
 #include "tools/report/calibration_section.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/temporary.hpp"
 #include "tools/metrics/metrics_json.hpp"

@@ -1,6 +1,7 @@
 #include "tools/sinks/recording_sink.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/columns.hpp"
 #include "tests/tools/support/records.hpp"

@@ -32,7 +32,7 @@ TEST(TrajectorySink, WritesTheTruthAndEachLocalizerAtTheScansStamps) {
   const std::string a = read_file(folder.path() / "a.tum");
   EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 2);
   EXPECT_TRUE(a.ends_with(
-      "\n2.500000000 0.250000000 0.000000000 0.000000000 0.000000000 0.000000000 -0.707106781 "
+      "\n2.500000000 0.250000000 0.200000000 0.000000000 0.000000000 0.000000000 -0.707106781 "
       "0.707106781\n"));
   const std::string b = read_file(folder.path() / "group_b.tum");
   EXPECT_EQ(std::count(b.begin(), b.end(), '\n'), 1);

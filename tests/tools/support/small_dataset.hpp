@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/tools/support/temporary.hpp"
 #include "tools/dataset/dataset_contents.hpp"
 #include "tools/files/file.hpp"

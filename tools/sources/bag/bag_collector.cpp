@@ -1,7 +1,7 @@
-#include "tools/sources/bag_collector.hpp"
+#include "tools/sources/bag/bag_collector.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -10,12 +10,10 @@
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/ros_conversion.hpp"
+#include "tools/sources/bag/bag_times.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-constexpr std::int64_t kLatest = std::int64_t{1} << 62;  // [ns] Sums of two times stay in range.
-constexpr double kSameMount = 1e-9;
 
 /// The stamp of a header; the log time where it is not set.
 Stamp stamp_of(const ros::Header& header, std::int64_t log_time_ns) {
@@ -35,6 +33,8 @@ std::optional<SE2> start_of(const BagInventory& bag) {
   return start;
 }
 
+LaserScan& scan_of(Frame& frame) { return std::get<ScanFrame>(frame.data).scan; }
+
 }  // namespace
 
 BagCollector::BagCollector(const BagInventory& bag, BagTopicChoice topics)
@@ -43,7 +43,7 @@ BagCollector::BagCollector(const BagInventory& bag, BagTopicChoice topics)
 }
 
 void BagCollector::take(const McapMessage& message, const std::string& type) {
-  if (message.log_time_ns < 0 || message.log_time_ns > kLatest) {
+  if (message.log_time_ns < 0 || message.log_time_ns > kLatestBagTime) {
     throw std::runtime_error("its log time is out of range");
   }
   const std::string& topic = message.channel->topic;
@@ -57,7 +57,7 @@ void BagCollector::take(const McapMessage& message, const std::string& type) {
     recording_.map = from_ros_grid(CdrReader::decode<ros::OccupancyGrid>(message.data), "map");
   } else if (type == ros::TFMessage::kType && message.channel->encoding == "cdr") {
     take_transforms(message);
-  } else if (topic == "/events" && type == ros::String::kType && named_time_0()) {
+  } else if (topic == "/events" && type == ros::String::kType && time_0_of(bag_)) {
     take_event(message);
   }
 }
@@ -71,15 +71,17 @@ void BagCollector::take_scan(const McapMessage& message) {
   frame.truth.frame = scan.header.frame_id;
   frame.truth.intensities = scan.intensities;
   if (const auto exact = exact_mount(message.channel->metadata)) {
-    exact_mounts_.insert_or_assign(frame.scan.lidar, *exact);
+    mounts_.tell(frame.scan.lidar, *exact);
   }
   recording_.frames.push_back({Stamp(message.log_time_ns), std::move(frame)});
-  mount(recording_.frames.size() - 1, scan.header.frame_id);
+  if (!mounts_.mount(scan_of(recording_.frames.back()), scan.header.frame_id)) {
+    unmounted_.emplace_back(recording_.frames.size() - 1, scan.header.frame_id);
+  }
 }
 
 void BagCollector::take_odometry(const McapMessage& message) {
   const auto odometry = CdrReader::decode<ros::Odometry>(message.data);
-  if (base_frame_.empty()) base_frame_ = odometry.child_frame_id;
+  mounts_.set_base_frame(odometry.child_frame_id);
   const Stamp stamp = stamp_of(odometry.header, message.log_time_ns);
   recording_.frames.push_back(
       {Stamp(message.log_time_ns),
@@ -92,23 +94,27 @@ void BagCollector::take_transforms(const McapMessage& message) {
     const std::string& parent = edge.header.frame_id;
     const Eigen::Isometry3d T_parent_child = from_ros_transform(edge.transform);
     if (fixed) {
-      tree_.set_fixed(parent, edge.child_frame_id, T_parent_child);
+      mounts_.tree().set_fixed(parent, edge.child_frame_id, T_parent_child);
     } else if (!is_odom_frame(parent)) {
-      tree_.add_moving(parent, edge.child_frame_id, T_parent_child);
+      mounts_.tree().add_moving(parent, edge.child_frame_id, T_parent_child);
     } else if (topics_.odometry.empty()) {
       const auto& p = edge.transform.translation;
-      const SE2 pose = from_ros_pose({{p.x, p.y, p.z}, edge.transform.rotation});
-      odom_edges_[{parent, edge.child_frame_id}].push_back(
-          {Stamp(message.log_time_ns), stamp_of(edge.header, message.log_time_ns), pose,
-           recording_.frames.size()});
+      tf_odometry_.add(
+          parent, edge.child_frame_id,
+          {Stamp(message.log_time_ns), stamp_of(edge.header, message.log_time_ns),
+           from_ros_pose({{p.x, p.y, p.z}, edge.transform.rotation}), recording_.frames.size()});
     }
   }
 }
 
 void BagCollector::take_truth(const McapMessage& message, const std::string& type) {
   const auto add = [&](const ros::Header& header, const ros::Pose& pose) {
-    auto& truth = message.channel->topic == topics_.scan_truth ? scan_truth_ : truth_;
-    truth[stamp_of(header, message.log_time_ns)] = from_ros_pose(pose);
+    const Stamp stamp = stamp_of(header, message.log_time_ns);
+    if (message.channel->topic == topics_.scan_truth) {
+      truth_.add_of_scan(stamp, from_ros_pose(pose));
+    } else {
+      truth_.add(stamp, from_ros_pose(pose));
+    }
   };
   if (type == ros::Odometry::kType) {
     const auto truth = CdrReader::decode<ros::Odometry>(message.data);
@@ -127,31 +133,48 @@ void BagCollector::take_event(const McapMessage& message) {
   if (event) recording_.frames.push_back({Stamp(message.log_time_ns), *event});
 }
 
-/// Mounts a scan by what is known of the tree so far, or later. The tree has the say; where a
-/// channel tells the same mount at full length, that one is taken.
-void BagCollector::mount(std::size_t frame, const std::string& lidar_frame) {
-  const auto mount = base_frame_.empty() ? std::nullopt : tree_.between(base_frame_, lidar_frame);
-  if (!mount) {
-    unmounted_.emplace_back(frame, lidar_frame);
-    return;
+void BagCollector::mount_the_rest() {
+  std::set<std::string> unknown;
+  for (const auto& [frame, lidar_frame] : unmounted_) {
+    if (!mounts_.mount(scan_of(recording_.frames[frame]), lidar_frame)) unknown.insert(lidar_frame);
   }
-  LaserScan& scan = std::get<ScanFrame>(recording_.frames[frame].data).scan;
-  const auto exact = exact_mounts_.find(scan.lidar);
-  const bool same = exact != exact_mounts_.end() &&
-                    (exact->second.matrix() - mount->matrix()).cwiseAbs().maxCoeff() < kSameMount;
-  scan.T_base_laser = same ? exact->second : *mount;
+  for (const std::string& frame : unknown) {
+    recording_.warnings.push_back(fmt::format(
+        "{}: no transform from '{}' to '{}'; the lidar is taken to sit in the middle and to look "
+        "ahead. Record /tf_static to say where it sits",
+        bag_.name, mounts_.base_frame(), frame));
+  }
 }
 
-std::optional<Stamp> BagCollector::named_time_0() const {
-  const auto run = bag_.metadata.find("run");
-  if (run == bag_.metadata.end()) return std::nullopt;
-  const auto found = run->second.find("time_0_ns");
-  if (found == run->second.end()) return std::nullopt;
-  std::int64_t ns = 0;
-  const std::string& text = found->second;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), ns);
-  const bool good = result.ec == std::errc{} && ns >= 0 && ns <= kLatest;
-  return good ? std::optional(Stamp(ns)) : std::nullopt;
+void BagCollector::require_scans_and_odometry() const {
+  const auto holds = [&](auto kind) {
+    return std::any_of(recording_.frames.begin(), recording_.frames.end(), [](const Frame& frame) {
+      return std::holds_alternative<decltype(kind)>(frame.data);
+    });
+  };
+  if (holds(ScanFrame{}) && holds(OdometryFrame{})) return;
+  throw std::runtime_error(fmt::format("{}: holds no {} before it ends", bag_.name,
+                                       holds(ScanFrame{}) ? "odometry" : "scan"));
+}
+
+void BagCollector::add_truth() {
+  for (Frame& frame : recording_.frames) {
+    if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+      odometry->T_map_base_true = truth_.at(odometry->odometry.stamp);
+    } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
+      scan->T_map_base_true = truth_.of_scan(scan->scan.stamp);
+    }
+  }
+}
+
+BagRecording BagCollector::finish() {
+  if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
+  mount_the_rest();
+  tf_odometry_.insert_into(recording_.frames);
+  require_scans_and_odometry();
+  add_truth();
+  set_times(time_0_of(bag_), recording_.frames);
+  return std::move(recording_);
 }
 
 }  // namespace castaway::testbed

@@ -1,10 +1,10 @@
-#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
 
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "tools/sources/bag_collector.hpp"
+#include "tools/sources/bag/bag_collector.hpp"
 
 namespace castaway::testbed {
 

@@ -1,4 +1,4 @@
-#include "tools/sources/bag_reading.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
 
 #include <functional>
 

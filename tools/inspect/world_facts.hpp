@@ -1,0 +1,31 @@
+/// Figures of a world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/map/ambiguity.hpp"
+#include "tools/sources/build_world.hpp"
+
+namespace castaway::testbed {
+
+/// A route and its room.
+struct RouteFacts {
+  std::string name;
+  double length = 0.0;     ///< [m] Closed.
+  double clearance = 0.0;  ///< [m] To the nearest obstacle up to 0.35 m high, to within 5 cm.
+};
+
+/// Figures of a world.
+struct WorldFacts {
+  double free_area = 0.0;  ///< [m^2] Of the map.
+  std::vector<RouteFacts> routes;
+  sim::BeamChange change;
+  sim::Ambiguity ambiguity;
+  std::vector<std::string> warnings;
+};
+
+/// Casts and measures: some seconds for a building.
+WorldFacts world_facts(const LoadedWorld& world, const sim::PlaceView& view);
+
+}  // namespace castaway::testbed

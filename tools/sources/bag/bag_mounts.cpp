@@ -1,0 +1,28 @@
+#include "tools/sources/bag/bag_mounts.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kSameMount = 1e-9;
+
+}  // namespace
+
+void BagMounts::tell(const std::string& lidar, const Eigen::Isometry3d& T_base_laser) {
+  told_.insert_or_assign(lidar, T_base_laser);
+}
+
+void BagMounts::set_base_frame(const std::string& frame) {
+  if (base_frame_.empty()) base_frame_ = frame;
+}
+
+bool BagMounts::mount(LaserScan& scan, const std::string& lidar_frame) const {
+  const auto mount = base_frame_.empty() ? std::nullopt : tree_.between(base_frame_, lidar_frame);
+  if (!mount) return false;
+  const auto told = told_.find(scan.lidar);
+  const bool same = told != told_.end() &&
+                    (told->second.matrix() - mount->matrix()).cwiseAbs().maxCoeff() < kSameMount;
+  scan.T_base_laser = same ? told->second : *mount;
+  return true;
+}
+
+}  // namespace castaway::testbed
