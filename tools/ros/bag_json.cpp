@@ -3,7 +3,7 @@
 #include <map>
 
 #include "tools/ros/cdr.hpp"
-#include "tools/ros/ros_message.hpp"
+#include "tools/ros/ros_json.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {
