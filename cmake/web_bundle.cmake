@@ -1,6 +1,7 @@
-# The report's player: bundled from web/ by Node.js where node, npm and the packages of web/package-lock.json can be had.
-# Sets CASTAWAY_WEB_SOURCE: the C++ file that carries the bundle, or the one that says that there is none.
-option(CASTAWAY_WEB "Bundle the report's player, which takes Node.js 18 or later and npm" ON)
+# The report's player and the plots of all pages: bundled from web/ by Node.js where node, npm and the packages of
+# web/package-lock.json can be had.
+# Sets CASTAWAY_WEB_SOURCE: the C++ file that carries the bundles, or the one that says that there are none.
+option(CASTAWAY_WEB "Bundle the report's player and plots, which takes Node.js 18 or later and npm" ON)
 set(CASTAWAY_WEB_FILES
   build.mjs package-lock.json
   src/bytes.js
@@ -23,7 +24,13 @@ set(CASTAWAY_WEB_FILES
   src/playback.js
   src/player.css
   src/player.js
+  src/plot.js
+  src/plot_columns.js
   src/plot_marks.js
+  src/plot_spec.js
+  src/plots.css
+  src/plots.js
+  src/plots_main.js
   src/poses.js
   src/recording.js
   src/theme.js
@@ -32,7 +39,7 @@ set(CASTAWAY_WEB_FILES
   src/view.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)
-set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles the player")
+set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")
 
 # npm ci, once for every state of the lock file. Sets `failure` to its last words if it fails.
 function(castaway_install_modules failure)
@@ -75,17 +82,17 @@ if(CASTAWAY_WEB)
     castaway_install_modules(failure)
   endif()
   if(failure)
-    message(WARNING "Reports will have plain curves and no player: ${failure}")  # All else works.
+    message(WARNING "Reports will have no player and no plots: ${failure}")  # All else works.
   else()
     set(CASTAWAY_WEB_SOURCE ${PROJECT_BINARY_DIR}/web_bundle.cpp)
-    set(CASTAWAY_HAS_PLAYER ON CACHE INTERNAL "The build bundles the player")
+    set(CASTAWAY_HAS_PLAYER ON CACHE INTERNAL "The build bundles player and plots")
     list(TRANSFORM CASTAWAY_WEB_FILES PREPEND ${PROJECT_SOURCE_DIR}/web/ OUTPUT_VARIABLE web_sources)
     add_custom_command(
       OUTPUT ${CASTAWAY_WEB_SOURCE}
       COMMAND ${CASTAWAY_NODE} ${PROJECT_SOURCE_DIR}/web/build.mjs ${CASTAWAY_WEB_MODULES} ${CASTAWAY_WEB_SOURCE}
       DEPENDS ${web_sources}
-      COMMENT "Bundling the report's player" VERBATIM)
+      COMMENT "Bundling the report's player and plots" VERBATIM)
   endif()
 else()
-  message(STATUS "Reports will have plain curves and no player: CASTAWAY_WEB is OFF")
+  message(STATUS "Reports will have no player and no plots: CASTAWAY_WEB is OFF")
 endif()

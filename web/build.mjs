@@ -2,7 +2,7 @@
 // MODULES is the folder in which `npm ci` was run.
 import {readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {dirname, join, resolve} from 'node:path';
+import {basename, dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const [modules, out] = process.argv.slice(2).map((path) => resolve(path));
@@ -11,7 +11,7 @@ const esbuild = createRequire(join(modules, 'package.json'))('esbuild');
 const licence = readFileSync(join(modules, 'node_modules/uplot/LICENSE'), 'utf8').trim();
 
 const result = await esbuild.build({
-  entryPoints: [join(here, 'src/main.js')],
+  entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js')},
   bundle: true,
   minify: true,
   write: false,
@@ -25,10 +25,10 @@ const result = await esbuild.build({
   logLevel: 'warning',
 });
 
-/** The bytes of a file that ends like this, as numbers. */
-function numbers(ending) {
-  const file = result.outputFiles.find(({path}) => path.endsWith(ending));
-  if (/<\/(script|style)/i.test(file.text)) throw new Error(`${ending}: holds an end of its own tag`);
+/** The bytes of a bundle's file, as numbers. */
+function numbers(name) {
+  const file = result.outputFiles.find(({path}) => basename(path) === name);
+  if (/<\/(script|style)/i.test(file.text)) throw new Error(`${name}: holds an end of its own tag`);
   return Array.from(file.contents).join(',').replace(/(.{1,110},)/g, '$1\n');
 }
 
@@ -38,13 +38,19 @@ writeFileSync(out, `// Made by web/build.mjs from web/src.
 namespace castaway::testbed {
 namespace {
 
-constexpr char kScript[] = {${numbers('.js')}};
-constexpr char kStyle[] = {${numbers('.css')}};
+constexpr char kPlayer[] = {${numbers('player.js')}};
+constexpr char kPlayerStyle[] = {${numbers('player.css')}};
+constexpr char kPlots[] = {${numbers('plots.js')}};
+constexpr char kPlotsStyle[] = {${numbers('plots.css')}};
 
 }  // namespace
 
-std::optional<WebBundle> web_bundle() {
-  return WebBundle{{kScript, sizeof kScript}, {kStyle, sizeof kStyle}};
+std::optional<WebBundle> player_bundle() {
+  return WebBundle{{kPlayer, sizeof kPlayer}, {kPlayerStyle, sizeof kPlayerStyle}};
+}
+
+std::optional<WebBundle> plots_bundle() {
+  return WebBundle{{kPlots, sizeof kPlots}, {kPlotsStyle, sizeof kPlotsStyle}};
 }
 
 }  // namespace castaway::testbed

@@ -20,7 +20,7 @@ TEST(Dataset, IsTheSameWhateverTheNumberOfWorkers) {
   const auto files = files_of(folder / "one");
   for (const char* path :
        {"README.md", "manifest.json", "SHA256SUMS", "dataset.yaml", "sequences.csv",
-        "splits/train.txt", "maps/room.yaml", "maps/room.pgm", "plots/ranges.svg",
+        "splits/train.txt", "maps/room.yaml", "maps/room.pgm", "plots/index.html",
         "plots/coverage-room.png", "sequences/000002/tables.h5",
         "sequences/000002/tables/scans.csv", "sequences/000002/truth.tum",
         "sequences/000002/bag/metadata.yaml", "sequences/000002/scenario.yaml"}) {

@@ -9,6 +9,7 @@
 
 #include "tools/dataset/dataset_card_formats.hpp"
 #include "tools/dataset/dataset_figures.hpp"
+#include "tools/dataset/dataset_plots.hpp"
 #include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
@@ -68,7 +69,7 @@ void add_difficulty(const DatasetContents& contents, Lines out) {
              "/difficulty/odometry_yaw_error_rad_per_m", out);
 }
 
-/// What the sequences of a world amount to.
+/// Totals of the sequences of a world.
 struct WorldSums {
   int sequences = 0;
   double seconds = 0.0;
@@ -105,7 +106,7 @@ void add_worlds(const DatasetContents& contents, Lines out) {
       contents.splits.remark.empty() ? "" : " " + contents.splits.remark + ".");
 }
 
-/// "0.2 to 0.6" of numbers, else how often each value came.
+/// "0.2 to 0.6" for numbers, otherwise how often each value was drawn.
 std::string range_of(const DatasetContents& contents, const std::string& key) {
   constexpr std::size_t kMostNamed = 8;
   std::map<std::string, int> values;
@@ -136,10 +137,9 @@ void add_drawn(const DatasetContents& contents, Lines out) {
   }
 }
 
-void add_plots(const DatasetContents& contents, Lines out) {
-  fmt::format_to(out,
-                 "\n## Plots\n\n![Ranges](plots/ranges.svg)\n![Occlusion](plots/occlusion.svg)\n"
-                 "![Odometry](plots/odometry.svg)\n![Kidnaps](plots/kidnaps.svg)\n");
+void add_distributions(const DatasetContents& contents, Lines out) {
+  fmt::format_to(out, "\n## Distributions\n\n{}\n[{}]({}) plots them.\n",
+                 describe_distributions(contents), kPlotsPage, kPlotsPage);
   for (const auto& [world, map] : contents.maps) {
     fmt::format_to(out,
                    "\nWhere the robot was in {0}, yellow to dark red:\n\n"
@@ -158,7 +158,7 @@ std::string dataset_card(const DatasetContents& contents) {
   add_worlds(contents, out);
   add_difficulty(contents, out);
   add_drawn(contents, out);
-  add_plots(contents, out);
+  add_distributions(contents, out);
   return text;
 }
 

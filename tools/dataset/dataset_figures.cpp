@@ -43,49 +43,6 @@ std::string cell_of(const Json& value) {
   return value.dump();
 }
 
-DatasetFile ranges_plot(const DatasetContents& contents) {
-  return {"plots/ranges.svg", histogram_svg({"Ranges of all returns", "range [m]", kRangeBin,
-                                             contents.counts("/statistics/ranges")})};
-}
-
-DatasetFile occlusion_plot(const DatasetContents& contents) {
-  return {"plots/occlusion.svg", histogram_svg({"Occlusion: beams on what the map does not show",
-                                                "share of a scan's beams", 1.0 / kOccludedBins,
-                                                contents.counts("/statistics/occluded")})};
-}
-
-/// Median and 90th percentile over the runs at each whole metre.
-DatasetFile odometry_plot(const DatasetContents& contents) {
-  std::map<int, std::vector<double>> errors;
-  for (const Json& sequence : contents.sequences) {
-    for (const Json& point : sequence.at("statistics").at("odometry_error_m")) {
-      errors[whole<int>(point[0])].push_back(point[1].get<double>());
-    }
-  }
-  LinesPlot plot{"Odometry: error of position since the start or the last kidnap",
-                 "driven [m]",
-                 "error [m]",
-                 {{"median", {{0.0, 0.0}}}, {"90th percentile", {{0.0, 0.0}}}}};
-  for (const auto& [metre, all] : errors) {
-    plot.lines[0].points.emplace_back(metre, quantile(all, 0.5));
-    plot.lines[1].points.emplace_back(metre, quantile(all, 0.9));
-  }
-  return {"plots/odometry.svg", lines_svg(plot)};
-}
-
-DatasetFile kidnap_plot(const DatasetContents& contents) {
-  constexpr double kBin = 2.0;  // [m]
-  std::vector<double> counts;
-  for (const Json& sequence : contents.sequences) {
-    for (const Json& kidnap : sequence.at("kidnaps")) {
-      const auto bin = static_cast<std::size_t>(kidnap.at("distance_m").get<double>() / kBin);
-      counts.resize(std::max(counts.size(), bin + 1));
-      counts[bin] += 1.0;
-    }
-  }
-  return {"plots/kidnaps.svg", histogram_svg({"Kidnaps: how far", "distance [m]", kBin, counts})};
-}
-
 Coverage coverage_of(const DatasetContents& contents, const std::string& world) {
   Coverage coverage;
   for (const Json& sequence : contents.sequences) {
@@ -100,8 +57,7 @@ Coverage coverage_of(const DatasetContents& contents, const std::string& world) 
 }  // namespace
 
 std::vector<DatasetFile> dataset_plots(const DatasetContents& contents) {
-  std::vector<DatasetFile> files{ranges_plot(contents), occlusion_plot(contents),
-                                 odometry_plot(contents), kidnap_plot(contents)};
+  std::vector<DatasetFile> files{{kPlotsPage, plots_page(contents)}};
   for (const auto& [world, map] : contents.maps) {
     files.emplace_back("plots/coverage-" + file_name_of(world) + ".png",
                        coverage_png(map, coverage_of(contents, world), kCoverageCell));

@@ -1,4 +1,4 @@
-/// The pictures and tables of a data set's card.
+/// The plots and tables beside a data set's card.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace castaway::testbed {
 /// A file beside the sequences: its path from the data set's folder, and its bytes.
 using DatasetFile = std::pair<std::string, std::string>;
 
-/// plots/*.svg and plots/coverage-<world>.png.
+/// plots/index.html and plots/coverage-<world>.png.
 std::vector<DatasetFile> dataset_plots(const DatasetContents& contents);
 
 /// The rows of sequences.csv, its header first: what a sequence is, how hard it is, what was drawn.

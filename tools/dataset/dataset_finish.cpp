@@ -70,6 +70,7 @@ void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents
   std::vector<ManifestFile> listed = contents.files;
   for (const auto& [path, bytes] : files) {
     folder.put(path, bytes);
+    if (path == kPlotsPage) continue;
     listed.push_back({path, bytes.size(), sha256(bytes)});
   }
   for (const char* path : {"dataset.json", "dataset.yaml"}) {

@@ -7,13 +7,13 @@
 
 namespace castaway::testbed {
 
-/// Writes everything that stands beside the sequences; the manifest comes last. Throws FileError.
+/// Writes all files beside the sequences; the manifest comes last. Throws FileError.
 void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents);
 
-/// What only the making knows.
+/// Figures of the current invocation.
 struct DatasetMaking {
-  double wall_s = 0.0;  ///< For the sequences that were made now.
-  int made = 0;         ///< So many.
+  double wall_s = 0.0;  ///< For the sequences of this invocation.
+  int made = 0;         ///< Number of these sequences.
   int workers = 1;
   double cpu_s = 0.0;       ///< Of the workers.
   double largest_mb = 0.0;  ///< Peak memory of the largest worker.

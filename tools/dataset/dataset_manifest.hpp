@@ -1,4 +1,4 @@
-/// Which files a data set has, and what is in them.
+/// The list of a data set's files, with their sizes and checksums.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,10 @@
 #include <vector>
 
 namespace castaway::testbed {
+
+/// Path of the page of plots within a data set. The manifest does not list it, since its script
+/// depends on the build.
+inline constexpr const char* kPlotsPage = "plots/index.html";
 
 /// A file of a data set.
 struct ManifestFile {
@@ -27,7 +31,7 @@ std::string sums_text(const std::vector<ManifestFile>& files);
 /// Throws std::runtime_error naming the file and what is wrong with it.
 std::vector<ManifestFile> read_manifest(const std::filesystem::path& file);
 
-/// Holds a data set against its manifest.json. A line for each file that is missing, changed or not
+/// Compares a data set with its manifest.json. One line for each file that is missing, changed or not
 /// listed; none if all is as it should be. Throws std::runtime_error without a manifest.
 std::vector<std::string> verify_dataset(const std::filesystem::path& folder);
 

@@ -1,131 +1,138 @@
 #include "tools/dataset/dataset_plots.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "tools/pictures/palette.hpp"
+#include "tools/dataset/sequence_statistics.hpp"
+#include "tools/formats/json_number.hpp"
 #include "tools/report/html/html.hpp"
+#include "tools/report/html/html_page.hpp"
+#include "tools/report/html/plot_data.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWidth = 640.0;   // [px]
-constexpr double kHeight = 320.0;  // [px]
-constexpr double kLeft = 62.0;
-constexpr double kRight = 620.0;
-constexpr double kTop = 40.0;
-constexpr double kBottom = 268.0;
+using Json = nlohmann::ordered_json;
 
-/// 1, 2 or 5 times a power of ten, so that about five steps reach `most`.
-double step_for(double most) {
-  const double raw = std::max(most, 1e-9) / 5.0;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (raw <= factor * power) return factor * power;
-  }
-  return 10.0 * power;
+constexpr double kKidnapBin = 2.0;  // [m]
+
+double sum_of(const std::vector<double>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
-/// The two axes from 0 to where they end.
-class PlotFrame {
- public:
-  PlotFrame(double x_most, double y_most)
-      : x_most_(std::max(x_most, 1e-9)), y_most_(std::max(y_most, 1e-9)) {}
-
-  [[nodiscard]] double x(double value) const {
-    return kLeft + (kRight - kLeft) * std::clamp(value / x_most_, 0.0, 1.0);
-  }
-  [[nodiscard]] double y(double value) const {
-    return kBottom - (kBottom - kTop) * std::clamp(value / y_most_, 0.0, 1.0);
-  }
-
-  [[nodiscard]] std::string axes(const std::string& x_label, const std::string& y_label) const {
-    std::string svg;
-    const auto out = std::back_inserter(svg);
-    const double x_step = step_for(x_most_);
-    for (int i = 0; i * x_step <= x_most_ * 1.0001; ++i) {
-      fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:g}</text>\n",
-                     x(i * x_step), kBottom + 18.0, i * x_step);
+std::vector<double> kidnap_counts(const DatasetContents& contents) {
+  std::vector<double> counts;
+  for (const Json& sequence : contents.sequences) {
+    for (const Json& kidnap : sequence.at("kidnaps")) {
+      const auto bin = static_cast<std::size_t>(kidnap.at("distance_m").get<double>() / kKidnapBin);
+      counts.resize(std::max(counts.size(), bin + 1));
+      counts[bin] += 1.0;
     }
-    const double y_step = step_for(y_most_);
-    for (int i = 0; i * y_step <= y_most_ * 1.0001; ++i) {
-      const double at = y(i * y_step);
-      fmt::format_to(out,
-                     "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" "
-                     "stroke=\"#ddd\"/>\n"
-                     "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:g}</text>\n",
-                     kLeft, kRight, at, kLeft - 6.0, at + 4.0, i * y_step);
-    }
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                   0.5 * (kLeft + kRight), kBottom + 38.0, escape_html(x_label));
-    fmt::format_to(out, "<text x=\"8\" y=\"{}\">{}</text>\n", kTop - 10.0, escape_html(y_label));
-    return svg;
   }
+  return counts;
+}
 
- private:
-  double x_most_;
-  double y_most_;
-};
+Json histogram_json(const Histogram& histogram) {
+  const double sum = sum_of(histogram.counts);
+  PlotPoints steps;
+  for (const double count : histogram.counts) {
+    steps.emplace_back(histogram.bin * static_cast<double>(steps.size()), count / sum);
+  }
+  if (!steps.empty()) steps.emplace_back(steps.back().first + histogram.bin, steps.back().second);
+  const double most = steps.empty() ? 1.0 : steps.back().first;
+  return {{"title", histogram.title},
+          {"x", {{"label", histogram.label}, {"range", {0.0, most}}}},
+          {"y", {{"label", "share"}}},
+          {"series", Json::array({point_series("share", "steps", steps)})},
+          {"nothing", "There are none."}};
+}
 
-std::string page(const std::string& title, const std::string& body) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-      "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
-      "<text x=\"{2}\" y=\"18\" text-anchor=\"middle\" font-size=\"14\">{3}</text>\n{4}</svg>\n",
-      kWidth, kHeight, 0.5 * kWidth, escape_html(title), body);
+Json odometry_json(const DatasetContents& contents) {
+  PlotPoints median{{0.0, 0.0}};
+  PlotPoints most{{0.0, 0.0}};
+  for (const auto& [metres, errors] : odometry_errors(contents)) {
+    median.emplace_back(metres, quantile(errors, 0.5));
+    most.emplace_back(metres, quantile(errors, 0.9));
+  }
+  return {{"title", "Odometry: error of position since the start or the last kidnap"},
+          {"x", {{"label", "driven [m]"}}},
+          {"y", {{"label", "error [m]"}}},
+          {"series", Json::array({point_series("median", "", median),
+                                  point_series("90 % below", "", most)})}};
+}
+
+std::string quantile_cell(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4g}", *value) : "";
 }
 
 }  // namespace
 
-std::string histogram_svg(const HistogramPlot& plot) {
-  std::vector<double> shares = plot.counts;
-  while (shares.size() > 1 && shares.back() <= 0.0) shares.pop_back();
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
-  for (double& share : shares) share = sum > 0.0 ? share / sum : 0.0;
-  const double most = shares.empty() ? 0.0 : *std::max_element(shares.begin(), shares.end());
-  const PlotFrame frame(plot.bin * static_cast<double>(shares.size()), most);
-  std::string body = frame.axes(plot.x_label, "share");
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const double left = frame.x(plot.bin * static_cast<double>(i));
-    const double right = frame.x(plot.bin * static_cast<double>(i + 1));
-    const double top = frame.y(shares[i]);
-    fmt::format_to(std::back_inserter(body),
-                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-                   "fill=\"{}\"/>\n",
-                   left, top, std::max(right - left - 1.0, 0.5), kBottom - top,
-                   css_color(kLocalizerColors[0]));
+std::vector<Histogram> dataset_histograms(const DatasetContents& contents) {
+  std::vector<Histogram> histograms{
+      {"Ranges of all returns", "range [m]", kRangeBin, contents.counts("/statistics/ranges")},
+      {"Occlusion: beams on what the map does not show", "share of a scan's beams",
+       1.0 / kOccludedBins, contents.counts("/statistics/occluded")},
+      {"Kidnaps: how far", "distance [m]", kKidnapBin, kidnap_counts(contents)}};
+  for (Histogram& histogram : histograms) {
+    while (!histogram.counts.empty() && histogram.counts.back() <= 0.0) histogram.counts.pop_back();
   }
-  return page(plot.title, body);
+  return histograms;
 }
 
-std::string lines_svg(const LinesPlot& plot) {
-  double x_most = 0.0;
-  double y_most = 0.0;
-  for (const LinesPlot::Line& line : plot.lines) {
-    for (const auto& [x, y] : line.points) {
-      x_most = std::max(x_most, x);
-      y_most = std::max(y_most, y);
+std::optional<double> quantile_of(const Histogram& histogram, double q) {
+  const double wanted = q * sum_of(histogram.counts);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    sum += histogram.counts[i];
+    if (sum >= wanted) return histogram.bin * static_cast<double>(i + 1);
+  }
+  return std::nullopt;
+}
+
+std::map<int, std::vector<double>> odometry_errors(const DatasetContents& contents) {
+  std::map<int, std::vector<double>> errors;
+  for (const Json& sequence : contents.sequences) {
+    for (const Json& point : sequence.at("statistics").at("odometry_error_m")) {
+      errors[whole<int>(point[0])].push_back(point[1].get<double>());
     }
   }
-  const PlotFrame frame(x_most, y_most);
-  std::string body = frame.axes(plot.x_label, plot.y_label);
-  for (std::size_t i = 0; i < plot.lines.size(); ++i) {
-    const std::string color = css_color(palette_color(kLocalizerColors, i));
-    std::string points;
-    for (const auto& [x, y] : plot.lines[i].points) {
-      fmt::format_to(std::back_inserter(points), "{:.1f},{:.1f} ", frame.x(x), frame.y(y));
-    }
-    fmt::format_to(std::back_inserter(body),
-                   "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n"
-                   "<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n",
-                   points, color, kLeft + 12.0, kTop + 14.0 + 16.0 * static_cast<double>(i), color,
-                   escape_html(plot.lines[i].name));
+  return errors;
+}
+
+std::string describe_distributions(const DatasetContents& contents) {
+  std::string text = "| | 10 % below | 50 % below | 90 % below |\n|---|---|---|---|\n";
+  for (const Histogram& histogram : dataset_histograms(contents)) {
+    text += fmt::format("| {}, {} | {} | {} | {} |\n", histogram.title, histogram.label,
+                        quantile_cell(quantile_of(histogram, 0.1)),
+                        quantile_cell(quantile_of(histogram, 0.5)),
+                        quantile_cell(quantile_of(histogram, 0.9)));
   }
-  return page(plot.title, body);
+  const auto errors = odometry_errors(contents);
+  for (const int metres : {1, 5, 10, 50, 100}) {
+    const auto found = errors.find(metres);
+    if (found == errors.end()) continue;
+    text += fmt::format("| Odometry, error after {} m [m] | {} | {} | {} |\n", metres,
+                        quantile_cell(quantile(found->second, 0.1)),
+                        quantile_cell(quantile(found->second, 0.5)),
+                        quantile_cell(quantile(found->second, 0.9)));
+  }
+  return text;
+}
+
+std::string plots_page(const DatasetContents& contents) {
+  const std::string title = "Data set " + contents.spec.name;
+  Json plots = Json::array();
+  for (const Histogram& histogram : dataset_histograms(contents)) {
+    plots.push_back(histogram_json(histogram));
+  }
+  plots.push_back(odometry_json(contents));
+  const std::string body =
+      "<h1>" + escape_html(title) + "</h1>\n" + plots_notice() +
+      "<p class=\"soft\">As tables: <a href=\"../README.md\">README.md</a>.</p>\n" +
+      plots_html({{"plots", plots}}, PlotLayout::kPairs);
+  return html_page({.title = title, .body = body, .bundle = plots_bundle()});
 }
 
 }  // namespace castaway::testbed

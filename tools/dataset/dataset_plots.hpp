@@ -1,35 +1,38 @@
-/// Plots of a data set as SVG files.
+/// Distributions of a data set: a table for its card, and plots on a page of their own.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "tools/dataset/dataset_contents.hpp"
 
 namespace castaway::testbed {
 
-/// Bars over equal bins from 0 on.
-struct HistogramPlot {
+/// Counts in equal bins from 0 on; the last bin is not empty.
+struct Histogram {
   std::string title;
-  std::string x_label;  ///< With its unit.
-  double bin = 1.0;     ///< Width, in the unit of the axis.
-  std::vector<double> counts;
+  std::string label;  ///< Of the axis, with its unit.
+  double bin = 1.0;   ///< Width, in the unit of the axis.
+  std::vector<double> counts{};
 };
 
-/// Lines over one axis from 0 on.
-struct LinesPlot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
-  struct Line {
-    std::string name;
-    std::vector<std::pair<double, double>> points;
-  };
-  std::vector<Line> lines;
-};
+/// Ranges, occlusion, kidnaps.
+std::vector<Histogram> dataset_histograms(const DatasetContents& contents);
 
-/// A file of its own, of 640 x 320 px. Shares of all counts; bins behind the last that is not empty
-/// are left out.
-std::string histogram_svg(const HistogramPlot& plot);
-std::string lines_svg(const LinesPlot& plot);
+/// The upper end of the bin that the quantile is in; `q` in (0, 1]. Nothing without counts.
+std::optional<double> quantile_of(const Histogram& histogram, double q);
+
+/// Errors of the odometry of all sequences [m] by the way driven [m] since the start or the last
+/// kidnap.
+std::map<int, std::vector<double>> odometry_errors(const DatasetContents& contents);
+
+/// Tables of quantiles, as Markdown.
+std::string describe_distributions(const DatasetContents& contents);
+
+/// The page: histograms, and the odometry's error over the way. It holds the script that draws
+/// them, so it differs between builds with and without Node.js.
+std::string plots_page(const DatasetContents& contents);
 
 }  // namespace castaway::testbed

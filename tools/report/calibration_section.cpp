@@ -1,11 +1,13 @@
 #include "tools/report/calibration_section.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/json_number.hpp"
 #include "tools/report/html/html.hpp"
-#include "tools/report/html/reliability_plot.hpp"
+#include "tools/report/html/plot_data.hpp"
 #include "tools/report/report_words.hpp"
 
 namespace castaway::testbed {
@@ -19,14 +21,54 @@ Json bins_of(const Json& figures) {
   return figures.contains(path) ? figures.at(path) : Json::array();
 }
 
-ReliabilityCurve curve_of(const std::string& name, const Json& figures, std::size_t color) {
-  ReliabilityCurve curve{name, color, {}};
-  for (const Json& bin : bins_of(figures)) {
+/// The observed share at each stated probability, with its confidence interval.
+Json observed_series(const std::string& name, const Json& bins) {
+  Json series{{"name", name}, {"style", "marked"}};
+  for (const char* key : {"x", "y", "low", "high"}) series[key] = Json::array();
+  for (const Json& bin : bins) {
     if (bin.at("scans") == 0) continue;
-    curve.points.push_back({bin.at("stated"), bin.at("observed"), bin.at("interval").at(0),
-                            bin.at("interval").at(1), bin.at("scans")});
+    series["x"].push_back(bin.at("stated"));
+    series["y"].push_back(bin.at("observed"));
+    series["low"].push_back(bin.at("interval").at(0));
+    series["high"].push_back(bin.at("interval").at(1));
   }
-  return curve;
+  return series;
+}
+
+/// Steps over the bins: the share of the localizer's scans in each.
+Json share_series(const std::string& name, const Json& bins) {
+  double all = 0.0;
+  for (const Json& bin : bins) all += bin.at("scans").get<double>();
+  PlotPoints points;
+  if (all > 0.0) {
+    for (const Json& bin : bins)
+      points.emplace_back(bin.at("from"), bin.at("scans").get<double>() / all);
+    points.emplace_back(bins.back().at("to"), points.back().second);
+  }
+  return point_series(name, "steps", points);
+}
+
+/// The reliability diagram, and how often each probability was stated.
+std::string reliability_plots(const Json& localizers) {
+  Json observed =
+      Json::array({point_series("stated = right", "reference", {{0.0, 0.0}, {1.0, 1.0}})});
+  Json shares = Json::array();
+  for (const auto& [name, figures] : localizers.items()) {
+    observed.push_back(observed_series(name, bins_of(figures)));
+    shares.push_back(share_series(name, bins_of(figures)));
+  }
+  const Json stated{{"label", "stated probability"}, {"range", {0, 1}}};
+  const Json right{{"label", "share that is right"}, {"range", {0, 1}}};
+  const Json share{{"label", "share of the scans"}, {"range", {0, 1}}};
+  const Json plots{{{"title", "How often an output is right"},
+                    {"x", stated},
+                    {"y", right},
+                    {"series", observed}},
+                   {{"title", "How often each probability is stated"},
+                    {"x", stated},
+                    {"y", share},
+                    {"series", shares}}};
+  return plots_html({{"plots", plots}}, PlotLayout::kPairs);
 }
 
 std::string table_row(const Json& localizers, std::size_t index) {
@@ -43,7 +85,7 @@ std::string table_row(const Json& localizers, std::size_t index) {
   return fmt::format("<tr><td>{}</td>{}</tr>", label, cells);
 }
 
-/// Brier scores and, a line a tenth, how many outputs were right.
+/// Brier scores and, for each tenth of the probability, how many outputs were right.
 std::string counts_table(const Json& localizers) {
   std::string head = "<th>stated</th>";
   std::string brier = "<tr><td>Brier score</td>";
@@ -64,19 +106,13 @@ std::string counts_table(const Json& localizers) {
 
 std::string calibration_html(const RunFolder& run) {
   const Json& localizers = run.summary["localizers"];
-  std::vector<ReliabilityCurve> curves;
-  for (const auto& [name, figures] : localizers.items()) {
-    if (bins_of(figures).empty()) return "";
-    curves.push_back(curve_of(name, figures, curves.size()));
-  }
-  if (curves.empty()) return "";
-  return render_reliability(curves) +
-         "<p class=\"soft\">Left: of the outputs with nearly the same stated probability, the "
-         "share "
-         "that is right, with its 95 % interval; on the dotted line a statement is what comes of "
-         "it, below it the localizer is too sure. Right: how often it was stated. Brier score: "
-         "mean "
-         "square of the difference, 0 is perfect.</p>\n" +
+  const bool complete = std::none_of(localizers.begin(), localizers.end(),
+                                     [](const Json& figures) { return bins_of(figures).empty(); });
+  if (localizers.empty() || !complete) return "";
+  return reliability_plots(localizers) +
+         "<p class=\"soft\">Of the outputs with nearly the same stated probability, the share that "
+         "is right, with its 95 % interval. Below the dotted line the localizer is too sure, above "
+         "it not sure enough. Brier score: mean square of the difference, 0 is perfect.</p>\n" +
          counts_table(localizers);
 }
 

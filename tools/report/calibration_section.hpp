@@ -1,4 +1,4 @@
-/// What a report says of the stated probabilities.
+/// The calibration of the stated probabilities on a report.
 #pragma once
 
 #include <string>

@@ -7,6 +7,7 @@
 
 #include "tools/report/experiment_page.hpp"
 #include "tools/report/html/html.hpp"
+#include "tools/report/html/html_page.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kRow = 24.0;
 constexpr double kLeft = 330.0;
 constexpr double kRight = 34.0;
 constexpr double kTop = 10.0;
-constexpr double kMost = 100.0;  // [%] Beyond, a difference is drawn at the border.
+constexpr double kMost = 100.0;  // [%] Larger differences are drawn at the border.
 
 std::string verdict_of(const MetricComparison& row) {
   if (row.clock) return "clock, not judged";
@@ -91,7 +92,7 @@ TextTable comparison_table(const Comparison& comparison) {
 }
 
 std::string render_comparison(const std::vector<Comparison>& comparisons) {
-  std::string body;
+  std::string body = "<h1>Comparison</h1>\n";
   for (const Comparison& comparison : comparisons) {
     body += fmt::format(
         "<section><h2>{} against {}</h2>\n<p class=\"soft\">{} pairs of the same scenario and "
@@ -107,7 +108,7 @@ std::string render_comparison(const std::vector<Comparison>& comparisons) {
         "better, orange worse, grey neither.</p>\n";
     body += differences(comparison) + "</section>\n";
   }
-  return html_page("Comparison", body);
+  return html_page({.title = "Comparison", .body = body, .body_class = "figures"});
 }
 
 }  // namespace castaway::testbed

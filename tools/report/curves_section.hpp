@@ -1,4 +1,4 @@
-/// The curves of a run as pictures that need no script.
+/// The curves of a run that left no recording, and the legend of its map.
 #pragma once
 
 #include <string>
@@ -7,13 +7,10 @@
 
 namespace castaway::testbed {
 
-/// A line a localizer, as the curves draw it, and the truth's if asked for.
-std::string legend(const RunFolder& run, bool with_truth);
+/// Lines of the truth and of each localizer, as the map draws them.
+std::string map_legend(const RunFolder& run);
 
-/// A titled part of the page.
-std::string section(const std::string& title, const std::string& body);
-
-/// Position error, yaw error and quality over time.
+/// Position error, yaw error and quality over time. Empty if the build has no script to draw them.
 std::string curves_section(const RunFolder& run);
 
 }  // namespace castaway::testbed

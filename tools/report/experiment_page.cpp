@@ -1,121 +1,93 @@
 #include "tools/report/experiment_page.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/discrimination.hpp"
-#include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
-#include "tools/report/html/report_style.hpp"
-#include "tools/report/html/time_plot.hpp"
-#include "tools/report/html/xy_plot.hpp"
+#include "tools/report/html/html_page.hpp"
+#include "tools/report/html/plot_data.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-using Points = std::vector<std::pair<double, double>>;
-using ErrorOf = double (*)(const ErrorRow&);
+using Json = nlohmann::ordered_json;
+using FigureOf = double (*)(const ErrorRow&);
 
-/// Plots beside each other where there is room for two.
-constexpr const char* kPlots =
-    "<div class=\"pictures\" "
-    "style=\"grid-template-columns:repeat(auto-fit,minmax(min(420px,100%),1fr))\">";
+constexpr std::size_t kMostDots = 2500;  // Of a localizer.
+constexpr std::size_t kMostOfRoc = 400;
 
-std::string legend(const std::vector<std::string>& names) {
-  std::string html = "<div class=\"legend\">";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    html += fmt::format(
-        "<span><svg viewBox=\"0 0 26 10\"><line class=\"c{}\" x1=\"1\" x2=\"25\" y1=\"5\" "
-        "y2=\"5\"/></svg>{}</span>",
-        i % 6, escape_html(names[i]));
-  }
-  return html + "</div>\n";
+double error_of(const ErrorRow& row) { return *row.error_m; }
+double quality_of(const ErrorRow& row) { return row.quality; }
+double sigma_of(const ErrorRow& row) { return row.sigma_m; }
+double populations_of(const ErrorRow& row) { return row.populations; }
+
+std::vector<double> stamps_of(const std::vector<ErrorRow>& rows) {
+  std::vector<double> stamps;
+  for (const ErrorRow& row : rows) stamps.push_back(row.stamp_s);
+  return stamps;
 }
 
-std::vector<std::string> names_of(const ExperimentPage& page) {
-  std::vector<std::string> names;
-  for (const PooledRows& rows : page.rows) names.push_back(rows.localizer);
-  return names;
-}
-
-/// One figure of all localizers in the example run.
-TimePlot over_time(const ExperimentPage& page, ErrorOf figure, TimePlot plot) {
-  plot.begin_s = 1e300;
-  plot.end_s = 0.0;
-  for (std::size_t i = 0; i < page.rows.size(); ++i) {
-    const std::vector<ErrorRow>& rows = page.rows[i].runs.at(page.example);
-    PlotCurve curve{page.rows[i].localizer, i, {{}}};
-    for (const ErrorRow& row : rows) {
-      if (row.error_m) curve.pieces.back().emplace_back(row.stamp_s, figure(row));
-    }
-    if (!rows.empty()) {
-      plot.begin_s = std::min(plot.begin_s, rows.front().stamp_s);
-      plot.end_s = std::max(plot.end_s, rows.back().stamp_s);
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  plot.begin_s = std::min(plot.begin_s, plot.end_s);
-  plot.end_s = std::max(plot.end_s, plot.begin_s + 1e-3);
-  return plot;
-}
-
-double most(const ExperimentPage& page, ErrorOf figure) {
-  double largest = 1.0;
+/// One figure of all localizers in the example run, where they have an answer.
+Json over_time(const ExperimentPage& page, const char* title, const char* unit, Json y_axis,
+               FigureOf figure, const Json& times) {
+  Json series = Json::array();
   for (const PooledRows& rows : page.rows) {
-    for (const ErrorRow& row : rows.runs.at(page.example)) {
-      largest = std::max(largest, figure(row));
+    const std::vector<ErrorRow>& run = rows.runs.at(page.example);
+    PlotColumn values;
+    for (const ErrorRow& row : run) {
+      values.push_back(row.error_m ? std::optional(figure(row)) : std::nullopt);
     }
+    series.push_back(time_series(rows.localizer, stamps_of(run), values, times));
   }
-  return largest;
+  return {
+      {"title", title}, {"unit", unit}, {"y", std::move(y_axis)}, {"series", std::move(series)}};
 }
 
 std::string curves(const ExperimentPage& page) {
-  const ErrorOf error = [](const ErrorRow& row) { return *row.error_m; };
-  const ErrorOf quality = [](const ErrorRow& row) { return row.quality; };
-  const ErrorOf sigma = [](const ErrorRow& row) { return row.sigma_m; };
-  const ErrorOf populations = [](const ErrorRow& row) { return row.populations; };
-  const std::string key = legend(names_of(page));
-  const auto logarithmic = [](const char* title) {
-    return TimePlot{.title = title, .unit = "m", .low = 0.001, .high = 10.0, .logarithmic = true};
-  };
-  const TimePlot hypotheses{.title = "hypotheses over time",
-                            .high = std::max(4.0, std::ceil(most(page, populations) / 4.0) * 4.0)};
-  return section("Error over time",
-                 key + render_plot(over_time(page, error, logarithmic("error over time")))) +
-         section("Quality over time",
-                 render_plot(over_time(page, quality, {.title = "quality over time"}))) +
-         section("Uncertainty over time",
-                 render_plot(over_time(page, sigma, logarithmic("uncertainty over time"))) +
-                     "<p class=\"soft\">Root of the mean variance of x and y.</p>\n") +
-         section("Hypotheses over time", render_plot(over_time(page, populations, hypotheses)));
+  const Json times = time_axis(stamps_of(page.rows.front().runs.at(page.example)));
+  const Json metres{{"log", {0.001, 100}}};
+  const Json share{{"range", {0, 1}}};
+  const Json plots{over_time(page, "Position error", "m", metres, error_of, times),
+                   over_time(page, "Quality: how well the scan fits the map", "0 to 1", share,
+                             quality_of, times),
+                   over_time(page, "Uncertainty: root of the mean variance of x and y", "m", metres,
+                             sigma_of, times),
+                   over_time(page, "Hypotheses", "count", {{"least", 4}}, populations_of, times)};
+  const Json& run = page.summary.at("runs").at(page.example);
+  return html_section(
+      "Curves over time",
+      fmt::format(
+          "<p class=\"soft\">Of one run: {}, seed {}. Drag to zoom, double-click for all of the "
+          "run.</p>\n",
+          escape_html(run.at("part").get<std::string>()), whole<std::uint64_t>(run.at("seed"))) +
+          plots_html({{"x", times}, {"plots", plots}}, PlotLayout::kWide));
 }
 
-Points error_against(const PooledRows& rows, ErrorOf figure) {
-  Points points;
-  for (const std::vector<ErrorRow>& run : rows.runs) {
-    for (const ErrorRow& row : run) {
-      if (row.error_m) points.emplace_back(*row.error_m, figure(row));
+/// A figure of every output against its error, all runs.
+Json scatter(const ExperimentPage& page, const char* title, Json y_axis, FigureOf figure) {
+  Json series = Json::array();
+  for (const PooledRows& rows : page.rows) {
+    PlotPoints points;
+    for (const std::vector<ErrorRow>& run : rows.runs) {
+      for (const ErrorRow& row : run) {
+        if (row.error_m) points.emplace_back(*row.error_m, figure(row));
+      }
     }
+    series.push_back(point_series(rows.localizer, "dots", every_few(points, kMostDots)));
   }
-  return points;
+  return {{"title", title},
+          {"x", {{"label", "position error [m]"}, {"log", {0.001, 100}}}},
+          {"y", std::move(y_axis)},
+          {"series", std::move(series)},
+          {"nothing", "No outputs."}};
 }
 
-std::string scatter(const ExperimentPage& page, ErrorOf figure, PlotAxis y) {
-  XyPlot plot;
-  plot.title = y.label + " against error";
-  plot.x = {"error, m", 0.001, 100.0, true};
-  plot.y = std::move(y);
-  for (std::size_t i = 0; i < page.rows.size(); ++i) {
-    plot.series.push_back({page.rows[i].localizer, i, false, error_against(page.rows[i], figure)});
-  }
-  return render_xy_plot(plot);
-}
-
-std::string roc(const PooledRows& rows) {
-  std::vector<ScoredOutput> scores[3];
+/// Outputs of one localizer, told apart by three of its figures.
+Json roc(const PooledRows& rows) {
+  std::array<std::vector<ScoredOutput>, 3> scores;
   for (const std::vector<ErrorRow>& run : rows.runs) {
     for (const ErrorRow& row : run) {
       if (!row.error_m) continue;
@@ -125,29 +97,34 @@ std::string roc(const PooledRows& rows) {
       scores[2].push_back({-row.sigma_m, right});
     }
   }
-  XyPlot plot{"ROC curves", {"wrong outputs passed, share"}, {"right outputs passed, share"}, {}};
-  plot.nothing = scores[0].empty()         ? "no outputs"
-                 : scores[0].front().right ? "no output is wrong"
-                                           : "no output is right";
-  const char* const names[3] = {"quality", "stated probability", "covariance"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    plot.series.push_back({names[i], i, true, every_few(roc_curve(std::move(scores[i])), 400)});
+  const char* const nothing = scores[0].empty()         ? "No outputs."
+                              : scores[0].front().right ? "No output is wrong."
+                                                        : "No output is right.";
+  constexpr std::array<const char*, 3> kNames{"quality", "stated probability", "covariance"};
+  Json series = Json::array();
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    series.push_back(
+        point_series(kNames[i], "", every_few(roc_curve(std::move(scores[i])), kMostOfRoc)));
   }
-  return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n",
-                     escape_html(rows.localizer), render_xy_plot(plot));
+  return {{"title", rows.localizer},
+          {"x", {{"label", "wrong outputs passed, share"}, {"range", {0, 1}}}},
+          {"y", {{"label", "right outputs passed, share"}, {"range", {0, 1}}}},
+          {"series", std::move(series)},
+          {"nothing", nothing}};
 }
 
 std::string right_from_wrong(const ExperimentPage& page) {
-  const ErrorOf quality = [](const ErrorRow& row) { return row.quality; };
-  const ErrorOf sigma = [](const ErrorRow& row) { return row.sigma_m; };
-  std::string html = section(
-      "Quality and uncertainty against error, all runs",
-      legend(names_of(page)) + kPlots + scatter(page, quality, {"quality", 0.0, 1.0, false}) +
-          scatter(page, sigma, {"uncertainty, m", 0.001, 10.0, true}) + "</div>\n");
-  std::string curves = legend({"quality", "stated probability", "covariance"}) +
-                       "<p class=\"soft\">Right: error below 0.5 m.</p>\n" + kPlots;
-  for (const PooledRows& rows : page.rows) curves += roc(rows);
-  return html + section("Who tells right from wrong: ROC curves", curves + "</div>\n");
+  const Json share{{"label", "quality, 0 to 1"}, {"range", {0, 1}}};
+  const Json metres{{"label", "uncertainty [m]"}, {"log", {0.001, 10}}};
+  const Json dots{scatter(page, "Quality against error", share, quality_of),
+                  scatter(page, "Uncertainty against error", metres, sigma_of)};
+  Json rocs = Json::array();
+  for (const PooledRows& rows : page.rows) rocs.push_back(roc(rows));
+  return html_section("Quality and uncertainty against error, all runs",
+                      plots_html({{"plots", dots}}, PlotLayout::kPairs)) +
+         html_section("ROC curves: which figure tells right outputs from wrong ones",
+                      "<p class=\"soft\">Right: error below 0.5 m.</p>\n" +
+                          plots_html({{"plots", rocs}}, PlotLayout::kPairs));
 }
 
 }  // namespace
@@ -182,31 +159,19 @@ std::string html_table(const TextTable& table) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string html_page(const std::string& title, const std::string& body) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>castaway: {0}</title><style>{1}</style></head>"
-      "<body class=\"figures\">\n<h1>{0}</h1>\n{2}</body>"
-      "</html>\n",
-      escape_html(title), kReportStyle, body);
-}
-
 std::string render_experiment(const ExperimentPage& page) {
-  const auto& runs = page.summary.at("runs");
-  std::string body = fmt::format("<p class=\"soft\">{} runs. <code>{}</code></p>\n", runs.size(),
-                                 escape_html(page.command));
-  body += section("The paper and this run", html_table(page.table));
-  if (!page.rows.empty()) {
-    body += fmt::format("<p class=\"soft\">The curves over time show {}, seed {}.</p>\n",
-                        escape_html(runs.at(page.example).at("part").get<std::string>()),
-                        whole<std::uint64_t>(runs.at(page.example).at("seed")));
+  const std::string title =
+      fmt::format("Experiment {}, {}", page.experiment.number, page.experiment.title);
+  std::string body =
+      fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} runs. <code>{}</code></p>\n",
+                  escape_html(title), page.summary.at("runs").size(), escape_html(page.command));
+  body += plots_notice() + html_section("The paper and this run", html_table(page.table));
+  if (!page.rows.empty() && plots_bundle()) {
     body += curves(page);
     if (page.experiment.number == 2) body += right_from_wrong(page);
   }
-  const std::string title =
-      fmt::format("Experiment {}, {}", page.experiment.number, page.experiment.title);
-  return html_page(title, body);
+  return html_page(
+      {.title = title, .body = body, .body_class = "figures", .bundle = plots_bundle()});
 }
 
 }  // namespace castaway::testbed

@@ -30,7 +30,4 @@ std::string render_experiment(const ExperimentPage& page);
 /// A table as HTML.
 std::string html_table(const TextTable& table);
 
-/// The frame of a page: title, style, body.
-std::string html_page(const std::string& title, const std::string& body);
-
 }  // namespace castaway::testbed

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
+#include "tools/report/html/html_page.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -34,7 +34,7 @@ std::string caption(const std::string& name) {
 std::string pictures_section(const RunFolder& run) {
   if (run.pictures.empty()) {
     const std::string reason = run.pictures_missing.value_or("none was asked for");
-    return section("Pictures",
+    return html_section("Pictures",
                    fmt::format("<p>There are no pictures: {}</p>\n", escape_html(reason)));
   }
   std::string html =
@@ -55,7 +55,7 @@ std::string pictures_section(const RunFolder& run) {
     html += fmt::format("<p class=\"soft\">{} more in the folder snapshots.</p>\n",
                         run.pictures.size() - shown);
   }
-  return section("Pictures", html);
+  return html_section("Pictures", html);
 }
 
 }  // namespace castaway::testbed

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/metrics/recovery.hpp"
-#include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
-#include "tools/report/html/web_bundle.hpp"
+#include "tools/report/html/html_page.hpp"
+#include "tools/report/html/plot_data.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -31,36 +31,25 @@ Json page_of(const RunFolder& run) {
   return {{"right_m", right.position_m}, {"right_rad", right.yaw_rad}, {"events", events}};
 }
 
-/// JSON that cannot end the script element that it stands in.
-std::string script_json(const Json& json) {
-  std::string safe;
-  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
-bool has_player(const RunFolder& run) { return web_bundle() && !run.recording.empty(); }
+bool has_player(const RunFolder& run) { return player_bundle() && !run.recording.empty(); }
 
 std::string player_section(const RunFolder& run) {
-  if (!web_bundle()) {
-    return "<p class=\"soft\">This page has no player: castaway was built without Node.js. "
-           "Install nodejs and npm, configure and build again, then <code>castaway report</code> "
+  if (!player_bundle()) {
+    return "<p class=\"soft\">This page has no player and no plots: castaway was built without "
+           "Node.js. Install nodejs and npm, configure and build again, then <code>castaway "
+           "report</code> "
            "on this folder.</p>\n";
   }
   if (run.recording.empty()) {
-    return "<p class=\"soft\">This page has no player: the run left no recording.gz "
+    return plots_notice() +
+           "<p class=\"soft\">This page has no player: the run left no recording.gz "
            "(<code>outputs.player</code>).</p>\n";
   }
-  return "<div class=\"live\" hidden>\n" +
-         section("Player", "<div id=\"castaway-player\"></div>\n") +
-         section(
+  return plots_notice() + "<div class=\"live\" hidden>\n" +
+         html_section("Player", "<div id=\"castaway-player\"></div>\n") +
+         html_section(
              "Curves",
              "<div class=\"curves-head\"><p class=\"soft\">A click moves the player; drag to "
              "zoom all curves, double-click for all of the run. Dotted across: 0.5 m and 0.35 "
@@ -71,16 +60,12 @@ std::string player_section(const RunFolder& run) {
          "</div>\n";
 }
 
-std::string player_scripts(const RunFolder& run) {
+std::string player_data(const RunFolder& run) {
   if (!has_player(run)) return "";
   return fmt::format(
       "<script type=\"application/json\" id=\"castaway-page\">{}</script>\n"
-      "<script type=\"text/plain\" id=\"castaway-recording\">{}</script>\n<script>{}</script>\n",
-      script_json(page_of(run)), base64(run.recording), web_bundle()->script);
-}
-
-std::string player_style(const RunFolder& run) {
-  return has_player(run) ? std::string(web_bundle()->style) : "";
+      "<script type=\"text/plain\" id=\"castaway-recording\">{}</script>\n",
+      script_json(page_of(run)), base64(run.recording));
 }
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The player of a run on its page, and what it plays.
+/// The player of a run on its page, and its data.
 #pragma once
 
 #include <string>
@@ -10,14 +10,11 @@ namespace castaway::testbed {
 /// True if the page has a player: the build bundled it and the run left a recording.
 bool has_player(const RunFolder& run);
 
-/// The places of player and curves, hidden until the script has started; without a player, a line
+/// The elements of player and curves, hidden until the script has started; without a player, a line
 /// that says why.
 std::string player_section(const RunFolder& run);
 
-/// The recording, the events and the script; empty without a player.
-std::string player_scripts(const RunFolder& run);
-
-/// The player's style sheet; empty without a player.
-std::string player_style(const RunFolder& run);
+/// The recording and the events; empty without a player.
+std::string player_data(const RunFolder& run);
 
 }  // namespace castaway::testbed

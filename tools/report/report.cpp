@@ -10,7 +10,7 @@
 #include "tools/report/calibration_section.hpp"
 #include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
-#include "tools/report/html/report_style.hpp"
+#include "tools/report/html/html_page.hpp"
 #include "tools/report/map_plot.hpp"
 #include "tools/report/pictures_section.hpp"
 #include "tools/report/player_section.hpp"
@@ -20,12 +20,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Nothing is loaded from anywhere, whatever a page's texts hold.
-constexpr const char* kPolicy =
-    "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src "
-    "'unsafe-inline'";
-
-std::string lead(const RunFolder& run) {
+std::string lead_text(const RunFolder& run) {
   std::string html = "<div class=\"lead\">\n";
   if (const auto sentence = void_sentence(run.summary)) {
     html += fmt::format(
@@ -41,7 +36,7 @@ std::string lead(const RunFolder& run) {
 
 std::string calibration_section(const RunFolder& run) {
   const std::string html = calibration_html(run);
-  return html.empty() ? "" : section("Stated probability", legend(run, false) + html);
+  return html.empty() ? "" : html_section("Stated probability", html);
 }
 
 std::string timing_section(const RunFolder& run) {
@@ -51,22 +46,16 @@ std::string timing_section(const RunFolder& run) {
       "the "
       "next.</p>\n{}",
       timing_tables(run));
-  return fmt::format("<!-- timing: begin -->\n{}<!-- timing: end -->\n", section("Timing", body));
+  return fmt::format("<!-- timing: begin -->\n{}<!-- timing: end -->\n",
+                     html_section("Timing", body));
 }
 
-std::string head(const RunFolder& run, const std::string& title) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>castaway: {}</title><style>{}{}</style></head>\n",
-      kPolicy, title, kReportStyle, player_style(run));
+/// The script hides this once the player, which shows the same, has started.
+std::string hidden_by_player(const std::string& html) {
+  return "<div class=\"still\">\n" + html + "</div>\n";
 }
 
-/// What a player shows, too, and better: hidden once it has started.
-std::string still(const std::string& html) { return "<div class=\"still\">\n" + html + "</div>\n"; }
-
-/// The map that the run was recorded with, if it was.
+/// The map in the run's recording, if there is one.
 std::optional<RosMap> recorded_map(const RunFolder& run, const std::filesystem::path& folder) {
   if (run.recording.empty()) return std::nullopt;
   try {
@@ -79,14 +68,18 @@ std::optional<RosMap> recorded_map(const RunFolder& run, const std::filesystem::
 }  // namespace
 
 std::string render_report(const RunFolder& run, const std::optional<RosMap>& map) {
-  const std::string title = escape_html(run.summary.value("scenario", "run"));
-  return head(run, title) +
-         fmt::format("<body><div id=\"castaway-theme-place\"></div>\n<h1>{}</h1>\n", title) +
-         lead(run) + player_section(run) + section("Figures", metric_table(run)) +
-         still(curves_section(run)) + calibration_section(run) +
-         still(section("Path on the map", legend(run, true) + render_map_plot(run, map))) +
-         section("Events", event_table(run)) + pictures_section(run) + player_scripts(run) +
-         timing_section(run) + "</body></html>\n";
+  const std::string title = run.summary.value("scenario", "run");
+  const bool player = has_player(run);
+  const std::string body = "<div id=\"castaway-theme-place\"></div>\n<h1>" + escape_html(title) +
+                           "</h1>\n" + lead_text(run) + player_section(run) +
+                           html_section("Figures", metric_table(run)) +
+                           (player ? "" : curves_section(run)) + calibration_section(run) +
+                           hidden_by_player(html_section(
+                               "Path on the map", map_legend(run) + render_map_plot(run, map))) +
+                           html_section("Events", event_table(run)) + pictures_section(run) +
+                           player_data(run) + timing_section(run);
+  return html_page(
+      {.title = title, .body = body, .bundle = player ? player_bundle() : plots_bundle()});
 }
 
 void write_report(const std::filesystem::path& run_folder, const std::optional<RosMap>& map) {

@@ -6,7 +6,7 @@
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/report/html/html.hpp"
-#include "tools/report/html/report_style.hpp"
+#include "tools/report/html/html_page.hpp"
 #include "tools/report/report_words.hpp"
 #include "tools/report/run_folder.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The address of a file, seen from a page: a path whose signs no browser takes for others.
+/// The address of a file relative to a page, percent-encoded.
 std::string address(const fs::path& file, const fs::path& page) {
   const fs::path folder = fs::absolute(page).parent_path();
   std::string encoded;
@@ -31,7 +31,7 @@ std::string address(const fs::path& file, const fs::path& page) {
 
 std::string runs_cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
-/// A row a localizer; the run's own cells stand in the first.
+/// One row for each localizer; the first also has the run's own cells.
 std::string rows_of(const fs::path& folder, const fs::path& page) {
   const RunFolder run = load_run_folder(folder);
   const auto& localizers = run.summary["localizers"];
@@ -55,16 +55,16 @@ std::string rows_of(const fs::path& folder, const fs::path& page) {
 }  // namespace
 
 void write_runs_page(const std::vector<fs::path>& folders, const fs::path& page) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\"><title>castaway: {0} runs</title><style>{1}"
-      "td.words {{ white-space: normal; text-align: left; min-width: 18rem; }} "
-      "td {{ vertical-align: top; }}</style></head>\n<body><h1>{0} runs</h1>\n"
-      "<div class=\"wide\"><table><thead><tr><th>run</th><th></th><th>position error, median</th>"
-      "<th>95 % below</th><th>slowest recovery</th></tr></thead><tbody>\n",
-      folders.size(), kReportStyle);
-  for (const fs::path& folder : folders) html += rows_of(folder, page);
-  write_file(page, html + "</tbody></table></div></body></html>\n");
+  const std::string title = fmt::format("{} runs", folders.size());
+  std::string body = fmt::format(
+      "<h1>{}</h1>\n<div class=\"wide\"><table><thead><tr><th>run</th><th></th><th>position error, "
+      "median</th><th>95 % below</th><th>slowest recovery</th></tr></thead><tbody>\n",
+      title);
+  for (const fs::path& folder : folders) body += rows_of(folder, page);
+  write_file(page, html_page({.title = title,
+                              .body = body + "</tbody></table></div>",
+                              .style = "td.words { white-space: normal; text-align: left; "
+                                       "min-width: 18rem; } td { vertical-align: top; }"}));
 }
 
 }  // namespace castaway::testbed

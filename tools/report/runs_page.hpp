@@ -1,4 +1,4 @@
-/// A page that leads to the pages of several runs.
+/// An index page of several runs.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace castaway::testbed {
 
-/// Writes the page: a row a run and localizer with its words and its main figures, each run linked
-/// to its report.html by a path relative to the page. Throws std::runtime_error naming the file of
-/// a run that cannot be read.
+/// Writes the page: one row for each run and localizer with a summary and the main figures, each run
+/// linked to its report.html by a relative path. Throws std::runtime_error naming the file of a run
+/// that cannot be read.
 void write_runs_page(const std::vector<std::filesystem::path>& folders,
                      const std::filesystem::path& page);
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/ros/cdr.hpp"
-#include "tools/ros/ros_message.hpp"
+#include "tools/ros/ros_json.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {

@@ -26,10 +26,10 @@ BagWriter::BagWriter(std::filesystem::path folder, const std::string& name,
       file_(topic_part(name) + ".mcap"),
       mcap_(folder_ / file_, {compression, 1 << 20, "ros2", "castaway " CASTAWAY_VERSION}) {}
 
-std::uint16_t BagWriter::add_topic(const BagTopic& topic, std::string (*definition)(),
+std::uint16_t BagWriter::add_topic(const BagTopic& topic, const char* definition,
                                    std::map<std::string, std::string> metadata) {
   const auto [schema, first] = schemas_.try_emplace(topic.type);
-  if (first) schema->second = mcap_.add_schema({topic.type, "ros2msg", definition()});
+  if (first) schema->second = mcap_.add_schema({topic.type, "ros2msg", definition});
   metadata["offered_qos_profiles"] = qos_text(topic.durability);
   topics_.push_back(topic);
   return mcap_.add_channel({schema->second, topic.name, "cdr", std::move(metadata)});

@@ -10,7 +10,6 @@
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/mcap/mcap_writer.hpp"
 #include "tools/ros/ros_conversion.hpp"
-#include "tools/ros/ros_message.hpp"
 #include "tools/ros/rosbag2_metadata.hpp"
 
 namespace castaway::testbed {
@@ -28,7 +27,7 @@ class BagWriter {
   template <typename Message>
   std::uint16_t add_topic(const std::string& name, Durability durability = Durability::kVolatile,
                           std::map<std::string, std::string> metadata = {}) {
-    return add_topic({name, Message::kType, durability, 0}, &RosDefinition::of<Message>,
+    return add_topic({name, Message::kType, durability, 0}, Message::kDefinition,
                      std::move(metadata));
   }
   /// Logs a message at `delivered`, time of the run; never before one logged already.
@@ -44,7 +43,7 @@ class BagWriter {
   void finish();
 
  private:
-  std::uint16_t add_topic(const BagTopic& topic, std::string (*definition)(),
+  std::uint16_t add_topic(const BagTopic& topic, const char* definition,
                           std::map<std::string, std::string> metadata);
   void write(std::uint16_t topic, Stamp delivered, const std::string& message);
 

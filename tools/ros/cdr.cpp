@@ -53,7 +53,7 @@ void CdrReader::need(std::uint64_t size) const {
   if (size > bytes_.size() - at_) throw std::runtime_error("the message ends too early");
 }
 
-void CdrReader::turn_round(char* bytes, std::size_t size, std::size_t count) {
+void CdrReader::swap_bytes(char* bytes, std::size_t size, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) std::reverse(bytes + i * size, bytes + (i + 1) * size);
 }
 

@@ -1,8 +1,8 @@
 /// CDR as ROS 2 writes it (XCDR1, OMG DDSI-RTPS 10.2): messages to bytes and back.
 ///
 /// A message is a struct with `static constexpr const char* kType` and a template
-/// `visit(self, visitor)` that calls `visitor("field", self.field)` for each field in order; see
-/// `ros_messages.hpp`. Alignment counts from behind the header of four bytes.
+/// `visit(self, visitor)` that calls `visitor("field", self.field)` for each field in order; the
+/// build makes them from msg/*.msg. Alignment counts from behind the header of four bytes.
 #pragma once
 
 #include <array>
@@ -77,10 +77,10 @@ class CdrWriter {
   std::string bytes_{'\0', '\1', '\0', '\0'};
 };
 
-/// Takes the fields of a message off its bytes, which nobody vouches for.
+/// Reads the fields of a message from bytes that are not trusted.
 class CdrReader {
  public:
-  /// Throws std::runtime_error where the bytes end too early or are of another encoding. Bytes
+  /// Throws std::runtime_error if the bytes end too early or have another encoding. Bytes
   /// behind the message are padding.
   template <typename Message>
   static Message decode(std::string_view bytes) {
@@ -127,19 +127,19 @@ class CdrReader {
   void get(std::array<T, N>& values) {
     for (T& value : values) get(value);
   }
-  /// Copies numbers, turned round where they are big-endian.
+  /// Copies numbers; swaps their bytes if they are big-endian.
   template <typename T>
   void copy(T* values, std::size_t count) {
     need(count * sizeof(T));
     std::memcpy(values, bytes_.data() + at_, count * sizeof(T));
     at_ += count * sizeof(T);
-    if (big_endian_ && sizeof(T) > 1) turn_round(reinterpret_cast<char*>(values), sizeof(T), count);
+    if (big_endian_ && sizeof(T) > 1) swap_bytes(reinterpret_cast<char*>(values), sizeof(T), count);
   }
   /// Length of a sequence; there cannot be more elements than bytes.
   std::uint32_t count_of();
   void align(std::size_t size);
   void need(std::uint64_t size) const;
-  static void turn_round(char* bytes, std::size_t size, std::size_t count);
+  static void swap_bytes(char* bytes, std::size_t size, std::size_t count);
 
   std::string_view bytes_;  // Behind the header.
   std::size_t at_ = 0;

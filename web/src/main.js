@@ -1,10 +1,12 @@
 // Starts the player of a report.
 import 'uplot/dist/uPlot.min.css';
 import './player.css';
+import './plots.css';
 import {fromBase64, gunzip} from './bytes.js';
 import {element} from './dom.js';
 import {errorsOf, statesOf, stretches} from './measures.js';
 import {Player} from './player.js';
+import {drawPlots} from './plots.js';
 import {Recording} from './recording.js';
 import {addThemeSwitch} from './theme.js';
 
@@ -13,7 +15,7 @@ function textOf(id) {
   return document.getElementById(id)?.textContent ?? null;
 }
 
-/** All that the player shows, from the page's texts. */
+/** All that the player shows, parsed from the page. */
 async function load() {
   const page = JSON.parse(textOf('castaway-page'));
   const recording = new Recording(await gunzip(fromBase64(textOf('castaway-recording').trim())));
@@ -26,7 +28,7 @@ async function load() {
   return {recording, errors, states, alarms, limits, events: page.events};
 }
 
-/** Rows of tables that tell of a time lead there. */
+/** Makes the times in the table of events jump the player there. */
 function linkRows(player) {
   for (const row of document.querySelectorAll('tr[data-time]')) {
     const time = Number(row.dataset.time);
@@ -39,8 +41,12 @@ function linkRows(player) {
 }
 
 async function start() {
+  const recolorPlots = drawPlots();
   let recolor = () => {};
-  addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => recolor());
+  addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => {
+    recolorPlots();
+    recolor();
+  });
   const place = document.getElementById('castaway-player');
   if (!place || textOf('castaway-recording') === null) return;
   try {

@@ -1,4 +1,4 @@
-// What is drawn over the curves: events, alarms, the border of right and wrong. Canvas pixels.
+// Drawn over the curves, in canvas pixels: events, alarms, the limit between right and wrong, intervals.
 import {pick} from './palette.js';
 
 /** Vertical lines at events: recoveries dotted, all others dashed. */
@@ -43,6 +43,22 @@ export function drawLimit({ctx, bbox, valToPos}, limit, colors) {
   ctx.beginPath();
   ctx.moveTo(bbox.left, y);
   ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** The interval of each point of a series that has some, `low` to `high`, upright. */
+export function drawIntervals({ctx, valToPos}, {x, low, high}, color) {
+  if (!low) return;
+  ctx.save();
+  ctx.strokeStyle = color;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.beginPath();
+  x.forEach((value, i) => {
+    const at = valToPos(value, 'x', true);
+    ctx.moveTo(at, valToPos(low[i], 'y', true));
+    ctx.lineTo(at, valToPos(high[i], 'y', true));
+  });
   ctx.stroke();
   ctx.restore();
 }

@@ -23,6 +23,7 @@ TEST(DatasetCard, SaysWhatTheDataSetHolds) {
   EXPECT_TRUE(contains(card, "| odometry: error of yaw a metre [rad] | | | |"));
   EXPECT_TRUE(contains(card, "| people.count | 0 to 4 |"));
   EXPECT_TRUE(contains(card, "| robot | `waffle` 3 times |"));
+  EXPECT_TRUE(contains(card, "[plots/index.html](plots/index.html) plots them."));
   EXPECT_TRUE(contains(card, "(plots/coverage-office.png)"));
 }
 

@@ -76,5 +76,14 @@ TEST(DatasetManifest, RefusesWhatIsNone) {
   EXPECT_TRUE(contains(error_of(verify), "'../x' is no path within the data set"));
 }
 
+// Its script depends on the build.
+TEST(DatasetManifest, LeavesThePageOfPlotsAlone) {
+  const TemporaryFolder folder;
+  folder.put("a.txt", "abc");
+  seal(folder);
+  folder.put(kPlotsPage, "any");
+  EXPECT_EQ(verify_dataset(folder.path()), Lines{});
+}
+
 }  // namespace
 }  // namespace castaway::testbed

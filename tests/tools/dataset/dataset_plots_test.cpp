@@ -1,47 +1,52 @@
 #include "tools/dataset/dataset_plots.hpp"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
-#include "tests/tools/support/temporary.hpp"
+#include "tests/tools/support/page_plots.hpp"
+#include "tests/tools/support/small_dataset.hpp"
+#include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++count;
-  }
-  return count;
+TEST(Histogram, EndsWithTheLastBinThatHoldsSomething) {
+  const auto histograms = dataset_histograms(SmallDataset().contents());
+  ASSERT_EQ(histograms.size(), 3U);
+  EXPECT_EQ(histograms[0].counts, (std::vector<double>{3.0, 6.0}));        // ranges
+  EXPECT_EQ(histograms[1].counts, (std::vector<double>{12.0}));            // occlusion
+  EXPECT_EQ(histograms[2].counts, (std::vector<double>{0.0, 0.0, 2.0}));  // kidnaps of 5 m
 }
 
-TEST(HistogramPlot, DrawsABarForEveryBinUpToTheLast) {
-  const std::string svg = histogram_svg({"A & B", "range [m]", 0.5, {1.0, 3.0, 0.0, 0.0}});
-  EXPECT_TRUE(contains(svg, "A &amp; B"));
-  EXPECT_EQ(count_of(svg, "<rect x="), 2U);
-  // The taller bar fills the frame from 40 to 268, the other a third of it.
-  EXPECT_TRUE(contains(svg, "y=\"40.0\" width=\"278.0\" height=\"228.0\""));
-  EXPECT_TRUE(contains(svg, "y=\"192.0\" width=\"278.0\" height=\"76.0\""));
+TEST(Histogram, HasQuantilesAtTheEndsOfItsBins) {
+  const Histogram histogram{"", "", 0.5, {1.0, 0.0, 3.0}};
+  EXPECT_EQ(quantile_of(histogram, 0.25), 0.5);
+  EXPECT_EQ(quantile_of(histogram, 0.26), 1.5);
+  EXPECT_EQ(quantile_of(histogram, 1.0), 1.5);
+  EXPECT_EQ(quantile_of({"", "", 1.0, {}}, 0.5), std::nullopt);
 }
 
-TEST(HistogramPlot, OfNothingIsEmpty) {
-  const std::string svg = histogram_svg({"t", "x", 1.0, {}});
-  EXPECT_EQ(count_of(svg, "<rect x="), 0U);
-  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+TEST(Distributions, AreATable) {
+  EXPECT_EQ(describe_distributions(SmallDataset().contents()),
+            "| | 10 % below | 50 % below | 90 % below |\n|---|---|---|---|\n"
+            "| Ranges of all returns, range [m] | 0.5 | 1 | 1 |\n"
+            "| Occlusion: beams on what the map does not show, share of a scan's beams | 0.05 | "
+            "0.05 | 0.05 |\n"
+            "| Kidnaps: how far, distance [m] | 6 | 6 | 6 |\n"
+            "| Odometry, error after 1 m [m] | 0.02 | 0.1 | 0.18 |\n");
 }
 
-TEST(LinesPlot, DrawsALineForEachFromCornerToCorner) {
-  const LinesPlot plot{"t",
-                       "way [m]",
-                       "error [m]",
-                       {{"median", {{0.0, 0.0}, {10.0, 2.0}}}, {"p90", {{0.0, 0.0}, {5.0, 4.0}}}}};
-  const std::string svg = lines_svg(plot);
-  EXPECT_EQ(count_of(svg, "<polyline"), 2U);
-  EXPECT_TRUE(contains(svg, "points=\"62.0,268.0 620.0,154.0 \""));
-  EXPECT_TRUE(contains(svg, "points=\"62.0,268.0 341.0,40.0 \""));
-  EXPECT_TRUE(contains(svg, ">p90</text>"));
+TEST(PlotsPage, DescribesHistogramsAndTheErrorOfTheOdometry) {
+  if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
+  const auto plots = plots_in(plots_page(SmallDataset().contents()));
+  ASSERT_EQ(plots.size(), 4U);
+  EXPECT_EQ(plots[0].dump(),
+            R"({"title":"Ranges of all returns","x":{"label":"range [m]","range":[0.0,1.0]},)"
+            R"("y":{"label":"share"},"series":[{"name":"share","style":"steps",)"
+            R"("x":[0,0.5,1],"y":[0.333,0.667,0.667]}],"nothing":"There are none."})");
+  // Errors after 1 m: 0, 0.1 and 0.2 m.
+  EXPECT_EQ(plots[3].at("series").dump(),
+            R"([{"name":"median","x":[0,1],"y":[0,0.1]},)"
+            R"({"name":"90 % below","x":[0,1],"y":[0,0.18]}])");
 }
 
 }  // namespace

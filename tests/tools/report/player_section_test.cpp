@@ -20,39 +20,41 @@ TEST(PlayerSection, SaysWhyThereIsNoPlayer) {
   const RunFolder run = run_with("");
   EXPECT_FALSE(has_player(run));
   EXPECT_TRUE(contains(player_section(run), "This page has no player"));
-  EXPECT_TRUE(contains(player_section(run), web_bundle() ? "no recording.gz" : "without Node.js"));
-  EXPECT_EQ(player_scripts(run), "");
-  EXPECT_EQ(player_style(run), "");
+  EXPECT_TRUE(
+      contains(player_section(run), player_bundle() ? "no recording.gz" : "without Node.js"));
+  EXPECT_EQ(player_data(run), "");
 }
 
 TEST(PlayerSection, CarriesTheRecordingAndTheEvents) {
-  if (!web_bundle()) GTEST_SKIP() << "built without Node.js";
+  if (!player_bundle()) GTEST_SKIP() << "built without Node.js";
   const RunFolder run = run_with("abc");
   EXPECT_TRUE(has_player(run));
   EXPECT_TRUE(contains(player_section(run), "id=\"castaway-player\""));
-  const std::string scripts = player_scripts(run);
+  const std::string scripts = player_data(run);
   EXPECT_TRUE(contains(scripts, "id=\"castaway-recording\">YWJj</script>"));
   EXPECT_TRUE(contains(scripts, "\"right_m\":0.5"));
   EXPECT_TRUE(contains(scripts, "\"from\":[1.0,2.0],\"to\":[3.0,4.0]"));
 }
 
 TEST(PlayerSection, LetsNoTextEndAScript) {
-  if (!web_bundle()) GTEST_SKIP() << "built without Node.js";
-  const std::string scripts = player_scripts(run_with("abc"));
+  if (!player_bundle()) GTEST_SKIP() << "built without Node.js";
+  const std::string scripts = player_data(run_with("abc"));
   EXPECT_TRUE(contains(scripts, "\\u003c/script>\\u003cb>"));
   std::size_t ends = 0;
   for (std::size_t at = scripts.find("</script"); at != std::string::npos;
        at = scripts.find("</script", at + 1)) {
     ++ends;
   }
-  EXPECT_EQ(ends, 3U);
+  EXPECT_EQ(ends, 2U);
 }
 
 TEST(WebBundle, HoldsNoEndOfItsOwnTag) {
-  if (!web_bundle()) GTEST_SKIP() << "built without Node.js";
-  EXPECT_EQ(web_bundle()->script.find("</script"), std::string_view::npos);
-  EXPECT_EQ(web_bundle()->style.find("</style"), std::string_view::npos);
-  EXPECT_TRUE(contains(std::string(web_bundle()->script), "Permission is hereby granted"));
+  if (!player_bundle()) GTEST_SKIP() << "built without Node.js";
+  for (const WebBundle& bundle : {*player_bundle(), *plots_bundle()}) {
+    EXPECT_EQ(bundle.script.find("</script"), std::string_view::npos);
+    EXPECT_EQ(bundle.style.find("</style"), std::string_view::npos);
+    EXPECT_TRUE(contains(std::string(bundle.script), "Permission is hereby granted"));
+  }
 }
 
 }  // namespace

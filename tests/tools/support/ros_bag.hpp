@@ -8,7 +8,6 @@
 
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/mcap/mcap_writer.hpp"
-#include "tools/ros/ros_message.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {
@@ -22,8 +21,7 @@ class ForeignBag {
   void add(const std::string& topic, std::int64_t log_time_ns, const Message& message) {
     const auto [channel, first] = channels_.try_emplace(topic);
     if (first) {
-      const auto schema =
-          writer_.add_schema({Message::kType, "ros2msg", RosDefinition::of<Message>()});
+      const auto schema = writer_.add_schema({Message::kType, "ros2msg", Message::kDefinition});
       channel->second = writer_.add_channel({schema, topic, "cdr", {}});
     }
     writer_.write(channel->second, log_time_ns, CdrWriter::encode(message));

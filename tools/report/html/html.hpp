@@ -7,17 +7,17 @@
 
 namespace castaway::testbed {
 
-/// Text that HTML takes as text, also in attributes.
+/// Escapes `text` for HTML content and attributes.
 std::string escape_html(std::string_view text);
 
-/// Bytes as text of 64 signs, none of which means anything to HTML.
+/// Base64 (RFC 4648) with padding; needs no escaping in HTML.
 std::string base64(std::string_view bytes);
 
-/// `data:` address of a PNG's bytes.
+/// `data:` URI of a PNG's bytes.
 std::string png_data_uri(std::string_view png);
 
 /// Three significant digits without an exponent, and the unit: "0.0342 m", "12.3 s", "1230 m"; a
-/// dash where there is nothing.
+/// dash for a missing value.
 std::string readable(const std::optional<double>& value, std::string_view unit = "");
 
 }  // namespace castaway::testbed

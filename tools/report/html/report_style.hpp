@@ -1,5 +1,5 @@
-/// The style sheet of report.html: light and dark, as the system has it or as `data-theme` of the
-/// page's root says.
+/// The style sheet of all pages: light or dark as the system, or as `data-theme` of the
+/// page's root.
 #pragma once
 
 namespace castaway::testbed {
@@ -39,9 +39,7 @@ th, td { text-align: right; padding: 0.25rem 0.8rem; border-bottom: 1px solid va
 th:first-child, td:first-child { text-align: left; } tr.group th { padding-top: 0.9rem; color: var(--soft); font-weight: 600; }
 svg { display: block; width: 100%; height: auto; background: var(--card); border: 1px solid var(--line); border-radius: 6px; }
 svg.map { max-height: 80vh; } svg text { fill: var(--soft); font: 11px system-ui, sans-serif; }
-.grid { stroke: var(--line); stroke-width: 1; } .mark { stroke: var(--mark); stroke-width: 1.2; stroke-dasharray: 4 3; }
-svg text.marked { fill: var(--mark); } .limit { stroke: var(--soft); stroke-width: 1; stroke-dasharray: 2 3; }
-.curve, .path { fill: none; stroke-linejoin: round; } .curve { stroke-width: 1.7; }
+.grid { stroke: var(--line); stroke-width: 1; } .path { fill: none; stroke-linejoin: round; }
 .path.truth { stroke: #000; } .path.rim { stroke: #fff; } .scale { fill: none; stroke: var(--soft); }
 .c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); stroke-dasharray: 8 4; } .c2 { stroke: var(--c2); stroke-dasharray: 2 3; }
 .c3 { stroke: var(--c3); stroke-dasharray: 10 3 2 3; } .c4 { stroke: var(--c4); stroke-dasharray: 14 5; }
@@ -61,7 +59,7 @@ figcaption { font-size: 0.85rem; color: var(--soft); }
   .stack td { display: flex; justify-content: space-between; gap: 1rem; border: 0; overflow-wrap: anywhere; }
   .stack td:empty { display: none; } .stack td:first-child { font-weight: 600; } .stack td[data-head]::before { content: attr(data-head); color: var(--soft); }
   .stack tr { border-bottom: 1px solid var(--line); padding: 0.3rem 0; }
-  .time text { font-size: 20px; } .bars text { font-size: 16px; } .xy text { font-size: 13px; } }
+  .bars text { font-size: 16px; } }
 )";
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The report's player as the build bundled it from web/.
+/// Scripts and styles of pages as the build bundled them from web/.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,10 @@ struct WebBundle {
   std::string_view style;
 };
 
-/// Nothing where the program was built without Node.js.
-std::optional<WebBundle> web_bundle();
+/// The report's player, and all plots. Nothing where the program was built without Node.js.
+std::optional<WebBundle> player_bundle();
+
+/// The plots alone, for pages without a player. Nothing without Node.js.
+std::optional<WebBundle> plots_bundle();
 
 }  // namespace castaway::testbed

@@ -1,8 +1,10 @@
-// Built instead of the bundle where there is no Node.js.
+// Built instead of the bundles where there is no Node.js.
 #include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 
-std::optional<WebBundle> web_bundle() { return std::nullopt; }
+std::optional<WebBundle> player_bundle() { return std::nullopt; }
+
+std::optional<WebBundle> plots_bundle() { return std::nullopt; }
 
 }  // namespace castaway::testbed

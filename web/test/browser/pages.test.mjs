@@ -48,21 +48,36 @@ for (const name of Object.keys(pages)) {
   }
 }
 
-test('shows four localizers among the dots of experiment 2, in four colours, without dashes', async () => {
-  for (const dark of [false, true]) {
-    await open('experiment', 1600, dark);
-    const plots = await browser.evaluate(`[...document.querySelectorAll('svg.plot')].map((plot) =>
-      [...plot.querySelectorAll('.dots')].map((dots) => {
-        const {stroke, strokeDasharray} = getComputedStyle(dots);
-        return [stroke, strokeDasharray, dots.getTotalLength() >= 0 && dots.getBoundingClientRect().width > 1];
-      })).filter((dots) => dots.length > 0)`);
-    assert.equal(plots.length, 2);
-    for (const dots of plots) {
-      assert.equal(new Set(dots.map(([stroke]) => stroke)).size, 4);
-      assert.ok(dots.every(([, dashes, seen]) => dashes === 'none' && seen));
-    }
+/** Of every plot: its name, its series, the number of colours on its canvas, whether it fits into the window. */
+const kPlots = `[...document.querySelectorAll('.plots .uplot')].map((plot) => {
+  const canvas = plot.querySelector('canvas');
+  const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const drawn = new Set();
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 60) drawn.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
   }
-});
+  const names = [...plot.querySelectorAll('.u-legend .u-series .u-label')].map((label) => label.textContent);
+  const box = plot.getBoundingClientRect();
+  const fits = box.left >= 0 && box.right <= innerWidth + 1;
+  return {name: canvas.getAttribute('aria-label'), names, colors: drawn.size, fits};
+})`;
+
+for (const width of [1600, 400]) {
+  for (const dark of [false, true]) {
+    test(`draws every plot of experiment 2 within the window: ${width} px, ${dark ? 'dark' : 'light'}`, async () => {
+      await open('experiment', width, dark);
+      const plots = await browser.evaluate(kPlots);
+      assert.equal(await browser.evaluate('document.querySelectorAll(".plots figure").length'), 4 + 2 + 4);
+      assert.ok(plots.length >= 4 + 2 + 2);  // The ROC curve of a localizer that is never wrong is a sentence.
+      for (const {name, names, colors, fits} of plots) {
+        assert.ok(fits, `${name} is too wide`);
+        assert.ok(colors > 8, `${name} is empty`);
+        assert.ok(names.length >= 4, name);  // x and three or four series
+        assert.match(name, /: .*, /);
+      }
+    });
+  }
+}
 
 test('reads the column of each cell on a telephone', async () => {
   await open('comparison', 400, false);

@@ -73,7 +73,8 @@ for (const [name, options] of Object.entries({
       getComputedStyle(document.documentElement).getPropertyValue(name).trim())`);
     assert.equal(free === '#ffffff', !options.dark);
     assert.notEqual(ink, free);
-    assert.equal(await browser.evaluate('document.querySelectorAll(".uplot").length'), 6);
+    assert.equal(await browser.evaluate('document.querySelectorAll("#castaway-curves .uplot").length'), 6)
+    assert.equal(await browser.evaluate('document.querySelectorAll(".plots .uplot").length'), 2);
     assert.ok(await browser.evaluate('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
     await act(`document.querySelector('#castaway-player .mark.kidnap').click()`);
     await picture(name);

@@ -1,0 +1,105 @@
+// A plot by uPlot, from its description; see plot_spec.js for its parts.
+import uPlot from 'uplot';
+import {element} from './dom.js';
+import {kDashes, pick} from './palette.js';
+import {align, clip, logRange, powersOfTen, rangeFromZero} from './plot_columns.js';
+import {drawIntervals, drawLimit} from './plot_marks.js';
+
+const kFont = '12px system-ui, sans-serif';
+const kLegendLines = ['solid', 'dashed', 'dotted', 'double', 'dashed', 'dotted'];
+const kLogTicks = {
+  splits: (_, __, low, high) => powersOfTen(low, high),
+  filter: (_, ticks) => ticks,
+  values: (_, ticks) => ticks.map(String),
+};
+
+/** Three decimals of small numbers, two of large ones, none of whole ones. */
+export function valueText(value) {
+  if (value === null || value === undefined) return '–';
+  return Number.isInteger(value) ? String(value) : value.toFixed(value < 1 ? 3 : 2);
+}
+
+function axisOf(axis, colors, size) {
+  const line = {stroke: () => colors().line, width: 1};
+  const label = axis.label ? {label: axis.label, labelSize: 16, labelFont: kFont} : {};
+  return {stroke: () => colors().soft, font: kFont, grid: line, ticks: {...line, size: 4}, size, ...label,
+    ...(axis.log ? kLogTicks : {})};
+}
+
+/** The scale of an axis; `range`: of one that has no limits of its own. */
+function scaleOf(axis, columns, range) {
+  if (axis.log) return {time: false, distr: 3, range: logRange(columns, axis.log)};
+  return {time: false, ...(axis.range ? {range: axis.range} : range)};
+}
+
+/** Series `k` of a plot; `style`: as in plot_spec.js. */
+function seriesOf({name, style}, k, colors) {
+  const color = () => pick(colors().localizers, k);
+  const line = {label: name, scale: 'y', width: 1.8, stroke: color, dash: pick(kDashes, k), spanGaps: false,
+    points: {show: false}, value: (_, value) => valueText(value)};
+  switch (style) {
+    case 'dots':
+      return {...line, paths: () => null,
+        points: {show: true, size: 4, width: 0, space: 0, fill: () => `${color()}73`, stroke: color}};
+    case 'marked':
+      return {...line, points: {show: true, size: 7, width: 1, fill: color, stroke: color}};
+    case 'steps':
+      return {...line, paths: uPlot.paths.stepped({align: 1}), fill: () => `${color()}26`};
+    case 'reference':
+      return {...line, width: 1, dash: [2, 3], stroke: () => colors().soft};
+    default:
+      return line;
+  }
+}
+
+/** Swatches of the legend in the page's colours, also after the theme has changed. */
+function markersOf(spec, first) {
+  const own = (i) => spec.series[i - 1].style !== 'reference';
+  return {width: 3, dash: (_, i) => (own(i) ? pick(kLegendLines, i - 1 - first) : 'dotted'),
+    stroke: (_, i) => (own(i) ? `var(--c${(i - 1 - first) % 6})` : 'var(--soft)')};
+}
+
+/** Options of uPlot. References stand before the localizers, and take none of their colours. */
+function optionsOf(spec, columns, size, colors, more) {
+  const first = spec.series.filter(({style}) => style === 'reference').length;
+  return {
+    ...size,
+    scales: {
+      x: scaleOf(spec.x, [columns[0]], {}),
+      y: scaleOf(spec.y, columns.slice(1), {range: rangeFromZero(columns.slice(1), spec.y.least ?? 0)}),
+    },
+    axes: [axisOf(spec.x, colors, 30), axisOf(spec.y, colors, spec.y.label ? 46 : 58)],
+    series: [
+      {label: spec.x.label, value: (_, value) => valueText(value)},
+      ...spec.series.map((series, k) => seriesOf(series, k - first, colors)),
+    ],
+    cursor: {drag: {x: true, y: false}, points: {size: 7}, ...more.cursor},
+    legend: {markers: markersOf(spec, first)},
+    hooks: {draw: [(plot) => {
+      spec.series.forEach((series, k) => drawIntervals(plot, series, pick(colors().localizers, k - first)));
+      if (spec.limit) drawLimit(plot, spec.limit, colors());
+      more.draw?.(plot);
+    }]},
+  };
+}
+
+/** Adds a figure to `place`. Returns uPlot's object; `colors()`: the theme's; `more`: cursor, draw(plot). */
+export function addPlot(place, spec, height, colors, more = {}) {
+  const columns = align(spec.series, spec.shared);
+  [spec.x, ...spec.series.map(() => spec.y)].forEach((axis, i) => {
+    if (axis.log) columns[i] = clip(columns[i], axis.log);
+  });
+  const unit = spec.unit ? element('span', {class: 'unit'}, ` [${spec.unit}]`) : null;
+  const figure = element('figure', {}, element('figcaption', {}, spec.title, unit));
+  place.append(figure);
+  const plot = new uPlot(optionsOf(spec, columns, {width: widthIn(figure), height}, colors, more), columns, figure);
+  const canvas = plot.ctx.canvas;
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', `${spec.title}: ${spec.series.map(({name}) => name).join(', ')}`);
+  return plot;
+}
+
+/** Of a plot within the border of its figure. [px] */
+export function widthIn(figure) {
+  return Math.max(260, figure.clientWidth - 2);
+}
