@@ -2,8 +2,8 @@
 /// is followed by a random share of itself.
 #pragma once
 
+#include "localization/geometry/random.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/random.hpp"
 
 namespace castaway::localization {
 

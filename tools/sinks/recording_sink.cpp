@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/records/recording_blocks.hpp"
 
 namespace castaway::testbed {

@@ -1,8 +1,8 @@
 #include "tools/sources/build_localizers.hpp"
 
 #include "localization/amcl.hpp"
+#include "localization/geometry/random.hpp"
 #include "localization/mh_amcl.hpp"
-#include "localization/random.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {

@@ -1,6 +1,6 @@
 #include "tools/trials/published_variants.hpp"
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::testbed {
 

@@ -1,4 +1,4 @@
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 #include <vector>
 
