@@ -82,7 +82,7 @@ void MhAmcl::begin_search(const ScanPoints& points, const SE2& T_odom_base) {
 bool MhAmcl::end_search(const ScanPoints& points, const SE2& T_odom_base) {
   const CreateContext context = create_context();
   const std::vector<WeighedPlace> places = refine_candidates(
-      context, sorted_out(context, search_->candidates(T_odom_base), points), points);
+      context, sort_out(context, search_->candidates(T_odom_base), points), points);
   deeper_ = search_->depth() == SearchDepth::kUsual && fits_badly(config_.create, places);
   search_.reset();
   return spawn_places(places, points);
