@@ -4,54 +4,18 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include "localization/geometry/se2.hpp"
-#include "localization/stamp.hpp"
+#include "localization/geometry/pose_statistics.hpp"
+#include "localization/geometry/stamp.hpp"
+#include "localization/sensor/readings.hpp"
 
 namespace castaway::localization {
-
-/// One reading of wheel odometry.
-struct Odometry {
-  Stamp stamp{};
-  SE2 T_odom_base;  ///< Accumulated from an arbitrary start; continuous, drifting (REP-105).
-};
-
-/// One sweep of a planar lidar, wherever it is mounted.
-struct LaserScan {
-  Stamp stamp{};                 ///< Time of the first beam.
-  Stamp time_increment{};        ///< Time between two beams; 0 if they were taken at once.
-  double angle_min = 0.0;        ///< [rad] Angle of the first beam about the lidar's z, from its x.
-  double angle_increment = 0.0;  ///< [rad] Signed step between two beams.
-  double range_min = 0.0;        ///< [m] Shorter returns are invalid.
-  double range_max = 0.0;        ///< [m] Longer returns are invalid.
-  std::vector<float> ranges;     ///< [m] REP-117: +inf no return, -inf too close, NaN invalid.
-  Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();  ///< The lidar's mount.
-  std::string lidar;  ///< Name of the lidar where there are several; order is kept for each.
-
-  /// Time of beam `index`.
-  [[nodiscard]] Stamp beam_stamp(std::size_t index) const {
-    return stamp + time_increment * static_cast<std::int64_t>(index);
-  }
-  /// Angle of beam `index` in the lidar's plane. [rad]
-  [[nodiscard]] double beam_angle(std::size_t index) const {
-    return angle_min + angle_increment * static_cast<double>(index);
-  }
-};
-
-/// A pose with its uncertainty.
-struct PoseWithCovariance {
-  SE2 T_map_base;
-  Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) in map: m^2, m rad, rad^2.
-};
 
 /// Another place where the robot may be.
 struct Alternative {
@@ -88,10 +52,6 @@ struct Diagnostics {
   std::map<std::string, std::chrono::nanoseconds>
       cpu_by_stage;  ///< Since construction; empty without a clock.
 };
-
-/// A clock for measuring stages, handed in by the program; results never depend on it. May be
-/// empty.
-using StageClock = std::function<std::chrono::nanoseconds()>;
 
 /// A localizer. Calls come in order of delivery, from one thread.
 class Localizer {

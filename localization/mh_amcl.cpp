@@ -1,204 +1,160 @@
 #include "localization/mh_amcl.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <string>
+#include <utility>
 
-#include "localization/filter/correct.hpp"
-#include "localization/filter/predict.hpp"
+#include "localization/hypotheses/select.hpp"
+#include "localization/output.hpp"
 
 namespace castaway::localization {
 
+MhAmcl::Models::Models(const MhAmclConfig& config, OccupancyGrid grid)
+    : map((validate(grid), std::move(grid))),
+      distances(map, config.max_distance),
+      endpoint(config.evidence.endpoint, distances),
+      evidence(config.evidence, map, distances),
+      matcher(config.matcher, map, distances),
+      context{config.create, config.merge, config.posterior, config.motion, endpoint, evidence} {}
+
 MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock)
     : config_((validate(config), config)),
-      seed_(seed),
-      map_((validate(map), std::move(map))),
-      distances_(map_, config_.max_distance),
-      tracking_(config_.tracking, distances_),
-      endpoint_(config_.evidence.endpoint, distances_),
-      evidence_(config_.evidence, map_, distances_),
-      matcher_(config_.matcher, map_, distances_),
+      models_(config_, std::move(map)),
+      filter_({config_.tracking, models_.distances}, config_.reseed, config_.refine),
       timer_(std::move(clock)),
-      intake_(config_.intake),
-      panorama_(config_.lidar_memory) {
-  if (config_.mode == MhAmclMode::kPaper) paper_ = paper_parts();
-  initialize(std::nullopt);
-}
+      input_({config_.predict_rate_hz, config_.correct_rate_hz, config_.reseed_rate_hz,
+              config_.beams, config_.intake, config_.lidar_memory}),
+      spawner_(config_.spawn, config_.reseed, seed),
+      posterior_(config_.posterior, {config_.posterior, config_.agreement, config_.history},
+                 models_.evidence),
+      search_(models_.matcher, config_.match.slice),
+      schedule_(config_.match),
+      lost_and_found_(config_.lost_and_found) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
-  hypotheses_.clear();
-  history_.clear();
+  populations_ = {};
+  posterior_.start(start.has_value());
+  search_.cancel();
+  schedule_.start();
   estimate_.reset();
-  last_match_.reset();
-  pause_s_ = 0.0;
-  searches_ = 0;
-  search_.reset();
-  deeper_ = false;
-  rescued_id_ = -1;
-  selected_id_ = -1;
-  probability_ = 0.0;
-  found_ = false;
-  was_found_ = false;
-  jumped_at_.reset();
-  kidnap_hint_ = 0.0;
-  unlisted_ = {start ? config_.posterior.wrong_start : 0.0, config_.posterior.usual_start};
-  better_since_.reset();
-  if (paper_) unlisted_.log_weight = -std::numeric_limits<double>::infinity();
-  if (!start) return;
-  spawn({start->T_map_base, start->covariance}, 0.0, {unlisted_.usual, 0.0});
-  choose();
-  found_ = true;
-  was_found_ = true;
+  if (start) {
+    const Evidence usual{posterior_.usual(), 0.0};
+    populations_.all.push_back(spawner_.spawn({start->T_map_base, start->covariance}, 0.0, usual));
+    select();
+  }
+  lost_and_found_.start(start.has_value());
 }
 
 void MhAmcl::on_odometry(const Odometry& odometry) {
-  const OdometryIntake taken = intake_.take(odometry);
-  if (taken == OdometryIntake::kDropped) return;
-  if (taken == OdometryIntake::kRestarted) restart_motion();
-  if (!predicted_at_) predicted_at_ = odometry.T_odom_base;
-  if (!due(odometry.stamp, last_predict_, config_.predict_rate_hz)) return;
-  last_predict_ = odometry.stamp;
-  predict(odometry.T_odom_base);
+  const OdometryTurn turn = input_.take(odometry);
+  if (turn.restarted) {  // the populations stay where they are
+    posterior_.forget_motion();
+    search_.cancel();
+    schedule_.restart_clock();
+    lost_and_found_.forget_motion();
+    estimate_.reset();
+  }
+  predict(turn.step);
 }
 
 void MhAmcl::on_scan(const LaserScan& scan) {
-  if (!intake_.accept(scan)) return;
-  const Stamp now = intake_.T_odom_base().newest();
-  const SE2 T_odom_base = *intake_.T_odom_base().at(now);
-  const auto seen = project_scan(scan, intake_.T_odom_base(), now, config_.beams);
-  if (!seen) return intake_.drop_scan();
-  const ScanPoints points = panorama_.add(scan.lidar, *seen, now, T_odom_base);
-  predict(T_odom_base);
-  if (paper_) prepare_match(scan, now);
-  if (!points.empty() && (!last_correct_ || due(now, *last_correct_, config_.correct_rate_hz))) {
-    take_scan(points, now, T_odom_base);
-  }
-  publish(scan.stamp);
-}
-
-/// The clock was set back: what is known of motion, and all times, begin anew. The populations stay
-/// where they are.
-void MhAmcl::restart_motion() {
-  predicted_at_.reset();
-  last_predict_ = {};
-  last_correct_.reset();
-  last_reseed_ = {};
-  last_match_.reset();
-  better_since_.reset();
-  search_.reset();
-  deeper_ = false;
-  history_.clear();
-  jumped_at_.reset();
-  panorama_.clear();
-  estimate_.reset();
+  const auto turn = input_.take(scan);
+  if (!turn) return;
+  predict(turn->step);
+  if (turn->counts) take_scan(*turn);
+  estimate_ = estimate_of(populations_, posterior_.shares(populations_.all),
+                          lost_and_found_.is_lost(), scan.stamp, input_.T_now_base(scan.stamp));
 }
 
 /// One scan through the paper's phases.
-void MhAmcl::take_scan(const ScanPoints& points, Stamp now, const SE2& T_odom_base) {
-  last_correct_ = now;
-  timer_.measure("correct", [&] { correct_all(points, T_odom_base); });
-  const bool waits = paper_ && config_.paper.published.managed_when_matched;
-  const bool managing = !waits || match_due(now, T_odom_base);
-  if (managing) timer_.measure("manage", [&] { merge_all(); });
-  if (match_due(now, T_odom_base)) {
-    timer_.measure("match", [&] { create(now, T_odom_base); });
-  }
-  if (managing) timer_.measure("manage", [&] { destroy_all(); });
-  if (due(now, last_reseed_, config_.reseed_rate_hz)) {
-    last_reseed_ = now;
-    timer_.measure("reseed", [&] { reseed_all(); });
-  }
-}
-
-void MhAmcl::correct_all(const ScanPoints& points, const SE2& T_odom_base) {
-  if (paper_) {
-    correct_all_by_rays(points);
-  } else {
-    for (Hypothesis& hypothesis : hypotheses_) correct(hypothesis, points);
-    rescue(points);
-  }
-  weigh(points, T_odom_base);
-}
-
-void MhAmcl::merge_all() {
-  if (paper_) {
-    const PaperConfig& paper = config_.paper;
-    selected_id_ = merge_by_weight(paper.rules.merge, hypotheses_, paper.published, selected_id_);
-  } else {
-    merge(config_.merge, hypotheses_);
-  }
-  choose();
-}
-
-void MhAmcl::destroy_all() {
-  if (paper_) {
-    const PaperConfig& paper = config_.paper;
-    selected_id_ = destroy_by_quality(paper.rules, hypotheses_, paper.published, selected_id_);
-  } else {
-    destroy(config_.destroy, probability_ >= config_.match.confident, hypotheses_);
-  }
-  if (selected() == nullptr) choose();
-}
-
-void MhAmcl::reseed_all() {
-  for (Hypothesis& hypothesis : hypotheses_) {
-    if (paper_) {
-      hypothesis.particles = reseed_losers(config_.paper.reseed, hypothesis.particles,
-                                           hypothesis.rng, config_.paper.published);
-    } else {
-      reseed(hypothesis, std::nullopt);
-    }
-  }
-}
-
-bool MhAmcl::due(Stamp now, Stamp last, double rate_hz) const {
-  constexpr double kTolerance = 0.9;  // data come a little early at times
-  return seconds(now - last) >= kTolerance / rate_hz;
-}
-
-void MhAmcl::predict(const SE2& T_odom_base) {
-  const SE2 u = predicted_at_->inverse() * T_odom_base;
-  if (u == SE2{}) return;
-  const auto move_all = [&](const auto& motion) {
-    for (Hypothesis& hypothesis : hypotheses_) {
-      localization::predict(hypothesis.particles, motion, hypothesis.rng);
-      hypothesis.belief.mean = hypothesis.belief.mean * u;
-    }
-  };
-  timer_.measure("predict", [&] {
-    if (paper_ && config_.paper.published.noise_per_step) {
-      move_all(StepNoiseMotion(u, config_.paper.step_noise));
-    } else {
-      move_all(OdometryMotion(u, config_.motion));
-    }
+void MhAmcl::take_scan(const ScanTurn& scan) {
+  timer_.measure("correct", [&] {
+    for (Hypothesis& hypothesis : populations_.all) filter_.correct(hypothesis, scan.points);
+    rescue(scan.points);
+    posterior_.weigh(scan.points, scan.T_odom_base, populations_.output_id, populations_.all);
   });
-  predicted_at_ = T_odom_base;
-}
-
-/// Weighs the particles; where few of them still carry the weight, reseeds around the refined
-/// winner.
-void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
-  const PoseMoments predicted = moments(hypothesis.particles);
-  localization::correct(hypothesis.particles, tracking_, points);
-  const std::vector<double> weights = normalized_weights(hypothesis.particles);
-  const auto count = static_cast<double>(weights.size());
-  if (effective_size(weights) < config_.reseed.effective_share * count) {
-    const auto best = std::max_element(weights.begin(), weights.end()) - weights.begin();
-    const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
-    const Eigen::Matrix3d prior = (predicted.covariance + slack).inverse();
-    const SE2 winner =
-        refine_pose(tracking_, points, hypothesis.particles.poses[static_cast<std::size_t>(best)],
-                    PosePrior{predicted.mean, prior}, config_.refine);
-    const Eigen::Matrix3d information = scan_information(tracking_, points, winner) + prior;
-    reseed(hypothesis, PoseGaussian(winner, information.inverse()));
+  timer_.measure("manage", [&] { merge(); });
+  const MatchOccasion occasion{scan.now, scan.T_odom_base, populations_.output_id, is_confident(),
+                               is_hopeless(config_.posterior, populations_.all)};
+  if (search_.is_pending() || schedule_.is_due(occasion)) {
+    timer_.measure("match", [&] { create(scan); });
   }
-  hypothesis.belief = moments(hypothesis.particles);
+  timer_.measure("manage", [&] {
+    destroy(config_.destroy, is_confident(), populations_.all);
+    if (populations_.output() == nullptr) select();
+  });
+  if (!scan.reseeds) return;
+  timer_.measure("reseed", [&] {
+    for (Hypothesis& hypothesis : populations_.all) filter_.reseed(hypothesis);
+  });
 }
 
-void MhAmcl::reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner) {
-  const int count = particle_count(config_.reseed, hypothesis.belief.covariance);
-  hypothesis.particles = localization::reseed(hypothesis.particles, count, winner, hypothesis.rng);
+void MhAmcl::predict(const std::optional<SE2>& step) {
+  if (!step) return;
+  timer_.measure("predict", [&] {
+    predict_all(populations_.all, *step, OdometryMotion(*step, config_.motion));
+  });
+}
+
+/// Lists a place near by where the scan fits better than at the output, should that suddenly fit
+/// badly.
+void MhAmcl::rescue(const ScanPoints& points) {
+  const Hypothesis* output = populations_.output();
+  if (output == nullptr) return;
+  const auto place = Rescue(config_.rescue, models_.matcher)
+                         .find(models_.context, *output, posterior_.usual(), points);
+  if (!place) return;
+  list({*place}, points);
+  schedule_.note_rescue(populations_.all.back().id);
+}
+
+void MhAmcl::merge() {
+  localization::merge(config_.merge, populations_.all);
+  select();
+}
+
+/// Goes on searching the map; once that is complete, places where the scan fits become populations.
+void MhAmcl::create(const ScanTurn& scan) {
+  const int before = populations_.output_id;
+  schedule_.begin(scan.now, scan.T_odom_base, !search_.is_pending());
+  const auto places = search_.step(models_.context, scan.points, scan.T_odom_base);
+  if (!places) return;
+  const std::vector<WeighedPlace> listed = new_places(
+      models_.context, posterior_.log().scans(), populations_.all, config_.destroy.behind, *places);
+  list(listed, scan.points);
+  if (!places->empty()) {
+    posterior_.take_search(places->front().newest.log_likelihood, populations_.all);
+  }
+  merge();
+  schedule_.end(!listed.empty() && populations_.output_id != before);
+}
+
+void MhAmcl::list(const std::vector<WeighedPlace>& places, const ScanPoints& points) {
+  for (const WeighedPlace& place : places) {
+    populations_.all.push_back(spawner_.spawn(filter_.belief_at(place.T_map_base, points),
+                                              place.log_weight, place.newest));
+  }
+}
+
+/// Selects the output and learns what is usual while it is confident.
+void MhAmcl::select() {
+  const auto selected =
+      localization::select(populations_.all, populations_.output_id, config_.select_margin);
+  if (!selected) return;
+  const Hypothesis& output = populations_.all[*selected];
+  const bool was_confident = is_confident();
+  const bool same = populations_.output_id == output.id;
+  populations_.output_id = output.id;
+  populations_.probability = posterior_.shares(populations_.all)[*selected];
+  if (is_confident()) posterior_.learn(output.log_likelihood);
+  lost_and_found_.take({same, is_confident(), populations_.probability},
+                       posterior_.log().recent_cue(), posterior_.log().T_odom_base());
+  if (was_confident && !is_confident()) schedule_.raise_alarm();
+}
+
+bool MhAmcl::is_confident() const { return populations_.probability >= config_.match.confident; }
+
+Diagnostics MhAmcl::diagnostics() const {
+  return diagnostics_of(populations_, posterior_.shares(populations_.all), input_.intake(), timer_);
 }
 
 }  // namespace castaway::localization

@@ -17,26 +17,13 @@ void require_probability(double value, const char* name) {
 
 }  // namespace
 
-MhAmclConfig published_config() {
-  MhAmclConfig config;
-  config.mode = MhAmclMode::kPaper;
-  PaperConfig& paper = config.paper;
-  paper.published = all_defects();
-  paper.spawn_sigma = 0.1;
-  paper.spawn_sigma_yaw = 0.05;
-  paper.reseed.winners = 0.03;
-  paper.reseed.spread_m = paper.spawn_sigma;
-  paper.reseed.spread_rad = paper.spawn_sigma_yaw;
-  return config;
-}
-
 void validate(const MhAmclConfig& config) {
   require_positive(config.predict_rate_hz, "predict_rate_hz");
   require_positive(config.correct_rate_hz, "correct_rate_hz");
   require_positive(config.reseed_rate_hz, "reseed_rate_hz");
   require_positive(config.max_distance, "max_distance");
   require_probability(config.match.confident, "confident");
-  require_probability(config.found, "found");
+  require_probability(config.lost_and_found.found, "found");
   if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
   validate(config.beams);
@@ -45,8 +32,6 @@ void validate(const MhAmclConfig& config) {
   validate(config.evidence.endpoint);
   validate(config.reseed);
   validate(config.matcher);
-  validate(config.paper.reseed);
-  require_positive(config.paper.match_period_s, "match_period_s");
 }
 
 }  // namespace castaway::localization

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
 
-#include "localization/localizer.hpp"
-
 namespace castaway::localization {
+
+/// A clock for measuring stages, handed in by the program; results never depend on it. May be
+/// empty.
+using StageClock = std::function<std::chrono::nanoseconds()>;
 
 /// Sums the time spent in named stages. Without a clock it does nothing.
 class StageTimer {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::localization {
 

@@ -1,8 +1,8 @@
 /// Reseed: particles of low weight make room for new ones near the winners (paper, section III-C).
 ///
-/// In mode `improved` winners are drawn by weight (systematic), and the place of the losers is
-/// taken by draws around the refined winner with the covariance of the score's curvature: the fewer
-/// particles still carry weight, the more.
+/// Differs from the paper (`reseed_losers`): winners are drawn by weight (systematic), and the
+/// place of the losers is taken by draws around the refined winner with the covariance of the
+/// score's curvature: the fewer particles still carry weight, the more.
 #pragma once
 
 #include <optional>

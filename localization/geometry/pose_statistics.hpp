@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "localization/geometry/random.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/random.hpp"
 
 namespace castaway::localization {
 
@@ -14,6 +14,13 @@ namespace castaway::localization {
 struct PoseMoments {
   SE2 mean;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw): m^2, m rad, rad^2.
+};
+
+/// A pose with its uncertainty.
+struct PoseWithCovariance {
+  SE2 T_map_base;
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) in map: m^2, m rad, rad^2.
 };
 
 /// Weighted moments; the yaw's mean is the direction of the mean heading, deviations are wrapped.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "localization/geometry/se2.hpp"
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::localization {
 

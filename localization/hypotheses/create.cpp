@@ -21,6 +21,15 @@ SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMem
                      PosePrior{predicted, spread.inverse()}, context.config.refine_back);
 }
 
+/// Whether a hypothesis has the place, and fits about as well there.
+bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypotheses,
+               const WeighedPlace& place) {
+  return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& h) {
+    return same_place(config, h.belief.mean, place.T_map_base) &&
+           h.log_likelihood > place.newest.log_likelihood - 1.0;
+  });
+}
+
 constexpr int kGlance = 24;  // beams that sort out long lists
 
 bool better(const Candidate& a, const Candidate& b) { return a.score > b.score; }
@@ -48,8 +57,8 @@ void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
 
 }  // namespace
 
-std::vector<Candidate> sorted_out(const CreateContext& context, std::vector<Candidate> candidates,
-                                  const ScanPoints& points) {
+std::vector<Candidate> sort_out(const CreateContext& context, std::vector<Candidate> candidates,
+                                const ScanPoints& points) {
   const CreateConfig& config = context.config;
   if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
     screen(context.evidence, thinned(points, kGlance), config.looked_at, candidates);
@@ -103,6 +112,21 @@ double weigh_backwards(const CreateContext& context, const ScanHistory& history,
     l = earlier;
   }
   return best;
+}
+
+std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHistory& history,
+                                     const std::vector<Hypothesis>& hypotheses, double behind,
+                                     const std::vector<WeighedPlace>& places) {
+  std::vector<WeighedPlace> listed;
+  double best = listed_log_weight(hypotheses);
+  for (WeighedPlace place : places) {
+    if (is_listed(context.merge, hypotheses, place)) continue;
+    place.log_weight = weigh_backwards(context, history, place);
+    if (place.log_weight < best - behind) continue;
+    best = std::max(best, place.log_weight);
+    listed.push_back(place);
+  }
+  return listed;
 }
 
 }  // namespace castaway::localization

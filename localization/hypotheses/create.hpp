@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "localization/hypotheses/merge.hpp"
-#include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/scan_history.hpp"
+#include "localization/hypotheses/unlisted.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/matching/refine.hpp"
 #include "localization/motion/odometry_noise.hpp"
@@ -52,14 +52,21 @@ struct WeighedPlace {
 
 /// The best candidates by rays as well as end points, at most `refined`: many are sorted out by a
 /// few beams, fewer by all of them.
-std::vector<Candidate> sorted_out(const CreateContext& context, std::vector<Candidate> candidates,
-                                  const ScanPoints& points);
+std::vector<Candidate> sort_out(const CreateContext& context, std::vector<Candidate> candidates,
+                                const ScanPoints& points);
 
 /// Refines candidates on the newest scan of the history (not empty) and joins those that meet; best
 /// first, at most `keep`. Weights are not set.
 std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const std::vector<Candidate>& candidates,
                                             const ScanPoints& points);
+
+/// The places that become hypotheses, weighed as if they had been listed: none where the scan fits
+/// about as well as at a hypothesis in the same place, none that is more than `behind` [nats]
+/// behind the best. The history is not empty.
+std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHistory& history,
+                                     const std::vector<Hypothesis>& hypotheses, double behind,
+                                     const std::vector<WeighedPlace>& places);
 
 /// Whether not even the best of the places fits well, so that a deep search is due.
 bool fits_badly(const CreateConfig& config, const std::vector<WeighedPlace>& places);

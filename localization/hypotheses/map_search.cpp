@@ -55,7 +55,7 @@ std::vector<WeighedPlace> find_places(const CreateContext& context, const Cascad
     MapSearch search(context.config, matcher, points, {}, depth);
     while (!search.step(kSlice)) {
     }
-    return refine_candidates(context, sorted_out(context, search.candidates({}), points), points);
+    return refine_candidates(context, sort_out(context, search.candidates({}), points), points);
   };
   std::vector<WeighedPlace> places = found(SearchDepth::kUsual);
   if (points.empty() || !fits_badly(context.config, places)) return places;

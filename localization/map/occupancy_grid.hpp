@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "localization/geometry/random.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/random.hpp"
 
 namespace castaway::localization {
 

@@ -5,8 +5,8 @@
 /// Nav2's AMCL has it.
 #pragma once
 
+#include "localization/geometry/random.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/random.hpp"
 
 namespace castaway::localization {
 

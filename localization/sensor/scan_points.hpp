@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
-#include "localization/localizer.hpp"
+#include "localization/sensor/readings.hpp"
 
 namespace castaway::localization {
 

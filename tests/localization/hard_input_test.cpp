@@ -11,6 +11,7 @@
 
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl.hpp"
+#include "localization/paper/paper_mh_amcl.hpp"
 #include "tests/support/grid_drive.hpp"
 
 namespace castaway::localization {
@@ -30,11 +31,15 @@ struct Kind {
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
-Kind mh_amcl(const std::string& name, MhAmclMode mode) {
-  return {name, [mode](const OccupancyGrid& map) {
-            MhAmclConfig config;
-            config.mode = mode;
-            return std::make_unique<MhAmcl>(config, map, 1);
+Kind mh_amcl() {
+  return {"improved", [](const OccupancyGrid& map) {
+            return std::make_unique<MhAmcl>(MhAmclConfig{}, map, 1);
+          }};
+}
+
+Kind paper() {
+  return {"paper", [](const OccupancyGrid& map) {
+            return std::make_unique<PaperMhAmcl>(PaperMhAmclConfig{}, map, 1);
           }};
 }
 
@@ -233,8 +238,7 @@ TEST(HardMaps, WithoutAFreeCellGiveNoEstimateOrAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Localizers, HardInput,
-                         testing::Values(mh_amcl("improved", MhAmclMode::kImproved),
-                                         mh_amcl("paper", MhAmclMode::kPaper),
+                         testing::Values(mh_amcl(), paper(),
                                          amcl("amcl", AmclSensorModel::kLikelihoodField),
                                          amcl("amcl_prob", AmclSensorModel::kLikelihoodFieldProb),
                                          amcl("amcl_beam", AmclSensorModel::kBeam)),

@@ -83,10 +83,10 @@ std::optional<double> found_at(const MhAmclConfig& config, bool knows) {
 TEST(MhAmcl, TakesMoreToBeFoundThanToStaySo) {
   EXPECT_GE(found_at({}, false).value(), 0.998);
   MhAmclConfig credulous;
-  credulous.found = 0.5;
+  credulous.lost_and_found.found = 0.5;
   EXPECT_LT(found_at(credulous, false).value(), 0.998);
   MhAmclConfig never;
-  never.found = 1.0;
+  never.lost_and_found.found = 1.0;
   EXPECT_FALSE(found_at(never, false));
   EXPECT_TRUE(found_at(never, true));  // The user's word counts.
 }
@@ -107,8 +107,8 @@ TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
 
 TEST(MhAmcl, BelievesAJumpThatNoKidnapExplainsOnlyAfterAWay) {
   MhAmclConfig config;
-  config.unexplained_cue = 1000.0;
-  config.proving_m = 0.6;
+  config.lost_and_found.unexplained_cue = 1000.0;
+  config.lost_and_found.proving_m = 0.6;
   MhAmcl localizer(config, test::office(), 1);
   localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
@@ -233,121 +233,6 @@ TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
   EXPECT_EQ(diagnostics.cpu_by_stage.at("correct").count(), 3 * 5);
 }
 
-MhAmclConfig paper() {
-  MhAmclConfig config;
-  config.mode = MhAmclMode::kPaper;
-  return config;
-}
-
-TEST(MhAmclPaper, TracksFromAKnownStart) {
-  MhAmcl localizer(paper(), test::office(), 1);
-  localizer.initialize(known_start(kStart));
-  test::GridDrive drive(test::office(), kStart);
-  for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
-  ASSERT_TRUE(localizer.estimate());
-  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.2);
-  EXPECT_GT(localizer.estimate()->quality, 0.3);
-}
-
-TEST(MhAmclPaper, FindsItselfWhereTheCascadesOrientationsAllow) {
-  MhAmcl localizer(paper(), test::office(), 1);
-  test::GridDrive drive(test::office(), kStart);  // yaw 0 is one of them
-  drive.step(localizer, {});
-  ASSERT_TRUE(localizer.estimate());
-  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.3);
-}
-
-TEST(MhAmclPaper, HasNoPopulationWhereTheCascadeFindsNothing) {
-  OccupancyGrid empty = test::office();
-  empty.cells.assign(empty.cells.size(), CellState::kFree);
-  MhAmcl localizer(paper(), empty, 1);
-  test::GridDrive drive(test::office(), kStart);
-  for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
-  EXPECT_FALSE(localizer.estimate());
-}
-
-MhAmclConfig paper_with(bool PublishedDefects::*defect) {
-  MhAmclConfig config = paper();
-  config.paper.published.*defect = true;
-  return config;
-}
-
-TEST(MhAmclPublished, TracksFromAKnownStart) {
-  MhAmcl localizer(published_config(), test::office(), 1);
-  localizer.initialize(known_start(kStart));
-  test::GridDrive drive(test::office(), kStart);
-  for (int i = 0; i < 60; ++i) drive.step(localizer, kForward);
-  ASSERT_TRUE(localizer.estimate());
-  EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.3);
-}
-
-TEST(MhAmclPublished, HasNoEffectInModeImproved) {
-  const auto run = [](const MhAmclConfig& config) {
-    MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known_start(kStart));
-    test::GridDrive drive(test::office(), kStart);
-    for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
-    return localizer.estimate()->T_map_base;
-  };
-  MhAmclConfig config;
-  config.paper.published = all_defects();
-  EXPECT_EQ(run(config), run({}));
-}
-
-TEST(MhAmclPublished, DoesNotFindARobotWhoseLidarLooksBackwards) {
-  const SE2 truth{kStart.x, kStart.y, -std::numbers::pi};
-  LaserScan scan = test::scan_at(test::office(), kStart, Stamp(1));
-  scan.T_base_laser.linear() =
-      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  const auto finds = [&](const MhAmclConfig& config) {
-    MhAmcl localizer(config, test::office(), 1);
-    localizer.on_odometry({Stamp(1), {}});
-    localizer.on_scan(scan);
-    const auto estimate = localizer.estimate();
-    return estimate && distance(estimate->T_map_base, truth) < 0.3 &&
-           yaw_distance(estimate->T_map_base, truth) < 0.2;
-  };
-  EXPECT_TRUE(finds(paper()));
-  EXPECT_FALSE(finds(paper_with(&PublishedDefects::mount_ignored)));
-}
-
-TEST(MhAmclPublished, MovesParticlesByAShareOfTheStep) {
-  const auto spread = [](const MhAmclConfig& config) {
-    MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known_start(kStart));
-    localizer.on_odometry({Stamp(0), {}});
-    for (int k = 1; k <= 100; ++k) {
-      localizer.on_odometry({std::chrono::milliseconds(10 * k), {0.01 * k, 0.0, 0.0}});
-    }
-    const std::vector<SE2> poses = localizer.diagnostics().populations[0].particles;
-    return pose_moments(poses, std::vector<double>(poses.size(), 1.0)).covariance(1, 1);
-  };
-  // 1 m straight ahead: sqrt(0.1) m of spread sideways in the paper's model, nothing but what the
-  // start's yaw makes of it in the published code.
-  EXPECT_GT(spread(paper()), spread(paper_with(&PublishedDefects::noise_per_step)) + 0.005);
-}
-
-TEST(MhAmclPublished, SelectsOnlyWhenTheMatcherRuns) {
-  // Kidnapped after 0.5 s; matches are at 0.1, 3.1, 6.1 and 9.1 s. At 3.1 s there are still as many
-  // populations as may be, at 6.1 s the right one is created, at 9.1 s it is selected.
-  const SE2 elsewhere{7.5, 6.5, 0.0};
-  const auto is_found_after = [&](const MhAmclConfig& config, int steps) {
-    MhAmcl localizer(config, test::office(), 1);
-    localizer.initialize(known_start(kStart));
-    test::GridDrive drive(test::office(), kStart);
-    for (int i = 0; i < 5; ++i) drive.step(localizer, {});
-    drive.kidnap(elsewhere);
-    for (int i = 5; i < steps; ++i) drive.step(localizer, {});
-    return distance(localizer.estimate()->T_map_base, elsewhere) < 0.5;
-  };
-  const MhAmclConfig waits = published_config();
-  MhAmclConfig at_once = waits;
-  at_once.paper.published.managed_when_matched = false;
-  EXPECT_TRUE(is_found_after(at_once, 45));
-  EXPECT_FALSE(is_found_after(waits, 90));
-  EXPECT_TRUE(is_found_after(waits, 95));
-}
-
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
   config.correct_rate_hz = 0.0;
@@ -356,7 +241,7 @@ TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   config.match.slice = 0;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   config = {};
-  config.found = 1.1;
+  config.lost_and_found.found = 1.1;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   config = {};
   config.match.confident = 0.0;

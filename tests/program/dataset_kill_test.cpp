@@ -6,7 +6,7 @@
 #include <csignal>
 #include <thread>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "tests/program/dataset_files.hpp"
 
 namespace castaway::test {

@@ -6,7 +6,7 @@
 
 #include "localization/filter/particle_set.hpp"
 #include "localization/sensor/evidence_model.hpp"
-#include "localization/sensor/ray_local_model.hpp"
+#include "localization/paper/ray_local_model.hpp"
 #include "tools/bench/bench_scene.hpp"
 #include "tools/bench/plain_reference.hpp"
 

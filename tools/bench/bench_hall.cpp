@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "sim/common/random.hpp"
 #include "sim/people/bodies/person_rays.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/run/cpu_clock.hpp"
 

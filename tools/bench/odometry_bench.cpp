@@ -1,6 +1,6 @@
 #include "tools/bench/odometry_bench.hpp"
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "sim/sensor/odometry_profiles.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/sources/simulator_source.hpp"

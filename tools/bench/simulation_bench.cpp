@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "sim/map/free_space.hpp"
 #include "sim/map/rasterise.hpp"
 #include "sim/sensor/lidar.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/bench/crowd_hours.hpp"
 #include "tools/commands/bench.hpp"
 #include "tools/run/cpu_clock.hpp"

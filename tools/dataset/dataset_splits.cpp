@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::testbed {
 namespace {

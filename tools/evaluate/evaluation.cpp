@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/evaluate/rows_sink.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"

@@ -2,7 +2,7 @@
 /// that is out of date.
 #pragma once
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/sources/recorded_source.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/pictures/map_picture.hpp"
 
 namespace castaway::testbed {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/pictures/palette.hpp"
 
 namespace castaway::testbed {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/inspect/map_scores.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/play/picture_plan.hpp"

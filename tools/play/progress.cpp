@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/workers/progress_text.hpp"
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/files/file.hpp"
 
 namespace castaway::testbed {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

@@ -19,7 +19,7 @@ LocalizerSpec read_localizer(YamlReader item) {
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
     const std::string mode = body.choice("mode", "improved", mh_amcl_modes());
-    spec.config = read_mh_amcl(body, mode);
+    std::visit([&](const auto& config) { spec.config = config; }, read_mh_amcl(body, mode));
     spec.name = mh_amcl_name(mode);
   } else if (kind == "amcl") {
     spec.name = body.choice("preset", "amcl", amcl_presets());
@@ -66,7 +66,9 @@ LocalizerSpec parse_localizer(const std::string& text) {
       throw std::invalid_argument("unknown mode '" + preset + "' of mh_amcl; " +
                                   suggestion(preset, mh_amcl_modes()));
     }
-    return {mh_amcl_name(mode), mh_amcl_mode(mode)};
+    LocalizerSpec spec{mh_amcl_name(mode), {}};
+    std::visit([&](const auto& config) { spec.config = config; }, mh_amcl_mode(mode));
+    return spec;
   }
   const std::string chosen = preset.empty() ? "amcl" : preset;
   if (kind == "amcl") {

@@ -1,6 +1,6 @@
 #include "tools/sinks/people_sink.hpp"
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::testbed {
 

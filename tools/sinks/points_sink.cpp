@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/file_name.hpp"
 

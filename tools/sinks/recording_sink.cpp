@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/records/recording_blocks.hpp"
 
 namespace castaway::testbed {

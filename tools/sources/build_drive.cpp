@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "sim/map/free_space.hpp"
 #include "tools/formats/twist_log.hpp"
 #include "tools/scenario/yaml/nearest.hpp"

@@ -1,22 +1,36 @@
 #include "tools/sources/build_localizers.hpp"
 
 #include "localization/amcl.hpp"
+#include "localization/geometry/random.hpp"
 #include "localization/mh_amcl.hpp"
-#include "localization/random.hpp"
+#include "localization/paper/paper_mh_amcl.hpp"
+#include "localization/paper/published/published_stages.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-std::unique_ptr<localization::Localizer> build(const LocalizerSpec& spec,
-                                               const localization::OccupancyGrid& map,
-                                               std::uint64_t seed) {
-  if (const auto* mh_amcl = std::get_if<localization::MhAmclConfig>(&spec.config)) {
-    return std::make_unique<localization::MhAmcl>(*mh_amcl, map, seed, thread_cpu_time);
+/// Makes the localizer of each kind of settings.
+struct Maker {
+  std::unique_ptr<localization::Localizer> operator()(const localization::MhAmclConfig& c) const {
+    return std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);
   }
-  return std::make_unique<localization::Amcl>(std::get<localization::AmclConfig>(spec.config), map,
-                                              seed, thread_cpu_time);
-}
+  std::unique_ptr<localization::Localizer> operator()(
+      const localization::PaperMhAmclConfig& c) const {
+    return std::make_unique<localization::PaperMhAmcl>(c, map, seed, thread_cpu_time);
+  }
+  std::unique_ptr<localization::Localizer> operator()(
+      const localization::PublishedMhAmclConfig& c) const {
+    return std::make_unique<localization::PaperMhAmcl>(
+        c.paper, localization::published_stages(c, map), seed, thread_cpu_time);
+  }
+  std::unique_ptr<localization::Localizer> operator()(const localization::AmclConfig& c) const {
+    return std::make_unique<localization::Amcl>(c, map, seed, thread_cpu_time);
+  }
+
+  const localization::OccupancyGrid& map;
+  std::uint64_t seed;
+};
 
 }  // namespace
 
@@ -26,7 +40,8 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
     localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
-    localizers.push_back({spec.name, build(spec, map, stream()), spec.relocalize_at_kidnap});
+    localizers.push_back(
+        {spec.name, std::visit(Maker{map, stream()}, spec.config), spec.relocalize_at_kidnap});
   }
   return localizers;
 }

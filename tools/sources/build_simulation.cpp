@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "sim/map/free_space.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "tools/sources/build_drive.hpp"

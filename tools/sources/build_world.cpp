@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "sim/map/extrude.hpp"
 #include "sim/map/free_choice.hpp"
 #include "sim/map/grid_tools.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 #include "sim/people/bodies/person_visuals.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/sources/scan_truth.hpp"

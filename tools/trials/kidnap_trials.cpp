@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "localization/random.hpp"
-#include "localization/stamp.hpp"
+#include "localization/geometry/random.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
 #include "tools/trials/office_map.hpp"

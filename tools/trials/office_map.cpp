@@ -6,7 +6,7 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,21 +1,20 @@
 #include "tools/trials/published_variants.hpp"
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::testbed {
 
 std::vector<PublishedVariant> published_variants() {
   using localization::NamedDefect;
-  localization::MhAmclConfig paper;
-  paper.mode = localization::MhAmclMode::kPaper;
+  const localization::PublishedMhAmclConfig paper{};
   std::vector<PublishedVariant> variants = {{"paper", paper}};
   for (const NamedDefect& defect : localization::named_defects()) {
     PublishedVariant variant{"+ " + std::string(defect.name), paper};
-    variant.config.paper.published.*defect.on = true;
+    variant.config.defects.*defect.on = true;
     variants.push_back(std::move(variant));
   }
   PublishedVariant figures{"+ its figures", localization::published_config()};
-  figures.config.paper.published = {};
+  figures.config.defects = {};
   variants.push_back(std::move(figures));
   variants.push_back({"published", localization::published_config()});
   return variants;

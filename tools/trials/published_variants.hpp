@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/mh_amcl_config.hpp"
+#include "localization/paper/published/published_config.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
 
 namespace castaway::testbed {
@@ -12,7 +12,7 @@ namespace castaway::testbed {
 /// A localizer of the comparison.
 struct PublishedVariant {
   std::string name;
-  localization::MhAmclConfig config;
+  localization::PublishedMhAmclConfig config;
 };
 
 /// `paper`; `+ <defect>` for each; `+ its figures` (the published code's parameters, no defect);

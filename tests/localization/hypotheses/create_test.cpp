@@ -94,7 +94,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   }
   config_.refined = 20;
   config_.looked_at = 1000;
-  const std::vector<Candidate> kept = sorted_out(context(), candidates, points);
+  const std::vector<Candidate> kept = sort_out(context(), candidates, points);
   std::vector<double> all;
   for (const Candidate& c : candidates) {
     all.push_back(evidence_.evaluate(points, c.T_map_base).log_likelihood);
@@ -102,7 +102,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   std::sort(all.begin(), all.end(), std::greater<>());
   ASSERT_EQ(kept.size(), 20U);
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_NEAR(kept[i].score, all[i], 1e-9) << i;
-  EXPECT_TRUE(sorted_out(context(), {}, points).empty());
+  EXPECT_TRUE(sort_out(context(), {}, points).empty());
 }
 
 TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
@@ -111,9 +111,33 @@ TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
   for (double x = 0.6; x < 9.0; x += 0.4) candidates.push_back({{x, 5.0, 2.0}, 0.5});
   config_.looked_at = 3;
   config_.refined = 2;
-  const auto kept = sorted_out(context(), candidates, test::with_people(scan_from(truth)));
+  const auto kept = sort_out(context(), candidates, test::with_people(scan_from(truth)));
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].T_map_base, truth);
+}
+
+TEST_F(CreateTest, ListsNewPlacesUnlessTheyAreKnownOrFarBehind) {
+  const SE2 last{4.5, 3.0, 0.0};
+  const ScanHistory history = drive_to(last);
+  const Evidence newest = evidence_.evaluate(history.back().points, last);
+  const WeighedPlace right{last, newest, 0.0};
+  const WeighedPlace wrong{{8.0, 6.5, 2.0}, {-20.0, 0.1}, 0.0};
+  const auto listed = [&](std::vector<Hypothesis> all) {
+    return new_places(context(), history, all, 14.0, {right, wrong});
+  };
+  const auto none_before = listed({});
+  ASSERT_EQ(none_before.size(), 1U);  // the wrong one is far behind the right one
+  EXPECT_EQ(none_before[0].T_map_base, last);
+  EXPECT_EQ(none_before[0].log_weight, weigh_backwards(context(), history, right));
+  Hypothesis there;
+  there.belief.mean = last * SE2{0.1, 0.0, 0.0};
+  there.log_likelihood = newest.log_likelihood - 0.5;
+  there.log_weight = -20.0;
+  EXPECT_TRUE(listed({there}).empty());  // known; the wrong one is behind it
+  there.log_likelihood = newest.log_likelihood - 1.5;
+  EXPECT_EQ(listed({there}).size(), 1U);  // the place fits better than its population
+  there.log_weight = 10.0;
+  EXPECT_TRUE(listed({there}).empty());
 }
 
 }  // namespace

@@ -1,123 +1,105 @@
 #include "localization/hypotheses/posterior.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
 
 namespace castaway::localization {
 namespace {
 
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
-
-std::vector<Hypothesis> weighing(std::initializer_list<double> log_weights) {
-  std::vector<Hypothesis> hypotheses;
-  for (const double w : log_weights) {
-    hypotheses.emplace_back();
-    hypotheses.back().log_weight = w;
+class PosteriorTest : public testing::Test {
+ protected:
+  static Hypothesis at(int id, const SE2& pose, double log_weight) {
+    Hypothesis h;
+    h.id = id;
+    h.belief.mean = pose;
+    h.log_weight = log_weight;
+    h.log_likelihood = -3.0;
+    return h;
   }
-  return hypotheses;
+  double likelihood(const SE2& pose) const {
+    return evidence_.evaluate(points_, pose).log_likelihood;
+  }
+
+  OccupancyGrid grid_ = test::office();
+  DistanceField distances_{grid_, 5.0};
+  EvidenceModel evidence_{{}, grid_, distances_};
+  PosteriorConfig config_;
+  SE2 here_{3.0, 3.0, 0.4};
+  SE2 elsewhere_{8.0, 6.5, 2.0};
+  ScanPoints points_ = test::points_from(grid_, here_);
+  Posterior posterior_{config_, {config_, {}, 3}, evidence_};
+};
+
+TEST_F(PosteriorTest, AddsTheWholeFirstScan) {
+  std::vector<Hypothesis> all = {at(0, here_, -1.0), at(1, elsewhere_, -2.0)};
+  posterior_.weigh(points_, {}, 0, all);
+  EXPECT_NEAR(all[0].log_weight, -1.0 + likelihood(here_), 1e-12);
+  EXPECT_NEAR(all[1].log_weight, -2.0 + likelihood(elsewhere_), 1e-12);
+  EXPECT_EQ(all[0].log_likelihood, likelihood(here_));
+  EXPECT_EQ(all[0].quality, evidence_.evaluate(points_, here_).quality);
 }
 
-TEST(LogSumExp, IsExactAndSurvivesExtremes) {
-  EXPECT_NEAR(log_sum_exp({std::log(2.0), std::log(3.0)}), std::log(5.0), 1e-12);
-  EXPECT_NEAR(log_sum_exp({-10000.0, -10000.0}), -10000.0 + std::log(2.0), 1e-9);
-  EXPECT_EQ(log_sum_exp({}), kNothing);
-  EXPECT_EQ(log_sum_exp({kNothing, kNothing}), kNothing);
+TEST_F(PosteriorTest, CountsOfAScanAtRestOnlyTheShareThatIsNew) {
+  std::vector<Hypothesis> all = {at(0, here_, 0.0)};
+  posterior_.weigh(points_, {}, 0, all);
+  const double l = likelihood(here_);
+  const double after_one = all[0].log_weight;
+  posterior_.weigh(points_, {}, 0, all);
+  EXPECT_NEAR(all[0].log_weight, after_one + 0.15 * l, 1e-12);
+  EXPECT_EQ(posterior_.log().scans().back().independence, 0.15);
 }
 
-TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
-  const PosteriorConfig config;
-  EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
-  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.0), 0.5);
-  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.18), 0.8);
-  EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
+TEST_F(PosteriorTest, RemembersTheMassesBeforeTheScan) {
+  std::vector<Hypothesis> all = {at(0, here_, -1.0)};
+  posterior_.weigh(points_, {}, 0, all);
+  EXPECT_EQ(posterior_.log().scans().back().listed_before, -1.0);
+  EXPECT_EQ(posterior_.log().scans().back().unlisted_before, 0.0);
+  posterior_.forget_motion();
+  EXPECT_TRUE(posterior_.log().scans().empty());
 }
 
-TEST(Shares, SumToOneWithWhatIsUnlisted) {
-  const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
-  EXPECT_NEAR(all[0], 0.6, 1e-12);
-  EXPECT_NEAR(all[1], 0.3, 1e-12);
+TEST_F(PosteriorTest, StartsWithTheUserMostlyRight) {
+  const std::vector<Hypothesis> one = {at(0, here_, 0.0)};
+  EXPECT_NEAR(posterior_.shares(one)[0], 0.5, 1e-12);  // as likely as anywhere else
+  posterior_.start(true);
+  EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + std::exp(-6.0)), 1e-12);
 }
 
-TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
-  const PosteriorConfig config;
-  Unlisted unlisted{-4.0, -2.0};
-  advance_unlisted(config, 0.5, 3.0, -1.5, unlisted);
-  // An unlisted place scores usual - 6 = -8; the cue makes a kidnap less likely by 1.5.
-  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
+TEST_F(PosteriorTest, DoubtsAnOutputThatFitsNowhere) {
+  const SE2 off{-50.0, 0.0, 0.0};
+  ASSERT_LT(likelihood(off), config_.hopeless);
+  posterior_.start(true);
+  std::vector<Hypothesis> all = {at(0, off, 0.0)};
+  EXPECT_FALSE(is_hopeless(config_, all));
+  Posterior undoubting = posterior_;
+  posterior_.weigh(points_, {}, 0, all);
+  EXPECT_LE(posterior_.shares(all)[0], 0.5);
+  EXPECT_TRUE(is_hopeless(config_, all));
+  all = {at(0, here_, 0.0)};
+  undoubting.weigh(points_, {}, 0, all);
+  EXPECT_GT(undoubting.shares(all)[0], 0.99);
+  EXPECT_FALSE(is_hopeless(config_, all));
 }
 
-TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt, 1.0), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.95, 1.0), -9.0, 1e-12);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65, 1.0), 0.0);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5, 1.0), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.25, 1.0), 2.0, 1e-12);
+TEST_F(PosteriorTest, LearnsOfAScanOnceItHasOne) {
+  posterior_.learn(-1.0);
+  EXPECT_EQ(posterior_.usual(), -3.0);
+  std::vector<Hypothesis> none;
+  posterior_.weigh(points_, {}, -1, none);
+  posterior_.learn(-1.0);
+  EXPECT_NEAR(posterior_.usual(), -2.9, 1e-12);
 }
 
-TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
-  const PosteriorConfig config;
-  const double rest = config.least_independence;
-  EXPECT_NEAR(kidnap_cue(config, 0.95, rest), -3.0, 1e-12);
-  EXPECT_DOUBLE_EQ(kidnap_cue(config, 0.85, rest), 0.0);
-  EXPECT_NEAR(kidnap_cue(config, 0.95, 0.5 * (0.5 + rest)), -6.0, 1e-12);
-  EXPECT_NEAR(kidnap_cue(config, 0.25, rest), 2.0, 1e-12);
-}
-
-TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {
-  Unlisted unlisted{0.0, -3.0, 2.0};
-  learn_usual({}, -1.0, 0.5, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.9);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // It was two nats off.
-  learn_usual({}, -2.9, 0.5, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 1.9);
-}
-
-TEST(LearnUsual, LetsOneOddScanCountForLittleOfTheSpread) {
-  Unlisted unlisted{0.0, -1.0, 1.0};
-  learn_usual({}, -21.0, 1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if it had been 2.5 nats off.
-}
-
-TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
-  Unlisted unlisted{-20.0, -8.0};
-  doubt_output({}, -23.9, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -20.0);
-  doubt_output({}, -24.1, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
-  doubt_output({}, -25.0, -3.0, unlisted);  // It never speaks for the output.
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
-}
-
-TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
-  Unlisted unlisted{0.0, -2.0};
-  lower_usual({}, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
-  lower_usual({}, -8.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -3.5);
-}
-
-TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
-  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
-  Unlisted unlisted{0.0, -2.0};
-  bound_unlisted({}, -2.0, -15.0, unlisted);
-  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
-  // Less than that already: nothing changes.
-  bound_unlisted({}, -20.0, -15.0, unlisted);
-  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
-}
-
-TEST(UnlistedLogLikelihood, HasAFloor) {
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
-}
-
-TEST(UnlistedLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 5.0}), -8.0);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 1.5}), -6.5);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 0.1}), -5.0);
+TEST_F(PosteriorTest, TakesASearchForWhatARightPoseIsWorthAndCanBeMissed) {
+  const std::vector<Hypothesis> one = {at(0, here_, -1.0)};
+  posterior_.take_search(-7.0, one);
+  EXPECT_NEAR(posterior_.usual(), -4.0, 1e-12);  // a quarter of the gap of 4
+  const double missed = std::exp(-3.0 + 0.35 * 7.0);
+  EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + missed), 1e-12);
 }
 
 }  // namespace

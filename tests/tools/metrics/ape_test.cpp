@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/sinks/summary_sink.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -179,18 +179,25 @@ TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {
 
 TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
   const auto config = [this](const std::string& settings) {
-    const Scenario scenario = load("localizers: [mh_amcl: {" + settings + "}]").scenario;
-    return std::get<localization::MhAmclConfig>(scenario.localizers[0].config);
+    return load("localizers: [mh_amcl: {" + settings + "}]").scenario.localizers[0].config;
   };
   using localization::PublishedDefects;
-  EXPECT_EQ(config("mode: paper").paper.published, PublishedDefects{});
-  EXPECT_EQ(config("mode: published").mode, localization::MhAmclMode::kPaper);
-  EXPECT_EQ(config("mode: published").paper.published, localization::all_defects());
-  EXPECT_EQ(config("mode: published").paper.reseed.winners, 0.03);
-  const auto one = config("mode: paper, defects: [summed_weights]").paper.published;
+  const auto published = [&](const std::string& settings) {
+    return std::get<localization::PublishedMhAmclConfig>(config(settings));
+  };
+  const auto improved = std::get<localization::MhAmclConfig>(config("found: 0.99"));
+  EXPECT_EQ(improved.lost_and_found.found, 0.99);
+  const auto paper = std::get<localization::PaperMhAmclConfig>(
+      config("mode: paper, max_beams: 30, min_particles: 60"));
+  EXPECT_EQ(paper.beams.max_beams, 30);
+  EXPECT_EQ(paper.size.min_particles, 60);
+  EXPECT_EQ(published("mode: published").defects, localization::all_defects());
+  EXPECT_EQ(published("mode: published").paper.reseed.winners, 0.03);
+  EXPECT_EQ(published("mode: published, max_beams: 30").paper.beams.max_beams, 30);
+  const auto one = published("mode: paper, defects: [summed_weights]").defects;
   EXPECT_TRUE(one.summed_weights);
   EXPECT_FALSE(one.winner_unused);
-  EXPECT_EQ(config("mode: published, defects: []").paper.published, PublishedDefects{});
+  EXPECT_EQ(published("mode: published, defects: []").defects, PublishedDefects{});
   expect_contains(error_of("localizers: [mh_amcl: {mode: paper, defects: [sumed_weights]}]"),
                   "summed_weights");
   expect_contains(error_of("localizers: [mh_amcl: {defects: [mount_ignored]}]"), "defects");

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/sources/carmen_source.hpp"

@@ -1,7 +1,7 @@
 // Runs from a world's file to the verdict: what drives counts, what cannot is void.
 #include <gtest/gtest.h>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tests/tools/support/arm_robot.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/sources/build_simulation.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/stamp.hpp"
+#include "localization/geometry/stamp.hpp"
 #include "tools/metrics/run_rows.hpp"
 
 namespace castaway::testbed {

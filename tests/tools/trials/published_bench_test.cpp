@@ -14,7 +14,7 @@ TEST(PlayVariants, ScoresAllVariantsOnTheSameRuns) {
   // How the yaw is wrapped in the covariance changes no pose.
   variants = {variants.front(), variants.back(), variants.front()};
   variants[2].name = "+ unwrapped_yaw";
-  variants[2].config.paper.published.unwrapped_yaw = true;
+  variants[2].config.defects.unwrapped_yaw = true;
   int runs = 0;
   const std::vector<VariantScore> scores =
       play_variants(scenario, ".", variants, 2, [&runs] { ++runs; });

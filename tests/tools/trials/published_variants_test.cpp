@@ -11,7 +11,7 @@ using localization::PublishedDefects;
 int defects_of(const PublishedVariant& variant) {
   int count = 0;
   for (const auto& defect : named_defects()) {
-    count += variant.config.paper.published.*defect.on ? 1 : 0;
+    count += variant.config.defects.*defect.on ? 1 : 0;
   }
   return count;
 }
@@ -23,16 +23,13 @@ TEST(PublishedVariants, ArePaperEachDefectAloneTheFiguresAndAll) {
   EXPECT_EQ(defects_of(variants.front()), 0);
   for (std::size_t i = 0; i < named_defects().size(); ++i) {
     EXPECT_EQ(defects_of(variants[i + 1]), 1);
-    EXPECT_TRUE(variants[i + 1].config.paper.published.*named_defects()[i].on);
+    EXPECT_TRUE(variants[i + 1].config.defects.*named_defects()[i].on);
     EXPECT_EQ(variants[i + 1].name, "+ " + std::string(named_defects()[i].name));
   }
   const PublishedVariant& figures = variants[variants.size() - 2];
   EXPECT_EQ(defects_of(figures), 0);
   EXPECT_EQ(figures.config.paper.reseed.winners, 0.03);
-  EXPECT_EQ(variants.back().config.paper.published, localization::all_defects());
-  for (const PublishedVariant& variant : variants) {
-    EXPECT_EQ(variant.config.mode, localization::MhAmclMode::kPaper);
-  }
+  EXPECT_EQ(variants.back().config.defects, localization::all_defects());
 }
 
 TEST(VariantScore, AddsUpRuns) {

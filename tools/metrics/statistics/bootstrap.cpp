@@ -5,7 +5,7 @@
 
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::testbed {
 namespace {

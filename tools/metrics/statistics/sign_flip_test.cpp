@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "localization/amcl.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "localization/paper/published/published_config.hpp"
 #include "sim/difference/difference.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
@@ -99,7 +100,9 @@ struct PeopleSpec {
 /// A localizer of the run.
 struct LocalizerSpec {
   std::string name;  ///< Unique; names its files.
-  std::variant<localization::MhAmclConfig, localization::AmclConfig> config;
+  std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
+               localization::PublishedMhAmclConfig, localization::AmclConfig>
+      config;
   /// Told of every kidnap: it starts anew, anywhere. All others must notice by themselves.
   bool relocalize_at_kidnap = false;
 };

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <boost/random/normal_distribution.hpp>
 
-#include "localization/random.hpp"
+#include "localization/geometry/random.hpp"
 
 namespace castaway::testbed {
 namespace {

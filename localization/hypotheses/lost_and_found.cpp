@@ -1,0 +1,29 @@
+#include "localization/hypotheses/lost_and_found.hpp"
+
+namespace castaway::localization {
+
+void LostAndFound::start(bool known) {
+  found_ = known;
+  was_found_ = known;
+  T_odom_jump_.reset();
+}
+
+/// A robot that knew where it is and was not carried off is where it was: an output that is
+/// somewhere else now was misled by the map, before or now, and must prove itself.
+void LostAndFound::take(const OutputClaim& output, double cue,
+                        const std::optional<SE2>& T_odom_base) {
+  if (!output.same) {
+    const bool is_explained = cue >= config_.unexplained_cue;
+    T_odom_jump_ = was_found_ && !is_explained ? T_odom_base : std::nullopt;
+  }
+  const bool stays = found_ && output.same;
+  found_ =
+      output.confident && is_proven(T_odom_base) && (stays || output.probability >= config_.found);
+  was_found_ = was_found_ || found_;
+}
+
+bool LostAndFound::is_proven(const std::optional<SE2>& T_odom_base) const {
+  return !T_odom_jump_ || distance(*T_odom_jump_, *T_odom_base) >= config_.proving_m;
+}
+
+}  // namespace castaway::localization

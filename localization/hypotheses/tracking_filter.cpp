@@ -1,0 +1,47 @@
+#include "localization/hypotheses/tracking_filter.hpp"
+
+#include <algorithm>
+
+#include "localization/filter/correct.hpp"
+
+namespace castaway::localization {
+
+void TrackingFilter::correct(Hypothesis& hypothesis, const ScanPoints& points) const {
+  const PoseMoments predicted = moments(hypothesis.particles);
+  localization::correct(hypothesis.particles, model_, points);
+  const std::vector<double> weights = normalized_weights(hypothesis.particles);
+  const auto count = static_cast<double>(weights.size());
+  if (effective_size(weights) < reseed_.effective_share * count) {
+    const auto best = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    const SE2& T_map_best = hypothesis.particles.poses[static_cast<std::size_t>(best)];
+    reseed(hypothesis, refine_winner(T_map_best, predicted, points));
+  }
+  hypothesis.belief = moments(hypothesis.particles);
+}
+
+/// Climbs from the best particle to the top of scan and odometry together.
+PoseGaussian TrackingFilter::refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
+                                           const ScanPoints& points) const {
+  const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
+  const Eigen::Matrix3d prior = (predicted.covariance + slack).inverse();
+  const SE2 winner =
+      refine_pose(model_, points, T_map_best, PosePrior{predicted.mean, prior}, refine_);
+  const Eigen::Matrix3d information = scan_information(model_, points, winner) + prior;
+  return {winner, information.inverse()};
+}
+
+void TrackingFilter::reseed(Hypothesis& hypothesis) const { reseed(hypothesis, std::nullopt); }
+
+void TrackingFilter::reseed(Hypothesis& hypothesis,
+                            const std::optional<PoseGaussian>& winner) const {
+  const int count = particle_count(reseed_, hypothesis.belief.covariance);
+  hypothesis.particles = localization::reseed(hypothesis.particles, count, winner, hypothesis.rng);
+}
+
+PoseMoments TrackingFilter::belief_at(const SE2& T_map_base, const ScanPoints& points) const {
+  Eigen::Matrix3d information = scan_information(model_, points, T_map_base);
+  information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();  // a metre at most
+  return {T_map_base, information.inverse()};
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,24 @@
+/// Correction and reseed of a population as the published MH-AMCL has them.
+#pragma once
+
+#include "localization/hypotheses/hypothesis.hpp"
+#include "localization/paper/published/published_defects.hpp"
+#include "localization/paper/ray_local_model.hpp"
+#include "localization/paper/reseed_losers.hpp"
+
+namespace castaway::localization {
+
+/// The model's settings: with `summed_weights` hits are the density `N(error; 0, sigma)` clamped to
+/// 1, so that with sigma 0.05 m every error up to 2 sigma is a perfect hit.
+RayLocalConfig published_sensor(RayLocalConfig config, const PublishedDefects& defects);
+
+/// `correct_by_rays` with `summed_weights` (which wants a model of `published_sensor`), the defects
+/// of the quality and those of the covariance.
+void published_correct(const RayLocalModel& model, const ScanPoints& points,
+                       const PublishedDefects& defects, Hypothesis& hypothesis);
+
+/// `reseed_losers` with `winner_unused`, `jitter_squared` and the defects of the covariance.
+ParticleSet published_reseed(LoserReseedConfig config, const ParticleSet& particles,
+                             const PublishedDefects& defects, Rng& rng);
+
+}  // namespace castaway::localization

@@ -1,0 +1,20 @@
+/// The matcher of the published MH-AMCL.
+#pragma once
+
+#include "localization/paper/paper_stages.hpp"
+#include "localization/paper/published/published_defects.hpp"
+
+namespace castaway::localization {
+
+/// A cascade with `wide_headings`, `one_coarse_level` and `transposed_search`.
+PaperCascade published_cascade(PaperCascadeConfig config, const RayLocalConfig& sensor,
+                               const OccupancyGrid& grid, const PublishedDefects& defects);
+
+/// Whether the published code looks at a cell: its limits of x and y change places, so that only
+/// cells that lie below both in map are searched.
+bool is_in_transposed_search(const GridFrame& frame, int column, int row);
+
+/// The scan as if the lidar stood at base (`mount_ignored`).
+ScanPoints points_at_base(const MatchScan& scan, const BeamSelection& beams);
+
+}  // namespace castaway::localization

@@ -1,0 +1,62 @@
+#include "localization/sensor/sensor_input.hpp"
+
+namespace castaway::localization {
+
+SensorInput::SensorInput(const SensorInputConfig& config)
+    : beams_(config.beams),
+      intake_(config.intake),
+      panorama_(config.lidar_memory),
+      predict_rate_(config.predict_rate_hz, Stamp{}),
+      correct_rate_(config.correct_rate_hz),
+      reseed_rate_(config.reseed_rate_hz, Stamp{}) {}
+
+OdometryTurn SensorInput::take(const Odometry& odometry) {
+  const OdometryIntake taken = intake_.take(odometry);
+  if (taken == OdometryIntake::kDropped) return {};
+  OdometryTurn turn;
+  turn.restarted = taken == OdometryIntake::kRestarted;
+  if (turn.restarted) restart();
+  if (!T_odom_particles_) T_odom_particles_ = odometry.T_odom_base;
+  if (predict_rate_.take_turn(odometry.stamp)) turn.step = step_to(odometry.T_odom_base);
+  return turn;
+}
+
+std::optional<ScanTurn> SensorInput::take(const LaserScan& scan) {
+  if (!intake_.accept(scan)) return std::nullopt;
+  ScanTurn turn;
+  turn.now = intake_.T_odom_base().newest();
+  turn.T_odom_base = *intake_.T_odom_base().at(turn.now);
+  const auto seen = project_scan(scan, intake_.T_odom_base(), turn.now, beams_);
+  if (!seen) {
+    intake_.drop_scan();
+    return std::nullopt;
+  }
+  turn.points = panorama_.add(scan.lidar, *seen, turn.now, turn.T_odom_base);
+  turn.step = step_to(turn.T_odom_base);
+  turn.counts = !turn.points.empty() && correct_rate_.take_turn(turn.now);
+  turn.reseeds = turn.counts && reseed_rate_.take_turn(turn.now);
+  return turn;
+}
+
+SE2 SensorInput::T_now_base(Stamp then) const {
+  const std::optional<SE2> T_odom_then = intake_.T_odom_base().at(then);
+  return T_odom_particles_->inverse() * T_odom_then.value_or(*T_odom_particles_);
+}
+
+void SensorInput::restart() {
+  T_odom_particles_.reset();
+  predict_rate_.restart();
+  correct_rate_.restart();
+  reseed_rate_.restart();
+  panorama_.clear();
+}
+
+/// Nothing where the robot stands.
+std::optional<SE2> SensorInput::step_to(const SE2& T_odom_base) {
+  const SE2 u = T_odom_particles_->inverse() * T_odom_base;
+  if (u == SE2{}) return std::nullopt;
+  T_odom_particles_ = T_odom_base;
+  return u;
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,72 @@
+#include "localization/hypotheses/rescue.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class RescueTest : public testing::Test {
+ protected:
+  std::optional<WeighedPlace> find(const SE2& output, double usual) const {
+    const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
+    Hypothesis h;
+    h.belief.mean = output;
+    h.log_weight = -2.0;
+    h.log_likelihood = -4.0;
+    h.quality = 0.7;
+    return Rescue(config_, matcher_).find(context, h, usual, points_);
+  }
+  double likelihood(const SE2& pose) const {
+    return evidence_.evaluate(points_, pose).log_likelihood;
+  }
+
+  OccupancyGrid grid_ = test::office();
+  DistanceField distances_{grid_, 5.0};
+  CascadeMatcher matcher_{{}, grid_, distances_};
+  CreateConfig create_;
+  MergeConfig merge_;
+  PosteriorConfig posterior_;
+  OdometryNoiseConfig noise_;
+  EndpointModel endpoint_{{}, distances_};
+  EvidenceModel evidence_{{}, grid_, distances_};
+  RescueConfig config_;
+  SE2 truth_{3.0, 3.0, 0.4};
+  SE2 slipped_{3.7, 2.6, 0.1};
+  ScanPoints points_ = test::points_from(grid_, truth_);
+};
+
+TEST_F(RescueTest, FindsWhereTheRobotSlippedTo) {
+  const auto place = find(slipped_, -1.0);
+  ASSERT_TRUE(place);
+  EXPECT_LT(distance(place->T_map_base, truth_), 0.05);
+  EXPECT_EQ(place->log_weight, -16.0);            // the output's less 14
+  EXPECT_EQ(place->newest.log_likelihood, -4.0);  // the output's of the scan before
+  EXPECT_EQ(place->newest.quality, 0.7);
+}
+
+TEST_F(RescueTest, LooksOnlyWhereTheOutputFitsWorseThanUsual) {
+  const double now = likelihood(slipped_);
+  EXPECT_TRUE(find(slipped_, now + 6.01));
+  EXPECT_FALSE(find(slipped_, now + 5.99));
+}
+
+TEST_F(RescueTest, WantsAPlaceThatIsBetterByTheGain) {
+  config_.gain = 30.0;
+  EXPECT_FALSE(find(slipped_, -1.0));
+}
+
+TEST_F(RescueTest, LooksNoFartherThanItsRadius) {
+  const auto finds = [&] {
+    const auto place = find(truth_ * SE2{4.0, 0.0, 0.0}, 10.0);
+    return place && distance(place->T_map_base, truth_) < 0.1;
+  };
+  EXPECT_FALSE(finds());
+  config_.radius = 4.5;
+  EXPECT_TRUE(finds());
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,57 @@
+#include "localization/hypotheses/scan_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class ScanLogTest : public testing::Test {
+ protected:
+  ScanPoints here_ = test::points_from(test::office(), {3.0, 3.0, 0.4});
+  ScanPoints elsewhere_ = test::points_from(test::office(), {8.0, 6.5, 2.0});
+  ScanLog log_{{}, {}, 3};
+};
+
+TEST_F(ScanLogTest, KeepsTheLastScansAsTheyCame) {
+  EXPECT_FALSE(log_.T_odom_base());
+  for (int k = 0; k < 5; ++k) log_.add(here_, {0.1 * k, 0.0, 0.0}, -1.0 * k, -2.0 * k);
+  ASSERT_EQ(log_.scans().size(), 3U);
+  EXPECT_EQ(log_.scans().front().T_odom_base.x, 0.2);
+  EXPECT_EQ(log_.scans().front().listed_before, -2.0);
+  EXPECT_EQ(log_.scans().front().unlisted_before, -4.0);
+  EXPECT_EQ(log_.T_odom_base()->x, 0.4);
+  log_.forget_motion();
+  EXPECT_FALSE(log_.T_odom_base());
+}
+
+TEST_F(ScanLogTest, SaysHowMuchOfAScanIsNew) {
+  EXPECT_EQ(log_.add(here_, {}, 0.0, 0.0).independence, 1.0);
+  EXPECT_EQ(log_.add(here_, {}, 0.0, 0.0).independence, 0.15);
+  EXPECT_NEAR(log_.add(here_, {0.6, 0.0, 0.0}, 0.0, 0.0).independence, 0.5, 1e-12);
+  EXPECT_NEAR(log_.add(here_, {0.6, 0.0, -0.3}, 0.0, 0.0).independence, 0.5, 1e-12);
+}
+
+TEST_F(ScanLogTest, LetsTheCueOfAKidnapFadeByANatPerNewScan) {
+  EXPECT_EQ(log_.add(here_, {}, 0.0, 0.0).kidnap_cue, 0.0);
+  const double cue = log_.add(elsewhere_, {}, 0.0, 0.0).kidnap_cue;  // carried off
+  ASSERT_GT(cue, 0.5);
+  EXPECT_EQ(log_.recent_cue(), cue);
+  ASSERT_LT(log_.add(elsewhere_, {}, 0.0, 0.0).kidnap_cue, 0.0);
+  EXPECT_NEAR(log_.recent_cue(), cue - 0.15, 1e-12);
+  log_.start();
+  EXPECT_EQ(log_.recent_cue(), 0.0);
+  EXPECT_TRUE(log_.scans().empty());
+}
+
+TEST_F(ScanLogTest, ComparesScansThroughTheStepOfOdometry) {
+  const SE2 u{0.3, 0.1, 0.2};
+  const ScanPoints moved = test::points_from(test::office(), SE2{3.0, 3.0, 0.4} * u);
+  log_.add(here_, {5.0, 1.0, 0.7}, 0.0, 0.0);
+  EXPECT_LT(log_.add(moved, SE2{5.0, 1.0, 0.7} * u, 0.0, 0.0).kidnap_cue, -3.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,133 @@
+#include "localization/hypotheses/unlisted.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace castaway::localization {
+namespace {
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+std::vector<Hypothesis> weighing(std::initializer_list<double> log_weights) {
+  std::vector<Hypothesis> hypotheses;
+  for (const double w : log_weights) {
+    hypotheses.emplace_back();
+    hypotheses.back().log_weight = w;
+  }
+  return hypotheses;
+}
+
+TEST(LogSumExp, IsExactAndSurvivesExtremes) {
+  EXPECT_NEAR(log_sum_exp({std::log(2.0), std::log(3.0)}), std::log(5.0), 1e-12);
+  EXPECT_NEAR(log_sum_exp({-10000.0, -10000.0}), -10000.0 + std::log(2.0), 1e-9);
+  EXPECT_EQ(log_sum_exp({}), kNothing);
+  EXPECT_EQ(log_sum_exp({kNothing, kNothing}), kNothing);
+}
+
+TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
+  const PosteriorConfig config;
+  EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.18), 0.8);
+  EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
+}
+
+TEST(Shares, SumToOneWithWhatIsUnlisted) {
+  const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
+  EXPECT_NEAR(all[0], 0.6, 1e-12);
+  EXPECT_NEAR(all[1], 0.3, 1e-12);
+}
+
+TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
+  const PosteriorConfig config;
+  Unlisted unlisted{-4.0, -2.0};
+  advance_unlisted(config, 0.5, 3.0, -1.5, unlisted);
+  // An unlisted place scores usual - 6 = -8; the cue makes a kidnap less likely by 1.5.
+  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
+}
+
+TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.95, 1.0), -9.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.25, 1.0), 2.0, 1e-12);
+}
+
+TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
+  const PosteriorConfig config;
+  const double rest = config.least_independence;
+  EXPECT_NEAR(kidnap_cue(config, 0.95, rest), -3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue(config, 0.85, rest), 0.0);
+  EXPECT_NEAR(kidnap_cue(config, 0.95, 0.5 * (0.5 + rest)), -6.0, 1e-12);
+  EXPECT_NEAR(kidnap_cue(config, 0.25, rest), 2.0, 1e-12);
+}
+
+TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {
+  Unlisted unlisted{0.0, -3.0, 2.0};
+  learn_usual({}, -1.0, 0.5, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.9);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // It was two nats off.
+  learn_usual({}, -2.9, 0.5, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 1.9);
+}
+
+TEST(LearnUsual, LetsOneOddScanCountForLittleOfTheSpread) {
+  Unlisted unlisted{0.0, -1.0, 1.0};
+  learn_usual({}, -21.0, 1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
+  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if it had been 2.5 nats off.
+}
+
+TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
+  Unlisted unlisted{-20.0, -8.0};
+  doubt_output({}, -23.9, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -20.0);
+  doubt_output({}, -24.1, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
+  doubt_output({}, -25.0, -3.0, unlisted);  // It never speaks for the output.
+  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
+}
+
+TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
+  Unlisted unlisted{0.0, -2.0};
+  lower_usual({}, -1.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
+  lower_usual({}, -8.0, unlisted);
+  EXPECT_DOUBLE_EQ(unlisted.usual, -3.5);
+}
+
+TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
+  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
+  Unlisted unlisted{0.0, -2.0};
+  bound_unlisted({}, -2.0, -15.0, unlisted);
+  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
+  // Less than that already: nothing changes.
+  bound_unlisted({}, -20.0, -15.0, unlisted);
+  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
+}
+
+TEST(UnlistedLogLikelihood, HasAFloor) {
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
+}
+
+TEST(UnlistedLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 5.0}), -8.0);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 1.5}), -6.5);
+  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 0.1}), -5.0);
+}
+
+TEST(IsHopeless, WhereEveryHypothesisIs) {
+  std::vector<Hypothesis> all = weighing({0.0, 0.0});
+  all[0].log_likelihood = -24.1;
+  all[1].log_likelihood = -23.9;
+  EXPECT_FALSE(is_hopeless({}, all));
+  all[1].log_likelihood = -24.1;
+  EXPECT_TRUE(is_hopeless({}, all));
+}
+
+}  // namespace
+}  // namespace castaway::localization
