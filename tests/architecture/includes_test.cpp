@@ -148,13 +148,22 @@ const Layers kToolsLayers = {
     {"tools/formats/images", "tools/ros/mcap", "tools/scenario/yaml"},
     {"tools/formats"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
-    {"tools/campaign", "tools/records", "tools/scenario/sections", "tools/workers"},
-    {"tools/pictures", "tools/scenario/world", "tools/sinks"},
-    {"tools/report", "tools/scenario", "tools/sources"},
-    {"tools/evaluate", "tools/inspect", "tools/trials"},
-    {"tools/bench", "tools/play"},
+    {"tools/campaign", "tools/records", "tools/workers"},
+    {"tools/pictures", "tools/sinks"},
+    {"tools/report", "tools/scenario/sections"},
+    {"tools/scenario/localizers", "tools/scenario/world"},
+    {"tools/scenario", "tools/sources"},
+    {"tools/inspect", "tools/sources/bag", "tools/trials"},
+    {"tools/bench", "tools/evaluate", "tools/play"},
     {"tools/dataset"},
     {"tools/commands"},
+};
+
+const Layers kLocalizationLayers = {
+    {"localization/geometry"},   {"localization/map", "localization/motion"},
+    {"localization/sensor"},     {"localization/filter", "localization/matching"},
+    {"localization/hypotheses"}, {"localization"},
+    {"localization/paper"},      {"localization/paper/published"},
 };
 
 std::string room_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
@@ -183,6 +192,10 @@ Names against_layers(const Layers& layers, const std::string& library) {
     }
   }
   return found;
+}
+
+TEST(Includes, RoomsOfTheLocalizersFormLayers) {
+  EXPECT_EQ(against_layers(kLocalizationLayers, "localization/"), Names{});
 }
 
 TEST(Includes, RoomsOfTheSimulatorFormLayers) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 
@@ -30,15 +31,5 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
 
 /// Every setting of a scenario, in the order of the docs.
 std::vector<SettingText> scenario_settings();
-
-/// Appends the settings of all localizers.
-void describe_localizers(std::vector<SettingText>& texts);
-
-/// Reads the list of localizers under `key`: names, or maps of one name to its settings. `[]` means
-/// none; no list at all is an error.
-std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key);
-
-/// The localizer of a command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
-LocalizerSpec parse_localizer(const std::string& text);
 
 }  // namespace castaway::testbed

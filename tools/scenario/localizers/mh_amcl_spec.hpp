@@ -7,7 +7,7 @@
 
 #include "localization/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
-#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 
@@ -25,8 +25,7 @@ MhAmclSettings mh_amcl_mode(const std::string& mode);
 std::string mh_amcl_name(const std::string& mode);
 
 /// Reads a localizer's body; what it does not say is as in the mode. `defects` lists switches of
-/// `PublishedDefects` by name, in modes `paper` and `published` only. Keys that only `improved`
-/// knows are read in all modes.
+/// `PublishedDefects` by name, in modes `paper` and `published` only.
 MhAmclSettings read_mh_amcl(YamlReader& body, const std::string& mode);
 
 }  // namespace castaway::testbed

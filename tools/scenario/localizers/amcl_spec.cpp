@@ -1,4 +1,4 @@
-#include "tools/scenario/sections/amcl_spec.hpp"
+#include "tools/scenario/localizers/amcl_spec.hpp"
 
 #include <stdexcept>
 
@@ -8,7 +8,7 @@ namespace {
 using localization::AmclConfig;
 using localization::AmclSensorModel;
 
-constexpr NumberRange kShare{0.0, 1.0};
+constexpr NumberRange kWeight{0.0, 1.0};
 constexpr double kMostParticles = 200000;
 
 void sensor_fields(Settings& settings, AmclConfig& config) {
@@ -18,14 +18,14 @@ void sensor_fields(Settings& settings, AmclConfig& config) {
                   {{"likelihood_field", AmclSensorModel::kLikelihoodField},
                    {"likelihood_field_prob", AmclSensorModel::kLikelihoodFieldProb},
                    {"beam", AmclSensorModel::kBeam}});
-  settings.field({"z_hit", "", "Weight of hits.", kShare}, field.z_hit);
-  settings.field({"z_rand", "", "Weight of random returns.", kShare}, field.z_rand);
+  settings.field({"z_hit", "", "Weight of hits.", kWeight}, field.z_hit);
+  settings.field({"z_rand", "", "Weight of random returns.", kWeight}, field.z_rand);
   settings.field({"sigma_hit", "m", "Standard deviation of hits.", {1e-3, 100.0}}, field.sigma_hit);
   beam.z_hit = field.z_hit;
   beam.z_rand = field.z_rand;
   beam.sigma_hit = field.sigma_hit;
-  settings.field({"z_short", "", "beam: weight of short returns.", kShare}, beam.z_short);
-  settings.field({"z_max", "", "beam: weight of beams without a return.", kShare}, beam.z_max);
+  settings.field({"z_short", "", "beam: weight of short returns.", kWeight}, beam.z_short);
+  settings.field({"z_max", "", "beam: weight of beams without a return.", kWeight}, beam.z_max);
   settings.field({"lambda_short", "1/m", "beam: decay of short returns.", {1e-6, 1e3}},
                  beam.lambda_short);
   settings.field({"laser_likelihood_max_dist", "m", "Cap of the distance field.", {0.01, 1000.0}},
@@ -53,9 +53,9 @@ void filter_fields(Settings& settings, AmclConfig& config) {
   settings.field({"pf_z", "", "Quantile of the normal distribution.", {0.0, 100.0}}, kld.z);
   settings.field({"bin_m", "m", "Edge of a bin in x and y.", {0.01, 10.0}}, kld.bin_m);
   settings.field({"bin_rad", "rad", "Edge of a bin in yaw.", {0.01, 3.2}}, kld.bin_rad);
-  settings.field({"recovery_alpha_slow", "", "Rate of the slow average.", kShare},
+  settings.field({"recovery_alpha_slow", "", "Rate of the slow average.", kWeight},
                  config.recovery.alpha_slow);
-  settings.field({"recovery_alpha_fast", "", "Rate of the fast average.", kShare},
+  settings.field({"recovery_alpha_fast", "", "Rate of the fast average.", kWeight},
                  config.recovery.alpha_fast);
   settings.field({"initial_sigma_m", "m", "Spread of a start whose covariance is 0.", {0.0, 100.0}},
                  config.initial.sigma_m);
@@ -70,10 +70,10 @@ void beam_skip_fields(Settings& settings, localization::BeamSkipConfig& skip) {
       {"beam_skip_distance", "m", "A beam that ends so near a wall is explained.", {0.0, 1000.0}},
       skip.distance);
   settings.field(
-      {"beam_skip_threshold", "", "A beam explained by fewer particles is skipped.", kShare},
+      {"beam_skip_threshold", "", "A beam explained by fewer particles is skipped.", kWeight},
       skip.threshold);
   settings.field(
-      {"beam_skip_error_threshold", "", "No beam is skipped where more would be.", kShare},
+      {"beam_skip_error_threshold", "", "No beam is skipped where more would be.", kWeight},
       skip.error_threshold);
 }
 

@@ -1,10 +1,11 @@
-// Localizers as YAML and as words of a command line.
+#include "tools/scenario/localizers/localizer_specs.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/scenario/scenario_file.hpp"
-#include "tools/scenario/sections/amcl_spec.hpp"
-#include "tools/scenario/sections/mh_amcl_spec.hpp"
+#include "tools/scenario/localizers/amcl_spec.hpp"
+#include "tools/scenario/localizers/mh_amcl_fields.hpp"
+#include "tools/scenario/localizers/mh_amcl_spec.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
@@ -49,10 +50,23 @@ std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& 
 }
 
 void describe_localizers(std::vector<SettingText>& texts) {
+  const auto under = [&](const std::string& kind) {
+    Settings settings = Settings::describing(texts, "localizers[]." + kind + ".");
+    settings.form({"name", "", "Names its files."}, "the kind's");
+    settings.form({"global_localization_at_kidnap", "", "It is told of kidnaps and starts anew."},
+                  "false");
+    return settings;
+  };
+  Settings improved = under("mh_amcl");
+  improved.form({"mode", "", "improved, paper, published."}, "improved");
+  localization::MhAmclConfig mh_amcl;
+  fields(improved, mh_amcl);
+  localization::PublishedMhAmclConfig paper;
+  fields(under("mh_amcl (paper, published)"), paper);
+  Settings nav2 = under("amcl");
+  nav2.form({"preset", "", "amcl, amcl-recovery, amcl-global, amcl-prob."}, "amcl");
   localization::AmclConfig amcl;
-  Settings settings = Settings::describing(texts, "localizers[].amcl.");
-  settings.form({"preset", "", "amcl, amcl-recovery, amcl-global, amcl-prob."}, "amcl");
-  fields(settings, amcl);
+  fields(nav2, amcl);
 }
 
 LocalizerSpec parse_localizer(const std::string& text) {
