@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/render/renderer.hpp"
 #include "tools/commands/commands.hpp"

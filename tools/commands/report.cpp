@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/dataset/sequence_statistics.hpp"
 #include "tools/formats/json_number.hpp"

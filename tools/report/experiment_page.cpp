@@ -3,6 +3,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/discrimination.hpp"

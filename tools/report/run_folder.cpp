@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/files/file.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/formats/json_file.hpp"

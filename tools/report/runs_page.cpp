@@ -1,6 +1,7 @@
 #include "tools/report/runs_page.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
 #include "tools/formats/json_number.hpp"

@@ -1,6 +1,7 @@
 #include "tools/dataset/dataset_contents.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/small_dataset.hpp"
 #include "tools/files/sha256.hpp"

@@ -1,6 +1,7 @@
 #include "tools/formats/json_file.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/tools/support/temporary.hpp"
 

@@ -1,6 +1,7 @@
 #include "tools/metrics/metrics_json.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "localization/geometry/stamp.hpp"
 

@@ -1,6 +1,7 @@
 #include "tools/ros/bag_json.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/ros_geometry.hpp"

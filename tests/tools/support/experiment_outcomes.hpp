@@ -1,6 +1,8 @@
 /// Finished runs of an experiment for tests: figures made up, errors in memory.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "tools/campaign/experiment_summary.hpp"
 #include "tools/metrics/metrics_json.hpp"
 
