@@ -12,11 +12,11 @@
 #include "localization/hypotheses/place_search.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/hypotheses/posterior.hpp"
-#include "localization/hypotheses/tracking_filter.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
+#include "localization/tracking_filter.hpp"
 
 namespace castaway::localization {
 

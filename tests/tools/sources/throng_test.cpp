@@ -31,7 +31,7 @@ Progress progress_among(int people, std::uint64_t seed) {
     const double way = (scan->T_map_base_true.position() - last).norm();
     last = scan->T_map_base_true.position();
     progress.distance += way;
-    still = way > 1e-3 ? 0.0 : still + 1.0 / config.lidar.rate_hz;
+    still = way > 1e-3 ? 0.0 : still + 1.0 / config.lidars.front().rate_hz;
     progress.longest_stand = std::max(progress.longest_stand, still);
   }
   return progress;

@@ -1,4 +1,4 @@
-#include "localization/hypotheses/tracking_filter.hpp"
+#include "localization/tracking_filter.hpp"
 
 #include <algorithm>
 
