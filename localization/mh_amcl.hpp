@@ -9,7 +9,7 @@
 /// the letter.
 #pragma once
 
-#include "localization/hypotheses/place_search.hpp"
+#include "localization/hypotheses/map_search.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/tracking_filter.hpp"
