@@ -52,6 +52,7 @@ class MhAmcl final : public Localizer {
   void merge();
   void create(const ScanTurn& scan);
   void list(const std::vector<WeighedPlace>& places, const ScanPoints& points);
+  void learn();
   void select();
   [[nodiscard]] bool is_confident() const;
 
