@@ -81,6 +81,7 @@ void MhAmcl::take_scan(const ScanTurn& scan) {
   timer_.measure("manage", [&] {
     destroy(config_.destroy, is_confident(), populations_.all);
     if (populations_.output() == nullptr) select();
+    learn();
   });
   if (!scan.reseeds) return;
   timer_.measure("reseed", [&] {
@@ -135,7 +136,13 @@ void MhAmcl::list(const std::vector<WeighedPlace>& places, const ScanPoints& poi
   }
 }
 
-/// Selects the output and learns what is usual while it is confident.
+/// Learns what is usual while the output is confident: once a scan, however often one is selected.
+void MhAmcl::learn() {
+  const Hypothesis* output = populations_.output();
+  if (output != nullptr && is_confident()) posterior_.learn(output->log_likelihood);
+}
+
+/// Selects the output, and tells the alarm and the schedule of matches.
 void MhAmcl::select() {
   const auto selected =
       localization::select(populations_.all, populations_.output_id, config_.select_margin);
@@ -145,7 +152,6 @@ void MhAmcl::select() {
   const bool same = populations_.output_id == output.id;
   populations_.output_id = output.id;
   populations_.probability = posterior_.shares(populations_.all)[*selected];
-  if (is_confident()) posterior_.learn(output.log_likelihood);
   lost_and_found_.take({same, is_confident(), populations_.probability},
                        posterior_.log().recent_cue(), posterior_.log().T_odom_base());
   if (was_confident && !is_confident()) schedule_.raise_alarm();

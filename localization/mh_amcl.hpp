@@ -9,7 +9,7 @@
 /// the letter.
 #pragma once
 
-#include "localization/hypotheses/place_search.hpp"
+#include "localization/hypotheses/map_search.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/localizer.hpp"
@@ -52,6 +52,7 @@ class MhAmcl final : public Localizer {
   void merge();
   void create(const ScanTurn& scan);
   void list(const std::vector<WeighedPlace>& places, const ScanPoints& points);
+  void learn();
   void select();
   [[nodiscard]] bool is_confident() const;
 

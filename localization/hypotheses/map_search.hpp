@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "localization/hypotheses/create.hpp"
@@ -41,6 +42,30 @@ class MapSearch {
   SE2 T_odom_base_;
   SearchDepth depth_;
   std::vector<Part> parts_;
+};
+
+/// Searches scan by scan, first as usual, then deeper where nothing fits well: keeps the search
+/// that is going on. The matcher outlives it.
+class PlaceSearch {
+ public:
+  /// `slice`: tiles searched with one scan.
+  PlaceSearch(const CascadeMatcher& matcher, std::int64_t slice)
+      : matcher_(matcher), slice_(slice) {}
+
+  /// Whether a search goes on, or a deeper one is due with the next scan.
+  [[nodiscard]] bool is_pending() const { return search_.has_value() || deeper_; }
+  /// Goes on by a slice, beginning with this scan where none goes on. The places found, refined on
+  /// this scan, once the search is complete. `T_odom_base`: odometry at the scan.
+  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context,
+                                                const ScanPoints& points, const SE2& T_odom_base);
+  /// Forgets the search that goes on.
+  void cancel();
+
+ private:
+  const CascadeMatcher& matcher_;
+  std::int64_t slice_;
+  std::optional<MapSearch> search_;
+  bool deeper_ = false;  ///< The last search found nothing that fits well.
 };
 
 /// Searches the whole map in one go, deeper where nothing fits well: the places found, refined.

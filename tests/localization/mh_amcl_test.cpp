@@ -233,6 +233,32 @@ TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
   EXPECT_EQ(diagnostics.cpu_by_stage.at("correct").count(), 3 * 5);
 }
 
+/// Stated probabilities of a robot at rest that is found with the first scan. With `deep_below`
+/// above 0 the second scan is searched deeper, which finds nothing new.
+std::vector<double> probabilities_at_rest(double deep_below, double usual_rate) {
+  MhAmclConfig config;
+  config.create.deep_below = deep_below;
+  config.posterior.usual_rate = usual_rate;
+  config.posterior.usual_match_rate = 0.0;  // A search does not say what is usual...
+  config.posterior.missed = -5.0;           // ...and misses as much whatever it finds.
+  config.posterior.missed_slope = 0.0;
+  MhAmcl localizer(config, test::office(), 1);
+  test::GridDrive drive(test::office(), kStart);
+  std::vector<double> probabilities;
+  for (int i = 0; i < 6; ++i) {
+    drive.step(localizer, {});
+    probabilities.push_back(localizer.estimate()->probability);
+  }
+  return probabilities;
+}
+
+TEST(MhAmcl, LearnsOfAScanOnceThoughASearchEndsWithIt) {
+  const std::vector<double> probabilities = probabilities_at_rest(-1000.0, 0.05);
+  EXPECT_GT(probabilities.front(), 0.9);  // confident, so that it learns
+  EXPECT_EQ(probabilities, probabilities_at_rest(1.0, 0.05));
+  EXPECT_NE(probabilities, probabilities_at_rest(-1000.0, 0.1));
+}
+
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
   config.correct_rate_hz = 0.0;

@@ -118,5 +118,55 @@ TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingFits) {
   EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
 }
 
+/// Scans without people and the usual number of candidates.
+class PlaceSearchTest : public MapSearchTest {
+ protected:
+  PlaceSearchTest() {
+    matcher_ = CascadeMatcher({}, grid_, distances_);
+    points_ = test::points_from(grid_, truth_);
+  }
+};
+
+TEST_F(PlaceSearchTest, FindsTheScanInOneGo) {
+  PlaceSearch search(matcher_, 1 << 30);
+  const auto places = search.step(context(), points_, {});
+  ASSERT_TRUE(places && !places->empty());
+  EXPECT_LT(distance(places->front().T_map_base, truth_), 0.05);
+  EXPECT_FALSE(search.is_pending());
+}
+
+TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
+  PlaceSearch search(matcher_, 200);
+  EXPECT_FALSE(search.step(context(), points_, {}));
+  EXPECT_TRUE(search.is_pending());
+  const SE2 u{0.5, 0.2, 0.3};
+  const ScanPoints later = test::points_from(grid_, truth_ * u);
+  std::optional<std::vector<WeighedPlace>> places;
+  for (int i = 0; i < 10000 && !places; ++i) places = search.step(context(), later, u);
+  ASSERT_TRUE(places && !places->empty());
+  EXPECT_LT(distance(places->front().T_map_base, truth_ * u), 0.05);
+}
+
+TEST_F(PlaceSearchTest, LooksDeeperOnceWhereNothingFits) {
+  create_.deep_below = 1.0;  // nothing fits so well
+  PlaceSearch search(matcher_, 1 << 30);
+  ASSERT_TRUE(search.step(context(), points_, {}));
+  EXPECT_TRUE(search.is_pending());
+  ASSERT_TRUE(search.step(context(), points_, {}));
+  EXPECT_FALSE(search.is_pending());
+}
+
+TEST_F(PlaceSearchTest, ForgetsWhatGoesOn) {
+  PlaceSearch search(matcher_, 200);
+  search.step(context(), points_, {});
+  search.cancel();
+  EXPECT_FALSE(search.is_pending());
+  create_.deep_below = 1.0;
+  PlaceSearch deep(matcher_, 1 << 30);
+  deep.step(context(), points_, {});
+  deep.cancel();
+  EXPECT_FALSE(deep.is_pending());
+}
+
 }  // namespace
 }  // namespace castaway::localization
