@@ -38,8 +38,10 @@ std::vector<Shown> commands_in(const fs::path& page) {
 std::vector<Shown> shown_commands() {
   std::vector<Shown> all = commands_in(kSource / "README.md");
   std::vector<fs::path> pages;
-  for (const auto& entry : fs::recursive_directory_iterator(kSource / "docs")) {
-    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  for (const char* part : {"docs", "docs/theory"}) {  // tools/measure runs those of docs/figures.
+    for (const auto& entry : fs::directory_iterator(kSource / part)) {
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    }
   }
   std::sort(pages.begin(), pages.end());
   for (const fs::path& page : pages) {
