@@ -30,8 +30,9 @@ TEST(SettingsCommand, ListsWhatBeginsSo) {
 TEST(SettingsCommand, ASavedRunHoldsEverySettingOfItsLocalizers) {
   const fs::path folder = fresh_folder();
   const Outcome outcome =
-      castaway(folder, "run --duration 1 --set outputs.snapshots=false --set outputs.report=false "
-                       "--set 'localizers=[mh_amcl, mh_amcl: {mode: paper}]' --out run");
+      castaway(folder,
+               "run --duration 1 --set outputs.snapshots=false --set outputs.report=false "
+               "--set 'localizers=[mh_amcl, mh_amcl: {mode: paper}]' --out run");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string saved = text_of(folder / "run/scenario.yaml");
   for (const char* key : {"usual_match_rate:", "suppression_m:", "longest_pause_s:", "proving_m:",

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "localization/filter/particle_set.hpp"
-#include "localization/sensor/evidence_model.hpp"
 #include "localization/paper/ray_local_model.hpp"
+#include "localization/sensor/evidence_model.hpp"
 #include "tools/bench/bench_scene.hpp"
 #include "tools/bench/plain_reference.hpp"
 

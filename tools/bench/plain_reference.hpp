@@ -7,8 +7,8 @@
 
 #include "localization/map/distance_field.hpp"
 #include "localization/motion/odometry_noise.hpp"
-#include "localization/sensor/evidence_model.hpp"
 #include "localization/paper/ray_local_model.hpp"
+#include "localization/sensor/evidence_model.hpp"
 
 namespace castaway::testbed {
 

@@ -31,8 +31,8 @@ std::string sums_text(const std::vector<ManifestFile>& files);
 /// Throws std::runtime_error naming the file and what is wrong with it.
 std::vector<ManifestFile> read_manifest(const std::filesystem::path& file);
 
-/// Compares a data set with its manifest.json. One line for each file that is missing, changed or not
-/// listed; none if all is as it should be. Throws std::runtime_error without a manifest.
+/// Compares a data set with its manifest.json. One line for each file that is missing, changed or
+/// not listed; none if all is as it should be. Throws std::runtime_error without a manifest.
 std::vector<std::string> verify_dataset(const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

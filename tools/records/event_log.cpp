@@ -30,8 +30,7 @@ void add_recoveries(const LocalizerMetrics& metrics, const std::string& localize
     event.stamp = *window.recovered;
     event.kind = EventKind::kRecovery;
     event.detail = detail;
-    log.push_back(
-        {event, localizer, seconds(*window.recovered - window.begin), window.distance_m});
+    log.push_back({event, localizer, seconds(*window.recovered - window.begin), window.distance_m});
   }
 }
 

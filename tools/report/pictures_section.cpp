@@ -35,7 +35,7 @@ std::string pictures_section(const RunFolder& run) {
   if (run.pictures.empty()) {
     const std::string reason = run.pictures_missing.value_or("none was asked for");
     return html_section("Pictures",
-                   fmt::format("<p>There are no pictures: {}</p>\n", escape_html(reason)));
+                        fmt::format("<p>There are no pictures: {}</p>\n", escape_html(reason)));
   }
   std::string html =
       "<p class=\"soft\">On the map: the truth in black, each localizer in its colour, its "

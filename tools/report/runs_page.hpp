@@ -7,9 +7,9 @@
 
 namespace castaway::testbed {
 
-/// Writes the page: one row for each run and localizer with a summary and the main figures, each run
-/// linked to its report.html by a relative path. Throws std::runtime_error naming the file of a run
-/// that cannot be read.
+/// Writes the page: one row for each run and localizer with a summary and the main figures, each
+/// run linked to its report.html by a relative path. Throws std::runtime_error naming the file of a
+/// run that cannot be read.
 void write_runs_page(const std::vector<std::filesystem::path>& folders,
                      const std::filesystem::path& page);
 

@@ -8,7 +8,8 @@
 
 namespace castaway::testbed {
 
-/// summary.json: as docs/formats.md says; what its figures mean is in metrics/localizer_metrics.hpp.
+/// summary.json: as docs/formats.md says; what its figures mean is in
+/// metrics/localizer_metrics.hpp.
 ///
 /// events.csv: stamp_s, kind, detail, localizer, from_x_m, from_y_m, from_yaw_rad, to_x_m, to_y_m,
 /// to_yaw_rad, time_s, distance_m, in order of time. Kinds: what happened to the robot ("kidnap",

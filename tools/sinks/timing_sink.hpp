@@ -15,8 +15,8 @@
 namespace castaway::testbed {
 
 /// timing.csv: stamp_s, localizer, stage ("update": the whole CPU time of a scan and the odometry
-/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as docs/formats.md says;
-/// beside `update_ms` the same of every stage, over the scans at which it ran (`scans`);
+/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as docs/formats.md
+/// says; beside `update_ms` the same of every stage, over the scans at which it ran (`scans`);
 /// `memory_mb.peak`: the largest resident set of the process so far.
 class TimingSink final : public RunSink {
  public:

@@ -12,8 +12,8 @@ namespace {
 TEST(Histogram, EndsWithTheLastBinThatHoldsSomething) {
   const auto histograms = dataset_histograms(SmallDataset().contents());
   ASSERT_EQ(histograms.size(), 3U);
-  EXPECT_EQ(histograms[0].counts, (std::vector<double>{3.0, 6.0}));        // ranges
-  EXPECT_EQ(histograms[1].counts, (std::vector<double>{12.0}));            // occlusion
+  EXPECT_EQ(histograms[0].counts, (std::vector<double>{3.0, 6.0}));       // ranges
+  EXPECT_EQ(histograms[1].counts, (std::vector<double>{12.0}));           // occlusion
   EXPECT_EQ(histograms[2].counts, (std::vector<double>{0.0, 0.0, 2.0}));  // kidnaps of 5 m
 }
 
@@ -44,9 +44,8 @@ TEST(PlotsPage, DescribesHistogramsAndTheErrorOfTheOdometry) {
             R"("y":{"label":"share"},"series":[{"name":"share","style":"steps",)"
             R"("x":[0,0.5,1],"y":[0.333,0.667,0.667]}],"nothing":"There are none."})");
   // Errors after 1 m: 0, 0.1 and 0.2 m.
-  EXPECT_EQ(plots[3].at("series").dump(),
-            R"([{"name":"median","x":[0,1],"y":[0,0.1]},)"
-            R"({"name":"90 % below","x":[0,1],"y":[0,0.18]}])");
+  EXPECT_EQ(plots[3].at("series").dump(), R"([{"name":"median","x":[0,1],"y":[0,0.1]},)"
+                                          R"({"name":"90 % below","x":[0,1],"y":[0,0.18]}])");
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ TEST(HtmlPage, RunsItsScriptAfterTheBody) {
 }
 
 TEST(HtmlSection, EscapesItsTitle) {
-  EXPECT_EQ(html_section("a & b", "<p>c</p>"),
-            "<section><h2>a &amp; b</h2>\n<p>c</p></section>\n");
+  EXPECT_EQ(html_section("a & b", "<p>c</p>"), "<section><h2>a &amp; b</h2>\n<p>c</p></section>\n");
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ TEST(PlotNumbers, HaveThreeDigitsAndNoNeedlessZeros) {
   EXPECT_EQ(plot_numbers({0.123456, 12.0, 1234.0, -0.5, 0.0, std::nullopt}).dump(),
             "[0.123,12,1230,-0.5,0,null]");
   EXPECT_EQ(plot_numbers({1234.56789}, 7).dump(), "[1234.568]");
-  EXPECT_EQ(plot_numbers({std::numeric_limits<double>::infinity(),
-                          std::numeric_limits<double>::quiet_NaN()})
+  EXPECT_EQ(plot_numbers(
+                {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
                 .dump(),
             "[null,null]");
 }

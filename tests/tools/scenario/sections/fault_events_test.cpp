@@ -62,8 +62,9 @@ TEST(FaultEvents, SayWhatIsWrong) {
   EXPECT_THAT(fault_error("{at_s: 1, for_s: 1}"), HasSubstr("needs the key 'kind'"));
   EXPECT_THAT(fault_error("{kind: lidar-late, for_s: 1}"), HasSubstr("needs the key 'at_s'"));
   EXPECT_THAT(fault_error("{kind: lidar-late, at_s: 1}"), HasSubstr("needs the key 'for_s'"));
-  EXPECT_THAT(fault_error("{kind: lidar-late, at_s: -1, for_s: 1}"),
-              HasSubstr("scenario.yaml:1: fault.at_s: 'at_s' is -1: give 0 to 1000000"));
+  EXPECT_THAT(
+      fault_error("{kind: lidar-late, at_s: -1, for_s: 1}"),
+      HasSubstr("scenario.yaml:1: fault.at_s: -1 is out of range; give from 0 to 1000000 s"));
   EXPECT_THAT(fault_error("{kind: lidar-late, at_s: 1, for_s: 1, scale: 2}"), HasSubstr("scale"));
   EXPECT_THAT(fault_error("{kind: odometry-frozen, at_s: 1, for_s: 1, lidar: front}"),
               HasSubstr("lidar"));
