@@ -1,5 +1,6 @@
 #include "localization/paper/reseed_losers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -68,7 +69,9 @@ TEST(ReseedLosers, TakesWhatARuleSays) {
   config.step = 3;
   Eigen::Matrix3d wide = Eigen::Matrix3d::Zero();
   wide(0, 0) = wide(1, 1) = 1.0;
-  const auto loser_itself = [](std::size_t loser, std::size_t) { return loser + 1; };
+  const auto loser_itself = [](std::size_t loser, std::size_t) {
+    return std::min<std::size_t>(loser + 1, 9);  // Ten particles.
+  };
   const ParticleSet next = reseed_losers(config, particles_in_line(10), {wide, loser_itself}, rng);
   ASSERT_EQ(next.size(), 13U);  // wide: more particles, though these are in a line
   EXPECT_EQ(next.poses[1].x, 8.0);
