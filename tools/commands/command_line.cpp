@@ -149,19 +149,17 @@ Option Command::add_option(const std::string& names, T& value, const std::string
   return Option(app_->add_option(names, value, what));
 }
 
-#define CASTAWAY_OPTION_OF(T) \
-  template Option Command::add_option(const std::string&, T&, const std::string&)
-CASTAWAY_OPTION_OF(std::string);
-CASTAWAY_OPTION_OF(std::vector<std::string>);
-CASTAWAY_OPTION_OF(std::vector<int>);
-CASTAWAY_OPTION_OF(int);
-CASTAWAY_OPTION_OF(std::int64_t);
-CASTAWAY_OPTION_OF(std::uint64_t);
-CASTAWAY_OPTION_OF(double);
-CASTAWAY_OPTION_OF(std::optional<double>);
-CASTAWAY_OPTION_OF(std::optional<std::int64_t>);
-CASTAWAY_OPTION_OF(std::optional<std::uint64_t>);
-#undef CASTAWAY_OPTION_OF
+using Text = std::string;
+template Option Command::add_option(const Text&, std::string&, const Text&);
+template Option Command::add_option(const Text&, std::vector<std::string>&, const Text&);
+template Option Command::add_option(const Text&, std::vector<int>&, const Text&);
+template Option Command::add_option(const Text&, int&, const Text&);
+template Option Command::add_option(const Text&, std::int64_t&, const Text&);
+template Option Command::add_option(const Text&, std::uint64_t&, const Text&);
+template Option Command::add_option(const Text&, double&, const Text&);
+template Option Command::add_option(const Text&, std::optional<double>&, const Text&);
+template Option Command::add_option(const Text&, std::optional<std::int64_t>&, const Text&);
+template Option Command::add_option(const Text&, std::optional<std::uint64_t>&, const Text&);
 
 Option Command::add_option(const std::string& names, std::function<void(const std::string&)> take,
                            const std::string& what) {

@@ -5,7 +5,17 @@
 namespace castaway::testbed {
 namespace {
 
-using namespace localization;  // NOLINT: its config structs, one by one.
+using localization::ByteFieldConfig;
+using localization::CreateConfig;
+using localization::DestroyConfig;
+using localization::LostAndFoundConfig;
+using localization::MatchAlgorithm;
+using localization::MatcherConfig;
+using localization::MatchScheduleConfig;
+using localization::MhAmclConfig;
+using localization::PosteriorConfig;
+using localization::RescueConfig;
+using localization::ScanAgreementConfig;
 
 void fields(Settings settings, ByteFieldConfig& field) {
   settings.field({"resolution", "m", "Coarse cell of the search.", kLength}, field.resolution);
