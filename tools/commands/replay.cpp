@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/play/execute.hpp"
+#include "tools/play/run_files.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
@@ -168,55 +171,74 @@ std::vector<std::filesystem::path> inputs_of(const ReplayArguments& arguments) {
   return inputs;
 }
 
-/// Where the replay goes. Throws where that is not free.
-std::filesystem::path folder_of(const ReplayArguments& arguments, const RunPlan& plan) {
-  OutputRequest request = output_request(plan);
+OutputRequest output_request(const ReplayArguments& arguments, const std::string& scenario) {
+  OutputRequest request{arguments.out, "replay", sha256(describe(arguments)), inputs_of(arguments),
+                        arguments.force};
   if (arguments.out.empty()) {
     request.target =
-        std::filesystem::path("runs") / plan.info.scenario / fmt::format("seed-{}", arguments.seed);
-    return told_free_folder(request);
+        std::filesystem::path("runs") / scenario / fmt::format("seed-{}", arguments.seed);
+    request.target = told_free_folder(request);
   }
-  request.target = arguments.out;
-  check_output(request);
-  return request.target;
+  return request;
+}
+
+RunInfo info_of(const ReplayArguments& arguments, const std::vector<LocalizerSpec>& specs,
+                const RosMap& map) {
+  RunInfo info;
+  info.scenario = "replay-" + file_name_of(map.name);
+  info.world = map.name;
+  info.robot = "recorded";
+  info.seed = arguments.seed;
+  info.known_start = arguments.start == "truth";
+  for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
+  return info;
+}
+
+RunFiles files_of(const ReplayArguments& arguments, const RosMap& map) {
+  RunFiles files;
+  if (!arguments.pictures) return files;
+  files.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
+  files.picture_world.map = map;
+  return files;
+}
+
+/// Builds the run; its files go into `folder`.
+Run build_run(const ReplayArguments& arguments, const std::vector<LocalizerSpec>& specs,
+              OpenedLog log, const std::filesystem::path& folder) {
+  const RunInfo info = info_of(arguments, specs, log.map);
+  Run run;
+  if (info.known_start) run.loop.start = known_start(arguments, log);
+  run.localizers = build_localizers(specs, to_occupancy_grid(log.map), arguments.seed);
+  write_file(folder / "scenario.yaml", describe(arguments));
+  RunSinks built =
+      build_sinks(folder, info, log.map, log.source->duration(), files_of(arguments, log.map));
+  for (const std::string& warning : built.warnings) print_warning(warning);
+  run.sinks = std::move(built.sinks);
+  run.source = std::move(log.source);
+  return run;
+}
+
+std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts) {
+  std::vector<LocalizerSpec> specs;
+  for (const std::string& text : texts) specs.push_back(parse_localizer(text));
+  return specs;
 }
 
 int replay_log(ReplayArguments arguments) {
   const std::chrono::nanoseconds begin = wall_time();
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
-  std::vector<LocalizerSpec> specs;
-  for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
+  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
   using Scans = CarmenSourceConfig::Scans;
   if (arguments.scans_used != "all") {
     arguments.source.selection = arguments.scans_used == "even" ? Scans::kEven : Scans::kOdd;
   }
   OpenedLog log = is_bag(arguments.log) ? open_bag(arguments) : open_carmen(arguments);
-  const RosMap& map = log.map;
-  for (const std::string& warning : map.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
-  }
-  RunPlan plan;
-  plan.info.scenario = "replay-" + file_name_of(map.name);
-  plan.info.world = map.name;
-  plan.info.robot = "recorded";
-  plan.info.seed = arguments.seed;
-  plan.info.known_start = arguments.start == "truth";
-  for (const LocalizerSpec& spec : specs) plan.info.localizers.push_back(spec.name);
-  plan.scenario_yaml = describe(arguments);
-  plan.made_by = "replay";
-  plan.inputs = inputs_of(arguments);
-  plan.force = arguments.force;
-  plan.folder = folder_of(arguments, plan);
-  plan.json = arguments.json;
-  if (plan.info.known_start) plan.loop.start = known_start(arguments, log);
-  plan.localizers = build_localizers(specs, to_occupancy_grid(map), arguments.seed);
-  plan.map = map;
-  if (arguments.pictures) {
-    plan.pictures = PictureConfig{arguments.pictures_every_s, true, 960, 720};
-    plan.picture_world.map = map;
-  }
-  plan.loop.load_s = seconds(wall_time() - begin);
-  return execute(plan, *log.source);
+  for (const std::string& warning : log.map.warnings) print_warning(warning);
+  const OutputRequest request = output_request(arguments, "replay-" + file_name_of(log.map.name));
+  OutputFolder output(request);
+  Run run = build_run(arguments, specs, std::move(log), output.folder());
+  run.loop.load_s = seconds(wall_time() - begin);
+  return execute_and_print(run, output, request.target, {arguments.json});
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSeque
   options.quiet = true;
   options.timing = false;
   options.scores = std::make_shared<const PlaceScores>(scores.places);
-  options.sinks.push_back([&](const auto&, const RunPlan& plan) {
-    info = plan.info;
-    return std::make_unique<StatisticsSink>(statistics, plan.labels);
+  options.sinks.push_back([&](const RunInfo& built, const auto& labels) {
+    info = built;
+    return std::make_unique<StatisticsSink>(statistics, labels);
   });
   play_silently(sequence.loaded, options);
   if (const auto reason = void_sentence_of(draft)) {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/inspect/map_scores.hpp"
 #include "tools/output/exit_code.hpp"
-#include "tools/play/picture_plan.hpp"
+#include "tools/play/execute.hpp"
+#include "tools/play/picture_files.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/files/data_paths.hpp"
@@ -32,25 +35,25 @@ void tell_intensities(sim::SimulationConfig& config) {
   for (sim::LidarConfig& lidar : config.lidars) tell(lidar);
 }
 
-void add_scan_outputs(const OutputSpec& outputs, PreparedSimulation& prepared, RunPlan& plan) {
-  plan.points_every_s = outputs.points_every_s;
+void add_scan_files(const OutputSpec& outputs, PreparedSimulation& prepared, RunFiles& files) {
+  files.points_every_s = outputs.points_every_s;
   if (!outputs.scans) return;
   tell_intensities(prepared.config);
-  plan.label_name = [world = prepared.config.world](int label) {
+  files.label_name = [world = prepared.config.world](int label) {
     return sim::hit_name(world, label);
   };
 }
 
 void add_tables(const PlayOptions& options, const Scenario& scenario,
-                const PreparedSimulation& prepared, RunPlan& plan) {
-  plan.tables_csv = scenario.outputs.tables_csv;
-  plan.tables_hdf5 = scenario.outputs.tables_hdf5;
-  if (!plan.tables_csv && !plan.tables_hdf5 && options.sinks.empty()) return;
+                const PreparedSimulation& prepared, RunFiles& files) {
+  files.tables_csv = scenario.outputs.tables_csv;
+  files.tables_hdf5 = scenario.outputs.tables_hdf5;
+  if (!files.tables_csv && !files.tables_hdf5 && options.sinks.empty()) return;
   LabelContext labels{hit_legend(prepared.config.world), {}};
   labels.ambiguity =
       options.scores ? *options.scores
                      : map_scores(scenario, options.base, prepared.config.lidars.front()).places;
-  plan.labels = std::make_shared<const LabelContext>(std::move(labels));
+  files.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
 /// A bag of the run; where the localizers start is known later.
@@ -69,48 +72,57 @@ BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepar
   return bag;
 }
 
-void add_exports(const LoadedScenario& loaded, const PreparedSimulation& prepared, RunPlan& plan) {
+void add_exports(const LoadedScenario& loaded, const PreparedSimulation& prepared,
+                 RunFiles& files) {
   const OutputSpec& outputs = loaded.scenario.outputs;
-  plan.exports.carmen = outputs.carmen;
-  plan.exports.kitti = outputs.kitti;
-  plan.exports.map = outputs.map;
+  files.exports.carmen = outputs.carmen;
+  files.exports.kitti = outputs.kitti;
+  files.exports.map = outputs.map;
   if (!outputs.bag) return;
-  plan.exports.bag = bag_config(*outputs.bag, prepared);
-  plan.exports.bag->scenario_yaml = loaded.effective;
+  files.exports.bag = bag_config(*outputs.bag, prepared);
+  files.exports.bag->scenario_yaml = loaded.effective;
 }
 
-/// All of the plan that is known before the simulation starts.
-RunPlan plan_of(const PlayOptions& options, const LoadedScenario& loaded,
-                PreparedSimulation& prepared) {
+/// The files that the scenario asks for. Lidars report intensities where a file needs them.
+RunFiles files_of(const PlayOptions& options, const LoadedScenario& loaded,
+                  PreparedSimulation& prepared) {
   const Scenario& scenario = loaded.scenario;
-  RunPlan plan;
-  plan.info = {scenario.name,      prepared.world_name,   prepared.config.robot.name,
-               scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
-               prepared.difference};
-  plan.folder = options.out;
-  plan.force = options.force;
-  plan.inputs = options.inputs;
-  plan.keep_list = options.keep_list;
-  plan.scenario_yaml = loaded.effective;
-  plan.json = options.json;
-  plan.silent = options.silent;
-  plan.quiet = options.quiet;
-  plan.timing = options.timing;
-  plan.more_sinks = options.sinks;
-  plan.localizers =
-      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
-  plan_pictures(scenario.outputs, options.video, prepared, plan);
-  add_scan_outputs(scenario.outputs, prepared, plan);
-  add_tables(options, scenario, prepared, plan);
-  add_exports(loaded, prepared, plan);
-  return plan;
+  RunFiles files = picture_files(scenario.outputs, options.video, prepared);
+  files.timing = options.timing;
+  if (scenario.people.config.count() > 0) files.people_every_s = scenario.people.log_every_s;
+  add_scan_files(scenario.outputs, prepared, files);
+  add_tables(options, scenario, prepared, files);
+  add_exports(loaded, prepared, files);
+  return files;
 }
 
-SimulatorSource source_of(PreparedSimulation prepared, std::uint64_t seed) {
-  std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
-  const Stamp duration = prepared.config.duration;
-  return {sim::Simulation(std::move(prepared.config), simulation_streams(seed), thread_cpu_time),
-          std::move(lidars), duration};
+RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
+  return {scenario.name,      prepared.world_name,   prepared.config.robot.name,
+          scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
+          prepared.difference};
+}
+
+std::unique_ptr<SimulatorSource> source_of(const Scenario& scenario, sim::SimulationConfig config) {
+  std::vector<sim::LidarConfig> lidars = config.lidars;
+  const Stamp duration = config.duration;
+  auto source = std::make_unique<SimulatorSource>(
+      sim::Simulation(std::move(config), simulation_streams(scenario.seed), thread_cpu_time),
+      std::move(lidars), duration);
+  source->begin_at(localization::from_seconds(scenario.start.switch_on_s));
+  source->stop_after(scenario.stop_after_m);
+  if (scenario.outputs.points_every_s > 0.0) source->keep_clouds();
+  return source;
+}
+
+/// Connects the files that show more than frames do to the simulator, which must outlive the sinks.
+void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels, bool people,
+             RunFiles& files) {
+  files.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };
+  if (people) files.picture_world.moving = [&source] { return source.people_items(); };
+  if (!files.exports.bag) return;
+  files.exports.bag->drive = [&source, wheels = std::move(wheels)] {
+    return source.drive_now(wheels);
+  };
 }
 
 }  // namespace
@@ -127,33 +139,56 @@ std::filesystem::path default_run_folder(const Scenario& scenario) {
 
 namespace {
 
-/// Makes ready and hands both to `body`.
-template <typename Body>
-int with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
-  const std::chrono::nanoseconds begin = wall_time();
+OutputRequest output_request(const LoadedScenario& loaded, const PlayOptions& options) {
+  return {options.out,    "run",         sha256(loaded.effective),
+          options.inputs, options.force, options.keep_list};
+}
+
+PreparedSimulation prepare(const LoadedScenario& loaded, const PlayOptions& options) {
+  PreparedSimulation prepared = build_simulation(loaded.scenario, options.base);
+  if (!options.quiet) {
+    for (const std::string& warning : prepared.warnings) print_warning(warning);
+  }
+  return prepared;
+}
+
+/// Builds the run; its files go into `folder`.
+Run build_run(const LoadedScenario& loaded, const PlayOptions& options, PreparedSimulation prepared,
+              const std::filesystem::path& folder) {
   const Scenario& scenario = loaded.scenario;
-  PreparedSimulation prepared = build_simulation(scenario, options.base);
-  for (const std::string& warning : prepared.warnings) {
-    if (!options.quiet) print_warning(warning);
+  const RunInfo info = info_of(scenario, prepared);
+  RunFiles files = files_of(options, loaded, prepared);
+  Run run;
+  run.localizers =
+      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
+  auto source = source_of(scenario, std::move(prepared.config));
+  run.loop = loop_config(scenario, *source->start_pose());
+  connect(*source, std::move(wheels), scenario.people.config.count() > 0, files);
+  if (files.exports.bag && run.loop.start) files.exports.bag->start = run.loop.start->T_map_base;
+  write_file(folder / "scenario.yaml", loaded.effective);
+  const auto labels = files.labels;
+  RunSinks built = build_sinks(folder, info, prepared.map, source->duration(), std::move(files));
+  if (!options.quiet) {
+    for (const std::string& warning : built.warnings) print_warning(warning);
   }
-  RunPlan plan = plan_of(options, loaded, prepared);
-  const std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
-  SimulatorSource source = source_of(std::move(prepared), scenario.seed);
-  source.begin_at(localization::from_seconds(scenario.start.switch_on_s));
-  source.stop_after(scenario.stop_after_m);
-  if (plan.points_every_s > 0.0) source.keep_clouds();
-  plan.loop = loop_config(scenario, *source.start_pose());
-  if (plan.exports.bag && plan.loop.start) plan.exports.bag->start = plan.loop.start->T_map_base;
-  if (plan.exports.bag) plan.exports.bag->drive = [&] { return source.drive_now(wheels); };
-  plan.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };
-  if (scenario.people.config.count() > 0) {
-    plan.people_every_s = scenario.people.log_every_s;
-    plan.picture_world.moving = [&source] { return source.people_items(); };
-  }
-  plan.loop.load_s = seconds(wall_time() - begin);
-  const int exit_code = body(plan, source);
-  for (const std::string& warning : source.warnings()) {
-    if (!options.quiet) fmt::print(stderr, "castaway: warning: {}\n", warning);
+  run.sinks = std::move(built.sinks);
+  for (const SinkMaker& make : options.sinks) run.sinks.push_back(make(info, labels));
+  run.source = std::move(source);
+  return run;
+}
+
+/// Builds the scenario and hands run and folder to `body`, which plays it.
+template <typename Body>
+int play_with(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
+  const std::chrono::nanoseconds begin = wall_time();
+  PreparedSimulation prepared = prepare(loaded, options);
+  OutputFolder output(output_request(loaded, options));
+  Run run = build_run(loaded, options, std::move(prepared), output.folder());
+  run.loop.load_s = seconds(wall_time() - begin);
+  const int exit_code = body(run, output);
+  if (!options.quiet) {
+    for (const std::string& warning : run.source->warnings()) print_warning(warning);
   }
   return exit_code;
 }
@@ -161,14 +196,17 @@ int with_run(const LoadedScenario& loaded, const PlayOptions& options, Body body
 }  // namespace
 
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
-  with_run(loaded, options, [](RunPlan& plan, SensorSource& source) {
-    execute_run(plan, source);
+  play_with(loaded, options, [](Run& run, OutputFolder& output) {
+    execute(run, output, true);
     return static_cast<int>(kDone);
   });
 }
 
 int play(const LoadedScenario& loaded, const PlayOptions& options) {
-  return with_run(loaded, options, execute);
+  const Printing printing{options.json, options.silent, options.quiet, options.video};
+  return play_with(loaded, options, [&](Run& run, OutputFolder& output) {
+    return execute_and_print(run, output, options.out, printing);
+  });
 }
 
 }  // namespace castaway::testbed

@@ -2,26 +2,33 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
 
-#include "tools/play/execute.hpp"
+#include "tools/records/scan_row.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
 
-/// Where a run goes and what it says.
+/// Makes a further sink of a run; `labels` are those of the run's tables.
+using SinkMaker = std::function<std::unique_ptr<RunSink>(
+    const RunInfo& info, const std::shared_ptr<const LabelContext>& labels)>;
+
+/// Where a run goes and what it prints.
 struct PlayOptions {
   std::filesystem::path base;  ///< Folder of the scenario's file, for relative paths.
   std::filesystem::path out;   ///< Run folder.
-  bool force = false;          ///< It may hold other files, too.
+  bool force = false;          ///< The folder may hold other files, too.
   std::vector<std::filesystem::path> inputs{};  ///< Files that the run reads: `inputs_of`.
-  bool keep_list = true;                        ///< As in `RunPlan`.
+  bool keep_list = true;                        ///< As in `OutputRequest`.
   bool json = false;                            ///< Prints summary.json instead of words.
   bool silent = false;                          ///< Prints no result.
   bool quiet = false;              ///< Prints nothing at all: no progress, no warnings.
   std::filesystem::path video{};   ///< Film of the run; empty: none.
-  bool timing = true;              ///< As in `RunPlan`.
-  std::vector<SinkMaker> sinks{};  ///< Further ones; these are given labels, too.
-  /// How alike places look, for labels; nothing: found out if labels are asked for.
+  bool timing = true;              ///< As in `RunFiles`.
+  std::vector<SinkMaker> sinks{};  ///< Further ones.
+  /// Likeness of places, for labels; nothing: computed where labels are written.
   std::shared_ptr<const PlaceScores> scores{};  // Shared by the runs of a data set.
 };
 
@@ -32,10 +39,11 @@ std::filesystem::path default_run_folder(const Scenario& scenario);
 std::vector<std::filesystem::path> inputs_of(const Scenario& scenario,
                                              const std::filesystem::path& file);
 
-/// Plays it without a word and leaves its run folder; throws std::exception where it fails.
+/// Simulates the scenario, prints nothing and leaves the run folder. Throws std::exception if it
+/// fails.
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options);
 
-/// Plays it and leaves its run folder. Returns the exit code, kDone or kRunFailed; throws
+/// Simulates the scenario and leaves the run folder. Returns kDone or kRunFailed; throws
 /// std::exception for a scenario that cannot be built.
 int play(const LoadedScenario& loaded, const PlayOptions& options);
 

@@ -9,19 +9,25 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/output/interruption.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/workers/progress_text.hpp"
 
 namespace castaway::testbed {
 
-Progress::Progress(Stamp duration, bool quiet)
+ProgressSink::ProgressSink(Stamp duration, bool quiet)
     : duration_(duration), terminal_(!quiet && isatty(fileno(stderr)) != 0), begin_(wall_time()) {}
 
-Progress::~Progress() {
+ProgressSink::~ProgressSink() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::show(Stamp reached) {
+void ProgressSink::on_scan(const ScanRecord& record) {
+  throw_if_interrupted();
+  show(record.delivered);
+}
+
+void ProgressSink::show(Stamp reached) {
   constexpr std::chrono::milliseconds kPause(100);
   const std::chrono::nanoseconds now = wall_time();
   if (!terminal_ || now - shown_ < kPause) return;

@@ -4,23 +4,29 @@
 #include <chrono>
 #include <string>
 
-#include "tools/run/frame.hpp"
+#include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {
 
-/// Shows time reached, time in all and the real-time factor on a terminal; nothing in a pipe.
-class Progress {
+/// Shows the time reached, the duration and the real-time factor on a terminal; nothing in a pipe.
+/// Throws Interrupted at the next scan after a signal.
+class ProgressSink final : public RunSink {
  public:
   /// `quiet`: shows nothing on a terminal either.
-  explicit Progress(Stamp duration, bool quiet = false);
+  ProgressSink(Stamp duration, bool quiet);
   /// Removes the line.
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  ~ProgressSink() override;
+  ProgressSink(const ProgressSink&) = delete;
+  ProgressSink& operator=(const ProgressSink&) = delete;
 
-  void show(Stamp reached);
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp, const RunTiming&) override {}
 
  private:
+  void show(Stamp reached);
+
   Stamp duration_;
   bool terminal_;
   std::chrono::nanoseconds begin_;

@@ -22,7 +22,7 @@ Json page_of(const RunFolder& run) {
   Json events = Json::array();
   for (const ReportEvent& event : run.events) {
     events.push_back({{"time", event.stamp_s},
-                      {"kind", event.kind},
+                      {"kind", event_name(event.kind)},
                       {"detail", event.detail},
                       {"localizer", event.localizer},
                       {"from", point(event.T_map_from)},

@@ -112,9 +112,9 @@ std::string metric_table(const RunFolder& run) {
 std::string event_table(const RunFolder& run) {
   std::string body;
   for (const ReportEvent& event : run.events) {
-    if (event.kind.starts_with("alarm")) continue;
+    if (event.kind == EventKind::kAlarmOn || event.kind == EventKind::kAlarmOff) continue;
     body += fmt::format("<tr data-time=\"{:.3f}\">", event.stamp_s) +
-            cell(readable(event.stamp_s, "s")) + cell(escape_html(event.kind)) +
+            cell(readable(event.stamp_s, "s")) + cell(escape_html(event_name(event.kind))) +
             cell(escape_html(event.detail)) + cell(escape_html(event.localizer)) +
             cell(event.time_s ? readable(event.time_s, "s") : "") + "</tr>";
   }

@@ -25,7 +25,7 @@ int whole_at(const Json& json, const char* pointer) {
   return json.contains(path) ? whole<int>(json.at(path)) : 0;
 }
 
-std::int64_t count_events(const RunFolder& run, const std::string& kind) {
+std::int64_t count_events(const RunFolder& run, EventKind kind) {
   return std::count_if(run.events.begin(), run.events.end(),
                        [&](const ReportEvent& event) { return event.kind == kind; });
 }
@@ -97,7 +97,7 @@ std::string describe_run(const RunFolder& run) {
       escape_html(summary.value("world", "?")), escape_html(summary.value("robot", "?")),
       whole_or(summary, "seed", std::uint64_t{0}), readable(figure_at(summary, "/distance_m"), "m"),
       readable(figure_at(summary, "/duration_s"), "s"),
-      plural(count_events(run, "kidnap"), "kidnap"),
+      plural(count_events(run, EventKind::kKidnap), "kidnap"),
       plural(whole_or(summary, "collisions", std::int64_t{0}), "collision"));
 }
 

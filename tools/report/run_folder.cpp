@@ -37,6 +37,11 @@ class Row {
       throw std::runtime_error(path_.string() + ": " + column + ": " + error.what());
     }
   }
+  [[nodiscard]] EventKind event(const std::string& column) const {
+    if (const auto kind = event_kind(text(column))) return *kind;
+    throw std::runtime_error(path_.string() + ": " + column + ": no kind of event is called '" +
+                             text(column) + "'");
+  }
   [[nodiscard]] std::optional<SE2> pose(const std::string& prefix) const {
     const auto x = number(prefix + "x_m");
     const auto y = number(prefix + "y_m");
@@ -80,7 +85,7 @@ std::vector<ReportCurve> read_curves(const std::filesystem::path& path) {
 std::vector<ReportEvent> read_events(const std::filesystem::path& path) {
   std::vector<ReportEvent> events;
   for_each_row(path, [&](const Row& row) {
-    events.push_back({row.number("stamp_s").value_or(0.0), row.text("kind"), row.text("detail"),
+    events.push_back({row.number("stamp_s").value_or(0.0), row.event("kind"), row.text("detail"),
                       row.text("localizer"), row.number("time_s"), row.pose("from_"),
                       row.pose("to_")});
   });

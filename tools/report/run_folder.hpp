@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/geometry/se2.hpp"
+#include "tools/run/event.hpp"
 
 namespace castaway::testbed {
 
@@ -25,7 +26,7 @@ struct ReportRow {
 /// A row of events.csv.
 struct ReportEvent {
   double stamp_s = 0.0;
-  std::string kind;
+  EventKind kind = EventKind::kKidnap;
   std::string detail;
   std::string localizer;
   std::optional<double> time_s;

@@ -53,7 +53,6 @@ void Loop::take(SensorSource& source, const Frame& frame) {
     take(source, *odometry);
   } else {
     take(std::get<ScanFrame>(frame.data), frame.stamp);
-    if (config_.on_progress) config_.on_progress(frame.stamp);
   }
 }
 

@@ -1,7 +1,6 @@
 /// The loop: pulls frames from one source, pushes them into every localizer, tells every sink.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,8 +27,6 @@ struct LoopConfig {
   std::string drive_by;  ///< Localizer whose output the source is told; empty: none.
   std::string watch;     ///< Localizer whose sure output the source is told; empty: none.
   double load_s = 0.0;   ///< [s] Wall time that loading took, for `RunTiming`.
-  /// Called after every scan with the time reached.
-  std::function<void(Stamp)> on_progress;
 };
 
 /// One run. Sees to the order of calls and measures the CPU time around them.

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/run/frame.hpp"
 
@@ -29,6 +30,8 @@ class SensorSource {
   [[nodiscard]] virtual Stamp duration() const = 0;
   /// CPU time spent so far by stage ("physics", "lidar", "people"); empty where not measured.
   [[nodiscard]] virtual std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const = 0;
+  /// What happened otherwise than was asked for, one sentence each; so far.
+  [[nodiscard]] virtual std::vector<std::string> warnings() const = 0;
 };
 
 }  // namespace castaway::testbed

@@ -44,6 +44,7 @@ class CarmenSource final : public SensorSource {
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
     return {};
   }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return {}; }
 
   /// Stamps that ran backwards and were set to the one before.
   [[nodiscard]] std::int64_t repaired_stamps() const { return repaired_stamps_; }

@@ -48,6 +48,7 @@ class RecordedSource final : public SensorSource {
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
     return {};
   }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return {}; }
 
  private:
   Frames frames_;

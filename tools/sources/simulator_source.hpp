@@ -39,14 +39,13 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
+  [[nodiscard]] std::vector<std::string> warnings() const override { return warnings_; }
   /// The run begins then: what is delivered before, or began before, is left out.
   void begin_at(Stamp stamp) { begin_ = stamp; }
   /// The run ends once so much is driven, kidnaps aside; 0: it does not. [m]
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on scans bring their points in space.
   void keep_clouds() { clouds_ = true; }
-  /// What happened otherwise than the scenario asks for, in words; so far.
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// Command and wheels as they are now: up to a step of physics after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// Height, roll and pitch of base as they are now, for pictures.

@@ -230,5 +230,19 @@ TEST(Report, NamesTheFileThatIsBroken) {
   EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "errors.csv"));
 }
 
+TEST(Report, NamesAnEventThatItDoesNotKnow) {
+  const TemporaryFolder folder;
+  {
+    ErrorsSink errors(folder.path());
+    SummarySink summary(folder.path(), run_of(kReported));
+    errors.finish({}, {});
+    summary.finish({}, {});
+  }
+  const std::string header = read_file(folder.path() / "events.csv");
+  folder.put("events.csv", header + "1.0,landing,,,,,,,,,\n");
+  const std::string error = error_of([&] { write_report(folder.path(), {}); });
+  EXPECT_TRUE(contains(error, "events.csv: kind: no kind of event is called 'landing'")) << error;
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-#include "tools/play/picture_plan.hpp"
+#include "tools/play/picture_files.hpp"
 
 #include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_visuals.hpp"
@@ -48,29 +48,32 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   return world;
 }
 
-void add_camera(const CameraConfig& camera, const sim::WorldSpec& world, RunPlan& plan) {
-  plan.camera = camera;
+std::map<int, std::string> instances_of(const sim::WorldSpec& world) {
+  std::map<int, std::string> instances;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
-    plan.instances[sim::kFirstObjectInstance + static_cast<int>(i)] = world.objects[i].name;
+    instances[sim::kFirstObjectInstance + static_cast<int>(i)] = world.objects[i].name;
   }
+  return instances;
 }
 
 }  // namespace
 
-void plan_pictures(const OutputSpec& outputs, const std::filesystem::path& video,
-                   const PreparedSimulation& prepared, RunPlan& plan) {
-  plan.map = prepared.map;
-  plan.report = outputs.report;
-  plan.player = outputs.player;
-  plan.picture_world.robot_radius = prepared.config.robot.footprint_radius;
+RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& video,
+                       const PreparedSimulation& prepared) {
+  RunFiles files;
+  files.report = outputs.report;
+  files.player = outputs.player;
+  files.picture_world.robot_radius = prepared.config.robot.footprint_radius;
   if (outputs.snapshots || outputs.camera || !video.empty()) {
-    plan.picture_world = picture_world_of(prepared);
+    files.picture_world = picture_world_of(prepared);
   }
-  if (outputs.camera) add_camera(*outputs.camera, prepared.config.world, plan);
-  if (outputs.snapshots) plan.pictures = outputs.pictures;
-  if (video.empty()) return;
-  plan.film = outputs.video;
-  plan.film->format.file = video;
+  files.camera = outputs.camera;
+  if (outputs.camera) files.instances = instances_of(prepared.config.world);
+  if (outputs.snapshots) files.pictures = outputs.pictures;
+  if (video.empty()) return files;
+  files.film = outputs.video;
+  files.film->format.file = video;
+  return files;
 }
 
 }  // namespace castaway::testbed

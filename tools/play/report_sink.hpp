@@ -1,0 +1,26 @@
+/// report.html, written when the run is over.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/formats/ros_map.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Renders the report from the files of the other sinks: it must be the last one of a run.
+class ReportSink final : public RunSink {
+ public:
+  ReportSink(std::filesystem::path run_folder, RosMap map);
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord&) override {}
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  std::filesystem::path run_folder_;
+  RosMap map_;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,80 @@
+#include "tools/play/run_files.hpp"
+
+#include <utility>
+
+#include "tools/play/report_sink.hpp"
+#include "tools/sinks/errors_sink.hpp"
+#include "tools/sinks/people_sink.hpp"
+#include "tools/sinks/points_sink.hpp"
+#include "tools/sinks/recording_sink.hpp"
+#include "tools/sinks/scans_sink.hpp"
+#include "tools/sinks/summary_sink.hpp"
+#include "tools/sinks/tables_csv_sink.hpp"
+#include "tools/sinks/tables_hdf5_sink.hpp"
+#include "tools/sinks/timing_sink.hpp"
+#include "tools/sinks/trajectory_sink.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Sinks = std::vector<std::unique_ptr<RunSink>>;
+
+void add_tables(const RunFiles& files, const std::filesystem::path& folder, const RunInfo& info,
+                Sinks& sinks) {
+  sinks.push_back(std::make_unique<ErrorsSink>(folder));
+  sinks.push_back(std::make_unique<TrajectorySink>(folder, info));
+  sinks.push_back(std::make_unique<SummarySink>(folder, info));
+  if (files.timing) sinks.push_back(std::make_unique<TimingSink>(folder, info));
+  if (files.people_every_s > 0.0) {
+    sinks.push_back(std::make_unique<PeopleSink>(folder, files.people_every_s));
+  }
+  if (files.label_name) sinks.push_back(std::make_unique<ScansSink>(folder, files.label_name));
+  if (files.tables_csv) {
+    sinks.push_back(std::make_unique<TablesCsvSink>(folder, info.localizers, files.labels));
+  }
+  if (files.tables_hdf5) {
+    sinks.push_back(std::make_unique<TablesHdf5Sink>(folder, info.localizers, files.labels));
+  }
+  if (files.points_every_s > 0.0) {
+    sinks.push_back(std::make_unique<PointsSink>(folder, files.points_every_s));
+  }
+}
+
+RecordingConfig recording_config(const RunFiles& files, Stamp duration) {
+  RecordingConfig config;
+  config.robot_radius_m = files.picture_world.robot_radius;
+  config.scan_every_s = scan_period(seconds(duration));
+  config.detail_every_s = detail_period(seconds(duration));
+  return config;
+}
+
+}  // namespace
+
+RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, const RosMap& map,
+                     Stamp duration, RunFiles files) {
+  RunSinks built;
+  Sinks& sinks = built.sinks;
+  add_tables(files, folder, info, sinks);
+  for (auto& sink : export_sinks(folder, info, map, files.exports)) {
+    sinks.push_back(std::move(sink));
+  }
+  if (files.report && files.player) {
+    sinks.push_back(
+        std::make_unique<RecordingSink>(folder, info, map, recording_config(files, duration)));
+  }
+  if (files.camera) {
+    sinks.push_back(
+        std::make_unique<CameraSink>(folder, *files.camera, files.picture_world, files.instances));
+  }
+  if (files.film) sinks.push_back(std::make_unique<FilmSink>(*files.film, files.picture_world));
+  if (files.pictures) {
+    auto pictures = std::make_unique<PictureSink>(folder, info, std::move(files.picture_world),
+                                                  *files.pictures);
+    if (pictures->missing()) built.warnings.push_back("no pictures: " + *pictures->missing());
+    sinks.push_back(std::move(pictures));
+  }
+  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, map));
+  return built;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,51 @@
+/// The files of a run, and the sinks that write them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/pictures/camera_sink.hpp"
+#include "tools/pictures/film_sink.hpp"
+#include "tools/pictures/picture_sink.hpp"
+#include "tools/records/scan_row.hpp"
+#include "tools/sinks/export_sinks.hpp"
+
+namespace castaway::testbed {
+
+/// What a run writes besides scenario.yaml, errors, trajectories and summary.json.
+struct RunFiles {
+  std::optional<PictureConfig> pictures;  ///< snapshots/; nothing: none.
+  std::optional<FilmConfig> film;         ///< Nothing: none.
+  std::optional<CameraConfig> camera;     ///< Nothing: none.
+  std::map<int, std::string> instances;   ///< Names of the instances in the camera's images.
+  PictureWorld picture_world;             ///< What pictures show besides the run.
+  bool report = true;                     ///< report.html
+  bool player = true;                     ///< The recording for the report's player.
+  double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
+  std::function<std::string(int)> label_name{};  ///< Names what beams hit; empty: no scans.csv.
+  double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.
+  ExportConfig exports{};                        ///< Formats of other tools.
+  bool tables_csv = false;                       ///< tables/*.csv
+  bool tables_hdf5 = false;                      ///< tables.h5
+  std::shared_ptr<const LabelContext> labels{};  ///< For tables; shared by sinks.
+  bool timing = true;  ///< timing.json and timing.csv, which differ in every repetition.
+};
+
+/// Sinks, and why some of the files cannot be written.
+struct RunSinks {
+  std::vector<std::unique_ptr<RunSink>> sinks;
+  std::vector<std::string> warnings;
+};
+
+/// Builds the sinks that write `files` into `folder`, in the order in which they have to finish.
+/// `map` is the localizers' map; `duration` is the run's, from which the player's rates follow.
+/// Throws std::exception if a file cannot be written.
+RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, const RosMap& map,
+                     Stamp duration, RunFiles files);
+
+}  // namespace castaway::testbed
