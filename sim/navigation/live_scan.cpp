@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kRemembered = std::chrono::seconds(1);
 constexpr auto kTwistOver = std::chrono::milliseconds(50);
-constexpr double kFloor = 0.03;  // [m] Lower end points are the floor's.
+constexpr double kFloor = 0.03;  // [m] End points below this height hit the floor.
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void LiveScan::on_odometry(const OdometryReading& reading) {
   while (recent_.front().stamp + kRemembered < reading.stamp) recent_.pop_front();
 }
 
-/// The last reading up to then; the first one where the scan is older than all.
+/// Pose of the last odometry reading up to `stamp`; of the first one if all readings are later.
 Pose2 LiveScan::odometry_at(std::chrono::nanoseconds stamp) const {
   if (recent_.empty()) return {};
   const auto after = std::upper_bound(

@@ -10,23 +10,27 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr double kLeg = 0.15;          // [m] From the middle of a leg to its points.
-constexpr double kGate = 0.75;         // [m] From where a person is expected to its legs...
-constexpr double kNewGate = 0.9;       // [m] ...and between the legs of somebody who is new.
-constexpr double kBothSigma = 0.12;    // [m] Of the middle of both legs about the body...
-constexpr double kOneSigma = 0.22;     // [m] ...and of one leg: strides are long.
-constexpr double kStartSigma = 1.5;    // [m/s]
-constexpr double kAcceleration = 2.0;  // [m/s^2] White noise.
-constexpr std::size_t kLegs = 2;       // Who has more is two.
-constexpr int kLeastSeen = 4;          // Scans; seen for less, it has no velocity.
-constexpr nanoseconds kForget = milliseconds(600);  // Not seen for longer, it is gone.
-constexpr double kSlowest = 0.3;                    // [m/s] Slower is standing...
-constexpr double kDoubt = 1.0;   // ...and so is what is so many standard deviations.
-constexpr double kDouble = 0.3;  // [m] Nearer than two people can be: they are one.
+constexpr double kLeg = 0.15;  // [m] A point this close to a cluster's mean belongs to that leg.
+// [m] A leg this close to a track's predicted position belongs to it.
+constexpr double kGate = 0.75;
+constexpr double kNewGate = 0.9;  // [m] The same for a track that this scan has started.
+// [m] Standard deviation of the mean of both legs about the body.
+constexpr double kBothSigma = 0.12;
+constexpr double kOneSigma = 0.22;   // [m] The same of a single leg: strides are long.
+constexpr double kStartSigma = 1.5;  // [m/s] Standard deviation of a new track's velocity.
+// [m/s^2] Standard deviation of the white acceleration noise.
+constexpr double kAcceleration = 2.0;
+constexpr std::size_t kLegs = 2;  // A track with more legs than this is two people.
+constexpr int kLeastSeen = 4;     // Scans that must have seen a track before it is reported.
+// A track is dropped when it has not been seen for this long.
+constexpr nanoseconds kForget = milliseconds(600);
+constexpr double kSlowest = 0.3;  // [m/s] A slower track counts as standing.
+constexpr double kDoubt = 1.0;    // A speed below this many standard deviations counts as standing.
+constexpr double kDouble = 0.3;   // [m] Two tracks closer than this are the same person.
 
 double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
-/// The middle of a few points.
+/// Mean position and stamp of the points.
 SeenPoint middle(const std::vector<SeenPoint>& points) {
   SeenPoint sum;
   for (const SeenPoint& point : points) {
@@ -36,7 +40,7 @@ SeenPoint middle(const std::vector<SeenPoint>& points) {
   return sum;
 }
 
-/// Clusters of points, each about the mean of those before.
+/// Clusters points greedily: a point joins the first cluster whose mean is near enough.
 std::vector<SeenPoint> legs_of(const std::vector<SeenPoint>& points) {
   std::vector<SeenPoint> legs;
   std::vector<std::int64_t> counts;
@@ -80,7 +84,7 @@ void Movers::Track::correct(const Eigen::Vector2d& measured, double sigma) {
   ++seen;
 }
 
-/// Who is expected nearest to a leg.
+/// The track whose predicted position is nearest to a leg; nullptr if none is within its gate.
 Movers::Track* Movers::nearest(const SeenPoint& leg) {
   Track* best = nullptr;
   double least = kNewGate;
@@ -98,8 +102,8 @@ void Movers::begin(const SeenPoint& leg) {
   tracks_.push_back({leg.p, Eigen::Vector2d::Zero(), variances.asDiagonal(), leg.stamp, 0, {leg}});
 }
 
-/// Of people with too many legs, the one furthest from where the person was expected and those near
-/// it are somebody else's, who walks along.
+/// Splits tracks with too many legs in two: the legs nearer to the one farthest from the prediction
+/// than to the one nearest to it belong to a second person who walks along.
 void Movers::split() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (tracks_[i].legs.size() <= kLegs) continue;
@@ -131,7 +135,7 @@ void Movers::take_legs() {
   }
 }
 
-/// Of two at one place, the one seen longer stays.
+/// Of two tracks at one place, keeps the one that has been seen in more scans.
 void Movers::drop_doubles() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     for (std::size_t k = tracks_.size(); k-- > i + 1;) {

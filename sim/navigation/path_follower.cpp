@@ -7,9 +7,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kTurnGain = 2.0;         // [1/s] Of turns on the spot.
-constexpr double kSearchAhead = 1.0;      // [m] Of path searched for the nearest point.
-constexpr double kFollowerBraking = 0.7;  // Of the acceleration limit.
+constexpr double kTurnGain = 2.0;         // [1/s] Turn rate per heading error, turning in place.
+constexpr double kSearchAhead = 1.0;      // [m] Length of path searched for the nearest point.
+constexpr double kFollowerBraking = 0.7;  // Share of the acceleration limit.
 
 }  // namespace
 

@@ -10,9 +10,9 @@ namespace {
 constexpr std::array<Recovery, 5> kOrder{Recovery::kWait, Recovery::kReplan, Recovery::kBackUp,
                                          Recovery::kSpin, Recovery::kReplan};
 constexpr double kQuarter = 1.5708;  // [rad]
-constexpr double kSideReach = 1.5;   // [m] Within which sides are compared.
+constexpr double kSideReach = 1.5;   // [m] Obstacles farther away do not decide the side of a spin.
 
-/// 1: there is more room to the left, -1: to the right.
+/// 1 if there is more room to the left, -1 if to the right.
 double roomier_side(const std::vector<Eigen::Vector2d>& p_base) {
   double balance = 0.0;
   for (const Eigen::Vector2d& p : p_base) {

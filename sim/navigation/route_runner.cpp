@@ -7,7 +7,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kReached = 0.2;  // [m] Farther from a waypoint, it was not reached.
+// [m] A path that ends farther from its waypoint did not reach it.
+constexpr double kReached = 0.2;
 
 }  // namespace
 
