@@ -12,25 +12,28 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kTopSpeed = 1.3;       // Of the desired speed (Helbing and Molnar 1995).
-constexpr double kArrived = 0.7;        // [m]
-constexpr double kLongestRest = 6.0;    // [s]
-constexpr double kPatience = 4.0;       // [s] Of somebody who is stuck...
-constexpr double kHardly = 0.1;         // [m/s] ...which is who gets on no faster...
-constexpr double kSmoothing = 2.0;      // [s] ...over so long: a throng jostles.
-constexpr double kInTheWay = 2.0;       // [m] Where a robot may be what holds people up.
-constexpr int kTries = 8;               // Goals looked at by who turns back.
-constexpr double kWants = 0.3;          // [m/s] Who wants less than that is not stuck.
-constexpr double kAmble = 0.5;          // [m/s]
-constexpr double kAnchorEase = 1.0;     // [1/s] Speed wanted for a metre off the place.
+constexpr double kTopSpeed = 1.3;     // Share of the desired speed (Helbing and Molnar 1995).
+constexpr double kArrived = 0.7;      // [m]
+constexpr double kLongestRest = 6.0;  // [s]
+constexpr double kPatience = 4.0;     // [s] A walker that is stuck for longer picks another goal.
+// [m/s] A walker whose smoothed headway is less than this is stuck.
+constexpr double kHardly = 0.1;
+constexpr double kSmoothing = 2.0;  // [s] Time constant of that headway: people in a throng jostle.
+constexpr double kInTheWay = 2.0;   // [m] A robot this close may be what holds a walker up.
+constexpr int kTries = 8;           // Goals that a walker tries when it turns back.
+constexpr double kWants = 0.3;      // [m/s] A walker that wants less speed than this is not stuck.
+constexpr double kAmble = 0.5;      // [m/s]
+constexpr double kAnchorEase = 1.0;     // [1/s] Speed wanted per metre off the place.
 constexpr double kAnchorSpeed = 0.6;    // [m/s]
 constexpr double kAtPlace = 0.05;       // [m]
 constexpr double kSlotEase = 2.0;       // [1/s]
-constexpr double kSlotSpeed = 1.8;      // [m/s] Of people who keep up with a robot.
+constexpr double kSlotSpeed = 1.8;      // [m/s] Enough to keep up with a robot.
 constexpr double kFormationEase = 1.2;  // [1/s]
-constexpr double kTooFarBehind = 1.8;   // [m] Then the leader waits.
-constexpr double kWalking = 0.15;       // [m/s] Faster, people look where they go.
-constexpr std::array<double, 4> kAbreast = {0.0, 0.65, -0.65, 1.3};  // [m] Left of the leader.
+// [m] A follower farther off walks by its own path, and its leader slows down.
+constexpr double kTooFarBehind = 1.8;
+constexpr double kWalking = 0.15;  // [m/s] Faster people look where they go.
+// [m] To the left of the leader.
+constexpr std::array<double, 4> kAbreast = {0.0, 0.65, -0.65, 1.3};
 
 double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
@@ -69,7 +72,7 @@ void next_goal(Agent& agent, const GoalFields& goals) {
   agent.stuck_for = 0.0;
 }
 
-/// Another goal, by a way that does not lead on towards a robot that stands in the way.
+/// Picks another goal whose path does not lead past a robot that stands in the way.
 void turn_back(Agent& agent, GoalFields& goals, const RobotBody& robot) {
   const Eigen::Vector2d from_robot = agent.state.position - robot.T_map_base.position();
   for (int tries = 0; tries < kTries; ++tries) {
@@ -88,7 +91,7 @@ bool left_behind(const std::vector<Agent>& agents, std::size_t leader) {
   return false;
 }
 
-/// On the way to its goal, or resting there.
+/// Walks to the goal, or rests there.
 Intent lead(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
             const RobotBody& robot, double now) {
   Agent& agent = agents[index];
@@ -112,7 +115,7 @@ Intent lead(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
   return intent;
 }
 
-/// Beside its leader; where that place is taken by a wall, along its own way to the same goal.
+/// Walks beside the leader; where there is no room, along the own path to the same goal.
 Intent follow(std::size_t index, std::vector<Agent>& agents) {
   Agent& agent = agents[index];
   const Agent& leader = agents[agent.leader];

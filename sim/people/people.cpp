@@ -12,12 +12,12 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kPlaces = 16;        // To go to.
-constexpr int kLookEvery = 4;      // [steps] Ways and sights are looked up.
-constexpr double kSight = 5.0;     // [m] Nobody reacts to a robot that is further away.
+constexpr int kPlaces = 16;     // Places to walk to.
+constexpr int kLookEvery = 4;   // [steps] Between updates of waypoints and of who sees the robot.
+constexpr double kSight = 5.0;  // [m] People farther away do not react to the robot.
 constexpr double kTurnRate = 4.0;  // [rad/s]
-constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one.
-constexpr double kInCrowd = 0.25;  // Of the interaction is left among people packed closely.
+constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one hit.
+constexpr double kInCrowd = 0.25;  // Share of the social force that is left among crowd members.
 
 GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
   Rng rng = streams("people/places");
@@ -69,7 +69,8 @@ void People::look_about(const RobotBody& robot) {
   }
 }
 
-/// What each feels of all the others: of two, each the opposite of what the other feels.
+/// Sum of the social forces of all others on each person; the forces of two people on each other
+/// are opposite.
 std::vector<Eigen::Vector2d> People::mutual_forces() const {
   std::vector<Eigen::Vector2d> sums(agents_.size(), Eigen::Vector2d::Zero());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
@@ -86,7 +87,7 @@ std::vector<Eigen::Vector2d> People::mutual_forces() const {
   return sums;
 }
 
-/// Of all that is not another person.
+/// Force of walls and robot on a person.
 Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool minds_robot) const {
   const Agent& agent = agents_[index];
   const Eigen::Vector2d& p = agent.state.position;
@@ -118,7 +119,7 @@ std::vector<Intent> People::intents(const RobotBody& robot) {
   return result;
 }
 
-/// Where everybody goes by the forces; nobody has moved while they are computed.
+/// Moves everybody by the forces, which are all computed before anybody moves.
 void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
   const std::vector<Eigen::Vector2d> others = mutual_forces();
   std::vector<Eigen::Vector2d> ways;
