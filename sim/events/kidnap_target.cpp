@@ -15,8 +15,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kDraws = 200;        // Until a place is clear of people, or a push goes through.
-constexpr double kNudgeYaw = 0.3;  // [rad] A push turns the robot by up to this.
+constexpr int kDraws = 200;  // Attempts to find a place clear of people, or a free way for a push.
+constexpr double kNudgeYaw = 0.3;  // [rad] Largest turn of a push.
 
 using Found = std::optional<KidnapTarget>;
 
@@ -30,12 +30,12 @@ bool is_clear(const KidnapScene& scene, const Pose2& T_map_base) {
   });
 }
 
-/// `pose` where nobody stands in the way.
+/// `pose` if no person is in the way.
 Found unless_occupied(const KidnapScene& scene, const Pose2& pose) {
   return is_clear(scene, pose) ? Found{{pose}} : std::nullopt;
 }
 
-/// Where no place is far enough away: the farthest that is clear of people.
+/// The farthest place that is clear of people; used where no place is far enough away.
 Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   const Grid& grid = scene.free.grid();
   const Eigen::Vector2d from = scene.T_map_base.position();
