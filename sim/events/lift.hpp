@@ -23,7 +23,7 @@ enum class HeldWheels : std::uint8_t {
 /// turned at `now`; `commanded` is the drive's command.
 Twist2 held_twist(HeldWheels wheels, const Twist2& now, const Twist2& commanded, double dt);
 
-/// How a robot is lifted.
+/// Parameters of a lift.
 struct LiftConfig {
   double height = 0.6;   ///< [m] Of the wheels above the floor.
   double seconds = 4.0;  ///< [s] Least time from pick-up to put-down.
@@ -38,7 +38,7 @@ void validate(const LiftConfig& config);
 /// The motion of a lifted robot: up, along a path while its heading turns evenly, down.
 class Lift {
  public:
-  /// `path`: points in map between the two positions, without these.
+  /// `path`: points in map from the old position to the new one.
   Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map_to,
        const std::vector<Eigen::Vector2d>& path);
 

@@ -28,8 +28,8 @@ struct Twin {
   double unlikeness = 0.0;  ///< [m] Mean difference of the ranges, each capped at `cap`.
 };
 
-/// Views from places all over a world, to be held against the view from a pose. People are not
-/// seen. Views are level: a tilted lidar is taken for a level one at its place.
+/// Holds views from places all over a world, to compare them with the view from a pose. People are
+/// not part of the views. Views are level: a tilted lidar counts as a level one at its position.
 class LookAlikes {
  public:
   /// `scene` must outlive this. `free`: where base can be. Casts `beams` rays from every place.

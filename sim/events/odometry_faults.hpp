@@ -23,7 +23,7 @@ class OdometryFaults {
   /// Takes those of `faults` that concern odometry.
   explicit OdometryFaults(const std::vector<FaultSpec>& faults);
 
-  /// Product of the gains of all faults at a time; 1 without any.
+  /// Gain of all active faults together; 1 without any.
   [[nodiscard]] WheelGain gain(std::chrono::nanoseconds stamp) const;
   /// True while no readings arrive.
   [[nodiscard]] bool lost(std::chrono::nanoseconds stamp) const;
