@@ -21,8 +21,9 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double kRightPosition = 0.5;  // [m] An output nearer to the truth is right...
-constexpr double kRightYaw = 0.35;      // [rad] ...and so is its heading.
+// [m] A localizer's output nearer to the true pose is right.
+constexpr double kRightPosition = 0.5;
+constexpr double kRightYaw = 0.35;  // [rad] The same for its heading.
 
 nanoseconds period_of(double hz, const char* what) {
   if (!(hz > 0.0) || hz > 1e5) {
@@ -41,15 +42,15 @@ SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose
       KinematicRobot(config.robot, standing_space(config.robot, grid), start, limits, step));
 }
 
-/// Order of deliveries at the same time: that of the kinds in `SimFrame`.
+/// Orders deliveries by time, then by their kinds' order in `SimFrame`.
 bool earlier(const SimFrame& a, const SimFrame& b) {
   return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
 }
 
 }  // namespace
 
-/// Time advances by physics steps [now, now + step). At the start of a step come kidnaps, people
-/// and control; then physics moves on, and the sensors read what they are due within the step.
+/// Time advances by physics steps [now, now + step). Each step starts with kidnaps, people and
+/// control; then physics advances, and the sensors deliver the readings due within the step.
 struct Simulation::State {
   State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
 
@@ -74,8 +75,8 @@ struct Simulation::State {
   nanoseconds now{};
   Twist2 commanded;
 
-  Grid grid;     ///< Where it drives...
-  Grid landing;  ///< ...and where it is put down.
+  Grid grid;     ///< Where the robot can drive.
+  Grid landing;  ///< Where the robot can be put down.
   Pose2 start;
   SimRobot robot;
   SensorStage sensors;
@@ -161,7 +162,7 @@ void Simulation::State::move_robot() {
   }
 }
 
-/// A robot that is switched off says nothing.
+/// A robot that is switched off delivers nothing.
 void Simulation::State::deliver(const std::vector<OdometryReading>& readings) {
   if (kidnaps.is_off()) return;
   for (const OdometryReading& reading : readings) {

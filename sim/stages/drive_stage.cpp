@@ -10,9 +10,10 @@ namespace castaway::sim {
 namespace {
 
 constexpr std::chrono::nanoseconds kPeriod = std::chrono::milliseconds(50);
-constexpr double kRightWithin = 0.15;     // [m] A belief this near to the truth...
-constexpr double kRightWithinYaw = 0.15;  // [rad] ...is no reason to get stuck.
-constexpr double kInTheWay = 1.0;         // [m] From the robot to who may hold it up.
+// [m] A larger error of the estimated pose excuses a lack of progress.
+constexpr double kRightWithin = 0.15;
+constexpr double kRightWithinYaw = 0.15;  // [rad] The same for its heading.
+constexpr double kInTheWay = 1.0;         // [m] A person this close to the robot may be in its way.
 
 }  // namespace
 

@@ -15,13 +15,14 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double kClearOfPeople = 0.1;  // [m] Between bodies.
+// [m] Least distance between the bodies of robot and person.
+constexpr double kClearOfPeople = 0.1;
 
 bool takes_time(const KidnapSpec& spec) {
   return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kSpin;
 }
 
-/// The stream of a kidnap's times; others draw nothing.
+/// The random stream of a kidnap's times; empty for triggers that draw nothing.
 Rng clock_stream(const KidnapSpec& spec, std::size_t index, const NamedStreams& streams) {
   if (spec.when.on != KidnapTrigger::On::kPoisson) return Rng();
   if (!streams) {
@@ -31,7 +32,7 @@ Rng clock_stream(const KidnapSpec& spec, std::size_t index, const NamedStreams& 
   return streams(fmt::format("events/kidnap/{}", index));
 }
 
-/// A target that can never be reached is refused before the run.
+/// Throws before the run if a given target can never be reached.
 void check_target(const KidnapSpec& spec, const Pose2& start, const FreeSpace& free) {
   if (!spec.target) return;
   Rng unused;

@@ -27,7 +27,8 @@ OdometrySensor::OdometrySensor(const SimulationConfig& config, const SimulationS
   }
 }
 
-/// What is counted too much is kept apart: without slip and faults, the angles stay what they are.
+/// Slip and faults are kept as an offset, so that without them the angles are exactly the true
+/// ones.
 WheelAngles OdometrySensor::encoders(const DriveState& state) {
   const WheelAngles before = last_ ? last_->angles : WheelAngles{};
   const WheelAngles way{state.angles.left - before.left, state.angles.right - before.right};

@@ -14,12 +14,12 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
-constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm meanwhile.
+constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm in this time.
 constexpr nanoseconds kCrowd = milliseconds(500);
-constexpr int kPatience = 60;          // Calls of `yielded` for which the robot waits: 3 s...
-constexpr int kLongestPatience = 480;  // ...and, in a throng, twice as long each time: 24 s.
+constexpr int kPatience = 60;          // Calls of `yielded` for which the robot waits first: 3 s.
+constexpr int kLongestPatience = 480;  // The wait doubles each time in a throng, up to 24 s.
 
-/// The people within a few metres.
+/// Discs of the people within 4 m of the robot.
 std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Pose2& robot) {
   constexpr double kWithin = 4.0;
   std::vector<RoundObstacle> discs;

@@ -1,4 +1,4 @@
-/// The random streams of a run's sensors, by name.
+/// The random streams of a run's sensors.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace castaway::sim {
 
-/// The stream `name`. @throws std::invalid_argument if the run has none by name.
+/// Returns the stream `name`. @throws std::invalid_argument if the run has no named streams.
 Rng named_stream(const SimulationStreams& streams, const std::string& name);
 
 /// The streams of a lidar: the noise of the one named "lidar" is the run's lidar stream, all others
