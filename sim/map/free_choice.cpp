@@ -12,12 +12,15 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSizeable = 1.0;  // [m^2]
-constexpr double kRoom = 10.0;     // [m^2] Smaller rooms are not what a map is about.
-constexpr double kRival = 0.1;     // Of the area of the part chosen.
-constexpr double kOutside = 0.5;   // Of the edge's cells: a part that holds so many is outside.
+// [m^2] Smaller enclosed parts are never preferred to one at the edge.
+constexpr double kSizeable = 1.0;
+constexpr double kRoom = 10.0;  // [m^2] Smaller rooms are not what a map is about.
+// An enclosed part with this share of the area of the part at the edge is preferred.
+constexpr double kRival = 0.1;
+// A part that holds this share of the edge's cells is the outside.
+constexpr double kOutside = 0.5;
 
-/// A part, in cells.
+/// Size of a connected part, in cells.
 struct Part {
   std::size_t cells = 0;
   std::size_t edge_cells = 0;
@@ -42,7 +45,7 @@ std::vector<Part> parts_of(const Grid& grid, const std::vector<int>& labels) {
   return parts;
 }
 
-/// Label of the part at a point, or of the nearest within `reach` [m]; -1: none.
+/// Label of the part at a point, or of the nearest one within `reach` [m]; -1 if there is none.
 int part_near(const Grid& grid, const std::vector<int>& labels, const Eigen::Vector2d& p,
               double reach) {
   const CellIndex middle = cell_of(grid, p);
@@ -62,7 +65,7 @@ int part_near(const Grid& grid, const std::vector<int>& labels, const Eigen::Vec
   return best;
 }
 
-/// The largest part with or without cells at the edge; -1: none.
+/// The largest part with or without cells at the edge; -1 if there is none.
 int largest(const std::vector<Part>& parts, bool at_edge) {
   int best = -1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -74,9 +77,9 @@ int largest(const std::vector<Part>& parts, bool at_edge) {
   return best;
 }
 
-/// The free space in parts that a disc does not pass between.
+/// The free space in connected parts between which a disc cannot pass.
 struct Parting {
-  double reach = 0.0;  ///< [m] Of the disc's edge, with half a cell.
+  double reach = 0.0;  ///< [m] Radius of the disc plus half a cell.
   std::vector<int> labels;
   std::vector<Part> parts;
 
@@ -91,7 +94,7 @@ Parting part(const Grid& grid, const std::vector<float>& distance, double radius
   return parting;
 }
 
-/// An enclosed part that counts beside the largest one at the edge; -1: there is none.
+/// The largest enclosed part if it is preferred to the largest part at the edge; -1 otherwise.
 int rival(const Grid& grid, const Parting& parting) {
   const int enclosed = largest(parting.parts, false);
   const int open = largest(parting.parts, true);
@@ -101,14 +104,14 @@ int rival(const Grid& grid, const Parting& parting) {
   return inner >= kRival * static_cast<double>(parting.at(open).cells) ? enclosed : -1;
 }
 
-/// True if the largest part at the edge is what lies outside of the walls.
+/// True if the largest part at the edge is the outside of the walls.
 bool outside(const Grid& grid, const Parting& parting) {
   const int open = largest(parting.parts, true);
   const double edge = 2.0 * (grid.width + grid.height) - 4.0;
   return open >= 0 && static_cast<double>(parting.at(open).edge_cells) >= kOutside * edge;
 }
 
-/// The part to take where no start is given; -1: none.
+/// The part to choose without a start; -1 if there is none.
 int without_start(const Grid& grid, const Parting& parting) {
   const int enclosed = largest(parting.parts, false);
   const int open = largest(parting.parts, true);
@@ -119,7 +122,7 @@ int without_start(const Grid& grid, const Parting& parting) {
   return outside(grid, parting) ? enclosed : open;
 }
 
-/// The grid with those free cells only that lie in a part, or within `reach` [m] beside it.
+/// The grid with only those free cells that lie in a part or within `reach` [m] of it.
 Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, double reach) {
   Grid others = grid;
   for (std::size_t i = 0; i < others.cells.size(); ++i) {
@@ -130,7 +133,8 @@ Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, dou
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     if (result.cells[i] == Cell::kFree && distance[i] > reach) result.cells[i] = Cell::kUnknown;
   }
-  const std::vector<int> pieces = component_labels(result);  // What lies behind walls is no part.
+  // Cells behind walls do not belong to the part.
+  const std::vector<int> pieces = component_labels(result);
   std::vector<bool> kept;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (labels[i] != part) continue;
@@ -159,7 +163,7 @@ FreeChoice choose_free(const Grid& grid, double radius,
       start ? part_near(grid, parting.labels, *start, parting.reach + grid.resolution) : -1;
   const bool by_start = chosen >= 0;
   if (!by_start) chosen = without_start(grid, parting);
-  // A house whose walls have gaps is one with the outside, but for larger robots.
+  // A house with gaps in its walls is connected to the outside, except for larger robots.
   for (const double larger : {1.5, 2.0}) {
     if (by_start || rival(grid, parting) >= 0 || chosen < 0 || !outside(grid, parting)) break;
     Parting coarse = part(grid, distance, larger * radius);

@@ -10,10 +10,10 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kWhole = 100.0;    // [m] A plane of these sides counts as a whole.
-constexpr double kOfLarger = 50.0;  // [m] Around what stands there.
+constexpr double kWhole = 100.0;    // [m] A plane with sides up to this length counts completely.
+constexpr double kOfLarger = 50.0;  // [m] Margin around the objects on a larger plane.
 constexpr double kOfEndless = 15.0;
-constexpr float kInSight = 5.0F;  // [m] Well within what the lidars of small robots see.
+constexpr float kInSight = 5.0F;  // [m] Well within the range of small robots' lidars.
 
 Eigen::AlignedBox2d grown(const WorldSpec& world, double by) {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);

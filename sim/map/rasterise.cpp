@@ -20,7 +20,7 @@ constexpr double kRobot =
 constexpr double kSliver =
     1e-6;  // Of a cell: a solid that only touches a cell's edge is not in it.
 
-/// Figures in the coordinates of a grid, cells of unit size.
+/// Paints figures into a grid, in cell coordinates.
 class Painter {
  public:
   explicit Painter(Grid& grid) : grid_(grid) {}
@@ -33,7 +33,7 @@ class Painter {
     }
     for (const Disc& d : slice.discs)
       fill(Disc{to_cells(d.center), d.radius / grid_.resolution}, kSliver);
-    // A surface without thickness on an edge belongs to the cell above.
+    // A surface without thickness that lies on an edge belongs to the cell above.
     for (const Segment& s : slice.segments) fill(Segment{to_cells(s.a), to_cells(s.b)}, 0.0);
   }
 
