@@ -27,7 +27,7 @@ inline std::size_t flat_index(const Grid& grid, CellIndex cell) {
 /// A grid of `width` x `height` cells, all `value`.
 Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin, Cell value);
 
-/// The cell that holds a point of map.
+/// The cell that contains a point in map.
 CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map);
 /// Centre of a cell in map. [m]
 Eigen::Vector2d center_of(const Grid& grid, CellIndex cell);

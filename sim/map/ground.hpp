@@ -15,8 +15,8 @@ std::vector<float> ground_heights(const WorldSpec& world, const Grid& grid);
 /// Makes cells of raised ground free, even if they are occupied on the map.
 void free_raised(Grid& grid, const std::vector<float>& heights);
 
-/// Makes the cells on either side of a ledge occupied: where the ground of two neighbours differs
-/// by more than 3 cm. Slopes up to 60 % at 5 cm a cell are none.
+/// Makes the cells on both sides of a ledge occupied, where the heights of two neighbours differ by
+/// more than 3 cm. Slopes up to 60 % are no ledges at 5 cm per cell.
 void mark_ledges(Grid& grid, const std::vector<float>& heights);
 
 /// Makes cells more than 1 cm above the floor occupied: a robot cannot be put down there.

@@ -15,10 +15,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kRobot =
-    0.2;  // [m] Radius of one for which parts of the free space are told apart.
-constexpr double kSliver =
-    1e-6;  // Of a cell: a solid that only touches a cell's edge is not in it.
+// [m] Radius of the robot for which the parts of the free space are determined.
+constexpr double kRobot = 0.2;
+constexpr double kSliver = 1e-6;  // [cells] A solid that only touches a cell's edge is not in it.
 
 /// Paints figures into a grid, in cell coordinates.
 class Painter {

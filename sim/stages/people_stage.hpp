@@ -26,7 +26,7 @@ class PeopleStage {
   /// Advances people to `now`; the robot is at `T_map_base` and has `velocity` [m/s] in map.
   void advance(std::chrono::nanoseconds now, const Pose2& T_map_base,
                const Eigen::Vector2d& velocity, const RayScene& standing);
-  /// The robot was put elsewhere.
+  /// Makes people step aside after the robot was put elsewhere.
   void on_kidnap(const Pose2& T_map_base);
   /// Returns the command to drive instead of `command` because of people; may re-plan `route`
   /// around them.

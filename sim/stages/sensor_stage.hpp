@@ -27,7 +27,8 @@ class SensorStage {
 
   /// Returns the faults that begin or end within a motion.
   std::vector<FaultRecord> read_faults(const Motion& motion);
-  /// What the wheels say within a motion, in order of stamps; their angles at its begin and end.
+  /// Returns the odometry readings within a motion, in order of stamps. `begin` and `end` are the
+  /// wheel angles at its ends.
   std::vector<OdometryReading> read_odometry(const Motion& motion, const WheelAngles& begin,
                                              const WheelAngles& end, std::int64_t collisions = 0);
   /// Returns the scans delivered within a motion; motions must follow each other without gaps in
