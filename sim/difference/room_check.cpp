@@ -10,10 +10,10 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGap = 0.03;        // [m] Between two objects.
-constexpr double kRouteRoom = 0.45;  // [m] On either side of a route.
+constexpr double kGap = 0.03;        // [m] Least distance between two objects.
+constexpr double kRouteRoom = 0.45;  // [m] Kept free on each side of a route.
 constexpr double kStartRoom = 0.6;   // [m]
-constexpr double kDoorRoom = 0.8;    // [m] About the middle of an opening.
+constexpr double kDoorRoom = 0.8;    // [m] Kept free around the middle of an opening.
 constexpr double kStep = 0.05;       // [m] Between points of routes.
 
 std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& route) {
@@ -27,14 +27,14 @@ std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& ro
   return points;
 }
 
-/// An outline with its bounds grown on all sides.
+/// Bounds of an outline, grown on all sides.
 Eigen::AlignedBox2d grown(const ConvexOutline& outline, double by) {
   Eigen::AlignedBox2d box = bounds(outline);
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
   return {box.min() - margin, box.max() + margin};
 }
 
-/// Moved outwards from its middle, so that all corners gain `by` at least.
+/// The outline with its corners moved away from its middle, each by at least `by`.
 ConvexOutline inflated(const ConvexOutline& outline, double by) {
   const Eigen::Vector2d center = bounds(outline).center();
   ConvexOutline result;
