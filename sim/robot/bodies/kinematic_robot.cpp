@@ -29,7 +29,7 @@ void KinematicRobot::turn_wheels() {
   state_.wheels.right += (axle.v + 0.5 * track_ * axle.w) * step;
 }
 
-/// A robot that stands in the margin of an obstacle may leave it, but not go deeper.
+/// A robot closer to an obstacle than its radius may leave it, but not come closer.
 bool KinematicRobot::blocked(const Pose2& from, const Pose2& to) const {
   if (free_.contains(to.position())) return false;
   if (free_.contains(from.position())) return true;

@@ -8,9 +8,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGuessedDensity = 300.0;  // [kg/m^3] Of links without mass: half empty boxes.
+constexpr double kGuessedDensity = 300.0;  // [kg/m^3] Of links without mass: half-empty boxes.
 
-/// A mass for the box around points. [kg]
+/// Guesses the mass of the box around points. [kg]
 double guessed_mass(const std::vector<Eigen::Vector3d>& points_base) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points_base) box.extend(p);

@@ -106,7 +106,8 @@ bool RobotPhysics::Body::is_left(const WheelBody& wheel) const {
   return wheel.model().p_base_wheel.y() > robot.p_base_axle.y();
 }
 
-/// Slows both sides alike where a wheel would turn too fast, so that the curve stays the same.
+/// Where a wheel would turn too fast, both sides slow down by the same factor, so that the curve
+/// stays the same.
 void RobotPhysics::Body::drive() {
   twist = ramped(twist, command, limits, time_step);
   const Twist2 axle = axle_twist(twist, robot.p_base_axle);

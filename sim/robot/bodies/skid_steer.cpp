@@ -15,11 +15,12 @@ namespace {
 constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(2);
 constexpr int kSettleSteps = 1000;
 constexpr int kTurnSteps = 1000;
-constexpr double kTurnRate = 0.5;       // [rad/s]
-constexpr double kFloor = 20.0;         // [m]
-constexpr double kReserve = 1.2;        // Of torque over friction.
-constexpr double kAside = 0.01;         // [m] Less is not made up for.
-constexpr double kLargestRatio = 10.0;  // Of measured to geometric; beyond it does not turn.
+constexpr double kTurnRate = 0.5;  // [rad/s]
+constexpr double kFloor = 20.0;    // [m]
+constexpr double kReserve = 1.2;   // Factor of the torque over friction.
+constexpr double kAside = 0.01;    // [m] A smaller offset is not corrected.
+// Largest ratio of measured and ideal track; above it the robot does not turn.
+constexpr double kLargestRatio = 10.0;
 
 WorldSpec bare_floor() {
   WorldSpec world;
@@ -30,7 +31,7 @@ WorldSpec bare_floor() {
 
 double yaw_of(const RobotState& state) { return to_planar(state.T_map_base).yaw; }
 
-/// The point of base that stays where it is from one pose to another, which is turned. [m]
+/// The point of base that does not move between two poses with different headings. [m]
 Eigen::Vector2d pivot(const Pose2& T_map_a, const Pose2& T_map_b) {
   const Eigen::Matrix2d turned = Eigen::Rotation2Dd(T_map_a.yaw).toRotationMatrix() -
                                  Eigen::Rotation2Dd(T_map_b.yaw).toRotationMatrix();

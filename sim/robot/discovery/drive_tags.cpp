@@ -13,7 +13,7 @@ namespace {
 
 using Visit = std::function<void(const TiXmlElement&)>;
 
-/// All elements of a name below another.
+/// Calls `visit` for all elements of a name below another one.
 void for_each(const TiXmlElement& from, const std::string& name, const Visit& visit) {
   for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     if (e->ValueStr() == name) visit(*e);
@@ -62,7 +62,7 @@ std::string dialect_of(const TiXmlElement& plugin, const std::string& joint_tag)
   return camel ? "gazebo-classic" : "gazebo-ros2";
 }
 
-/// A plug-in that names joints on both sides; else its dialect is empty.
+/// The drive of a plug-in that names joints on both sides; otherwise its dialect is empty.
 DriveTags of_plugin(const TiXmlElement& plugin) {
   DriveTags tags;
   std::string joint_tag;
@@ -82,7 +82,7 @@ DriveTags of_plugin(const TiXmlElement& plugin) {
   return tags;
 }
 
-/// Joints that are commanded by their velocity.
+/// Joints with a velocity command interface.
 std::vector<std::string> velocity_joints(const TiXmlElement& root) {
   std::vector<std::string> joints;
   for_each(root, "ros2_control", [&](const TiXmlElement& control) {
@@ -109,7 +109,7 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
   return joints;
 }
 
-/// Adds what the parameter files of plug-ins say about a differential drive.
+/// Adds parameters of a differential drive from the plug-ins' parameter files.
 void add_parameters(const UrdfFile& file, const PackageFinder& packages,
                     const RobotOptions& options, DriveTags& tags) {
   if (!options.read_yaml) return;
@@ -121,7 +121,7 @@ void add_parameters(const UrdfFile& file, const PackageFinder& packages,
     try {
       add_drive_parameters(options.read_yaml(path.string()), tags);
     } catch (const std::runtime_error&) {
-      return;  // What drives is known without it.
+      return;  // An unreadable file is no error: the tags alone may suffice.
     }
   });
 }

@@ -18,7 +18,7 @@ bool has_look(const TiXmlElement& material) {
          material.FirstChildElement("texture") != nullptr;
 }
 
-/// The names of the materials that are defined, each once from now on.
+/// Names of the defined materials; removes repeated and empty definitions.
 std::set<std::string> defined_materials(TiXmlElement& robot) {
   std::set<std::string> names;
   for (TiXmlElement* m = robot.FirstChildElement("material"); m != nullptr;) {
@@ -26,7 +26,7 @@ std::set<std::string> defined_materials(TiXmlElement& robot) {
     if (!has_look(*m) || !names.insert(attribute_of(*m, "name")).second) robot.RemoveChild(m);
     m = next;
   }
-  // urdfdom keeps a material that a visual shape defines for all that come later.
+  // urdfdom keeps a material that a visual shape defines for all later ones.
   for (auto* link = robot.FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
     for (auto* v = link->FirstChildElement("visual"); v != nullptr;

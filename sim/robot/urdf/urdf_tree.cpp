@@ -9,10 +9,10 @@
 namespace castaway::sim {
 namespace {
 
-/// What a link hangs on.
+/// The joint and parent of a link.
 struct Hanger {
   std::string joint;
-  std::string parent;  ///< Link.
+  std::string parent;  ///< Parent link.
 };
 
 std::string text_of(const TiXmlElement* element, const char* attribute) {
@@ -20,7 +20,7 @@ std::string text_of(const TiXmlElement* element, const char* attribute) {
   return text == nullptr ? "" : text;
 }
 
-/// By link.
+/// Joint and parent of each link.
 std::map<std::string, Hanger> hangers(const TiXmlElement& robot, const std::string& path) {
   std::map<std::string, Hanger> result;
   for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
