@@ -10,8 +10,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kMostSlip = 0.95;  // A wheel that only spins would be stuck.
-constexpr double kPatch = 0.25;     // [m] Of way on which a zone's slip is the same.
+constexpr double kMostSlip = 0.95;  // A wheel with more slip would be stuck.
+constexpr double kPatch = 0.25;     // [m] Distance over which a zone's slip is constant.
 
 double uniform(double low, double high, Rng& rng) {
   return low < high ? boost::random::uniform_real_distribution<double>(low, high)(rng) : low;
