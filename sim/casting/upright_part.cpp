@@ -6,7 +6,7 @@
 namespace castaway::sim {
 namespace {
 
-/// A point or direction of map along the part's axes, in semi-axes.
+/// A point or direction in map in the part's axes, in units of the semi-axes.
 Eigen::Vector2d scaled(const UprightPart& part, const Eigen::Vector2d& v) {
   const Eigen::Vector2d axis_y(-part.axis_x.y(), part.axis_x.x());
   return {v.dot(part.axis_x) / part.half_size.x(), v.dot(axis_y) / part.half_size.y()};
@@ -31,7 +31,7 @@ double intersect(const UprightPart& part, const Ray& ray) {
   const Eigen::Vector2d d = scaled(part, ray.direction.head<2>());
   const double a = d.squaredNorm();
   if (a > 0.0) {
-    // Distance of the line from the centre first: b^2 - a c would cancel far away.
+    // The line's distance from the centre is computed first: far away, b^2 - a c would cancel.
     const double b = o.dot(d);
     const double discriminant = a - (o * a - d * b).squaredNorm() / a;
     if (discriminant < 0.0) return kNoHit;
