@@ -15,9 +15,10 @@ namespace {
 constexpr std::size_t kMaxBytes = 16U << 20U;
 constexpr int kMaxDepth = 200;
 constexpr int kMaxElements = 200000;
-constexpr int kMaxAttributes = 1000;  // Of an element: the parser compares each with all others.
+// Per element: the parser compares each attribute with all others.
+constexpr int kMaxAttributes = 1000;
 
-/// Walks over the markup without building anything.
+/// Checks the markup without building a tree.
 class Guard {
  public:
   Guard(const std::string& path, const std::string& text) : path_(path), text_(text) {}

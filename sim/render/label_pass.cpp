@@ -18,7 +18,7 @@ void attach(GLenum attachment, GLenum format, GLuint renderbuffer, int width, in
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
 }
 
-/// OpenGL's first row is the lowest.
+/// OpenGL's first row is the lowest one.
 template <typename T>
 std::vector<T> turned_over(std::vector<T> rows, int width) {
   const auto step = static_cast<std::ptrdiff_t>(width);

@@ -10,8 +10,8 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kLeastReach = 8.0F;  // [m]
-constexpr float kFocus = 0.7F;       // Of the reach, before the camera.
-constexpr float kBorder = 1.1F;      // Room for the map's fading rim.
+constexpr float kFocus = 0.7F;       // Share of the reach, ahead of the camera.
+constexpr float kBorder = 1.1F;      // Room for the map's faded border.
 
 /// Light coordinates: x right and y up as the sun sees them, z towards it.
 Eigen::Matrix3f light_from_map() {
@@ -30,7 +30,7 @@ Eigen::AlignedBox3f turned(const Eigen::AlignedBox3f& bounds, const Eigen::Matri
   return box;
 }
 
-/// The middle of what is to be seen, on the ground.
+/// The centre of the visible area, on the ground.
 Vector3f focus_of(const Camera& camera, float reach, float ground) {
   const Vector2f ahead = (camera.target - camera.eye).head<2>();
   const float way = ahead.norm();
