@@ -18,7 +18,7 @@ struct TriangleMesh {
   std::vector<std::uint32_t> indices;  ///< Three a triangle, counter-clockwise from outside.
 };
 
-/// Ranges of instance numbers, which views for learning tell things apart by.
+/// Ranges of instance numbers, by which label maps distinguish objects.
 inline constexpr std::uint16_t kFloorInstance = 1;
 inline constexpr std::uint16_t kRobotInstance = 2;
 inline constexpr std::uint16_t kFirstObjectInstance = 10;     ///< + index of the world's object.

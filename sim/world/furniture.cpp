@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Sets that are joined step by step.
+/// A union-find structure.
 class Joined {
  public:
   explicit Joined(std::size_t count) : parent_(count) {
@@ -87,7 +87,7 @@ void move_group(WorldSpec& world, const FurnitureGroup& group, double yaw,
                                    Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
                                    center.inverse();
   for (const std::size_t i : group.objects) {
-    if (world.objects[i].in_map) {  // The map goes on showing it where it was.
+    if (world.objects[i].in_map) {  // The map still shows the body where it was surveyed.
       WorldObject surveyed = world.objects[i];
       surveyed.name += " on the map";
       surveyed.in_world = false;

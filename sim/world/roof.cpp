@@ -8,18 +8,18 @@ namespace castaway::sim {
 namespace {
 
 constexpr float kHigh = 1.5F;     // [m]
-constexpr float kShare = 0.25F;   // Of the extent.
+constexpr float kShare = 0.25F;   // Share of the extent.
 constexpr float kEnough = 20.0F;  // [m2]
-constexpr float kFlat = 0.5F;     // Of a unit normal, along z.
-constexpr float kOfPanel = 0.5F;  // Of its surface that is flat.
+constexpr float kFlat = 0.5F;     // Least z component of the unit normal of a flat face.
+constexpr float kOfPanel = 0.5F;  // Share of a panel's surface that is flat.
 
 /// The high flat faces of an item.
 struct Overhead {
-  std::vector<std::uint32_t> roof;  ///< Corners.
+  std::vector<std::uint32_t> roof;  ///< Vertex indices.
   std::vector<std::uint32_t> rest;
-  float up = 0.0F;    ///< [m2] On the ground, facing up.
-  float down = 0.0F;  ///< [m2] Facing down.
-  bool panel = true;  ///< All is high, and most is flat.
+  float up = 0.0F;    ///< [m2] Horizontal projection of faces that face up.
+  float down = 0.0F;  ///< [m2] The same of faces that face down.
+  bool panel = true;  ///< Everything is high, and most of it is flat.
 
   [[nodiscard]] float area() const { return std::max(up, down); }
 };
@@ -48,7 +48,7 @@ Overhead overhead_of(const SceneItem& item) {
   return overhead;
 }
 
-/// An item's roof behind the rest of it.
+/// Appends an item and its roof as separate items.
 void add_parted(SceneItem item, Overhead overhead, std::vector<SceneItem>& parted) {
   SceneItem roof = item;
   roof.casts_shadow = false;

@@ -40,7 +40,7 @@ std::vector<std::string> folders_of_environment() {
   return folders;
 }
 
-/// The entry of a folder by its name, upper and lower case alike.
+/// The entry of a folder with this name, ignoring case.
 std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name) {
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -56,7 +56,7 @@ std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name
   return *std::min_element(found.begin(), found.end());
 }
 
-/// The file or folder, its links followed; nothing if there is none.
+/// The file or folder with its links resolved; nothing if it does not exist.
 std::optional<fs::path> existing(const fs::path& path, bool any_case) {
   std::error_code none;
   const fs::path exact = fs::weakly_canonical(path, none);

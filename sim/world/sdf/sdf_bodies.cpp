@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxObjects = 20000;
 constexpr double kMaxLength = 1e4;  // [m]
-constexpr double kLevel = 0.999;    // Of a plane's unit normal, along z.
+constexpr double kLevel = 0.999;    // Least z component of a level plane's unit normal.
 
 Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
   const auto& q = pose.Rot();
@@ -23,7 +23,7 @@ Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
   return T;
 }
 
-/// Of the first visual with a material of its own.
+/// Colour of the first visual with a material of its own.
 Eigen::Vector3f color_of(const sdf::Link& link) {
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
     const sdf::Material* material = link.VisualByIndex(i)->Material();
@@ -34,7 +34,7 @@ Eigen::Vector3f color_of(const sdf::Link& link) {
   return {0.7F, 0.7F, 0.7F};
 }
 
-/// What a geometry is called that is not read.
+/// Name of an unsupported geometry, for messages.
 std::string name_of(const sdf::Geometry& geometry) {
   if (geometry.Type() == sdf::GeometryType::HEIGHTMAP) return "a height map";
   const sdf::ElementPtr element = geometry.Element();
@@ -42,7 +42,7 @@ std::string name_of(const sdf::Geometry& geometry) {
   return kind ? "the geometry <" + kind->GetName() + ">" : "an empty geometry";
 }
 
-/// Why a piece cannot be read; what catches it knows the piece.
+/// Throws the reason why a piece cannot be read; the catcher knows the piece.
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
 
 double length(double value) {
@@ -151,7 +151,7 @@ std::optional<ObjectShape> SdfBodies::shape_of(const sdf::Geometry& geometry,
   return shape_around(geometry, name);
 }
 
-/// Of what there is no shape for, the simplest one about it.
+/// The simplest supported shape around an unsupported one.
 std::optional<ObjectShape> SdfBodies::shape_around(const sdf::Geometry& geometry,
                                                    const std::string& name) {
   if (const sdf::Capsule* capsule = geometry.CapsuleShape()) {
@@ -174,12 +174,12 @@ void SdfBodies::add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_ma
   const Eigen::Vector3d p = T_map_plane.translation();
   if (ground_ && ground_->height <= p.z()) return;
   ground_ = Ground{p.z(), {}};
-  if (plane.Size() == sdf::Plane().Size()) return;  // No size is given: it has no end.
+  if (plane.Size() == sdf::Plane().Size()) return;  // Without a given size, the plane is infinite.
   const Eigen::Vector2d half(0.5 * length(plane.Size().X()), 0.5 * length(plane.Size().Y()));
   ground_->extent = Eigen::AlignedBox2d(p.head<2>() - half, p.head<2>() + half);
 }
 
-/// A mesh that many models share is read once.
+/// Checks a mesh; one that many models share is read once.
 void SdfBodies::require_readable(const std::string& path) {
   const auto [entry, is_new] = meshes_.try_emplace(path);
   if (is_new) {
