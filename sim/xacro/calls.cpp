@@ -28,7 +28,8 @@ std::string names_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-/// `from` is the call. The macro's scope lies within the caller's, or within its namespace.
+/// Calls a macro from the element `from`. Its scope lies within the caller's, or within its
+/// namespace.
 void Expander::call(const Element& from, const std::string& name, Scope& scope, TiXmlNode& to) {
   const Place place = resolve(scope, name);
   const Macro* macro = find_macro(*place.scope, place.name);
@@ -92,7 +93,8 @@ void Expander::bind_default(const Parameter& parameter, const Macro& macro, Scop
   local.properties[parameter.name] = {"", text != nullptr ? from_literal(*text) : value, false};
 }
 
-/// The call's elements, expanded where it stands, in the order of the macro's block parameters.
+/// Binds the call's child elements, expanded in the caller's scope, to the macro's block parameters
+/// in order.
 void Expander::bind_blocks(const Element& from, const Macro& macro, Scope& caller, Scope& local) {
   Element given("blocks");
   expand_children(from, caller, given);

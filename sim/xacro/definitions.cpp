@@ -9,7 +9,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// The scope that `scope="..."` of a property means.
+/// The scope that the attribute `scope` of a property refers to.
 Scope& scope_of(const TiXmlElement& from, Scope& here) {
   const std::string which = attribute(from, "scope");
   if (which.empty() || which == "local") return here;
@@ -72,7 +72,8 @@ void Expander::define_macro(const Element& from, Scope& scope) {
   allow_only(from, {"name", "params"});
   std::string name = required(from, "name");
   if (name.starts_with("xacro:")) name = name.substr(6);
-  if (name.find("${") == std::string::npos) require_name(name);  // Else nothing can call it.
+  // A name with an expression can never be called.
+  if (name.find("${") == std::string::npos) require_name(name);
   if (name.find('.') != std::string::npos) {
     throw std::invalid_argument(fmt::format("'{}': a macro's name holds no dot", name));
   }
@@ -99,7 +100,7 @@ std::string Expander::text_in(Scope& scope, const std::string& text) {
   return is_plain(text) ? text : to_text(evaluate_in(scope, text));
 }
 
-/// A property's text is evaluated in the scope that holds it, once.
+/// Evaluates a property's text once, in the scope that contains it.
 std::optional<Value> Expander::property_in(Scope& scope, const std::string& name) {
   const Place place = find_property(scope, name);
   if (place.scope == nullptr) return std::nullopt;

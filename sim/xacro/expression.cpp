@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Syntax::Kind;
 
-/// "a.b.c" of names joined by dots; empty if the tree is anything else.
+/// "a.b.c" if the tree consists of names joined by dots; empty otherwise.
 std::string dotted_name(const Syntax& tree) {
   if (tree.kind == Kind::kName) return tree.text;
   if (tree.kind != Kind::kAttribute) return "";
@@ -21,7 +21,7 @@ std::string dotted_name(const Syntax& tree) {
   return before.empty() ? "" : before + "." + tree.text;
 }
 
-/// The name without the module that Python keeps it in.
+/// The name without its Python module.
 std::string without_module(const std::string& name) {
   for (const char* module : {"math.", "xacro.", "python."}) {
     if (name.starts_with(module)) return name.substr(std::string(module).size());
@@ -29,7 +29,7 @@ std::string without_module(const std::string& name) {
   return name;
 }
 
-/// Walks a tree.
+/// Evaluates a syntax tree.
 class Evaluator {
  public:
   explicit Evaluator(const Surroundings& surroundings) : surroundings_(surroundings) {}
@@ -65,7 +65,7 @@ class Evaluator {
     return value(tree.children[i]);
   }
 
-  /// What need not look at all of its parts.
+  /// Operators that do not evaluate all of their operands.
   [[nodiscard]] Value logical(const Syntax& tree) const {
     if (tree.kind == Kind::kNot) return {!truth(child(tree, 0))};
     if (tree.kind == Kind::kTernary) return child(tree, truth(child(tree, 1)) ? 0 : 2);

@@ -80,7 +80,7 @@ Value to_float(const Value& value) {
   return {to_double(number)};
 }
 
-/// Half to even, as Python does.
+/// Rounds half to even, as Python does.
 Value rounded(const List& arguments) {
   expect_count("round", arguments, 1, 2);
   const double number = to_double(arguments[0]);
@@ -114,7 +114,7 @@ std::int64_t length(const Value& value) {
   throw std::invalid_argument(fmt::format("len() of {}", type_name(value)));
 }
 
-/// Conversions and the like of one argument; nothing for other names.
+/// Calls a conversion or similar function of one argument; nothing for other names.
 std::optional<Value> convert(const std::string& name, const Value& x) {
   if (name == "int") return to_int(x);
   if (name == "float") return to_float(x);

@@ -24,7 +24,7 @@ std::string stripped(const std::string& text, const std::string& name, const std
   return text.substr(first, last - first);
 }
 
-/// At white space, runs of it counting once.
+/// Splits at runs of white space.
 List words(const std::string& text) {
   List parts;
   for (std::size_t at = text.find_first_not_of(kBlank); at != std::string::npos;) {

@@ -9,7 +9,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// Words between blanks; blanks inside of quotes and brackets do not count.
+/// Splits at blanks outside of quotes and brackets.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
@@ -44,7 +44,7 @@ std::string unquoted(const std::string& text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What stands behind `:=`. `^default` is taken for `^|default`, as xacro does.
+/// Reads the text after `:=`. `^default` means `^|default`, as in xacro.
 void read_default(const std::string& text, Parameter& parameter) {
   parameter.from_outside = text.starts_with("^");
   if (!parameter.from_outside) {

@@ -17,7 +17,7 @@ using Kind = Syntax::Kind;
 constexpr std::size_t kMaxExpression = 4096;
 constexpr int kMaxNesting = 60;
 
-/// Recursive descent; one function a level of precedence, the loosest first.
+/// Recursive descent parser; one function per level of precedence, the lowest first.
 class Parser {
  public:
   explicit Parser(const std::string& expression) : tokens_(tokenize(expression)) {}
@@ -106,7 +106,7 @@ Syntax Parser::negation() {
   return result;
 }
 
-/// The comparison that comes next, empty if none does.
+/// Takes the next comparison operator; empty if there is none.
 std::string Parser::comparison_operator() {
   for (const char* sign : {"==", "!=", "<=", ">=", "<", ">", "in"}) {
     if (take(sign)) return sign;
@@ -220,7 +220,7 @@ Syntax Parser::bracketed() {
   Syntax first = ternary();
   if (take(")")) return first;
   expect(",");
-  children = items(")");  // A tuple: a list to us.
+  children = items(")");  // A tuple is treated as a list.
   children.insert(children.begin(), std::move(first));
   return node(Kind::kList, "", std::move(children));
 }

@@ -14,7 +14,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 
-/// Cuts tokens off the front of a text.
+/// Takes tokens from the front of a text.
 class Cutter {
  public:
   explicit Cutter(const std::string& text) : text_(text) {}
@@ -44,7 +44,7 @@ class Cutter {
     return {Token::Kind::kNumber, digits, value};
   }
 
-  /// A sign right after the e of an exponent.
+  /// True for the sign of an exponent.
   [[nodiscard]] bool is_sign(std::size_t i) const {
     const bool sign = text_[i] == '+' || text_[i] == '-';
     return sign && i > at_ && (text_[i - 1] == 'e' || text_[i - 1] == 'E');

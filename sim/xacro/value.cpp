@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kMaxWeight = 200000;
 
-/// The text without white space at its ends.
+/// The text without white space at both ends.
 std::string stripped(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// A whole text as a number of type T; nothing else may stand in it.
+/// Parses a complete text as a number of type T; false if anything else is in it.
 template <typename T>
 bool parse_whole(const std::string& text, T& number) {
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -29,7 +29,7 @@ bool parse_whole(const std::string& text, T& number) {
   return begin != end && error == std::errc{} && stop == end;
 }
 
-/// `repr` inside of lists and dictionaries.
+/// Python's `repr` for items of lists and dictionaries.
 std::string quoted(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value.data)) return "'" + *text + "'";
   return to_text(value);
@@ -40,7 +40,7 @@ std::string float_text(double number) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// Items and characters of a value.
+/// Number of items and characters of a value.
 std::size_t weight(const Value& value) {
   std::size_t sum = 1;
   if (const auto* text = std::get_if<std::string>(&value.data)) sum += text->size();
