@@ -3,9 +3,7 @@
 ///
 /// Supports properties (lazy, with blocks, default, scope), arguments, includes (with namespaces),
 /// macros (defaults, `^`, blocks, nested, recursive), if and unless, insert_block, call, `${}` with
-/// Python's expressions, and `$()` substitutions. As in xacro, a macro sees the scope of its
-/// caller.
-/// Python's expressions, `$()` substitutions. As in xacro, a macro sees what its caller sees.
+/// Python's expressions, and `$()` substitutions. As in xacro, a macro sees its caller's scope.
 #pragma once
 
 #include <memory>

@@ -50,7 +50,7 @@ double to_double(const Value& value);
 /// @throws std::invalid_argument if the value is not an integer or boolean.
 std::int64_t to_integer(const Value& value);
 
-/// Python's `==`: numbers by value, whatever their types.
+/// Python's `==`: numbers are compared by value, regardless of type.
 bool equal(const Value& a, const Value& b);
 
 /// Returns the value if it is not too large: nested lists grow fast.
