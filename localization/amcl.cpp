@@ -10,7 +10,7 @@
 namespace castaway::localization {
 namespace {
 
-/// The map, half a cell off if asked for.
+/// The map, shifted by half a cell if configured.
 OccupancyGrid placed(const AmclConfig& config, OccupancyGrid map) {
   validate(map);
   const double shift = config.half_cell_shift ? -0.5 * map.frame.resolution : 0.0;
@@ -79,7 +79,7 @@ bool Amcl::says_something(const BeamScan& beams) const {
   return !beams.returns.empty() || (beam_model_ && !beams.misses.empty());
 }
 
-/// After enough motion the next scan of every lidar makes an update, as in Nav2.
+/// After enough motion the next scan of every lidar causes an update, as in Nav2.
 bool Amcl::is_awaited(const std::string& lidar, const SE2& T_odom_base) {
   awaited_.try_emplace(lidar, true);
   if (!updated_at_ || config_.update_at_rest || moved_enough(T_odom_base)) {

@@ -8,8 +8,8 @@ namespace {
 constexpr int kBorder = 2;               // cells
 constexpr float kFarthestKept = 500.0F;  // cells
 
-/// A function that remembers what it gave. Distances between cells are square roots of whole
-/// numbers of cells, which tell where a value is kept.
+/// Caches the values of a function of distance. Distances between cells are square roots of whole
+/// numbers of cells, which serve as index.
 class Remembered {
  public:
   Remembered(const std::function<double(double)>& f, const DistanceField& distances)

@@ -9,7 +9,7 @@ namespace castaway::localization {
 namespace {
 
 constexpr int kByteMax = 255;
-constexpr std::int64_t kSlice = 1 << 20;  // tiles; any will do
+constexpr std::int64_t kSlice = 1 << 20;  // [tiles] Any size gives the same result.
 
 }  // namespace
 

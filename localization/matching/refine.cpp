@@ -19,7 +19,7 @@ double prior_score(const std::optional<PosePrior>& prior, const SE2& pose) {
   return -0.5 * d.dot(prior->information * d);
 }
 
-/// Steps along the axes of base: forward, left, turn; both signs.
+/// Steps along the axes of base in both directions: forward, left, turn.
 std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad) {
   const double c = step_m * std::cos(yaw);
   const double s = step_m * std::sin(yaw);
@@ -36,7 +36,7 @@ struct ScoredPose {
 
 using Score = std::function<double(const SE2&)>;
 
-/// Takes every step that rises; false if none did.
+/// Takes every step that improves the score; false if none did.
 bool climb(const Score& score, double step_m, double step_rad, ScoredPose& best) {
   bool risen = false;
   for (const auto& step : steps(best.pose.yaw, step_m, step_rad)) {

@@ -49,14 +49,14 @@ SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
   return level.grid.frame.T_map_grid * T_grid_base;
 }
 
-/// The nodes on cells that hold free space and whose quality reaches the threshold, best first.
+/// The nodes on cells with free space whose quality reaches the threshold, best first.
 std::vector<PaperCascade::Node> PaperCascade::scored(const Level& level, std::vector<Node> nodes,
                                                      const ScanPoints& points) const {
   const bool coarse = &level != &levels_.front();
   std::erase_if(nodes, [&](Node& node) {
     if (!level.grid.frame.contains(node.cell)) return true;
     const CellState state = level.grid.cells[level.grid.frame.index(node.cell)];
-    // A coarse cell that holds a wall may hold free cells, too.
+    // A coarse cell with a wall may also contain free cells.
     if (state == CellState::kUnknown || (!coarse && state == CellState::kOccupied)) return true;
     node.quality = level.model.evaluate(points, pose_of(level, node)).hits /
                    static_cast<double>(points.size());

@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Adds the particles of a population, weighed by their share times `factor`.
+/// Adds the particles of a population with their normalised weights times `factor`.
 void add_weighed(const Hypothesis& h, double factor, ParticleSet& all) {
   const std::vector<double> weights = normalized_weights(h.particles);
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -17,7 +17,7 @@ void add_weighed(const Hypothesis& h, double factor, ParticleSet& all) {
   }
 }
 
-/// `second` goes into `first`.
+/// Merges `second` into `first`.
 void join(const Hypothesis& second, Hypothesis& first) {
   first.particles = heavier_half(first, first.quality, second, second.quality);
   first.belief = moments(first.particles);

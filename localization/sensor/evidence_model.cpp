@@ -53,7 +53,7 @@ double EvidenceModel::scaled(double sum, std::size_t beams, const SE2& T_map_bas
 }
 
 double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {
-  constexpr double kRounding = 1e-3;  // sums in single precision
+  constexpr double kRounding = 1e-3;  // Rounding of sums in single precision.
   return std::max(endpoint_.log_likelihood(points, T_map_base) + kRounding, config_.minimum);
 }
 

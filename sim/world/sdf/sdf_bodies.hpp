@@ -19,7 +19,7 @@
 
 namespace castaway::sim {
 
-/// Gathers the collision bodies of worlds and models.
+/// Collects the collision bodies of worlds and models.
 class SdfBodies {
  public:
   /// `path`: of the world, for errors. `finder` must outlive this.
