@@ -15,10 +15,10 @@ namespace castaway::localization {
 struct ReseedConfig {
   int min_particles = 50;   ///< Number for a certain pose.
   int max_particles = 200;  ///< Number for a spread of `wide_spread` or more.
-  double wide_spread =
-      0.3;  ///< [m] Standard deviation of the position at which max_particles are used.
-  double effective_share =
-      0.5;  ///< Reseed ahead of time when fewer particles than this share carry the weight.
+  /// [m] Standard deviation of the position at which max_particles are used.
+  double wide_spread = 0.3;
+  /// Share of particles that must carry weight; with fewer, the population is reseeded early.
+  double effective_share = 0.5;
 };
 
 /// @throws std::invalid_argument if a value is out of range.

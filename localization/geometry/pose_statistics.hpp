@@ -19,8 +19,8 @@ struct PoseMoments {
 /// A pose and its uncertainty.
 struct PoseWithCovariance {
   SE2 T_map_base;
-  Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) in map: m^2, m rad, rad^2.
+  /// Of (x, y, yaw) in map: m^2, m rad, rad^2.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// Weighted moments. The mean yaw is the direction of the mean heading, and deviations are wrapped.

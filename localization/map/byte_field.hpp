@@ -11,10 +11,10 @@ namespace castaway::localization {
 /// Parameters of a byte field.
 struct ByteFieldConfig {
   double resolution = 0.2;  ///< [m] Edge of a coarse cell; rounded to a multiple of the map's.
-  double sigma =
-      0.15;  ///< [m] Bytes are `255 exp(-d^2 / 2 sigma^2)` of the nearest distance in the cell.
-  double padding =
-      40.0;  ///< [m] Border of zeros all around, so that end points need no bounds check.
+  /// [m] Bytes are `255 exp(-d^2 / 2 sigma^2)` of the least distance d in the cell.
+  double sigma = 0.15;
+  /// [m] Border of zeros on all sides, so that end points need no bounds check.
+  double padding = 40.0;
 };
 
 /// Bytes and free cells at the coarse resolution.

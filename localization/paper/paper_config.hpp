@@ -29,8 +29,8 @@ struct PaperMhAmclConfig {
   SpawnConfig spawn;  ///< Added to the spread of a candidate or of a start.
   ReseedConfig size;  ///< Number of particles of a new population.
   IntakeConfig intake;
-  Stamp lidar_memory =
-      std::chrono::milliseconds(250);  ///< So long scans of other lidars are joined to a new one.
+  /// Scans of other lidars up to this age are joined to a new one.
+  Stamp lidar_memory = std::chrono::milliseconds(250);
 };
 
 /// @throws std::invalid_argument naming a value that is out of range.

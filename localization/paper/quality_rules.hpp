@@ -12,15 +12,15 @@ namespace castaway::localization {
 /// Thresholds, which the paper does not give.
 struct QualityRules {
   MergeConfig merge{0.2, 0.3};
-  double destroy_below =
-      0.25;  ///< Quality under which a population is removed, unless it is the last.
+  /// Populations below this quality are removed, except the last one.
+  double destroy_below = 0.25;
   double candidate_from = 0.5;  ///< Least quality of a candidate that becomes a population.
   /// [m] Such a candidate is at least this far from all populations, or turned by `apart_rad`.
   double apart_m = 0.5;
   double apart_rad = 1.5708;  ///< [rad] See `apart_m`.
-  double select_margin =
-      0.1;                ///< Another population must be better by so much to become the output...
-  double select_s = 0.5;  ///< [s] The same for this long.
+  /// A population's quality must exceed the output's by this to become the output.
+  double select_margin = 0.1;
+  double select_s = 0.5;    ///< [s] The same for this long.
   double right_from = 0.5;  ///< The output is not lost from this quality on.
   int most = 5;             ///< Largest number of populations.
 };

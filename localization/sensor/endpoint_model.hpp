@@ -15,8 +15,8 @@ namespace castaway::localization {
 struct EndpointConfig {
   /// [m] Spread of end points about walls: noise, map and pose errors together.
   double sigma = 0.12;
-  double floor =
-      0.08;  ///< Likelihood of an end point far from any wall, relative to one on a wall.
+  /// Likelihood of an end point far from any wall, relative to one on a wall.
+  double floor = 0.08;
   double independent_beams = 12;  ///< The scan counts as this many independent beams.
 };
 

@@ -11,10 +11,10 @@ namespace castaway::localization {
 struct EvidenceConfig {
   EndpointConfig endpoint;  ///< A short beam (a person) costs at most log(floor).
   RayConsistencyConfig rays;
-  double through_wall =
-      0.02;  ///< Likelihood of a beam through a mapped wall, relative to one on a wall.
-  double off_free_penalty =
-      0.5;                 ///< Taken from the mean log-likelihood where base is not on a free cell.
+  /// Likelihood of a beam through a mapped wall, relative to one on a wall.
+  double through_wall = 0.02;
+  /// Subtracted from the mean log-likelihood if base is not on a free cell.
+  double off_free_penalty = 0.5;
   double minimum = -25.0;  ///< Lower limit: one bad scan must not outweigh a long confident track.
 };
 

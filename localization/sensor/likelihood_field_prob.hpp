@@ -15,9 +15,8 @@ namespace castaway::localization {
 /// Beam skipping, with Nav2's names and defaults.
 struct BeamSkipConfig {
   bool enabled = true;
-  double distance = 0.5;  ///< [m] A particle explains a beam that ends this close to a wall.
-  double threshold =
-      0.3;  ///< A beam explained by this share of the particles or fewer is skipped...
+  double distance = 0.5;   ///< [m] A particle explains a beam that ends this close to a wall.
+  double threshold = 0.3;  ///< A beam explained by this share of the particles or fewer is skipped.
   /// No beam is skipped if at least this share of all beams would be.
   double error_threshold = 0.9;
 };

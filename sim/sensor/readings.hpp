@@ -22,8 +22,8 @@ struct PersonReading {
   int person = 0;      ///< Number of the person.
   Pose2 T_map_person;  ///< Its x axis points where the person faces.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
-  double gap =
-      0.0;  ///< [m] Between the robot's outline and the disc of the body; <= 0: they touch.
+  /// [m] Between the robot's outline and the disc of the body; <= 0: they touch.
+  double gap = 0.0;
 };
 
 /// The robot ran into a person.
