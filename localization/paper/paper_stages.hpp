@@ -23,7 +23,7 @@ struct MatchScan {
 struct PaperStages {
   /// Moves all particles by a step of odometry (eq. 3 and 4).
   std::function<void(const SE2& u, std::vector<Hypothesis>&)> predict;
-  /// Weighs a population by a scan and takes its quality (eq. 5 to 7 and 9).
+  /// Updates weights and quality of a population by a scan (eq. 5 to 7 and 9).
   std::function<void(const ScanPoints&, Hypothesis&)> correct;
   /// Merges populations at the same place.
   std::function<void(Populations&)> merge;

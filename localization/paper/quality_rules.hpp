@@ -20,7 +20,7 @@ struct QualityRules {
   double apart_rad = 1.5708;  ///< [rad] See `apart_m`.
   /// A population's quality must exceed the output's by this to become the output.
   double select_margin = 0.1;
-  double select_s = 0.5;    ///< [s] The same for this long.
+  double select_s = 0.5;    ///< [s] It must do so for this long.
   double right_from = 0.5;  ///< The output is not lost from this quality on.
   int most = 5;             ///< Largest number of populations.
 };

@@ -1,4 +1,4 @@
-/// Drives towards a point around what the lidar sees.
+/// Drives towards a point around obstacles that the lidars see.
 ///
 /// D. Fox, W. Burgard, S. Thrun, "The Dynamic Window Approach to Collision Avoidance", IEEE
 /// Robotics & Automation Magazine 4(1), 1997. We roll each velocity out over a horizon in which the

@@ -102,8 +102,8 @@ void Movers::begin(const SeenPoint& leg) {
   tracks_.push_back({leg.p, Eigen::Vector2d::Zero(), variances.asDiagonal(), leg.stamp, 0, {leg}});
 }
 
-/// Splits tracks with too many legs in two: the legs nearer to the one farthest from the prediction
-/// than to the one nearest to it belong to a second person who walks along.
+/// Splits tracks with too many legs in two: the leg farthest from the prediction, and the legs
+/// nearer to it than to the best fitting leg, belong to a second person who walks along.
 void Movers::split() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (tracks_[i].legs.size() <= kLegs) continue;

@@ -30,7 +30,7 @@ struct SceneItem {
   Eigen::Isometry3f T_map_mesh = Eigen::Isometry3f::Identity();
   Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< False: its plain colour, without light.
   bool shaded = true;                       ///< Number in label maps; 0: none.
-  std::uint16_t instance = 0;               ///< What it belongs to; 0: nothing that has a number.
+  std::uint16_t instance = 0;               ///< Number in label maps; 0: none.
   bool casts_shadow = true;                 ///< False: light passes (floors, roofs).
 };
 

@@ -56,7 +56,7 @@ class SdfBodies {
   std::set<std::string> names_;
   PiecePolicy policy_;
   std::optional<Ground> ground_;
-  /// Reason why a mesh cannot be read by path; empty if it can.
+  /// By path: why a mesh cannot be read; empty if it can.
   std::map<std::string, std::string> meshes_;
 };
 
