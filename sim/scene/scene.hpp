@@ -28,8 +28,8 @@ inline constexpr std::uint16_t kFirstPersonInstance = 60000;  ///< + number of t
 struct SceneItem {
   TriangleMesh mesh;
   Eigen::Isometry3f T_map_mesh = Eigen::Isometry3f::Identity();
-  Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< False: its plain colour, without light.
-  bool shaded = true;                       ///< Number in label maps; 0: none.
+  Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< Multiplies the vertex colours.
+  bool shaded = true;                       ///< False: its plain colour, without light.
   std::uint16_t instance = 0;               ///< Number in label maps; 0: none.
   bool casts_shadow = true;                 ///< False: light passes (floors, roofs).
 };

@@ -121,7 +121,7 @@ void add_parameters(const UrdfFile& file, const PackageFinder& packages,
     try {
       add_drive_parameters(options.read_yaml(path.string()), tags);
     } catch (const std::runtime_error&) {
-      return;  // An unreadable file is no error: the tags alone may suffice.
+      return;  // No error: the drive is known without it.
     }
   });
 }
