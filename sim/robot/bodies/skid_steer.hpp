@@ -12,8 +12,8 @@ namespace castaway::sim {
 /// robots", IROS 2007, who measure what is derived here for equal loads.
 double ideal_skid_track(const RobotModel& robot);
 
-/// Raises torque limits that are too low for the wheels to skid, with a warning: such a robot could
-/// not turn.
+/// Removes torque limits that are too low for the wheels to skid, with a warning: such a robot
+/// could not turn.
 void strengthen_motors(RobotModel& robot);
 
 /// Measured turn in place of a robot in simulated physics.
@@ -27,8 +27,8 @@ struct SkidTurn {
 /// Measures a turn in place on a bare floor for two seconds. `robot.track` is the initial guess.
 SkidTurn measured_skid_turn(const RobotModel& robot);
 
-/// Prepares a robot with more than two driven wheels for turning: raises torque limits, and sets
-/// `track` and the axle so that its drive commands and wheel odometry are correct.
+/// Prepares a robot with more than two driven wheels for turning: removes low torque limits, and
+/// sets `track` and the axle so that its drive commands and wheel odometry are correct.
 void steer_by_skidding(RobotModel& robot);
 
 }  // namespace castaway::sim
