@@ -55,7 +55,7 @@ class Guard {
       } else if (quote == 0 && (c == '"' || c == '\'')) {
         quote = c;
         if (++attributes > kMaxAttributes) {
-          refuse(fmt::format("an element of more than {} attributes", kMaxAttributes));
+          refuse(fmt::format("an element has more than {} attributes", kMaxAttributes));
         }
       }
     }

@@ -41,8 +41,8 @@ class Changer {
     change_furniture(room, rng);
     change_doors(room, rng);
     add_boxes(room, rng);
-    note("pieces of furniture stay: no room elsewhere", stuck_);
-    note("doors stay: a route or furniture is in the way", blocked_);
+    note("pieces of furniture were not moved: there is no room elsewhere", stuck_);
+    note("doors were not turned: a route or furniture is in the way", blocked_);
     return std::move(result_);
   }
 

@@ -40,7 +40,7 @@ void validate(const FaultSpec& fault) {
   require(std::abs(fault.offset_s) <= 10.0, fault, "offset_s", fault.offset_s,
           "give -10 to 10 seconds");
   require(fault.scale > 0.0 && fault.scale <= 10.0, fault, "scale", fault.scale,
-          "give more than 0, 1 is right, up to 10");
+          "give more than 0 and up to 10; 1 is exact");
 }
 
 bool is_active(const FaultSpec& fault, nanoseconds stamp) {

@@ -198,13 +198,13 @@ std::optional<std::string> describe(const FreeChoice& choice) {
   using Reason = FreeChoice::Reason;
   const auto sentence = [&](const char* why) {
     return fmt::format(
-        "free space: of several parts the one of {:.0f} m2 is taken, {}; the largest other one "
-        "has {:.0f} m2; a pose in `start` chooses",
+        "free space: the map has several parts; the one of {:.0f} m2 is used, {}; the largest "
+        "other one has {:.0f} m2; set `start` to choose a part",
         choice.area, why, choice.other_area);
   };
   switch (choice.reason) {
     case Reason::kStart:
-      return sentence("in which the start lies");
+      return sentence("which contains the start");
     case Reason::kEnclosed:
       return sentence("the largest that does not touch the map's edge");
     case Reason::kLargest:

@@ -27,15 +27,15 @@ std::optional<std::string> extend_over(const Ground& ground, WorldSpec& world) {
   Eigen::AlignedBox2d box = ground.extent;
   if (box.isEmpty()) {
     box = grown(world, kOfEndless);
-    line = fmt::format(
-        "the ground plane has no size: it counts up to {} m around what stands there", kOfEndless);
+    line = fmt::format("the ground plane has no size: it is used up to {} m around the objects",
+                       kOfEndless);
   } else if (box.sizes().maxCoeff() > kWhole) {
     const Eigen::Vector2d size = box.sizes();
     const Eigen::AlignedBox2d near = box.intersection(grown(world, kOfLarger));
     if (!near.isApprox(box)) {
       line = fmt::format(
-          "the ground plane of {:.6g} m x {:.6g} m counts up to {} m around what stands there",
-          size.x(), size.y(), kOfLarger);
+          "the ground plane of {:.6g} m x {:.6g} m is used up to {} m around the objects", size.x(),
+          size.y(), kOfLarger);
     }
     box = near;
   }

@@ -106,7 +106,7 @@ class Draw {
     const std::string name = fmt::format("placed/{}", index);
     if (!space_.clear(pose.position())) {
       throw std::runtime_error(fmt::format(
-          "people: at ({}, {}) nobody can stand: move it off what stands there", pose.x, pose.y));
+          "people: nobody can stand at ({}, {}): move it away from obstacles", pose.x, pose.y));
     }
     add(agent(name, Errand::kStanding), pose.position(), pose.yaw);
   }

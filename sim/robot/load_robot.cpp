@@ -104,9 +104,9 @@ void RobotLoader::name_drive() {
 void RobotLoader::compare_separation() {
   if (!tags_.separation) return;
   if (std::abs(*tags_.separation / robot_.wheel_separation - 1.0) < kSameSize) return;
-  robot_.warnings.push_back(
-      fmt::format("the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels count",
-                  robot_.wheel_separation, tags_.dialect, *tags_.separation));
+  robot_.warnings.push_back(fmt::format(
+      "the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels' distance is used",
+      robot_.wheel_separation, tags_.dialect, *tags_.separation));
 }
 
 /// Lists joints that could move but are not driven.
@@ -152,7 +152,7 @@ void RobotLoader::collect_parts() {
     std::move(visuals.begin(), visuals.end(), std::back_inserter(robot_.visuals));
   }
   if (robot_.collisions.size() > robot_.wheels.size() || robot_.visuals.empty()) return;
-  robot_.warnings.emplace_back("no collision shapes on the chassis: its visual shapes collide");
+  robot_.warnings.emplace_back("the chassis has no collision shapes: its visual shapes are used");
   for (const RobotPart& part : robot_.visuals) {
     if (wheel_on(part.link) == nullptr) robot_.collisions.push_back(part);
   }

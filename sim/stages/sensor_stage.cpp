@@ -21,13 +21,13 @@ double turn_of(const Motion& motion) {
 }
 
 std::vector<LidarConfig> require_own_names(const std::vector<LidarConfig>& lidars) {
-  if (lidars.empty()) throw std::invalid_argument("lidars: there is none: give one");
+  if (lidars.empty()) throw std::invalid_argument("lidars: the list is empty: give at least one");
   for (auto lidar = lidars.begin(); lidar != lidars.end(); ++lidar) {
     const bool taken = std::any_of(
         lidars.begin(), lidar, [&](const LidarConfig& other) { return other.name == lidar->name; });
     if (taken) {
       throw std::invalid_argument("lidars: two are named '" + lidar->name +
-                                  "': give each a name of its own");
+                                  "': give each a unique name");
     }
   }
   return lidars;

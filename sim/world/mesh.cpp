@@ -37,8 +37,8 @@ void require_sound(const std::string& path, const TriangleMesh& mesh) {
                                 [](const auto& v) { return (v.array().abs() <= kFarthest).all(); });
   if (sound && near) return;
   throw std::runtime_error(
-      path + (sound ? ": cannot read this mesh (a vertex is no number, or beyond 1000 km)"
-                    : ": cannot read this mesh (its triangles name vertices that are not there)"));
+      path + (sound ? ": cannot read this mesh (a vertex is not a number, or beyond 1000 km)"
+                    : ": cannot read this mesh (its triangles refer to missing vertices)"));
 }
 
 TriangleMesh read_sound(const std::string& path) {

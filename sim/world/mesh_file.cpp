@@ -72,7 +72,7 @@ void append(const aiScene& scene, const aiMesh& mesh, TriangleMesh& out) {
 void refuse_file(const std::string& path) {
   std::error_code none;
   if (fs::exists(path, none) && !fs::is_regular_file(path, none)) {
-    throw std::runtime_error(path + ": cannot read this mesh (it is no regular file)");
+    throw std::runtime_error(path + ": cannot read this mesh (it is not a regular file)");
   }
   const std::uintmax_t size = fs::file_size(path, none);
   if (none || size <= kMaxBytes) return;

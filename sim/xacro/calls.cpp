@@ -39,8 +39,8 @@ void Expander::call(const Element& from, const std::string& name, Scope& scope, 
   }
   if (calling_.size() >= kMaxCallDepth || ++calls_ > kMaxCalls) {
     throw std::invalid_argument(
-        fmt::format("the macro '{}' is called endlessly ({} calls, {} of them within each other)",
-                    name, calls_, calling_.size()));
+        fmt::format("the macro '{}' is called without end ({} calls, {} of them nested)", name,
+                    calls_, calling_.size()));
   }
   Scope local(place.scope);
   bind_values(from, *macro, scope, local);
@@ -159,7 +159,8 @@ std::string Expander::path_of_include(const Element& from, Scope& scope) {
     must_find_ = false;
   }
   if (name.find('*') != std::string::npos) {
-    throw std::invalid_argument(fmt::format("'{}': name each file in an include of its own", name));
+    throw std::invalid_argument(
+        fmt::format("'{}': wildcards are not supported; include each file separately", name));
   }
   fs::path path = name;
   if (path.is_relative()) path = fs::path(file_).parent_path() / path;

@@ -24,7 +24,7 @@ Scope& scope_of(const TiXmlElement& from, Scope& here) {
 
 void require_name(const std::string& name) {
   if (!name.empty() && name.find_first_of(" \t\n${}()") == std::string::npos) return;
-  throw std::invalid_argument(fmt::format("'{}' is no name", name));
+  throw std::invalid_argument(fmt::format("'{}' is not a valid name", name));
 }
 
 }  // namespace
@@ -75,7 +75,8 @@ void Expander::define_macro(const Element& from, Scope& scope) {
   // A name with an expression can never be called.
   if (name.find("${") == std::string::npos) require_name(name);
   if (name.find('.') != std::string::npos) {
-    throw std::invalid_argument(fmt::format("'{}': a macro's name holds no dot", name));
+    throw std::invalid_argument(
+        fmt::format("'{}': the name of a macro must not contain a dot", name));
   }
   scope.macros[name] = {name, parse_parameters(attribute(from, "params")), &from, file_};
 }
@@ -107,7 +108,7 @@ std::optional<Value> Expander::property_in(Scope& scope, const std::string& name
   Property& property = place.scope->properties.at(place.name);
   if (property.value) return property.value;
   if (property.evaluating) {
-    throw std::invalid_argument(fmt::format("the property '{}' is defined by itself", name));
+    throw std::invalid_argument(fmt::format("the property '{}' depends on itself", name));
   }
   property.evaluating = true;
   Value value = evaluate_in(*place.scope, property.text);

@@ -54,7 +54,7 @@ class Evaluator {
       case Kind::kAttribute:
         return named(tree);
       case Kind::kKeyword:
-        throw std::invalid_argument(fmt::format("'{}=' is not supported there", tree.text));
+        throw std::invalid_argument(fmt::format("'{}=' is not supported here", tree.text));
       default:
         return logical(tree);
     }

@@ -26,7 +26,7 @@ void expect_count(const std::string& name, const List& arguments, std::size_t le
 
 double finite(const std::string& name, double result) {
   if (std::isfinite(result)) return result;
-  throw std::invalid_argument(fmt::format("{}() of this argument is no finite number", name));
+  throw std::invalid_argument(fmt::format("{}() of this argument is not a finite number", name));
 }
 
 using Function1 = double (*)(double);

@@ -67,7 +67,7 @@ Value arithmetic(const std::string& sign, const Value& left, const Value& right)
   if (sign == "%") result = a - b * std::floor(a / b);
   if (sign == "**") result = std::pow(a, b);
   if (!std::isfinite(result)) {
-    throw std::invalid_argument(fmt::format("{} {} {} is no finite number", a, sign, b));
+    throw std::invalid_argument(fmt::format("{} {} {} is not a finite number", a, sign, b));
   }
   return {result};
 }

@@ -43,9 +43,10 @@ class Parser {
     if (!take(text)) unexpected();
   }
   [[noreturn]] void unexpected() const {
-    if (peek().kind == Token::Kind::kEnd) throw std::invalid_argument("the expression is cut off");
+    if (peek().kind == Token::Kind::kEnd)
+      throw std::invalid_argument("the expression is incomplete");
     throw std::invalid_argument(
-        fmt::format("'{}' is not expected there (or not supported)", peek().text));
+        fmt::format("'{}' is unexpected here, or not supported", peek().text));
   }
   static Syntax node(Kind kind, std::string text, std::vector<Syntax> children) {
     return {kind, std::move(text), {}, std::move(children)};

@@ -38,7 +38,7 @@ class Cutter {
     const std::string digits = text_.substr(at_, end - at_);
     const Value value = from_literal(digits);
     if (!is_number(value)) {
-      throw std::invalid_argument(fmt::format("'{}' is no number", digits));
+      throw std::invalid_argument(fmt::format("'{}' is not a number", digits));
     }
     at_ = end;
     return {Token::Kind::kNumber, digits, value};
@@ -80,7 +80,7 @@ class Cutter {
       at_ += candidate.size();
       return {Token::Kind::kOperator, std::string(candidate), {}};
     }
-    throw std::invalid_argument(fmt::format("'{}' does not belong there", text_[at_]));
+    throw std::invalid_argument(fmt::format("unexpected character '{}'", text_[at_]));
   }
 
   const std::string& text_;

@@ -39,7 +39,7 @@ BodyMass link_mass(const urdf::Link& link, const LinkFrames& frames,
   if (points_base.empty() && !has_mass) return {};
   const double mass = has_mass ? link.inertial->mass : guessed_mass(points_base);
   warnings.push_back(
-      fmt::format("link {}: no possible inertia: that of a box of {:.2f} kg", link.name, mass));
+      fmt::format("link {}: no valid inertia: using that of a box of {:.2f} kg", link.name, mass));
   BodyMass body = box_mass(points_base, mass);
   if (points_base.empty()) body.p_base_com = T_base_link.translation();
   return body;

@@ -65,7 +65,7 @@ void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robo
   }
   if (chassis.mass <= 0.0) {
     throw std::runtime_error(fmt::format(
-        "{}: nothing but wheels: give the chassis a <collision> or an <inertial>", file.path));
+        "{}: there are only wheels: give the chassis a <collision> or an <inertial>", file.path));
   }
   robot.chassis_mass = chassis.mass;
   robot.p_base_com = chassis.p_base_com;

@@ -61,8 +61,8 @@ void strengthen_motors(RobotModel& robot) {
   }
   if (lowest <= 0.0) return;
   robot.warnings.push_back(
-      fmt::format("with <limit effort=\"{}\"> the wheels cannot skid, and the robot not turn: the "
-                  "limit is lifted",
+      fmt::format("the wheels cannot skid with <limit effort=\"{}\">, so the robot could not turn: "
+                  "the limit is ignored",
                   lowest));
 }
 

@@ -19,7 +19,7 @@ double radius_of(const WheelShape& shape, const std::string& link, const DriveTa
   if (difference > kSameMount) {
     warnings.push_back(
         fmt::format("link {}: its shape has a radius of {:.4f} m, the {} tag says {:.4f} m: the "
-                    "shape rolls",
+                    "shape's radius is used",
                     link, shape.radius, tags.dialect, *tags.radius));
   }
   return shape.radius;

@@ -119,11 +119,11 @@ void balance(RobotModel& robot) {
   if (moved > kWorthTelling) {
     const bool stands = robot.p_base_com.x() >= low && robot.p_base_com.x() <= high &&
                         std::abs(robot.p_base_com.y() - robot.p_base_axle.y()) <= 2.0 * side;
-    robot.warnings.push_back(
-        fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: {}",
-                    robot.p_base_com.x(), robot.p_base_com.y(), x, y,
-                    stands ? "so near the edge of its support the robot would tip as it brakes"
-                           : "wheels and casters do not carry it"));
+    robot.warnings.push_back(fmt::format(
+        "centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: {}",
+        robot.p_base_com.x(), robot.p_base_com.y(), x, y,
+        stands ? "so close to the edge of its support, the robot would tip when it brakes"
+               : "wheels and casters did not support it"));
   }
   robot.p_base_com.x() = x;
   robot.p_base_com.y() = y;

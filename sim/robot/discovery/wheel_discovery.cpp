@@ -195,8 +195,8 @@ DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
     }
   }
   if (pairs.size() > kMostPairs) {
-    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} make a robot", file.path,
-                                         2 * pairs.size(), 2 * kMostPairs));
+    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} are supported",
+                                         file.path, 2 * pairs.size(), 2 * kMostPairs));
   }
   for (const Pair& pair : pairs) {
     result.joints.push_back(pair.left.joint);

@@ -58,7 +58,7 @@ urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
 
 void require_sound(const UrdfFile& file) {
   if (file.model->links_.size() > kMaxLinks) {
-    throw std::runtime_error(fmt::format("{}: {} links: at most {} make a robot", file.path,
+    throw std::runtime_error(fmt::format("{}: {} links: at most {} are supported", file.path,
                                          file.model->links_.size(), kMaxLinks));
   }
   for (const auto& [name, joint] : file.model->joints_) {

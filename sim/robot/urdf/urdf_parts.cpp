@@ -64,8 +64,8 @@ FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const Mesh
   }
   if (!path) {
     return {inertia_box(link),
-            fmt::format("link {}: no mesh {}: a box stands for it; give --search-path, the folder "
-                        "above its package",
+            fmt::format("link {}: no mesh {}: a box replaces it; name the folder above its package "
+                        "with --search-path",
                         link.name, mesh.filename),
             true};
   }
@@ -73,7 +73,7 @@ FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const Mesh
     return in_metres({*path, to_vector(mesh.scale)}, link);
   } catch (const std::runtime_error& error) {
     return {inertia_box(link),
-            fmt::format("link {}: {}: a box stands for it", link.name, error.what()), true};
+            fmt::format("link {}: {}: a box replaces it", link.name, error.what()), true};
   }
 }
 

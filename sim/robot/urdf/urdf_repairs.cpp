@@ -48,7 +48,7 @@ void drop_unknown_materials(TiXmlElement& robot, std::vector<std::string>& warni
       TiXmlElement* m = v->FirstChildElement("material");
       if (m == nullptr || has_look(*m) || known.contains(attribute_of(*m, "name"))) continue;
       if (told.insert(attribute_of(*m, "name")).second) {
-        warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey stands for it",
+        warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey is used",
                                        attribute_of(*link, "name"), attribute_of(*m, "name")));
       }
       v->RemoveChild(m);
@@ -71,7 +71,7 @@ void add_limits(TiXmlElement& robot, std::vector<std::string>& warnings) {
     for (const char* name : {"effort", "velocity"}) {
       if (limit->Attribute(name) == nullptr) limit->SetAttribute(name, "0");
     }
-    warnings.push_back(fmt::format("joint {}: no whole <limit>: zeros stand for what is missing",
+    warnings.push_back(fmt::format("joint {}: incomplete <limit>: missing values are 0",
                                    attribute_of(*joint, "name")));
   }
 }
@@ -82,7 +82,8 @@ void repair_urdf(TiXmlElement& robot, const std::string& path, std::vector<std::
   if (attribute_of(robot, "name").empty()) {
     const std::string stem = std::filesystem::path(path).stem().stem().string();
     robot.SetAttribute("name", stem);
-    warnings.push_back(fmt::format("the robot has no name: '{}', after its file", stem));
+    warnings.push_back(
+        fmt::format("the robot has no name: it is called '{}' after its file", stem));
   }
   drop_unknown_materials(robot, warnings);
   add_limits(robot, warnings);

@@ -62,7 +62,7 @@ void IncludeCheck::visit(const std::string& uri) {
   if (++inclusions_ > kMaxInclusions) refuse(from, "more than 5000 models are included");
   const fs::path file = finder_.model_file(finder_.find(uri, from.parent_path()));
   if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
-    refuse(file, "it includes itself; break the circle");
+    refuse(file, "it includes itself; remove the circular include");
   }
   if (open_.size() >= kMaxDepth) refuse(file, "models are nested more than 20 levels deep");
   const OpenFile opened(open_, file);

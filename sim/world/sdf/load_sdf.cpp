@@ -40,8 +40,8 @@ std::string name_of(const WorldPieces& world, const std::string& path) {
 
 void refuse_vast(const Eigen::Vector2d& size, const std::string& path) {
   if (size.maxCoeff() <= kMaxSide) return;
-  throw std::runtime_error(
-      fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m either way", path, size.x(), size.y()));
+  throw std::runtime_error(fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m in each direction",
+                                       path, size.x(), size.y()));
 }
 
 /// Sets the extent to that of the geometry: a margin would be open ground all around it.
@@ -50,8 +50,8 @@ void set_extent(WorldSpec& spec, const std::string& path) {
   for (const WorldObject& object : spec.objects) box.extend(bounds(object));
   const Eigen::Vector3d size = box.sizes();
   if (spec.objects.empty() || !(size.head<2>().minCoeff() > 0.0)) {
-    throw std::runtime_error(fmt::format(
-        "{}: nothing in it stands above the floor; there is nothing that a lidar could see", path));
+    throw std::runtime_error(
+        fmt::format("{}: nothing in it is above the floor, so a lidar would see nothing", path));
   }
   refuse_vast(size.head<2>(), path);
   spec.min_corner = box.min().head<2>();
@@ -96,7 +96,7 @@ SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
   }
   if (std::abs(result.floor) > kTold) {
     result.warnings.push_back(fmt::format(
-        "the floor lies at z = {:.3f} m in {}: heights count from it", result.floor, path));
+        "the floor is at z = {:.3f} m in {}: heights are relative to it", result.floor, path));
   }
   set_extent(result.spec, path);
   return result;

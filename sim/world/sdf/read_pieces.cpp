@@ -112,7 +112,7 @@ class Reader {
     sdf::Errors errors;
     const bool read = sdf::readString(text, config_, tree, errors);
     throw_first(errors);
-    if (!read) throw std::runtime_error("it is no SDF");
+    if (!read) throw std::runtime_error("it is not SDF");
     remove_masses(tree->Root());
     auto root = std::make_unique<sdf::Root>();
     throw_first(root->Load(tree, config_));

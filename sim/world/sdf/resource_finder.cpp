@@ -141,7 +141,7 @@ fs::path ResourceFinder::model_file(const fs::path& model) const {
     }
   }
   if (!fs::is_regular_file(file) || !may_read(fs::canonical(file))) {
-    throw std::runtime_error(fmt::format("{}: the model's folder has no {} within reach",
+    throw std::runtime_error(fmt::format("{}: the model's folder has no {} that may be read",
                                          model.string(), file.filename().string()));
   }
   return file;

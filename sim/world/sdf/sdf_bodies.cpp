@@ -47,14 +47,14 @@ std::string name_of(const sdf::Geometry& geometry) {
 
 double length(double value) {
   if (value > 0.0 && value <= kMaxLength) return value;
-  fail(
-      fmt::format("it has a length of {} m: from above 0 to {:.0f} m are read", value, kMaxLength));
+  fail(fmt::format("it has a length of {} m: it must be above 0 and at most {:.0f} m", value,
+                   kMaxLength));
 }
 
 Eigen::Isometry3d resolved(const sdf::SemanticPose& pose) {
   ignition::math::Pose3d value;
   const sdf::Errors errors = pose.Resolve(value);
-  if (!errors.empty()) fail("its pose is not: " + errors.front().Message());
+  if (!errors.empty()) fail("its pose cannot be resolved: " + errors.front().Message());
   if (!value.IsFinite()) fail("its pose is not finite");
   return to_isometry(value);
 }
@@ -84,7 +84,7 @@ void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_pare
                     const std::string& prefix) {
   const std::string name = prefix + model.Name();
   if (!model.Static() && prefix.empty()) {
-    policy_.notes->add("not static, but stands where it is", name);
+    policy_.notes->add("not static, but treated as static", name);
   }
   Eigen::Isometry3d T_map_model;
   try {
@@ -155,22 +155,22 @@ std::optional<ObjectShape> SdfBodies::shape_of(const sdf::Geometry& geometry,
 std::optional<ObjectShape> SdfBodies::shape_around(const sdf::Geometry& geometry,
                                                    const std::string& name) {
   if (const sdf::Capsule* capsule = geometry.CapsuleShape()) {
-    policy_.notes->add("a capsule stands as the cylinder about it", name);
+    policy_.notes->add("a capsule is replaced by the cylinder around it", name);
     const double radius = length(capsule->Radius());
     return CylinderShape{radius, length(capsule->Length()) + 2.0 * radius};
   }
   if (const sdf::Ellipsoid* ellipsoid = geometry.EllipsoidShape()) {
-    policy_.notes->add("an ellipsoid stands as the box about it", name);
+    policy_.notes->add("an ellipsoid is replaced by the box around it", name);
     const auto& r = ellipsoid->Radii();
     return BoxShape{{2.0 * length(r.X()), 2.0 * length(r.Y()), 2.0 * length(r.Z())}};
   }
-  fail(fmt::format("{} is not read", name_of(geometry)));
+  fail(fmt::format("{} is not supported", name_of(geometry)));
 }
 
 void SdfBodies::add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane) {
   const ignition::math::Vector3d n = plane.Normal();
   const Eigen::Vector3d up = T_map_plane.linear() * Eigen::Vector3d(n.X(), n.Y(), n.Z());
-  if (up.z() <= kLevel) fail("a plane that is not level is not read");
+  if (up.z() <= kLevel) fail("a plane that is not level is not supported");
   const Eigen::Vector3d p = T_map_plane.translation();
   if (ground_ && ground_->height <= p.z()) return;
   ground_ = Ground{p.z(), {}};
@@ -194,7 +194,7 @@ void SdfBodies::require_readable(const std::string& path) {
 
 ObjectShape SdfBodies::mesh_of(const sdf::Mesh& mesh, const std::string& name) {
   if (!mesh.Submesh().empty()) {
-    policy_.notes->add("a submesh is not taken apart, the whole mesh stands", name);
+    policy_.notes->add("submeshes are not supported, the whole mesh is used", name);
   }
   const auto& scale = mesh.Scale();
   if (!scale.IsFinite() || scale.X() * scale.Y() * scale.Z() == 0.0) {

@@ -115,7 +115,7 @@ WorldPieces cut_world(const std::string& path, const std::string& text,
   const auto document = parse_xml(path, text);
   TiXmlElement* root = document->RootElement();
   if (root == nullptr || root->ValueStr() != "sdf") {
-    throw std::runtime_error(path + ": is no SDF file: its root is not <sdf>");
+    throw std::runtime_error(path + ": not an SDF file: its root is not <sdf>");
   }
   WorldPieces world;
   const std::string version = attribute(*root, "version");
