@@ -29,7 +29,7 @@ class Amcl final : public Localizer {
  private:
   [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
   [[nodiscard]] bool is_awaited(const std::string& lidar, const SE2& T_odom_base);
-  [[nodiscard]] bool says_something(const BeamScan& beams) const;
+  [[nodiscard]] bool is_informative(const BeamScan& beams) const;
   void update(const BeamScan& beams, double range_max, const SE2& T_odom_base);
   void weigh(const BeamScan& beams, double range_max);
   [[nodiscard]] std::vector<double> log_weights(const BeamScan& beams, double range_max) const;

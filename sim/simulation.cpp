@@ -64,7 +64,7 @@ struct Simulation::State {
   void deliver(std::vector<SimFrame> scans);
   void read_lidar(const Motion& motion);
   template <typename Work>
-  void measured(const char* stage, Work work);
+  void measure_cpu(const char* stage, Work work);
 
   SimulationConfig config;
   SimulationStreams streams;
@@ -107,7 +107,7 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       progress(progress_of(config.drive, config.robot)) {}
 
 template <typename Work>
-void Simulation::State::measured(const char* stage, Work work) {
+void Simulation::State::measure_cpu(const char* stage, Work work) {
   if (!cpu_clock) return work();
   const nanoseconds before = cpu_clock();
   work();
@@ -137,7 +137,7 @@ void Simulation::State::kidnap() {
 void Simulation::State::move_people() {
   if (!people.due(now)) return;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  measured("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
+  measure_cpu("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
   for (const int person : people.take_hits()) {
     frames.push_back({now, PersonHit{now, person, T_map_base}});
   }
@@ -147,8 +147,8 @@ void Simulation::State::command() {
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
   commanded = drive.command(now, T_map_base, people);
   robot.set_command(commanded);
-  progress.update(
-      {now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(), drive.passed()});
+  progress.update({now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(),
+                   drive.waypoints_reached()});
   for (std::string& what : drive.take_events()) {
     frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
   }
@@ -194,8 +194,8 @@ void Simulation::State::run_step() {
   kidnap();
   move_people();
   const RobotState before = robot.state();
-  if (drive.due(now)) measured("drive", [this] { command(); });
-  measured("physics", [this] { move_robot(); });
+  if (drive.due(now)) measure_cpu("drive", [this] { command(); });
+  measure_cpu("physics", [this] { move_robot(); });
   const RobotState& after = robot.state();
   const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
   const Eigen::Vector2d way =
@@ -205,7 +205,7 @@ void Simulation::State::run_step() {
   for (const FaultRecord& fault : sensors.read_faults(motion))
     frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
-  measured("lidar", [&] { read_lidar(motion); });
+  measure_cpu("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;
 }
@@ -244,7 +244,7 @@ Eigen::Isometry3d Simulation::T_footprint_base() const {
   return to_isometry(to_planar(T_map_base)).inverse() * T_map_base;
 }
 
-Twist2 Simulation::commanded() const { return state_->commanded; }
+Twist2 Simulation::last_command() const { return state_->commanded; }
 
 WheelAngles Simulation::wheels() const { return state_->robot.state().wheels; }
 

@@ -52,7 +52,7 @@ class Simulation {
   /// Pose of base relative to its planar pose (base_footprint of REP-120): height, roll and pitch.
   [[nodiscard]] Eigen::Isometry3d T_footprint_base() const;
   /// The last commanded velocity.
-  [[nodiscard]] Twist2 commanded() const;
+  [[nodiscard]] Twist2 last_command() const;
   /// Current wheel angles.
   [[nodiscard]] WheelAngles wheels() const;
   /// Contacts with the world begun so far, without floor and people.

@@ -44,7 +44,7 @@ class BranchAndBound {
     std::array<std::uint16_t, 4> bounds{};
     [[nodiscard]] int bound() const;
   };
-  [[nodiscard]] Node bounded(std::size_t level, const Tile& tile);
+  [[nodiscard]] Node bound_node(std::size_t level, const Tile& tile);
   void sort_roots();
   void expand(std::size_t level, const Node& node);
   void descend(std::size_t level, const Tile& tile);

@@ -62,9 +62,9 @@ class CascadeMatcher {
   [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
 
  private:
-  [[nodiscard]] BestPlaces nothing_found(int most) const;
-  [[nodiscard]] std::vector<std::vector<CellOffset>> turned(const ScanPoints& points,
-                                                            const SearchSpace& space) const;
+  [[nodiscard]] BestPlaces make_best_places(int most) const;
+  [[nodiscard]] std::vector<std::vector<CellOffset>> rotate_scans(const ScanPoints& points,
+                                                                  const SearchSpace& space) const;
 
   MatcherConfig config_;
   ByteField field_;

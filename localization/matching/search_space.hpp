@@ -49,7 +49,7 @@ struct CellOffset {
 
 /// At most `count` points, evenly spread over the scan, rotated by a yaw in the grid's frame.
 /// Points `reach` cells away or farther are left out.
-std::vector<CellOffset> turned_scan(const ScanPoints& points, int count, double resolution,
+std::vector<CellOffset> rotate_scan(const ScanPoints& points, int count, double resolution,
                                     double yaw_grid, int reach);
 
 /// The yaw of a step. [rad]

@@ -54,8 +54,8 @@ class PaperCascade {
   };
   [[nodiscard]] std::vector<Node> all_nodes() const;
   [[nodiscard]] std::vector<Node> children(const std::vector<Node>& nodes) const;
-  [[nodiscard]] std::vector<Node> scored(const Level& level, std::vector<Node> nodes,
-                                         const ScanPoints& points) const;
+  [[nodiscard]] std::vector<Node> score_nodes(const Level& level, std::vector<Node> nodes,
+                                              const ScanPoints& points) const;
   [[nodiscard]] SE2 pose_of(const Level& level, const Node& node) const;
 
   PaperCascadeConfig config_;

@@ -36,7 +36,7 @@ class RayLocalModel {
   [[nodiscard]] RayLocalScore evaluate(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
-  [[nodiscard]] bool occupied(float x_cells, float y_cells) const;
+  [[nodiscard]] bool is_occupied(float x_cells, float y_cells) const;
 
   GridFrame frame_;
   std::vector<std::uint8_t> occupied_;

@@ -39,7 +39,7 @@ class EvidenceModel {
   [[nodiscard]] double bound(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
-  [[nodiscard]] double scaled(double sum, std::size_t beams, const SE2& T_map_base) const;
+  [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
 
   EvidenceConfig config_;
   const OccupancyGrid& grid_;

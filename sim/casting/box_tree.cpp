@@ -14,7 +14,7 @@ double surface(const Eigen::AlignedBox3d& box) {
   return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
 }
 
-Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double margin) {
+Eigen::AlignedBox3d widen(const Eigen::AlignedBox3d& box, double margin) {
   const Eigen::Vector3d all = Eigen::Vector3d::Constant(margin);
   return {box.min() - all, box.max() + all};
 }
@@ -27,7 +27,7 @@ BoxTree::BoxTree(std::span<const Eigen::AlignedBox3d> boxes) : reach_(kLeastReac
   }
   std::vector<Item> items;
   for (const Eigen::AlignedBox3d& box : boxes) {
-    items.push_back({widened(box, kPrecision * reach_), static_cast<std::uint32_t>(items.size())});
+    items.push_back({widen(box, kPrecision * reach_), static_cast<std::uint32_t>(items.size())});
   }
   if (!items.empty()) build(items, run_of(items, 0, items.size()));
   for (const Item& item : items) order_.push_back(item.index);

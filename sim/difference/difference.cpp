@@ -148,7 +148,7 @@ bool Changer::move_at_random(const FurnitureGroup& group, RoomCheck& room, Rng& 
     const Eigen::Vector2d by = way * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
     std::vector<ConvexOutline> outlines;
     for (const ConvexOutline& o : group.footprints) {
-      outlines.push_back(moved(o, group.center, yaw, by));
+      outlines.push_back(transform_outline(o, group.center, yaw, by));
     }
     if (!room.fits(outlines, group.objects)) continue;
     move_group(result_.world, group, yaw, by);

@@ -28,7 +28,7 @@ class RoomCheck {
 
  private:
   [[nodiscard]] bool passable(const ConvexOutline& outline) const;
-  [[nodiscard]] bool known(const ConvexOutline& outline) const;
+  [[nodiscard]] bool is_known(const ConvexOutline& outline) const;
 
   struct Standing {
     bool there = false;

@@ -59,7 +59,7 @@ FaultTimeline::FaultTimeline(const std::vector<FaultSpec>& faults) {
                    [](const auto& a, const auto& b) { return a.stamp < b.stamp; });
 }
 
-std::vector<FaultRecord> FaultTimeline::reached(nanoseconds now) {
+std::vector<FaultRecord> FaultTimeline::take_due(nanoseconds now) {
   std::vector<FaultRecord> result;
   while (next_ < records_.size() && records_[next_].stamp <= now) {
     result.push_back(records_[next_++]);

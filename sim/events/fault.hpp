@@ -77,7 +77,7 @@ class FaultTimeline {
   explicit FaultTimeline(const std::vector<FaultSpec>& faults);
 
   /// Returns the beginnings and ends up to `now`, each once, with an empty robot pose.
-  std::vector<FaultRecord> reached(std::chrono::nanoseconds now);
+  std::vector<FaultRecord> take_due(std::chrono::nanoseconds now);
 
  private:
   std::vector<FaultRecord> records_;

@@ -87,7 +87,7 @@ Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& r
   return Found{{twin->T_map_base, twin->unlikeness}};
 }
 
-Found nudged(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+Found nudge_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   const Pose2& from = scene.T_map_base;
   for (int i = 0; i < kDraws; ++i) {
     const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
@@ -101,7 +101,7 @@ Found nudged(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   return std::nullopt;
 }
 
-Found turned(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+Found turn_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   Pose2 to = scene.T_map_base;
   if (!scene.free.contains(to.position())) return std::nullopt;
   const double side = boost::random::bernoulli_distribution<double>(0.5)(rng) ? 1.0 : -1.0;
@@ -119,9 +119,9 @@ std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapSc
     case KidnapKind::kLookAlike:
       return look_alike_target(spec, scene, rng);
     case KidnapKind::kNudge:
-      return nudged(spec, scene, rng);
+      return nudge_target(spec, scene, rng);
     case KidnapKind::kTurn:
-      return turned(spec, scene, rng);
+      return turn_target(spec, scene, rng);
     case KidnapKind::kSpin:
       return Found{{scene.T_map_base}};
     case KidnapKind::kCarry:

@@ -46,10 +46,10 @@ class KidnapClock {
   /// True while a kidnap is due. Called at every step.
   bool due(const TriggerInput& input);
   /// Resets the trigger after its kidnap has happened.
-  void happened(const TriggerInput& input);
+  void on_kidnap(const TriggerInput& input);
 
  private:
-  [[nodiscard]] double drawn_gap();
+  [[nodiscard]] double draw_gap();
 
   KidnapTrigger trigger_;
   Rng rng_;

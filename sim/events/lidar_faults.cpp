@@ -60,7 +60,7 @@ void LidarFaults::apply(const FaultSpec& fault, Sweep& sweep) const {
   }
 }
 
-std::optional<Sweep> LidarFaults::passed(Sweep sweep) {
+std::optional<Sweep> LidarFaults::deliver(Sweep sweep) {
   if (faults_.empty()) return sweep;
   const auto stamp = sweep.reading.stamp;
   bool frozen = false;

@@ -18,7 +18,7 @@ class LidarFaults {
 
   /// Returns the scan as delivered, with the time of delivery in `last_beam`; nothing if it is
   /// lost.
-  std::optional<Sweep> passed(Sweep sweep);
+  std::optional<Sweep> deliver(Sweep sweep);
 
  private:
   void block(const FaultSpec& fault, LidarReading& reading) const;

@@ -102,7 +102,7 @@ Twin LookAlikes::best_heading(const Place& place, const View& wanted) const {
   return best;
 }
 
-bool LookAlikes::allowed(const Pose2& pose, const Search& search) const {
+bool LookAlikes::is_allowed(const Pose2& pose, const Search& search) const {
   return (pose.position() - search.from.position()).norm() >= search.min_distance &&
          free_.contains(pose.position());
 }
@@ -112,7 +112,7 @@ std::vector<Twin> LookAlikes::best_places(const Search& search) const {
   std::vector<Twin> found;
   for (const Place& place : places_) {
     const Twin twin = best_heading(place, wanted);
-    if (allowed(twin.T_map_base, search)) found.push_back(twin);
+    if (is_allowed(twin.T_map_base, search)) found.push_back(twin);
   }
   const auto less = [](const Twin& a, const Twin& b) { return a.unlikeness < b.unlikeness; };
   std::stable_sort(found.begin(), found.end(), less);
@@ -137,7 +137,7 @@ Twin LookAlikes::best_step(const Twin& twin, const Search& search, double way, d
                                     {at.x, at.y, at.yaw - turn}}};
   Twin best = twin;
   for (const Pose2& step : steps) {
-    if (!allowed(step, search)) continue;
+    if (!is_allowed(step, search)) continue;
     const double difference = unlikeness(search.from, step);
     if (difference < best.unlikeness) best = {step, difference};
   }
@@ -145,7 +145,7 @@ Twin LookAlikes::best_step(const Twin& twin, const Search& search, double way, d
 }
 
 /// Refines by coordinate descent with steps that are halved four times.
-Twin LookAlikes::refined(Twin twin, const Search& search) const {
+Twin LookAlikes::refine(Twin twin, const Search& search) const {
   twin.unlikeness = unlikeness(search.from, twin.T_map_base);
   double way = 0.5 * config_.step;
   double turn = kFirstTurn;
@@ -164,7 +164,7 @@ std::optional<Twin> LookAlikes::most_alike(const Pose2& T_map_base, double min_d
   std::optional<Twin> best;
   const Search search{T_map_base, min_distance};
   for (const Twin& candidate : best_places(search)) {
-    const Twin twin = refined(candidate, search);
+    const Twin twin = refine(candidate, search);
     if (!best || twin.unlikeness < best->unlikeness) best = twin;
   }
   return best;

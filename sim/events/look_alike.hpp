@@ -61,10 +61,10 @@ class LookAlikes {
   [[nodiscard]] std::vector<float> seen_share(int beams) const;
   [[nodiscard]] Twin best_heading(const Place& place, const View& wanted) const;
   [[nodiscard]] std::vector<Twin> best_places(const Search& search) const;
-  [[nodiscard]] bool allowed(const Pose2& pose, const Search& search) const;
+  [[nodiscard]] bool is_allowed(const Pose2& pose, const Search& search) const;
   [[nodiscard]] Twin best_step(const Twin& twin, const Search& search, double way,
                                double turn) const;
-  [[nodiscard]] Twin refined(Twin twin, const Search& search) const;
+  [[nodiscard]] Twin refine(Twin twin, const Search& search) const;
 
   const RayScene* scene_;
   FreeSpace free_;

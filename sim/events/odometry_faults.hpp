@@ -26,7 +26,7 @@ class OdometryFaults {
   /// Gain of all active faults together; 1 without any.
   [[nodiscard]] WheelGain gain(std::chrono::nanoseconds stamp) const;
   /// True while no readings arrive.
-  [[nodiscard]] bool lost(std::chrono::nanoseconds stamp) const;
+  [[nodiscard]] bool is_lost(std::chrono::nanoseconds stamp) const;
   /// True once for every reset, at the first call at or after its time.
   bool reset_due(std::chrono::nanoseconds stamp);
 

@@ -81,10 +81,10 @@ class TwinSearch {
   /// Highest likeness of a pose elsewhere to the one at `place`.
   [[nodiscard]] double best(const Eigen::Vector2d& place) const {
     const Scan scan = scan_at(scene_, place, 0.0, view_);
-    std::vector<Candidate> candidates = turned(scan, alike(place, signature_of(scan)));
+    std::vector<Candidate> candidates = find_best_headings(scan, alike(place, signature_of(scan)));
     double result = 0.0;
     for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
-      result = std::max(result, refined(place, scan, candidates[i]).likeness);
+      result = std::max(result, refine(place, scan, candidates[i]).likeness);
     }
     return result;
   }
@@ -107,8 +107,8 @@ class TwinSearch {
   }
 
   /// Candidates at the places, each in its best heading, in descending order of likeness.
-  [[nodiscard]] std::vector<Candidate> turned(const Scan& scan,
-                                              const std::vector<std::size_t>& places) const {
+  [[nodiscard]] std::vector<Candidate> find_best_headings(
+      const Scan& scan, const std::vector<std::size_t>& places) const {
     std::vector<Candidate> candidates;
     for (const std::size_t i : places) {
       Candidate best{seen_[i].place, 0.0, -1.0};
@@ -125,15 +125,15 @@ class TwinSearch {
     return candidates;
   }
 
-  [[nodiscard]] Candidate judged(const Scan& scan, const Eigen::Vector2d& place,
-                                 double heading) const {
+  [[nodiscard]] Candidate make_candidate(const Scan& scan, const Eigen::Vector2d& place,
+                                         double heading) const {
     return {place, heading,
             likeness(scan, scan_at(scene_, place, heading, view_), 0, config_.tolerance)};
   }
 
   /// Hill climbing; the step is halved where no neighbour is better.
-  [[nodiscard]] Candidate refined(const Eigen::Vector2d& from, const Scan& scan,
-                                  Candidate best) const {
+  [[nodiscard]] Candidate refine(const Eigen::Vector2d& from, const Scan& scan,
+                                 Candidate best) const {
     double step = 0.5 * spacing_;
     double turn = std::numbers::pi / view_.beams;
     for (int level = 0; level < kLevels; step *= 0.5, turn *= 0.5, ++level) {
@@ -151,7 +151,7 @@ class TwinSearch {
     Candidate best = at;
     const auto consider = [&](const Eigen::Vector2d& place, double heading) {
       if ((place - from).norm() < config_.apart || !free_.contains(place)) return;
-      const Candidate next = judged(scan, place, heading);
+      const Candidate next = make_candidate(scan, place, heading);
       if (next.likeness > best.likeness) best = next;
     };
     for (const auto& [dx, dy] :

@@ -78,7 +78,7 @@ int largest(const std::vector<Part>& parts, bool at_edge) {
 }
 
 /// The free space in connected parts between which a disc cannot pass.
-struct Parting {
+struct Partition {
   double reach = 0.0;  ///< [m] Radius of the disc plus half a cell.
   std::vector<int> labels;
   std::vector<Part> parts;
@@ -86,40 +86,40 @@ struct Parting {
   [[nodiscard]] const Part& at(int part) const { return parts[static_cast<std::size_t>(part)]; }
 };
 
-Parting part(const Grid& grid, const std::vector<float>& distance, double radius) {
-  Parting parting;
-  parting.reach = radius + 0.5 * grid.resolution;
-  parting.labels = component_labels(eroded(grid, distance, radius));
-  parting.parts = parts_of(grid, parting.labels);
-  return parting;
+Partition split_free_space(const Grid& grid, const std::vector<float>& distance, double radius) {
+  Partition partition;
+  partition.reach = radius + 0.5 * grid.resolution;
+  partition.labels = component_labels(erode(grid, distance, radius));
+  partition.parts = parts_of(grid, partition.labels);
+  return partition;
 }
 
 /// The largest enclosed part if it is preferred to the largest part at the edge; -1 otherwise.
-int rival(const Grid& grid, const Parting& parting) {
-  const int enclosed = largest(parting.parts, false);
-  const int open = largest(parting.parts, true);
+int rival(const Grid& grid, const Partition& partition) {
+  const int enclosed = largest(partition.parts, false);
+  const int open = largest(partition.parts, true);
   if (enclosed < 0 || open < 0) return enclosed;
-  const auto inner = static_cast<double>(parting.at(enclosed).cells);
+  const auto inner = static_cast<double>(partition.at(enclosed).cells);
   if (inner * grid.resolution * grid.resolution < kSizeable) return -1;
-  return inner >= kRival * static_cast<double>(parting.at(open).cells) ? enclosed : -1;
+  return inner >= kRival * static_cast<double>(partition.at(open).cells) ? enclosed : -1;
 }
 
 /// True if the largest part at the edge is the outside of the walls.
-bool outside(const Grid& grid, const Parting& parting) {
-  const int open = largest(parting.parts, true);
+bool outside(const Grid& grid, const Partition& partition) {
+  const int open = largest(partition.parts, true);
   const double edge = 2.0 * (grid.width + grid.height) - 4.0;
-  return open >= 0 && static_cast<double>(parting.at(open).edge_cells) >= kOutside * edge;
+  return open >= 0 && static_cast<double>(partition.at(open).edge_cells) >= kOutside * edge;
 }
 
 /// The part to choose without a start; -1 if there is none.
-int without_start(const Grid& grid, const Parting& parting) {
-  const int enclosed = largest(parting.parts, false);
-  const int open = largest(parting.parts, true);
+int without_start(const Grid& grid, const Partition& partition) {
+  const int enclosed = largest(partition.parts, false);
+  const int open = largest(partition.parts, true);
   if (enclosed < 0 || open < 0) return std::max(enclosed, open);
-  if (rival(grid, parting) >= 0) return enclosed;
+  if (rival(grid, partition) >= 0) return enclosed;
   const double cell = grid.resolution * grid.resolution;
-  if (static_cast<double>(parting.at(enclosed).cells) * cell < kRoom) return open;
-  return outside(grid, parting) ? enclosed : open;
+  if (static_cast<double>(partition.at(enclosed).cells) * cell < kRoom) return open;
+  return outside(grid, partition) ? enclosed : open;
 }
 
 /// The grid with only those free cells that lie in a part or within `reach` [m] of it.
@@ -158,26 +158,26 @@ FreeChoice choose_free(const Grid& grid, double radius,
   FreeChoice choice;
   choice.grid = grid;
   const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
-  Parting parting = part(grid, distance, radius);
+  Partition partition = split_free_space(grid, distance, radius);
   int chosen =
-      start ? part_near(grid, parting.labels, *start, parting.reach + grid.resolution) : -1;
+      start ? part_near(grid, partition.labels, *start, partition.reach + grid.resolution) : -1;
   const bool by_start = chosen >= 0;
-  if (!by_start) chosen = without_start(grid, parting);
+  if (!by_start) chosen = without_start(grid, partition);
   // A house with gaps in its walls is connected to the outside, except for larger robots.
   for (const double larger : {1.5, 2.0}) {
-    if (by_start || rival(grid, parting) >= 0 || chosen < 0 || !outside(grid, parting)) break;
-    Parting coarse = part(grid, distance, larger * radius);
+    if (by_start || rival(grid, partition) >= 0 || chosen < 0 || !outside(grid, partition)) break;
+    Partition coarse = split_free_space(grid, distance, larger * radius);
     const int inner = rival(grid, coarse);
     if (inner < 0) continue;
-    parting = std::move(coarse);
+    partition = std::move(coarse);
     chosen = inner;
   }
   if (chosen < 0) return choice;
   std::size_t other = 0;
-  for (std::size_t i = 0; i < parting.parts.size(); ++i) {
-    if (static_cast<int>(i) != chosen) other = std::max(other, parting.parts[i].cells);
+  for (std::size_t i = 0; i < partition.parts.size(); ++i) {
+    if (static_cast<int>(i) != chosen) other = std::max(other, partition.parts[i].cells);
   }
-  const Part& taken = parting.at(chosen);
+  const Part& taken = partition.at(chosen);
   const double cell = grid.resolution * grid.resolution;
   choice.area = static_cast<double>(taken.cells) * cell;
   choice.other_area = static_cast<double>(other) * cell;
@@ -189,7 +189,8 @@ FreeChoice choose_free(const Grid& grid, double radius,
                                      : Reason::kEnclosed;
   }
   if (other >= taken.cells) {
-    choice.grid = around_part(grid, parting.labels, chosen, parting.reach + 1.5 * grid.resolution);
+    choice.grid =
+        around_part(grid, partition.labels, chosen, partition.reach + 1.5 * grid.resolution);
   }
   return choice;
 }

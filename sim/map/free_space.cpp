@@ -23,7 +23,7 @@ CellIndex cell_at_index(const Grid& grid, std::size_t index) {
 FreeSpace::FreeSpace(const Grid& grid, double radius)
     : radius_(radius),
       clearance_(distance_to_obstacle(grid)),
-      grid_(largest_component(eroded(grid, clearance_, radius))) {}
+      grid_(largest_component(erode(grid, clearance_, radius))) {}
 
 FreeSpace FreeSpace::with_discs(std::span<const RoundObstacle> discs) const {
   FreeSpace result = *this;

@@ -138,11 +138,11 @@ std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge) {
   return distance;
 }
 
-Grid eroded(const Grid& grid, double radius) {
-  return eroded(grid, distance_to_obstacle(grid), radius);
+Grid erode(const Grid& grid, double radius) {
+  return erode(grid, distance_to_obstacle(grid), radius);
 }
 
-Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius) {
+Grid erode(const Grid& grid, const std::vector<float>& distance, double radius) {
   Grid result = grid;
   const double reach = radius + 0.5 * grid.resolution;
   for (std::size_t i = 0; i < result.cells.size(); ++i) {

@@ -46,9 +46,9 @@ std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge = GridEd
 
 /// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: its free cells
 /// are where the centre of a disc can be. Errs on the safe side by up to half a cell.
-Grid eroded(const Grid& grid, double radius);
+Grid erode(const Grid& grid, double radius);
 /// The same with known distances to obstacles.
-Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius);
+Grid erode(const Grid& grid, const std::vector<float>& distance, double radius);
 
 /// Index of the 4-connected component of each free cell, from 0; -1 for other cells.
 std::vector<int> component_labels(const Grid& grid);

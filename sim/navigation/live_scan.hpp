@@ -28,7 +28,7 @@ class LiveScan {
   /// End points in base at the newest odometry pose. [m]
   [[nodiscard]] std::vector<Eigen::Vector2d> p_base() const;
   /// Returns the end points, in odom and stamped, of every scan received since the last call.
-  [[nodiscard]] std::vector<std::vector<SeenPoint>> take_news();
+  [[nodiscard]] std::vector<std::vector<SeenPoint>> take_new_scans();
   /// Velocity by odometry over the last 50 ms.
   [[nodiscard]] Twist2 twist() const;
   /// Stamp of the newest odometry; 0 before the first.
@@ -41,7 +41,7 @@ class LiveScan {
 
   std::deque<OdometryReading> recent_;
   std::vector<std::vector<SeenPoint>> p_odom_;  ///< Indexed by lidar.
-  std::set<std::size_t> news_;                  ///< Lidars whose newest scan has not been taken.
+  std::set<std::size_t> new_scans_;             ///< Lidars whose newest scan has not been taken.
 };
 
 }  // namespace castaway::sim

@@ -23,10 +23,11 @@ constexpr double kAcceleration = 2.0;
 constexpr std::size_t kLegs = 2;  // A track with more legs than this is two people.
 constexpr int kLeastSeen = 4;     // Scans that must have seen a track before it is reported.
 // A track is dropped when it has not been seen for this long.
-constexpr nanoseconds kForget = milliseconds(600);
+constexpr nanoseconds kTrackTimeout = milliseconds(600);
 constexpr double kSlowest = 0.3;  // [m/s] A slower track counts as standing.
-constexpr double kDoubt = 1.0;    // A speed below this many standard deviations counts as standing.
-constexpr double kDouble = 0.3;   // [m] Two tracks closer than this are the same person.
+constexpr double kStandingSigmas =
+    1.0;  // A speed below this many standard deviations counts as standing.
+constexpr double kSamePerson = 0.3;  // [m] Two tracks closer than this are the same person.
 
 double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
@@ -97,7 +98,7 @@ Movers::Track* Movers::nearest(const SeenPoint& leg) {
   return best;
 }
 
-void Movers::begin(const SeenPoint& leg) {
+void Movers::start_track(const SeenPoint& leg) {
   const Eigen::Vector2d variances(kOneSigma * kOneSigma, kStartSigma * kStartSigma);
   tracks_.push_back({leg.p, Eigen::Vector2d::Zero(), variances.asDiagonal(), leg.stamp, 0, {leg}});
 }
@@ -125,7 +126,7 @@ void Movers::split() {
   }
 }
 
-void Movers::take_legs() {
+void Movers::update_tracks() {
   for (Track& track : tracks_) {
     if (track.legs.empty()) continue;
     const SeenPoint seen = middle(track.legs);
@@ -136,10 +137,10 @@ void Movers::take_legs() {
 }
 
 /// Of two tracks at one place, keeps the one that has been seen in more scans.
-void Movers::drop_doubles() {
+void Movers::drop_duplicates() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     for (std::size_t k = tracks_.size(); k-- > i + 1;) {
-      if ((tracks_[i].at(tracks_[k].stamp) - tracks_[k].p).norm() >= kDouble) continue;
+      if ((tracks_[i].at(tracks_[k].stamp) - tracks_[k].p).norm() >= kSamePerson) continue;
       if (tracks_[k].seen > tracks_[i].seen) std::swap(tracks_[i], tracks_[k]);
       tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(k));
     }
@@ -151,22 +152,22 @@ void Movers::update(const std::vector<SeenPoint>& points) {
     if (Track* track = nearest(leg)) {
       track->legs.push_back(leg);
     } else {
-      begin(leg);
+      start_track(leg);
     }
   }
   split();
-  take_legs();
-  drop_doubles();
+  update_tracks();
+  drop_duplicates();
   nanoseconds newest{};
   for (const SeenPoint& point : points) newest = std::max(newest, point.stamp);
-  std::erase_if(tracks_, [&](const Track& track) { return track.stamp + kForget < newest; });
+  std::erase_if(tracks_, [&](const Track& track) { return track.stamp + kTrackTimeout < newest; });
 }
 
-std::vector<Mover> Movers::seen(nanoseconds now) const {
+std::vector<Mover> Movers::extrapolate(nanoseconds now) const {
   std::vector<Mover> result;
   for (const Track& track : tracks_) {
-    if (track.seen < kLeastSeen || track.stamp + kForget < now) continue;
-    const double certain = kDoubt * std::sqrt(track.covariance(1, 1));
+    if (track.seen < kLeastSeen || track.stamp + kTrackTimeout < now) continue;
+    const double certain = kStandingSigmas * std::sqrt(track.covariance(1, 1));
     const bool stands = track.v.norm() < std::max(kSlowest, certain);
     const Eigen::Vector2d v = stands ? Eigen::Vector2d::Zero() : track.v;
     result.push_back({track.at(now), v});

@@ -36,7 +36,7 @@ class Movers {
   /// Takes the points of one scan that are not on the map, in a frame that does not move.
   void update(const std::vector<SeenPoint>& points);
   /// Tracks seen in enough scans, extrapolated to `now`, in that frame.
-  [[nodiscard]] std::vector<Mover> seen(std::chrono::nanoseconds now) const;
+  [[nodiscard]] std::vector<Mover> extrapolate(std::chrono::nanoseconds now) const;
 
  private:
   /// Filter state of one person; both axes share one covariance.
@@ -54,10 +54,10 @@ class Movers {
   };
 
   [[nodiscard]] Track* nearest(const SeenPoint& leg);
-  void begin(const SeenPoint& leg);
+  void start_track(const SeenPoint& leg);
   void split();
-  void take_legs();
-  void drop_doubles();
+  void update_tracks();
+  void drop_duplicates();
 
   std::vector<Track> tracks_;
 };

@@ -51,7 +51,7 @@ double offset_from(const Lane& lane, const Pose2& T_map_base) {
 }
 
 /// Movers in frame b, given in frame a.
-std::vector<Mover> carried(std::vector<Mover> movers, const Pose2& T_b_a) {
+std::vector<Mover> transform_movers(std::vector<Mover> movers, const Pose2& T_b_a) {
   const Pose2 turn{0.0, 0.0, T_b_a.yaw};
   for (Mover& mover : movers) mover = {T_b_a * mover.p, turn * mover.velocity};
   return movers;
@@ -84,13 +84,13 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
   std::vector<Eigen::Vector2d> p_base_still = p_base;
   std::erase_if(p_base_still,
                 [&](const Eigen::Vector2d& p) { return !velocity_at(p, T_map_base).isZero(0.0); });
-  const std::vector<Mover> movers = carried(seen_, T_map_base);
+  const std::vector<Mover> movers = transform_movers(seen_, T_map_base);
   DynamicWindowConfig local = config_.local;
   const Twist2 now = live_.twist();
   local.limits.max_speed = passing_pace(
       {local.limits.max_speed, kBrakingShare * local.limits.max_acceleration, local.radius}, *lane,
       offset_from(*lane, T_map_base), movers);
-  const Eigen::Vector2d aim = passing_.aside(*lane, now.v, movers, mapped_);
+  const Eigen::Vector2d aim = passing_.choose_target(*lane, now.v, movers, mapped_);
   return best_twist(local, now, inverse(T_map_base) * aim, p_base_still, moving_)
       .value_or(Twist2{});
 }
@@ -99,20 +99,20 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
 void Navigator::watch_movers(const Pose2& T_map_base) {
   const Pose2 T_odom_base = live_.T_odom_base();
   const Pose2 T_map_odom = T_map_base * inverse(T_odom_base);
-  for (std::vector<SeenPoint>& points : live_.take_news()) {
+  for (std::vector<SeenPoint>& points : live_.take_new_scans()) {
     std::erase_if(points, [&](const SeenPoint& point) {
       return mapped_.clearance_at(T_map_odom * point.p) <= kMapped;
     });
     movers_.update(points);
   }
-  seen_ = carried(movers_.seen(live_.stamp()), inverse(T_odom_base));
+  seen_ = transform_movers(movers_.extrapolate(live_.stamp()), inverse(T_odom_base));
   moving_ = seen_;
   std::erase_if(moving_, [](const Mover& mover) { return mover.stands(); });
 }
 
 /// Overrides a command that would run the robot into something before it could brake.
-Twist2 Navigator::stopped_short(const Twist2& twist, const Pose2& T_map_base,
-                                const std::vector<Eigen::Vector2d>& p_base) {
+Twist2 Navigator::stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
+                                    const std::vector<Eigen::Vector2d>& p_base) {
   const Twist2 now = live_.twist();
   const double speed = std::abs(now.v);
   const double side = now.v >= 0.0 ? 1.0 : -1.0;
@@ -156,7 +156,7 @@ Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   if (T_map_base) {
     const std::vector<Eigen::Vector2d> p_base = live_.p_base();
     watch_movers(*T_map_base);
-    twist = stopped_short(drive(*T_map_base, p_base), *T_map_base, p_base);
+    twist = stop_in_emergency(drive(*T_map_base, p_base), *T_map_base, p_base);
   }
   return twist;
 }

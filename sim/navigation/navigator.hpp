@@ -40,7 +40,7 @@ class Navigator {
   /// True at the end of the route, and if there is no route.
   [[nodiscard]] bool done() const { return route_.done(); }
   /// Waypoints reached so far.
-  [[nodiscard]] int passed() const { return route_.passed(); }
+  [[nodiscard]] int waypoints_reached() const { return route_.waypoints_reached(); }
   /// Names of the recoveries begun, and "emergency stop"s, since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 
@@ -50,8 +50,8 @@ class Navigator {
   void watch_movers(const Pose2& T_map_base);
   [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base,
                                             const Pose2& T_map_base) const;
-  Twist2 stopped_short(const Twist2& twist, const Pose2& T_map_base,
-                       const std::vector<Eigen::Vector2d>& p_base);
+  Twist2 stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
+                           const std::vector<Eigen::Vector2d>& p_base);
 
   NavigatorConfig config_;
   Grid map_;

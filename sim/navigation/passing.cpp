@@ -22,24 +22,24 @@ constexpr double kDrift = 0.4;
 constexpr double kFarthest = 5.0;    // [s] Later meetings are ignored.
 constexpr double kLeastRoom = 0.05;  // [m] Least room to mapped obstacles.
 // [m] Room to mapped obstacles needed to keep right without people about.
-constexpr double kEnough = 0.2;
+constexpr double kKeepRightRoom = 0.2;
 constexpr double kShortest = 0.8;  // [m] On shorter lanes the robot does not leave the lane.
 // [m] People farther from the lane than this do not slow the robot down.
-constexpr double kBeside = 1.2;
+constexpr double kMaxLaneDistance = 1.2;
 // [m] The pace beside a mover is kPaceGain * (gap - kPaceGap), but at least kSlowPace.
 constexpr double kPaceGap = 1.5;
-constexpr double kSlowPace = 0.2;    // [m/s]
-constexpr double kPaceGain = 0.35;   // [1/s]
-constexpr double kWayRoom = 0.15;    // [m] A mover that passes with less room is in the way.
-constexpr double kDriftInWay = 1.0;  // [s] As `kDrift`, to tell whether a mover gets in the way.
-constexpr double kNotice = 0.5;      // [s] Delay until a scan is seen and acted upon.
-constexpr double kFarAhead = 9.0;    // [m] People farther ahead are ignored.
+constexpr double kSlowPace = 0.2;       // [m/s]
+constexpr double kPaceGain = 0.35;      // [1/s]
+constexpr double kWayRoom = 0.15;       // [m] A mover that passes with less room is in the way.
+constexpr double kDriftInWay = 1.0;     // [s] As `kDrift`, to tell whether a mover gets in the way.
+constexpr double kReactionDelay = 0.5;  // [s] Delay until a scan is seen and acted upon.
+constexpr double kFarAhead = 9.0;       // [m] People farther ahead are ignored.
 // [m/s] Speed at which a person who stands or walks ahead may start to approach.
-constexpr double kSetsOff = 1.2;
+constexpr double kApproachSpeed = 1.2;
 // [m/s] Least pace at which such people are passed, however near they are.
 constexpr double kPassStanding = 0.3;
 // [s] A person who overtakes counts from this long before drawing level.
-constexpr double kOvertaking = 0.5;
+constexpr double kOvertakingTime = 0.5;
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& along) { return {-along.y(), along.x()}; }
 
@@ -68,10 +68,10 @@ bool is_in_way(const PaceConfig& config, const Meeting& m, double offset) {
 }
 
 /// Speed from which the robot has stopped when a person who approaches reaches it:
-/// v^2 / (2 a) + (v / a + kNotice) coming = room.
+/// v^2 / (2 a) + (v / a + kReactionDelay) coming = room.
 double stopping_pace(const PaceConfig& config, const Meeting& m) {
   const double u = std::max(m.coming, 0.0);
-  const double room = m.gap - config.radius - kMoverRadius - kWayRoom - kNotice * u;
+  const double room = m.gap - config.radius - kMoverRadius - kWayRoom - kReactionDelay * u;
   const double a = config.deceleration;
   return std::sqrt(u * u + 2.0 * a * std::max(room, 0.0)) - u;
 }
@@ -81,7 +81,7 @@ double stopping_pace(const PaceConfig& config, const Meeting& m) {
 double careful_pace(const PaceConfig& config, Meeting m, bool stands) {
   if (m.coming > 0.0) return stopping_pace(config, m);
   const double as_it_is = stands ? config.max_speed : stopping_pace(config, m);
-  m.coming = kSetsOff;
+  m.coming = kApproachSpeed;
   return std::min(as_it_is, std::max(stopping_pace(config, m), kPassStanding));
 }
 
@@ -93,11 +93,11 @@ double passing_pace(const PaceConfig& config, const Lane& lane, double offset,
   if ((lane.to - lane.from).norm() < 1e-6) return pace;
   for (const Mover& mover : movers) {
     const Meeting m = meeting(lane, mover);
-    const bool behind = m.gap < std::min(kOvertaking * m.coming, 0.0);
+    const bool behind = m.gap < std::min(kOvertakingTime * m.coming, 0.0);
     if (behind || m.gap > kFarAhead) continue;
     if (is_in_way(config, m, offset)) {
       pace = std::min(pace, careful_pace(config, m, mover.stands()));
-    } else if (!mover.stands() && std::abs(m.across) < kBeside && -m.coming <= pace) {
+    } else if (!mover.stands() && std::abs(m.across) < kMaxLaneDistance && -m.coming <= pace) {
       pace = std::min(pace, std::max(kPaceGain * (m.gap - kPaceGap), kSlowPace));
     }
   }
@@ -105,8 +105,8 @@ double passing_pace(const PaceConfig& config, const Lane& lane, double offset,
 }
 
 /// Total room missing at the meetings with moving people when all keep their course. [m]
-double Passing::crowding(double offset, const Lane& lane, double speed,
-                         const std::vector<Mover>& movers) const {
+double Passing::missing_room(double offset, const Lane& lane, double speed,
+                             const std::vector<Mover>& movers) const {
   const double wanted = config_.radius + kMoverRadius + config_.room;
   const Eigen::Vector2d along = (lane.to - lane.from).normalized();
   double missing = 0.0;
@@ -126,26 +126,26 @@ double Passing::crowding(double offset, const Lane& lane, double speed,
   return missing;
 }
 
-Eigen::Vector2d Passing::aside(const Lane& lane, double speed, const std::vector<Mover>& movers,
-                               const FreeSpace& mapped) {
+Eigen::Vector2d Passing::choose_target(const Lane& lane, double speed,
+                                       const std::vector<Mover>& movers, const FreeSpace& mapped) {
   const double length = (lane.to - lane.from).norm();
   if (length < kShortest) return lane.to;  // The lane's end must be reached.
   const Eigen::Vector2d left = left_of((lane.to - lane.from) / length);
   const auto room = [&](double offset) {
     return mapped.clearance_at(lane.to + offset * left) - config_.radius;
   };
-  const double own = room(-config_.right) > kEnough ? -config_.right : 0.0;
+  const double own = room(-config_.right) > kKeepRightRoom ? -config_.right : 0.0;
   const double pace = std::max(speed, kSlowestPassing);
-  const bool minded =
-      crowding(own, lane, pace, movers) > 0.0 || crowding(offset_, lane, pace, movers) > 0.0;
-  const double change = minded ? kCrossCost : kChangeCost;
+  const bool meets_people = missing_room(own, lane, pace, movers) > 0.0 ||
+                            missing_room(offset_, lane, pace, movers) > 0.0;
+  const double change = meets_people ? kCrossCost : kChangeCost;
   double least = std::numeric_limits<double>::infinity();
   double chosen = 0.0;
   for (int i = -kPassingSteps; i <= kPassingSteps; ++i) {
     const double offset = kStep * i;
     if (i != 0 && room(offset) < kLeastRoom) continue;
     const double cost = kAsideCost * std::abs(offset - own) + change * std::abs(offset - offset_) +
-                        kCrowdedCost * crowding(offset, lane, pace, movers);
+                        kCrowdedCost * missing_room(offset, lane, pace, movers);
     if (cost >= least) continue;
     least = cost;
     chosen = offset;

@@ -40,12 +40,12 @@ class Passing {
 
   /// Returns the point in map to drive to instead of the lane's end, so that the robot passes the
   /// movers (in map) with room at `speed` [m/s]. The point is free on `mapped`.
-  Eigen::Vector2d aside(const Lane& lane, double speed, const std::vector<Mover>& movers,
-                        const FreeSpace& mapped);
+  Eigen::Vector2d choose_target(const Lane& lane, double speed, const std::vector<Mover>& movers,
+                                const FreeSpace& mapped);
 
  private:
-  [[nodiscard]] double crowding(double offset, const Lane& lane, double speed,
-                                const std::vector<Mover>& movers) const;
+  [[nodiscard]] double missing_room(double offset, const Lane& lane, double speed,
+                                    const std::vector<Mover>& movers) const;
 
   PassingConfig config_;
   double offset_ = 0.0;  ///< [m] Last choice; left positive.

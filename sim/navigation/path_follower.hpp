@@ -35,7 +35,7 @@ class PathFollower {
   /// Returns the velocity to command at a pose; zero at the goal.
   Twist2 command(const Pose2& T_map_base, const FreeSpace& free);
   /// True once the end of the path is within tolerance.
-  [[nodiscard]] bool arrived(const Pose2& T_map_base) const;
+  [[nodiscard]] bool has_arrived(const Pose2& T_map_base) const;
   /// Distance from the nearest point of the path. [m]
   [[nodiscard]] double off_path(const Pose2& T_map_base) const;
   /// Point in map that the last command aimed at; none before the first.

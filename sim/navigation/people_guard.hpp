@@ -25,9 +25,9 @@ class PeopleGuard {
 
   /// Returns the velocity to drive with instead of `command`. `p_base`: positions of people, in
   /// base. Called once a control period.
-  Twist2 guarded(const Twist2& command, const std::vector<Eigen::Vector2d>& p_base);
+  Twist2 limit(const Twist2& command, const std::vector<Eigen::Vector2d>& p_base);
   /// True once the robot has waited for `calls` calls in a row; the count then starts again.
-  bool waited(int calls);
+  bool has_waited(int calls);
 
  private:
   GuardConfig config_;

@@ -52,10 +52,10 @@ class Recoveries {
                                 const std::vector<Eigen::Vector2d>& p_base);
 
  private:
-  [[nodiscard]] std::optional<Twist2> waiting() const;
-  [[nodiscard]] std::optional<Twist2> backing_up(const Pose2& T_begin_base,
-                                                 const std::vector<Eigen::Vector2d>& p_base) const;
-  [[nodiscard]] std::optional<Twist2> spinning(const Pose2& T_begin_base) const;
+  [[nodiscard]] std::optional<Twist2> wait() const;
+  [[nodiscard]] std::optional<Twist2> back_up(const Pose2& T_begin_base,
+                                              const std::vector<Eigen::Vector2d>& p_base) const;
+  [[nodiscard]] std::optional<Twist2> spin(const Pose2& T_begin_base) const;
   void begin(Recovery recovery, const Pose2& T_odom_base,
              const std::vector<Eigen::Vector2d>& p_base);
 

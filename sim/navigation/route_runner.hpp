@@ -40,7 +40,7 @@ class RouteRunner {
   [[nodiscard]] bool done() const { return waypoint_ >= config_.waypoints.size(); }
   /// Waypoints reached so far; one is not counted if its nearest free place is more than 0.2 m
   /// away.
-  [[nodiscard]] int passed() const { return passed_; }
+  [[nodiscard]] int waypoints_reached() const { return passed_; }
   /// Re-plans to the next waypoint in `free`, which excludes obstacles in the way. Keeps the
   /// current path if there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);

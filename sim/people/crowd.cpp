@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBeams = 120;    // Beams evaluated, about.
 constexpr double kGain = 0.2;  // Share of the error in blocked beams that a plan corrects.
-constexpr double kMostAim = 0.95;
+constexpr double kMaxAim = 0.95;
 constexpr double kSpacing = 0.42;  // [m] Least distance between two places.
 constexpr int kBearings = 30;
 constexpr double kGap = 0.3;  // [m] From the robot's disc to the nearest bodies.
@@ -64,11 +64,11 @@ void Crowd::measure(const std::vector<Sight>& sights, const Surroundings& around
     return around.moving->cast(sight.ray, sight.range).has_value();
   });
   const double share = static_cast<double>(blocked) / static_cast<double>(sights.size());
-  aim_ = std::clamp(aim_ + kGain * (wanted_ - share), 0.0, kMostAim);
+  aim_ = std::clamp(aim_ + kGain * (wanted_ - share), 0.0, kMaxAim);
 }
 
-std::vector<bool> Crowd::covered(const Eigen::Vector2d& p_map,
-                                 const std::vector<Sight>& sights) const {
+std::vector<bool> Crowd::covered_beams(const Eigen::Vector2d& p_map,
+                                       const std::vector<Sight>& sights) const {
   const PersonBody body;
   const Eigen::Vector2d from = sights.front().ray.origin.head<2>();
   const Eigen::Vector2d ahead = (p_map - from).normalized();
@@ -104,7 +104,7 @@ std::vector<Crowd::Place> Crowd::places(const RobotBody& robot, const WalkSpace&
       const Eigen::Vector2d p_base = T_base_map * p;
       const bool lane = p_base.x() > 0.0 && p_base.x() < kAhead && std::abs(p_base.y()) < kLane;
       if (lane || !space.clear(p) || !space.sees(robot.T_map_base.position(), p)) continue;
-      result.push_back({p, covered(p, sights)});
+      result.push_back({p, covered_beams(p, sights)});
     }
   }
   return result;

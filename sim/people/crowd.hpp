@@ -46,8 +46,8 @@ class Crowd {
   void measure(const std::vector<Sight>& sights, const Surroundings& around);
   [[nodiscard]] std::vector<Place> places(const RobotBody& robot, const WalkSpace& space,
                                           const std::vector<Sight>& sights) const;
-  [[nodiscard]] std::vector<bool> covered(const Eigen::Vector2d& p_map,
-                                          const std::vector<Sight>& sights) const;
+  [[nodiscard]] std::vector<bool> covered_beams(const Eigen::Vector2d& p_map,
+                                                const std::vector<Sight>& sights) const;
   static double gain(const Place& place, const Cover& cover, const std::vector<Agent>& agents);
   [[nodiscard]] std::vector<Eigen::Vector2d> choose(const std::vector<Place>& places,
                                                     const std::vector<Agent>& agents) const;

@@ -10,10 +10,10 @@ constexpr double kWalkRatio = 0.0062;  // [m min] Step length per steps a minute
 // [m/s] A slower person takes steps only to bring its feet beside each other.
 constexpr double kStandingSpeed = 0.1;
 // [m] A standing person moves a foot that is farther than this from its place.
-constexpr double kUneasy = 0.08;
+constexpr double kFootTolerance = 0.08;
 constexpr double kSettleRate = 0.9;  // [Hz] Gait cycles while a standing person moves its feet.
 // [m] A foot farther from the body than this is put back: somebody else moved the body.
-constexpr double kLost = 1.2;
+constexpr double kMaxLegReach = 1.2;
 constexpr double kFootRoom = 0.1;  // [m] Least distance from the middle of a foot to a wall.
 
 Eigen::Vector2d beside(const PersonState& state, std::size_t foot) {
@@ -22,10 +22,10 @@ Eigen::Vector2d beside(const PersonState& state, std::size_t foot) {
   return side * Eigen::Vector2d(-ahead.y(), ahead.x());
 }
 
-bool uneasy(const PersonState& state) {
+bool must_step(const PersonState& state) {
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const Eigen::Vector2d home = state.position + beside(state, foot);
-    if ((state.feet[foot] - home).norm() > kUneasy) return true;
+    if ((state.feet[foot] - home).norm() > kFootTolerance) return true;
   }
   return false;
 }
@@ -33,7 +33,7 @@ bool uneasy(const PersonState& state) {
 double cycles_per_second(const PersonState& state) {
   const double speed = state.velocity.norm();
   if (speed > kStandingSpeed) return speed / (2.0 * step_length(speed));
-  return uneasy(state) ? kSettleRate : 0.0;
+  return must_step(state) ? kSettleRate : 0.0;
 }
 
 /// The point at `offset` from the body, moved towards the body until a foot there is off the walls.
@@ -73,7 +73,7 @@ void walk(const WalkSpace& space, const PersonState& before, double dt, PersonSt
   state.feet = before.feet;
   state.gait_phase = before.gait_phase;
   for (const Eigen::Vector2d& foot : state.feet) {
-    if ((foot - state.position).norm() > kLost) return stand(state);
+    if ((foot - state.position).norm() > kMaxLegReach) return stand(state);
   }
   const double rate = cycles_per_second(state);
   if (rate == 0.0) return;

@@ -146,7 +146,7 @@ struct GoalFields::Frontier {
 // Buckets that one step can span.
 static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);
 
-GoalFields::Index GoalFields::stepped(Index cell, std::size_t step) const {
+GoalFields::Index GoalFields::neighbour(Index cell, std::size_t step) const {
   const auto [dx, dy] = kSteps[step];
   return static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
 }
@@ -158,7 +158,7 @@ void GoalFields::spread(Index cell, Frontier& frontier, std::vector<StepIndex>& 
     const auto [dx, dy] = kSteps[k];
     const float length = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
     const float whole = frontier.cost[cell] + prices_[cell] * length;
-    const Index to = stepped(cell, k);
+    const Index to = neighbour(cell, k);
     if (whole >= frontier.cost[to]) continue;
     next[to] = static_cast<StepIndex>(back(k));
     frontier.reach(to, whole);
@@ -191,7 +191,7 @@ Eigen::Vector2d GoalFields::ahead(std::size_t place, const Eigen::Vector2d& p_ma
   for (Index& step : path) {
     step = cell;
     const StepIndex next = next_[place][cell];
-    if (next != kNoStep) cell = stepped(cell, next);
+    if (next != kNoStep) cell = neighbour(cell, next);
   }
   for (const int look : kLooks) {
     const Eigen::Vector2d p = center(path[static_cast<std::size_t>(look)]);

@@ -39,7 +39,7 @@ class GoalFields {
   [[nodiscard]] bool is_free(int column, int row) const;
   [[nodiscard]] std::uint16_t exits(Index cell) const;
   [[nodiscard]] float price(Index cell) const;
-  [[nodiscard]] Index stepped(Index cell, std::size_t step) const;
+  [[nodiscard]] Index neighbour(Index cell, std::size_t step) const;
   /// The step to take on the way to `goal`, by cell.
   [[nodiscard]] std::vector<StepIndex> search(Index goal) const;
   void spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const;

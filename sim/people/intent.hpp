@@ -13,8 +13,8 @@ namespace castaway::sim {
 struct Intent {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
   double heading = 0.0;                                ///< [rad]
-  double top_speed = 0.0;   ///< [m/s] Speed limit, whatever the forces are.
-  bool minds_robot = true;  ///< False: the robot exerts no force on it.
+  double top_speed = 0.0;    ///< [m/s] Speed limit, whatever the forces are.
+  bool avoids_robot = true;  ///< False: the robot exerts no force on it.
 };
 
 /// Returns what a person wants at time `now` [s]: its place in the crowd, its reaction to the

@@ -60,10 +60,10 @@ class People {
   };
 
   void note_hits(const RobotBody& robot);
-  void look_about(const RobotBody& robot);
+  void update_sight(const RobotBody& robot);
   [[nodiscard]] std::vector<Eigen::Vector2d> mutual_forces() const;
   [[nodiscard]] Eigen::Vector2d force(std::size_t index, const RobotBody& robot,
-                                      bool minds_robot) const;
+                                      bool avoids_robot) const;
   std::vector<Intent> intents(const RobotBody& robot);
   void move(const std::vector<Intent>& intents, const RobotBody& robot);
   void turn(std::size_t index, double wanted_heading);

@@ -24,7 +24,7 @@ constexpr double kEase = 1.5;          // [1/s] Speed wanted per metre left.
 
 /// True while the agent reacts to the robot under a rule. Starts the reaction when its time has
 /// come.
-bool minds(Agent& agent, const Rule& rule, double distance, double now) {
+bool hold_attention(Agent& agent, const Rule& rule, double distance, double now) {
   if (now < agent.busy_until) return true;
   if (now < agent.unmoved_until || !agent.sees_robot || distance > rule.within) return false;
   agent.busy_until = now + rule.lasts;
@@ -60,16 +60,16 @@ std::optional<Reaction> react(Agent& agent, const RobotBody& robot, double now) 
     case Behaviour::kImpassive:
       return std::nullopt;
     case Behaviour::kSurprised:
-      if (minds(agent, kSurprise, distance, now)) return Reaction{};
+      if (hold_attention(agent, kSurprise, distance, now)) return Reaction{};
       return std::nullopt;
     case Behaviour::kCurious:
-      if (!minds(agent, kCuriosity, distance, now)) return std::nullopt;
+      if (!hold_attention(agent, kCuriosity, distance, now)) return std::nullopt;
       if (distance <= kLookFrom) return Reaction{};
       return approach(agent, p_robot - kLookFrom * to_robot / distance, true);
     case Behaviour::kScared:
       return flee(agent, to_robot, now);
     case Behaviour::kThreatening:
-      if (!minds(agent, kThreat, distance, now)) return std::nullopt;
+      if (!hold_attention(agent, kThreat, distance, now)) return std::nullopt;
       return approach(agent, robot.T_map_base * Eigen::Vector2d(kBlockAt, 0.0), true);
   }
   return std::nullopt;

@@ -17,7 +17,7 @@ constexpr int kAsideWays = 16;      // Directions tried when stepping aside.
 constexpr int kAsideRings = 8;      // Rings tried, one after the other.
 constexpr double kAsideRing = 0.2;  // [m] Between two rings.
 
-Eigen::Vector2d shortened(const Eigen::Vector2d& v, double most) {
+Eigen::Vector2d shorten(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
   return length > most ? Eigen::Vector2d(v * (most / length)) : v;
 }
@@ -25,13 +25,13 @@ Eigen::Vector2d shortened(const Eigen::Vector2d& v, double most) {
 /// Moves a person towards `target`, at most one step from `origin`, if that place is free.
 void push(const WalkSpace& space, const Eigen::Vector2d& origin, const Eigen::Vector2d& target,
           Agent& agent) {
-  const Eigen::Vector2d p = origin + shortened(target - origin, WalkSpace::kMaxStep);
+  const Eigen::Vector2d p = origin + shorten(target - origin, WalkSpace::kMaxStep);
   if (space.clear(p)) agent.state.position = p;
 }
 
 /// Pushes two people who overlap apart by half the overlap each.
-void part(const WalkSpace& space, const std::vector<PersonState>& before, std::size_t i,
-          std::size_t j, std::vector<Agent>& agents) {
+void push_apart(const WalkSpace& space, const std::vector<PersonState>& before, std::size_t i,
+                std::size_t j, std::vector<Agent>& agents) {
   const Eigen::Vector2d offset = agents[j].state.position - agents[i].state.position;
   const double touching = agents[i].body.radius + agents[j].body.radius;
   const double squared = offset.squaredNorm();
@@ -57,9 +57,9 @@ void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::V
 
 }  // namespace
 
-Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
-                      const Eigen::Vector2d& way) {
-  const Eigen::Vector2d step = shortened(way, WalkSpace::kMaxStep);
+Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d& from,
+                                  const Eigen::Vector2d& way) {
+  const Eigen::Vector2d step = shorten(way, WalkSpace::kMaxStep);
   if (space.clear(from + step)) return from + step;
   const Eigen::Vector2d away = space.wall(from + step).away;
   const Eigen::Vector2d along = step - std::min(step.dot(away), 0.0) * away;
@@ -74,7 +74,7 @@ void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents) {
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < agents.size(); ++i) {
-      for (std::size_t j = i + 1; j < agents.size(); ++j) part(space, before, i, j, agents);
+      for (std::size_t j = i + 1; j < agents.size(); ++j) push_apart(space, before, i, j, agents);
     }
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {

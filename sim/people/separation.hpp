@@ -12,8 +12,8 @@ namespace castaway::sim {
 
 /// Returns where a body ends up that moves from `from` by `way` [m], at most `WalkSpace::kMaxStep`:
 /// it slides along a wall in the way, or stays. `from` must be free; so is the result.
-Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
-                      const Eigen::Vector2d& way);
+Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d& from,
+                                  const Eigen::Vector2d& way);
 
 /// Pushes people who overlap each other or the robot apart, as far as walls allow, to at most
 /// `WalkSpace::kMaxStep` from their states `before`. People step back from a robot that comes

@@ -18,7 +18,7 @@ constexpr unsigned kShadowUnit = 1;
 constexpr float kRadius = 0.4F;  // [m]
 
 /// Fewer pixels blur the edges of shadows, more cost time.
-int reduced(int side) { return std::max(1, (2 * side + 4) / 5); }
+int reduce_side(int side) { return std::max(1, (2 * side + 4) / 5); }
 
 /// Draws one triangle over the whole picture.
 void fill() {
@@ -37,8 +37,8 @@ float half_height(const Camera& camera) {
 LightPass::LightPass(int width, int height)
     : picture_width_(width),
       picture_height_(height),
-      width_(reduced(width)),
-      height_(reduced(height)),
+      width_(reduce_side(width)),
+      height_(reduce_side(height)),
       surface_(TextureKind::kSurface, width_, height_),
       depth_(TextureKind::kDepth, width_, height_),
       raw_(TextureKind::kSurface, width_, height_),

@@ -33,7 +33,7 @@ std::vector<std::string> all_search_paths(const RobotOptions& options) {
 }
 
 /// Removes repeated warnings: a mesh may be a visual and a collision shape.
-void tell_once(std::vector<std::string>& warnings) {
+void drop_repetitions(std::vector<std::string>& warnings) {
   std::set<std::string> told;
   std::erase_if(warnings, [&](const std::string& text) { return !told.insert(text).second; });
 }
@@ -70,7 +70,7 @@ class RobotLoader {
     measure_extent();
     if (robot_.wheels.size() > 2) steer_by_skidding(robot_);
     robot_.frames = frames_;
-    tell_once(robot_.warnings);
+    drop_repetitions(robot_.warnings);
     return std::move(robot_);
   }
 

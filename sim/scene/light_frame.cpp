@@ -22,7 +22,7 @@ Eigen::Matrix3f light_from_map() {
   return R;
 }
 
-Eigen::AlignedBox3f turned(const Eigen::AlignedBox3f& bounds, const Eigen::Matrix3f& R) {
+Eigen::AlignedBox3f rotate_box(const Eigen::AlignedBox3f& bounds, const Eigen::Matrix3f& R) {
   Eigen::AlignedBox3f box;
   for (int corner = 0; corner < 8; ++corner) {
     box.extend(R * bounds.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)));
@@ -46,7 +46,7 @@ Vector3f to_sun() { return Vector3f(-0.45F, -0.6F, 1.2F).normalized(); }
 
 LightFrame light_frame(const Camera& camera, const Eigen::AlignedBox3f& bounds, int texels) {
   const Eigen::Matrix3f R = light_from_map();
-  const Eigen::AlignedBox3f lit = turned(bounds, R);
+  const Eigen::AlignedBox3f lit = rotate_box(bounds, R);
   const float reach = std::max(kLeastReach, 2.0F * (camera.target - camera.eye).norm());
   const Vector3f focus = R * focus_of(camera, reach, bounds.min().z());
   LightFrame frame;

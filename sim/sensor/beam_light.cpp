@@ -53,8 +53,8 @@ Echo BeamLight::first_mirror(const Surroundings& around, Ray ray, Rng& rng,
 
 /// The edges of the beam hit surfaces at other ranges than its middle: the reported range lies
 /// between.
-double BeamLight::mixed(const Surroundings& around, const Ray& ray, const Eigen::Vector3d& across,
-                        const Echo& echo, Rng& rng) const {
+double BeamLight::mix_ranges(const Surroundings& around, const Ray& ray,
+                             const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const {
   const double offset = std::tan(0.5 * effects_.divergence_deg * kRadians);
   const double share = uniform(rng);
   double near = echo.range;
@@ -71,7 +71,7 @@ double BeamLight::mixed(const Surroundings& around, const Ray& ray, const Eigen:
   return near + share * (far - near);
 }
 
-bool BeamLight::lost(const Echo& echo, Rng& rng) const {
+bool BeamLight::is_lost(const Echo& echo, Rng& rng) const {
   const double share = uniform(rng);
   if (echo.range > seen_within(effects_, echo.cosine, echo.reflectivity)) return true;
   return share < lost_share(effects_, echo.range / range_max_, echo.cosine, echo.reflectivity);
@@ -82,9 +82,9 @@ Echo BeamLight::echo(const Surroundings& around, const Ray& ray, const Eigen::Ve
                      LidarDraws& draws, std::uint32_t guess) const {
   Echo echo = first_mirror(around, ray, draws.glass, guess);
   if (effects_.divergence_deg > 0.0 && echo.object != kHitNothing) {
-    echo.range = mixed(around, ray, across, echo, draws.edges);
+    echo.range = mix_ranges(around, ray, across, echo, draws.edges);
   }
-  if (echo.object != kHitNothing && lost(echo, draws.dropout)) {
+  if (echo.object != kHitNothing && is_lost(echo, draws.dropout)) {
     echo = {kNoHit, kHitNothing, echo.primitive, 1.0, 0.0, true};
   }
   if (effects_.dust_rate <= 0.0) return echo;

@@ -37,9 +37,9 @@ class BeamLight {
   /// The first surface that returns light; panes of glass may let it pass.
   [[nodiscard]] Echo first_mirror(const Surroundings& around, Ray ray, Rng& rng,
                                   std::uint32_t guess) const;
-  [[nodiscard]] double mixed(const Surroundings& around, const Ray& ray,
-                             const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const;
-  [[nodiscard]] bool lost(const Echo& echo, Rng& rng) const;
+  [[nodiscard]] double mix_ranges(const Surroundings& around, const Ray& ray,
+                                  const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const;
+  [[nodiscard]] bool is_lost(const Echo& echo, Rng& rng) const;
 
   LightEffects effects_;
   Surfaces surfaces_;

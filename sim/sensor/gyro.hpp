@@ -23,7 +23,7 @@ class Gyro {
   Gyro(const GyroConfig& config, Rng rng);
 
   /// Returns the measured turn for a true turn [rad] within `dt` [s].
-  double measured(double turn, double dt);
+  double measure(double turn, double dt);
 
  private:
   GyroConfig config_;

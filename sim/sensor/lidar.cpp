@@ -59,7 +59,7 @@ Beam Lidar::report(const Echo& echo, int index, Rng& rng) const {
   if (echo.met) {
     const double offset = offsets_.empty() ? 0.0 : offsets_[static_cast<std::size_t>(index)];
     const double true_range = std::min(echo.range, config_.range_max);
-    range = measured_range(config_.noise, true_range, offset, rng);
+    range = measure_range(config_.noise, true_range, offset, rng);
   }
   if (echo.object == kHitNothing || range > config_.range_max) {
     return {kInfinity, kHitNothing, echo.primitive};

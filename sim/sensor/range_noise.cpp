@@ -25,7 +25,7 @@ void validate(const RangeNoise& noise) {
   if (!std::isfinite(noise.bias)) throw std::invalid_argument("lidar: noise.bias is not a number");
 }
 
-double measured_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng) {
+double measure_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng) {
   const double sigma = noise.sigma + noise.sigma_relative * range;
   double measured = range + (noise.bias + beam_bias);
   if (sigma > 0.0) measured += boost::random::normal_distribution<double>(0.0, sigma)(rng);

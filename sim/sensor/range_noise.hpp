@@ -19,6 +19,6 @@ void validate(const RangeNoise& noise);
 
 /// Returns a measurement of `range` [m] by a beam with the constant offset `beam_bias` [m]. Draws
 /// nothing if the standard deviation is 0.
-double measured_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng);
+double measure_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng);
 
 }  // namespace castaway::sim

@@ -79,7 +79,7 @@ class WheelOdometry {
   [[nodiscard]] Pose2 T_odom_base() const;
 
  private:
-  [[nodiscard]] double measured(double angle) const;
+  [[nodiscard]] double quantize(double angle) const;
 
   OdometryConfig config_;
   DriveGeometry believed_;

@@ -21,8 +21,7 @@ class WheelSlip {
 
   /// Returns what the encoders count for true increments of the wheels' angles [rad]. `T_map_base`:
   /// the robot's pose; `collisions`: its number of collisions so far.
-  WheelAngles counted(const WheelAngles& increment, const Pose2& T_map_base,
-                      std::int64_t collisions);
+  WheelAngles count(const WheelAngles& increment, const Pose2& T_map_base, std::int64_t collisions);
 
  private:
   struct Wheel {
@@ -34,7 +33,7 @@ class WheelSlip {
     double zone_left = 0.0;    ///< [m] Distance until the zone's slip changes.
     double zone_factor = 1.0;  ///< Factor of the zone's slip.
   };
-  double counted(Wheel& wheel, double angle, const Pose2& T_map_base);
+  double count(Wheel& wheel, double angle, const Pose2& T_map_base);
   double zone_share(Wheel& wheel, double way, const Pose2& T_map_base);
   void start_event(Wheel& wheel, double length);
 

@@ -10,7 +10,7 @@ namespace castaway::sim {
 namespace {
 
 // [m] The robot may be this far off its path before it re-plans: it makes room for people.
-constexpr double kAsideMost = 1.2;
+constexpr double kMaxOffPath = 1.2;
 constexpr double kPassed = 0.3;  // [m] Tolerance of waypoints: a person may stand there.
 constexpr double kBeyond = 0.1;  // [m] Distance of the target beyond the way of the horizon.
 // [s] Driving at full speed for this long counts as the first move.
@@ -49,7 +49,7 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) 
   config.local.limits = config.route.follower.limits;
   config.local.radius = robot.footprint_radius;
   config.plan_margin = kDriveMargin;
-  config.route.replan_distance = kAsideMost;
+  config.route.replan_distance = kMaxOffPath;
   config.route.follower.goal_tolerance = kPassed;
   // A nearer target would be reached within the horizon, so that no higher velocity would reduce
   // the cost.

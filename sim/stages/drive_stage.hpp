@@ -28,7 +28,7 @@ class DriveStage {
   /// people.
   Twist2 command(std::chrono::nanoseconds now, const Pose2& T_map_base, PeopleStage& people);
   /// Sets the driving localizer's estimate; nothing if it has none.
-  void set_pose(const std::optional<Pose2>& T_map_base) { believed_ = T_map_base; }
+  void set_pose(const std::optional<Pose2>& T_map_base) { estimate_ = T_map_base; }
   /// Take what the robot's sensors delivered.
   void on_odometry(const OdometryReading& reading);
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);
@@ -36,19 +36,21 @@ class DriveStage {
   /// person is in the way, and the estimated pose is right.
   [[nodiscard]] bool wants() const { return wants_; }
   /// Waypoints reached so far.
-  [[nodiscard]] int passed() const { return navigator_ ? navigator_->passed() : route_->passed(); }
+  [[nodiscard]] int waypoints_reached() const {
+    return navigator_ ? navigator_->waypoints_reached() : route_->waypoints_reached();
+  }
   /// Recoveries and emergency stops since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 
  private:
-  [[nodiscard]] bool believes_rightly(const Pose2& T_map_base) const;
-  [[nodiscard]] bool somebody_near(const Pose2& T_map_base, const PeopleStage& people) const;
+  [[nodiscard]] bool is_estimate_right(const Pose2& T_map_base) const;
+  [[nodiscard]] bool is_person_near(const Pose2& T_map_base, const PeopleStage& people) const;
 
   std::chrono::nanoseconds wait_;
   std::vector<TimedTwist> log_;
   std::optional<RouteRunner> route_;    ///< Drives by the true pose.
   std::optional<Navigator> navigator_;  ///< Drives by the estimate.
-  std::optional<Pose2> believed_;
+  std::optional<Pose2> estimate_;
   double radius_;  ///< [m] Of the robot.
   bool wants_ = false;
   std::chrono::nanoseconds next_{};

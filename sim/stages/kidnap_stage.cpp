@@ -71,7 +71,7 @@ KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {
     const bool due = entry.clock.due(trigger);
     if (!due || held_ || outcome.done) continue;
     outcome = begin(entry, input, rng);
-    if (outcome.done || outcome.picked_up) entry.clock.happened(trigger);
+    if (outcome.done || outcome.picked_up) entry.clock.on_kidnap(trigger);
   }
   return outcome;
 }
@@ -93,7 +93,7 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
   if (input.people) scene.people = input.people();
   const auto target = kidnap_target(entry.spec, scene, rng);
   if (!target) return {};
-  if (takes_time(entry.spec)) return lifted(entry, input, *target);
+  if (takes_time(entry.spec)) return begin_lift(entry, input, *target);
   power_cycle_ = entry.spec.power_cycle;
   KidnapOutcome outcome;
   outcome.done = KidnapRecord{input.now, entry.spec.kind,    input.T_map_base, target->T_map_base,
@@ -101,8 +101,8 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
   return outcome;
 }
 
-KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
-                                  const KidnapTarget& target) {
+KidnapOutcome KidnapStage::begin_lift(const Entry& entry, const KidnapInput& input,
+                                      const KidnapTarget& target) {
   const Pose2& T_map_to = target.T_map_base;
   const Pose2& from = input.T_map_base;
   std::optional<std::vector<Eigen::Vector2d>> path;

@@ -71,7 +71,8 @@ class KidnapStage {
 
   KidnapOutcome finish(std::chrono::nanoseconds now);
   KidnapOutcome begin(Entry& entry, const KidnapInput& input, Rng& rng);
-  KidnapOutcome lifted(const Entry& entry, const KidnapInput& input, const KidnapTarget& target);
+  KidnapOutcome begin_lift(const Entry& entry, const KidnapInput& input,
+                           const KidnapTarget& target);
   const LookAlikes* look_alikes_of(Entry& entry);
 
   const RayScene* scene_;

@@ -30,7 +30,7 @@ class PeopleStage {
   void on_kidnap(const Pose2& T_map_base);
   /// Returns the command to drive instead of `command` because of people; may re-plan `route`
   /// around them.
-  Twist2 yielded(const Twist2& command, RouteRunner& route);
+  Twist2 yield_to_people(const Twist2& command, RouteRunner& route);
 
   /// Everything that a beam can hit.
   [[nodiscard]] Surroundings around(const RayScene& standing) const;
@@ -50,7 +50,7 @@ class PeopleStage {
   std::unique_ptr<People> people_;
   bool yields_;
   PeopleGuard guard_;
-  int patience_;  ///< Calls of `yielded` for which the robot waits before it re-plans.
+  int patience_;  ///< Calls of `yield_to_people` for which the robot waits before it re-plans.
   RobotBody robot_;
   MovingScene scene_;
   std::vector<int> hits_;

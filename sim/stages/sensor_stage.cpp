@@ -53,7 +53,7 @@ void SensorStage::set_covered(bool covered) {
 }
 
 std::vector<FaultRecord> SensorStage::read_faults(const Motion& motion) {
-  std::vector<FaultRecord> records = timeline_.reached(motion.end - nanoseconds(1));
+  std::vector<FaultRecord> records = timeline_.take_due(motion.end - nanoseconds(1));
   for (FaultRecord& record : records) record.T_map_base_true = to_planar(motion.at(record.stamp));
   return records;
 }
@@ -79,7 +79,7 @@ std::vector<SimFrame> SensorStage::read_lidars(const Surroundings& around, const
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     for (Sweep& sweep : devices_[i].sweeper.advance(around, motion)) {
       sweep.reading.lidar = i;
-      auto passed = devices_[i].faults.passed(std::move(sweep));
+      auto passed = devices_[i].faults.deliver(std::move(sweep));
       if (passed) pending_.push_back(std::move(*passed));
     }
   }

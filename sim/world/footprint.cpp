@@ -105,8 +105,8 @@ Eigen::AlignedBox3d bounds(const WorldObject& object) {
   return box;
 }
 
-ConvexOutline moved(const ConvexOutline& outline, const Eigen::Vector2d& center, double yaw,
-                    const Eigen::Vector2d& by) {
+ConvexOutline transform_outline(const ConvexOutline& outline, const Eigen::Vector2d& center,
+                                double yaw, const Eigen::Vector2d& by) {
   const Eigen::Rotation2Dd turn(yaw);
   ConvexOutline result;
   for (const Eigen::Vector2d& p : outline.points) {

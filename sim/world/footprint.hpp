@@ -17,8 +17,8 @@ ConvexOutline footprint(const WorldObject& object);
 Eigen::AlignedBox3d bounds(const WorldObject& object);
 
 /// The outline rotated by `yaw` [rad] about `center`, then shifted by `by` [m].
-ConvexOutline moved(const ConvexOutline& outline, const Eigen::Vector2d& center, double yaw,
-                    const Eigen::Vector2d& by);
+ConvexOutline transform_outline(const ConvexOutline& outline, const Eigen::Vector2d& center,
+                                double yaw, const Eigen::Vector2d& by);
 
 /// True if two outlines have a point in common (separating axis test).
 bool overlap(const ConvexOutline& a, const ConvexOutline& b);

@@ -49,7 +49,7 @@ Overhead overhead_of(const SceneItem& item) {
 }
 
 /// Appends an item and its roof as separate items.
-void add_parted(SceneItem item, Overhead overhead, std::vector<SceneItem>& parted) {
+void add_split(SceneItem item, Overhead overhead, std::vector<SceneItem>& parted) {
   SceneItem roof = item;
   roof.casts_shadow = false;
   if (overhead.panel) {
@@ -64,7 +64,7 @@ void add_parted(SceneItem item, Overhead overhead, std::vector<SceneItem>& parte
 
 }  // namespace
 
-std::vector<SceneItem> part_roofs(std::vector<SceneItem> items, float extent) {
+std::vector<SceneItem> split_roofs(std::vector<SceneItem> items, float extent) {
   const float enough = std::min(kShare * extent, kEnough);
   std::vector<Overhead> overheads;
   float panels = 0.0F;
@@ -76,7 +76,7 @@ std::vector<SceneItem> part_roofs(std::vector<SceneItem> items, float extent) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const float area = overheads[i].panel ? panels : overheads[i].area();
     if (area > enough) {
-      add_parted(std::move(items[i]), std::move(overheads[i]), parted);
+      add_split(std::move(items[i]), std::move(overheads[i]), parted);
     } else {
       parted.push_back(std::move(items[i]));
     }

@@ -13,6 +13,6 @@ namespace castaway::sim {
 /// A roof lies completely above 1.5 m, is flat (less than 60 degrees steep) and large: it covers
 /// more than a quarter of `extent` [m2] or 20 m2, either alone (the high flat faces of a mesh with
 /// walls) or together with others (the separate panels of a ceiling).
-std::vector<SceneItem> part_roofs(std::vector<SceneItem> items, float extent);
+std::vector<SceneItem> split_roofs(std::vector<SceneItem> items, float extent);
 
 }  // namespace castaway::sim

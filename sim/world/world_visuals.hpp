@@ -12,7 +12,7 @@ namespace castaway::sim {
 TriangleMesh shape_mesh(const ObjectShape& shape);
 
 /// One item per object in a world, in their order and colours; the floor is not included. Roofs are
-/// items of their own and cast no shadow (`part_roofs`). An item's instance is
+/// items of their own and cast no shadow (`split_roofs`). An item's instance is
 /// `kFirstObjectInstance` + index of the object. A mesh's material colours are multiplied with the
 /// object's colour.
 /// @throws std::runtime_error if a mesh cannot be read.

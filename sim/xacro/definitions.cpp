@@ -145,7 +145,7 @@ std::optional<Value> Expander::function(const std::string& name, const List& arg
   if (path.is_relative()) path = std::filesystem::path(file_).parent_path() / path;
   if (!packages_.may_read(path)) throw std::invalid_argument(packages_.refusal(path));
   try {
-    return bounded(options_.read_yaml(path.lexically_normal().string()));
+    return check_size(options_.read_yaml(path.lexically_normal().string()));
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(fmt::format("load_yaml: {}", error.what()));
   }

@@ -45,14 +45,14 @@ class Evaluator {
       case Kind::kIndex:
         return index(child(tree, 0), child(tree, 1));
       case Kind::kList:
-        return bounded({list(tree, 0)});
+        return check_size({list(tree, 0)});
       case Kind::kDict:
         return dictionary(tree);
       case Kind::kCall:
         return call(tree);
       case Kind::kName:
       case Kind::kAttribute:
-        return named(tree);
+        return look_up(tree);
       case Kind::kKeyword:
         throw std::invalid_argument(fmt::format("'{}=' is not supported here", tree.text));
       default:
@@ -85,10 +85,10 @@ class Evaluator {
     for (std::size_t i = 0; i + 1 < tree.children.size(); i += 2) {
       dict.push_back({to_text(child(tree, i)), child(tree, i + 1)});
     }
-    return bounded({dict});
+    return check_size({dict});
   }
 
-  [[nodiscard]] Value named(const Syntax& tree) const {
+  [[nodiscard]] Value look_up(const Syntax& tree) const {
     const std::string name = dotted_name(tree);
     if (!name.empty()) {
       if (auto found = surroundings_.property(name)) return *found;
@@ -127,7 +127,7 @@ class Evaluator {
       if (argument.kind != Kind::kKeyword) throw std::invalid_argument("dict() needs name=value");
       dict.push_back({argument.text, child(argument, 0)});
     }
-    return bounded({dict});
+    return check_size({dict});
   }
 
   const Surroundings& surroundings_;

@@ -81,7 +81,7 @@ Value to_float(const Value& value) {
 }
 
 /// Rounds half to even, as Python does.
-Value rounded(const List& arguments) {
+Value round_value(const List& arguments) {
   expect_count("round", arguments, 1, 2);
   const double number = to_double(arguments[0]);
   if (arguments.size() == 1) return whole(std::nearbyint(number));
@@ -147,7 +147,7 @@ std::optional<Value> call_function(const std::string& name, const List& argument
     return Value{finite(name, two->second(to_double(arguments[0]), to_double(arguments[1])))};
   }
   if (name == "min" || name == "max") return extreme(name, arguments);
-  if (name == "round") return rounded(arguments);
+  if (name == "round") return round_value(arguments);
   for (const char* conversion :
        {"int", "float", "str", "bool", "len", "list", "floor", "ceil", "abs"}) {
     if (name != conversion) continue;

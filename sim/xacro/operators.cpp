@@ -73,7 +73,7 @@ Value arithmetic(const std::string& sign, const Value& left, const Value& right)
 }
 
 /// Concatenates or repeats texts and lists; nothing for other types.
-std::optional<Value> joined(const std::string& sign, const Value& a, const Value& b) {
+std::optional<Value> join_or_repeat(const std::string& sign, const Value& a, const Value& b) {
   const auto* text = std::get_if<std::string>(&a.data);
   const auto* list = std::get_if<List>(&a.data);
   if (sign == "+" && a.data.index() == b.data.index() && text != nullptr) {
@@ -94,9 +94,9 @@ std::optional<Value> joined(const std::string& sign, const Value& a, const Value
   return Value{repeated};
 }
 
-Value checked_length(Value value) {
+Value check_length(Value value) {
   const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr || text->size() <= kMaxLength) return bounded(std::move(value));
+  if (text == nullptr || text->size() <= kMaxLength) return check_size(std::move(value));
   throw std::invalid_argument(fmt::format("a text longer than {} characters", kMaxLength));
 }
 
@@ -147,7 +147,7 @@ Value binary(const std::string& sign, const Value& a, const Value& b) {
   if (sign == ">") return {order(sign, a, b) > 0};
   if (sign == ">=") return {order(sign, a, b) >= 0};
   if (is_number(a) && is_number(b)) return arithmetic(sign, a, b);
-  if (auto result = joined(sign, a, b)) return checked_length(std::move(*result));
+  if (auto result = join_or_repeat(sign, a, b)) return check_length(std::move(*result));
   meaningless(sign, a, b);
 }
 

@@ -38,7 +38,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-std::string unquoted(const std::string& text) {
+std::string unquote(const std::string& text) {
   const bool quoted = text.size() >= 2 && text.front() == text.back() &&
                       (text.front() == '\'' || text.front() == '"');
   return quoted ? text.substr(1, text.size() - 2) : text;
@@ -48,11 +48,11 @@ std::string unquoted(const std::string& text) {
 void read_default(const std::string& text, Parameter& parameter) {
   parameter.from_outside = text.starts_with("^");
   if (!parameter.from_outside) {
-    parameter.fallback = unquoted(text);
+    parameter.fallback = unquote(text);
     return;
   }
   const std::size_t begin = text.starts_with("^|") ? 2 : 1;
-  if (text.size() > begin) parameter.fallback = unquoted(text.substr(begin));
+  if (text.size() > begin) parameter.fallback = unquote(text.substr(begin));
 }
 
 Parameter parse_one(const std::string& word) {

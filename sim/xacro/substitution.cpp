@@ -55,7 +55,7 @@ std::optional<std::string> by_name(const std::vector<std::string>& words,
   return std::nullopt;
 }
 
-std::string evaluated(const std::string& expression, const SubstitutionContext& context) {
+std::string evaluate_command(const std::string& expression, const SubstitutionContext& context) {
   Surroundings surroundings;
   surroundings.property = [&](const std::string& name) -> std::optional<Value> {
     const auto found = context.arguments->find(name);
@@ -78,7 +78,7 @@ std::string evaluated(const std::string& expression, const SubstitutionContext& 
 std::string substitute(const std::string& command, const SubstitutionContext& context) {
   const std::vector<std::string> words = substitution_words(command);
   if (!words.empty() && words[0] == "eval") {
-    return evaluated(command.substr(command.find("eval") + 4), context);
+    return evaluate_command(command.substr(command.find("eval") + 4), context);
   }
   if (!words.empty()) {
     if (auto text = by_name(words, context)) return *text;

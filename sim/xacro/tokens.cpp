@@ -26,7 +26,7 @@ class Cutter {
     if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) {
       return number();
     }
-    if (c == '\'' || c == '"') return quoted(c);
+    if (c == '\'' || c == '"') return quoted_text(c);
     if (is_name_start(c)) return name();
     return symbol();
   }
@@ -50,7 +50,7 @@ class Cutter {
     return sign && i > at_ && (text_[i - 1] == 'e' || text_[i - 1] == 'E');
   }
 
-  Token quoted(char quote) {
+  Token quoted_text(char quote) {
     std::string content;
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       if (text_[i] == quote) {

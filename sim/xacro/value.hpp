@@ -55,7 +55,7 @@ bool equal(const Value& a, const Value& b);
 
 /// Returns the value if it is not too large: nested lists grow fast.
 /// @throws std::invalid_argument if it has more than 200000 items and characters.
-Value bounded(Value value);
+Value check_size(Value value);
 
 /// The value of a key; nullptr if there is none.
 const Value* find_key(const Dict& dict, const std::string& key);

@@ -27,6 +27,6 @@ bool possible_inertia(const Eigen::Matrix3d& inertia);
 BodyMass box_mass(const std::vector<Eigen::Vector3d>& points_base, double mass);
 
 /// Mass properties of several bodies that move as one (parallel axis theorem).
-BodyMass lumped(const std::vector<BodyMass>& bodies);
+BodyMass lump(const std::vector<BodyMass>& bodies);
 
 }  // namespace castaway::sim

@@ -36,7 +36,7 @@ class KinematicRobot {
 
  private:
   void turn_wheels();
-  [[nodiscard]] bool blocked(const Pose2& from, const Pose2& to) const;
+  [[nodiscard]] bool is_blocked(const Pose2& from, const Pose2& to) const;
 
   double track_;
   double wheel_radius_;

@@ -50,7 +50,7 @@ BodyMass weigh_chassis(const UrdfFile& file, const LinkFrames& frames, bool gues
     const BodyMass body = link_mass(*link, frames, points_of(robot, name), robot.warnings);
     if (body.mass > 0.0) bodies.push_back(body);
   }
-  return lumped(bodies);
+  return lump(bodies);
 }
 
 }  // namespace

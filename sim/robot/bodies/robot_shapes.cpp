@@ -22,7 +22,7 @@ std::unique_ptr<btConvexHullShape> thin_hull() {
 }
 
 /// A hull with fewer corners, sampled from the support of the full one.
-std::unique_ptr<btConvexHullShape> reduced(btConvexHullShape& full) {
+std::unique_ptr<btConvexHullShape> reduce_hull(btConvexHullShape& full) {
   full.setMargin(0.0);  // Support points include the margin.
   btShapeHull corners(&full);
   corners.buildHull(0.0);
@@ -42,7 +42,7 @@ std::unique_ptr<btConvexHullShape> hull(const RobotPart& part, const Eigen::Vect
     shape->addPoint(to_bullet(Eigen::Vector3d(p - p_base_com)), false);
   }
   shape->recalcLocalAabb();
-  return shape->getNumPoints() > kMaxHullPoints ? reduced(*shape) : std::move(shape);
+  return shape->getNumPoints() > kMaxHullPoints ? reduce_hull(*shape) : std::move(shape);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ double ideal_skid_track(const RobotModel& robot) {
   return separation + (front - back) * (front - back) / separation;
 }
 
-void strengthen_motors(RobotModel& robot) {
+void remove_low_effort_limits(RobotModel& robot) {
   const double load = wheel_load(robot);
   double lowest = 0.0;
   for (DriveWheel& wheel : robot.wheels) {
@@ -66,7 +66,7 @@ void strengthen_motors(RobotModel& robot) {
                   lowest));
 }
 
-SkidTurn measured_skid_turn(const RobotModel& robot) {
+SkidTurn measure_skid_turn(const RobotModel& robot) {
   RobotPhysics physics(bare_floor(), robot, {}, {1.0, kTurnRate, 1.0, 1.0}, kStep);
   physics.set_command({0.0, kTurnRate});
   for (int i = 0; i < kSettleSteps; ++i) physics.step();
@@ -87,9 +87,9 @@ SkidTurn measured_skid_turn(const RobotModel& robot) {
 }
 
 void steer_by_skidding(RobotModel& robot) {
-  strengthen_motors(robot);
+  remove_low_effort_limits(robot);
   robot.track = ideal_skid_track(robot);
-  const SkidTurn turn = measured_skid_turn(robot);
+  const SkidTurn turn = measure_skid_turn(robot);
   robot.track = turn.track;
   robot.p_base_axle.y() = turn.axle_y;
 }

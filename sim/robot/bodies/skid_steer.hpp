@@ -14,7 +14,7 @@ double ideal_skid_track(const RobotModel& robot);
 
 /// Removes torque limits that are too low for the wheels to skid, with a warning: such a robot
 /// could not turn.
-void strengthen_motors(RobotModel& robot);
+void remove_low_effort_limits(RobotModel& robot);
 
 /// Measured turn in place of a robot in simulated physics.
 struct SkidTurn {
@@ -25,7 +25,7 @@ struct SkidTurn {
 };
 
 /// Measures a turn in place on a bare floor for two seconds. `robot.track` is the initial guess.
-SkidTurn measured_skid_turn(const RobotModel& robot);
+SkidTurn measure_skid_turn(const RobotModel& robot);
 
 /// Prepares a robot with more than two driven wheels for turning: removes low torque limits, and
 /// sets `track` and the axle so that its drive commands and wheel odometry are correct.

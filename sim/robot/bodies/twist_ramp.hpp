@@ -14,6 +14,7 @@ struct TwistLimits {
 };
 
 /// `command` limited to the speed limits and to what `dt` [s] allows from `current`.
-Twist2 ramped(const Twist2& current, const Twist2& command, const TwistLimits& limits, double dt);
+Twist2 ramp_twist(const Twist2& current, const Twist2& command, const TwistLimits& limits,
+                  double dt);
 
 }  // namespace castaway::sim

@@ -21,7 +21,7 @@ void for_each(const TiXmlElement& from, const std::string& name, const Visit& vi
   }
 }
 
-std::string trimmed(const char* text) {
+std::string trim(const char* text) {
   const std::string all = text == nullptr ? "" : text;
   const std::size_t first = all.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
@@ -29,7 +29,7 @@ std::string trimmed(const char* text) {
 }
 
 std::string attribute(const TiXmlElement& element, const char* name) {
-  return trimmed(element.Attribute(name));
+  return trim(element.Attribute(name));
 }
 
 template <std::size_t N>
@@ -68,7 +68,7 @@ DriveTags of_plugin(const TiXmlElement& plugin) {
   std::string joint_tag;
   for (auto* e = plugin.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     const std::string& tag = e->ValueStr();
-    const std::string text = trimmed(e->GetText());
+    const std::string text = trim(e->GetText());
     if (one_of(tag, kLeft)) {
       tags.left.push_back(text);
       joint_tag = tag;
@@ -100,7 +100,7 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
   for_each(root, "transmission", [&](const TiXmlElement& transmission) {
     bool velocity = false;
     for_each(transmission, "hardwareInterface", [&](const TiXmlElement& interface) {
-      velocity = velocity || trimmed(interface.GetText()).find("Velocity") != std::string::npos;
+      velocity = velocity || trim(interface.GetText()).find("Velocity") != std::string::npos;
     });
     for_each(transmission, "joint", [&](const TiXmlElement& joint) {
       if (velocity) joints.push_back(attribute(joint, "name"));
@@ -114,7 +114,7 @@ void add_parameters(const UrdfFile& file, const PackageFinder& packages,
                     const RobotOptions& options, DriveTags& tags) {
   if (!options.read_yaml) return;
   for_each(*file.xml->RootElement(), "parameters", [&](const TiXmlElement& e) {
-    std::filesystem::path path = trimmed(e.GetText());
+    std::filesystem::path path = trim(e.GetText());
     if (path.is_relative()) path = std::filesystem::path(file.path).parent_path() / path;
     std::error_code none;
     if (!packages.may_read(path) || !std::filesystem::is_regular_file(path, none)) return;

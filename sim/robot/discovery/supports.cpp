@@ -41,7 +41,7 @@ std::optional<Caster> caster_of(const RobotPart& part, double wheel_radius) {
   return Caster{{box.center().x(), box.center().y(), radius}, radius};
 }
 
-bool known(const std::vector<Caster>& casters, const Caster& caster) {
+bool is_known_caster(const std::vector<Caster>& casters, const Caster& caster) {
   return std::any_of(casters.begin(), casters.end(), [&caster](const Caster& c) {
     return (c.p_base_caster - caster.p_base_caster).head<2>().norm() < kSameCaster;
   });
@@ -69,7 +69,7 @@ void lift_if_on_both_sides(RobotModel& robot) {
 }
 
 /// Range along x in which the centre of mass is supported.
-std::pair<double, double> carried(const RobotModel& robot) {
+std::pair<double, double> supported_range(const RobotModel& robot) {
   double low = robot.wheels.front().p_base_wheel.x();
   double high = low;
   for (const DriveWheel& wheel : robot.wheels) {
@@ -93,7 +93,7 @@ void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
                                       [&](const auto& wheel) { return wheel.link == part.link; });
     if (!could_carry || is_wheel) return false;
     const std::optional<Caster> caster = caster_of(part, robot.wheel_radius);
-    if (caster && !known(robot.casters, *caster)) robot.casters.push_back(*caster);
+    if (caster && !is_known_caster(robot.casters, *caster)) robot.casters.push_back(*caster);
     return caster.has_value();
   });
   if (robot.casters.empty() && robot.wheels.size() == 2) add_default_caster(robot);
@@ -101,7 +101,7 @@ void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
 }
 
 void balance(RobotModel& robot) {
-  const auto [low, high] = carried(robot);
+  const auto [low, high] = supported_range(robot);
   const double axle = robot.p_base_axle.x();
   // With support on one side only, some load is kept on the caster and most on the wheels.
   const bool front = high - axle > kSameCaster;

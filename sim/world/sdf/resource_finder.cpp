@@ -57,7 +57,7 @@ std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name
 }
 
 /// The file or folder with its links resolved; nothing if it does not exist.
-std::optional<fs::path> existing(const fs::path& path, bool any_case) {
+std::optional<fs::path> find_existing(const fs::path& path, bool any_case) {
   std::error_code none;
   const fs::path exact = fs::weakly_canonical(path, none);
   if (none) return std::nullopt;
@@ -110,7 +110,7 @@ fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) cons
   starts.insert(starts.end(), starts_.begin(), starts_.end());
   for (const bool any_case : {false, true}) {
     for (const fs::path& start : starts) {
-      const auto candidate = existing(start / path, any_case);
+      const auto candidate = find_existing(start / path, any_case);
       if (path.empty() || !candidate) continue;
       if (may_read(*candidate)) return *candidate;
       outside = true;

@@ -51,7 +51,7 @@ double length(double value) {
                    kMaxLength));
 }
 
-Eigen::Isometry3d resolved(const sdf::SemanticPose& pose) {
+Eigen::Isometry3d resolve_pose(const sdf::SemanticPose& pose) {
   ignition::math::Pose3d value;
   const sdf::Errors errors = pose.Resolve(value);
   if (!errors.empty()) fail("its pose cannot be resolved: " + errors.front().Message());
@@ -88,7 +88,7 @@ void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_pare
   }
   Eigen::Isometry3d T_map_model;
   try {
-    T_map_model = T_map_parent * resolved(model.SemanticPose());
+    T_map_model = T_map_parent * resolve_pose(model.SemanticPose());
   } catch (const std::runtime_error& error) {
     return leave_out(name, error);
   }
@@ -109,7 +109,7 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
     const sdf::Collision& collision = *link.CollisionByIndex(i);
     object.name = fmt::format("{}/{}/{}", name, link.Name(), collision.Name());
     try {
-      add(collision, T_map_model * resolved(link.SemanticPose()), object);
+      add(collision, T_map_model * resolve_pose(link.SemanticPose()), object);
     } catch (const std::runtime_error& error) {
       leave_out(object.name, error);
     }
@@ -122,7 +122,7 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
 
 void SdfBodies::add(const sdf::Collision& collision, const Eigen::Isometry3d& T_map_link,
                     WorldObject object) {
-  object.T_map_object = T_map_link * resolved(collision.SemanticPose());
+  object.T_map_object = T_map_link * resolve_pose(collision.SemanticPose());
   const auto shape = shape_of(*collision.Geom(), object.name, object.T_map_object);
   if (!shape) return;
   object.shape = *shape;
