@@ -10,8 +10,8 @@
 namespace castaway::localization {
 namespace {
 
-/// The map, half a cell off if asked for.
-OccupancyGrid placed(const AmclConfig& config, OccupancyGrid map) {
+/// The map, shifted by half a cell if configured.
+OccupancyGrid place_map(const AmclConfig& config, OccupancyGrid map) {
   validate(map);
   const double shift = config.half_cell_shift ? -0.5 * map.frame.resolution : 0.0;
   map.frame.T_map_grid = map.frame.T_map_grid * SE2{shift, shift, 0.0};
@@ -29,7 +29,7 @@ Eigen::Matrix3d spread_of(const AmclConfig& config, const PoseWithCovariance& st
 
 Amcl::Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t seed, StageClock clock)
     : config_((validate(config), config)),
-      map_(placed(config, map)),
+      map_(place_map(config, map)),
       field_(config.sensor, map_),
       free_space_(map_),
       rng_(substream(seed, "amcl")),
@@ -70,16 +70,16 @@ void Amcl::on_scan(const LaserScan& scan) {
     const auto beams =
         take_beams(scan, intake_.T_odom_base(), config_.max_beams, config_.max_range);
     const double range_max = std::min(scan.range_max, config_.max_range);
-    if (beams && says_something(*beams)) update(*beams, range_max, T_odom_base);
+    if (beams && is_informative(*beams)) update(*beams, range_max, T_odom_base);
   }
   if (updated_at_) publish(scan.stamp, T_odom_base);
 }
 
-bool Amcl::says_something(const BeamScan& beams) const {
+bool Amcl::is_informative(const BeamScan& beams) const {
   return !beams.returns.empty() || (beam_model_ && !beams.misses.empty());
 }
 
-/// After enough motion the next scan of every lidar makes an update, as in Nav2.
+/// After enough motion the next scan of every lidar causes an update, as in Nav2.
 bool Amcl::is_awaited(const std::string& lidar, const SE2& T_odom_base) {
   awaited_.try_emplace(lidar, true);
   if (!updated_at_ || config_.update_at_rest || moved_enough(T_odom_base)) {

@@ -1,10 +1,10 @@
-/// The baseline: adaptive Monte Carlo localization as Nav2 runs it, written from its published
+/// The baseline: adaptive Monte Carlo localization as in Nav2, implemented from its published
 /// formulas.
 ///
-/// Updates only after moving; three sensor models; KLD-sampling; random particles after a fall of
-/// the average weight (off by default); the output is the mean of the heaviest cluster, its
-/// covariance that of the whole set. Differs on purpose: cells are taken by their floor (Nav2
-/// shifts the map by half a cell: `half_cell_shift`), draws come from our random streams.
+/// Updates only after motion; three sensor models; KLD-sampling; random particles when the average
+/// weight falls (off by default). The output is the mean of the heaviest cluster with the
+/// covariance of the whole set. Intended differences: cell indices are rounded down (Nav2 shifts
+/// the map by half a cell: `half_cell_shift`), and draws use our random streams.
 #pragma once
 
 #include "localization/amcl_config.hpp"
@@ -13,10 +13,10 @@
 
 namespace castaway::localization {
 
-/// The localizer. Deterministic: same calls, same seed, same results.
+/// The localizer. Deterministic: the same calls and seed give the same results.
 class Amcl final : public Localizer {
  public:
-  /// Throws std::invalid_argument for a map without free cells or settings that make no sense.
+  /// @throws std::invalid_argument for a map without free cells, or invalid settings.
   Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t seed,
        StageClock clock = {});
 
@@ -29,7 +29,7 @@ class Amcl final : public Localizer {
  private:
   [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
   [[nodiscard]] bool is_awaited(const std::string& lidar, const SE2& T_odom_base);
-  [[nodiscard]] bool says_something(const BeamScan& beams) const;
+  [[nodiscard]] bool is_informative(const BeamScan& beams) const;
   void update(const BeamScan& beams, double range_max, const SE2& T_odom_base);
   void weigh(const BeamScan& beams, double range_max);
   [[nodiscard]] std::vector<double> log_weights(const BeamScan& beams, double range_max) const;
@@ -37,9 +37,9 @@ class Amcl final : public Localizer {
   void publish(Stamp stamp, const SE2& T_odom_base);
 
   AmclConfig config_;
-  OccupancyGrid map_;  ///< As Nav2 would place it.
+  OccupancyGrid map_;  ///< Shifted if `half_cell_shift` is set.
   LikelihoodField field_;
-  std::optional<BeamModel> beam_model_;  ///< Of kBeam only.
+  std::optional<BeamModel> beam_model_;  ///< Used by kBeam only.
   FreeSpace free_space_;
   Rng rng_;
   StageTimer timer_;
@@ -52,7 +52,7 @@ class Amcl final : public Localizer {
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   double quality_ = 0.0;
   std::optional<Estimate> estimate_;
-  std::map<std::string, bool> awaited_;  ///< By lidar: its next scan makes an update.
+  std::map<std::string, bool> awaited_;  ///< By lidar: its next scan causes an update.
 };
 
 }  // namespace castaway::localization

@@ -1,4 +1,4 @@
-/// Settings of AMCL, by Nav2's names and with its defaults.
+/// Settings of AMCL, with Nav2's names and defaults.
 #pragma once
 
 #include <numbers>
@@ -12,14 +12,14 @@
 
 namespace castaway::localization {
 
-/// How the beams of a scan make a weight: `laser_model_type`.
+/// Sensor model, Nav2's `laser_model_type`.
 enum class AmclSensorModel {
-  kLikelihoodField,      ///< `1 + sum pz^3`, pz by the wall nearest to the end point.
+  kLikelihoodField,      ///< `1 + sum pz^3`; pz from the wall nearest to the end point.
   kLikelihoodFieldProb,  ///< `prod pz`, with beam skipping.
-  kBeam,                 ///< `1 + sum pz^3`, pz by the range to the first wall.
+  kBeam,                 ///< `1 + sum pz^3`; pz from the range to the first wall.
 };
 
-/// Spread of a start that comes without one.
+/// Spread of a start without covariance.
 struct InitialSpread {
   double sigma_m = 0.5;                        ///< [m] In x and y.
   double sigma_yaw = std::numbers::pi / 12.0;  ///< [rad]
@@ -34,20 +34,19 @@ struct AmclConfig {
   BeamModelConfig beam;      ///< Used by kBeam only.
   KldConfig kld;
   RecoveryConfig recovery;
-  InitialSpread initial;       ///< Of a start whose covariance is 0.
-  double update_min_d = 0.25;  ///< [m] Along x or y of odom since the last update.
-  double update_min_a = 0.2;   ///< [rad]
-  /// Updates at every scan, moved or not: what Nav2 does on `request_nomotion_update`.
+  InitialSpread initial;       ///< Of a start with zero covariance.
+  double update_min_d = 0.25;  ///< [m] Least motion along x or y of odom between updates.
+  double update_min_a = 0.2;   ///< [rad] Least turn between updates.
+  /// Updates at every scan, also without motion, as Nav2 does on `request_nomotion_update`.
   bool update_at_rest = false;
-  int max_beams = 60;        ///< Beams used, by equal steps of their index.
+  int max_beams = 60;        ///< Number of beams used, at equal steps of their index.
   double max_range = 100.0;  ///< [m] Longer returns are ignored; also limits the lidar's own range.
-  /// Nav2's grid convention: the map lies half a cell towards -x and -y of where its origin says,
-  /// and so do the estimates.
+  /// Nav2's grid convention: map and estimates are shifted by half a cell towards -x and -y.
   bool half_cell_shift = false;
   IntakeConfig intake;
 };
 
-/// Throws std::invalid_argument naming the figure that is out of its range.
+/// @throws std::invalid_argument naming a value that is out of range.
 void validate(const AmclConfig& config);
 
 }  // namespace castaway::localization

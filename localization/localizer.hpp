@@ -1,5 +1,4 @@
-/// The seam between a run and a localizer: what real hardware would send goes in, estimates come
-/// out.
+/// The interface between a run and a localizer: sensor readings go in, estimates come out.
 #pragma once
 
 #include <chrono>
@@ -17,38 +16,38 @@
 
 namespace castaway::localization {
 
-/// Another place where the robot may be.
+/// Another possible pose of the robot.
 struct Alternative {
   SE2 T_map_base;
   double share = 0.0;  ///< Posterior probability in [0, 1].
 };
 
-/// What a localizer believes at the stamp of a scan.
+/// A localizer's estimate at the stamp of a scan.
 struct Estimate {
   Stamp stamp{};  ///< The scan's stamp; T_map_base is the pose at that time.
   SE2 T_map_base;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double quality = 0.0;  ///< In [0, 1]: how well the scan fits the map at this pose (paper, eq. 9).
   double probability = 0.0;               ///< In [0, 1]: stated probability that the pose is right.
-  bool lost = false;                      ///< The alarm: do not act on this pose.
-  std::vector<Alternative> alternatives;  ///< Other places, most probable first.
+  bool lost = false;                      ///< Alarm: the pose must not be used.
+  std::vector<Alternative> alternatives;  ///< Other possible poses, most probable first.
 };
 
-/// One population of particles as logs and pictures show it.
+/// One population of particles, for logs and pictures.
 struct PopulationView {
   int id = 0;                  ///< Unique over the run.
   SE2 T_map_base;              ///< Mean.
   double quality = 0.0;        ///< In [0, 1].
   double share = 0.0;          ///< Posterior probability in [0, 1].
-  bool selected = false;       ///< The output is this population's mean.
+  bool selected = false;       ///< The output is the mean of this population.
   std::vector<SE2> particles;  ///< Poses of base in map.
 };
 
-/// What a localizer tells about itself.
+/// Internal state of a localizer, for logs and pictures.
 struct Diagnostics {
   std::vector<PopulationView> populations;
-  std::int64_t dropped_scans = 0;     ///< Late, from before or long after all odometry, no numbers.
-  std::int64_t dropped_odometry = 0;  ///< Late, no numbers, or beyond 1e7 m.
+  std::int64_t dropped_scans = 0;     ///< Late, outside of the known motion, or not finite.
+  std::int64_t dropped_odometry = 0;  ///< Late, not finite, or beyond 1e7 m.
   std::map<std::string, std::chrono::nanoseconds>
       cpu_by_stage;  ///< Since construction; empty without a clock.
 };
@@ -58,17 +57,17 @@ class Localizer {
  public:
   virtual ~Localizer() = default;
 
-  /// Starts anew, at any time: at a pose, or anywhere on the map (`nullopt`: global localization).
-  /// Throws std::invalid_argument for a pose or covariance that is no number or beyond 1e7 m.
+  /// Restarts, at any time: at a pose, or anywhere on the map (`nullopt`: global localization).
+  /// @throws std::invalid_argument for a pose or covariance that is not finite, or beyond 1e7 m.
   virtual void initialize(const std::optional<PoseWithCovariance>& start) = 0;
-  /// Takes a reading of odometry. Late ones are dropped; after one that is older by seconds (a
-  /// clock set back) motion begins anew from where the robot is believed to be.
+  /// Takes an odometry reading. Late ones are dropped. If one is older by seconds (a clock was set
+  /// back), motion restarts from the estimated pose.
   virtual void on_odometry(const Odometry& odometry) = 0;
-  /// Takes a scan, delivered when its last beam was taken. Late ones are dropped.
+  /// Takes a scan, delivered at the time of its last beam. Late ones are dropped.
   virtual void on_scan(const LaserScan& scan) = 0;
-  /// The newest estimate; nothing while there is none.
+  /// The newest estimate; nothing if there is none.
   [[nodiscard]] virtual std::optional<Estimate> estimate() const = 0;
-  /// Populations, counters and costs after the newest call.
+  /// Populations, counters and CPU times after the latest call.
   [[nodiscard]] virtual Diagnostics diagnostics() const = 0;
 };
 

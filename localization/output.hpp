@@ -1,5 +1,4 @@
-/// What a localizer of several populations tells: the estimate with its alternatives, and its
-/// diagnostics.
+/// Output of a localizer with several populations: estimate, alternatives and diagnostics.
 #pragma once
 
 #include <optional>
@@ -12,13 +11,14 @@
 
 namespace castaway::localization {
 
-/// The output as the pose at `stamp`; nothing without an output. `shares`: of the populations, in
-/// their order. `T_now_base`: base at `stamp` in base as the populations have it.
+/// Returns the output as the pose at `stamp`; nothing without an output. `shares`: of the
+/// populations, in their order. `T_now_base`: pose of base at `stamp`, relative to base at the time
+/// of the populations.
 std::optional<Estimate> estimate_of(const Populations& populations,
                                     const std::vector<double>& shares, bool lost, Stamp stamp,
                                     const SE2& T_now_base);
 
-/// All populations, with the counters of what came in and the cost of the stages.
+/// Returns all populations, the counters of dropped readings and the CPU time of the stages.
 Diagnostics diagnostics_of(const Populations& populations, const std::vector<double>& shares,
                            const Intake& intake, const StageTimer& timer);
 

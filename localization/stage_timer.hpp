@@ -1,4 +1,4 @@
-/// CPU time by stage, with a clock that the program hands in.
+/// CPU time by stage, measured with a clock that the program provides.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,7 @@
 
 namespace castaway::localization {
 
-/// A clock for measuring stages, handed in by the program; results never depend on it. May be
-/// empty.
+/// A clock for measuring stages, provided by the program; results never depend on it. May be empty.
 using StageClock = std::function<std::chrono::nanoseconds()>;
 
 /// Sums the time spent in named stages. Without a clock it does nothing.
@@ -17,7 +16,7 @@ class StageTimer {
  public:
   explicit StageTimer(StageClock clock) : clock_(std::move(clock)) {}
 
-  /// Runs `body` and books its time under `stage`.
+  /// Runs `body` and adds its time to `stage`.
   template <typename Body>
   void measure(const char* stage, Body&& body) {
     if (!clock_) return body();

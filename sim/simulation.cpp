@@ -21,8 +21,9 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double kRightPosition = 0.5;  // [m] An output nearer to the truth is right...
-constexpr double kRightYaw = 0.35;      // [rad] ...and so is its heading.
+// [m] A localizer's output nearer to the true pose is right.
+constexpr double kRightPosition = 0.5;
+constexpr double kRightYaw = 0.35;  // [rad] The same for its heading.
 
 nanoseconds period_of(double hz, const char* what) {
   if (!(hz > 0.0) || hz > 1e5) {
@@ -41,15 +42,15 @@ SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose
       KinematicRobot(config.robot, standing_space(config.robot, grid), start, limits, step));
 }
 
-/// Order of deliveries at the same time: that of the kinds in `SimFrame`.
+/// Orders deliveries by time, then by their kinds' order in `SimFrame`.
 bool earlier(const SimFrame& a, const SimFrame& b) {
   return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
 }
 
 }  // namespace
 
-/// Time advances by physics steps [now, now + step). At the start of a step come kidnaps, people
-/// and control; then physics moves on, and the sensors read what they are due within the step.
+/// Time advances by physics steps [now, now + step). Each step starts with kidnaps, people and
+/// control; then physics advances, and the sensors deliver the readings due within the step.
 struct Simulation::State {
   State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
 
@@ -63,7 +64,7 @@ struct Simulation::State {
   void deliver(std::vector<SimFrame> scans);
   void read_lidar(const Motion& motion);
   template <typename Work>
-  void measured(const char* stage, Work work);
+  void measure_cpu(const char* stage, Work work);
 
   SimulationConfig config;
   SimulationStreams streams;
@@ -74,8 +75,8 @@ struct Simulation::State {
   nanoseconds now{};
   Twist2 commanded;
 
-  Grid grid;     ///< Where it drives...
-  Grid landing;  ///< ...and where it is put down.
+  Grid grid;     ///< Where the robot can drive.
+  Grid landing;  ///< Where the robot can be put down.
   Pose2 start;
   SimRobot robot;
   SensorStage sensors;
@@ -106,7 +107,7 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       progress(progress_of(config.drive, config.robot)) {}
 
 template <typename Work>
-void Simulation::State::measured(const char* stage, Work work) {
+void Simulation::State::measure_cpu(const char* stage, Work work) {
   if (!cpu_clock) return work();
   const nanoseconds before = cpu_clock();
   work();
@@ -136,7 +137,7 @@ void Simulation::State::kidnap() {
 void Simulation::State::move_people() {
   if (!people.due(now)) return;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  measured("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
+  measure_cpu("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
   for (const int person : people.take_hits()) {
     frames.push_back({now, PersonHit{now, person, T_map_base}});
   }
@@ -146,8 +147,8 @@ void Simulation::State::command() {
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
   commanded = drive.command(now, T_map_base, people);
   robot.set_command(commanded);
-  progress.update(
-      {now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(), drive.passed()});
+  progress.update({now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(),
+                   drive.waypoints_reached()});
   for (std::string& what : drive.take_events()) {
     frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
   }
@@ -161,7 +162,7 @@ void Simulation::State::move_robot() {
   }
 }
 
-/// A robot that is switched off says nothing.
+/// A robot that is switched off delivers nothing.
 void Simulation::State::deliver(const std::vector<OdometryReading>& readings) {
   if (kidnaps.is_off()) return;
   for (const OdometryReading& reading : readings) {
@@ -193,8 +194,8 @@ void Simulation::State::run_step() {
   kidnap();
   move_people();
   const RobotState before = robot.state();
-  if (drive.due(now)) measured("drive", [this] { command(); });
-  measured("physics", [this] { move_robot(); });
+  if (drive.due(now)) measure_cpu("drive", [this] { command(); });
+  measure_cpu("physics", [this] { move_robot(); });
   const RobotState& after = robot.state();
   const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
   const Eigen::Vector2d way =
@@ -204,7 +205,7 @@ void Simulation::State::run_step() {
   for (const FaultRecord& fault : sensors.read_faults(motion))
     frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
-  measured("lidar", [&] { read_lidar(motion); });
+  measure_cpu("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;
 }
@@ -243,7 +244,7 @@ Eigen::Isometry3d Simulation::T_footprint_base() const {
   return to_isometry(to_planar(T_map_base)).inverse() * T_map_base;
 }
 
-Twist2 Simulation::commanded() const { return state_->commanded; }
+Twist2 Simulation::last_command() const { return state_->commanded; }
 
 WheelAngles Simulation::wheels() const { return state_->robot.state().wheels; }
 

@@ -1,5 +1,5 @@
-/// Correction: every particle's weight is multiplied by the likelihood of the scan (paper, eq. 6,
-/// in logarithms).
+/// Correction: multiplies every particle's weight by the likelihood of the scan (paper, eq. 6, in
+/// logarithms).
 #pragma once
 
 #include <concepts>
@@ -9,15 +9,15 @@
 
 namespace castaway::localization {
 
-/// What the filter asks of a map: the log-likelihood of a scan from a pose. The points carry their
-/// heights, and the model lifts the pose (`to_se3`) if its map is not planar.
+/// What the filter needs of an observation model: the log-likelihood of a scan from a pose. The
+/// points have heights, and a model whose map is not planar lifts the pose (`to_se3`).
 template <typename Model>
 concept ObservationModel = requires(const Model& model, const ScanPoints& points,
                                     const SE2& T_map_base) {
   { model.log_likelihood(points, T_map_base) } -> std::convertible_to<double>;
 };
 
-/// Weighs all particles by the scan.
+/// Weights all particles by the scan.
 template <ObservationModel Model>
 void correct(ParticleSet& particles, const Model& model, const ScanPoints& points) {
   for (std::size_t i = 0; i < particles.size(); ++i) {

@@ -1,4 +1,5 @@
-/// KLD-sampling: draws particles by weight until they suffice for the places that they cover.
+/// KLD-sampling: draws particles by weight until their number suffices for the bins that they
+/// occupy.
 ///
 /// D. Fox, "Adapting the Sample Size in Particle Filters Through KLD-Sampling", IJRR 22 (2003),
 /// table 1; with random particles as in Probabilistic Robotics, table 8.3.
@@ -9,8 +10,8 @@
 
 namespace castaway::localization {
 
-/// A new, equally weighted population drawn from `particles` (not empty). Each particle is drawn
-/// anew from `anywhere` with probability `random_share`.
+/// Draws a new, equally weighted population from `particles` (not empty). Each particle is instead
+/// drawn from `anywhere` with probability `random_share`.
 ParticleSet kld_resample(const ParticleSet& particles, const KldConfig& config,
                          const FreeSpace& anywhere, double random_share, Rng& rng);
 

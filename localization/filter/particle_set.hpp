@@ -7,7 +7,7 @@
 
 namespace castaway::localization {
 
-/// Particles: poses of base in map with unnormalised log-weights, both of one length.
+/// Particles: poses of base in map and unnormalised log-weights, of the same length.
 struct ParticleSet {
   std::vector<SE2> poses;
   std::vector<double> log_weights;
@@ -15,13 +15,13 @@ struct ParticleSet {
   [[nodiscard]] std::size_t size() const { return poses.size(); }
 };
 
-/// `count` particles drawn from a Gaussian, equally weighted.
+/// Draws `count` equally weighted particles from a Gaussian.
 ParticleSet draw_particles(const PoseGaussian& gaussian, int count, Rng& rng);
 
-/// Weights that sum to 1. Equal weights if none is above zero.
+/// Weights that sum to 1; equal weights if none is positive.
 std::vector<double> normalized_weights(const ParticleSet& particles);
 
-/// Number of equally weighted particles that carry as much: `1 / sum w^2` of normalised weights.
+/// Effective number of particles: `1 / sum w^2` of normalised weights.
 double effective_size(const std::vector<double>& weights);
 
 /// Weighted moments of the population.

@@ -11,7 +11,7 @@ namespace {
 
 using BinMembers = std::map<PoseBin, std::vector<std::size_t>>;
 
-/// Takes the bins that hang together with `seed` out of `bins`.
+/// Removes the bins connected to `seed` from `bins`, and returns their particles.
 std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
   std::vector<std::size_t> members;
   std::vector<PoseBin> open = {seed};

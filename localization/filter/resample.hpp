@@ -1,4 +1,4 @@
-/// Drawing particles by weight.
+/// Resampling of particles by weight.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace castaway::localization {
 
-/// Systematic resampling (Probabilistic Robotics, table 4.4): `count` indices, index i drawn `count
-/// * weights[i]` times give or take one, in rising order. `weights` sum to 1 and are not empty.
-/// O(count + weights).
+/// Systematic resampling (Probabilistic Robotics, table 4.4). Returns `count` indices in ascending
+/// order; index i is drawn `count * weights[i]` times, plus or minus one. `weights` sum to 1 and
+/// are not empty. O(count + weights).
 std::vector<std::size_t> systematic_resample(const std::vector<double>& weights, std::size_t count,
                                              Rng& rng);
 

@@ -1,8 +1,8 @@
-/// Reseed: particles of low weight make room for new ones near the winners (paper, section III-C).
+/// Reseed: replaces particles of low weight by new ones near the winners (paper, section III-C).
 ///
-/// Differs from the paper (`reseed_losers`): winners are drawn by weight (systematic), and the
-/// place of the losers is taken by draws around the refined winner with the covariance of the
-/// score's curvature: the fewer particles still carry weight, the more.
+/// Unlike the paper (`reseed_losers`), winners are drawn by weight (systematic), and losers are
+/// replaced by draws around the refined winner with the covariance of the score's curvature. The
+/// fewer particles carry weight, the more are replaced.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace castaway::localization {
 
-/// How many particles a population has.
+/// Size of a population.
 struct ReseedConfig {
-  int min_particles = 50;   ///< When it is sure of its place.
-  int max_particles = 200;  ///< When it is spread by `wide_spread` or more.
-  double wide_spread =
-      0.3;  ///< [m] Standard deviation of the position at which max_particles are used.
-  double effective_share =
-      0.5;  ///< Reseed ahead of time when fewer particles than this share carry the weight.
+  int min_particles = 50;   ///< Number for a certain pose.
+  int max_particles = 200;  ///< Number for a spread of `wide_spread` or more.
+  /// [m] Standard deviation of the position at which max_particles are used.
+  double wide_spread = 0.3;
+  /// Share of particles that must carry weight; with fewer, the population is reseeded early.
+  double effective_share = 0.5;
 };
 
-/// Throws std::invalid_argument where a figure is out of its range.
+/// @throws std::invalid_argument if a value is out of range.
 void validate(const ReseedConfig& config);
 
-/// Number of particles for a population of this covariance: grows with its spread.
+/// Number of particles for a population with this covariance; grows with its spread.
 int particle_count(const ReseedConfig& config, const Eigen::Matrix3d& covariance);
 
 /// Draws a new, equally weighted population of `count`: survivors by weight, the rest from `winner`
-/// if there is one. The share of survivors is the share of particles that carry weight.
+/// if there is one. The share of survivors is that of the particles that carry weight.
 ParticleSet reseed(const ParticleSet& particles, int count,
                    const std::optional<PoseGaussian>& winner, Rng& rng);
 

@@ -1,4 +1,4 @@
-/// Moments of weighted planar poses, and draws from a Gaussian over poses.
+/// Moments of weighted planar poses, and sampling from a Gaussian over poses.
 #pragma once
 
 #include <span>
@@ -16,19 +16,19 @@ struct PoseMoments {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw): m^2, m rad, rad^2.
 };
 
-/// A pose with its uncertainty.
+/// A pose and its uncertainty.
 struct PoseWithCovariance {
   SE2 T_map_base;
-  Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw) in map: m^2, m rad, rad^2.
+  /// Of (x, y, yaw) in map: m^2, m rad, rad^2.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// Weighted moments; the yaw's mean is the direction of the mean heading, deviations are wrapped.
-/// `weights` are non-negative with a positive sum and as many as `poses`.
+/// Weighted moments. The mean yaw is the direction of the mean heading, and deviations are wrapped.
+/// `weights` are non-negative with a positive sum, as many as `poses`.
 PoseMoments pose_moments(std::span<const SE2> poses, std::span<const double> weights);
 
-/// Draws poses from N(mean, covariance). Conditioned once, sampled often. A covariance that is not
-/// positive semi-definite is clamped to the nearest one that is.
+/// Draws poses from N(mean, covariance). Conditioned once, sampled many times. A covariance that is
+/// not positive semi-definite is replaced by the nearest one that is.
 class PoseGaussian {
  public:
   PoseGaussian(const SE2& mean, const Eigen::Matrix3d& covariance);

@@ -1,4 +1,4 @@
-/// Random numbers: one engine, substreams by name.
+/// Random numbers: one engine, named substreams.
 #pragma once
 
 #include <cstdint>

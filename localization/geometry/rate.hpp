@@ -1,4 +1,4 @@
-/// Something that is done every so often, in the time of the data.
+/// Periodic actions, timed by the stamps of the data.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 
 namespace castaway::localization {
 
-/// Says when the next turn of something periodic has come.
+/// Tells when a periodic action is due.
 class Rate {
  public:
-  /// `begin` counts as a turn before the first one; without it the first is due at once.
+  /// `begin` is the time of an initial turn; without it the first one is due at once.
   explicit Rate(double hz, std::optional<Stamp> begin = {})
       : hz_(hz), begin_(begin), last_(begin) {}
 
-  /// Whether a turn is due at `now`, which then counts as taken. Data may come a tenth early.
+  /// True if a turn is due at `now`, and then takes it. A turn may come a tenth of a period early.
   bool take_turn(Stamp now);
-  /// Begins anew, as after a clock was set back.
+  /// Starts again, as after a clock was set back.
   void restart() { last_ = begin_; }
 
  private:

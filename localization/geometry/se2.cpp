@@ -7,7 +7,8 @@ namespace castaway::localization {
 
 double wrap_angle(double angle) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  constexpr double kMostTurns = 1e12;  // [rad] Beyond, the sum below is nothing but rounding.
+  // [rad] For larger angles the sum below consists of rounding errors only.
+  constexpr double kMostTurns = 1e12;
   if (std::abs(angle) > kMostTurns) return std::remainder(angle, kTurn);
   const double wrapped = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
   return wrapped >= std::numbers::pi ? wrapped - kTurn : wrapped;

@@ -27,8 +27,8 @@ SE2 operator*(const SE2& T_a_b, const SE2& T_b_c);
 /// Coordinates in a of a point given in b: `p_a = T_a_b * p_b`.
 Eigen::Vector2d operator*(const SE2& T_a_b, const Eigen::Vector2d& p_b);
 
-/// The transform a fraction of the way from `a` to `b` (0: a, 1: b; beyond extrapolates): straight
-/// in position, the shorter way in yaw.
+/// Interpolates from `a` (fraction 0) to `b` (1), and extrapolates beyond: linear in position, the
+/// shorter way in yaw.
 SE2 interpolate(const SE2& a, const SE2& b, double fraction);
 
 /// Distance between the origins. [m]

@@ -1,4 +1,4 @@
-/// Time as the library knows it.
+/// Time stamps.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ using Stamp = std::chrono::nanoseconds;
 /// A stamp in seconds.
 inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp).count(); }
 
-/// The stamp nearest to `s` seconds.
+/// The stamp of `s` seconds, rounded to the nearest nanosecond.
 inline Stamp from_seconds(double s) {
   return std::chrono::round<Stamp>(std::chrono::duration<double>(s));
 }

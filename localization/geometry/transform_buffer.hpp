@@ -1,4 +1,4 @@
-/// The recent past of a moving frame, asked at any time.
+/// A buffer of a moving frame's recent transforms.
 #pragma once
 
 #include <deque>
@@ -11,8 +11,9 @@ namespace castaway::localization {
 
 /// Sizes of a buffer.
 struct TransformBufferConfig {
-  Stamp length = std::chrono::seconds(10);      ///< Older transforms are forgotten.
-  Stamp hold = std::chrono::milliseconds(500);  ///< Beyond the newest one, it is held this long.
+  Stamp length = std::chrono::seconds(10);  ///< Older transforms are dropped.
+  /// The newest transform is valid for this long after its stamp.
+  Stamp hold = std::chrono::milliseconds(500);
 };
 
 /// Keeps `T_parent_child` over time (odom -> base) and interpolates between the stamps.
@@ -20,13 +21,14 @@ class TransformBuffer {
  public:
   explicit TransformBuffer(const TransformBufferConfig& config = {}) : config_(config) {}
 
-  /// Adds a transform. False, and nothing changes, unless `stamp` is newer than the newest.
+  /// Adds a transform. Returns false and changes nothing unless `stamp` is newer than the newest
+  /// one.
   bool add(Stamp stamp, const SE2& T_parent_child);
-  /// `T_parent_child` at `stamp`: interpolated, held after the newest; nothing outside of what is
-  /// known.
+  /// `T_parent_child` at `stamp`: interpolated, or the newest one held; nothing outside of the
+  /// known times.
   [[nodiscard]] std::optional<SE2> at(Stamp stamp) const;
   [[nodiscard]] bool empty() const { return entries_.empty(); }
-  /// Stamp of the newest transform. Not to be asked of an empty buffer.
+  /// Stamp of the newest transform. Requires a buffer that is not empty.
   [[nodiscard]] Stamp newest() const;
   void clear() { entries_.clear(); }
 

@@ -1,4 +1,4 @@
-/// A coarse map of bytes for searching: how near a wall is, at its best in every coarse cell.
+/// A coarse likelihood field of bytes for searching: the best value within every coarse cell.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,24 @@
 
 namespace castaway::localization {
 
-/// How a byte field is made.
+/// Parameters of a byte field.
 struct ByteFieldConfig {
-  double resolution = 0.2;  ///< [m] Coarse cell; rounded to a multiple of the map's.
-  double sigma =
-      0.15;  ///< [m] Bytes are `255 exp(-d^2 / 2 sigma^2)` of the nearest distance in the cell.
-  double padding =
-      40.0;  ///< [m] Border of zeros all around, so that end points need no bounds check.
+  double resolution = 0.2;  ///< [m] Edge of a coarse cell; rounded to a multiple of the map's.
+  /// [m] Bytes are `255 exp(-d^2 / 2 sigma^2)` of the least distance d in the cell.
+  double sigma = 0.15;
+  /// [m] Border of zeros on all sides, so that end points need no bounds check.
+  double padding = 40.0;
 };
 
-/// Bytes and free cells at coarse resolution.
+/// Bytes and free cells at the coarse resolution.
 class ByteField {
  public:
   ByteField(const OccupancyGrid& grid, const DistanceField& distances,
             const ByteFieldConfig& config);
 
-  /// The coarse cells without the padding; cell (0, 0) starts at the map's lower left corner.
+  /// The coarse cells without padding; cell (0, 0) starts at the map's lower left corner.
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
-  /// Padding in coarse cells, on every side.
+  /// [coarse cells] Padding on every side.
   [[nodiscard]] int padding() const { return padding_; }
   /// Bytes from one row to the next.
   [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
@@ -33,7 +33,7 @@ class ByteField {
   [[nodiscard]] const std::uint8_t* cell(int column, int row) const {
     return bytes_.data() + (row + padding_) * stride_ + (column + padding_);
   }
-  /// Whether base may stand in a coarse cell: it holds a free cell of the map.
+  /// True if base may be in a coarse cell: it contains a free cell of the map.
   [[nodiscard]] bool is_free(int column, int row) const {
     return free_[frame_.index({column, row})];
   }

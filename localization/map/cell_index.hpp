@@ -1,15 +1,15 @@
-/// From coordinates in cells to a cell's index, for any number.
+/// Conversion of cell coordinates to indices that never overflows.
 #pragma once
 
 #include <cmath>
 
 namespace castaway::localization {
 
-/// Farther out than any grid reaches, and near enough that sums of two stay in the range of int.
+/// Beyond any grid, and small enough that the sum of two fits an int.
 inline constexpr int kFarthestCell = 1 << 29;
 
-/// The cell that a coordinate lies in: rounded down, at most `kFarthestCell` either way. What is no
-/// number lies in the farthest cell.
+/// Index of the cell that contains a coordinate, limited to `kFarthestCell` in both directions. NaN
+/// gives the farthest cell.
 template <typename Real>
 [[nodiscard]] inline int cell_index(Real cells) {
   constexpr auto kFarthest = static_cast<Real>(kFarthestCell);

@@ -2,7 +2,7 @@
 
 namespace castaway::localization {
 
-OccupancyGrid coarsened(const OccupancyGrid& grid, int factor) {
+OccupancyGrid coarsen(const OccupancyGrid& grid, int factor) {
   const GridFrame& fine = grid.frame;
   OccupancyGrid coarse;
   coarse.frame = {(fine.width + factor - 1) / factor, (fine.height + factor - 1) / factor,

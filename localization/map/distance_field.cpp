@@ -35,7 +35,7 @@ class LowerEnvelope {
   }
 
  private:
-  /// Where the parabolas rooted at q and p < q cross.
+  /// Intersection of the parabolas with vertices at q and p < q.
   static double crossing(const std::vector<double>& f, std::size_t q, std::size_t p) {
     const double dq = static_cast<double>(q);
     const double dp = static_cast<double>(p);

@@ -1,4 +1,4 @@
-/// Distance of every cell to the nearest occupied one.
+/// Distance of every cell to the nearest occupied cell.
 ///
 /// P. Felzenszwalb, D. Huttenlocher, "Distance Transforms of Sampled Functions", Theory of
 /// Computing 8 (2012), section 2: exact Euclidean distances between cell centres in O(cells).
@@ -13,8 +13,8 @@ namespace castaway::localization {
 /// Distances at the cell centres. [m]
 class DistanceField {
  public:
-  /// Distances are capped at `max_distance` [m], which also holds off the map and on a map without
-  /// walls.
+  /// Distances are capped at `max_distance` [m], which also applies off the map and on a map
+  /// without walls.
   DistanceField(const OccupancyGrid& grid, double max_distance);
 
   [[nodiscard]] const GridFrame& frame() const { return frame_; }

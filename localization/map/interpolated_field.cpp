@@ -8,11 +8,11 @@ namespace {
 constexpr int kBorder = 2;               // cells
 constexpr float kFarthestKept = 500.0F;  // cells
 
-/// A function that remembers what it gave. Distances between cells are square roots of whole
-/// numbers of cells, which tell where a value is kept.
-class Remembered {
+/// Caches the values of a function of distance. Distances between cells are square roots of whole
+/// numbers of cells, which serve as index.
+class CachedFunction {
  public:
-  Remembered(const std::function<double(double)>& f, const DistanceField& distances)
+  CachedFunction(const std::function<double(double)>& f, const DistanceField& distances)
       : f_(f), per_square_(1.0F / square(static_cast<float>(distances.frame().resolution))) {
     const auto largest = static_cast<float>(distances.max_distance());
     known_.resize(slot(largest) + 1, {-1.0F, 0.0F});
@@ -51,7 +51,7 @@ InterpolatedField::InterpolatedField(const DistanceField& distances,
   values_.assign(
       static_cast<std::size_t>(stride_) * static_cast<std::size_t>(frame_.height + 2 * kBorder),
       outside);
-  Remembered value(f, distances);
+  CachedFunction value(f, distances);
   for (int row = 0; row < frame_.height; ++row) {
     for (int column = 0; column < frame_.width; ++column) {
       values_[static_cast<std::size_t>((row + kBorder) * stride_ + column + kBorder)] =

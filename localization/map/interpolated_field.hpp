@@ -9,7 +9,7 @@
 
 namespace castaway::localization {
 
-/// Values at cell centres with a border of two cells, so that a look-up needs one clamp and no
+/// Values at cell centres with a border of two cells, so that a lookup needs one clamp and no
 /// branch.
 class InterpolatedField {
  public:

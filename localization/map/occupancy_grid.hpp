@@ -1,4 +1,4 @@
-/// A planar map of cells, and the one convention between metres and cells.
+/// An occupancy grid, and the convention between metres and cells.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,14 @@
 
 namespace castaway::localization {
 
-/// Where the cells of a grid lie. The grid's frame has its origin at the lower left corner of cell
-/// (0, 0), x along the columns, y along the rows: a point p_grid lies in cell `floor(p_grid /
-/// resolution)`, cell centres lie at
-/// `(index + 0.5) * resolution`.
+/// Geometry of a grid. The grid's frame has its origin at the lower left corner of cell (0, 0), x
+/// along the columns and y along the rows: a point p_grid lies in cell `floor(p_grid /
+/// resolution)`, and cell centres lie at `(index + 0.5) * resolution`.
 struct GridFrame {
   int width = 0;             ///< [cells]
   int height = 0;            ///< [cells]
   double resolution = 0.05;  ///< [m] Edge of a cell.
-  SE2 T_map_grid;            ///< Origin of the ROS map, yaw included.
+  SE2 T_map_grid;            ///< Origin of the ROS map, including yaw.
 
   [[nodiscard]] bool contains(const Eigen::Vector2i& cell) const {
     return cell.x() >= 0 && cell.y() >= 0 && cell.x() < width && cell.y() < height;
@@ -31,13 +30,13 @@ struct GridFrame {
   [[nodiscard]] std::size_t size() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
-  /// The cell of a point given in the grid's frame; it may lie outside (see `cell_index`).
+  /// The cell of a point in the grid's frame; may lie outside (see `cell_index`).
   [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& p_grid) const;
   /// Centre of a cell in the grid's frame. [m]
   [[nodiscard]] Eigen::Vector2d centre_of(const Eigen::Vector2i& cell) const;
 };
 
-/// What is known of a cell.
+/// What is known about a cell.
 enum class CellState : std::uint8_t { kFree, kOccupied, kUnknown };
 
 /// A map: rows from the smallest y, `frame.size()` cells.
@@ -49,16 +48,16 @@ struct OccupancyGrid {
   [[nodiscard]] CellState at(const Eigen::Vector2d& p_map) const;
 };
 
-/// Throws std::invalid_argument where the grid is not usable: no cells, cells below 1 um or above
-/// 100 m, a count of cells that does not fit.
+/// @throws std::invalid_argument if the grid is invalid: no cells, cells smaller than 1 um or
+/// larger than 100 m, or a wrong number of cells.
 void validate(const OccupancyGrid& grid);
 
-/// Draws poses uniform over the free cells of a map and over all yaws.
+/// Draws poses uniformly from the free cells of a map and from all yaws.
 class FreeSpace {
  public:
   explicit FreeSpace(const OccupancyGrid& grid);
   [[nodiscard]] bool empty() const { return cells_.empty(); }
-  /// A pose of base in map. Not to be asked of an empty space.
+  /// Draws a pose of base in map. Requires a space that is not empty.
   [[nodiscard]] SE2 sample(Rng& rng) const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 int blocks_of(int value, int by) { return (value + by - 1) / by; }
 
-/// Largest byte of the square of cells that starts at (column, row), as far as it is on the map.
+/// Largest byte of the square of cells that starts at (column, row), within the map.
 std::uint8_t best_of_square(const ByteField& field, int column, int row, int edge) {
   const int columns_end = std::min(column + edge, field.frame().width);
   const int rows_end = std::min(row + edge, field.frame().height);

@@ -1,9 +1,9 @@
-/// A byte field whose every node holds the best of a square of cells: an upper bound of what any
-/// end point in that square can score.
+/// A byte field in which every node holds the maximum of a square of cells: an upper bound for the
+/// score of any end point in that square.
 ///
-/// The sliding-window maximum is that of W. Hess, D. Kohler, H. Rapp, D. Andor, "Real-Time Loop
-/// Closure in 2D LIDAR SLAM", ICRA 2016, section V-B; we store it by phase, so that the bounds of
-/// neighbouring nodes lie side by side at every level, as scores do at the finest.
+/// The sliding-window maximum follows W. Hess, D. Kohler, H. Rapp, D. Andor, "Real-Time Loop
+/// Closure in 2D LIDAR SLAM", ICRA 2016, section V-B. We store it by phase, so that the bounds of
+/// neighbouring nodes are adjacent in memory at every level, like the scores at the finest.
 #pragma once
 
 #include "localization/map/byte_field.hpp"
@@ -20,7 +20,7 @@ class PooledField {
   static constexpr int kTileColumns = 8;
   static constexpr int kTileRows = 2;
 
-  /// `edge` >= 1 [cells]; 1 is the field itself.
+  /// `edge` >= 1 [cells]; an edge of 1 gives the field itself.
   PooledField(const ByteField& field, int edge);
 
   [[nodiscard]] int edge() const { return edge_; }
@@ -28,16 +28,17 @@ class PooledField {
   [[nodiscard]] int tile_rows() const { return tile_rows_; }
   /// Bytes from one row of nodes to the next.
   [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
-  /// Shifts must stay below this. [cells]
+  /// [cells] Exclusive limit of shifts.
   [[nodiscard]] int reach() const { return reach_; }
-  /// The byte of the first node of a tile, not shifted.
+  /// The byte of a tile's first node, without shift.
   [[nodiscard]] const std::uint8_t* tile(int column, int row) const {
     return bytes_.data() + (kTileRows * row + padding_) * stride_ + kTileColumns * column +
            padding_;
   }
-  /// Bytes from a node's own byte to that of the node shifted by (dx, dy) cells, |d| < `reach`.
+  /// Offset from a node's byte to that of the node shifted by (dx, dy) cells, |d| < `reach`.
+  /// [bytes]
   [[nodiscard]] std::int32_t shift(int dx, int dy) const;
-  /// Bit 8 r + c: node (c, r) of the tile covers a free cell.
+  /// Bit 8 r + c is set if node (c, r) of the tile covers a free cell.
   [[nodiscard]] unsigned free_nodes(int column, int row) const {
     return free_[static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
                  static_cast<std::size_t>(column)];
@@ -51,7 +52,7 @@ class PooledField {
   int reach_;
   int tile_columns_;
   int tile_rows_;
-  int padding_;  ///< Nodes on every side.
+  int padding_;  ///< [nodes] On every side.
   std::ptrdiff_t stride_;
   std::ptrdiff_t phase_size_;  ///< Bytes of all nodes of one phase.
   std::vector<std::uint8_t> bytes_;

@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-/// One axis of the traversal: which way it steps and at what length of the ray.
+/// Traversal along one axis: its step, and the ray lengths at cell borders.
 struct Axis {
   int step = 0;
   double next = std::numeric_limits<double>::infinity();   ///< Length at the next border.

@@ -1,5 +1,5 @@
-/// The best places of a search, one per neighbourhood (non-maximum suppression), whatever the order
-/// in which they are offered.
+/// The best places of a search, one per neighbourhood (non-maximum suppression), independent of the
+/// order in which they are offered.
 #pragma once
 
 #include <cstdint>
@@ -11,33 +11,33 @@ namespace castaway::localization {
 
 /// A place on the search grid and its score.
 struct Place {
-  int column = 0;  ///< Coarse cell...
-  int row = 0;     ///< ...that base stands in.
-  int yaw = 0;     ///< Step of the yaw.
+  int column = 0;  ///< Column of the coarse cell of base.
+  int row = 0;     ///< Row of the coarse cell of base.
+  int yaw = 0;     ///< Index of the yaw step.
   int score = 0;   ///< Sum of the bytes under the end points.
 
   bool operator==(const Place&) const = default;
 };
 
-/// Size of a neighbourhood: bins of `cells` x `cells` coarse cells and `yaws` steps, from (0, 0,
-/// 0).
+/// Size of a neighbourhood: bins of `cells` x `cells` coarse cells and `yaws` steps, starting at
+/// (0, 0, 0).
 struct BinSize {
   int cells = 8;
   int yaws = 3;
 };
 
-/// The best `count` bins. A bin is represented by its highest score, of equal ones by the first in
-/// (yaw, row, column); bins are listed by score, of equal ones by the first in (yaw, row, column)
-/// of bins. Scores of 0 are never listed.
+/// The best `count` bins. A bin is represented by its highest score, and among equal scores by the
+/// first place in (yaw, row, column). Bins are listed by score, and among equal scores in (yaw,
+/// row, column) of bins. Scores of 0 are never listed.
 ///
 /// This order is total, so every search that offers all places with a score of at least the final
-/// `threshold` (which never sinks) gives the same list.
+/// `threshold` (which never decreases) gives the same list.
 class BestPlaces {
  public:
-  /// For a grid of places of `yaws` steps; no score exceeds `max_score`.
+  /// For a grid with `yaws` yaw steps; no score exceeds `max_score`.
   BestPlaces(const GridFrame& frame, int yaws, const BinSize& size, int count, int max_score);
 
-  /// Places with a lower score cannot change the list any more.
+  /// Places with a lower score can no longer change the list.
   [[nodiscard]] int threshold() const { return threshold_; }
   void offer(const Place& place);
   /// The list, best first.
@@ -49,9 +49,9 @@ class BestPlaces {
   BinSize size_;
   int columns_, rows_, count_;
   std::vector<Place> bins_;
-  std::vector<int> bins_of_score_;  ///< How many bins have this score as their best.
+  std::vector<int> bins_of_score_;  ///< Number of bins with this best score.
   int threshold_ = 1;
-  int bins_above_ = 0;  ///< How many bins are above the threshold.
+  int bins_above_ = 0;  ///< Number of bins above the threshold.
 };
 
 }  // namespace castaway::localization

@@ -35,7 +35,7 @@ bool BranchAndBound::step(std::int64_t tiles) {
   const std::size_t top = pyramid_->size() - 1;
   for (; bounded_ < roots_.size(); ++bounded_) {
     if (scored_ >= end) return false;
-    roots_[bounded_] = bounded(top, roots_[bounded_].tile);
+    roots_[bounded_] = bound_node(top, roots_[bounded_].tile);
     if (bounded_ + 1 == roots_.size()) sort_roots();
   }
   for (; expanded_ < roots_.size(); ++expanded_) {
@@ -51,8 +51,8 @@ TileSums BranchAndBound::score(std::size_t level, const Tile& tile) {
   return tile_sums((*pyramid_)[level], tile, shifts_[level].at(static_cast<std::size_t>(tile.yaw)));
 }
 
-/// A child covers a square of four of the tile's nodes in a row: 4 x 1 of them.
-BranchAndBound::Node BranchAndBound::bounded(std::size_t level, const Tile& tile) {
+/// A child covers four nodes of one row of the tile.
+BranchAndBound::Node BranchAndBound::bound_node(std::size_t level, const Tile& tile) {
   const TileSums sums = score(level, tile);
   const unsigned free = (*pyramid_)[level].free_nodes(tile.column, tile.row);
   Node node{tile, {}};
@@ -62,7 +62,7 @@ BranchAndBound::Node BranchAndBound::bounded(std::size_t level, const Tile& tile
   return node;
 }
 
-/// Highest bound first (counting sort: the bounds are small whole numbers).
+/// Sorts the roots by descending bound (counting sort: the bounds are small integers).
 void BranchAndBound::sort_roots() {
   int highest = 0;
   for (const Node& root : roots_) highest = std::max(highest, root.bound());
@@ -77,7 +77,7 @@ void BranchAndBound::sort_roots() {
   roots_ = std::move(sorted);
 }
 
-/// Goes down where the bounds of a node allow that a cell under it changes the list.
+/// Descends where a node's bounds allow a cell below it to change the list.
 void BranchAndBound::expand(std::size_t level, const Node& node) {
   if (level == 0) return descend(0, node.tile);
   for (int child = 0; child < 4; ++child) {
@@ -92,7 +92,7 @@ void BranchAndBound::descend(std::size_t level, const Tile& tile) {
   if (tile.column >= field.tile_columns() || tile.row >= field.tile_rows()) return;
   if (field.free_nodes(tile.column, tile.row) == 0) return;
   if (outside(field, space_, tile.column, tile.row)) return;
-  if (level > 0) return expand(level, bounded(level, tile));
+  if (level > 0) return expand(level, bound_node(level, tile));
   offer_tile(field, space_, tile, score(level, tile), best_);
 }
 

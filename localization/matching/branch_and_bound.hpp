@@ -1,11 +1,11 @@
-/// Exact search by bounds: the same list of places as the exhaustive score volume gives, from a
+/// Exact search by upper bounds: gives the same list of places as the exhaustive search, with a
 /// fraction of the scores.
 ///
-/// Branch and bound over (x, y) at every yaw with max-pooled fields, after W. Hess, D. Kohler,
-/// H. Rapp, D. Andor, "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016, section V-B. We differ:
-/// it finds the best places of many neighbourhoods instead of one, it bounds 16 neighbouring nodes
-/// at once (`PooledField`), and it goes best-first at the coarsest level only, depth-first below.
-/// Where no bound prunes, three levels cost 1 + 1/4 + 1/16 of the exhaustive search.
+/// Branch and bound over (x, y) at every yaw with max-pooled fields, after W. Hess, D. Kohler, H.
+/// Rapp, D. Andor, "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016, section V-B. Differences:
+/// it finds the best places of many neighbourhoods instead of one, bounds 16 neighbouring nodes at
+/// once (`PooledField`), and searches best-first at the coarsest level only and depth-first below.
+/// If no bound prunes, three levels cost 1 + 1/4 + 1/16 of the exhaustive search.
 #pragma once
 
 #include "localization/matching/best_places.hpp"
@@ -13,25 +13,26 @@
 
 namespace castaway::localization {
 
-/// Levels of a map, the finest (edge 1) first, each with twice the edge of the one before.
+/// Levels of a map, the finest (edge 1) first; each has twice the edge of the previous one.
 using Pyramid = std::vector<PooledField>;
 
-/// A pyramid of `levels` >= 1.
+/// Builds a pyramid of `levels` >= 1.
 Pyramid make_pyramid(const ByteField& field, int levels);
 
-/// One search. It can be stopped and gone on with at any tile.
+/// One search. It can be interrupted and resumed at any tile.
 class BranchAndBound {
  public:
-  /// `scans[i]` is the scan turned by the yaw `space.yaws[i]`. The pyramid outlives the search.
+  /// `scans[i]` is the scan rotated by the yaw `space.yaws[i]`. The pyramid must outlive the
+  /// search.
   BranchAndBound(const Pyramid& pyramid, SearchSpace space,
                  const std::vector<std::vector<CellOffset>>& scans, BestPlaces best);
 
-  /// Goes on until about `tiles` tiles more are scored (at least one, up to a few more); true when
-  /// the search is complete.
+  /// Continues until about `tiles` more tiles are scored (at least one, up to a few more). Returns
+  /// true when the search is complete.
   bool step(std::int64_t tiles);
-  /// Whether the list is final.
+  /// True if the list is final.
   [[nodiscard]] bool complete() const { return complete_; }
-  /// Tiles scored so far; each cost 16 byte sums per end point.
+  /// Tiles scored so far; each costs 16 byte sums per end point.
   [[nodiscard]] std::int64_t tiles_scored() const { return scored_; }
   /// The best places so far, best first.
   [[nodiscard]] const BestPlaces& best() const { return best_; }
@@ -43,7 +44,7 @@ class BranchAndBound {
     std::array<std::uint16_t, 4> bounds{};
     [[nodiscard]] int bound() const;
   };
-  [[nodiscard]] Node bounded(std::size_t level, const Tile& tile);
+  [[nodiscard]] Node bound_node(std::size_t level, const Tile& tile);
   void sort_roots();
   void expand(std::size_t level, const Node& node);
   void descend(std::size_t level, const Tile& tile);
@@ -52,10 +53,10 @@ class BranchAndBound {
   const Pyramid* pyramid_;
   SearchSpace space_;
   BestPlaces best_;
-  std::vector<ScanShifts> shifts_;  ///< Of every level.
+  std::vector<ScanShifts> shifts_;  ///< For each level.
   std::vector<Node> roots_;         ///< Tiles of the coarsest level.
-  std::size_t bounded_ = 0;         ///< Roots that have their bounds.
-  std::size_t expanded_ = 0;        ///< Roots done.
+  std::size_t bounded_ = 0;         ///< Number of roots whose bounds are computed.
+  std::size_t expanded_ = 0;        ///< Number of finished roots.
   std::int64_t scored_ = 0;
   bool complete_ = false;
 };

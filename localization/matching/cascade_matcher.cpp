@@ -9,7 +9,7 @@ namespace castaway::localization {
 namespace {
 
 constexpr int kByteMax = 255;
-constexpr std::int64_t kSlice = 1 << 20;  // tiles; any will do
+constexpr std::int64_t kSlice = 1 << 20;  // [tiles] Any size gives the same result.
 
 }  // namespace
 
@@ -31,7 +31,7 @@ CascadeMatcher::CascadeMatcher(const MatcherConfig& config, const OccupancyGrid&
       pyramid_(make_pyramid(field_, config.levels)),
       yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)))) {}
 
-BestPlaces CascadeMatcher::nothing_found(int most) const {
+BestPlaces CascadeMatcher::make_best_places(int most) const {
   const GridFrame& frame = field_.frame();
   const double yaws_per_radian = yaws_ / (2.0 * std::numbers::pi);
   const BinSize bin{
@@ -40,11 +40,11 @@ BestPlaces CascadeMatcher::nothing_found(int most) const {
   return {frame, yaws_, bin, most, kByteMax * config_.points};
 }
 
-std::vector<std::vector<CellOffset>> CascadeMatcher::turned(const ScanPoints& points,
-                                                            const SearchSpace& space) const {
+std::vector<std::vector<CellOffset>> CascadeMatcher::rotate_scans(const ScanPoints& points,
+                                                                  const SearchSpace& space) const {
   std::vector<std::vector<CellOffset>> scans;
   for (const int yaw : space.yaws) {
-    scans.push_back(turned_scan(points, config_.points, field_.frame().resolution,
+    scans.push_back(rotate_scan(points, config_.points, field_.frame().resolution,
                                 yaw_of_step(yaw, yaws_), field_.padding()));
   }
   return scans;
@@ -54,7 +54,8 @@ BranchAndBound CascadeMatcher::search(const ScanPoints& points,
                                       const std::optional<MatchWindow>& window,
                                       const std::optional<int>& most) const {
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  return {pyramid_, space, turned(points, space), nothing_found(most.value_or(config_.candidates))};
+  return {pyramid_, space, rotate_scans(points, space),
+          make_best_places(most.value_or(config_.candidates))};
 }
 
 std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
@@ -66,9 +67,9 @@ std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
     while (!whole.complete()) whole.step(kSlice);
     return candidates(whole.best(), points.size());
   }
-  BestPlaces best = nothing_found(most.value_or(config_.candidates));
+  BestPlaces best = make_best_places(most.value_or(config_.candidates));
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  score_all(pyramid_.front(), space, turned(points, space), best);
+  score_all(pyramid_.front(), space, rotate_scans(points, space), best);
   return candidates(best, points.size());
 }
 

@@ -1,8 +1,8 @@
-/// Finds where on the map a scan could have been taken: every coarse cell and yaw, then the best of
-/// every neighbourhood, to be refined at full resolution (`refine_pose`).
+/// Finds where on the map a scan could have been taken: scores every coarse cell and yaw, and
+/// returns the best of every neighbourhood, to be refined at full resolution (`refine_pose`).
 ///
-/// After the cascade of the paper (section IV-A) with two changes: yaws every 3 degrees instead of
-/// pi/8, and levels whose bounds are admissible, so that no level loses what the next one would
+/// After the cascade of the paper (section IV-A), with two changes: yaw steps of 3 degrees instead
+/// of pi/8, and admissible bounds at all levels, so that no level drops what the next one would
 /// have found.
 #pragma once
 
@@ -11,30 +11,33 @@
 
 namespace castaway::localization {
 
-/// How all of a map is searched; the candidates are the same.
+/// How the whole map is searched; both give the same candidates.
 enum class MatchAlgorithm {
   kBranchAndBound,  ///< Two to seven times as fast (`localization_bench`).
-  kExhaustive,      ///< Constant time.
+  kExhaustive,      ///< Constant time for a map.
 };
 
 /// Parameters of the search.
 struct MatcherConfig {
   ByteFieldConfig field;
-  double yaw_step = 0.0524;    ///< [rad] About 3 degrees; rounded so that whole steps make a turn.
-  int points = 64;             ///< End points used, even over the scan; at most 256.
-  int candidates = 100;        ///< At most so many are returned, unless more are asked for.
-  double suppression_m = 1.6;  ///< [m] Only the best of a square of this size...
-  double suppression_rad = 0.1745;  ///< [rad] ...and of this range of yaws is kept.
+  /// [rad] About 3 degrees; rounded to a whole number of steps per turn.
+  double yaw_step = 0.0524;
+  int points = 64;       ///< Number of end points used, evenly spread over the scan; at most 256.
+  int candidates = 100;  ///< Largest number of candidates, unless a call asks for another.
+  /// [m] Only the best place in a square of this size and `suppression_rad` is kept.
+  double suppression_m = 1.6;
+  double suppression_rad = 0.1745;  ///< [rad] See `suppression_m`.
   MatchAlgorithm algorithm = MatchAlgorithm::kBranchAndBound;
-  int levels = 3;  ///< Of the pyramid of branch and bound, each twice as coarse as the last.
+  /// Levels of the pyramid of branch and bound, each twice as coarse as the previous one.
+  int levels = 3;
 };
 
-/// Throws std::invalid_argument where a figure is out of its range.
+/// @throws std::invalid_argument if a value is out of range.
 void validate(const MatcherConfig& config);
 
-/// A place where a scan fits.
+/// A pose at which a scan fits the map.
 struct Candidate {
-  SE2 T_map_base;      ///< Centre of the coarse cell, yaw of the step.
+  SE2 T_map_base;      ///< Centre of the coarse cell and yaw of the step.
   double score = 0.0;  ///< In [0, 1]: mean of the bytes under the end points.
 };
 
@@ -45,24 +48,23 @@ class CascadeMatcher {
                  const DistanceField& distances);
 
   [[nodiscard]] const MatcherConfig& config() const { return config_; }
-  /// Candidates on free cells, best first; none for a scan without points. `most`: other than the
-  /// configured number.
+  /// Returns candidates on free cells, best first; none for a scan without points. `most` overrides
+  /// the configured number.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points,
                                              const std::optional<MatchWindow>& window = {},
                                              const std::optional<int>& most = {}) const;
 
-  /// A match to be done in slices, by branch and bound whatever is configured; the matcher outlives
-  /// it.
+  /// Starts a match that runs in slices, always by branch and bound; the matcher must outlive it.
   [[nodiscard]] BranchAndBound search(const ScanPoints& points,
                                       const std::optional<MatchWindow>& window = {},
                                       const std::optional<int>& most = {}) const;
-  /// What a search of a scan with so many points has found so far.
+  /// Candidates that a search with a scan of `points` points has found so far.
   [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
 
  private:
-  [[nodiscard]] BestPlaces nothing_found(int most) const;
-  [[nodiscard]] std::vector<std::vector<CellOffset>> turned(const ScanPoints& points,
-                                                            const SearchSpace& space) const;
+  [[nodiscard]] BestPlaces make_best_places(int most) const;
+  [[nodiscard]] std::vector<std::vector<CellOffset>> rotate_scans(const ScanPoints& points,
+                                                                  const SearchSpace& space) const;
 
   MatcherConfig config_;
   ByteField field_;

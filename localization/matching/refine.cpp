@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-SE2 moved(const SE2& pose, const Eigen::Vector3d& d) {
+SE2 offset_pose(const SE2& pose, const Eigen::Vector3d& d) {
   return {pose.x + d[0], pose.y + d[1], wrap_angle(pose.yaw + d[2])};
 }
 
@@ -19,7 +19,7 @@ double prior_score(const std::optional<PosePrior>& prior, const SE2& pose) {
   return -0.5 * d.dot(prior->information * d);
 }
 
-/// Steps along the axes of base: forward, left, turn; both signs.
+/// Steps along the axes of base in both directions: forward, left, turn.
 std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad) {
   const double c = step_m * std::cos(yaw);
   const double s = step_m * std::sin(yaw);
@@ -36,11 +36,11 @@ struct ScoredPose {
 
 using Score = std::function<double(const SE2&)>;
 
-/// Takes every step that rises; false if none did.
+/// Takes every step that improves the score; false if none did.
 bool climb(const Score& score, double step_m, double step_rad, ScoredPose& best) {
   bool risen = false;
   for (const auto& step : steps(best.pose.yaw, step_m, step_rad)) {
-    const SE2 pose = moved(best.pose, step);
+    const SE2 pose = offset_pose(best.pose, step);
     const double value = score(pose);
     if (value <= best.score) continue;
     best = {pose, value};
@@ -72,7 +72,7 @@ Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& p
                                  const SE2& T_map_base) {
   const Eigen::Vector3d h(model.frame().resolution, model.frame().resolution, 0.02);
   const auto f = [&](const Eigen::Vector3d& d) {
-    return model.log_likelihood(points, moved(T_map_base, d));
+    return model.log_likelihood(points, offset_pose(T_map_base, d));
   };
   const double centre = f(Eigen::Vector3d::Zero());
   Eigen::Matrix3d H;

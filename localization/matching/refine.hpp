@@ -1,5 +1,5 @@
-/// Refines a pose below the grid: climbs the score from a start, and measures its curvature at the
-/// top.
+/// Refines a pose below the grid's resolution: climbs the score from a start, and measures its
+/// curvature at the maximum.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,27 @@
 
 namespace castaway::localization {
 
-/// A Gaussian belief about the pose, as a quadratic form.
+/// A Gaussian prior of the pose in information form.
 struct PosePrior {
   SE2 mean;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< Inverse covariance of (x, y, yaw).
 };
 
-/// Steps of the climb.
+/// Step sizes of the climb.
 struct RefineConfig {
   double step_m = 0.08;    ///< [m] First step.
   double step_rad = 0.03;  ///< [rad] First step.
   int halvings = 4;        ///< The last step is the first divided by 2^halvings.
 };
 
-/// The pose near `start` with the highest score: log-likelihood of the scan minus half the prior's
-/// squared distance. Coordinate search with halved steps; moves only where the score rises, so a
-/// flat score keeps the start.
+/// Returns the pose near `start` with the highest score: log-likelihood of the scan minus half the
+/// squared Mahalanobis distance from the prior. Coordinate search with halved steps; it moves only
+/// where the score increases, so a flat score returns the start.
 SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2& start,
                 const std::optional<PosePrior>& prior, const RefineConfig& config);
 
-/// Information (inverse covariance) that the scan alone gives about the pose: the negative
-/// curvature of the log-likelihood by central differences, its negative eigenvalues cut to 0.
+/// Information (inverse covariance) about the pose from the scan alone: the negative curvature of
+/// the log-likelihood by central differences, with negative eigenvalues set to 0.
 Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& points,
                                  const SE2& T_map_base);
 

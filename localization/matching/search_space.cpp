@@ -27,7 +27,7 @@ SearchSpace search_space(const GridFrame& frame, int yaw_steps,
   return space;
 }
 
-std::vector<CellOffset> turned_scan(const ScanPoints& points, int count, double resolution,
+std::vector<CellOffset> rotate_scan(const ScanPoints& points, int count, double resolution,
                                     double yaw_grid, int reach) {
   const std::size_t used = std::min(points.size(), static_cast<std::size_t>(count));
   const double c = std::cos(yaw_grid) / resolution;

@@ -7,8 +7,8 @@
 namespace castaway::localization {
 namespace {
 
-/// Four sums of 16 bits side by side in a word, of the bytes of even and of odd place. The sums
-/// cannot overflow into each other: 256 * 255 < 2^16.
+/// Two words of four 16-bit sums each, for the bytes at even and odd positions. The sums cannot
+/// overflow into each other: 256 * 255 < 2^16.
 struct RowSums {
   std::uint64_t even = 0;
   std::uint64_t odd = 0;

@@ -1,4 +1,4 @@
-/// The inner loop of the global search: sums of bytes of 16 neighbouring nodes at once.
+/// The inner loop of the global search: byte sums of 16 neighbouring nodes at once.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace castaway::localization {
 
-/// Sums of the nodes of a tile, lower row first. At edge 1 they are scores, at others upper bounds
-/// of the scores of all cells that a node covers.
+/// Sums of a tile's nodes, lower row first. At edge 1 they are scores, otherwise upper bounds of
+/// the scores of all cells that a node covers.
 using TileSums = std::array<std::uint16_t, PooledField::kTileColumns * PooledField::kTileRows>;
 
-/// The scan at every yaw of a search as shifts on one level.
+/// A scan's end points at every yaw of a search, as byte offsets on one level.
 class ScanShifts {
  public:
-  /// `scans[i]` is the scan turned by yaw i.
+  /// `scans[i]` is the scan rotated by yaw i.
   ScanShifts(const PooledField& level, const std::vector<std::vector<CellOffset>>& scans);
 
   [[nodiscard]] std::span<const std::int32_t> at(std::size_t yaw) const {
@@ -25,7 +25,7 @@ class ScanShifts {
   }
 
  private:
-  std::vector<std::size_t> first_;  ///< First shift of every yaw, and the end.
+  std::vector<std::size_t> first_;  ///< Index of the first shift of every yaw, and the end.
   std::vector<std::int32_t> shifts_;
 };
 

@@ -9,9 +9,10 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kTurnInPlace = 0.01;  // [m] Below this the direction of the way means nothing.
+// [m] For a shorter step the direction of motion is undefined.
+constexpr double kTurnInPlace = 0.01;
 
-/// Size of a turn for its noise: driving backwards is no half turn.
+/// Size of a turn for its noise: driving backwards does not count as half a turn.
 double noise_angle(double rot) {
   return std::min(std::abs(wrap_angle(rot)), std::abs(wrap_angle(rot - std::numbers::pi)));
 }

@@ -1,8 +1,8 @@
 /// Odometry motion model of a differential drive: turn, drive, turn.
 ///
 /// S. Thrun, W. Burgard, D. Fox, "Probabilistic Robotics" (2005), table 5.6, with the alphas as
-/// coefficients of variances, and with turns of a robot that drives backwards counted as small, as
-/// Nav2's AMCL has it.
+/// coefficients of variances, and with the turns of a robot that drives backwards counted as small,
+/// as in Nav2's AMCL.
 #pragma once
 
 #include "localization/geometry/random.hpp"
@@ -12,10 +12,10 @@ namespace castaway::localization {
 
 /// Coefficients of the variances.
 struct DifferentialMotionConfig {
-  double alpha1 = 0.2;  ///< Turn from turning: rad^2 per rad^2.
-  double alpha2 = 0.2;  ///< Turn from driving: rad^2 per m^2.
-  double alpha3 = 0.2;  ///< Drive from driving: m^2 per m^2.
-  double alpha4 = 0.2;  ///< Drive from turning: m^2 per rad^2.
+  double alpha1 = 0.2;  ///< Turn noise from turning: rad^2 per rad^2.
+  double alpha2 = 0.2;  ///< Turn noise from driving: rad^2 per m^2.
+  double alpha3 = 0.2;  ///< Drive noise from driving: m^2 per m^2.
+  double alpha4 = 0.2;  ///< Drive noise from turning: m^2 per rad^2.
 };
 
 /// One step of odometry, conditioned once and applied to many poses.
@@ -24,10 +24,10 @@ class DifferentialMotion {
   /// `u` is `T_base0_base1`.
   DifferentialMotion(const SE2& u, const DifferentialMotionConfig& config);
 
-  /// The pose after the step, with noise drawn anew.
+  /// Draws the pose after the step.
   [[nodiscard]] SE2 sample(const SE2& T_map_base0, Rng& rng) const;
 
-  /// The step taken apart and its noise.
+  /// The decomposed step and its noise.
   struct Parts {
     double rot1 = 0.0;         ///< [rad]
     double trans = 0.0;        ///< [m]

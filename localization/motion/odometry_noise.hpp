@@ -8,8 +8,8 @@
 
 namespace castaway::localization {
 
-/// Variances that grow with the way, so that the noise of a path does not depend on the rate of
-/// prediction.
+/// Variances grow linearly with distance and turn, so that the noise of a path does not depend on
+/// the rate of prediction.
 struct OdometryNoiseConfig {
   double trans_per_m = 0.10;    ///< [m / sqrt(m)] Spread of the position after one metre.
   double trans_per_rad = 0.02;  ///< [m / sqrt(rad)] Spread of the position after one radian.
@@ -17,7 +17,7 @@ struct OdometryNoiseConfig {
   double rot_per_rad = 0.10;    ///< [rad / sqrt(rad)] Spread of the yaw after one radian.
 };
 
-/// Throws std::invalid_argument where a figure is negative.
+/// @throws std::invalid_argument if a value is negative.
 void validate(const OdometryNoiseConfig& config);
 
 /// One step of odometry, conditioned once and applied to many poses.
@@ -26,7 +26,7 @@ class OdometryMotion {
   /// `u` is `T_base0_base1`, the step as odometry measured it.
   OdometryMotion(const SE2& u, const OdometryNoiseConfig& config);
 
-  /// `x' = x * (u + e)`, e drawn anew. A step that is exactly zero moves nothing and draws nothing.
+  /// Draws `x' = x * (u + e)`. A step of exactly zero moves nothing and draws nothing.
   [[nodiscard]] SE2 sample(const SE2& T_map_base0, Rng& rng) const;
   /// Covariance of e in the frame of base0.
   [[nodiscard]] Eigen::Matrix3d covariance() const;
@@ -37,7 +37,7 @@ class OdometryMotion {
   double sigma_rot_;
 };
 
-/// Covariance in map of a step from `T_map_base0`, given in the frame of base0.
+/// Covariance in map of a step whose covariance in the frame of base0 is `covariance_base`.
 Eigen::Matrix3d rotated_to_map(const Eigen::Matrix3d& covariance_base, double yaw);
 
 }  // namespace castaway::localization

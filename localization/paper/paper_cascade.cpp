@@ -14,7 +14,7 @@ PaperCascade::PaperCascade(const PaperCascadeConfig& config, const RayLocalConfi
       is_searched_(std::move(is_searched)),
       yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config_.yaw_step)))) {
   for (int level = config.finest_level; level < config.levels; ++level) {
-    OccupancyGrid coarse = coarsened(grid, 1 << level);
+    OccupancyGrid coarse = coarsen(grid, 1 << level);
     const double sigma = std::max(sensor.sigma, 0.5 * coarse.frame.resolution);
     RayLocalModel model({sigma}, coarse);
     levels_.push_back({std::move(coarse), std::move(model)});
@@ -49,14 +49,15 @@ SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
   return level.grid.frame.T_map_grid * T_grid_base;
 }
 
-/// The nodes on cells that hold free space and whose quality reaches the threshold, best first.
-std::vector<PaperCascade::Node> PaperCascade::scored(const Level& level, std::vector<Node> nodes,
-                                                     const ScanPoints& points) const {
+/// The nodes on cells with free space whose quality reaches the threshold, best first.
+std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
+                                                          std::vector<Node> nodes,
+                                                          const ScanPoints& points) const {
   const bool coarse = &level != &levels_.front();
   std::erase_if(nodes, [&](Node& node) {
     if (!level.grid.frame.contains(node.cell)) return true;
     const CellState state = level.grid.cells[level.grid.frame.index(node.cell)];
-    // A coarse cell that holds a wall may hold free cells, too.
+    // A coarse cell with a wall may also contain free cells.
     if (state == CellState::kUnknown || (!coarse && state == CellState::kOccupied)) return true;
     node.quality = level.model.evaluate(points, pose_of(level, node)).hits /
                    static_cast<double>(points.size());
@@ -71,9 +72,9 @@ std::vector<PaperCascade::Node> PaperCascade::scored(const Level& level, std::ve
 
 std::vector<Candidate> PaperCascade::match(const ScanPoints& points) const {
   if (points.empty()) return {};
-  std::vector<Node> nodes = scored(levels_.back(), all_nodes(), points);
+  std::vector<Node> nodes = score_nodes(levels_.back(), all_nodes(), points);
   for (std::size_t level = levels_.size() - 1; level-- > 0;) {
-    nodes = scored(levels_[level], children(nodes), points);
+    nodes = score_nodes(levels_[level], children(nodes), points);
   }
   std::vector<Candidate> candidates;
   for (const Node& node : nodes) {

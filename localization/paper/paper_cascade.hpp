@@ -1,11 +1,11 @@
 /// The cascade matcher of the paper (section IV-A): every cell of the coarsest level in every
-/// orientation, then at every finer level only the cells within the candidates of the one above.
+/// orientation, then at each finer level only the cells within the candidates of the level above.
 ///
-/// Orientations are pi/8 apart at all levels, which contradicts itself: at 5 m the end points of
-/// neighbouring ones lie 2 m apart, so that the right place often scores low. Where the paper is
-/// silent: the sensor's sigma is widened to half a cell at coarse levels; the threshold is the same
-/// at all levels; candidates of a level within 0.5 m and one orientation of a better one are
-/// dropped at the end.
+/// Orientations are pi/8 apart at all levels, which limits the method: at 5 m the end points of
+/// neighbouring orientations are 2 m apart, so that the right place often has a low score. Where
+/// the paper is silent: the sensor's sigma is widened to half a cell at coarse levels; the
+/// threshold is the same at all levels; candidates within 0.5 m and one orientation of a better one
+/// are dropped at the end.
 #pragma once
 
 #include <functional>
@@ -20,24 +20,25 @@ namespace castaway::localization {
 /// Parameters of the cascade.
 struct PaperCascadeConfig {
   int levels = 4;                            ///< Level 0 is the map; each level doubles the cells.
-  int finest_level = 0;                      ///< Where the search ends.
+  int finest_level = 0;                      ///< Level at which the search ends.
   double yaw_step = std::numbers::pi / 8.0;  ///< [rad]
   double threshold = 0.5;                    ///< Least quality of a candidate at any level.
   double apart_m = 0.5;                      ///< [m] Least distance of two candidates returned.
-  int max_per_level = 4000;  ///< At most so many, the best, go on to the next level.
+  /// Largest number of candidates, the best ones, that go on to the next level.
+  int max_per_level = 4000;
 };
 
-/// Whether the cell of the coarsest level in this column and row is searched.
+/// True if the cell of the coarsest level at this column and row is searched.
 using CellFilter = std::function<bool(const GridFrame& frame, int column, int row)>;
 
-/// Searches one map by the metric of eq. 9.
+/// Searches one map with the metric of eq. 9.
 class PaperCascade {
  public:
-  /// Searches the cells that pass `is_searched`, all of them without it.
+  /// Searches the cells that pass `is_searched`, or all cells without it.
   PaperCascade(const PaperCascadeConfig& config, const RayLocalConfig& sensor,
                const OccupancyGrid& grid, CellFilter is_searched = {});
 
-  /// Candidates on free cells with their quality, best first.
+  /// Returns candidates on free cells with their quality, best first.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points) const;
 
  private:
@@ -53,8 +54,8 @@ class PaperCascade {
   };
   [[nodiscard]] std::vector<Node> all_nodes() const;
   [[nodiscard]] std::vector<Node> children(const std::vector<Node>& nodes) const;
-  [[nodiscard]] std::vector<Node> scored(const Level& level, std::vector<Node> nodes,
-                                         const ScanPoints& points) const;
+  [[nodiscard]] std::vector<Node> score_nodes(const Level& level, std::vector<Node> nodes,
+                                              const ScanPoints& points) const;
   [[nodiscard]] SE2 pose_of(const Level& level, const Node& node) const;
 
   PaperCascadeConfig config_;

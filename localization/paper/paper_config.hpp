@@ -11,8 +11,7 @@
 
 namespace castaway::localization {
 
-/// Everything that the paper's MH-AMCL can be told: the paper's figures, and what was chosen where
-/// it is silent.
+/// All settings of the paper's MH-AMCL: the paper's values, and our choices where it is silent.
 struct PaperMhAmclConfig {
   double predict_rate_hz = 100.0;
   double correct_rate_hz = 10.0;
@@ -23,17 +22,18 @@ struct PaperMhAmclConfig {
   LoserReseedConfig reseed;
   PaperCascadeConfig cascade;
   QualityRules rules;
-  double match_period_s = 3.0;       ///< [s] "Every few seconds".
-  double candidate_sigma = 0.1;      ///< [m] Spread of a candidate of the cascade...
-  double candidate_sigma_yaw = 0.1;  ///< [rad] ...half the step of its orientations.
-  SpawnConfig spawn;                 ///< Added to the spread of a candidate or of a start.
-  ReseedConfig size;                 ///< How many particles a new population has.
+  double match_period_s = 3.0;   ///< [s] "Every few seconds" in the paper.
+  double candidate_sigma = 0.1;  ///< [m] Position spread of a candidate of the cascade.
+  /// [rad] Yaw spread of such a candidate: half the step of the orientations.
+  double candidate_sigma_yaw = 0.1;
+  SpawnConfig spawn;  ///< Added to the spread of a candidate or of a start.
+  ReseedConfig size;  ///< Number of particles of a new population.
   IntakeConfig intake;
-  Stamp lidar_memory =
-      std::chrono::milliseconds(250);  ///< So long scans of other lidars are joined to a new one.
+  /// Scans of other lidars up to this age are joined to a new one.
+  Stamp lidar_memory = std::chrono::milliseconds(250);
 };
 
-/// Throws std::invalid_argument naming the figure that is out of its range.
+/// @throws std::invalid_argument naming a value that is out of range.
 void validate(const PaperMhAmclConfig& config);
 
 }  // namespace castaway::localization

@@ -7,7 +7,7 @@
 namespace castaway::localization {
 
 PaperStages paper_stages(const PaperMhAmclConfig& config, const OccupancyGrid& map) {
-  // Shared: a std::function must be copied, and the model is as large as the map.
+  // Shared, since a std::function must be copyable and the model is as large as the map.
   const auto model = std::make_shared<const RayLocalModel>(config.sensor, map);
   const auto cascade = std::make_shared<const PaperCascade>(config.cascade, config.sensor, map);
   PaperStages stages;

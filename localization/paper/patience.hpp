@@ -1,4 +1,4 @@
-/// Select: the output changes only where another population has been preferred for a while.
+/// Select: the output changes only after another population has been preferred for a while.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,15 @@
 
 namespace castaway::localization {
 
-/// Keeps since when another population is preferred.
+/// Stores since when another population is preferred.
 class Patience {
  public:
   explicit Patience(double wait_s) : wait_s_(wait_s) {}
 
-  /// Id of the output: the present one, nothing where it is gone, or the one that is preferred to
-  /// it.
+  /// Returns the id of the output: the present one or, if it is gone or another one has been
+  /// preferred for long enough, the preferred one.
   int settle(std::optional<int> present, int preferred, Stamp now);
-  /// Begins anew.
+  /// Restarts the wait.
   void reset() { since_.reset(); }
 
  private:

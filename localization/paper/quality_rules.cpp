@@ -8,8 +8,8 @@
 namespace castaway::localization {
 namespace {
 
-/// Adds the particles of a population, weighed by their share times `factor`.
-void add_weighed(const Hypothesis& h, double factor, ParticleSet& all) {
+/// Adds the particles of a population with their normalised weights times `factor`.
+void add_weighted(const Hypothesis& h, double factor, ParticleSet& all) {
   const std::vector<double> weights = normalized_weights(h.particles);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     all.poses.push_back(h.particles.poses[i]);
@@ -17,7 +17,7 @@ void add_weighed(const Hypothesis& h, double factor, ParticleSet& all) {
   }
 }
 
-/// `second` goes into `first`.
+/// Merges `second` into `first`.
 void join(const Hypothesis& second, Hypothesis& first) {
   first.particles = heavier_half(first, first.quality, second, second.quality);
   first.belief = moments(first.particles);
@@ -30,8 +30,8 @@ void join(const Hypothesis& second, Hypothesis& first) {
 ParticleSet heavier_half(const Hypothesis& a, double factor_a, const Hypothesis& b,
                          double factor_b) {
   ParticleSet all;
-  add_weighed(a, factor_a, all);
-  add_weighed(b, factor_b, all);
+  add_weighted(a, factor_a, all);
+  add_weighted(b, factor_b, all);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {

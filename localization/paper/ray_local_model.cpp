@@ -26,7 +26,7 @@ RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& 
   hit_.push_back(0.0);
 }
 
-bool RayLocalModel::occupied(float x_cells, float y_cells) const {
+bool RayLocalModel::is_occupied(float x_cells, float y_cells) const {
   const Eigen::Vector2i cell(cell_index(x_cells), cell_index(y_cells));
   return frame_.contains(cell) && occupied_[frame_.index(cell)] != 0;
 }
@@ -44,7 +44,7 @@ RayLocalScore RayLocalModel::evaluate(const ScanPoints& points, const SE2& T_map
     std::size_t k = 0;
     for (; k < none; ++k) {
       const float t = static_cast<float>(k) / length;
-      if (occupied(x + t * dx, y + t * dy) || occupied(x - t * dx, y - t * dy)) break;
+      if (is_occupied(x + t * dx, y + t * dy) || is_occupied(x - t * dx, y - t * dy)) break;
     }
     score.log_likelihood += log_likelihood_[k];
     score.hits += hit_[k];

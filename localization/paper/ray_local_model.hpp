@@ -1,10 +1,10 @@
 /// Observation model of the paper (eq. 5 to 7): a beam's error is the distance along the ray from
-/// its end point to the nearest wall, looked for only within 3 sigma.
+/// its end point to the nearest wall, searched only within 3 sigma.
 ///
 /// A. Garcia et al., "Portable Multi-Hypothesis Monte Carlo Localization for Mobile Robots", 2022,
 /// section III-B. Where the paper is silent: probes are one cell apart; a beam without a wall
-/// within 3 sigma has the log-likelihood of 3 sigma and no hit; normalising constants are left out,
-/// they are the same for all particles.
+/// within 3 sigma has the log-likelihood of 3 sigma and no hit; normalising constants are omitted,
+/// since they are the same for all particles.
 #pragma once
 
 #include <cstdint>
@@ -21,26 +21,26 @@ struct RayLocalConfig {
   double hit_peak = 1.0;  ///< Height of a hit without error; hits are clamped to 1.
 };
 
-/// What a scan says of a pose.
+/// Score of a scan at a pose.
 struct RayLocalScore {
-  double log_likelihood = 0.0;  ///< Sum over beams, 0 at best, -4.5 a beam at worst.
+  double log_likelihood = 0.0;  ///< Sum over beams; per beam 0 at best and -4.5 at worst.
   double hits = 0.0;            ///< Sum over beams of `exp(-error^2 / 2 sigma^2)`: h of eq. 9.
 };
 
 /// Evaluates scans against one map.
 class RayLocalModel {
  public:
-  /// Throws std::invalid_argument unless sigma is positive.
+  /// @throws std::invalid_argument unless sigma is positive.
   RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& grid);
 
   [[nodiscard]] RayLocalScore evaluate(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
-  [[nodiscard]] bool occupied(float x_cells, float y_cells) const;
+  [[nodiscard]] bool is_occupied(float x_cells, float y_cells) const;
 
   GridFrame frame_;
   std::vector<std::uint8_t> occupied_;
-  // By number of cells from the end point; the last one: no wall.
+  // Indexed by the number of cells from the end point; the last entry: no wall.
   std::vector<double> log_likelihood_;
   std::vector<double> hit_;
 };

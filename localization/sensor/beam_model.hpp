@@ -1,13 +1,13 @@
-/// Beam model of a range finder as AMCL weighs it.
+/// Beam model of a range finder with AMCL's weights.
 ///
 /// S. Thrun, W. Burgard, D. Fox, "Probabilistic Robotics" (2005), section 6.3. The likelihood of a
-/// range z where the map says e is the sum of four parts:
+/// range z for an expected range e is the sum of four parts:
 ///   hit:   z_hit exp(-(z - e)^2 / 2 sigma_hit^2)
 ///   short: z_short lambda_short exp(-lambda_short z)   if z < e
-///   max:   z_max                                       if nothing came back
-///   rand:  z_rand / range_max                          if something came back
-/// Without the factors that normalise hit and short, and with AMCL's ad-hoc sum over beams: the
-/// weight is `1 + sum pz^3`.
+///   max:   z_max                                       without a return
+///   rand:  z_rand / range_max                          with a return
+/// The factors that normalise hit and short are omitted, and beams are combined by AMCL's ad-hoc
+/// sum: the weight is `1 + sum pz^3`.
 #pragma once
 
 #include "localization/map/occupancy_grid.hpp"
@@ -15,7 +15,7 @@
 
 namespace castaway::localization {
 
-/// Parameters, by Nav2's names and with its defaults.
+/// Parameters, with Nav2's names and defaults.
 struct BeamModelConfig {
   double z_hit = 0.5;
   double z_short = 0.05;
@@ -25,22 +25,21 @@ struct BeamModelConfig {
   double lambda_short = 0.1;  ///< [1/m]
 };
 
-/// Throws std::invalid_argument where a figure is out of its range.
+/// @throws std::invalid_argument if a value is out of range.
 void validate(const BeamModelConfig& config);
 
 /// Evaluates scans against one map, which must outlive the model. Expected ranges are cast to the
-/// border of the first cell that is not free; 60 beams of 2000 particles cost some tens of
-/// milliseconds.
+/// border of the first cell that is not free; 60 beams of 2000 particles take tens of milliseconds.
 class BeamModel {
  public:
   BeamModel(const BeamModelConfig& config, const OccupancyGrid& grid);
 
-  /// Weight of a pose, at least 1. `range_max` [m] is the lidar's.
+  /// Weight of a pose, at least 1. `range_max` [m]: of the lidar.
   [[nodiscard]] double weight(const BeamScan& scan, const SE2& T_map_base, double range_max) const;
 
-  /// Likelihood pz of a return at `range` where the map has a wall at `expected`. [m]
+  /// Likelihood pz of a return at `range` if the map has a wall at `expected`. [m]
   [[nodiscard]] double return_probability(double range, double expected, double range_max) const;
-  /// Likelihood pz of no return where the map has a wall at `expected`. [m]
+  /// Likelihood pz of no return if the map has a wall at `expected`. [m]
   [[nodiscard]] double miss_probability(double expected, double range_max) const;
 
  private:

@@ -20,7 +20,7 @@ LaserScan every_nth(const LaserScan& scan, int max_beams) {
   return thin;
 }
 
-/// Beams without a return end at `longest` [m], all others nowhere.
+/// The scan with beams without a return ending at `longest` [m], and all others invalid.
 LaserScan only_misses(LaserScan scan, double longest) {
   const auto end = std::nextafter(static_cast<float>(longest), 0.0F);
   for (float& range : scan.ranges) {

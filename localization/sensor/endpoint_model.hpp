@@ -1,4 +1,4 @@
-/// Observation model: how likely a scan's end points are from a pose, by their distance to the
+/// Observation model: likelihood of a scan's end points from a pose, by their distance to the
 /// nearest wall.
 ///
 /// S. Thrun, W. Burgard, D. Fox, "Probabilistic Robotics" (2005), section 6.4, as a product of
@@ -13,16 +13,17 @@ namespace castaway::localization {
 
 /// Parameters of the model of one beam.
 struct EndpointConfig {
-  double sigma = 0.12;  ///< [m] Spread of end points about walls: noise, map and pose together.
-  double floor =
-      0.08;  ///< Likelihood of an end point far from any wall, relative to one on a wall.
-  double independent_beams = 12;  ///< The scan counts as so many independent beams.
+  /// [m] Spread of end points about walls: noise, map and pose errors together.
+  double sigma = 0.12;
+  /// Likelihood of an end point far from any wall, relative to one on a wall.
+  double floor = 0.08;
+  double independent_beams = 12;  ///< The scan counts as this many independent beams.
 };
 
-/// Throws std::invalid_argument where a figure is out of its range.
+/// @throws std::invalid_argument if a value is out of range.
 void validate(const EndpointConfig& config);
 
-/// Log-likelihood of one end point `distance` [m] away from a wall; 0 on a wall.
+/// Log-likelihood of one end point at `distance` [m] from a wall; 0 on a wall.
 double endpoint_log_likelihood(const EndpointConfig& config, double distance);
 
 /// Evaluates scans against one map.
@@ -33,9 +34,9 @@ class EndpointModel {
   [[nodiscard]] const EndpointConfig& config() const { return config_; }
   [[nodiscard]] const GridFrame& frame() const { return field_.frame(); }
   /// Log-likelihood of a scan from a pose: mean over beams times `independent_beams`; 0 is perfect.
-  /// 0 without beams.
+  /// Also 0 without beams.
   [[nodiscard]] double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const;
-  /// Log-likelihood of every single beam, each 0 at best.
+  /// Log-likelihood of each beam; 0 at best.
   [[nodiscard]] std::vector<float> beam_log_likelihoods(const ScanPoints& points,
                                                         const SE2& T_map_base) const;
 

@@ -26,7 +26,7 @@ Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base
     sum += l > through_wall_ && rays.through_wall(points, i) ? through_wall_ : l;
     hits += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
   }
-  return {scaled(sum, beams.size(), T_map_base),
+  return {scale_sum(sum, beams.size(), T_map_base),
           std::min(1.0, hits / static_cast<double>(beams.size()))};
 }
 
@@ -36,24 +36,24 @@ double EvidenceModel::log_likelihood_above(double least, const ScanPoints& point
   const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
   const RayConsistency rays(distances_, T_map_base, config_.rays);
   double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
-  double value = scaled(sum, beams.size(), T_map_base);
+  double value = scale_sum(sum, beams.size(), T_map_base);
   for (std::size_t i = 0; i < beams.size() && value > least; ++i) {
     const double l = beams[i];
     if (l <= through_wall_ || !rays.through_wall(points, i)) continue;
     sum += through_wall_ - l;
-    value = scaled(sum, beams.size(), T_map_base);
+    value = scale_sum(sum, beams.size(), T_map_base);
   }
   return value;
 }
 
-double EvidenceModel::scaled(double sum, std::size_t beams, const SE2& T_map_base) const {
+double EvidenceModel::scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const {
   double mean = sum / static_cast<double>(beams);
   if (grid_.at(T_map_base.translation()) != CellState::kFree) mean -= config_.off_free_penalty;
   return std::max(config_.endpoint.independent_beams * mean, config_.minimum);
 }
 
 double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {
-  constexpr double kRounding = 1e-3;  // sums in single precision
+  constexpr double kRounding = 1e-3;  // Rounding of sums in single precision.
   return std::max(endpoint_.log_likelihood(points, T_map_base) + kRounding, config_.minimum);
 }
 

@@ -1,4 +1,4 @@
-/// How much a scan speaks for a pose, on one scale for all places of a map: end points and rays
+/// Evidence of a scan for a pose, on one scale for all places of a map: end points and rays
 /// together.
 #pragma once
 
@@ -9,13 +9,13 @@ namespace castaway::localization {
 
 /// Parameters of the evidence.
 struct EvidenceConfig {
-  EndpointConfig endpoint;  ///< A beam that ends short (a person) costs at most log(floor).
+  EndpointConfig endpoint;  ///< A short beam (a person) costs at most log(floor).
   RayConsistencyConfig rays;
-  double through_wall =
-      0.02;  ///< Likelihood of a beam through a mapped wall, relative to one on a wall.
-  double off_free_penalty =
-      0.5;                 ///< Taken from the mean log-likelihood where base is not on a free cell.
-  double minimum = -25.0;  ///< One bad scan must not overturn a long confident pose.
+  /// Likelihood of a beam through a mapped wall, relative to one on a wall.
+  double through_wall = 0.02;
+  /// Subtracted from the mean log-likelihood if base is not on a free cell.
+  double off_free_penalty = 0.5;
+  double minimum = -25.0;  ///< Lower limit: one bad scan must not outweigh a long confident track.
 };
 
 /// Log-likelihood of a scan and its quality.
@@ -29,23 +29,23 @@ class EvidenceModel {
  public:
   EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
                 const DistanceField& distances);
-  /// What the scan says of the pose. Without beams: neutral, quality 0.
+  /// Evidence of a scan at a pose. Without beams: neutral, quality 0.
   [[nodiscard]] Evidence evaluate(const ScanPoints& points, const SE2& T_map_base) const;
-  /// The log-likelihood alone, if it is above `least`; otherwise something that is not, found out
-  /// by as few rays as it takes.
+  /// Returns the log-likelihood if it is above `least`; otherwise some value that is not above it,
+  /// found with as few rays as possible.
   [[nodiscard]] double log_likelihood_above(double least, const ScanPoints& points,
                                             const SE2& T_map_base) const;
-  /// What the log-likelihood is at most, at a tenth of the cost: without a look at the rays.
+  /// Upper bound of the log-likelihood at a tenth of its cost: rays are not evaluated.
   [[nodiscard]] double bound(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
-  [[nodiscard]] double scaled(double sum, std::size_t beams, const SE2& T_map_base) const;
+  [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
 
   EvidenceConfig config_;
   const OccupancyGrid& grid_;
   const DistanceField& distances_;
   EndpointModel endpoint_;
-  double through_wall_ = 0.0;  ///< [nats] A beam through a wall.
+  double through_wall_ = 0.0;  ///< [nats] Log-likelihood of a beam through a wall.
 };
 
 }  // namespace castaway::localization

@@ -10,7 +10,7 @@ constexpr double kFarthest = 1e7;       // [m] From the origin; UTM coordinates 
 constexpr double kFarthestMount = 1e3;  // [m] Of a lidar, from base.
 constexpr double kMostAngle = 1e3;      // [rad]
 
-/// Numbers, and none that no robot reaches.
+/// True for finite poses that a robot can reach.
 bool is_sane(const SE2& pose) {
   return std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest && std::isfinite(pose.yaw);
 }

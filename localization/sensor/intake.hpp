@@ -1,4 +1,4 @@
-/// What comes in, checked before a localizer sees it: order, clocks, nonsense.
+/// Checks readings before a localizer uses them: order, clocks, invalid values.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +11,36 @@
 
 namespace castaway::localization {
 
-/// When a clock has been set back.
+/// Detection of a clock that was set back.
 struct IntakeConfig {
   TransformBufferConfig buffer;
-  /// Odometry that is so much older than the newest comes from a clock set back (a log that begins
-  /// again), not from a late message.
+  /// Odometry that is older than the newest by this much comes from a clock that was set back (a
+  /// restarted log), not from a late message.
   Stamp set_back = std::chrono::seconds(2);
 };
 
-/// Throws std::invalid_argument unless pose and covariance are numbers.
+/// @throws std::invalid_argument unless pose and covariance are finite.
 void validate(const PoseWithCovariance& start);
 
-/// What became of a reading of odometry.
+/// What was done with an odometry reading.
 enum class OdometryIntake {
-  kDropped,    ///< Late, or not a number.
-  kTaken,      ///< Part of the motion known.
-  kRestarted,  ///< The clock was set back: this is the first of a new motion.
+  kDropped,    ///< Late, or not finite.
+  kTaken,      ///< Added to the known motion.
+  kRestarted,  ///< The clock was set back: this is the first reading of a new motion.
 };
 
-/// Keeps the motion of base and says what may be used. Gaps of odometry of any length are bridged
-/// by the step across them; scans from within a gap are projected by interpolation.
+/// Stores the motion of base and decides which readings can be used. Gaps of odometry of any length
+/// are bridged by the step across them; scans within a gap are projected by interpolation.
 class Intake {
  public:
   explicit Intake(const IntakeConfig& config) : config_(config), T_odom_base_(config.buffer) {}
 
   /// Takes a reading; readings out of order are dropped.
   OdometryIntake take(const Odometry& odometry);
-  /// Whether a scan may be used: newer than the last one of its lidar, its angles and its mount
-  /// numbers, and begun while the motion is known. Counts those that may not.
+  /// True if a scan can be used: it is newer than the last one of its lidar, its angles and mount
+  /// are valid, and it began while the motion is known. Counts the scans that cannot.
   bool accept(const LaserScan& scan);
-  /// Counts a scan that turned out to be of no use.
+  /// Counts a scan that turned out to be unusable.
   void drop_scan() { ++dropped_scans_; }
 
   [[nodiscard]] const TransformBuffer& T_odom_base() const { return T_odom_base_; }

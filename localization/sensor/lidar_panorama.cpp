@@ -3,7 +3,8 @@
 namespace castaway::localization {
 namespace {
 
-/// Adds points given in base as it was, where `T_now_then` is that base in the present one.
+/// Appends points that are given in an earlier frame of base; `T_now_then` is that frame in the
+/// current one.
 void append(const ScanPoints& points, const SE2& T_now_then, ScanPoints& all) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d end = T_now_then * Eigen::Vector2d(points.x[i], points.y[i]);

@@ -1,4 +1,4 @@
-/// Several lidars as one: the newest points of all of them, as if seen at once.
+/// Joins the newest points of several lidars, as if they were seen at once.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@
 
 namespace castaway::localization {
 
-/// Keeps the newest scan of every lidar.
+/// Stores the newest scan of every lidar.
 class LidarPanorama {
  public:
-  /// Scans of other lidars are used for so long.
+  /// Scans of other lidars are used up to the age `memory`.
   explicit LidarPanorama(Stamp memory) : memory_(memory) {}
 
-  /// Takes a scan of `lidar`, its points in base as it is at `now`. Gives these points and those of
-  /// the other lidars that are not too old, moved to base as it is now.
+  /// Takes a scan of `lidar` with its points in base at `now`. Returns these points and the recent
+  /// ones of the other lidars, moved to base at `now`.
   ScanPoints add(const std::string& lidar, const ScanPoints& points, Stamp now,
                  const SE2& T_odom_base);
   void clear() { newest_.clear(); }

@@ -1,4 +1,4 @@
-/// A pose conditioned for looking up many points in a grid.
+/// A pose prepared for looking up many points in a grid.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace castaway::localization {
 
-/// Maps points from base [m] to the grid's frame [cells]; sine and cosine are taken once.
+/// Maps points from base [m] to the grid's frame [cells]; sine and cosine are computed once.
 class PoseInCells {
  public:
   PoseInCells(const GridFrame& frame, const SE2& T_map_base) {

@@ -5,7 +5,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Distances in cells; a ray of length `length` from `from` along the unit vector `direction`.
+/// A ray in cells: `length` from `from` along the unit vector `direction`.
 struct CellRay {
   Eigen::Vector2f from;
   Eigen::Vector2f direction;
@@ -18,7 +18,7 @@ bool meets_wall(const CellRay& ray, const DistanceField& distances) {
   const float* values = distances.values().data();
   const auto width = static_cast<float>(frame.width);
   const auto height = static_cast<float>(frame.height);
-  bool inside = true;  // of what the ray begins in
+  bool inside = true;  // Still inside of the object in which the ray starts.
   for (float t = 0.0F; t < ray.length;) {
     const float x = ray.from.x() + t * ray.direction.x();
     const float y = ray.from.y() + t * ray.direction.y();

@@ -1,4 +1,4 @@
-/// Whether a beam could have been taken from a pose: no beam passes a mapped wall.
+/// Checks that a beam could have been taken from a pose: that it passes through no mapped wall.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,20 @@
 
 namespace castaway::localization {
 
-/// How far a beam must pass a wall to count.
+/// Tolerance before a beam's end point.
 struct RayConsistencyConfig {
-  double margin = 0.3;         ///< [m] Walls so close before the end point do not count...
-  double margin_share = 0.02;  ///< ...or within this share of the range, whichever is more.
+  double margin = 0.3;         ///< [m] Walls this close before the end point are ignored.
+  double margin_share = 0.02;  ///< The same as a share of the range; the larger one counts.
 };
 
-/// Looks at single beams from one pose, by stepping through the distance field. The field outlives
-/// it.
+/// Checks single beams from one pose by stepping through the distance field, which must outlive it.
 class RayConsistency {
  public:
   RayConsistency(const DistanceField& distances, const SE2& T_map_base,
                  const RayConsistencyConfig& config);
 
-  /// Whether beam `i` passes a mapped wall before its end point. What a beam begins in (base stands
-  /// where the map has an object) is no wall that it passes.
+  /// True if beam `i` passes through a mapped wall before its end point. An object in which the
+  /// beam starts (base is inside of it on the map) does not count.
   [[nodiscard]] bool through_wall(const ScanPoints& points, std::size_t i) const;
 
  private:

@@ -1,4 +1,4 @@
-/// What real hardware sends to a localizer.
+/// Sensor readings that a localizer takes.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ struct Odometry {
   SE2 T_odom_base;  ///< Accumulated from an arbitrary start; continuous, drifting (REP-105).
 };
 
-/// One sweep of a planar lidar, wherever it is mounted.
+/// One sweep of a planar lidar with any mount.
 struct LaserScan {
   Stamp stamp{};                 ///< Time of the first beam.
-  Stamp time_increment{};        ///< Time between two beams; 0 if they were taken at once.
+  Stamp time_increment{};        ///< Time between two beams; 0 if all were taken at once.
   double angle_min = 0.0;        ///< [rad] Angle of the first beam about the lidar's z, from its x.
   double angle_increment = 0.0;  ///< [rad] Signed step between two beams.
   double range_min = 0.0;        ///< [m] Shorter returns are invalid.
   double range_max = 0.0;        ///< [m] Longer returns are invalid.
   std::vector<float> ranges;     ///< [m] REP-117: +inf no return, -inf too close, NaN invalid.
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();  ///< The lidar's mount.
-  std::string lidar;  ///< Name of the lidar where there are several; order is kept for each.
+  std::string lidar;  ///< Name of the lidar if there are several; scans are ordered per lidar.
 
   /// Time of beam `index`.
   [[nodiscard]] Stamp beam_stamp(std::size_t index) const {

@@ -7,7 +7,7 @@
 namespace castaway::localization {
 namespace {
 
-/// A beam by its direction and length.
+/// Direction and length of a beam.
 struct Beam {
   double angle = 0.0;
   double range = 0.0;
@@ -53,13 +53,13 @@ Comparison compare(const ScanAgreementConfig& config, const std::vector<Beam>& b
   return nearer ? Comparison::kLookedThrough : Comparison::kAgrees;
 }
 
-/// How many points could be compared, and how many of them agree.
+/// Number of comparable points, and how many of them agree.
 struct Tally {
   int known = 0;
   int agree = 0;
 };
 
-/// Counts the points of `other` by what `seer` saw.
+/// Compares the points of `other` with what `seer` saw, and counts them.
 void count(const ScanAgreementConfig& config, const ScanPoints& seer, const ScanPoints& other,
            const SE2& T_seer_other, Tally& tally) {
   const Eigen::Vector2d origin = mean_origin(seer);

@@ -1,5 +1,5 @@
-/// Whether two scans in a row and the odometry between them agree: a cue of a kidnap in a single
-/// frame that does not depend on the map.
+/// Agreement of two successive scans with the odometry between them: detects a kidnap from a single
+/// pair of scans, without the map.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,19 @@
 
 namespace castaway::localization {
 
-/// How end points are compared.
+/// Parameters of comparing end points.
 struct ScanAgreementConfig {
-  double tolerance = 0.2;         ///< [m] Ranges so close agree...
-  double tolerance_share = 0.05;  ///< ...or within this share of the range, added to it.
-  double widest_gap = 0.2;        ///< [rad] Between beams farther apart nothing is known.
-  int least = 15;                 ///< Fewer points that can be compared say nothing.
+  double tolerance = 0.2;  ///< [m] Ranges agree within this plus `tolerance_share` of the range.
+  double tolerance_share = 0.05;  ///< See `tolerance`.
+  /// [rad] Points between beams farther apart than this are not compared.
+  double widest_gap = 0.2;
+  int least = 15;  ///< With fewer comparable points there is no result.
 };
 
-/// Of the end points of each scan that the other could see, the share that lie on something that it
-/// saw; the rest lie where it looked through. Points hidden from it, or outside of its view, do not
-/// count. `T_before_now` is odometry's step of base. Nothing where too few points can be compared.
+/// Returns the share of comparable end points that agree: those of each scan that lie on something
+/// that the other scan saw; the rest lie where the other saw free space. Points hidden from the
+/// other scan or outside of its view do not count. `T_before_now` is odometry's step of base.
+/// Returns nothing if too few points can be compared.
 std::optional<double> scan_agreement(const ScanAgreementConfig& config, const ScanPoints& before,
                                      const ScanPoints& now, const SE2& T_before_now);
 

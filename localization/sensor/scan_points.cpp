@@ -17,7 +17,7 @@ std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection&
   return valid;
 }
 
-/// At most `most`, evenly.
+/// At most `most` of the indices, evenly spread.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& valid, int most) {
   const auto count = static_cast<std::size_t>(most);
   if (valid.size() <= count) return valid;

@@ -51,7 +51,7 @@ void SensorInput::restart() {
   panorama_.clear();
 }
 
-/// Nothing where the robot stands.
+/// Returns nothing if the robot has not moved.
 std::optional<SE2> SensorInput::step_to(const SE2& T_odom_base) {
   const SE2 u = T_odom_particles_->inverse() * T_odom_base;
   if (u == SE2{}) return std::nullopt;

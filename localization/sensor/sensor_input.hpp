@@ -1,4 +1,4 @@
-/// What comes in, as populations of particles take it: steps of odometry at their rate, scans as
+/// Prepares readings for populations of particles: odometry steps at a fixed rate, and scans as
 /// points in base.
 #pragma once
 
@@ -10,44 +10,44 @@
 
 namespace castaway::localization {
 
-/// How often what is taken, and how much of it.
+/// Rates at which readings are used.
 struct SensorInputConfig {
-  double predict_rate_hz;  ///< Steps between scans; every scan makes one, too.
-  double correct_rate_hz;  ///< Scans that count.
-  double reseed_rate_hz;   ///< Those of them after which populations are reseeded.
+  double predict_rate_hz;  ///< Of steps between scans; every scan causes a step, too.
+  double correct_rate_hz;  ///< Of scans used for corrections.
+  double reseed_rate_hz;   ///< Of corrections followed by a reseed.
   BeamSelection beams;
   IntakeConfig intake;
-  Stamp lidar_memory;  ///< So long scans of other lidars are joined to a new one.
+  Stamp lidar_memory;  ///< Scans of other lidars up to this age are joined to a new one.
 };
 
-/// What a reading of odometry means for the particles.
+/// Effect of an odometry reading on the particles.
 struct OdometryTurn {
-  bool restarted = false;   ///< The clock was set back: all times begin anew.
-  std::optional<SE2> step;  ///< `T_base0_base1` since the step before; nothing while not due.
+  bool restarted = false;   ///< The clock was set back: all times restart.
+  std::optional<SE2> step;  ///< `T_base0_base1` since the previous step; nothing if no step is due.
 };
 
-/// A scan that may be used, at the time of the newest odometry.
+/// A usable scan, at the time of the newest odometry.
 struct ScanTurn {
   Stamp now{};
   SE2 T_odom_base;          ///< Odometry at `now`.
-  std::optional<SE2> step;  ///< As for odometry.
-  ScanPoints points;        ///< Of all lidars, in base as it is at `now`.
-  bool counts = false;      ///< Points are there, and the next correction is due.
-  bool reseeds = false;     ///< It counts, and the next reseed is due.
+  std::optional<SE2> step;  ///< As in `OdometryTurn`.
+  ScanPoints points;        ///< Of all lidars, in base at `now`.
+  bool counts = false;      ///< It has points, and a correction is due.
+  bool reseeds = false;     ///< It counts, and a reseed is due.
 };
 
-/// Checks what comes in and keeps how far odometry has moved the particles.
+/// Checks readings and tracks the odometry by which the particles have been moved.
 class SensorInput {
  public:
   explicit SensorInput(const SensorInputConfig& config);
 
-  /// Takes a reading of odometry; a turn without content where it is dropped.
+  /// Takes an odometry reading; the result is empty if it is dropped.
   OdometryTurn take(const Odometry& odometry);
-  /// Takes a scan; nothing where it is dropped.
+  /// Takes a scan; returns nothing if it is dropped.
   std::optional<ScanTurn> take(const LaserScan& scan);
 
-  /// The pose of base at `then` in base as the particles have it. The identity where the motion is
-  /// not known then. Not to be asked before the first reading of odometry.
+  /// The pose of base at `then` relative to base at the time of the particles; the identity if the
+  /// motion at that time is unknown. Requires a reading of odometry.
   [[nodiscard]] SE2 T_now_base(Stamp then) const;
   [[nodiscard]] const Intake& intake() const { return intake_; }
 
@@ -61,7 +61,8 @@ class SensorInput {
   Rate predict_rate_;
   Rate correct_rate_;
   Rate reseed_rate_;
-  std::optional<SE2> T_odom_particles_;  ///< Odometry up to which particles are moved.
+  /// Odometry pose up to which the particles have been moved.
+  std::optional<SE2> T_odom_particles_;
 };
 
 }  // namespace castaway::localization

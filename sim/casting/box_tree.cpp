@@ -5,7 +5,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kPrecision = 1e-6;  // Of `reach_`: what single precision may lose, and more.
+constexpr double kPrecision = 1e-6;  // Relative to `reach_`; more than single precision loses.
 constexpr double kLeastReach = 1e3;  // [m]
 constexpr float kNothing = 1e30F;
 
@@ -14,7 +14,7 @@ double surface(const Eigen::AlignedBox3d& box) {
   return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
 }
 
-Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double margin) {
+Eigen::AlignedBox3d widen(const Eigen::AlignedBox3d& box, double margin) {
   const Eigen::Vector3d all = Eigen::Vector3d::Constant(margin);
   return {box.min() - all, box.max() + all};
 }
@@ -27,7 +27,7 @@ BoxTree::BoxTree(std::span<const Eigen::AlignedBox3d> boxes) : reach_(kLeastReac
   }
   std::vector<Item> items;
   for (const Eigen::AlignedBox3d& box : boxes) {
-    items.push_back({widened(box, kPrecision * reach_), static_cast<std::uint32_t>(items.size())});
+    items.push_back({widen(box, kPrecision * reach_), static_cast<std::uint32_t>(items.size())});
   }
   if (!items.empty()) build(items, run_of(items, 0, items.size()));
   for (const Item& item : items) order_.push_back(item.index);
@@ -39,7 +39,7 @@ BoxTree::Run BoxTree::run_of(std::span<const Item> items, std::size_t first, std
   return run;
 }
 
-/// Sorts a run along the axis of most spread and finds the least sum of surface times count.
+/// Sorts a run along its longest axis and returns the split with the least surface area heuristic.
 std::size_t BoxTree::split(std::span<Item> items, const Run& run) {
   const std::span<Item> part = items.subspan(run.first, run.last - run.first);
   Eigen::AlignedBox3d centers;
@@ -51,7 +51,7 @@ std::size_t BoxTree::split(std::span<Item> items, const Run& run) {
     const double x_b = b.box.center()[axis];
     return x_a != x_b ? x_a < x_b : a.index < b.index;
   });
-  std::vector<double> cost(part.size(), 0.0);  // cost[k]: the first k items on one side.
+  std::vector<double> cost(part.size(), 0.0);  // cost[k] has the first k items on one side.
   Eigen::AlignedBox3d left;
   Eigen::AlignedBox3d right;
   for (std::size_t k = 1; k < cost.size(); ++k) {
@@ -65,7 +65,7 @@ std::size_t BoxTree::split(std::span<Item> items, const Run& run) {
   return run.first + static_cast<std::size_t>(best - cost.begin());
 }
 
-/// Up to four runs that make up one: the largest box is split first.
+/// Splits a run into up to four, the one with the largest box first.
 std::vector<BoxTree::Run> BoxTree::children(std::span<Item> items, const Run& whole) {
   std::vector<Run> runs{whole};
   while (runs.size() < kWidth) {

@@ -1,4 +1,4 @@
-/// Many bounding boxes, and which of them a ray may meet.
+/// A bounding volume hierarchy: finds the boxes that a ray may hit.
 #pragma once
 
 #include <algorithm>
@@ -14,26 +14,26 @@
 
 namespace castaway::sim {
 
-/// A tree of boxes with four children a node, split where the surface area heuristic is least. Its
-/// boxes are held in single precision and a little too wide (a millionth of the world's size), so
-/// that four of them are tested at once and none is missed.
+/// A tree of boxes with four children per node, split by the surface area heuristic. Its boxes are
+/// stored in single precision and slightly enlarged (by a millionth of the world's size), so that
+/// four of them are tested at once and no hit is missed.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Eigen::AlignedBox3d> boxes);
 
-  /// The boxes' indices in the order in which `walk` names them.
+  /// Indices of the boxes, in the order in which `walk` refers to them.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// Calls `visit(i)` for the places i of `order` whose boxes the ray may meet within `nearest`
-  /// [m], the near ones first. `visit` returns how far [m] still matters.
+  /// Calls `visit(i)` for the positions i in `order` whose boxes the ray may hit within `nearest`
+  /// [m], near ones first. `visit` returns the distance [m] beyond which hits no longer matter.
   template <typename Visit>
   void walk(const Ray& ray, double nearest, Visit visit) const;
 
  private:
   static constexpr int kWidth = 4;
   static constexpr std::uint32_t kLeaf = 1U << 31U;
-  // Three more than are taken off with each level, and a side of a split has an eighth or more of
-  // its boxes: enough for billions.
+  // Each level pushes up to three more children than it pops, and each side of a split has at least
+  // an eighth of its boxes: enough for billions.
   static constexpr std::size_t kStackSize = 512;
   using Lanes = Eigen::Array<float, kWidth, 1>;
 
@@ -46,25 +46,26 @@ class BoxTree {
     Eigen::AlignedBox3d box;
     std::uint32_t index = 0;
   };
-  /// Children; where there are fewer than four, boxes turned inside out, which no ray meets.
+  /// Children; unused ones have inverted boxes, which no ray hits.
   struct Node {
-    std::array<Lanes, 6> faces;               ///< x min, x max, y min, ... z max. [m]
-    std::array<std::uint32_t, kWidth> child;  ///< A node or, with `kLeaf`, a place in `order`.
+    std::array<Lanes, 6> faces;  ///< x min, x max, y min, ... z max. [m]
+    /// Index of a node or, with `kLeaf`, a position in `order`.
+    std::array<std::uint32_t, kWidth> child;
   };
-  /// What is still to be looked at. Arrays, since a compiler copies a struct of them in pieces
-  /// that the processor must wait for.
+  /// Nodes still to visit. Separate arrays, since compilers copy an array of structs in pieces that
+  /// the processor must wait for.
   struct Stack {
-    std::array<float, kStackSize> enter;  ///< [m] Not initialised: that would take its time.
+    std::array<float, kStackSize> enter;  ///< [m] Not initialised, to save time.
     std::array<std::uint32_t, kStackSize> child;
     std::size_t depth = 0;
   };
-  /// A ray prepared for many boxes.
+  /// A ray prepared for many box tests.
   struct Probe {
     explicit Probe(const Ray& ray);
 
     std::array<float, 3> origin;
-    std::array<float, 3> inverse;       ///< Of the direction.
-    std::array<std::size_t, 3> near{};  ///< Face of each axis that the ray meets first.
+    std::array<float, 3> inverse;       ///< Inverse of the direction.
+    std::array<std::size_t, 3> near{};  ///< For each axis, the face that the ray hits first.
   };
 
   static Run run_of(std::span<const Item> items, std::size_t first, std::size_t last);
@@ -77,7 +78,7 @@ class BoxTree {
     return !(origin.cwiseAbs().maxCoeff() <= reach_);
   }
 
-  double reach_ = 0.0;  ///< [m] Beyond it, single precision is not enough.
+  double reach_ = 0.0;  ///< [m] Single precision is not enough for rays from beyond it.
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };
@@ -87,7 +88,7 @@ inline BoxTree::Probe::Probe(const Ray& ray) {
     const auto a = static_cast<std::size_t>(axis);
     const auto d = static_cast<float>(ray.direction[axis]);
     origin[a] = static_cast<float>(ray.origin[axis]);
-    inverse[a] = 1.0F / (std::abs(d) < 1e-30F ? 1e-30F : d);  // Never 0 times infinity.
+    inverse[a] = 1.0F / (std::abs(d) < 1e-30F ? 1e-30F : d);  // Avoids 0 times infinity.
     near[a] = 2 * a + (inverse[a] < 0.0F ? 1 : 0);
   }
 }
@@ -96,7 +97,7 @@ inline float BoxTree::limit_of(double nearest) {
   return static_cast<float>(std::min(nearest, 1e30)) * 1.000001F;
 }
 
-/// Puts the children that the ray may meet onto the stack, the nearest on top.
+/// Pushes the children that the ray may hit, the nearest on top.
 inline void BoxTree::push(const Node& node, const Probe& probe, float limit, Stack& stack) {
   Lanes enter = Lanes::Zero();
   Lanes leave = Lanes::Constant(limit);

@@ -11,13 +11,13 @@ namespace {
 constexpr float kMargin = 1e-3F;  // [m] More than single precision loses within 1 km.
 constexpr int kNobody = -1;
 
-/// A disc about the middle of all parts that covers them.
+/// A disc about the mean centre of all parts that covers them.
 std::pair<Eigen::Vector2d, double> cover(const MovingBody& body) {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < body.count; ++i) {
     center += body.parts[i].center / static_cast<double>(body.count);
   }
-  double far = 0.0;  // Squared: one root is dearer than a disc that is a little too wide.
+  double far = 0.0;  // Squared; a slightly too wide disc saves square roots.
   double half_size = 0.0;
   for (std::size_t i = 0; i < body.count; ++i) {
     const UprightPart& part = body.parts[i];
@@ -29,7 +29,7 @@ std::pair<Eigen::Vector2d, double> cover(const MovingBody& body) {
 
 }  // namespace
 
-/// A ray prepared for many discs.
+/// A ray prepared for many disc tests.
 struct MovingScene::Walk {
   explicit Walk(const Ray& ray)
       : x(static_cast<float>(ray.origin.x())),
@@ -38,8 +38,8 @@ struct MovingScene::Walk {
         dy(static_cast<float>(ray.direction.y())),
         level(std::sqrt(dx * dx + dy * dy)) {}
 
-  /// Not negative where the ray may meet a disc before `nearest`. One expression: temporaries would
-  /// cost more than what they spare.
+  /// Not negative where the ray may hit a disc before `nearest`. One expression, since temporaries
+  /// would cost more than they save.
   [[nodiscard]] Lanes overlap(const Discs& discs, float nearest) const {
     const float limit = nearest * level * level;
     const auto to_x = discs.x - x;
@@ -49,7 +49,7 @@ struct MovingScene::Walk {
   }
 
   float x, y, dx, dy;
-  float level;  ///< Length of the direction seen from above.
+  float level;  ///< Length of the direction's horizontal part.
 };
 
 MovingScene::MovingScene(std::vector<MovingBody> bodies) : bodies_(std::move(bodies)) {

@@ -1,4 +1,4 @@
-/// Exact ray casts into bodies that move.
+/// Exact ray casts into moving bodies.
 #pragma once
 
 #include <array>
@@ -11,25 +11,25 @@
 
 namespace castaway::sim {
 
-/// A body of a few parts, such as a person.
+/// A body with a few parts, such as a person.
 struct MovingBody {
   static constexpr std::size_t kMaxParts = 4;
 
-  int object = 0;  ///< Label carried to hits.
+  int object = 0;  ///< Label returned with hits.
   std::array<UprightPart, kMaxParts> parts;
-  std::size_t count = 0;  ///< Of the parts that there are.
+  std::size_t count = 0;  ///< Number of parts in use.
 };
 
-/// Bodies that are elsewhere at every update: a tree would be out of date at once. A ray is held
-/// against the discs around sixteen bodies at a time, in single precision and a little too wide,
-/// and against the parts, in double, of those that are left: results equal those of a loop over
-/// all.
+/// Bodies that move at every update, for which a tree would be outdated at once. A ray is tested
+/// against the discs around sixteen bodies at a time, in single precision with a margin, and then
+/// in double precision against the parts of the remaining ones. Results equal those of a loop over
+/// all parts.
 class MovingScene {
  public:
   MovingScene() = default;
   explicit MovingScene(std::vector<MovingBody> bodies);
 
-  /// The nearest hit within `max_distance` [m]; nothing if the way is clear. Linear in the bodies.
+  /// The nearest hit within `max_distance` [m]; nothing if there is none. Linear in the bodies.
   [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, double max_distance) const;
   [[nodiscard]] const std::vector<MovingBody>& bodies() const { return bodies_; }
 
@@ -37,7 +37,7 @@ class MovingScene {
   static constexpr std::size_t kWidth = 16;
   using Lanes = Eigen::Array<float, kWidth, 1>;
 
-  /// Discs around bodies, seen from above. An absent one has a negative radius.
+  /// Discs around bodies, seen from above. An unused one has a negative radius.
   struct Discs {
     Lanes x;       ///< [m]
     Lanes y;       ///< [m]

@@ -6,9 +6,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSkin = 1e-6;  // [m] How far behind a surface a ray goes on.
+constexpr double kSkin = 1e-6;  // [m] A ray continues this far behind a surface.
 
-/// Outward unit vector along the axis in which `p`, in half sizes, is farthest out.
+/// Unit vector along the axis in which `p`, in half sizes, is farthest out.
 Eigen::Vector3d main_axis(const Eigen::Vector3d& p) {
   Eigen::Index axis = 0;
   p.cwiseAbs().maxCoeff(&axis);

@@ -6,7 +6,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Where a ray is inside of something: [enter, leave]; empty if enter > leave.
+/// Interval of a ray inside of a shape: [enter, leave]; empty if enter > leave.
 struct Span {
   double enter = -kNoHit;
   double leave = kNoHit;
@@ -22,7 +22,7 @@ double entry(const Span& span) {
   return span.enter > span.leave || span.leave < 0.0 ? kNoHit : std::max(span.enter, 0.0);
 }
 
-/// Between the planes -half and +half of one axis.
+/// Interval between the planes -half and +half of one axis.
 Span slab(double origin, double direction, double half) {
   if (direction == 0.0) return std::abs(origin) <= half ? Span{} : kEmpty;
   const double inverse = 1.0 / direction;
@@ -31,14 +31,14 @@ Span slab(double origin, double direction, double half) {
   return {std::min(t1, t2), std::max(t1, t2)};
 }
 
-/// Where |o + t d| <= radius, in as many dimensions as the vectors have.
+/// Interval with |o + t d| <= radius, in as many dimensions as the vectors have.
 template <typename Vector>
 Span ball(const Vector& o, const Vector& d, double radius) {
   const double a = d.squaredNorm();
   const double c = o.squaredNorm() - radius * radius;
   if (a == 0.0) return c <= 0.0 ? Span{} : kEmpty;
   const double b = o.dot(d);
-  // Distance of the line from the centre first: b^2 - a c would cancel far away.
+  // The line's distance from the centre is computed first: far away, b^2 - a c would cancel.
   const double discriminant = radius * radius * a - (o * a - d * b).squaredNorm() / a;
   if (discriminant < 0.0) return kEmpty;
   const double root = std::sqrt(discriminant);
@@ -76,7 +76,7 @@ double hit(const RayCapsule& capsule, const Ray& ray) {
                    entry(ball(below, ray.direction, capsule.radius))});
 }
 
-/// Moller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+/// Source: Moller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 double hit(const RayTriangle& triangle, const Ray& ray) {
   const Eigen::Vector3d e1 = triangle.b - triangle.a;
   const Eigen::Vector3d e2 = triangle.c - triangle.a;

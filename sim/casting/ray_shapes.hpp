@@ -45,11 +45,11 @@ struct RayTriangle {
 
 using RayShape = std::variant<RayBox, RayCylinder, RaySphere, RayCapsule, RayTriangle>;
 
-/// A shape in its place, and the object it belongs to.
+/// A placed shape and the object it belongs to.
 struct RayPrimitive {
   RayShape shape;
   Eigen::Isometry3d T_map_shape = Eigen::Isometry3d::Identity();
-  int object = 0;  ///< Label carried to hits.
+  int object = 0;  ///< Label returned with hits.
 };
 
 /// "No intersection".
@@ -61,7 +61,7 @@ double intersect(const RayShape& shape, const Ray& ray);
 /// The same for a ray in map.
 double intersect(const RayPrimitive& primitive, const Ray& ray);
 
-/// Axis-parallel bounds of a primitive in map, tight for all shapes but turned cylinders.
+/// Axis-aligned bounds of a primitive in map; tight except for tilted cylinders.
 Eigen::AlignedBox3d bounds(const RayPrimitive& primitive);
 
 /// The shapes of a world's static objects, labelled with their indices; meshes become triangles.

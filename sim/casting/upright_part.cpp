@@ -6,8 +6,8 @@
 namespace castaway::sim {
 namespace {
 
-/// A point or direction of map along the part's axes, in semi-axes.
-Eigen::Vector2d scaled(const UprightPart& part, const Eigen::Vector2d& v) {
+/// A point or direction in map in the part's axes, in units of the semi-axes.
+Eigen::Vector2d to_semi_axes(const UprightPart& part, const Eigen::Vector2d& v) {
   const Eigen::Vector2d axis_y(-part.axis_x.y(), part.axis_x.x());
   return {v.dot(part.axis_x) / part.half_size.x(), v.dot(axis_y) / part.half_size.y()};
 }
@@ -27,11 +27,11 @@ double intersect(const UprightPart& part, const Ray& ray) {
     return kNoHit;
   }
   if (enter > leave) return kNoHit;
-  const Eigen::Vector2d o = scaled(part, ray.origin.head<2>() - part.center);
-  const Eigen::Vector2d d = scaled(part, ray.direction.head<2>());
+  const Eigen::Vector2d o = to_semi_axes(part, ray.origin.head<2>() - part.center);
+  const Eigen::Vector2d d = to_semi_axes(part, ray.direction.head<2>());
   const double a = d.squaredNorm();
   if (a > 0.0) {
-    // Distance of the line from the centre first: b^2 - a c would cancel far away.
+    // The line's distance from the centre is computed first: far away, b^2 - a c would cancel.
     const double b = o.dot(d);
     const double discriminant = a - (o * a - d * b).squaredNorm() / a;
     if (discriminant < 0.0) return kNoHit;

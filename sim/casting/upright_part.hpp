@@ -1,4 +1,4 @@
-/// An upright elliptic cylinder: what people are made of as far as a lidar is concerned.
+/// An upright elliptic cylinder, as people consist of for a lidar.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,11 +7,11 @@
 
 namespace castaway::sim {
 
-/// A solid whose level cut is the same ellipse from `bottom` to `top`. In map.
+/// A solid with the same elliptic horizontal cut from `bottom` to `top`. In map.
 struct UprightPart {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();     ///< [m]
-  Eigen::Vector2d axis_x = Eigen::Vector2d::UnitX();    ///< Unit: direction of `half_size.x()`.
-  Eigen::Vector2d half_size = Eigen::Vector2d::Ones();  ///< [m] Semi-axes; equal: a circle.
+  Eigen::Vector2d axis_x = Eigen::Vector2d::UnitX();    ///< Unit vector of `half_size.x()`.
+  Eigen::Vector2d half_size = Eigen::Vector2d::Ones();  ///< [m] Semi-axes; equal for a circle.
   double bottom = 0.0;                                  ///< [m] Above the floor.
   double top = 1.0;                                     ///< [m]
 };

@@ -15,11 +15,11 @@ double wrap_angle(double angle) {
 namespace {
 
 struct Turn {
-  double c = 1.0;  // Cosine...
-  double s = 0.0;  // ...and sine.
+  double c = 1.0;  // Cosine.
+  double s = 0.0;  // Sine.
 };
 
-/// Grids, which are asked for millions of cells, are rarely turned.
+/// Fast path: this is called for millions of cells, and most grids are not rotated.
 Turn turn_of(double yaw) {
   if (yaw == 0.0) return {};
   return {std::cos(yaw), std::sin(yaw)};
@@ -62,8 +62,8 @@ Pose2 to_planar(const Eigen::Isometry3d& T_a_b) {
 
 namespace {
 
-/// sin(x); of small angles, which is what a robot turns between two steps, by its series: exact to
-/// the last bit or two below 0.03 rad.
+/// sin(x), by its series for small angles, such as a robot's turn within a step: exact to the last
+/// bit or two below 0.03 rad.
 double sine(double x) {
   if (std::abs(x) > 0.03) return std::sin(x);
   const double xx = x * x;

@@ -5,7 +5,7 @@
 
 namespace castaway::sim {
 
-/// A pose in the plane: the robot's base (or any frame b) in map (or any frame a).
+/// A pose in the plane: of the robot's base (or any frame b) in map (or any frame a).
 struct Pose2 {
   double x = 0.0;    ///< [m]
   double y = 0.0;    ///< [m]
@@ -32,16 +32,16 @@ Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b);
 /// `T_b_a` of `T_a_b`.
 Pose2 inverse(const Pose2& T_a_b);
 
-/// The pose after `way` [m] along a circle that turns the heading by `turn` [rad], from the
-/// identity.
+/// The pose after driving `way` [m] from the identity along a circle that turns the heading by
+/// `turn` [rad].
 Pose2 arc(double way, double turn);
 
 /// The pose lifted to 3-D: z, roll and pitch are 0.
 Eigen::Isometry3d to_isometry(const Pose2& T_a_b);
-/// The pose seen from above: x, y and the heading of b's x axis.
+/// The pose projected to the plane: x, y and the heading of b's x axis.
 Pose2 to_planar(const Eigen::Isometry3d& T_a_b);
-/// The way from one transform to another: straight in position, slerp in rotation. What all points
-/// of it share is computed once.
+/// Interpolation between two transforms: linear in position, slerp in rotation. What does not
+/// depend on the fraction is computed once.
 class Interpolation {
  public:
   Interpolation(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
@@ -53,12 +53,12 @@ class Interpolation {
   Eigen::Vector3d from_;
   Eigen::Vector3d way_;
   Eigen::Quaterniond q_a_;
-  Eigen::Quaterniond q_b_;  ///< With the sign that makes the way short.
-  double angle_ = 0.0;      ///< [rad] Between the quaternions; 0: too small to tell.
-  double per_sine_ = 1.0;   ///< 1 over its sine.
+  Eigen::Quaterniond q_b_;  ///< With the sign that gives the shorter rotation.
+  double angle_ = 0.0;      ///< [rad] Between the quaternions; 0 if it is too small.
+  double per_sine_ = 1.0;   ///< 1 / sine of the angle.
 };
 
-/// One point of it.
+/// The interpolation at one fraction.
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                               double fraction);
 

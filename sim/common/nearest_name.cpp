@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Levenshtein's.
+/// Levenshtein distance.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -29,7 +29,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string name_hint(std::string_view name, const std::vector<std::string>& known) {
-  if (known.empty()) return "there is none at all";
+  if (known.empty()) return "none is defined";
   const auto nearest = std::min_element(known.begin(), known.end(), [&](auto& a, auto& b) {
     return distance(name, a) < distance(name, b);
   });
@@ -37,7 +37,7 @@ std::string name_hint(std::string_view name, const std::vector<std::string>& kno
     return fmt::format("did you mean '{}'?", *nearest);
   }
   const std::size_t shown = std::min<std::size_t>(known.size(), 20);
-  return fmt::format("known are: {}{}", fmt::join(std::span(known).first(shown), ", "),
+  return fmt::format("known: {}{}", fmt::join(std::span(known).first(shown), ", "),
                      shown < known.size() ? ", ..." : "");
 }
 

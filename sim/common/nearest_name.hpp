@@ -1,4 +1,4 @@
-/// What a misspelt name of a robot's part may have meant.
+/// Suggestions for misspelt names.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace castaway::sim {
 
-/// "did you mean 'x'?", or some of the known names where none is near.
+/// "did you mean 'x'?", or some of the known names if none is similar.
 std::string name_hint(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace castaway::sim

@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kIndexDepth = 4;
-constexpr std::size_t kMaxFolders = 20000;   // Looked at below the search paths.
-constexpr std::size_t kAncestorsByName = 4;  // Farther up a name is a coincidence.
+constexpr std::size_t kMaxFolders = 20000;   // Folders visited below the search paths.
+constexpr std::size_t kAncestorsByName = 4;  // A folder's name farther up is a coincidence.
 
 bool has_marker(const fs::path& folder) {
   std::error_code none;
@@ -24,7 +24,7 @@ bool has_marker(const fs::path& folder) {
          fs::is_regular_file(folder / "model.config", none);
 }
 
-/// The name in the folder's package.xml, empty if there is none.
+/// The name in the folder's package.xml; empty if there is none.
 std::string package_name(const fs::path& folder) {
   const fs::path file = folder / "package.xml";
   std::error_code none;
@@ -34,7 +34,7 @@ std::string package_name(const fs::path& folder) {
     const TiXmlElement* name = document->RootElement()->FirstChildElement("name");
     return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
   } catch (const std::runtime_error&) {
-    return "";  // A broken package.xml names nobody.
+    return "";  // A broken package.xml names no package.
   }
 }
 
@@ -51,7 +51,7 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   return end == folder.end();
 }
 
-/// Absolute, without `..` and without a slash at the end.
+/// Absolute path without `..` and without a trailing slash.
 fs::path plain(const fs::path& path) {
   const fs::path normal = fs::absolute(path).lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
@@ -114,7 +114,7 @@ std::optional<fs::path> PackageFinder::look_up(const std::string& package) const
   return in_index(package);
 }
 
-/// Also packages in folders of other names, below search paths and beside the own package.
+/// Also finds packages in folders with other names, below search paths and beside the own package.
 std::optional<fs::path> PackageFinder::in_index(const std::string& package) const {
   if (!index_) {
     index_.emplace();

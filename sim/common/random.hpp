@@ -7,12 +7,12 @@
 
 namespace castaway::sim {
 
-/// The engine of every draw; streams are handed in by name (`SimulationStreams`), distributions
-/// come from Boost.Random.
+/// The engine of every draw. Streams are passed by name (`SimulationStreams`); distributions are
+/// Boost.Random's.
 using Rng = std::mt19937_64;
 
-/// The random stream of a name: "people/places", "people/walking/3"... Each person has its own, so
-/// that one more person shifts the draws of no other.
+/// Returns the random stream of a name: "people/places", "people/walking/3", ... Each person has
+/// its own, so that adding a person does not shift the draws of others.
 using NamedStreams = std::function<Rng(const std::string& name)>;
 
 }  // namespace castaway::sim

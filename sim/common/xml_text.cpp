@@ -15,9 +15,10 @@ namespace {
 constexpr std::size_t kMaxBytes = 16U << 20U;
 constexpr int kMaxDepth = 200;
 constexpr int kMaxElements = 200000;
-constexpr int kMaxAttributes = 1000;  // Of an element: the parser compares each with all others.
+// Per element: the parser compares each attribute with all others.
+constexpr int kMaxAttributes = 1000;
 
-/// Walks over the markup without building anything.
+/// Checks the markup without building a tree.
 class Guard {
  public:
   Guard(const std::string& path, const std::string& text) : path_(path), text_(text) {}
@@ -54,7 +55,7 @@ class Guard {
       } else if (quote == 0 && (c == '"' || c == '\'')) {
         quote = c;
         if (++attributes > kMaxAttributes) {
-          refuse(fmt::format("an element of more than {} attributes", kMaxAttributes));
+          refuse(fmt::format("an element has more than {} attributes", kMaxAttributes));
         }
       }
     }

@@ -14,7 +14,7 @@ constexpr double kMostPlaces = 4e3;
 constexpr double kFine = 0.1;    // [m]
 constexpr double kCoarse = 0.2;  // [m]
 
-/// The world as its map has it.
+/// The world as it was when its map was made.
 WorldSpec as_surveyed(WorldSpec world) {
   for (WorldObject& object : world.objects) object.in_world = object.in_map;
   return world;

@@ -1,4 +1,4 @@
-/// How different a world is from its map, as a lidar has it.
+/// Measures how much a world differs from its map for a lidar.
 #pragma once
 
 #include "sim/map/grid.hpp"
@@ -7,16 +7,17 @@
 
 namespace castaway::sim {
 
-/// The difference number: the share of beams that end elsewhere in the world than on the map.
+/// The share of beams that end elsewhere in the world than on the map.
 struct BeamChange {
-  double share = 0.0;       ///< Of beams whose length differs by more than 0.2 m. The number.
-  double share_fine = 0.0;  ///< The same by more than 0.1 m.
-  int places = 0;           ///< Where beams were cast from.
+  double share = 0.0;  ///< Of beams whose length differs by more than 0.2 m: the difference number.
+  double share_fine = 0.0;  ///< Of beams whose length differs by more than 0.1 m.
+  int places = 0;           ///< Number of places from which beams were cast.
 };
 
-/// Casts beams from places half a metre apart (further on large maps: at most 4000), free on the
-/// map and in the world for a disc of 0.2 m, into what is on the map and into what is in the world.
-/// Glass counts as a wall. @throws std::runtime_error if a mesh cannot be read.
+/// Casts beams from places half a metre apart (at most 4000, so farther apart on large maps) that
+/// are free on the map and in the world for a disc of 0.2 m, and compares the ranges in the
+/// surveyed world with those in the current world. Glass counts as a wall. @throws
+/// std::runtime_error if a mesh cannot be read.
 BeamChange changed_beams(const WorldSpec& world, const Grid& map, const PlaceView& view);
 
 }  // namespace castaway::sim

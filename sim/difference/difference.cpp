@@ -21,14 +21,14 @@ namespace {
 
 constexpr int kTries = 60;
 constexpr double kOpen = 90.0;  // [deg]
-constexpr double kAjar = 10.0;  // [deg] Less is closed.
+constexpr double kAjar = 10.0;  // [deg] A door open by less counts as closed.
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 double uniform(double low, double high, Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
 }
 
-/// Carries out changes and counts them.
+/// Applies changes to a world and counts them.
 class Changer {
  public:
   Changer(WorldSpec world, const DifferenceSpec& spec, const Grid& map) : spec_(spec), map_(map) {
@@ -41,8 +41,8 @@ class Changer {
     change_furniture(room, rng);
     change_doors(room, rng);
     add_boxes(room, rng);
-    note("pieces of furniture stay: no room elsewhere", stuck_);
-    note("doors stay: a route or furniture is in the way", blocked_);
+    note("pieces of furniture were not moved: there is no room elsewhere", stuck_);
+    note("doors were not turned: a route or furniture is in the way", blocked_);
     return std::move(result_);
   }
 
@@ -60,11 +60,11 @@ class Changer {
   const DifferenceSpec& spec_;
   const Grid& map_;
   ChangedWorld result_;
-  std::vector<std::string> stuck_;    ///< Furniture that was to move.
-  std::vector<std::string> blocked_;  ///< Doors that were to turn.
+  std::vector<std::string> stuck_;    ///< Furniture that could not be moved.
+  std::vector<std::string> blocked_;  ///< Doors that could not be turned.
 };
 
-/// How many, and the first of them.
+/// Adds a note with the number of names and the first four of them.
 void Changer::note(const char* what, const std::vector<std::string>& who) {
   if (who.empty()) return;
   const auto shown = static_cast<std::ptrdiff_t>(std::min<std::size_t>(who.size(), 4));
@@ -91,7 +91,7 @@ void Changer::carry_out(const Change& change) {
   }
 }
 
-/// The bodies of that name, or of the piece or wall of that name.
+/// Moves or removes the bodies with the given name, and those of the piece or wall with that name.
 void Changer::carry_out_on_furniture(const Change& change) {
   FurnitureGroup group;
   Eigen::AlignedBox2d box;
@@ -122,7 +122,8 @@ void Changer::place(WorldObject object) {
   ++result_.added;
 }
 
-/// Every group takes the same number of draws first, so that one's fate does not shift another's.
+/// Every group takes the same number of draws from `rng`, so that the change of one does not affect
+/// the draws of another.
 void Changer::change_furniture(RoomCheck& room, Rng& rng) {
   for (const FurnitureGroup& group : furniture_groups(result_.world)) {
     const double fate = uniform(0.0, 1.0, rng);
@@ -139,14 +140,15 @@ void Changer::change_furniture(RoomCheck& room, Rng& rng) {
 
 bool Changer::move_at_random(const FurnitureGroup& group, RoomCheck& room, Rng& rng) {
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    const double reach = 1.0 - static_cast<double>(attempt) / kTries;  // Ever less far.
+    // Shrinks with every attempt.
+    const double reach = 1.0 - static_cast<double>(attempt) / kTries;
     const double bearing = uniform(-std::numbers::pi, std::numbers::pi, rng);
     const double way = reach * spec_.reach_m * std::sqrt(uniform(0.01, 1.0, rng));
     const double yaw = reach * uniform(-45.0, 45.0, rng) * kDegree;
     const Eigen::Vector2d by = way * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
     std::vector<ConvexOutline> outlines;
     for (const ConvexOutline& o : group.footprints) {
-      outlines.push_back(moved(o, group.center, yaw, by));
+      outlines.push_back(transform_outline(o, group.center, yaw, by));
     }
     if (!room.fits(outlines, group.objects)) continue;
     move_group(result_.world, group, yaw, by);

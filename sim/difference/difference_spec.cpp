@@ -14,7 +14,8 @@ bool DifferenceSpec::empty() const {
 void validate(const DifferenceSpec& spec) {
   for (const double share : {spec.move_furniture, spec.remove, spec.close_doors, spec.open_doors}) {
     if (!(share >= 0.0 && share <= 1.0)) {
-      throw std::invalid_argument(fmt::format("differences: {} is no share: give 0 to 1", share));
+      throw std::invalid_argument(
+          fmt::format("differences: {} is not a share: give 0 to 1", share));
     }
   }
   if (!(spec.reach_m > 0.0 && spec.reach_m <= 100.0)) {

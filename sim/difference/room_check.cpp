@@ -10,10 +10,10 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGap = 0.03;        // [m] Between two objects.
-constexpr double kRouteRoom = 0.45;  // [m] On either side of a route.
+constexpr double kGap = 0.03;        // [m] Least distance between two objects.
+constexpr double kRouteRoom = 0.45;  // [m] Kept free on each side of a route.
 constexpr double kStartRoom = 0.6;   // [m]
-constexpr double kDoorRoom = 0.8;    // [m] About the middle of an opening.
+constexpr double kDoorRoom = 0.8;    // [m] Kept free around the middle of an opening.
 constexpr double kStep = 0.05;       // [m] Between points of routes.
 
 std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& route) {
@@ -27,15 +27,15 @@ std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& ro
   return points;
 }
 
-/// An outline with its bounds grown on all sides.
-Eigen::AlignedBox2d grown(const ConvexOutline& outline, double by) {
+/// Bounds of an outline, grown on all sides.
+Eigen::AlignedBox2d grow_bounds(const ConvexOutline& outline, double by) {
   Eigen::AlignedBox2d box = bounds(outline);
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
   return {box.min() - margin, box.max() + margin};
 }
 
-/// Moved outwards from its middle, so that all corners gain `by` at least.
-ConvexOutline inflated(const ConvexOutline& outline, double by) {
+/// The outline with its corners moved away from its middle, each by at least `by`.
+ConvexOutline inflate(const ConvexOutline& outline, double by) {
   const Eigen::Vector2d center = bounds(outline).center();
   ConvexOutline result;
   for (const Eigen::Vector2d& p : outline.points) {
@@ -73,14 +73,14 @@ void RoomCheck::update(const WorldSpec& world, std::size_t object) {
 }
 
 bool RoomCheck::passable(const ConvexOutline& outline) const {
-  const Eigen::AlignedBox2d near = grown(outline, kStartRoom);
+  const Eigen::AlignedBox2d near = grow_bounds(outline, kStartRoom);
   if (start_ && distance(outline, *start_) < kStartRoom) return false;
   return std::none_of(way_.begin(), way_.end(), [&](const Eigen::Vector2d& p) {
     return near.contains(p) && distance(outline, p) < kRouteRoom;
   });
 }
 
-bool RoomCheck::known(const ConvexOutline& outline) const {
+bool RoomCheck::is_known(const ConvexOutline& outline) const {
   return std::all_of(outline.points.begin(), outline.points.end(),
                      [&](const Eigen::Vector2d& p) { return cell_at(map_, p) != Cell::kUnknown; });
 }
@@ -88,11 +88,11 @@ bool RoomCheck::known(const ConvexOutline& outline) const {
 bool RoomCheck::fits(const std::vector<ConvexOutline>& outlines,
                      const std::vector<std::size_t>& except) const {
   for (const ConvexOutline& outline : outlines) {
-    if (!known(outline) || !passable(outline)) return false;
+    if (!is_known(outline) || !passable(outline)) return false;
     for (const Eigen::Vector2d& door : doors_) {
       if (distance(outline, door) < kDoorRoom) return false;
     }
-    const ConvexOutline wide = inflated(outline, kGap);
+    const ConvexOutline wide = inflate(outline, kGap);
     const Eigen::AlignedBox2d near = bounds(wide);
     for (std::size_t i = 0; i < standing_.size(); ++i) {
       if (!standing_[i].there || !near.intersects(standing_[i].box)) continue;

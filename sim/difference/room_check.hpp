@@ -1,4 +1,4 @@
-/// Is there room for something in a world?
+/// Checks whether there is room for something in a world.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +10,25 @@
 
 namespace castaway::sim {
 
-/// The footprints of everything in a world, and what must stay passable.
+/// The footprints of all objects in a world, and the areas that must stay passable.
 class RoomCheck {
  public:
-  /// `map`: its survey; must outlive this.
+  /// `map`: the world's survey; must outlive this.
   RoomCheck(const WorldSpec& world, const Grid& map, const KeepClear& keep);
 
-  /// True if all `outlines` keep clear of everything but the objects `except` and `doors_too` of
-  /// the door openings.
+  /// True if all `outlines` keep clear of routes, start, door openings and all objects except
+  /// `except`, and lie where the map is known.
   [[nodiscard]] bool fits(const std::vector<ConvexOutline>& outlines,
                           const std::vector<std::size_t>& except) const;
-  /// True if an outline keeps clear of routes, start and the objects other than `except`; a door's
-  /// leaf may stand at the posts that it touches.
+  /// True if the outline of a door's leaf keeps clear of routes, start and movable objects; it may
+  /// touch posts.
   [[nodiscard]] bool leaf_fits(const ConvexOutline& leaf) const;
-  /// An object was put, moved or taken away.
+  /// Updates an object that was added, moved or removed.
   void update(const WorldSpec& world, std::size_t object);
 
  private:
   [[nodiscard]] bool passable(const ConvexOutline& outline) const;
-  [[nodiscard]] bool known(const ConvexOutline& outline) const;
+  [[nodiscard]] bool is_known(const ConvexOutline& outline) const;
 
   struct Standing {
     bool there = false;

@@ -40,7 +40,7 @@ void validate(const FaultSpec& fault) {
   require(std::abs(fault.offset_s) <= 10.0, fault, "offset_s", fault.offset_s,
           "give -10 to 10 seconds");
   require(fault.scale > 0.0 && fault.scale <= 10.0, fault, "scale", fault.scale,
-          "give more than 0, 1 is right, up to 10");
+          "give more than 0 and up to 10; 1 is exact");
 }
 
 bool is_active(const FaultSpec& fault, nanoseconds stamp) {
@@ -59,7 +59,7 @@ FaultTimeline::FaultTimeline(const std::vector<FaultSpec>& faults) {
                    [](const auto& a, const auto& b) { return a.stamp < b.stamp; });
 }
 
-std::vector<FaultRecord> FaultTimeline::reached(nanoseconds now) {
+std::vector<FaultRecord> FaultTimeline::take_due(nanoseconds now) {
   std::vector<FaultRecord> result;
   while (next_ < records_.size() && records_[next_].stamp <= now) {
     result.push_back(records_[next_++]);

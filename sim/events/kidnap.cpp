@@ -43,7 +43,7 @@ std::string to_string(KidnapKind kind) {
 void validate(const KidnapSpec& spec) {
   validate(spec.when);
   if (spec.kind == KidnapKind::kTeleportTo && !spec.target) {
-    refuse(spec, "to a given pose, but none is given: add its target");
+    refuse(spec, "no target pose is given: add its target");
   }
   if (!(spec.min_distance_m >= 0.0)) {
     refuse(spec, fmt::format("min_distance_m is {}: give 0 or more", spec.min_distance_m));

@@ -1,4 +1,4 @@
-/// Kidnaps as typed, scheduled objects.
+/// Kidnaps: the robot is moved without its knowledge.
 #pragma once
 
 #include <chrono>
@@ -12,51 +12,54 @@
 
 namespace castaway::sim {
 
-/// What happens to the robot.
+/// Kinds of kidnaps.
 enum class KidnapKind : std::uint8_t {
   kTeleportRandom,  ///< To a random pose in reachable free space, far enough away.
   kTeleportTo,      ///< To `target`.
-  kLookAlike,       ///< To the pose, far enough away, whose scan is most like the present one.
-  kNudge,           ///< Pushed aside: `nudge` far, through free space, heading kept to 0.3 rad.
-  kTurn,            ///< Turned in place by `turn`, to either side.
-  kCarry,           ///< Lifted, carried through free space to `target` or a random pose, put down.
-  kSpin,            ///< Lifted while its wheels go on, and put down where it was.
+  kLookAlike,  ///< To the pose, far enough away, whose scan is most similar to the current one.
+  /// Pushed through free space by a distance in `nudge`; heading changes by at most 0.3 rad.
+  kNudge,
+  kTurn,   ///< Turned in place by an angle in `turn`, to either side.
+  kCarry,  ///< Lifted, carried through free space to `target` or to a random pose, and put down.
+  kSpin,   ///< Lifted while its wheels keep turning, and put down where it was.
 };
 
-/// From and to.
+/// A closed interval.
 struct Bounds {
   double min = 0.0;
   double max = 0.0;
 };
 
-/// A scheduled kidnap. It moves the truth only: odometry goes on from where it was.
+/// A scheduled kidnap. It changes the true pose only: odometry continues from where it was.
 struct KidnapSpec {
   KidnapKind kind = KidnapKind::kTeleportRandom;
   KidnapTrigger when{};
-  double min_distance_m = 3.0;    ///< [m] Of the new place from the old one (random, look-alike).
+  /// [m] Least distance between old and new place (random, look-alike).
+  double min_distance_m = 3.0;
   double margin_m = 0.05;         ///< [m] Room around the robot's footprint.
-  std::optional<Pose2> target{};  ///< Needed by kTeleportTo; where kCarry goes.
-  Bounds nudge{0.3, 1.0};         ///< [m]
-  Bounds turn{0.785, 3.1416};     ///< [rad] In (0, pi].
-  LiftConfig lift{};              ///< Of kCarry and kSpin.
-  /// Sensors off from pick-up to put-down, odometry from zero afterwards.
+  std::optional<Pose2> target{};  ///< Required by kTeleportTo; destination of kCarry.
+  Bounds nudge{0.3, 1.0};         ///< [m] Range of the distance.
+  Bounds turn{0.785, 3.1416};     ///< [rad] Range of the angle, in (0, pi].
+  LiftConfig lift{};              ///< Used by kCarry and kSpin.
+  /// Sensors are off from pick-up to put-down; odometry starts from zero afterwards.
   bool power_cycle = false;
 };
 
-/// A kidnap that happened.
+/// A kidnap that has happened.
 struct KidnapRecord {
-  std::chrono::nanoseconds stamp{};  ///< The robot stands there.
+  std::chrono::nanoseconds stamp{};  ///< Time at which the robot stands at its new place.
   KidnapKind kind = KidnapKind::kTeleportRandom;
-  Pose2 T_map_from;                  ///< True pose of base before.
-  Pose2 T_map_to;                    ///< True pose of base after.
-  std::chrono::nanoseconds since{};  ///< It was taken; equals `stamp` where that takes no time.
-  /// [m] Of kLookAlike: mean difference of the two scans' ranges, each at most 1 m.
+  Pose2 T_map_from;  ///< True pose of base before.
+  Pose2 T_map_to;    ///< True pose of base after.
+  /// Time at which it was taken; equals `stamp` if the kidnap takes no time.
+  std::chrono::nanoseconds since{};
+  /// [m] Of kLookAlike: mean difference between the ranges of the two scans, each capped at 1 m.
   std::optional<double> unlikeness{};
-  bool too_near = false;  ///< No place was `min_distance_m` away: it is the farthest one.
+  bool too_near = false;  ///< No place was `min_distance_m` away: the farthest one was taken.
 };
 
-/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin": as logs and scenarios
-/// name it.
+/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin": the name in logs and
+/// scenarios.
 std::string to_string(KidnapKind kind);
 
 /// @throws std::invalid_argument naming the field and the remedy.

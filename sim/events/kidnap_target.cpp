@@ -15,8 +15,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kDraws = 200;        // Until a place is clear of people, or a push goes through.
-constexpr double kNudgeYaw = 0.3;  // [rad] A push turns the robot by up to this.
+constexpr int kDraws = 200;  // Attempts to find a place clear of people, or a free way for a push.
+constexpr double kNudgeYaw = 0.3;  // [rad] Largest turn of a push.
 
 using Found = std::optional<KidnapTarget>;
 
@@ -30,12 +30,12 @@ bool is_clear(const KidnapScene& scene, const Pose2& T_map_base) {
   });
 }
 
-/// `pose` where nobody stands in the way.
+/// `pose` if no person is in the way.
 Found unless_occupied(const KidnapScene& scene, const Pose2& pose) {
   return is_clear(scene, pose) ? Found{{pose}} : std::nullopt;
 }
 
-/// Where no place is far enough away: the farthest that is clear of people.
+/// The farthest place that is clear of people; used where no place is far enough away.
 Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   const Grid& grid = scene.free.grid();
   const Eigen::Vector2d from = scene.T_map_base.position();
@@ -87,7 +87,7 @@ Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& r
   return Found{{twin->T_map_base, twin->unlikeness}};
 }
 
-Found nudged(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+Found nudge_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   const Pose2& from = scene.T_map_base;
   for (int i = 0; i < kDraws; ++i) {
     const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
@@ -101,7 +101,7 @@ Found nudged(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   return std::nullopt;
 }
 
-Found turned(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
+Found turn_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   Pose2 to = scene.T_map_base;
   if (!scene.free.contains(to.position())) return std::nullopt;
   const double side = boost::random::bernoulli_distribution<double>(0.5)(rng) ? 1.0 : -1.0;
@@ -119,9 +119,9 @@ std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapSc
     case KidnapKind::kLookAlike:
       return look_alike_target(spec, scene, rng);
     case KidnapKind::kNudge:
-      return nudged(spec, scene, rng);
+      return nudge_target(spec, scene, rng);
     case KidnapKind::kTurn:
-      return turned(spec, scene, rng);
+      return turn_target(spec, scene, rng);
     case KidnapKind::kSpin:
       return Found{{scene.T_map_base}};
     case KidnapKind::kCarry:

@@ -37,10 +37,10 @@ std::string describe(const KidnapTrigger& trigger) {
 KidnapClock::KidnapClock(const KidnapTrigger& trigger, Rng rng)
     : trigger_(trigger), rng_(rng), next_(trigger.value) {
   validate(trigger_);
-  if (trigger_.on == KidnapTrigger::On::kPoisson) next_ = drawn_gap();
+  if (trigger_.on == KidnapTrigger::On::kPoisson) next_ = draw_gap();
 }
 
-double KidnapClock::drawn_gap() {
+double KidnapClock::draw_gap() {
   return boost::random::exponential_distribution<double>(1.0 / trigger_.value)(rng_);
 }
 
@@ -61,11 +61,11 @@ bool KidnapClock::due(const TriggerInput& input) {
   }
 }
 
-void KidnapClock::happened(const TriggerInput& input) {
+void KidnapClock::on_kidnap(const TriggerInput& input) {
   ++count_;
   localized_since_.reset();
   if (trigger_.on == KidnapTrigger::On::kPoisson) {
-    next_ = input.now_s + drawn_gap();
+    next_ = input.now_s + draw_gap();
   } else {
     next_ += trigger_.value;
   }

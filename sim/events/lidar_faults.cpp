@@ -16,7 +16,7 @@ std::chrono::nanoseconds fault_time(double seconds) {
   return std::chrono::nanoseconds(std::llround(seconds * 1e9));
 }
 
-/// An angle's way from `from`, counter-clockwise. [deg] in [0, 360)
+/// Angle from `from` to `angle`, counter-clockwise. [deg] in [0, 360)
 double degrees_from(double from, double angle) {
   const double way = std::fmod(angle - from, 360.0);
   return way < 0.0 ? way + 360.0 : way;
@@ -39,7 +39,7 @@ void LidarFaults::block(const FaultSpec& fault, LidarReading& reading) const {
   for (std::size_t i = 0; i < reading.ranges.size(); ++i) {
     const auto beam = static_cast<double>(i % static_cast<std::size_t>(lidar_.beams));
     const double angle = kDegrees * (lidar_.angle_min + beam * lidar_.angle_increment);
-    // To a billionth of a degree: the sector's last beam is in it.
+    // With a tolerance for rounding, so that the sector's last beam is blocked, too.
     if (degrees_from(fault.from_deg - 1e-9, angle) > sector + 2e-9) continue;
     reading.ranges[i] = near ? -kInfinity : static_cast<float>(fault.distance);
     reading.hit_object[i] = kHitCover;
@@ -60,7 +60,7 @@ void LidarFaults::apply(const FaultSpec& fault, Sweep& sweep) const {
   }
 }
 
-std::optional<Sweep> LidarFaults::passed(Sweep sweep) {
+std::optional<Sweep> LidarFaults::deliver(Sweep sweep) {
   if (faults_.empty()) return sweep;
   const auto stamp = sweep.reading.stamp;
   bool frozen = false;

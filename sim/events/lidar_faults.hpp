@@ -1,4 +1,4 @@
-/// What a lidar's faults make of its scans.
+/// Applies the faults of a lidar to its scans.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,16 @@
 
 namespace castaway::sim {
 
-/// The faults of one lidar. Scans are held against the time of their first beam.
+/// The faults of one lidar. A fault applies to a scan if it is active at the stamp of the scan's
+/// first beam.
 class LidarFaults {
  public:
-  /// Takes those of `faults` that are of the lidar.
+  /// Takes those of `faults` that concern the lidar.
   LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar);
 
-  /// The scan as it is delivered, `last_beam` being the time of delivery; nothing: it is lost.
-  std::optional<Sweep> passed(Sweep sweep);
+  /// Returns the scan as delivered, with the time of delivery in `last_beam`; nothing if it is
+  /// lost.
+  std::optional<Sweep> deliver(Sweep sweep);
 
  private:
   void block(const FaultSpec& fault, LidarReading& reading) const;
@@ -24,7 +26,7 @@ class LidarFaults {
 
   std::vector<FaultSpec> faults_;
   LidarConfig lidar_;
-  std::optional<LidarReading> last_;  ///< Newest scan outside of a freeze.
+  std::optional<LidarReading> last_;  ///< Newest scan before a freeze.
 };
 
 }  // namespace castaway::sim

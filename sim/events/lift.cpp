@@ -10,10 +10,11 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kLiftingSpeed = 0.6;  // [m/s] Up and down.
-constexpr double kCoasting = 0.2;      // [s] In which free wheels lose 63 % of their speed.
-constexpr double kRiseShare = 0.25;    // Of the whole time, at most, for either.
+constexpr double kCoasting = 0.2;      // [s] Time constant of free wheels coasting to a stop.
+// Largest share of the whole time for going up, and the same for going down.
+constexpr double kRiseShare = 0.25;
 
-/// 0 to 1 with an even start and stop.
+/// Smooth step from 0 to 1 with zero slope at both ends.
 double smooth(double u) {
   const double t = std::clamp(u, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);

@@ -1,4 +1,4 @@
-/// A robot in somebody's hands: lifted, carried, put down.
+/// A robot that is lifted, carried and put down.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,33 @@
 
 namespace castaway::sim {
 
-/// What wheels do in the air.
+/// What the wheels do in the air.
 enum class HeldWheels : std::uint8_t {
   kDriven,  ///< Turn as commanded: the robot does not notice.
   kFree,    ///< Coast to a stop within half a second or so.
   kLocked,  ///< Stand still at once.
 };
 
-/// The velocity that held wheels turn with after `dt` [s], as if on the floor: from `now`, with
-/// `commanded` as what a drive would do.
+/// Velocity, as if on the floor, at which the wheels of a held robot turn `dt` [s] after they
+/// turned at `now`; `commanded` is the drive's command.
 Twist2 held_twist(HeldWheels wheels, const Twist2& now, const Twist2& commanded, double dt);
 
-/// How a robot is lifted.
+/// Parameters of a lift.
 struct LiftConfig {
   double height = 0.6;   ///< [m] Of the wheels above the floor.
-  double seconds = 4.0;  ///< [s] From pick-up to put-down at least.
-  double speed = 1.2;    ///< [m/s] Of whoever carries it.
+  double seconds = 4.0;  ///< [s] Least time from pick-up to put-down.
+  double speed = 1.2;    ///< [m/s] Of the person who carries it.
   HeldWheels wheels = HeldWheels::kDriven;
-  bool covered = false;  ///< The lidars see nothing meanwhile.
+  bool covered = false;  ///< The lidars see nothing while it is held.
 };
 
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const LiftConfig& config);
 
-/// The way of a robot through the air: up, along a path with its heading turned evenly, down.
+/// The motion of a lifted robot: up, along a path while its heading turns evenly, down.
 class Lift {
  public:
-  /// `path`: points of map between the poses, both included.
+  /// `path`: points in map from the old position to the new one.
   Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map_to,
        const std::vector<Eigen::Vector2d>& path);
 
@@ -55,8 +55,8 @@ class Lift {
   Pose2 T_map_from_;
   Pose2 T_map_to_;
   std::vector<Eigen::Vector2d> path_;
-  std::vector<double> way_;  ///< [m] Up to each point of the path.
-  double rise_ = 0.0;        ///< [s] Up, and as long down.
+  std::vector<double> way_;  ///< [m] Length of the path up to each point.
+  double rise_ = 0.0;        ///< [s] Time up; the time down is the same.
   double duration_ = 0.0;
 };
 

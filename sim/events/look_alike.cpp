@@ -11,11 +11,12 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kFirstTurn = 0.04;  // [rad] Of the refinement; half a heading of the search.
+// [rad] First step of the refinement: half of the search's step in heading.
+constexpr double kFirstTurn = 0.04;
 constexpr int kHalvings = 4;
-constexpr int kRounds = 6;  // Steps of the same size, at most.
+constexpr int kRounds = 6;  // Largest number of steps of the same size.
 
-/// Mean of capped differences where the mask is 1.
+/// Mean of the capped differences where the mask is 1.
 double mean_difference(const float* a, const float* b, const std::vector<float>& mask, float cap) {
   float sum = 0.0F;
   float count = 0.0F;
@@ -60,7 +61,7 @@ Pose2 LookAlikes::base_of(const Eigen::Vector2d& p_map_laser, double yaw) const 
   return {p.x(), p.y(), wrap_angle(yaw)};
 }
 
-/// Ranges all around, the first in the direction of `yaw`; no return counts as the range limit.
+/// Ranges all around, the first in direction `yaw`; a beam without return has the range limit.
 LookAlikes::View LookAlikes::view(const Eigen::Vector2d& p_map_laser, double yaw, int beams) const {
   View ranges;
   ranges.reserve(static_cast<std::size_t>(beams));
@@ -77,7 +78,7 @@ LookAlikes::View LookAlikes::view(const Eigen::Vector2d& p_map_laser, double yaw
   return ranges;
 }
 
-/// 1 for directions in base that some beam of the lidar goes.
+/// Mask over directions in base: 1 where the lidar has a beam.
 std::vector<float> LookAlikes::seen_share(int beams) const {
   std::vector<float> mask(static_cast<std::size_t>(beams), 0.0F);
   for (int i = 0; i < lidar_.beams; ++i) {
@@ -101,7 +102,7 @@ Twin LookAlikes::best_heading(const Place& place, const View& wanted) const {
   return best;
 }
 
-bool LookAlikes::allowed(const Pose2& pose, const Search& search) const {
+bool LookAlikes::is_allowed(const Pose2& pose, const Search& search) const {
   return (pose.position() - search.from.position()).norm() >= search.min_distance &&
          free_.contains(pose.position());
 }
@@ -111,7 +112,7 @@ std::vector<Twin> LookAlikes::best_places(const Search& search) const {
   std::vector<Twin> found;
   for (const Place& place : places_) {
     const Twin twin = best_heading(place, wanted);
-    if (allowed(twin.T_map_base, search)) found.push_back(twin);
+    if (is_allowed(twin.T_map_base, search)) found.push_back(twin);
   }
   const auto less = [](const Twin& a, const Twin& b) { return a.unlikeness < b.unlikeness; };
   std::stable_sort(found.begin(), found.end(), less);
@@ -125,7 +126,7 @@ double LookAlikes::unlikeness(const Pose2& a, const Pose2& b) const {
   return mean_difference(from_a.data(), from_b.data(), fine_mask_, static_cast<float>(config_.cap));
 }
 
-/// The best of the poses one step along x, y or yaw away, or the twin itself.
+/// Best of the twin and the poses one step along x, y or yaw from it.
 Twin LookAlikes::best_step(const Twin& twin, const Search& search, double way, double turn) const {
   const Pose2& at = twin.T_map_base;
   const std::array<Pose2, 6> steps{{{at.x + way, at.y, at.yaw},
@@ -136,15 +137,15 @@ Twin LookAlikes::best_step(const Twin& twin, const Search& search, double way, d
                                     {at.x, at.y, at.yaw - turn}}};
   Twin best = twin;
   for (const Pose2& step : steps) {
-    if (!allowed(step, search)) continue;
+    if (!is_allowed(step, search)) continue;
     const double difference = unlikeness(search.from, step);
     if (difference < best.unlikeness) best = {step, difference};
   }
   return best;
 }
 
-/// Descends in steps that are halved four times.
-Twin LookAlikes::refined(Twin twin, const Search& search) const {
+/// Refines by coordinate descent with steps that are halved four times.
+Twin LookAlikes::refine(Twin twin, const Search& search) const {
   twin.unlikeness = unlikeness(search.from, twin.T_map_base);
   double way = 0.5 * config_.step;
   double turn = kFirstTurn;
@@ -163,7 +164,7 @@ std::optional<Twin> LookAlikes::most_alike(const Pose2& T_map_base, double min_d
   std::optional<Twin> best;
   const Search search{T_map_base, min_distance};
   for (const Twin& candidate : best_places(search)) {
-    const Twin twin = refined(candidate, search);
+    const Twin twin = refine(candidate, search);
     if (!best || twin.unlikeness < best->unlikeness) best = twin;
   }
   return best;

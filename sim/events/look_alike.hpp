@@ -1,4 +1,4 @@
-/// Where else in a world the lidar would see nearly the same.
+/// Finds poses whose scans are nearly the same as the one from a given pose.
 #pragma once
 
 #include <optional>
@@ -13,37 +13,37 @@
 
 namespace castaway::sim {
 
-/// How the search goes.
+/// Parameters of the search.
 struct LookAlikeConfig {
-  double step = 0.25;        ///< [m] Between the places compared.
-  int beams = 72;            ///< Of a place's view all around; also the number of headings tried.
-  int fine_beams = 180;      ///< Of the views by which the best places are refined.
-  double cap = 1.0;          ///< [m] Two ranges differ by no more than this.
-  std::size_t refined = 24;  ///< Places that are refined.
+  double step = 0.25;  ///< [m] Between the places of the search.
+  int beams = 72;      ///< Of the view from a place all around; also the number of headings tried.
+  int fine_beams = 180;      ///< Of the views that the best places are refined with.
+  double cap = 1.0;          ///< [m] A larger difference of two ranges counts as this much.
+  std::size_t refined = 24;  ///< Number of places that are refined.
 };
 
-/// A pose from which the world looks like from another.
+/// A pose whose scan resembles that of another pose.
 struct Twin {
   Pose2 T_map_base;
-  double unlikeness = 0.0;  ///< [m] Mean difference of the ranges, each at most `cap`.
+  double unlikeness = 0.0;  ///< [m] Mean difference of the ranges, each capped at `cap`.
 };
 
-/// Views from places all over a world, to be held against the view from a pose. People are not
-/// seen. Views are level: a tilted lidar is taken for a level one at its place.
+/// Holds views from places all over a world, to compare them with the view from a pose. People are
+/// not part of the views. Views are level: a tilted lidar counts as a level one at its position.
 class LookAlikes {
  public:
-  /// `scene` must outlive it. `free`: where base can be. Casts `beams` rays from every place.
+  /// `scene` must outlive this. `free`: where base can be. Casts `beams` rays from every place.
   LookAlikes(const RayScene& scene, const FreeSpace& free, const LidarConfig& lidar,
              const LookAlikeConfig& config = {});
 
-  /// The most alike pose at least `min_distance` [m] away; nothing if no place is so far away.
+  /// Most similar pose at least `min_distance` [m] away; nothing if no place is that far away.
   [[nodiscard]] std::optional<Twin> most_alike(const Pose2& T_map_base, double min_distance) const;
-  /// How much the views from two poses differ, as in `Twin`.
+  /// Difference of the views from two poses, as in `Twin`.
   [[nodiscard]] double unlikeness(const Pose2& a, const Pose2& b) const;
 
  private:
   using View = std::vector<float>;
-  /// What is looked for.
+  /// A query.
   struct Search {
     Pose2 from;
     double min_distance;  ///< [m]
@@ -51,7 +51,8 @@ class LookAlikes {
   /// A place of the search.
   struct Place {
     Eigen::Vector2d p_map_laser;
-    View view;  ///< [m] By direction in map, twice round: every heading is one stretch of it.
+    /// [m] By direction in map, twice around: the view in every heading is a contiguous part.
+    View view;
   };
 
   [[nodiscard]] Eigen::Vector2d p_map_laser(const Pose2& T_map_base) const;
@@ -60,17 +61,17 @@ class LookAlikes {
   [[nodiscard]] std::vector<float> seen_share(int beams) const;
   [[nodiscard]] Twin best_heading(const Place& place, const View& wanted) const;
   [[nodiscard]] std::vector<Twin> best_places(const Search& search) const;
-  [[nodiscard]] bool allowed(const Pose2& pose, const Search& search) const;
+  [[nodiscard]] bool is_allowed(const Pose2& pose, const Search& search) const;
   [[nodiscard]] Twin best_step(const Twin& twin, const Search& search, double way,
                                double turn) const;
-  [[nodiscard]] Twin refined(Twin twin, const Search& search) const;
+  [[nodiscard]] Twin refine(Twin twin, const Search& search) const;
 
   const RayScene* scene_;
   FreeSpace free_;
   LidarConfig lidar_;
   LookAlikeConfig config_;
   Eigen::Vector2d p_base_laser_;
-  std::vector<float> coarse_mask_;  ///< 1 where the lidar looks, by direction in base.
+  std::vector<float> coarse_mask_;  ///< 1 where the lidar has a beam, by direction in base.
   std::vector<float> fine_mask_;
   std::vector<Place> places_;
 };

@@ -25,7 +25,7 @@ WheelGain OdometryFaults::gain(std::chrono::nanoseconds stamp) const {
   return gain;
 }
 
-bool OdometryFaults::lost(std::chrono::nanoseconds stamp) const {
+bool OdometryFaults::is_lost(std::chrono::nanoseconds stamp) const {
   return std::any_of(faults_.begin(), faults_.end(), [stamp](const FaultSpec& fault) {
     return fault.kind == FaultKind::kOdometryDropout && is_active(fault, stamp);
   });

@@ -12,14 +12,14 @@ namespace {
 
 using Scan = std::vector<float>;
 
-constexpr double kRadius = 0.2;  // [m] Least step of the lattice.
+constexpr double kRadius = 0.2;  // [m] Smallest step of the lattice.
 constexpr std::size_t kCoefficients = 12;
 constexpr std::size_t kCandidates = 40;
 constexpr std::size_t kRefined = 4;
 constexpr int kLevels = 4;
 using Signature = std::array<float, kCoefficients>;
 
-/// Moduli of the first Fourier coefficients.
+/// Moduli of the first Fourier coefficients, which do not depend on the heading.
 Signature signature_of(const Scan& scan) {
   Signature signature{};
   const auto n = static_cast<double>(scan.size());
@@ -40,7 +40,7 @@ float squared_distance(const Signature& a, const Signature& b) {
   return sum;
 }
 
-/// Likeness of a scan to another one that starts `shift` beams later.
+/// Likeness of a scan and another one that is turned by `shift` beams.
 double likeness(const Scan& a, const Scan& b, std::size_t shift, double tolerance) {
   const auto limit = static_cast<float>(tolerance);
   float unlike = 0.0F;
@@ -52,14 +52,14 @@ double likeness(const Scan& a, const Scan& b, std::size_t shift, double toleranc
   return 1.0 - static_cast<double>(unlike) / (tolerance * static_cast<double>(a.size()));
 }
 
-/// A pose that may look like another one.
+/// A pose that may resemble another one.
 struct Candidate {
   Eigen::Vector2d place;
   double heading = 0.0;  ///< [rad]
   double likeness = 0.0;
 };
 
-/// A place of the lattice.
+/// A place of the lattice and its scan.
 struct Seen {
   Eigen::Vector2d place;
   Scan scan;
@@ -78,19 +78,19 @@ class TwinSearch {
     }
   }
 
-  /// Likeness of the pose elsewhere that is most like the one at `place`.
+  /// Highest likeness of a pose elsewhere to the one at `place`.
   [[nodiscard]] double best(const Eigen::Vector2d& place) const {
     const Scan scan = scan_at(scene_, place, 0.0, view_);
-    std::vector<Candidate> candidates = turned(scan, alike(place, signature_of(scan)));
+    std::vector<Candidate> candidates = find_best_headings(scan, alike(place, signature_of(scan)));
     double result = 0.0;
     for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
-      result = std::max(result, refined(place, scan, candidates[i]).likeness);
+      result = std::max(result, refine(place, scan, candidates[i]).likeness);
     }
     return result;
   }
 
  private:
-  /// Indices of the places elsewhere whose signatures are nearest.
+  /// Indices of the places elsewhere with the nearest signatures.
   [[nodiscard]] std::vector<std::size_t> alike(const Eigen::Vector2d& place,
                                                const Signature& signature) const {
     std::vector<std::pair<float, std::size_t>> order;
@@ -106,9 +106,9 @@ class TwinSearch {
     return result;
   }
 
-  /// Each in its best heading, the most alike first.
-  [[nodiscard]] std::vector<Candidate> turned(const Scan& scan,
-                                              const std::vector<std::size_t>& places) const {
+  /// Candidates at the places, each in its best heading, in descending order of likeness.
+  [[nodiscard]] std::vector<Candidate> find_best_headings(
+      const Scan& scan, const std::vector<std::size_t>& places) const {
     std::vector<Candidate> candidates;
     for (const std::size_t i : places) {
       Candidate best{seen_[i].place, 0.0, -1.0};
@@ -125,15 +125,15 @@ class TwinSearch {
     return candidates;
   }
 
-  [[nodiscard]] Candidate judged(const Scan& scan, const Eigen::Vector2d& place,
-                                 double heading) const {
+  [[nodiscard]] Candidate make_candidate(const Scan& scan, const Eigen::Vector2d& place,
+                                         double heading) const {
     return {place, heading,
             likeness(scan, scan_at(scene_, place, heading, view_), 0, config_.tolerance)};
   }
 
-  /// Steps uphill, halved where none helps.
-  [[nodiscard]] Candidate refined(const Eigen::Vector2d& from, const Scan& scan,
-                                  Candidate best) const {
+  /// Hill climbing; the step is halved where no neighbour is better.
+  [[nodiscard]] Candidate refine(const Eigen::Vector2d& from, const Scan& scan,
+                                 Candidate best) const {
     double step = 0.5 * spacing_;
     double turn = std::numbers::pi / view_.beams;
     for (int level = 0; level < kLevels; step *= 0.5, turn *= 0.5, ++level) {
@@ -151,7 +151,7 @@ class TwinSearch {
     Candidate best = at;
     const auto consider = [&](const Eigen::Vector2d& place, double heading) {
       if ((place - from).norm() < config_.apart || !free_.contains(place)) return;
-      const Candidate next = judged(scan, place, heading);
+      const Candidate next = make_candidate(scan, place, heading);
       if (next.likeness > best.likeness) best = next;
     };
     for (const auto& [dx, dy] :

@@ -29,7 +29,7 @@ int Components::new_run() {
 int Components::root(int run) {
   const auto at = [this](int i) -> int& { return first_[static_cast<std::size_t>(i)]; };
   while (at(run) != run) {
-    at(run) = at(at(run));  // Halves the way for the next one who asks.
+    at(run) = at(at(run));  // Halves the path for later calls.
     run = at(run);
   }
   return run;
@@ -41,7 +41,7 @@ void Components::join(int a, int b) {
   first_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
-/// From runs to components.
+/// Numbers the components and turns the labels from runs into components.
 void Components::number() {
   std::vector<int> component(first_.size(), -1);
   for (std::size_t run = 0; run < first_.size(); ++run) {

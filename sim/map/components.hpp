@@ -8,15 +8,16 @@
 
 namespace castaway::sim {
 
-/// Sizes and labels of the 4-connected components of free cells, numbered by their first cells. In
-/// two passes with a union of the rows' runs: it needs no stack and reads memory in order.
+/// Sizes and labels of the 4-connected components of free cells, numbered by their first cells.
+/// Computed in two passes with a union of the rows' runs, which needs no stack and reads memory in
+/// order.
 class Components {
  public:
   explicit Components(const Grid& grid);
 
-  /// Of several as large, the first; 0 without any.
+  /// Label of the largest component, the first of several equally large ones; 0 without any.
   [[nodiscard]] int largest() const;
-  /// By cell; -1 where it is not free.
+  /// Component of each cell; -1 if the cell is not free.
   [[nodiscard]] const std::vector<int>& labels() const { return labels_; }
 
  private:
@@ -26,7 +27,7 @@ class Components {
   void number();
 
   std::vector<int> labels_;
-  std::vector<int> first_;  ///< By run: an earlier one of its component, or itself.
+  std::vector<int> first_;  ///< By run: an earlier run of its component, or itself.
   std::vector<std::size_t> sizes_;
 };
 

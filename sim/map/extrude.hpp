@@ -1,4 +1,4 @@
-/// A world from a map: its walls, pulled up.
+/// Extrudes the walls of a map into a world.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace castaway::sim {
 
-/// The world in which every occupied cell of `grid` is solid from the floor to `wall_height` [m].
-/// Cells are merged greedily into boxes: runs along a row first, then equal runs of the rows above.
-/// The boxes are in the map; their union is exactly the occupied cells. Linear in the cells.
+/// Returns the world in which every occupied cell of `grid` is solid from the floor to
+/// `wall_height` [m]. Cells are merged greedily into boxes: runs along a row first, then equal runs
+/// of the rows above. The union of the boxes, in map, is exactly the occupied cells. Linear in the
+/// number of cells.
 WorldSpec extrude(const Grid& grid, double wall_height, const std::string& name);
 
 }  // namespace castaway::sim

@@ -12,12 +12,15 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSizeable = 1.0;  // [m^2]
-constexpr double kRoom = 10.0;     // [m^2] Smaller rooms are not what a map is about.
-constexpr double kRival = 0.1;     // Of the area of the part chosen.
-constexpr double kOutside = 0.5;   // Of the edge's cells: a part that holds so many is outside.
+// [m^2] Smaller enclosed parts are never preferred to one at the edge.
+constexpr double kSizeable = 1.0;
+constexpr double kRoom = 10.0;  // [m^2] Smaller rooms are not what a map is about.
+// An enclosed part with this share of the area of the part at the edge is preferred.
+constexpr double kRival = 0.1;
+// A part that holds this share of the edge's cells is the outside.
+constexpr double kOutside = 0.5;
 
-/// A part, in cells.
+/// Size of a connected part, in cells.
 struct Part {
   std::size_t cells = 0;
   std::size_t edge_cells = 0;
@@ -42,7 +45,7 @@ std::vector<Part> parts_of(const Grid& grid, const std::vector<int>& labels) {
   return parts;
 }
 
-/// Label of the part at a point, or of the nearest within `reach` [m]; -1: none.
+/// Label of the part at a point, or of the nearest one within `reach` [m]; -1 if there is none.
 int part_near(const Grid& grid, const std::vector<int>& labels, const Eigen::Vector2d& p,
               double reach) {
   const CellIndex middle = cell_of(grid, p);
@@ -62,7 +65,7 @@ int part_near(const Grid& grid, const std::vector<int>& labels, const Eigen::Vec
   return best;
 }
 
-/// The largest part with or without cells at the edge; -1: none.
+/// The largest part with or without cells at the edge; -1 if there is none.
 int largest(const std::vector<Part>& parts, bool at_edge) {
   int best = -1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -74,52 +77,52 @@ int largest(const std::vector<Part>& parts, bool at_edge) {
   return best;
 }
 
-/// The free space in parts that a disc does not pass between.
-struct Parting {
-  double reach = 0.0;  ///< [m] Of the disc's edge, with half a cell.
+/// The free space in connected parts between which a disc cannot pass.
+struct Partition {
+  double reach = 0.0;  ///< [m] Radius of the disc plus half a cell.
   std::vector<int> labels;
   std::vector<Part> parts;
 
   [[nodiscard]] const Part& at(int part) const { return parts[static_cast<std::size_t>(part)]; }
 };
 
-Parting part(const Grid& grid, const std::vector<float>& distance, double radius) {
-  Parting parting;
-  parting.reach = radius + 0.5 * grid.resolution;
-  parting.labels = component_labels(eroded(grid, distance, radius));
-  parting.parts = parts_of(grid, parting.labels);
-  return parting;
+Partition split_free_space(const Grid& grid, const std::vector<float>& distance, double radius) {
+  Partition partition;
+  partition.reach = radius + 0.5 * grid.resolution;
+  partition.labels = component_labels(erode(grid, distance, radius));
+  partition.parts = parts_of(grid, partition.labels);
+  return partition;
 }
 
-/// An enclosed part that counts beside the largest one at the edge; -1: there is none.
-int rival(const Grid& grid, const Parting& parting) {
-  const int enclosed = largest(parting.parts, false);
-  const int open = largest(parting.parts, true);
+/// The largest enclosed part if it is preferred to the largest part at the edge; -1 otherwise.
+int rival(const Grid& grid, const Partition& partition) {
+  const int enclosed = largest(partition.parts, false);
+  const int open = largest(partition.parts, true);
   if (enclosed < 0 || open < 0) return enclosed;
-  const auto inner = static_cast<double>(parting.at(enclosed).cells);
+  const auto inner = static_cast<double>(partition.at(enclosed).cells);
   if (inner * grid.resolution * grid.resolution < kSizeable) return -1;
-  return inner >= kRival * static_cast<double>(parting.at(open).cells) ? enclosed : -1;
+  return inner >= kRival * static_cast<double>(partition.at(open).cells) ? enclosed : -1;
 }
 
-/// True if the largest part at the edge is what lies outside of the walls.
-bool outside(const Grid& grid, const Parting& parting) {
-  const int open = largest(parting.parts, true);
+/// True if the largest part at the edge is the outside of the walls.
+bool outside(const Grid& grid, const Partition& partition) {
+  const int open = largest(partition.parts, true);
   const double edge = 2.0 * (grid.width + grid.height) - 4.0;
-  return open >= 0 && static_cast<double>(parting.at(open).edge_cells) >= kOutside * edge;
+  return open >= 0 && static_cast<double>(partition.at(open).edge_cells) >= kOutside * edge;
 }
 
-/// The part to take where no start is given; -1: none.
-int without_start(const Grid& grid, const Parting& parting) {
-  const int enclosed = largest(parting.parts, false);
-  const int open = largest(parting.parts, true);
+/// The part to choose without a start; -1 if there is none.
+int without_start(const Grid& grid, const Partition& partition) {
+  const int enclosed = largest(partition.parts, false);
+  const int open = largest(partition.parts, true);
   if (enclosed < 0 || open < 0) return std::max(enclosed, open);
-  if (rival(grid, parting) >= 0) return enclosed;
+  if (rival(grid, partition) >= 0) return enclosed;
   const double cell = grid.resolution * grid.resolution;
-  if (static_cast<double>(parting.at(enclosed).cells) * cell < kRoom) return open;
-  return outside(grid, parting) ? enclosed : open;
+  if (static_cast<double>(partition.at(enclosed).cells) * cell < kRoom) return open;
+  return outside(grid, partition) ? enclosed : open;
 }
 
-/// The grid with those free cells only that lie in a part, or within `reach` [m] beside it.
+/// The grid with only those free cells that lie in a part or within `reach` [m] of it.
 Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, double reach) {
   Grid others = grid;
   for (std::size_t i = 0; i < others.cells.size(); ++i) {
@@ -130,7 +133,8 @@ Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, dou
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     if (result.cells[i] == Cell::kFree && distance[i] > reach) result.cells[i] = Cell::kUnknown;
   }
-  const std::vector<int> pieces = component_labels(result);  // What lies behind walls is no part.
+  // Cells behind walls do not belong to the part.
+  const std::vector<int> pieces = component_labels(result);
   std::vector<bool> kept;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (labels[i] != part) continue;
@@ -154,26 +158,26 @@ FreeChoice choose_free(const Grid& grid, double radius,
   FreeChoice choice;
   choice.grid = grid;
   const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
-  Parting parting = part(grid, distance, radius);
+  Partition partition = split_free_space(grid, distance, radius);
   int chosen =
-      start ? part_near(grid, parting.labels, *start, parting.reach + grid.resolution) : -1;
+      start ? part_near(grid, partition.labels, *start, partition.reach + grid.resolution) : -1;
   const bool by_start = chosen >= 0;
-  if (!by_start) chosen = without_start(grid, parting);
-  // A house whose walls have gaps is one with the outside, but for larger robots.
+  if (!by_start) chosen = without_start(grid, partition);
+  // A house with gaps in its walls is connected to the outside, except for larger robots.
   for (const double larger : {1.5, 2.0}) {
-    if (by_start || rival(grid, parting) >= 0 || chosen < 0 || !outside(grid, parting)) break;
-    Parting coarse = part(grid, distance, larger * radius);
+    if (by_start || rival(grid, partition) >= 0 || chosen < 0 || !outside(grid, partition)) break;
+    Partition coarse = split_free_space(grid, distance, larger * radius);
     const int inner = rival(grid, coarse);
     if (inner < 0) continue;
-    parting = std::move(coarse);
+    partition = std::move(coarse);
     chosen = inner;
   }
   if (chosen < 0) return choice;
   std::size_t other = 0;
-  for (std::size_t i = 0; i < parting.parts.size(); ++i) {
-    if (static_cast<int>(i) != chosen) other = std::max(other, parting.parts[i].cells);
+  for (std::size_t i = 0; i < partition.parts.size(); ++i) {
+    if (static_cast<int>(i) != chosen) other = std::max(other, partition.parts[i].cells);
   }
-  const Part& taken = parting.at(chosen);
+  const Part& taken = partition.at(chosen);
   const double cell = grid.resolution * grid.resolution;
   choice.area = static_cast<double>(taken.cells) * cell;
   choice.other_area = static_cast<double>(other) * cell;
@@ -185,7 +189,8 @@ FreeChoice choose_free(const Grid& grid, double radius,
                                      : Reason::kEnclosed;
   }
   if (other >= taken.cells) {
-    choice.grid = around_part(grid, parting.labels, chosen, parting.reach + 1.5 * grid.resolution);
+    choice.grid =
+        around_part(grid, partition.labels, chosen, partition.reach + 1.5 * grid.resolution);
   }
   return choice;
 }
@@ -194,13 +199,13 @@ std::optional<std::string> describe(const FreeChoice& choice) {
   using Reason = FreeChoice::Reason;
   const auto sentence = [&](const char* why) {
     return fmt::format(
-        "free space: of several parts the one of {:.0f} m2 is taken, {}; the largest other one "
-        "has {:.0f} m2; a pose in `start` chooses",
+        "free space: the map has several parts; the one of {:.0f} m2 is used, {}; the largest "
+        "other one has {:.0f} m2; set `start` to choose a part",
         choice.area, why, choice.other_area);
   };
   switch (choice.reason) {
     case Reason::kStart:
-      return sentence("in which the start lies");
+      return sentence("which contains the start");
     case Reason::kEnclosed:
       return sentence("the largest that does not touch the map's edge");
     case Reason::kLargest:

@@ -1,4 +1,4 @@
-/// Which part of a map's free space a run is about.
+/// Chooses the part of a map's free space that a run takes place in.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,33 @@
 
 namespace castaway::sim {
 
-/// A part of the free space, and why it was chosen.
+/// The chosen part of the free space, and the reason.
 struct FreeChoice {
   enum class Reason : std::uint8_t {
-    kOnly,      ///< There is no other of a tenth of its area.
+    kOnly,      ///< No other part has a tenth of its area.
     kStart,     ///< The start lies in it.
-    kEnclosed,  ///< The largest that does not touch the grid's edge.
-    kLargest,   ///< The largest; it touches the edge, but nothing sizeable is enclosed.
+    kEnclosed,  ///< It is the largest that does not touch the grid's edge.
+    /// It is the largest; it touches the edge, but no part of relevant size is enclosed.
+    kLargest,
   };
 
-  Grid grid;  ///< Free cells of other parts are unknown; as given if the largest part was chosen.
+  Grid grid;  ///< Free cells of other parts are unknown. Unchanged if the largest part was chosen.
   Reason reason = Reason::kOnly;
-  double area = 0.0;        ///< [m^2] Where a disc's middle can be, of the part chosen...
-  double other_area = 0.0;  ///< ...and of the largest other part.
-  bool at_edge = false;     ///< The part chosen touches the grid's edge.
+  double area = 0.0;        ///< [m^2] Of the chosen part, for a disc's centre.
+  double other_area = 0.0;  ///< [m^2] Of the largest other part.
+  bool at_edge = false;     ///< The chosen part touches the grid's edge.
 };
 
-/// Chooses among the parts in which a disc of `radius` [m] can move about: the one that `start`
-/// [m] lies in or, nearer than `radius`, beside; else the largest that does not touch the grid's
-/// edge. One at the edge is taken all the same if it is ten times as large as any enclosed one, and
-/// either holds less than half of the edge's cells, or none of 10 m^2 is enclosed, not even for a
-/// robot of twice the radius, to which gaps in walls are closed. Linear in the cells.
+/// Chooses among the parts in which a disc of `radius` [m] can move. With `start` [m], it is the
+/// part that contains it or is nearer to it than `radius`; otherwise the largest part that does not
+/// touch the grid's edge. A part at the edge is chosen nevertheless if it is ten times as large as
+/// any enclosed one and holds less than half of the edge's cells, or if no enclosed part has 10
+/// m^2, even for a robot of twice the radius, for which gaps in walls are closed. Linear in the
+/// number of cells.
 FreeChoice choose_free(const Grid& grid, double radius,
                        const std::optional<Eigen::Vector2d>& start);
 
-/// The choice in words, for a warning; nothing where there was none to make.
+/// Describes the choice for a warning; nothing if there was nothing to choose.
 std::optional<std::string> describe(const FreeChoice& choice);
 
 }  // namespace castaway::sim

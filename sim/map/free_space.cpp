@@ -23,7 +23,7 @@ CellIndex cell_at_index(const Grid& grid, std::size_t index) {
 FreeSpace::FreeSpace(const Grid& grid, double radius)
     : radius_(radius),
       clearance_(distance_to_obstacle(grid)),
-      grid_(largest_component(eroded(grid, clearance_, radius))) {}
+      grid_(largest_component(erode(grid, clearance_, radius))) {}
 
 FreeSpace FreeSpace::with_discs(std::span<const RoundObstacle> discs) const {
   FreeSpace result = *this;
@@ -83,13 +83,14 @@ std::optional<CellIndex> FreeSpace::nearest_free(const Eigen::Vector2d& p_map) c
 
 std::optional<Pose2> FreeSpace::sample(Rng& rng, const Eigen::Vector2d& from,
                                        double min_distance) const {
-  const double reach = min_distance + grid_.resolution;  // The draw within the cell stays outside.
+  // A draw within a cell must stay outside of the distance.
+  const double reach = min_distance + grid_.resolution;
   const auto fits = [&](std::size_t i) {
     if (grid_.cells[i] != Cell::kFree) return false;
     return min_distance <= 0.0 ||
            (center_of(grid_, cell_at_index(grid_, i)) - from).norm() >= reach;
   };
-  std::size_t count = 0;  // Counted, not listed: a list of a large map's cells takes gigabytes.
+  std::size_t count = 0;  // Cells are counted, not listed: a list takes gigabytes for a large map.
   for (std::size_t i = 0; i < grid_.cells.size(); ++i) count += fits(i) ? 1 : 0;
   if (count == 0) return std::nullopt;
   std::size_t left = boost::random::uniform_int_distribution<std::size_t>(0, count - 1)(rng);

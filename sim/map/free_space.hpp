@@ -14,27 +14,27 @@
 
 namespace castaway::sim {
 
-/// Something round.
+/// A disc-shaped obstacle.
 struct RoundObstacle {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] In map.
   double radius = 0.0;                               ///< [m]
 };
 
-/// The largest connected part of a grid's free space in which a disc can move about.
+/// The largest connected part of a grid's free space in which a disc can move.
 class FreeSpace {
  public:
   /// `radius` [m]: of the disc. Unknown cells and everything outside count as obstacles.
   FreeSpace(const Grid& grid, double radius);
 
-  /// The same space with obstacles put into it.
+  /// Returns the same space with disc-shaped obstacles added.
   [[nodiscard]] FreeSpace with_discs(std::span<const RoundObstacle> discs) const;
 
   /// True if a disc centred on `p_map` is free and can reach the rest of the free space.
   [[nodiscard]] bool contains(const Eigen::Vector2d& p_map) const;
-  /// True if that holds all along a straight line.
+  /// True if `contains` holds along a straight line.
   [[nodiscard]] bool contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
-  /// The free cell nearest to a point; nothing if there is none. Linear in the number of cells
-  /// where the point itself is not free.
+  /// The free cell nearest to a point; nothing if there is none. Linear in the number of cells if
+  /// the point itself is not free.
   [[nodiscard]] std::optional<CellIndex> nearest_free(const Eigen::Vector2d& p_map) const;
   /// A pose drawn uniformly from the free cells at least `min_distance` [m] away from `from`;
   /// nothing if there is none.
@@ -43,11 +43,11 @@ class FreeSpace {
   /// A pose drawn uniformly; nothing if no cell is free.
   [[nodiscard]] std::optional<Pose2> sample(Rng& rng) const;
 
-  /// Free: the centre of the disc can be there.
+  /// Its free cells are where the centre of the disc can be.
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// Distance from each cell to the nearest obstacle. [m]
   [[nodiscard]] const std::vector<float>& clearance() const { return clearance_; }
-  /// The same at a point of map; 0 outside of the grid. [m]
+  /// Distance at a point in map; 0 outside of the grid. [m]
   [[nodiscard]] double clearance_at(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] double radius() const { return radius_; }
 

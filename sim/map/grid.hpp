@@ -9,7 +9,7 @@
 
 namespace castaway::sim {
 
-/// What is known of a cell.
+/// What is known about a cell.
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 
 /// Cells in rows, row 0 at the smallest y. Cell (column, row) covers
@@ -19,7 +19,7 @@ struct Grid {
   int height = 0;                    ///< [cells]
   double resolution = 0.05;          ///< [m] Edge of a cell.
   Eigen::Vector2d origin{0.0, 0.0};  ///< [m] Lower left corner in map.
-  double origin_yaw = 0.0;           ///< [rad] The grid turned about its origin.
+  double origin_yaw = 0.0;           ///< [rad] Rotation of the grid about its origin.
   std::vector<Cell> cells;           ///< width * height
 
   [[nodiscard]] bool contains(int column, int row) const {

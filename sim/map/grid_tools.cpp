@@ -13,9 +13,9 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kFar = 1e12;  // Squared cells; finite, so that differences stay defined.
-constexpr std::uint16_t kFarLine = 65535;  // Cells; nothing in a column.
+constexpr std::uint16_t kFarLine = 65535;  // [cells] No obstacle in the column.
 
-/// Scratch of one pass of the distance transform.
+/// Working memory of one pass of the distance transform.
 struct Envelope {
   explicit Envelope(std::size_t n) : values(n), vertices(n), bounds(n + 1) {}
   std::vector<double> values;
@@ -50,8 +50,8 @@ void transform_line(Envelope& e, std::vector<double>& line) {
   }
 }
 
-/// Distance in cells to the nearest cell of the same column that is not free, or `kFarLine`; row
-/// after row, since a map's columns lie far apart in memory.
+/// Distance in cells to the nearest cell of the same column that is not free, or `kFarLine`.
+/// Computed row by row, since a column's cells lie far apart in memory.
 std::vector<std::uint16_t> along_columns(const Grid& grid) {
   const auto width = static_cast<std::size_t>(grid.width);
   const auto height = static_cast<std::size_t>(grid.height);
@@ -75,7 +75,7 @@ int cells_to_border(const Grid& grid, CellIndex c) {
   return std::min({c.column + 1, c.row + 1, grid.width - c.column, grid.height - c.row});
 }
 
-/// Free cells of another label made unknown.
+/// The grid with free cells of other labels made unknown.
 Grid only(const Grid& grid, const Components& components, int label) {
   Grid result = grid;
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
@@ -138,11 +138,11 @@ std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge) {
   return distance;
 }
 
-Grid eroded(const Grid& grid, double radius) {
-  return eroded(grid, distance_to_obstacle(grid), radius);
+Grid erode(const Grid& grid, double radius) {
+  return erode(grid, distance_to_obstacle(grid), radius);
 }
 
-Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius) {
+Grid erode(const Grid& grid, const std::vector<float>& distance, double radius) {
   Grid result = grid;
   const double reach = radius + 0.5 * grid.resolution;
   for (std::size_t i = 0; i < result.cells.size(); ++i) {

@@ -27,14 +27,14 @@ inline std::size_t flat_index(const Grid& grid, CellIndex cell) {
 /// A grid of `width` x `height` cells, all `value`.
 Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin, Cell value);
 
-/// The cell that holds a point of map.
+/// The cell that contains a point in map.
 CellIndex cell_of(const Grid& grid, const Eigen::Vector2d& p_map);
 /// Centre of a cell in map. [m]
 Eigen::Vector2d center_of(const Grid& grid, CellIndex cell);
-/// Value at a point of map; unknown outside of the grid.
+/// Value at a point in map; unknown outside of the grid.
 Cell cell_at(const Grid& grid, const Eigen::Vector2d& p_map);
 
-/// What lies beyond a grid's outermost cells.
+/// What is assumed beyond a grid's outermost cells.
 enum class GridEdge : std::uint8_t {
   kWall,  ///< Cells that are not free.
   kOpen,  ///< More of the same.
@@ -44,19 +44,19 @@ enum class GridEdge : std::uint8_t {
 /// [m]; 0 in those. Linear in the number of cells.
 std::vector<float> distance_to_obstacle(const Grid& grid, GridEdge edge = GridEdge::kWall);
 
-/// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: where the centre
-/// of a disc can be. Errs on the safe side by up to half a cell.
-Grid eroded(const Grid& grid, double radius);
-/// The same where the distances to obstacles are known.
-Grid eroded(const Grid& grid, const std::vector<float>& distance, double radius);
+/// The grid with free cells nearer than `radius` [m] to an obstacle made occupied: its free cells
+/// are where the centre of a disc can be. Errs on the safe side by up to half a cell.
+Grid erode(const Grid& grid, double radius);
+/// The same with known distances to obstacles.
+Grid erode(const Grid& grid, const std::vector<float>& distance, double radius);
 
-/// Number of the 4-connected component of each free cell, from 0; -1 in the others.
+/// Index of the 4-connected component of each free cell, from 0; -1 for other cells.
 std::vector<int> component_labels(const Grid& grid);
 
 /// The grid with all free cells but the largest 4-connected component made unknown.
 Grid largest_component(const Grid& grid);
 
-/// The same with the component that holds a point; the largest if the point is not free.
+/// The same with the component that contains a point; the largest one if the point is not free.
 Grid component_at(const Grid& grid, const Eigen::Vector2d& p_map);
 
 }  // namespace castaway::sim

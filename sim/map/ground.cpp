@@ -9,7 +9,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kAbove = 100.0;     // [m] Where the ground is looked for from.
+constexpr double kAbove = 100.0;     // [m] Height from which rays are cast down.
 constexpr float kLedge = 0.03F;      // [m]
 constexpr float kStandable = 0.01F;  // [m]
 

@@ -10,12 +10,12 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kWhole = 100.0;    // [m] A plane of these sides counts as a whole.
-constexpr double kOfLarger = 50.0;  // [m] Around what stands there.
+constexpr double kWhole = 100.0;    // [m] A plane with sides up to this length counts completely.
+constexpr double kOfLarger = 50.0;  // [m] Margin around the objects on a larger plane.
 constexpr double kOfEndless = 15.0;
-constexpr float kInSight = 5.0F;  // [m] Well within what the lidars of small robots see.
+constexpr float kInSight = 5.0F;  // [m] Well within the range of small robots' lidars.
 
-Eigen::AlignedBox2d grown(const WorldSpec& world, double by) {
+Eigen::AlignedBox2d grow_extent(const WorldSpec& world, double by) {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(by);
   return {world.min_corner - margin, world.max_corner + margin};
 }
@@ -26,16 +26,16 @@ std::optional<std::string> extend_over(const Ground& ground, WorldSpec& world) {
   std::optional<std::string> line;
   Eigen::AlignedBox2d box = ground.extent;
   if (box.isEmpty()) {
-    box = grown(world, kOfEndless);
-    line = fmt::format(
-        "the ground plane has no size: it counts up to {} m around what stands there", kOfEndless);
+    box = grow_extent(world, kOfEndless);
+    line = fmt::format("the ground plane has no size: it is used up to {} m around the objects",
+                       kOfEndless);
   } else if (box.sizes().maxCoeff() > kWhole) {
     const Eigen::Vector2d size = box.sizes();
-    const Eigen::AlignedBox2d near = box.intersection(grown(world, kOfLarger));
+    const Eigen::AlignedBox2d near = box.intersection(grow_extent(world, kOfLarger));
     if (!near.isApprox(box)) {
       line = fmt::format(
-          "the ground plane of {:.6g} m x {:.6g} m counts up to {} m around what stands there",
-          size.x(), size.y(), kOfLarger);
+          "the ground plane of {:.6g} m x {:.6g} m is used up to {} m around the objects", size.x(),
+          size.y(), kOfLarger);
     }
     box = near;
   }

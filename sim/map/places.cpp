@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kMargin = 1e-6;  // [m] Of rounding.
+constexpr double kMargin = 1e-6;  // [m] For rounding.
 
 }  // namespace
 

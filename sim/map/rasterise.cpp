@@ -15,12 +15,11 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kRobot =
-    0.2;  // [m] Radius of one for which parts of the free space are told apart.
-constexpr double kSliver =
-    1e-6;  // Of a cell: a solid that only touches a cell's edge is not in it.
+// [m] Radius of the robot for which the parts of the free space are determined.
+constexpr double kRobot = 0.2;
+constexpr double kSliver = 1e-6;  // [cells] A solid that only touches a cell's edge is not in it.
 
-/// Figures in the coordinates of a grid, cells of unit size.
+/// Paints figures into a grid, in cell coordinates.
 class Painter {
  public:
   explicit Painter(Grid& grid) : grid_(grid) {}
@@ -33,7 +32,7 @@ class Painter {
     }
     for (const Disc& d : slice.discs)
       fill(Disc{to_cells(d.center), d.radius / grid_.resolution}, kSliver);
-    // A surface without thickness on an edge belongs to the cell above.
+    // A surface without thickness that lies on an edge belongs to the cell above.
     for (const Segment& s : slice.segments) fill(Segment{to_cells(s.a), to_cells(s.b)}, 0.0);
   }
 

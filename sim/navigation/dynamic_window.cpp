@@ -6,13 +6,13 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kSteps = 8;               // Of a roll-out.
+constexpr int kSteps = 8;               // Poses checked along a roll-out.
 constexpr double kHeadingWeight = 0.3;  // [m/rad]
-constexpr double kRoomWeight = 1.0;     // Of each metre of comfort that is missing.
-constexpr double kFarAway = 10.0;       // [m] Room where there is nothing.
-constexpr double kLeastGain = 0.01;     // [m] Over standing still.
+constexpr double kRoomWeight = 1.0;     // [1] Cost of each metre below `comfort`.
+constexpr double kFarAway = 10.0;       // [m] Room that is reported where there are no obstacles.
+constexpr double kLeastGain = 0.01;     // [m] Cost by which a velocity must beat standing still.
 
-/// What there is to meet.
+/// Static end points and movers, in base.
 struct Obstacles {
   std::vector<Eigen::Vector2d> points;
   std::vector<Mover> movers;
@@ -27,7 +27,7 @@ double room_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& poi
   return std::sqrt(nearest) - radius;
 }
 
-/// Room to the movers that are not behind a robot at `pose` after `t` seconds.
+/// Least room to the movers ahead of a robot at `pose` after `t` seconds. [m]
 double room_to_movers(const Pose2& pose, double t, const std::vector<Mover>& movers,
                       double radius) {
   double room = kFarAway;
@@ -38,7 +38,7 @@ double room_to_movers(const Pose2& pose, double t, const std::vector<Mover>& mov
   return room;
 }
 
-/// What can be met within the horizon.
+/// Points close enough to be reached within the horizon.
 std::vector<Eigen::Vector2d> near(const std::vector<Eigen::Vector2d>& points, double reach) {
   std::vector<Eigen::Vector2d> result;
   for (const Eigen::Vector2d& p : points) {
@@ -47,7 +47,7 @@ std::vector<Eigen::Vector2d> near(const std::vector<Eigen::Vector2d>& points, do
   return result;
 }
 
-/// Cost of ending at a pose with so much room on the way.
+/// Cost of a roll-out that ends at `end` with this least room along it.
 double cost(const DynamicWindowConfig& config, const Pose2& end, const Eigen::Vector2d& target,
             double room) {
   const Eigen::Vector2d p_end = inverse(end) * target;
@@ -56,8 +56,9 @@ double cost(const DynamicWindowConfig& config, const Pose2& end, const Eigen::Ve
          kRoomWeight * std::max(config.comfort - room, 0.0);
 }
 
-/// The least room on the way; nothing if that is less than there must be. A robot that begins with
-/// less room to what stands may only gain room; to what moves it waits for it.
+/// Least room along the roll-out of a velocity [m]; nothing if that is below the margin. A robot
+/// that starts closer than that to a static obstacle may move only if its room grows; for a mover
+/// it waits.
 std::optional<double> room_along(const DynamicWindowConfig& config, const Twist2& twist,
                                  const Obstacles& obstacles) {
   double before = room_at({0.0, 0.0}, obstacles.points, config.radius);

@@ -1,9 +1,9 @@
-/// Drives towards a point around what the lidar sees.
+/// Drives towards a point around obstacles that the lidars see.
 ///
 /// D. Fox, W. Burgard, S. Thrun, "The Dynamic Window Approach to Collision Avoidance", IEEE
 /// Robotics & Automation Magazine 4(1), 1997. We roll each velocity out over a horizon in which the
-/// robot can stop, and rate it by where it ends and how near it comes to anything. Beyond the
-/// paper: what moves is met where it will be.
+/// robot can stop, and rate it by its end pose and by its least distance to obstacles. Unlike the
+/// paper, we predict where moving obstacles will be at each step of the roll-out.
 #pragma once
 
 #include <optional>
@@ -17,21 +17,22 @@
 
 namespace castaway::sim {
 
-/// How velocities are chosen.
+/// Parameters of the velocity search.
 struct DynamicWindowConfig {
   TwistLimits limits;
-  double radius = 0.25;  ///< [m] Of the robot, about base.
-  double margin = 0.04;  ///< [m] Kept free around it, whatever else.
-  double comfort = 0.2;  ///< [m] Wished for.
-  double horizon = 1.6;  ///< [s] Rolled out; longer than the robot takes to stop.
-  double window = 0.4;   ///< [s] In which a velocity must be reachable.
+  double radius = 0.25;  ///< [m] Of the robot's disc about base.
+  double margin = 0.04;  ///< [m] Least room to obstacles; velocities with less are rejected.
+  double comfort = 0.2;  ///< [m] Wanted room to obstacles; less of it costs.
+  double horizon = 1.6;  ///< [s] Length of a roll-out; longer than the robot takes to stop.
+  double window = 0.4;   ///< [s] A velocity must be reachable within this time.
   int speeds = 6;        ///< Forward speeds tried.
-  int turns = 15;        ///< Turn rates tried with each.
+  int turns = 15;        ///< Turn rates tried with each forward speed.
 };
 
-/// The best velocity towards `p_base_target` among `p_base` obstacles [m], all in base, from
-/// `current` on. `movers`, in base as it is now, are where they will be at each time of the
-/// roll-out. Nothing where none is safe, or none better than standing still.
+/// Returns the best velocity towards `p_base_target`, starting from the velocity `current`.
+/// `p_base` are the static obstacles [m] and `movers` the moving ones, all in base at the current
+/// time; movers are extrapolated with their velocities along the roll-out. Returns nothing if no
+/// velocity is safe, or none is better than standing still.
 std::optional<Twist2> best_twist(const DynamicWindowConfig& config, const Twist2& current,
                                  const Eigen::Vector2d& p_base_target,
                                  const std::vector<Eigen::Vector2d>& p_base,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kRemembered = std::chrono::seconds(1);
 constexpr auto kTwistOver = std::chrono::milliseconds(50);
-constexpr double kFloor = 0.03;  // [m] Lower end points are the floor's.
+constexpr double kFloor = 0.03;  // [m] End points below this height hit the floor.
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void LiveScan::on_odometry(const OdometryReading& reading) {
   while (recent_.front().stamp + kRemembered < reading.stamp) recent_.pop_front();
 }
 
-/// The last reading up to then; the first one where the scan is older than all.
+/// Pose of the last odometry reading up to `stamp`; of the first one if all readings are later.
 Pose2 LiveScan::odometry_at(std::chrono::nanoseconds stamp) const {
   if (recent_.empty()) return {};
   const auto after = std::upper_bound(
@@ -41,7 +41,7 @@ void LiveScan::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
     const auto stamp = scan.stamp + scan.time_increment * static_cast<std::int64_t>(i % columns);
     points.push_back({odometry_at(stamp) * Eigen::Vector2d(p_base.head<2>()), stamp});
   }
-  news_.insert(scan.lidar);
+  new_scans_.insert(scan.lidar);
 }
 
 std::vector<Eigen::Vector2d> LiveScan::p_base() const {
@@ -53,9 +53,9 @@ std::vector<Eigen::Vector2d> LiveScan::p_base() const {
   return points;
 }
 
-std::vector<std::vector<SeenPoint>> LiveScan::take_news() {
+std::vector<std::vector<SeenPoint>> LiveScan::take_new_scans() {
   std::vector<std::vector<SeenPoint>> scans;
-  for (const std::size_t lidar : std::exchange(news_, {})) scans.push_back(p_odom_[lidar]);
+  for (const std::size_t lidar : std::exchange(new_scans_, {})) scans.push_back(p_odom_[lidar]);
   return scans;
 }
 

@@ -1,4 +1,4 @@
-/// What a robot's lidars saw last, carried along as it moves.
+/// The newest scan of each of a robot's lidars, carried along as the robot moves.
 #pragma once
 
 #include <chrono>
@@ -15,33 +15,33 @@
 
 namespace castaway::sim {
 
-/// The end points of each lidar's newest scan, each taken from where odometry says the robot was at
-/// its beam, seen from where it says the robot is by now.
-/// Nothing of it knows the truth.
+/// Holds the end points of each lidar's newest scan. Each point is placed in odom by the odometry
+/// pose at the time of its beam, and reported relative to the newest odometry pose. Uses no ground
+/// truth.
 class LiveScan {
  public:
-  /// Takes what odometry says, in order of stamps.
+  /// Takes an odometry reading; readings come in order of stamps.
   void on_odometry(const OdometryReading& reading);
-  /// Takes a scan. Beams that hit the floor by the look of their height are left out.
+  /// Takes a scan. Beams whose end points are at floor height are left out.
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);
 
-  /// End points in base as it is now. [m]
+  /// End points in base at the newest odometry pose. [m]
   [[nodiscard]] std::vector<Eigen::Vector2d> p_base() const;
-  /// Those of each scan that came since the last call, in odom, and when each was seen.
-  [[nodiscard]] std::vector<std::vector<SeenPoint>> take_news();
-  /// How fast it says that the robot moves, over the last 50 ms.
+  /// Returns the end points, in odom and stamped, of every scan received since the last call.
+  [[nodiscard]] std::vector<std::vector<SeenPoint>> take_new_scans();
+  /// Velocity by odometry over the last 50 ms.
   [[nodiscard]] Twist2 twist() const;
   /// Stamp of the newest odometry; 0 before the first.
   [[nodiscard]] std::chrono::nanoseconds stamp() const;
-  /// The odometry's newest pose; the identity before the first.
+  /// Newest odometry pose; the identity before the first reading.
   [[nodiscard]] Pose2 T_odom_base() const;
 
  private:
   [[nodiscard]] Pose2 odometry_at(std::chrono::nanoseconds stamp) const;
 
   std::deque<OdometryReading> recent_;
-  std::vector<std::vector<SeenPoint>> p_odom_;  ///< By lidar.
-  std::set<std::size_t> news_;                  ///< Lidars whose newest scan nobody has taken.
+  std::vector<std::vector<SeenPoint>> p_odom_;  ///< Indexed by lidar.
+  std::set<std::size_t> new_scans_;             ///< Lidars whose newest scan has not been taken.
 };
 
 }  // namespace castaway::sim

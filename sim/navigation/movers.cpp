@@ -10,23 +10,28 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr double kLeg = 0.15;          // [m] From the middle of a leg to its points.
-constexpr double kGate = 0.75;         // [m] From where a person is expected to its legs...
-constexpr double kNewGate = 0.9;       // [m] ...and between the legs of somebody who is new.
-constexpr double kBothSigma = 0.12;    // [m] Of the middle of both legs about the body...
-constexpr double kOneSigma = 0.22;     // [m] ...and of one leg: strides are long.
-constexpr double kStartSigma = 1.5;    // [m/s]
-constexpr double kAcceleration = 2.0;  // [m/s^2] White noise.
-constexpr std::size_t kLegs = 2;       // Who has more is two.
-constexpr int kLeastSeen = 4;          // Scans; seen for less, it has no velocity.
-constexpr nanoseconds kForget = milliseconds(600);  // Not seen for longer, it is gone.
-constexpr double kSlowest = 0.3;                    // [m/s] Slower is standing...
-constexpr double kDoubt = 1.0;   // ...and so is what is so many standard deviations.
-constexpr double kDouble = 0.3;  // [m] Nearer than two people can be: they are one.
+constexpr double kLeg = 0.15;  // [m] A point this close to a cluster's mean belongs to that leg.
+// [m] A leg this close to a track's predicted position belongs to it.
+constexpr double kGate = 0.75;
+constexpr double kNewGate = 0.9;  // [m] The same for a track that this scan has started.
+// [m] Standard deviation of the mean of both legs about the body.
+constexpr double kBothSigma = 0.12;
+constexpr double kOneSigma = 0.22;   // [m] The same of a single leg: strides are long.
+constexpr double kStartSigma = 1.5;  // [m/s] Standard deviation of a new track's velocity.
+// [m/s^2] Standard deviation of the white acceleration noise.
+constexpr double kAcceleration = 2.0;
+constexpr std::size_t kLegs = 2;  // A track with more legs than this is two people.
+constexpr int kLeastSeen = 4;     // Scans that must have seen a track before it is reported.
+// A track is dropped when it has not been seen for this long.
+constexpr nanoseconds kTrackTimeout = milliseconds(600);
+constexpr double kSlowest = 0.3;  // [m/s] A slower track counts as standing.
+constexpr double kStandingSigmas =
+    1.0;  // A speed below this many standard deviations counts as standing.
+constexpr double kSamePerson = 0.3;  // [m] Two tracks closer than this are the same person.
 
 double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
-/// The middle of a few points.
+/// Mean position and stamp of the points.
 SeenPoint middle(const std::vector<SeenPoint>& points) {
   SeenPoint sum;
   for (const SeenPoint& point : points) {
@@ -36,7 +41,7 @@ SeenPoint middle(const std::vector<SeenPoint>& points) {
   return sum;
 }
 
-/// Clusters of points, each about the mean of those before.
+/// Clusters points greedily: a point joins the first cluster whose mean is near enough.
 std::vector<SeenPoint> legs_of(const std::vector<SeenPoint>& points) {
   std::vector<SeenPoint> legs;
   std::vector<std::int64_t> counts;
@@ -80,7 +85,7 @@ void Movers::Track::correct(const Eigen::Vector2d& measured, double sigma) {
   ++seen;
 }
 
-/// Who is expected nearest to a leg.
+/// The track whose predicted position is nearest to a leg; nullptr if none is within its gate.
 Movers::Track* Movers::nearest(const SeenPoint& leg) {
   Track* best = nullptr;
   double least = kNewGate;
@@ -93,13 +98,13 @@ Movers::Track* Movers::nearest(const SeenPoint& leg) {
   return best;
 }
 
-void Movers::begin(const SeenPoint& leg) {
+void Movers::start_track(const SeenPoint& leg) {
   const Eigen::Vector2d variances(kOneSigma * kOneSigma, kStartSigma * kStartSigma);
   tracks_.push_back({leg.p, Eigen::Vector2d::Zero(), variances.asDiagonal(), leg.stamp, 0, {leg}});
 }
 
-/// Of people with too many legs, the one furthest from where the person was expected and those near
-/// it are somebody else's, who walks along.
+/// Splits tracks with too many legs in two: the leg farthest from the prediction, and the legs
+/// nearer to it than to the best fitting leg, belong to a second person who walks along.
 void Movers::split() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (tracks_[i].legs.size() <= kLegs) continue;
@@ -121,7 +126,7 @@ void Movers::split() {
   }
 }
 
-void Movers::take_legs() {
+void Movers::update_tracks() {
   for (Track& track : tracks_) {
     if (track.legs.empty()) continue;
     const SeenPoint seen = middle(track.legs);
@@ -131,11 +136,11 @@ void Movers::take_legs() {
   }
 }
 
-/// Of two at one place, the one seen longer stays.
-void Movers::drop_doubles() {
+/// Of two tracks at one place, keeps the one that has been seen in more scans.
+void Movers::drop_duplicates() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     for (std::size_t k = tracks_.size(); k-- > i + 1;) {
-      if ((tracks_[i].at(tracks_[k].stamp) - tracks_[k].p).norm() >= kDouble) continue;
+      if ((tracks_[i].at(tracks_[k].stamp) - tracks_[k].p).norm() >= kSamePerson) continue;
       if (tracks_[k].seen > tracks_[i].seen) std::swap(tracks_[i], tracks_[k]);
       tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(k));
     }
@@ -147,22 +152,22 @@ void Movers::update(const std::vector<SeenPoint>& points) {
     if (Track* track = nearest(leg)) {
       track->legs.push_back(leg);
     } else {
-      begin(leg);
+      start_track(leg);
     }
   }
   split();
-  take_legs();
-  drop_doubles();
+  update_tracks();
+  drop_duplicates();
   nanoseconds newest{};
   for (const SeenPoint& point : points) newest = std::max(newest, point.stamp);
-  std::erase_if(tracks_, [&](const Track& track) { return track.stamp + kForget < newest; });
+  std::erase_if(tracks_, [&](const Track& track) { return track.stamp + kTrackTimeout < newest; });
 }
 
-std::vector<Mover> Movers::seen(nanoseconds now) const {
+std::vector<Mover> Movers::extrapolate(nanoseconds now) const {
   std::vector<Mover> result;
   for (const Track& track : tracks_) {
-    if (track.seen < kLeastSeen || track.stamp + kForget < now) continue;
-    const double certain = kDoubt * std::sqrt(track.covariance(1, 1));
+    if (track.seen < kLeastSeen || track.stamp + kTrackTimeout < now) continue;
+    const double certain = kStandingSigmas * std::sqrt(track.covariance(1, 1));
     const bool stands = track.v.norm() < std::max(kSlowest, certain);
     const Eigen::Vector2d v = stands ? Eigen::Vector2d::Zero() : track.v;
     result.push_back({track.at(now), v});

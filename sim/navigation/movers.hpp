@@ -1,4 +1,4 @@
-/// What moves among the things that the lidar sees, as discs with a velocity.
+/// Tracks people in lidar scans as discs with a velocity.
 #pragma once
 
 #include <chrono>
@@ -11,41 +11,42 @@ namespace castaway::sim {
 /// An end point of a beam.
 struct SeenPoint {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< [m]
-  std::chrono::nanoseconds stamp{};             ///< Of its beam.
+  std::chrono::nanoseconds stamp{};             ///< Time of its beam.
 };
 
-/// Somebody on the move, or who stands about where the map has nothing.
+/// A tracked person, walking or standing, where the map has no obstacle.
 struct Mover {
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();         ///< [m] Its middle.
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Zero: stands.
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();         ///< [m] Centre.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Zero if it stands.
 
   [[nodiscard]] bool stands() const { return velocity.isZero(0.0); }
 };
 
-/// Radius that a mover is kept free of: the legs that the lidar sees are within a body. [m]
+/// Radius of the disc kept free around a mover: it covers the body about the legs that the lidar
+/// sees. [m]
 inline constexpr double kMoverRadius = 0.3;
 
-/// Follows people from scan to scan: small clusters of points are legs, legs that are near each
-/// other a person, and a Kalman filter of constant velocity (white noise of acceleration; Y.
+/// Tracks people from scan to scan: small clusters of points are legs, and legs that are near each
+/// other are one person. A Kalman filter with constant velocity and white acceleration noise (Y.
 /// Bar-Shalom, X.-R. Li and T. Kirubarajan, "Estimation with Applications to Tracking and
-/// Navigation", 2001, section 6.2) carries each over scans in which it is hidden. What stands has
-/// no velocity that stands out from the filter's own uncertainty and is no mover.
+/// Navigation", 2001, section 6.2) bridges scans in which the person is hidden. A track whose speed
+/// does not exceed the filter's own uncertainty is reported as standing.
 class Movers {
  public:
-  /// Takes what one scan saw where the map has nothing, in a frame that does not move.
+  /// Takes the points of one scan that are not on the map, in a frame that does not move.
   void update(const std::vector<SeenPoint>& points);
-  /// All who have been seen for a while, as they are `now`, in that frame.
-  [[nodiscard]] std::vector<Mover> seen(std::chrono::nanoseconds now) const;
+  /// Tracks seen in enough scans, extrapolated to `now`, in that frame.
+  [[nodiscard]] std::vector<Mover> extrapolate(std::chrono::nanoseconds now) const;
 
  private:
-  /// A person with the filter's state; both axes have the same covariance.
+  /// Filter state of one person; both axes share one covariance.
   struct Track {
     Eigen::Vector2d p;
     Eigen::Vector2d v;
-    Eigen::Matrix2d covariance;  ///< Of position and velocity.
+    Eigen::Matrix2d covariance;  ///< Of position and velocity along one axis.
     std::chrono::nanoseconds stamp;
-    int seen = 1;                   ///< Scans.
-    std::vector<SeenPoint> legs{};  ///< Of the scan at hand.
+    int seen = 1;                   ///< Scans that saw it.
+    std::vector<SeenPoint> legs{};  ///< Those of the current scan.
 
     [[nodiscard]] Eigen::Vector2d at(std::chrono::nanoseconds t) const;
     void predict(std::chrono::nanoseconds to);
@@ -53,10 +54,10 @@ class Movers {
   };
 
   [[nodiscard]] Track* nearest(const SeenPoint& leg);
-  void begin(const SeenPoint& leg);
+  void start_track(const SeenPoint& leg);
   void split();
-  void take_legs();
-  void drop_doubles();
+  void update_tracks();
+  void drop_duplicates();
 
   std::vector<Track> tracks_;
 };

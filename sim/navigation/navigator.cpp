@@ -9,21 +9,23 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kStopRoom = 0.01;     // [m] From the footprint, beyond the way to brake.
-constexpr double kStopPause = 0.5;     // [s] For which it then stands at least.
-constexpr double kStopFrom = 0.15;     // [m/s] Slower, stopping is no emergency.
-constexpr double kMarkedWithin = 4.0;  // [m] End points that a new plan goes around.
-constexpr double kMapped = 0.25;       // [m] Nearer to what the map has, a point is that.
-constexpr double kKeepAway = 0.05;     // [m] Around each.
-constexpr double kStride = 0.5;        // [m] From the middle of who walks to a leg.
-constexpr double kSeenAgo = 0.2;       // [s] At most, of a point.
-constexpr double kBrakingShare = 0.5;  // Of the acceleration limit.
+// [m] An obstacle this close to the footprint where it would stop is a danger.
+constexpr double kStopRoom = 0.01;
+// [s] After braking, the robot stands still for at least this long.
+constexpr double kStopPause = 0.5;
+constexpr double kStopFrom = 0.15;     // [m/s] Stopping from a lower speed is not an emergency.
+constexpr double kMarkedWithin = 4.0;  // [m] A new plan avoids end points within this range.
+constexpr double kMapped = 0.25;    // [m] End points this close to a mapped obstacle belong to it.
+constexpr double kKeepAway = 0.05;  // [m] Distance around each end point that is marked, too.
+constexpr double kStride = 0.5;   // [m] A leg can be this far from the middle of a walking person.
+constexpr double kSeenAgo = 0.2;  // [s] End points are at most this old.
+constexpr double kBrakingShare = 0.5;  // Share of the acceleration limit that braking counts on.
 
 double plan_radius(const NavigatorConfig& config) {
   return config.local.radius + config.plan_margin;
 }
 
-/// The map with end points marked.
+/// The map with the nearby end points marked as occupied.
 Grid with_points(const Grid& map, const Pose2& T_map_base,
                  const std::vector<Eigen::Vector2d>& p_base) {
   Grid grid = map;
@@ -42,14 +44,14 @@ Grid with_points(const Grid& map, const Pose2& T_map_base,
   return grid;
 }
 
-/// How far to the left of a lane the robot is. [m]
+/// Signed distance of the robot from a lane, left positive. [m]
 double offset_from(const Lane& lane, const Pose2& T_map_base) {
   const Eigen::Vector2d along = (lane.to - lane.from).normalized();
   return Eigen::Vector2d(-along.y(), along.x()).dot(T_map_base.position() - lane.from);
 }
 
-/// In another frame.
-std::vector<Mover> carried(std::vector<Mover> movers, const Pose2& T_b_a) {
+/// Movers in frame b, given in frame a.
+std::vector<Mover> transform_movers(std::vector<Mover> movers, const Pose2& T_b_a) {
   const Pose2 turn{0.0, 0.0, T_b_a.yaw};
   for (Mover& mover : movers) mover = {T_b_a * mover.p, turn * mover.velocity};
   return movers;
@@ -82,35 +84,35 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
   std::vector<Eigen::Vector2d> p_base_still = p_base;
   std::erase_if(p_base_still,
                 [&](const Eigen::Vector2d& p) { return !velocity_at(p, T_map_base).isZero(0.0); });
-  const std::vector<Mover> movers = carried(seen_, T_map_base);
+  const std::vector<Mover> movers = transform_movers(seen_, T_map_base);
   DynamicWindowConfig local = config_.local;
   const Twist2 now = live_.twist();
   local.limits.max_speed = passing_pace(
       {local.limits.max_speed, kBrakingShare * local.limits.max_acceleration, local.radius}, *lane,
       offset_from(*lane, T_map_base), movers);
-  const Eigen::Vector2d aim = passing_.aside(*lane, now.v, movers, mapped_);
+  const Eigen::Vector2d aim = passing_.choose_target(*lane, now.v, movers, mapped_);
   return best_twist(local, now, inverse(T_map_base) * aim, p_base_still, moving_)
       .value_or(Twist2{});
 }
 
-/// Looks for who moves where the map has nothing.
+/// Updates the tracks with end points that are not on the map.
 void Navigator::watch_movers(const Pose2& T_map_base) {
   const Pose2 T_odom_base = live_.T_odom_base();
   const Pose2 T_map_odom = T_map_base * inverse(T_odom_base);
-  for (std::vector<SeenPoint>& points : live_.take_news()) {
+  for (std::vector<SeenPoint>& points : live_.take_new_scans()) {
     std::erase_if(points, [&](const SeenPoint& point) {
       return mapped_.clearance_at(T_map_odom * point.p) <= kMapped;
     });
     movers_.update(points);
   }
-  seen_ = carried(movers_.seen(live_.stamp()), inverse(T_odom_base));
+  seen_ = transform_movers(movers_.extrapolate(live_.stamp()), inverse(T_odom_base));
   moving_ = seen_;
   std::erase_if(moving_, [](const Mover& mover) { return mover.stands(); });
 }
 
-/// Stops a robot that would run into something before it could brake.
-Twist2 Navigator::stopped_short(const Twist2& twist, const Pose2& T_map_base,
-                                const std::vector<Eigen::Vector2d>& p_base) {
+/// Overrides a command that would run the robot into something before it could brake.
+Twist2 Navigator::stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
+                                    const std::vector<Eigen::Vector2d>& p_base) {
   const Twist2 now = live_.twist();
   const double speed = std::abs(now.v);
   const double side = now.v >= 0.0 ? 1.0 : -1.0;
@@ -120,7 +122,7 @@ Twist2 Navigator::stopped_short(const Twist2& twist, const Pose2& T_map_base,
   const Eigen::Vector2d stop = arc(side * brake, turn).position();
   const double reach = config_.local.radius + kStopRoom;
   const bool danger = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
-    // Of those who walk ahead, where they will be by then.
+    // An obstacle that moves away is tested where it will be when the robot has stopped.
     const Eigen::Vector2d v = velocity_at(p, T_map_base);
     const Eigen::Vector2d then = v.dot(p) > 0.0 ? Eigen::Vector2d(p + braking * v) : p;
     return side * p.x() > 0.0 && std::min((then - stop).norm(), p.norm()) < reach;
@@ -134,8 +136,9 @@ Twist2 Navigator::stopped_short(const Twist2& twist, const Pose2& T_map_base,
   return stop_left_ > 0.0 ? Twist2{0.0, 0.0} : twist;
 }
 
-/// Of the mover that the point is part of, now or when it was seen; zero of what stands, and of
-/// what the map has: a wall does not walk off with who passes it. In base.
+/// Velocity, in base, of the mover that a point belongs to, by the mover's position now or when the
+/// point was seen. Zero for other points and for points on the map: a wall does not move with a
+/// person who passes it.
 Eigen::Vector2d Navigator::velocity_at(const Eigen::Vector2d& p_base,
                                        const Pose2& T_map_base) const {
   for (const Mover& mover : moving_) {
@@ -153,7 +156,7 @@ Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   if (T_map_base) {
     const std::vector<Eigen::Vector2d> p_base = live_.p_base();
     watch_movers(*T_map_base);
-    twist = stopped_short(drive(*T_map_base, p_base), *T_map_base, p_base);
+    twist = stop_in_emergency(drive(*T_map_base, p_base), *T_map_base, p_base);
   }
   return twist;
 }

@@ -1,4 +1,4 @@
-/// Drives a route by a pose that is believed and by what the lidar sees.
+/// Drives a route by the estimated pose and the lidars' scans.
 #pragma once
 
 #include <optional>
@@ -16,32 +16,32 @@
 
 namespace castaway::sim {
 
-/// What a navigator needs to know.
+/// Parameters of a navigator.
 struct NavigatorConfig {
   RouteConfig route;
   DynamicWindowConfig local;
   RecoveryTimes recoveries;
-  double plan_margin = 0.04;  ///< [m] Room that plans keep around the footprint.
+  double plan_margin = 0.04;  ///< [m] Room that planned paths keep around the footprint.
   double period = 0.05;       ///< [s] Between two commands.
 };
 
-/// A global plan on the map, the dynamic window towards it around what is there, recoveries where
-/// that does not get on, and an emergency stop below all of them. It knows the map, the believed
-/// pose, odometry and scans; not the truth.
+/// Plans globally on the map, follows the plan with the dynamic window around obstacles that the
+/// lidars see, recovers where the robot makes no progress, and stops it in an emergency. Uses the
+/// map, the estimated pose, odometry and scans; no ground truth.
 class Navigator {
  public:
-  /// `map`: what the robot knows of the world.
+  /// `map`: known to the robot; may differ from the world.
   Navigator(const NavigatorConfig& config, const Grid& map);
 
   void on_odometry(const OdometryReading& reading) { live_.on_odometry(reading); }
   void on_scan(const LidarReading& scan, const LidarConfig& lidar) { live_.on_scan(scan, lidar); }
-  /// The velocity to command, believed to be at `T_map_base`; zero without a pose.
+  /// Returns the velocity to command at the estimated pose `T_map_base`; zero without a pose.
   Twist2 command(const std::optional<Pose2>& T_map_base);
-  /// True at the end of the route, and without one.
+  /// True at the end of the route, and if there is no route.
   [[nodiscard]] bool done() const { return route_.done(); }
-  /// Waypoints that were reached so far.
-  [[nodiscard]] int passed() const { return route_.passed(); }
-  /// Recoveries begun and "emergency stop"s since the last call.
+  /// Waypoints reached so far.
+  [[nodiscard]] int waypoints_reached() const { return route_.waypoints_reached(); }
+  /// Names of the recoveries begun, and "emergency stop"s, since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 
  private:
@@ -50,20 +50,21 @@ class Navigator {
   void watch_movers(const Pose2& T_map_base);
   [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base,
                                             const Pose2& T_map_base) const;
-  Twist2 stopped_short(const Twist2& twist, const Pose2& T_map_base,
-                       const std::vector<Eigen::Vector2d>& p_base);
+  Twist2 stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
+                           const std::vector<Eigen::Vector2d>& p_base);
 
   NavigatorConfig config_;
   Grid map_;
-  FreeSpace mapped_;  ///< Tells what the map has from what it has not.
+  FreeSpace mapped_;  ///< Tells mapped obstacles from others.
   RouteRunner route_;
   LiveScan live_;
   Movers movers_;
-  std::vector<Mover> seen_;    ///< In base.
-  std::vector<Mover> moving_;  ///< Those of them who move.
+  std::vector<Mover> seen_;    ///< Tracked people, in base.
+  std::vector<Mover> moving_;  ///< Those of them that move.
   Passing passing_;
   Recoveries recoveries_;
-  double stop_left_ = 0.0;  ///< [s] Of an emergency stop, once begun seen through to standing.
+  /// [s] Left of an emergency stop; a stop always lasts until the robot stands.
+  double stop_left_ = 0.0;
   std::vector<std::string> events_;
 };
 

@@ -7,9 +7,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kTurnGain = 2.0;         // [1/s] Of turns on the spot.
-constexpr double kSearchAhead = 1.0;      // [m] Of path searched for the nearest point.
-constexpr double kFollowerBraking = 0.7;  // Of the acceleration limit.
+constexpr double kTurnGain = 2.0;         // [1/s] Turn rate per heading error, turning in place.
+constexpr double kSearchAhead = 1.0;      // [m] Length of path searched for the nearest point.
+constexpr double kFollowerBraking = 0.7;  // Share of the acceleration limit.
 
 }  // namespace
 
@@ -47,7 +47,7 @@ Eigen::Vector2d PathFollower::target(const Eigen::Vector2d& p_map, const FreeSpa
 Twist2 PathFollower::command(const Pose2& T_map_base, const FreeSpace& free) {
   const Eigen::Vector2d p_map = T_map_base.position();
   advance(p_map);
-  if (arrived(T_map_base)) return {};
+  if (has_arrived(T_map_base)) return {};
   aim_ = target(p_map, free);
   const Eigen::Vector2d p_base = inverse(T_map_base) * *aim_;
   const double error = std::atan2(p_base.y(), p_base.x());
@@ -63,7 +63,7 @@ Twist2 PathFollower::command(const Pose2& T_map_base, const FreeSpace& free) {
   return {v, curvature * v};
 }
 
-bool PathFollower::arrived(const Pose2& T_map_base) const {
+bool PathFollower::has_arrived(const Pose2& T_map_base) const {
   return (path_.back() - T_map_base.position()).norm() < config_.goal_tolerance;
 }
 

@@ -1,7 +1,8 @@
-/// Drives along a path: pure pursuit with turns on the spot.
+/// Follows a path by pure pursuit with turns in place.
 ///
 /// R. C. Coulter, "Implementation of the Pure Pursuit Path Tracking Algorithm", CMU-RI-TR-92-01,
-/// 1992. We add: the target stays in sight within free space, so that corners are not cut; large
+/// 1992. We add: the line to the target stays in free space, so that corners are not cut; the robot
+/// turns in place while its heading error is large; it slows down in curves and before the end.
 /// errors of heading are turned away on the spot; the robot slows down for curves and the end.
 #pragma once
 
@@ -17,12 +18,12 @@
 
 namespace castaway::sim {
 
-/// How a path is followed.
+/// Parameters of path following.
 struct FollowerConfig {
   TwistLimits limits;
   double lookahead = 0.5;       ///< [m]
-  double turn_above = 0.8;      ///< [rad] Larger errors of heading are turned away standing.
-  double turn_until = 0.15;     ///< [rad] Such a turn ends below.
+  double turn_above = 0.8;      ///< [rad] A larger heading error starts a turn in place.
+  double turn_until = 0.15;     ///< [rad] A smaller one ends it.
   double goal_tolerance = 0.1;  ///< [m]
 };
 
@@ -31,15 +32,15 @@ class PathFollower {
  public:
   PathFollower(const FollowerConfig& config, std::vector<Eigen::Vector2d> path);
 
-  /// The velocity to command at a pose. Zero at the goal.
+  /// Returns the velocity to command at a pose; zero at the goal.
   Twist2 command(const Pose2& T_map_base, const FreeSpace& free);
   /// True once the end of the path is within tolerance.
-  [[nodiscard]] bool arrived(const Pose2& T_map_base) const;
-  /// Distance from the part of the path being followed. [m]
+  [[nodiscard]] bool has_arrived(const Pose2& T_map_base) const;
+  /// Distance from the nearest point of the path. [m]
   [[nodiscard]] double off_path(const Pose2& T_map_base) const;
-  /// The point of map that the last command aimed at; none before the first.
+  /// Point in map that the last command aimed at; none before the first.
   [[nodiscard]] const std::optional<Eigen::Vector2d>& aim() const { return aim_; }
-  /// The point of the path that the robot has come to.
+  /// Point of the path nearest to the robot.
   [[nodiscard]] const Eigen::Vector2d& nearest() const { return path_[nearest_]; }
   [[nodiscard]] const std::vector<Eigen::Vector2d>& path() const { return path_; }
 
@@ -49,8 +50,8 @@ class PathFollower {
 
   FollowerConfig config_;
   std::vector<Eigen::Vector2d> path_;
-  std::vector<double> way_to_end_;  ///< [m] From each point of the path.
-  std::size_t nearest_ = 0;         ///< Point of the path nearest to the robot; only moves on.
+  std::vector<double> way_to_end_;  ///< [m] Along the path, from each point.
+  std::size_t nearest_ = 0;  ///< Index of the path's point nearest to the robot; never decreases.
   bool turning_ = false;
   std::optional<Eigen::Vector2d> aim_;
 };

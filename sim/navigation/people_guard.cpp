@@ -9,7 +9,7 @@ namespace castaway::sim {
 PeopleGuard::PeopleGuard(const GuardConfig& config, double person_radius)
     : config_(config), reach_(config.radius + person_radius) {}
 
-Twist2 PeopleGuard::guarded(const Twist2& command, const std::vector<Eigen::Vector2d>& p_base) {
+Twist2 PeopleGuard::limit(const Twist2& command, const std::vector<Eigen::Vector2d>& p_base) {
   double gap = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector2d& p : p_base) {
     if (p.x() <= 0.0 || std::abs(p.y()) >= reach_) continue;
@@ -25,7 +25,7 @@ Twist2 PeopleGuard::guarded(const Twist2& command, const std::vector<Eigen::Vect
   return {allowed, command.w * allowed / command.v};
 }
 
-bool PeopleGuard::waited(int calls) {
+bool PeopleGuard::has_waited(int calls) {
   if (waiting_ < calls) return false;
   waiting_ = 0;
   return true;

@@ -11,7 +11,8 @@
 namespace castaway::sim {
 namespace {
 
-/// A step to one of the nine cells around and at a cell, in a byte: large maps have millions.
+/// A step to one of the eight neighbours of a cell, or none; a byte, since large maps have millions
+/// of cells.
 using StepIndex = std::uint8_t;
 constexpr StepIndex kStay = 4;
 constexpr StepIndex step_index(int dx, int dy) {
@@ -20,7 +21,7 @@ constexpr StepIndex step_index(int dx, int dy) {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-/// A cell on the frontier; the least estimate comes first, ties by cell.
+/// A cell on the frontier; ordered by estimated cost, then by cell.
 struct Candidate {
   float estimate = 0.0F;
   std::size_t cell = 0;
@@ -46,7 +47,8 @@ class AStar {
       open_.pop();
       const CellIndex cell = cell_at_index(best.cell);
       if (cell == goal_) return true;
-      if (best.estimate > cost_[best.cell] + heuristic(cell)) continue;  // Reached better since.
+      // A better path has been found since.
+      if (best.estimate > cost_[best.cell] + heuristic(cell)) continue;
       expand(cell, best.cell);
     }
     return false;
@@ -73,7 +75,7 @@ class AStar {
   [[nodiscard]] bool is_free(CellIndex c) const {
     return grid_.contains(c.column, c.row) && grid_.at(c.column, c.row) == Cell::kFree;
   }
-  /// Octile distance: what an empty grid would cost.
+  /// Octile distance: the cost on an empty grid.
   [[nodiscard]] float heuristic(CellIndex c) const {
     const double dx = std::abs(c.column - goal_.column);
     const double dy = std::abs(c.row - goal_.row);

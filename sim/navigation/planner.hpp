@@ -10,14 +10,16 @@
 
 namespace castaway::sim {
 
-/// What a path costs.
+/// Parameters of a path's cost.
 struct PlannerConfig {
-  double comfort = 0.4;         ///< [m] Wanted room beyond the robot's own radius.
-  double comfort_weight = 3.0;  ///< Cost of a metre right at the obstacle, over a metre far off.
+  double comfort = 0.4;  ///< [m] Wanted room beyond the disc's radius.
+  /// Extra cost of a metre right beside an obstacle; a metre in the open costs 1.
+  double comfort_weight = 3.0;
 };
 
-/// Plans with A* over the 8-connected free cells; never cuts a corner. From the free cell nearest
-/// to `start` to the one nearest to `goal`: points of map a cell apart. Nothing if there is no way.
+/// Plans with A* over the 8-connected free cells, never cutting a corner, from the free cell
+/// nearest to `start` to the one nearest to `goal`. Returns points in map one cell apart; nothing
+/// if there is no path.
 std::optional<std::vector<Eigen::Vector2d>> plan_path(const FreeSpace& free,
                                                       const Eigen::Vector2d& start,
                                                       const Eigen::Vector2d& goal,

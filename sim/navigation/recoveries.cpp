@@ -10,9 +10,9 @@ namespace {
 constexpr std::array<Recovery, 5> kOrder{Recovery::kWait, Recovery::kReplan, Recovery::kBackUp,
                                          Recovery::kSpin, Recovery::kReplan};
 constexpr double kQuarter = 1.5708;  // [rad]
-constexpr double kSideReach = 1.5;   // [m] Within which sides are compared.
+constexpr double kSideReach = 1.5;   // [m] Obstacles farther away do not decide the side of a spin.
 
-/// 1: there is more room to the left, -1: to the right.
+/// 1 if there is more room to the left, -1 if to the right.
 double roomier_side(const std::vector<Eigen::Vector2d>& p_base) {
   double balance = 0.0;
   for (const Eigen::Vector2d& p : p_base) {
@@ -57,12 +57,12 @@ void Recoveries::begin(Recovery recovery, const Pose2& T_odom_base,
   if (recovery == Recovery::kSpin) side_ = roomier_side(p_base);
 }
 
-std::optional<Twist2> Recoveries::waiting() const {
+std::optional<Twist2> Recoveries::wait() const {
   return elapsed_ < times_.wait ? std::optional(Twist2{}) : std::nullopt;
 }
 
-std::optional<Twist2> Recoveries::backing_up(const Pose2& T_begin_base,
-                                             const std::vector<Eigen::Vector2d>& p_base) const {
+std::optional<Twist2> Recoveries::back_up(const Pose2& T_begin_base,
+                                          const std::vector<Eigen::Vector2d>& p_base) const {
   const bool blocked = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
     return p.x() < 0.0 && p.norm() < radius_ + 0.05;
   });
@@ -72,7 +72,7 @@ std::optional<Twist2> Recoveries::backing_up(const Pose2& T_begin_base,
   return Twist2{-times_.back_up_speed, 0.0};
 }
 
-std::optional<Twist2> Recoveries::spinning(const Pose2& T_begin_base) const {
+std::optional<Twist2> Recoveries::spin(const Pose2& T_begin_base) const {
   const bool over =
       std::abs(T_begin_base.yaw) >= kQuarter || elapsed_ > 2.0 * kQuarter / times_.turn_rate;
   if (over) return std::nullopt;
@@ -86,9 +86,9 @@ std::optional<Twist2> Recoveries::command(const Pose2& T_odom_base,
   elapsed_ += period_;
   const Pose2 T_begin_base = inverse(T_odom_begin_) * T_odom_base;
   std::optional<Twist2> twist;
-  if (active_ == Recovery::kWait) twist = waiting();
-  if (active_ == Recovery::kBackUp) twist = backing_up(T_begin_base, p_base);
-  if (active_ == Recovery::kSpin) twist = spinning(T_begin_base);
+  if (active_ == Recovery::kWait) twist = wait();
+  if (active_ == Recovery::kBackUp) twist = back_up(T_begin_base, p_base);
+  if (active_ == Recovery::kSpin) twist = spin(T_begin_base);
   if (twist) return twist;
   active_.reset();
   p_odom_progress_.reset();

@@ -1,4 +1,4 @@
-/// What a robot does that does not get on: wait, plan anew, back up, look around.
+/// Recovery behaviours of a robot that makes no progress: wait, re-plan, back up, spin.
 #pragma once
 
 #include <cstdint>
@@ -12,46 +12,50 @@
 
 namespace castaway::sim {
 
-/// A recovery behaviour, in the order in which they are tried.
+/// Recovery behaviours, in the order in which they are tried.
 enum class Recovery : std::uint8_t {
-  kWait,    ///< Stands still: whoever is in the way may go.
-  kReplan,  ///< Plans around what the lidar sees.
+  kWait,    ///< Stands still: what is in the way may go.
+  kReplan,  ///< Plans around the obstacles that the lidars see.
   kBackUp,  ///< Drives back a little.
-  kSpin,    ///< Turns a quarter to the roomier side.
+  kSpin,    ///< Turns by 90 degrees to the side with more room.
 };
 
-/// "wait", "re-plan", "back up", "spin": as logs name it.
+/// "wait", "re-plan", "back up", "spin": the name in logs.
 std::string to_string(Recovery recovery);
 
-/// How recoveries go.
+/// Parameters of the recoveries.
 struct RecoveryTimes {
-  double patience = 10.0;       ///< [s] Without `progress`, the next behaviour begins...
-  double progress = 0.5;        ///< [m] ...as with the progress checker of Nav2, its defaults.
-  double forget = 1.0;          ///< [m] After so much way it begins with the first one again.
-  double wait = 3.0;            ///< [s]
-  double back_up = 0.3;         ///< [m]
+  double patience = 10.0;  ///< [s] Without `progress` for this long, the next behaviour begins.
+  /// [m] Displacement that counts as progress; both as in Nav2's progress checker.
+  double progress = 0.5;
+  double forget = 1.0;          ///< [m] After this displacement the sequence starts again.
+  double wait = 3.0;            ///< [s] Length of a wait.
+  double back_up = 0.3;         ///< [m] Distance to back up.
   double back_up_speed = 0.12;  ///< [m/s]
   double turn_rate = 0.6;       ///< [rad/s]
 };
 
-/// Watches the way made, and takes over where there is none.
+/// Watches the robot's progress, and takes over when there is none.
 class Recoveries {
  public:
-  /// `radius` [m]: the robot's with its margin. `period` [s] between two calls of `step`.
+  /// `radius` [m]: of the robot with its margin. `period` [s]: between two calls of `watch` or
+  /// `command`.
   Recoveries(const RecoveryTimes& times, double radius, double period)
       : times_(times), radius_(radius), period_(period) {}
 
-  /// Once a control period, while the robot wants to move. The behaviour that begins now, if any.
+  /// Returns the behaviour that begins now, if any. Called once a control period while the robot
+  /// wants to move.
   std::optional<Recovery> watch(const Pose2& T_odom_base);
-  /// The velocity of the behaviour under way; nothing: none is. `p_base`: what the lidar sees.
+  /// Returns the velocity of the running behaviour; nothing if none runs. `p_base`: end points of
+  /// the lidars.
   std::optional<Twist2> command(const Pose2& T_odom_base,
                                 const std::vector<Eigen::Vector2d>& p_base);
 
  private:
-  [[nodiscard]] std::optional<Twist2> waiting() const;
-  [[nodiscard]] std::optional<Twist2> backing_up(const Pose2& T_begin_base,
-                                                 const std::vector<Eigen::Vector2d>& p_base) const;
-  [[nodiscard]] std::optional<Twist2> spinning(const Pose2& T_begin_base) const;
+  [[nodiscard]] std::optional<Twist2> wait() const;
+  [[nodiscard]] std::optional<Twist2> back_up(const Pose2& T_begin_base,
+                                              const std::vector<Eigen::Vector2d>& p_base) const;
+  [[nodiscard]] std::optional<Twist2> spin(const Pose2& T_begin_base) const;
   void begin(Recovery recovery, const Pose2& T_odom_base,
              const std::vector<Eigen::Vector2d>& p_base);
 
@@ -59,13 +63,13 @@ class Recoveries {
   double radius_;
   double period_;
   std::optional<Recovery> active_;
-  bool fresh_ = false;                              ///< It has not commanded anything yet.
-  Pose2 T_odom_begin_;                              ///< Where it began.
-  double side_ = 1.0;                               ///< Of a spin; 1: left.
-  double elapsed_ = 0.0;                            ///< [s] Of it, or since the last progress.
-  std::size_t next_ = 0;                            ///< Behaviour to begin next.
-  std::optional<Eigen::Vector2d> p_odom_progress_;  ///< Where the last progress was made...
-  std::optional<Eigen::Vector2d> p_odom_stuck_;     ///< ...and where it got stuck last.
+  bool fresh_ = false;    ///< The running behaviour has not commanded anything yet.
+  Pose2 T_odom_begin_;    ///< Where the running behaviour began.
+  double side_ = 1.0;     ///< Direction of a spin; 1 is left.
+  double elapsed_ = 0.0;  ///< [s] Of the running behaviour, or since the last progress.
+  std::size_t next_ = 0;  ///< Index of the behaviour to begin next.
+  std::optional<Eigen::Vector2d> p_odom_progress_;  ///< Where the last progress was made.
+  std::optional<Eigen::Vector2d> p_odom_stuck_;     ///< Where the robot got stuck last.
 };
 
 }  // namespace castaway::sim

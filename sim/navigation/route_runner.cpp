@@ -7,7 +7,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kReached = 0.2;  // [m] Farther from a waypoint, it was not reached.
+// [m] A path that ends farther from its waypoint did not reach it.
+constexpr double kReached = 0.2;
 
 }  // namespace
 
@@ -35,7 +36,7 @@ Twist2 RouteRunner::command(const std::optional<Pose2>& T_map_base) {
   if (!follower_ || off) plan(*T_map_base);
   if (!follower_) return {};
   const Twist2 twist = follower_->command(*T_map_base, detour_ ? *detour_ : free_);
-  if (follower_->arrived(*T_map_base)) next_waypoint();
+  if (follower_->has_arrived(*T_map_base)) next_waypoint();
   return twist;
 }
 

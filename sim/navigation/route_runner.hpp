@@ -1,4 +1,4 @@
-/// Drives a route of waypoints, wherever the robot finds itself.
+/// Drives a route of waypoints from wherever the robot is.
 #pragma once
 
 #include <optional>
@@ -12,44 +12,46 @@
 
 namespace castaway::sim {
 
-/// A route.
+/// A route and how it is driven.
 struct RouteConfig {
-  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: stand still.
-  bool loop = true;                        ///< Starts again after the last.
-  double replan_distance = 0.4;            ///< [m] Further off the path, the robot plans anew.
+  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; if empty, the robot stands still.
+  bool loop = true;                        ///< Starts again after the last waypoint.
+  /// [m] Re-plans when the robot is farther than this from its path.
+  double replan_distance = 0.4;
   FollowerConfig follower;
 };
 
-/// The stretch of path just ahead, in map. [m]
+/// The next stretch of the path, in map. [m]
 struct Lane {
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< What the robot has come to.
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();    ///< What it aims at.
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< Point of the path nearest to the robot.
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();    ///< Point that the robot aims at.
 };
 
-/// Plans from waypoint to waypoint. A waypoint that is not free stands for the nearest free place;
-/// one within tolerance is done with. After a jump of the pose it plans anew.
+/// Plans from waypoint to waypoint. If a waypoint is not free, the nearest free cell stands in for
+/// it. A waypoint within tolerance is finished. Re-plans after a jump of the pose.
 class RouteRunner {
  public:
   /// `free`: where the robot's centre can be.
   RouteRunner(RouteConfig config, FreeSpace free);
 
-  /// The velocity to command at a pose; zero without one and at the end of the route.
+  /// Returns the velocity to command at a pose; zero without a pose and at the end of the route.
   Twist2 command(const std::optional<Pose2>& T_map_base);
-  /// True at the end of the route, and without one.
+  /// True at the end of the route, and if there is no route.
   [[nodiscard]] bool done() const { return waypoint_ >= config_.waypoints.size(); }
-  /// Waypoints that were reached so far; a free place more than 0.2 m beside is not counted.
-  [[nodiscard]] int passed() const { return passed_; }
-  /// Drives to the next waypoint through `free` instead, which leaves out what is in the way. Stays
-  /// with its path where there is none.
+  /// Waypoints reached so far; one is not counted if its nearest free place is more than 0.2 m
+  /// away.
+  [[nodiscard]] int waypoints_reached() const { return passed_; }
+  /// Re-plans to the next waypoint in `free`, which excludes obstacles in the way. Keeps the
+  /// current path if there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);
-  /// Up to the point that the last command aimed at; nothing without a path.
+  /// The lane up to the point that the last command aimed at; nothing without a path.
   [[nodiscard]] std::optional<Lane> lane() const {
     if (!follower_ || !follower_->aim()) return std::nullopt;
     return Lane{follower_->nearest(), *follower_->aim()};
   }
-  /// The path being driven; empty if none.
+  /// The current path; empty if there is none.
   [[nodiscard]] std::vector<Eigen::Vector2d> path() const;
-  /// Where it plans when nothing is in the way.
+  /// Free space to plan in when nothing is in the way.
   [[nodiscard]] const FreeSpace& free() const { return free_; }
 
  private:
@@ -58,7 +60,7 @@ class RouteRunner {
 
   RouteConfig config_;
   FreeSpace free_;
-  std::optional<FreeSpace> detour_;  ///< Holds until the next waypoint.
+  std::optional<FreeSpace> detour_;  ///< Used until the next waypoint.
   std::size_t waypoint_ = 0;
   int passed_ = 0;
   std::optional<PathFollower> follower_;

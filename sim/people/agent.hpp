@@ -1,4 +1,4 @@
-/// A person with its intentions: what `people.hpp` moves. Internal to sim/people.
+/// State of one person, which `people.hpp` moves. Internal to sim/people.
 #pragma once
 
 #include <cstddef>
@@ -8,32 +8,33 @@
 
 namespace castaway::sim {
 
-/// What a person is here for.
+/// What a person does when it is left alone.
 enum class Errand { kStanding, kWalking };
 
-/// Everything about one person. Times are seconds since the start of the run.
+/// All state of one person. Times are seconds since the start of the run.
 struct Agent {
   PersonBody body;
   Behaviour behaviour = Behaviour::kRegular;
   Errand errand = Errand::kWalking;
-  std::size_t leader = 0;  ///< First of its group, whose goals it shares; itself if alone.
-  int rank = 0;            ///< In the group; 0: the leader.
-  Rng rng;                 ///< Its own: nobody else draws from it.
+  /// Index of the first of its group, whose goals it shares; its own if alone.
+  std::size_t leader = 0;
+  int rank = 0;  ///< Position in the group; 0 is the leader.
+  Rng rng;       ///< Drawn from by this person only.
 
   PersonState state;
-  Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  ///< [m] Where who stands belongs...
-  double anchor_heading = 0.0;                       ///< [rad] ...and faces.
+  Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  ///< [m] Where a standing person returns to.
+  double anchor_heading = 0.0;                       ///< [rad] Heading that it returns to.
 
-  std::size_t goal = 0;                                ///< Place that a walker goes to...
-  Eigen::Vector2d waypoint = Eigen::Vector2d::Zero();  ///< [m] ...by way of this point...
-  double rests_until = 0.0;                            ///< [s] ...once it has rested.
-  double headway = 0.5;                                ///< [m/s] Lately, towards where it wants.
-  double stuck_for = 0.0;                              ///< [s] Wanted to walk and could not.
+  std::size_t goal = 0;  ///< Index of the place that a walker goes to.
+  Eigen::Vector2d waypoint = Eigen::Vector2d::Zero();  ///< [m] Point that it walks to next.
+  double rests_until = 0.0;                            ///< [s] It rests until then.
+  double headway = 0.5;    ///< [m/s] Smoothed speed towards where it wants to go.
+  double stuck_for = 0.0;  ///< [s] For how long it has wanted to walk and made no headway.
 
-  double busy_until = 0.0;                         ///< [s] Minds the robot so long...
-  double unmoved_until = 0.0;                      ///< [s] ...and then not before.
-  bool sees_robot = false;                         ///< No wall between.
-  bool in_crowd = false;                           ///< Goes to `slot` rather than to its goal.
+  double busy_until = 0.0;     ///< [s] Reacts to the robot until then.
+  double unmoved_until = 0.0;  ///< [s] Does not react to the robot again before.
+  bool sees_robot = false;     ///< No wall is in between.
+  bool in_crowd = false;       ///< Goes to `slot` instead of its goal.
   Eigen::Vector2d slot = Eigen::Vector2d::Zero();  ///< [m] Its place in the crowd.
 };
 

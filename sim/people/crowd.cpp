@@ -8,18 +8,19 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kBeams = 120;    // Looked at, about.
-constexpr double kGain = 0.2;  // Of the difference, at each plan.
-constexpr double kMostAim = 0.95;
-constexpr double kSpacing = 0.42;  // [m] Between two places.
+constexpr int kBeams = 120;    // Beams evaluated, about.
+constexpr double kGain = 0.2;  // Share of the error in blocked beams that a plan corrects.
+constexpr double kMaxAim = 0.95;
+constexpr double kSpacing = 0.42;  // [m] Least distance between two places.
 constexpr int kBearings = 30;
-constexpr double kGap = 0.3;      // [m] From the robot's disc to the nearest bodies.
-constexpr double kLane = 0.45;    // [m] Half the width that is left free before the robot...
-constexpr double kAhead = 1.6;    // [m] ...so far.
-constexpr double kLoyalty = 2.0;  // Beams that a place counts more where a member is already.
-constexpr double kNear = 0.3;     // [m] That is: within.
+constexpr double kGap = 0.3;  // [m] From the robot's disc to the nearest bodies.
+// [m] Half the width of the lane ahead of the robot that stays free.
+constexpr double kLane = 0.45;
+constexpr double kAhead = 1.6;    // [m] Length of that lane.
+constexpr double kLoyalty = 2.0;  // [beams] Bonus of a place where a crowd member already stands.
+constexpr double kNear = 0.3;     // [m] A crowd member this close to a place stands there.
 
-/// Walkers in order of the places that they are nearest to.
+/// Gives each place to the nearest walker that has none yet.
 void assign(const std::vector<Eigen::Vector2d>& places, std::vector<Agent>& agents) {
   for (Agent& agent : agents) agent.in_crowd = false;
   for (const Eigen::Vector2d& place : places) {
@@ -57,17 +58,17 @@ std::vector<Crowd::Sight> Crowd::sights(const RobotBody& robot, const Surroundin
   return result;
 }
 
-/// Sees what is blocked now, and aims higher or lower.
+/// Measures the blocked share, and adjusts the share aimed at by the error.
 void Crowd::measure(const std::vector<Sight>& sights, const Surroundings& around) {
   const auto blocked = std::count_if(sights.begin(), sights.end(), [&](const Sight& sight) {
     return around.moving->cast(sight.ray, sight.range).has_value();
   });
   const double share = static_cast<double>(blocked) / static_cast<double>(sights.size());
-  aim_ = std::clamp(aim_ + kGain * (wanted_ - share), 0.0, kMostAim);
+  aim_ = std::clamp(aim_ + kGain * (wanted_ - share), 0.0, kMaxAim);
 }
 
-std::vector<bool> Crowd::covered(const Eigen::Vector2d& p_map,
-                                 const std::vector<Sight>& sights) const {
+std::vector<bool> Crowd::covered_beams(const Eigen::Vector2d& p_map,
+                                       const std::vector<Sight>& sights) const {
   const PersonBody body;
   const Eigen::Vector2d from = sights.front().ray.origin.head<2>();
   const Eigen::Vector2d ahead = (p_map - from).normalized();
@@ -103,13 +104,13 @@ std::vector<Crowd::Place> Crowd::places(const RobotBody& robot, const WalkSpace&
       const Eigen::Vector2d p_base = T_base_map * p;
       const bool lane = p_base.x() > 0.0 && p_base.x() < kAhead && std::abs(p_base.y()) < kLane;
       if (lane || !space.clear(p) || !space.sees(robot.T_map_base.position(), p)) continue;
-      result.push_back({p, covered(p, sights)});
+      result.push_back({p, covered_beams(p, sights)});
     }
   }
   return result;
 }
 
-/// Beams that a place would cover first; 0 where it is too near to a place that is taken.
+/// Uncovered beams that a place would cover; 0 if it is too near to a place already chosen.
 double Crowd::gain(const Place& place, const Cover& cover, const std::vector<Agent>& agents) {
   for (const Eigen::Vector2d& other : cover.chosen) {
     if ((other - place.p_map).norm() < kSpacing) return 0.0;

@@ -6,12 +6,15 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kWalkRatio = 0.0062;   // [m min] Step length over steps a minute.
-constexpr double kStandingSpeed = 0.1;  // [m/s] Below, nobody takes steps but to stand well.
-constexpr double kUneasy = 0.08;        // [m] A foot so far from its place is moved.
-constexpr double kSettleRate = 0.9;     // [Hz] Cycles while feet are put in their places.
-constexpr double kLost = 1.2;           // [m] No leg is so long: the body was moved by others.
-constexpr double kFootRoom = 0.1;       // [m] From the middle of a foot to a wall.
+constexpr double kWalkRatio = 0.0062;  // [m min] Step length per steps a minute.
+// [m/s] A slower person takes steps only to bring its feet beside each other.
+constexpr double kStandingSpeed = 0.1;
+// [m] A standing person moves a foot that is farther than this from its place.
+constexpr double kFootTolerance = 0.08;
+constexpr double kSettleRate = 0.9;  // [Hz] Gait cycles while a standing person moves its feet.
+// [m] A foot farther from the body than this is put back: somebody else moved the body.
+constexpr double kMaxLegReach = 1.2;
+constexpr double kFootRoom = 0.1;  // [m] Least distance from the middle of a foot to a wall.
 
 Eigen::Vector2d beside(const PersonState& state, std::size_t foot) {
   const Eigen::Vector2d ahead = heading_vector(state.heading);
@@ -19,10 +22,10 @@ Eigen::Vector2d beside(const PersonState& state, std::size_t foot) {
   return side * Eigen::Vector2d(-ahead.y(), ahead.x());
 }
 
-bool uneasy(const PersonState& state) {
+bool must_step(const PersonState& state) {
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const Eigen::Vector2d home = state.position + beside(state, foot);
-    if ((state.feet[foot] - home).norm() > kUneasy) return true;
+    if ((state.feet[foot] - home).norm() > kFootTolerance) return true;
   }
   return false;
 }
@@ -30,10 +33,10 @@ bool uneasy(const PersonState& state) {
 double cycles_per_second(const PersonState& state) {
   const double speed = state.velocity.norm();
   if (speed > kStandingSpeed) return speed / (2.0 * step_length(speed));
-  return uneasy(state) ? kSettleRate : 0.0;
+  return must_step(state) ? kSettleRate : 0.0;
 }
 
-/// `offset` from the body, drawn back so far that a foot there is in no wall.
+/// The point at `offset` from the body, moved towards the body until a foot there is off the walls.
 Eigen::Vector2d with_room(const WalkSpace& space, const PersonState& state,
                           const Eigen::Vector2d& offset) {
   for (const double share : {1.0, 0.75, 0.5, 0.25}) {
@@ -43,7 +46,7 @@ Eigen::Vector2d with_room(const WalkSpace& space, const PersonState& state,
   return state.position;
 }
 
-/// Moves the foot that swings the share of its way that this step takes of what is left.
+/// Moves the swinging foot towards where it will land, by `share` of the remaining way.
 void swing(const WalkSpace& space, std::size_t foot, double left, double dt, double share,
            PersonState& state) {
   const double speed = state.velocity.norm();
@@ -70,7 +73,7 @@ void walk(const WalkSpace& space, const PersonState& before, double dt, PersonSt
   state.feet = before.feet;
   state.gait_phase = before.gait_phase;
   for (const Eigen::Vector2d& foot : state.feet) {
-    if ((foot - state.position).norm() > kLost) return stand(state);
+    if ((foot - state.position).norm() > kMaxLegReach) return stand(state);
   }
   const double rate = cycles_per_second(state);
   if (rate == 0.0) return;

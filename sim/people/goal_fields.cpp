@@ -16,9 +16,11 @@ namespace castaway::sim {
 namespace {
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr double kComfort = 0.5;        // [m] Wanted from the middle of the body to walls.
-constexpr double kComfortWeight = 3.0;  // Cost of a metre right at the wall, over one far off.
-constexpr std::array<int, 4> kLooks = {14, 9, 5, 2};  // [cells] Ahead.
+constexpr double kComfort = 0.5;  // [m] Wanted distance from the middle of the body to walls.
+// Extra cost of a metre right beside a wall; a metre in the open costs 1.
+constexpr double kComfortWeight = 3.0;
+// [cells] Path points tried as the next target, farthest first.
+constexpr std::array<int, 4> kLooks = {14, 9, 5, 2};
 
 struct Step {
   int dx;
@@ -31,7 +33,7 @@ constexpr std::uint8_t kNoStep = kSteps.size();
 /// The step that undoes another.
 constexpr std::size_t back(std::size_t step) { return kSteps.size() - 1 - step; }
 
-/// Cells of at least `GoalFields::kCell`, free where a person can stand all over them.
+/// Cells of at least `GoalFields::kCell`; free if a person can stand anywhere in them.
 Grid coarse(const WalkSpace& space) {
   const Grid& fine = space.free().grid();
   const int factor =
@@ -75,7 +77,7 @@ Eigen::Vector2d GoalFields::center(Index cell) const {
   return grid_.origin + cell_axes_ * Eigen::Vector2d(cell % width + 0.5, cell / width + 0.5);
 }
 
-/// The free cell at a point or, next to it, the nearest one.
+/// The free cell at a point, or the nearest one within two cells.
 GoalFields::Index GoalFields::cell_near(const Eigen::Vector2d& p_map) const {
   const CellIndex at = cell_of(grid_, p_map);
   if (is_free(at.column, at.row)) return static_cast<Index>(flat_index(grid_, at));
@@ -108,7 +110,7 @@ bool GoalFields::is_free(int column, int row) const {
   return grid_.contains(column, row) && grid_.at(column, row) == Cell::kFree;
 }
 
-/// Free cells next to one from which it can be entered without cutting a corner.
+/// Bit set of the steps that can be taken from a cell without cutting a corner.
 std::uint16_t GoalFields::exits(Index cell) const {
   const int column = static_cast<int>(cell) % grid_.width;
   const int row = static_cast<int>(cell) / grid_.width;
@@ -122,10 +124,10 @@ std::uint16_t GoalFields::exits(Index cell) const {
   return result;
 }
 
-/// Dijkstra's state, with a bucket for every stretch of cost as long as the shortest step: within a
-/// bucket the order does not matter (R. B. Dial, "Algorithm 360: Shortest-Path Forest with
-/// Topological Ordering", 1969). A cell stands in every bucket that it was reached in. The buckets
-/// are used again as soon as they are done with: no step is as long as all of them.
+/// State of Dijkstra's search, with a bucket for every stretch of cost as long as the shortest
+/// step: within a bucket the order does not matter (R. B. Dial, "Algorithm 360: Shortest-Path
+/// Forest with Topological Ordering", 1969). A cell is in every bucket in which it was reached.
+/// Finished buckets are reused, since every step is shorter than all buckets together.
 struct GoalFields::Frontier {
   using Bucket = std::vector<std::pair<float, Index>>;
 
@@ -141,21 +143,22 @@ struct GoalFields::Frontier {
   std::array<Bucket, 8> buckets{};
   std::size_t waiting = 0;  ///< In all buckets.
 };
-static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);  // Buckets that a step spans.
+// Buckets that one step can span.
+static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);
 
-GoalFields::Index GoalFields::stepped(Index cell, std::size_t step) const {
+GoalFields::Index GoalFields::neighbour(Index cell, std::size_t step) const {
   const auto [dx, dy] = kSteps[step];
   return static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
 }
 
-/// Reaches out to a cell's neighbours.
+/// Updates the neighbours of a cell.
 void GoalFields::spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const {
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     if ((exits_[cell] & (1U << k)) == 0) continue;
     const auto [dx, dy] = kSteps[k];
     const float length = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
     const float whole = frontier.cost[cell] + prices_[cell] * length;
-    const Index to = stepped(cell, k);
+    const Index to = neighbour(cell, k);
     if (whole >= frontier.cost[to]) continue;
     next[to] = static_cast<StepIndex>(back(k));
     frontier.reach(to, whole);
@@ -170,7 +173,7 @@ std::vector<GoalFields::StepIndex> GoalFields::search(Index goal) const {
   frontier.reach(goal, 0.0F);
   for (std::size_t number = 0; frontier.waiting > 0; ++number) {
     Frontier::Bucket& bucket = frontier.bucket(number);
-    for (std::size_t i = 0; i < bucket.size(); ++i) {  // It may grow.
+    for (std::size_t i = 0; i < bucket.size(); ++i) {  // The bucket may grow.
       const auto [reached, cell] = bucket[i];
       if (reached == frontier.cost[cell]) spread(cell, frontier, next);
     }
@@ -188,7 +191,7 @@ Eigen::Vector2d GoalFields::ahead(std::size_t place, const Eigen::Vector2d& p_ma
   for (Index& step : path) {
     step = cell;
     const StepIndex next = next_[place][cell];
-    if (next != kNoStep) cell = stepped(cell, next);
+    if (next != kNoStep) cell = neighbour(cell, next);
   }
   for (const int look : kLooks) {
     const Eigen::Vector2d p = center(path[static_cast<std::size_t>(look)]);

@@ -1,7 +1,7 @@
-/// Shortest ways from everywhere to a few places.
+/// Shortest paths from everywhere to a few places.
 ///
-/// People share their goals, so that one search from each place (Dijkstra; A* with all starts at
-/// once) serves all who ever go there, and following a path costs nothing.
+/// People share their goals: one search from each place (Dijkstra) serves everybody who goes there,
+/// and following a path costs nothing.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@
 
 namespace castaway::sim {
 
-/// Places to go to, and the ways there: on cells of `kCell`, around corners with room to spare.
+/// Places to go to and the paths there, on cells of about `kCell` and away from corners.
 class GoalFields {
  public:
-  static constexpr double kCell = 0.1;  ///< [m] At least; not finer than the walk space's grid.
+  static constexpr double kCell = 0.1;  ///< [m] At least; never finer than the walk space's grid.
 
   /// Draws `places` places from the walk space, which must outlive this. @throws std::runtime_error
-  /// if nobody can walk anywhere.
+  /// if there is no room to walk.
   GoalFields(const WalkSpace& space, int places, Rng& rng);
 
   [[nodiscard]] const std::vector<Eigen::Vector2d>& places() const { return places_; }
-  /// Where to walk to from `p_map` on the way to a place: a point of the path at most about 1.4 m
-  /// ahead that can be reached in a straight line. The first call for a place searches the ways.
+  /// Returns the point to walk to from `p_map` on the way to a place: at most about 1.4 m ahead on
+  /// the path, and reachable in a straight line. The first call for a place runs its search.
   [[nodiscard]] Eigen::Vector2d ahead(std::size_t place, const Eigen::Vector2d& p_map);
 
  private:
@@ -39,18 +39,18 @@ class GoalFields {
   [[nodiscard]] bool is_free(int column, int row) const;
   [[nodiscard]] std::uint16_t exits(Index cell) const;
   [[nodiscard]] float price(Index cell) const;
-  [[nodiscard]] Index stepped(Index cell, std::size_t step) const;
-  /// By cell: the step to take on the way to `goal`.
+  [[nodiscard]] Index neighbour(Index cell, std::size_t step) const;
+  /// The step to take on the way to `goal`, by cell.
   [[nodiscard]] std::vector<StepIndex> search(Index goal) const;
   void spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const;
 
   const WalkSpace& space_;
   Grid grid_;
-  Eigen::Matrix2d cell_axes_;         ///< [m] A step in columns and in rows, in map.
-  std::vector<float> prices_;         ///< By cell: of entering it straight. [m]
-  std::vector<std::uint16_t> exits_;  ///< By cell: which of the eight steps can be taken.
+  Eigen::Matrix2d cell_axes_;         ///< [m] One step in columns and one in rows, in map.
+  std::vector<float> prices_;         ///< [m] Cost of entering a cell straight, by cell.
+  std::vector<std::uint16_t> exits_;  ///< Bit set of the eight steps that can be taken, by cell.
   std::vector<Eigen::Vector2d> places_;
-  std::vector<std::vector<StepIndex>> next_;  ///< By place and cell; empty until searched.
+  std::vector<std::vector<StepIndex>> next_;  ///< By place and cell; empty before the search.
 };
 
 }  // namespace castaway::sim

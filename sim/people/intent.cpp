@@ -12,29 +12,33 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kTopSpeed = 1.3;       // Of the desired speed (Helbing and Molnar 1995).
-constexpr double kArrived = 0.7;        // [m]
-constexpr double kLongestRest = 6.0;    // [s]
-constexpr double kPatience = 4.0;       // [s] Of somebody who is stuck...
-constexpr double kHardly = 0.1;         // [m/s] ...which is who gets on no faster...
-constexpr double kSmoothing = 2.0;      // [s] ...over so long: a throng jostles.
-constexpr double kInTheWay = 2.0;       // [m] Where a robot may be what holds people up.
-constexpr int kTries = 8;               // Goals looked at by who turns back.
-constexpr double kWants = 0.3;          // [m/s] Who wants less than that is not stuck.
-constexpr double kAmble = 0.5;          // [m/s]
-constexpr double kAnchorEase = 1.0;     // [1/s] Speed wanted for a metre off the place.
-constexpr double kAnchorSpeed = 0.6;    // [m/s]
-constexpr double kAtPlace = 0.05;       // [m]
-constexpr double kSlotEase = 2.0;       // [1/s]
-constexpr double kSlotSpeed = 1.8;      // [m/s] Of people who keep up with a robot.
-constexpr double kFormationEase = 1.2;  // [1/s]
-constexpr double kTooFarBehind = 1.8;   // [m] Then the leader waits.
-constexpr double kWalking = 0.15;       // [m/s] Faster, people look where they go.
-constexpr std::array<double, 4> kAbreast = {0.0, 0.65, -0.65, 1.3};  // [m] Left of the leader.
+constexpr double kTopSpeed = 1.3;     // Share of the desired speed (Helbing and Molnar 1995).
+constexpr double kArrived = 0.7;      // [m]
+constexpr double kLongestRest = 6.0;  // [s]
+constexpr double kPatience = 4.0;     // [s] A walker that is stuck for longer picks another goal.
+// [m/s] A walker whose smoothed headway is less than this is stuck.
+constexpr double kStuckHeadway = 0.1;
+constexpr double kSmoothing = 2.0;  // [s] Time constant of that headway: people in a throng jostle.
+constexpr double kInTheWay = 2.0;   // [m] A robot this close may be what holds a walker up.
+constexpr int kTries = 8;           // Goals that a walker tries when it turns back.
+constexpr double kMovingIntent =
+    0.3;  // [m/s] A walker that wants less speed than this is not stuck.
+constexpr double kDefaultHeadway = 0.5;  // [m/s]
+constexpr double kAnchorEase = 1.0;      // [1/s] Speed wanted per metre off the place.
+constexpr double kAnchorSpeed = 0.6;     // [m/s]
+constexpr double kAtPlace = 0.05;        // [m]
+constexpr double kSlotEase = 2.0;        // [1/s]
+constexpr double kSlotSpeed = 1.8;       // [m/s] Enough to keep up with a robot.
+constexpr double kFormationEase = 1.2;   // [1/s]
+// [m] A follower farther off walks by its own path, and its leader slows down.
+constexpr double kTooFarBehind = 1.8;
+constexpr double kWalking = 0.15;  // [m/s] Faster people look where they go.
+// [m] To the left of the leader.
+constexpr std::array<double, 4> kAbreast = {0.0, 0.65, -0.65, 1.3};
 
 double heading_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-Eigen::Vector2d eased(const Eigen::Vector2d& way, double ease, double most) {
+Eigen::Vector2d ease_towards(const Eigen::Vector2d& way, double ease, double most) {
   const double distance = way.norm();
   if (distance < kAtPlace) return Eigen::Vector2d::Zero();
   return way / distance * std::min(ease * distance, most);
@@ -46,7 +50,7 @@ double facing(const Agent& agent, const RobotBody& robot) {
 
 Intent stand_there(const Agent& agent) {
   Intent intent;
-  intent.velocity = eased(agent.anchor - agent.state.position, kAnchorEase, kAnchorSpeed);
+  intent.velocity = ease_towards(agent.anchor - agent.state.position, kAnchorEase, kAnchorSpeed);
   intent.heading = agent.anchor_heading;
   intent.top_speed = kAnchorSpeed;
   return intent;
@@ -55,21 +59,21 @@ Intent stand_there(const Agent& agent) {
 Intent join_crowd(const Agent& agent, const RobotBody& robot) {
   Intent intent;
   const Eigen::Vector2d way = agent.slot - agent.state.position;
-  intent.velocity = robot.velocity + eased(way, kSlotEase, kSlotSpeed);
+  intent.velocity = robot.velocity + ease_towards(way, kSlotEase, kSlotSpeed);
   intent.heading = way.norm() > 0.5 ? heading_of(way) : facing(agent, robot);
   intent.top_speed = kSlotSpeed;
-  intent.minds_robot = false;
+  intent.avoids_robot = false;
   return intent;
 }
 
 void next_goal(Agent& agent, const GoalFields& goals) {
   boost::random::uniform_int_distribution<std::size_t> any(0, goals.places().size() - 1);
   agent.goal = any(agent.rng);
-  agent.headway = kAmble;
+  agent.headway = kDefaultHeadway;
   agent.stuck_for = 0.0;
 }
 
-/// Another goal, by a way that does not lead on towards a robot that stands in the way.
+/// Picks another goal whose path does not lead past a robot that stands in the way.
 void turn_back(Agent& agent, GoalFields& goals, const RobotBody& robot) {
   const Eigen::Vector2d from_robot = agent.state.position - robot.T_map_base.position();
   for (int tries = 0; tries < kTries; ++tries) {
@@ -88,7 +92,7 @@ bool left_behind(const std::vector<Agent>& agents, std::size_t leader) {
   return false;
 }
 
-/// On the way to its goal, or resting there.
+/// Walks to the goal, or rests there.
 Intent lead(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
             const RobotBody& robot, double now) {
   Agent& agent = agents[index];
@@ -112,7 +116,7 @@ Intent lead(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
   return intent;
 }
 
-/// Beside its leader; where that place is taken by a wall, along its own way to the same goal.
+/// Walks beside the leader; where there is no room, along the own path to the same goal.
 Intent follow(std::size_t index, std::vector<Agent>& agents) {
   Agent& agent = agents[index];
   const Agent& leader = agents[agent.leader];
@@ -126,7 +130,8 @@ Intent follow(std::size_t index, std::vector<Agent>& agents) {
   intent.heading = leader.state.heading;
   Eigen::Vector2d way = place - agent.state.position;
   if (way.norm() > kTooFarBehind) way = agent.waypoint - agent.state.position;
-  intent.velocity = leader.state.velocity + eased(way, kFormationEase, agent.body.desired_speed);
+  intent.velocity =
+      leader.state.velocity + ease_towards(way, kFormationEase, agent.body.desired_speed);
   return intent;
 }
 
@@ -148,9 +153,9 @@ Intent intend(std::size_t index, std::vector<Agent>& agents, GoalFields& goals,
 void note_progress(const Intent& intent, double dt, Agent& agent) {
   const double wanted = intent.velocity.norm();
   const double headway =
-      wanted > kWants ? agent.state.velocity.dot(intent.velocity) / wanted : kAmble;
+      wanted > kMovingIntent ? agent.state.velocity.dot(intent.velocity) / wanted : kDefaultHeadway;
   agent.headway += std::min(dt / kSmoothing, 1.0) * (headway - agent.headway);
-  agent.stuck_for = agent.headway < kHardly ? agent.stuck_for + dt : 0.0;
+  agent.stuck_for = agent.headway < kStuckHeadway ? agent.stuck_for + dt : 0.0;
 }
 
 }  // namespace castaway::sim

@@ -12,19 +12,19 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kPlaces = 16;        // To go to.
-constexpr int kLookEvery = 4;      // [steps] Ways and sights are looked up.
-constexpr double kSight = 5.0;     // [m] Nobody reacts to a robot that is further away.
+constexpr int kPlaces = 16;     // Places to walk to.
+constexpr int kLookEvery = 4;   // [steps] Between updates of waypoints and of who sees the robot.
+constexpr double kSight = 5.0;  // [m] People farther away do not react to the robot.
 constexpr double kTurnRate = 4.0;  // [rad/s]
-constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one.
-constexpr double kInCrowd = 0.25;  // Of the interaction is left among people packed closely.
+constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one hit.
+constexpr double kInCrowd = 0.25;  // Share of the social force that is left among crowd members.
 
 GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
   Rng rng = streams("people/places");
   return {space, kPlaces, rng};
 }
 
-Eigen::Vector2d limited(const Eigen::Vector2d& v, double most) {
+Eigen::Vector2d limit_speed(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
   return length > most ? Eigen::Vector2d(v * (most / length)) : v;
 }
@@ -56,7 +56,7 @@ void People::note_hits(const RobotBody& robot) {
   }
 }
 
-void People::look_about(const RobotBody& robot) {
+void People::update_sight(const RobotBody& robot) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if ((steps_ + static_cast<std::int64_t>(i)) % kLookEvery != 0) continue;
     Agent& agent = agents_[i];
@@ -69,7 +69,8 @@ void People::look_about(const RobotBody& robot) {
   }
 }
 
-/// What each feels of all the others: of two, each the opposite of what the other feels.
+/// Sum of the social forces of all others on each person; the forces of two people on each other
+/// are opposite.
 std::vector<Eigen::Vector2d> People::mutual_forces() const {
   std::vector<Eigen::Vector2d> sums(agents_.size(), Eigen::Vector2d::Zero());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
@@ -86,14 +87,14 @@ std::vector<Eigen::Vector2d> People::mutual_forces() const {
   return sums;
 }
 
-/// Of all that is not another person.
-Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool minds_robot) const {
+/// Force of walls and robot on a person.
+Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool avoids_robot) const {
   const Agent& agent = agents_[index];
   const Eigen::Vector2d& p = agent.state.position;
   const WallDistance wall = space_.wall(p);
   const Eigen::Vector2d walls =
       obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
-  if (!minds_robot) return walls;
+  if (!avoids_robot) return walls;
   if (agent.behaviour == Behaviour::kImpassive) {
     const OutlineDistance outline = distance_to(robot, p);
     return walls + obstacle_force(forces_, outline.distance - agent.body.radius, outline.away);
@@ -118,32 +119,32 @@ std::vector<Intent> People::intents(const RobotBody& robot) {
   return result;
 }
 
-/// Where everybody goes by the forces; nobody has moved while they are computed.
+/// Moves everybody by the forces, which are all computed before anybody moves.
 void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
   const std::vector<Eigen::Vector2d> others = mutual_forces();
   std::vector<Eigen::Vector2d> ways;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Eigen::Vector2d& v = agents_[i].state.velocity;
     const Eigen::Vector2d acceleration = driving_force(forces_, v, intents[i].velocity) +
-                                         others[i] + force(i, robot, intents[i].minds_robot);
-    ways.emplace_back(kPeriod * limited(v + kPeriod * acceleration, intents[i].top_speed));
+                                         others[i] + force(i, robot, intents[i].avoids_robot);
+    ways.emplace_back(kPeriod * limit_speed(v + kPeriod * acceleration, intents[i].top_speed));
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     before_[i] = agents_[i].state;
-    agents_[i].state.position = moved(space_, before_[i].position, ways[i]);
+    agents_[i].state.position = slide_along_walls(space_, before_[i].position, ways[i]);
   }
 }
 
 void People::step(const RobotBody& robot) {
   note_hits(robot);
-  look_about(robot);
+  update_sight(robot);
   const std::vector<Intent> wanted = intents(robot);
   move(wanted, robot);
   separate(space_, robot, before_, agents_);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     PersonState& state = agents_[i].state;
     const Eigen::Vector2d way = state.position - before_[i].position;
-    state.velocity = limited(way / kPeriod, wanted[i].top_speed);
+    state.velocity = limit_speed(way / kPeriod, wanted[i].top_speed);
     turn(i, wanted[i].heading);
     walk(space_, before_[i], kPeriod, state);
     keep_feet_off(robot, state);

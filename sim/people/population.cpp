@@ -16,9 +16,10 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kMeanSpeed = 1.34;   // [m/s] Desired: normal, within [0.5, 2].
+constexpr double kMeanSpeed = 1.34;   // [m/s] Desired speeds are normal, cut to [0.5, 2].
 constexpr double kSpeedSigma = 0.26;  // [m/s]
-constexpr double kRobotRoom = 0.6;    // [m] From a person to the robot's disc at the start.
+// [m] Least distance from a person to the robot's disc at the start.
+constexpr double kRobotRoom = 0.6;
 constexpr int kPlaceTries = 2000;
 
 double between(double low, double high, Rng& rng) {
@@ -85,7 +86,7 @@ class Draw {
     return true;
   }
 
-  /// Anywhere; next to `near` where there is room.
+  /// Draws a free place; next to `near` if there is room.
   Eigen::Vector2d room(const Agent& agent, const std::string& name, Rng& rng,
                        const Eigen::Vector2d* near = nullptr) const {
     boost::random::uniform_int_distribution<std::size_t> any(0, free_.size() - 1);
@@ -105,7 +106,7 @@ class Draw {
     const std::string name = fmt::format("placed/{}", index);
     if (!space_.clear(pose.position())) {
       throw std::runtime_error(fmt::format(
-          "people: at ({}, {}) nobody can stand: move it off what stands there", pose.x, pose.y));
+          "people: nobody can stand at ({}, {}): move it away from obstacles", pose.x, pose.y));
     }
     add(agent(name, Errand::kStanding), pose.position(), pose.yaw);
   }
@@ -118,7 +119,7 @@ class Draw {
     add(std::move(person), p, heading);
   }
 
-  /// In a circle, 0.7 m from neighbour to neighbour, facing the middle.
+  /// Places a group in a circle, 0.7 m from neighbour to neighbour, facing the middle.
   void talk(std::size_t group, int size) {
     const double radius = 0.35 / std::sin(std::numbers::pi / size);
     Rng rng = streams_(fmt::format("people/talking/{}", group));
@@ -151,7 +152,7 @@ class Draw {
     }
   }
 
-  /// The first of a group draws how many follow it.
+  /// Draws a walker; the first of a group also draws how many follow it.
   void walk(int index) {
     const std::string name = fmt::format("walking/{}", index);
     Agent person = agent(name, Errand::kWalking);
@@ -159,7 +160,7 @@ class Draw {
     const int size = boost::random::uniform_int_distribution<int>(2, 4)(person.rng);
     const auto goal = boost::random::uniform_int_distribution<std::size_t>(
         0, goals_.places().size() - 1)(person.rng);
-    // A group of 3 in the mean: single people are drawn the more often.
+    // Groups have 3 members on average, so that single people are drawn more often.
     const bool leads = single < config_.in_groups / (3.0 - 2.0 * config_.in_groups);
     if (followers_ > 0) return follow(std::move(person), name);
     person.goal = goal;
@@ -189,8 +190,8 @@ class Draw {
   const NamedStreams& streams_;
   std::vector<CellIndex> free_;
   std::vector<Agent> agents_;
-  std::size_t leader_ = 0;  ///< Of the group that is being drawn...
-  int followers_ = 0;       ///< ...and how many it still lacks.
+  std::size_t leader_ = 0;  ///< Of the group that is being drawn.
+  int followers_ = 0;       ///< Members which that group still lacks.
 };
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 namespace castaway::sim {
 
-/// All people of `config`, in its order, apart from each other and from the robot. @throws
-/// std::runtime_error if there is no room for somebody, naming whom.
+/// Draws all people of `config`, in its order, apart from each other and from the robot. @throws
+/// std::runtime_error naming the person for whom there is no room.
 std::vector<Agent> draw_people(const PeopleConfig& config, const WalkSpace& space,
                                const GoalFields& goals, const RobotBody& robot,
                                const NamedStreams& streams);

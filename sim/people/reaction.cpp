@@ -5,25 +5,26 @@
 namespace castaway::sim {
 namespace {
 
-/// When a behaviour sets in and how long it lasts.
+/// When a reaction starts and how long it lasts.
 struct Rule {
-  double within;   ///< [m]
+  double within;   ///< [m] Distance to the robot.
   double lasts;    ///< [s]
-  double not_for;  ///< [s] Afterwards.
+  double not_for;  ///< [s] Pause before the next one.
 };
 
 constexpr Rule kSurprise{3.0, 4.0, 15.0};
 constexpr Rule kCuriosity{4.0, 12.0, 20.0};
 constexpr Rule kThreat{4.0, 12.0, 20.0};
 constexpr double kLookFrom = 0.9;      // [m]
-constexpr double kBlockAt = 0.8;       // [m] Before the robot's middle.
+constexpr double kBlockAt = 0.8;       // [m] Ahead of the robot's centre.
 constexpr double kScaredWithin = 3.0;  // [m]
 constexpr double kSafe = 4.0;          // [m]
-constexpr double kHaste = 1.25;        // Of the desired speed.
-constexpr double kEase = 1.5;          // [1/s] Speed wanted for a metre that is left.
+constexpr double kHaste = 1.25;        // Share of the desired speed.
+constexpr double kEase = 1.5;          // [1/s] Speed wanted per metre left.
 
-/// True while the robot holds the agent's attention under a rule.
-bool minds(Agent& agent, const Rule& rule, double distance, double now) {
+/// True while the agent reacts to the robot under a rule. Starts the reaction when its time has
+/// come.
+bool hold_attention(Agent& agent, const Rule& rule, double distance, double now) {
   if (now < agent.busy_until) return true;
   if (now < agent.unmoved_until || !agent.sees_robot || distance > rule.within) return false;
   agent.busy_until = now + rule.lasts;
@@ -31,7 +32,7 @@ bool minds(Agent& agent, const Rule& rule, double distance, double now) {
   return true;
 }
 
-/// Towards a point, slower on the last metre.
+/// Walks towards a point, slower on the last metre.
 Reaction approach(const Agent& agent, const Eigen::Vector2d& p_map, bool faces_robot) {
   const Eigen::Vector2d way = p_map - agent.state.position;
   const double distance = way.norm();
@@ -59,16 +60,16 @@ std::optional<Reaction> react(Agent& agent, const RobotBody& robot, double now) 
     case Behaviour::kImpassive:
       return std::nullopt;
     case Behaviour::kSurprised:
-      if (minds(agent, kSurprise, distance, now)) return Reaction{};
+      if (hold_attention(agent, kSurprise, distance, now)) return Reaction{};
       return std::nullopt;
     case Behaviour::kCurious:
-      if (!minds(agent, kCuriosity, distance, now)) return std::nullopt;
+      if (!hold_attention(agent, kCuriosity, distance, now)) return std::nullopt;
       if (distance <= kLookFrom) return Reaction{};
       return approach(agent, p_robot - kLookFrom * to_robot / distance, true);
     case Behaviour::kScared:
       return flee(agent, to_robot, now);
     case Behaviour::kThreatening:
-      if (!minds(agent, kThreat, distance, now)) return std::nullopt;
+      if (!hold_attention(agent, kThreat, distance, now)) return std::nullopt;
       return approach(agent, robot.T_map_base * Eigen::Vector2d(kBlockAt, 0.0), true);
   }
   return std::nullopt;

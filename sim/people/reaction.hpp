@@ -1,16 +1,17 @@
-/// What people do about the robot.
+/// How people react to the robot.
 ///
-/// * regular: minds the robot as it would another person (social force);
-/// * impassive: walks around it as around a piece of furniture, whatever its speed;
+/// * regular: keeps its distance as from another person (social force);
+/// * impassive: walks around it as around a piece of furniture, at any speed of the robot;
 /// * surprised, within 3 m: stops and looks at it for 4 s; not again for 15 s;
-/// * curious, within 4 m: goes up to it, to 0.9 m, and looks on for up to 12 s; not again for 20 s;
-/// * scared, within 3 m: walks off, a quarter faster than it would, until it is 4 m away;
-/// * threatening, within 4 m: gets in its way, 0.8 m before its front, for up to 12 s; not again
-///   for 20 s.
+/// * curious, within 4 m: approaches it to 0.9 m and looks at it for up to 12 s; not again for 20
+/// s;
+/// * scared, within 3 m: walks off, 25 % faster than usual, until it is 4 m away;
+/// * threatening, within 4 m: blocks its way, 0.8 m ahead of it, for up to 12 s; not again for 20
+/// s.
 ///
-/// All but the first two need to see it; distances are between middles. In the manner of N.
-/// Perez-Higueras, R. Otero, F. Caballero and L. Merino, "HuNavSim: A ROS 2 Human Navigation
-/// Simulator for Benchmarking Human-Aware Robot Navigation", 2023, whose people have six like
+/// All but the first two need to see the robot; distances are between centres. Modelled on the six
+/// behaviours of N. Perez-Higueras, R. Otero, F. Caballero and L. Merino, "HuNavSim: A ROS 2 Human
+/// Navigation Simulator for Benchmarking Human-Aware Robot Navigation", 2023.
 /// moods.
 #pragma once
 
@@ -21,19 +22,19 @@
 
 namespace castaway::sim {
 
-/// What a person wants because of the robot.
+/// What a person does because of the robot.
 struct Reaction {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Wanted.
-  bool faces_robot = true;                             ///< Looks at it; false: where it goes.
+  bool faces_robot = true;  ///< Looks at the robot; false: where it walks.
 };
 
-/// True of behaviours that mind a robot in sight.
+/// True of behaviours that react to a robot in sight.
 inline bool reacts(Behaviour behaviour) {
   return behaviour != Behaviour::kRegular && behaviour != Behaviour::kImpassive;
 }
 
-/// The reaction of a person at time `now` [s]; nothing: it goes on with what it was about. Notes in
-/// the agent how long the robot will hold its attention.
+/// Returns the reaction of a person at time `now` [s]; nothing if it goes on with what it was
+/// doing. Stores in the agent how long it will react to the robot.
 std::optional<Reaction> react(Agent& agent, const RobotBody& robot, double now);
 
 }  // namespace castaway::sim

@@ -14,7 +14,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// A. M. Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979.
+/// Source: A. M. Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -34,8 +34,8 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// Of a point within an outline, in its frame: how far it is over the edge that is nearest to being
-/// left, and the way out there.
+/// For a point inside an outline, in its frame: the signed distance to the nearest edge, negative
+/// inside, and that edge's outward normal.
 OutlineDistance depth(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
   OutlineDistance result{-std::numeric_limits<double>::infinity(), Eigen::Vector2d::UnitX()};
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -77,7 +77,8 @@ OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map
   for (std::size_t i = 0; i < robot.outline.size(); ++i) {
     const Eigen::Vector2d& a = robot.outline[i];
     const Eigen::Vector2d edge = robot.outline[i + 1 < robot.outline.size() ? i + 1 : 0] - a;
-    if (cross(edge, p - a) >= 0.0) continue;  // The edges that face a point include the nearest.
+    // The nearest edge is among those that face the point.
+    if (cross(edge, p - a) >= 0.0) continue;
     outside = true;
     const double along = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
     const Eigen::Vector2d offset = p - (a + along * edge);

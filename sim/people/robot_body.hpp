@@ -15,7 +15,7 @@ struct RobotModel;
 /// @throws std::runtime_error if a mesh cannot be read.
 std::vector<Eigen::Vector2d> robot_outline(const RobotModel& robot);
 
-/// A robot in motion.
+/// The robot's shape and motion.
 struct RobotBody {
   std::vector<Eigen::Vector2d> outline;                ///< [m] As of `robot_outline`.
   double radius = 0.2;                                 ///< [m] Disc about base.
@@ -23,13 +23,14 @@ struct RobotBody {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
 };
 
-/// A point's way out of a robot's outline.
+/// Distance of a point from a robot's outline, and the way out.
 struct OutlineDistance {
-  double distance = 0.0;                            ///< [m] Negative: inside.
-  Eigen::Vector2d away = Eigen::Vector2d::UnitX();  ///< Unit: where the distance grows. In map.
+  double distance = 0.0;  ///< [m] Negative: inside.
+  /// Unit vector in map along which the distance grows.
+  Eigen::Vector2d away = Eigen::Vector2d::UnitX();
 };
 
-/// From the outline of the robot to a point of map.
+/// Distance from the outline of the robot to a point in map.
 OutlineDistance distance_to(const RobotBody& robot, const Eigen::Vector2d& p_map);
 
 }  // namespace castaway::sim

@@ -8,29 +8,30 @@ namespace castaway::sim {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kSeparationFromRobot = 0.08;  // [m] That people keep from the robot...
-constexpr double kGiveWay = 0.02;              // [m] ...stepping back so far in a step: 0.4 m/s.
-constexpr double kSeparationOfFeet = 0.18;     // [m] From the middle of a foot to the robot.
-constexpr double kAside = 0.1;                 // [m] From a robot that was put down...
-constexpr int kAsideWays = 16;                 // ...in so many directions...
-constexpr int kAsideRings = 8;                 // ...and on so many rings...
-constexpr double kAsideRing = 0.2;             // [m] ...so far apart.
+constexpr double kSeparationFromRobot = 0.08;  // [m] Distance that people keep from the robot.
+constexpr double kGiveWay = 0.02;  // [m] Largest step back from the robot in one period: 0.4 m/s.
+// [m] Least distance from the middle of a foot to the robot.
+constexpr double kSeparationOfFeet = 0.18;
+constexpr double kAside = 0.1;      // [m] Distance from a robot that was just put down.
+constexpr int kAsideWays = 16;      // Directions tried when stepping aside.
+constexpr int kAsideRings = 8;      // Rings tried, one after the other.
+constexpr double kAsideRing = 0.2;  // [m] Between two rings.
 
-Eigen::Vector2d shortened(const Eigen::Vector2d& v, double most) {
+Eigen::Vector2d shorten(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
   return length > most ? Eigen::Vector2d(v * (most / length)) : v;
 }
 
-/// Moves a person on to `target`, which stays within a step of where it was.
+/// Moves a person towards `target`, at most one step from `origin`, if that place is free.
 void push(const WalkSpace& space, const Eigen::Vector2d& origin, const Eigen::Vector2d& target,
           Agent& agent) {
-  const Eigen::Vector2d p = origin + shortened(target - origin, WalkSpace::kMaxStep);
+  const Eigen::Vector2d p = origin + shorten(target - origin, WalkSpace::kMaxStep);
   if (space.clear(p)) agent.state.position = p;
 }
 
-/// Pushes two who overlap apart by half each.
-void part(const WalkSpace& space, const std::vector<PersonState>& before, std::size_t i,
-          std::size_t j, std::vector<Agent>& agents) {
+/// Pushes two people who overlap apart by half the overlap each.
+void push_apart(const WalkSpace& space, const std::vector<PersonState>& before, std::size_t i,
+                std::size_t j, std::vector<Agent>& agents) {
   const Eigen::Vector2d offset = agents[j].state.position - agents[i].state.position;
   const double touching = agents[i].body.radius + agents[j].body.radius;
   const double squared = offset.squaredNorm();
@@ -56,9 +57,9 @@ void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::V
 
 }  // namespace
 
-Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
-                      const Eigen::Vector2d& way) {
-  const Eigen::Vector2d step = shortened(way, WalkSpace::kMaxStep);
+Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d& from,
+                                  const Eigen::Vector2d& way) {
+  const Eigen::Vector2d step = shorten(way, WalkSpace::kMaxStep);
   if (space.clear(from + step)) return from + step;
   const Eigen::Vector2d away = space.wall(from + step).away;
   const Eigen::Vector2d along = step - std::min(step.dot(away), 0.0) * away;
@@ -73,7 +74,7 @@ void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents) {
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < agents.size(); ++i) {
-      for (std::size_t j = i + 1; j < agents.size(); ++j) part(space, before, i, j, agents);
+      for (std::size_t j = i + 1; j < agents.size(); ++j) push_apart(space, before, i, j, agents);
     }
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {
@@ -98,7 +99,8 @@ std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBo
   const Eigen::Vector2d from = agent.state.position;
   const Eigen::Vector2d away = distance_to(robot, from).away;
   const double outwards = std::atan2(away.y(), away.x());
-  for (int k = 0; k < kAsideRings * kAsideWays; ++k) {  // On each ring the least turn first.
+  // On each ring, the direction nearest to straight away comes first.
+  for (int k = 0; k < kAsideRings * kAsideWays; ++k) {
     const int turn = (k % kAsideWays + 1) / 2 * (k % 2 == 0 ? 1 : -1);
     const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
     const double distance = kAsideRing * (k / kAsideWays + 1);

@@ -1,4 +1,4 @@
-/// Hard limits on where people go: no wall, no robot, nobody else.
+/// Hard limits on people's positions: walls, the robot, other people.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,24 @@
 
 namespace castaway::sim {
 
-/// Where a body ends up that wants to go from `from` by `way` [m], at most `WalkSpace::kMaxStep`:
-/// along the wall where it may not go straight on, or nowhere. `from` must be clear; so is the
-/// result.
-Eigen::Vector2d moved(const WalkSpace& space, const Eigen::Vector2d& from,
-                      const Eigen::Vector2d& way);
+/// Returns where a body ends up that moves from `from` by `way` [m], at most `WalkSpace::kMaxStep`:
+/// it slides along a wall in the way, or stays. `from` must be free; so is the result.
+Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d& from,
+                                  const Eigen::Vector2d& way);
 
-/// Pushes people who stand in each other, or in the robot, apart, as far as walls let them; at most
-/// `WalkSpace::kMaxStep` from where each was `before`. People step back from a robot that
-/// comes nearer than 8 cm, at 0.4 m/s at most.
+/// Pushes people who overlap each other or the robot apart, as far as walls allow, to at most
+/// `WalkSpace::kMaxStep` from their states `before`. People step back from a robot that comes
+/// nearer than 8 cm, at no more than 0.4 m/s.
 void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents);
 
-/// Draws feet back that are in the robot or nearly: nobody steps onto it, or lets it drive over
-/// them.
+/// Moves feet that are in or near the robot away from it: nobody steps onto it or is run over.
 void keep_feet_off(const RobotBody& robot, PersonState& state);
 
-/// True if a robot that was just put down is so near to somebody that they step aside.
+/// True if a person is so close to a robot that was just put down that it must step aside.
 bool stands_close(const RobotBody& robot, const Agent& agent);
-/// Where they step to: off the robot by the shortest way, with the least turn, that no wall bars;
-/// nothing if there is no such place.
+/// Returns where the person steps to: the first free place that can be reached in a straight line,
+/// on the nearest ring and with the least turn from straight away; nothing if there is none.
 std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBody& robot,
                                            const Agent& agent);
 

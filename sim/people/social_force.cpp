@@ -6,7 +6,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kNegligible = 6.0;  // exp(-6) of a strength is left out.
+constexpr double kNegligible = 6.0;  // Forces below exp(-6) of their strength are dropped.
 
 double decay(double x) { return x > kNegligible ? 0.0 : std::exp(-x); }
 
@@ -28,7 +28,8 @@ Eigen::Vector2d social_force(const SocialForceConfig& config, const Eigen::Vecto
   if (d > kNegligible * B) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d t = D / length;
   const double narrow = std::min(config.n, config.n_prime) * B;
-  // theta^2 >= 2 (1 - cos(theta)): what is certain to be negligible needs no arc tangent.
+  // 2 (1 - cos(theta)) is a lower bound of theta^2: where the force is negligible by it, no arc
+  // tangent is computed.
   const double least = d / B + 2.0 * narrow * narrow * (1.0 - t.dot(e));
   if (least > kNegligible + 1e-9) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d left(-t.y(), t.x());

@@ -12,11 +12,11 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kBodyBottom = 0.02;  // [m] Who steps over a threshold of 2 cm...
-constexpr double kBodyTop = 1.9;      // [m] ...and passes under a door frame.
-constexpr int kCuts = 6;              // Of an object; upright ones are alike at all heights.
+constexpr double kBodyBottom = 0.02;  // [m] People step over lower thresholds.
+constexpr double kBodyTop = 1.9;      // [m] People pass under higher objects, such as door frames.
+constexpr int kCuts = 6;              // Heights at which an object is cut.
 
-/// Heights at which an object of bounds [low, high] could meet a body.
+/// Heights at which an object with bounds [low, high] is cut; none where it cannot meet a body.
 std::vector<double> cuts(double low, double high) {
   const double from = std::max(low, kBodyBottom);
   const double to = std::min(high, kBodyTop);

@@ -14,36 +14,37 @@ namespace castaway::sim {
 
 /// Distance to the nearest wall, and its gradient.
 struct WallDistance {
-  double distance = 0.0;                           ///< [m]
-  Eigen::Vector2d away = Eigen::Vector2d::Zero();  ///< Gradient: unit, less where walls compete.
+  double distance = 0.0;  ///< [m]
+  /// Gradient: a unit vector, shorter between walls.
+  Eigen::Vector2d away = Eigen::Vector2d::Zero();
 };
 
-/// The map with all objects of a world that a body of 1.9 m could meet. What is not free on the map
-/// stays so.
+/// The map with all objects of a world marked that a body of 1.9 m could meet. Cells that are not
+/// free on the map stay so.
 Grid body_grid(const WorldSpec& world, const Grid& map);
 
-/// Largest connected part of a grid's free space in which a person can move about.
+/// Largest connected part of a grid's free space in which a person can move.
 ///
-/// A point in it is at least `kBodyRoom` - 1.5 cells from all that is solid. So between two points
-/// of it that are less than twice that apart (a step of `kMaxStep`) there is nothing solid: who
-/// only ever goes from one to the other passes no wall.
+/// A point in it is at least `kBodyRoom` - 1.5 cells from everything solid. So between two of its
+/// points that are less than twice that apart (a step of `kMaxStep`) there is nothing solid: a
+/// person who only moves from one such point to the next passes through no wall.
 class WalkSpace {
  public:
-  static constexpr double kBodyRoom = 0.25;  ///< [m] Of the disc that must fit.
+  static constexpr double kBodyRoom = 0.25;  ///< [m] Radius of the disc that must fit.
   static constexpr double kMaxStep = 0.15;   ///< [m]
 
-  /// `grid`: as of `body_grid`.
+  /// `grid`: from `body_grid`.
   explicit WalkSpace(const Grid& grid);
 
   /// True if a person can stand at a point.
   [[nodiscard]] bool clear(const Eigen::Vector2d& p_map) const;
-  /// True if it can walk from `a` to `b` in a straight line.
+  /// True if a person can walk from `a` to `b` in a straight line.
   [[nodiscard]] bool clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
   /// True if nothing solid is on the line between two points.
   [[nodiscard]] bool sees(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
-  /// Bilinear between the centres of cells; 0 outside of the grid.
+  /// Distance to the nearest wall, bilinear between the centres of cells; 0 outside of the grid.
   [[nodiscard]] WallDistance wall(const Eigen::Vector2d& p_map) const;
-  /// Free: a person can stand there.
+  /// Its free cells are where a person can stand.
   [[nodiscard]] const FreeSpace& free() const { return free_; }
 
  private:
@@ -51,7 +52,7 @@ class WalkSpace {
   [[nodiscard]] double clearance(int column, int row) const;
 
   FreeSpace free_;
-  Eigen::Matrix2d turn_;  ///< From map to the axes of the grid, in cells.
+  Eigen::Matrix2d turn_;  ///< Rotation and scale from map to the grid's axes, in cells.
 };
 
 }  // namespace castaway::sim

@@ -54,7 +54,7 @@ EglContext::EglContext() : display_(open_display()) {
 EglContext::~EglContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  // No eglTerminate: the display is the process's, and other contexts may live on it.
+  // No eglTerminate: the display belongs to the process, and other contexts may use it.
 }
 
 void EglContext::make_current() const {

@@ -6,10 +6,10 @@
 namespace castaway::sim {
 
 /// Owns an EGL display and a current OpenGL 3.3 core context on Mesa's surfaceless platform. GL
-/// objects must be destroyed before it.
+/// objects must be destroyed before the context.
 class EglContext {
  public:
-  /// Throws std::runtime_error naming the call that failed and the remedy.
+  /// @throws std::runtime_error naming the call that failed and the remedy.
   EglContext();
   ~EglContext();
   EglContext(const EglContext&) = delete;

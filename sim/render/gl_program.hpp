@@ -7,10 +7,10 @@
 
 namespace castaway::sim {
 
-/// Owns a program; needs a current context for all of its life.
+/// Owns a program; needs a current context during its whole life.
 class GlProgram {
  public:
-  /// Throws std::runtime_error with the driver's log if a shader does not compile or link.
+  /// @throws std::runtime_error with the driver's log if a shader does not compile or link.
   GlProgram(const char* vertex_source, const char* fragment_source);
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
@@ -22,7 +22,7 @@ class GlProgram {
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, const Eigen::Vector4f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
-  /// The texture unit that a sampler reads.
+  /// Sets the texture unit that a sampler reads.
   void set_unit(const char* sampler, unsigned unit) const;
 
  private:

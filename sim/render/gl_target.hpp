@@ -5,18 +5,18 @@
 
 namespace castaway::sim {
 
-/// Owns the buffers; needs a current context for all of its life.
+/// Owns the buffers; needs a current context during its whole life.
 class GlTarget {
  public:
-  /// Throws std::runtime_error if the driver refuses the size.
+  /// @throws std::runtime_error if the driver refuses the size.
   GlTarget(int width, int height);
   ~GlTarget();
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
 
-  /// Makes the target what is drawn to.
+  /// Makes this the target of draw calls.
   void bind() const;
-  /// What has been drawn.
+  /// Returns the picture drawn so far.
   [[nodiscard]] Image read() const;
 
  private:

@@ -1,17 +1,17 @@
-/// Textures that passes draw into and later passes read.
+/// Textures that passes draw into and later passes sample.
 #pragma once
 
 namespace castaway::sim {
 
-/// What a texture holds, and how it is read.
+/// Content and sampling of a texture.
 enum class TextureKind {
-  kShadow,   ///< Depth, compared with a reference and smoothed.
-  kDepth,    ///< Depth for a pass of its own; not read.
-  kSurface,  ///< Four numbers a pixel, as they are.
-  kShares,   ///< Two shares of 8 bits a pixel, smoothed.
+  kShadow,   ///< Depth, compared with a reference and filtered.
+  kDepth,    ///< Depth for a pass of its own; not sampled.
+  kSurface,  ///< Four floats per pixel, not filtered.
+  kShares,   ///< Two shares of 8 bits per pixel, filtered.
 };
 
-/// Owns a texture; needs a current context for all of its life.
+/// Owns a texture; needs a current context during its whole life.
 class GlTexture {
  public:
   GlTexture(TextureKind kind, int width, int height);
@@ -19,9 +19,9 @@ class GlTexture {
   GlTexture(const GlTexture&) = delete;
   GlTexture& operator=(const GlTexture&) = delete;
 
-  /// For samplers with this unit.
+  /// Binds it to the texture unit `unit`.
   void bind(unsigned unit) const;
-  /// To the framebuffer that is bound, as its depth or its colour.
+  /// Attaches it to the bound framebuffer as its depth or colour.
   void attach() const;
 
  private:
@@ -29,10 +29,10 @@ class GlTexture {
   unsigned id_ = 0;
 };
 
-/// Owns a framebuffer; needs a current context for all of its life.
+/// Owns a framebuffer; needs a current context during its whole life.
 class GlFramebuffer {
  public:
-  /// Of one colour, depth, or both; nothing for what it lacks.
+  /// Uses a colour texture, a depth texture, or both; nullptr for what it lacks.
   GlFramebuffer(const GlTexture* color, const GlTexture* depth);
   ~GlFramebuffer();
   GlFramebuffer(const GlFramebuffer&) = delete;

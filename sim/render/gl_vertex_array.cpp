@@ -54,7 +54,7 @@ GlMesh::GlMesh(const TriangleMesh& mesh) : corners_(static_cast<int>(mesh.indice
 void GlMesh::draw() const {
   if (corners_ == 0) return;
   array_.bind();
-  glVertexAttrib3f(2, 1.0F, 1.0F, 1.0F);  // Where the mesh has no colours.
+  glVertexAttrib3f(2, 1.0F, 1.0F, 1.0F);  // White if the mesh has no colours.
   glDrawElements(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr);
 }
 

@@ -1,4 +1,4 @@
-/// Vertices on their way to OpenGL.
+/// Vertex data in OpenGL buffers.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace castaway::sim {
 
-/// Buffers of draw calls, gone with it. Needs a current context for all of its life.
+/// Owns the buffers of draw calls. Needs a current context during its whole life.
 class GlVertexArray {
  public:
   GlVertexArray();
@@ -20,9 +20,9 @@ class GlVertexArray {
   GlVertexArray(GlVertexArray&& other) noexcept;
   GlVertexArray& operator=(GlVertexArray&&) = delete;
 
-  /// A vector for each vertex, at `location` of the program.
+  /// Uploads one vector per vertex, for `location` of the program.
   void attribute(unsigned location, const std::vector<Eigen::Vector3f>& values);
-  /// Makes the buffers what is drawn.
+  /// Makes these the buffers of draw calls.
   void bind() const;
   void indices(const std::vector<std::uint32_t>& values);
 
@@ -33,11 +33,11 @@ class GlVertexArray {
   std::vector<unsigned> buffers_;
 };
 
-/// A mesh on its way to several draw calls: positions at location 0, normals at 1, colours at 2.
-/// Needs a current context for all of its life.
+/// A mesh uploaded for several draw calls: positions at location 0, normals at 1, colours at 2.
+/// Needs a current context during its whole life.
 class GlMesh {
  public:
-  /// The normals must be as many as the vertices.
+  /// There must be as many normals as vertices.
   explicit GlMesh(const TriangleMesh& mesh);
 
   void draw() const;
@@ -47,7 +47,7 @@ class GlMesh {
   int corners_;
 };
 
-/// The meshes of a scene's items, in their order.
+/// Uploads the meshes of a scene's items, in their order.
 std::vector<GlMesh> upload_meshes(const Scene& scene);
 
 }  // namespace castaway::sim

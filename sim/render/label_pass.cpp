@@ -18,9 +18,9 @@ void attach(GLenum attachment, GLenum format, GLuint renderbuffer, int width, in
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
 }
 
-/// OpenGL's first row is the lowest.
+/// OpenGL's first row is the lowest one.
 template <typename T>
-std::vector<T> turned_over(std::vector<T> rows, int width) {
+std::vector<T> flip_rows(std::vector<T> rows, int width) {
   const auto step = static_cast<std::ptrdiff_t>(width);
   auto low = rows.begin();
   for (auto high = rows.end() - step; low < high; low += step, high -= step) {
@@ -77,7 +77,7 @@ std::vector<float> LabelPass::depth() const {
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, values.data());
-  return turned_over(std::move(values), width_);
+  return flip_rows(std::move(values), width_);
 }
 
 std::vector<std::uint16_t> LabelPass::instances() const {
@@ -87,7 +87,7 @@ std::vector<std::uint16_t> LabelPass::instances() const {
   glReadBuffer(GL_COLOR_ATTACHMENT1);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_UNSIGNED_SHORT, values.data());
-  return turned_over(std::move(values), width_);
+  return flip_rows(std::move(values), width_);
 }
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// Depth and instance of every pixel of a scene.
+/// Label map and depth of a scene.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace castaway::sim {
 
-/// Draws a scene's items into buffers of numbers. Needs a current context for all of its life.
+/// Draws depth and instances of a scene's items. Needs a current context during its whole life.
 class LabelPass {
  public:
-  /// Throws std::runtime_error if the driver refuses the size.
+  /// @throws std::runtime_error if the driver refuses the size.
   LabelPass(int width, int height);
   ~LabelPass();
   LabelPass(const LabelPass&) = delete;
   LabelPass& operator=(const LabelPass&) = delete;
 
-  /// Leaves the buffers with what the scene shows.
+  /// Draws the scene into the buffers.
   void draw(const Scene& scene, const Eigen::Matrix4f& clip_from_map);
-  /// Along the optical axis, rows from the top; 0: nothing. [m]
+  /// Depth along the optical axis, rows from the top; 0: background. [m]
   [[nodiscard]] std::vector<float> depth() const;
-  /// `SceneItem::instance`, rows from the top; 0: nothing.
+  /// `SceneItem::instance` per pixel, rows from the top; 0: background.
   [[nodiscard]] std::vector<std::uint16_t> instances() const;
 
  private:
@@ -32,7 +32,7 @@ class LabelPass {
   int height_;
   GlProgram program_;
   unsigned framebuffer_ = 0;
-  unsigned renderbuffers_[3] = {0, 0, 0};  // Depth [m], instance, the depth test's.
+  unsigned renderbuffers_[3] = {0, 0, 0};  // Depth [m], instance, and the buffer of the depth test.
 };
 
 }  // namespace castaway::sim

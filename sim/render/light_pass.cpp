@@ -18,15 +18,15 @@ constexpr unsigned kShadowUnit = 1;
 constexpr float kRadius = 0.4F;  // [m]
 
 /// Fewer pixels blur the edges of shadows, more cost time.
-int reduced(int side) { return std::max(1, (2 * side + 4) / 5); }
+int reduce_side(int side) { return std::max(1, (2 * side + 4) / 5); }
 
-/// One triangle over all of the picture.
+/// Draws one triangle over the whole picture.
 void fill() {
   const GlVertexArray nothing;
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// Half of the picture's height at the depth of 1 m, or at all depths. [m]
+/// Half of the picture's height at a depth of 1 m, or at any depth of a parallel projection. [m]
 float half_height(const Camera& camera) {
   if (camera.ortho_height > 0.0F) return 0.5F * camera.ortho_height;
   return std::tan(0.5F * camera.fov_y_deg * std::numbers::pi_v<float> / 180.0F);
@@ -37,8 +37,8 @@ float half_height(const Camera& camera) {
 LightPass::LightPass(int width, int height)
     : picture_width_(width),
       picture_height_(height),
-      width_(reduced(width)),
-      height_(reduced(height)),
+      width_(reduce_side(width)),
+      height_(reduce_side(height)),
       surface_(TextureKind::kSurface, width_, height_),
       depth_(TextureKind::kDepth, width_, height_),
       raw_(TextureKind::kSurface, width_, height_),

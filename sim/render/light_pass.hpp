@@ -1,11 +1,11 @@
-/// How much of the sky and of the sun each pixel of a picture sees, at two fifths of its
-/// resolution.
+/// The visible share of sky and sun per pixel, at two fifths of a picture's resolution.
 ///
 /// The sky: M. McGuire, M. Mara, D. Luebke, "Scalable Ambient Obscurance", 2012, section 2: a
-/// spiral of samples about each pixel, weighed by their height over its plane. We turn the spiral
-/// by one of nine angles and average 3 x 3 pixels of like depth, so that each pixel stands for 45
-/// samples; a radius of less than a few pixels is widened, so that things stand on the floor in
-/// overviews, too. The sun: two samples of a shadow map, turned and averaged in the same way.
+/// spiral of samples about each pixel, weighted by their height above its plane. We rotate the
+/// spiral by one of nine angles and average 3 x 3 pixels of similar depth, so that each pixel uses
+/// 45 samples. A radius of less than a few pixels is enlarged, so that objects in overviews have
+/// contact shadows, too. The sun: two samples of a shadow map, rotated and averaged in the same
+/// way.
 #pragma once
 
 #include <vector>
@@ -17,15 +17,15 @@
 
 namespace castaway::sim {
 
-/// Draws it for pictures of one size. Needs a current context for all of its life.
+/// Draws these shares for pictures of one size. Needs a current context during its whole life.
 class LightPass {
  public:
-  /// Of the pictures. [px]
+  /// Size of the pictures. [px]
   LightPass(int width, int height);
 
   /// `meshes`: of the scene's items, in their order. Leaves another framebuffer bound.
   void draw(const Scene& scene, const std::vector<GlMesh>& meshes);
-  /// Texture and uniforms of kLitFragmentShader, for the picture drawn last.
+  /// Sets texture and uniforms of kLitFragmentShader for the last picture.
   void light(const GlProgram& program) const;
 
  private:

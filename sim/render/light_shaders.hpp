@@ -1,14 +1,14 @@
-/// GLSL sources of light: shadows and ambient occlusion.
+/// GLSL sources for light: shadows and ambient occlusion.
 #pragma once
 
 namespace castaway::sim {
 
-/// Depth alone.
+/// Writes depth only.
 inline constexpr const char* kEmptyFragmentShader = R"(#version 330 core
 void main() {}
 )";
 
-/// Of meshes, the normal towards the viewer in eye coordinates, and the depth along the axis. [m]
+/// Writes a mesh's normal, towards the viewer in eye coordinates, and its depth along the axis. [m]
 inline constexpr const char* kSurfaceFragmentShader = R"(#version 330 core
 in vec3 map_position;
 in vec3 map_normal;
@@ -24,7 +24,7 @@ void main() {
 }
 )";
 
-/// A triangle over all of the picture, without vertices.
+/// Draws a triangle over the whole picture, without vertices.
 inline constexpr const char* kFillVertexShader = R"(#version 330 core
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
@@ -95,8 +95,8 @@ void main() {
 }
 )";
 
-/// The mean over 3 x 3 pixels of like depth. Where depths differ, shadow wins, so that no light
-/// shines through beneath things. Of the sun, faces turned away from it say nothing (more than 1).
+/// Averages 3 x 3 pixels of similar depth. Where depths differ, shadow wins, so that no light leaks
+/// under objects. Faces turned away from the sun (values above 1) are left out of its mean.
 inline constexpr const char* kSmoothFragmentShader = R"(#version 330 core
 uniform sampler2D raw;
 out vec2 light;
@@ -120,9 +120,9 @@ void main() {
 }
 )";
 
-/// Light of the sun, of a sky and a floor that shine a little, less where things stand near, and
-/// from the viewer; how much of sky and sun is seen, by a picture of fewer pixels. A face turned
-/// away from the viewer is lit as its other side would be: meshes with wrong normals stay readable.
+/// Lights a surface by the sun, by sky and floor (less near other objects) and from the viewer; the
+/// visible shares of sky and sun come from a smaller picture. A face turned away from the viewer is
+/// lit like its other side, so that meshes with wrong normals stay readable.
 inline constexpr const char* kLitFragmentShader = R"(#version 330 core
 in vec3 map_position;
 in vec3 map_normal;

@@ -93,7 +93,7 @@ struct Renderer::Impl {
   int width;
   int height;
   float aspect;
-  EglContext context;  // Before all that lives in it.
+  EglContext context;  // Must outlive everything below.
   GlTarget target;
   LightPass light;
   GlProgram lit;

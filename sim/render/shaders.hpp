@@ -1,9 +1,9 @@
-/// GLSL sources of the renderer, but for light.
+/// GLSL sources of the renderer, except those for light.
 #pragma once
 
 namespace castaway::sim {
 
-/// Meshes: `position`, `normal` and `color` a vertex.
+/// Meshes, with `position`, `normal` and `color` per vertex.
 inline constexpr const char* kMeshVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -22,7 +22,7 @@ void main() {
 }
 )";
 
-/// Of meshes, their plain colour, whatever the light.
+/// Draws meshes in their plain colour, without light.
 inline constexpr const char* kPlainFragmentShader = R"(#version 330 core
 in vec3 vertex_color;
 uniform vec3 item_color;
@@ -30,7 +30,7 @@ out vec4 pixel;
 void main() { pixel = vec4(item_color * vertex_color, 1.0); }
 )";
 
-/// Of meshes, how far along the optical axis a surface is, and what it belongs to.
+/// Writes a mesh's depth along the optical axis, and its instance.
 inline constexpr const char* kLabelFragmentShader = R"(#version 330 core
 uniform float instance;
 layout(location = 0) out float depth;
@@ -41,7 +41,7 @@ void main() {
 }
 )";
 
-/// Points and lines: 5 cm nearer to the viewer than they are, so that a hit lies on its surface.
+/// Draws points and lines 5 cm nearer to the viewer, so that hits are not hidden by their surface.
 inline constexpr const char* kOverlayVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 uniform mat4 clip_from_map;

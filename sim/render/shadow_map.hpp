@@ -1,4 +1,4 @@
-/// What the sun sees of a scene.
+/// The shadow map of the sun.
 ///
 /// L. Williams, "Casting Curved Shadows on Curved Surfaces", 1978; edges softened by
 /// percentage-closer filtering (W. Reeves, D. Salesin, R. Cook, "Rendering Antialiased Shadows with
@@ -14,14 +14,14 @@
 
 namespace castaway::sim {
 
-/// Draws depth as the sun sees it. Needs a current context for all of its life.
+/// Draws depth as seen from the sun. Needs a current context during its whole life.
 class ShadowMap {
  public:
   ShadowMap();
 
   /// `meshes`: of the scene's items, in their order. Leaves another framebuffer bound.
   void draw(const Scene& scene, const std::vector<GlMesh>& meshes);
-  /// Texture and uniforms of kLightFragmentShader, for the picture drawn last.
+  /// Sets texture and uniforms of kLightFragmentShader for the last picture.
   void light(const GlProgram& program, unsigned unit) const;
 
  private:

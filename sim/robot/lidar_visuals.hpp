@@ -1,4 +1,4 @@
-/// What a lidar looks like that a robot's file knows nothing of.
+/// The looks of a lidar that a robot's file does not contain.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace castaway::sim {
 
-/// For a robot without lidars, in base: a turret about the laser's frame and, where that is above
-/// the body, a mast beneath it. None for a robot that has its own.
+/// For a robot without lidars, in base: a turret about the laser's frame and a mast below it if it
+/// is above the body. Empty for a robot with lidars of its own.
 std::vector<SceneItem> lidar_visuals(const RobotModel& robot, const LidarConfig& lidar);
 
 }  // namespace castaway::sim

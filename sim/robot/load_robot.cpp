@@ -23,22 +23,22 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSameSize = 0.02;  // Relative; nearer sizes are the same.
+constexpr double kSameSize = 0.02;  // Relative difference below which two sizes are the same.
 
-/// Those of the environment last.
+/// The search paths, those of the environment last.
 std::vector<std::string> all_search_paths(const RobotOptions& options) {
   std::vector<std::string> paths = options.search_paths;
   for (const std::string& path : package_paths_of_environment()) paths.push_back(path);
   return paths;
 }
 
-/// Without those that were given before: a mesh is both seen and collided with.
-void tell_once(std::vector<std::string>& warnings) {
+/// Removes repeated warnings: a mesh may be a visual and a collision shape.
+void drop_repetitions(std::vector<std::string>& warnings) {
   std::set<std::string> told;
   std::erase_if(warnings, [&](const std::string& text) { return !told.insert(text).second; });
 }
 
-/// The stages of loading share these.
+/// The state that the stages of loading share.
 class RobotLoader {
  public:
   RobotLoader(const std::string& path, const RobotOptions& options)
@@ -70,7 +70,7 @@ class RobotLoader {
     measure_extent();
     if (robot_.wheels.size() > 2) steer_by_skidding(robot_);
     robot_.frames = frames_;
-    tell_once(robot_.warnings);
+    drop_repetitions(robot_.warnings);
     return std::move(robot_);
   }
 
@@ -93,7 +93,7 @@ class RobotLoader {
   RobotModel robot_;
 };
 
-/// What moves the robot, if not what is simulated.
+/// Sets how the robot moves if not as simulated.
 void RobotLoader::name_drive() {
   const auto drive = other_drive(file_, frames_, robot_.wheels);
   if (!drive) return;
@@ -104,12 +104,12 @@ void RobotLoader::name_drive() {
 void RobotLoader::compare_separation() {
   if (!tags_.separation) return;
   if (std::abs(*tags_.separation / robot_.wheel_separation - 1.0) < kSameSize) return;
-  robot_.warnings.push_back(
-      fmt::format("the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels count",
-                  robot_.wheel_separation, tags_.dialect, *tags_.separation));
+  robot_.warnings.push_back(fmt::format(
+      "the wheels are {:.4f} m apart, the {} tag says {:.4f} m: the wheels' distance is used",
+      robot_.wheel_separation, tags_.dialect, *tags_.separation));
 }
 
-/// Joints that could move, but are not driven.
+/// Lists joints that could move but are not driven.
 void RobotLoader::lock_joints() {
   for (const auto& [name, joint] : file_.model->joints_) {
     const bool driven = wheel_on(joint->child_link_name) != nullptr;
@@ -117,7 +117,7 @@ void RobotLoader::lock_joints() {
   }
 }
 
-/// Frame base is the root link's, moved down to where the wheels touch.
+/// Moves frame base from the root link down to where the wheels touch the floor.
 void RobotLoader::put_base_on_floor() {
   double floor = robot_.wheels.front().p_base_wheel.z();
   for (const DriveWheel& wheel : robot_.wheels) {
@@ -152,7 +152,7 @@ void RobotLoader::collect_parts() {
     std::move(visuals.begin(), visuals.end(), std::back_inserter(robot_.visuals));
   }
   if (robot_.collisions.size() > robot_.wheels.size() || robot_.visuals.empty()) return;
-  robot_.warnings.emplace_back("no collision shapes on the chassis: its visual shapes collide");
+  robot_.warnings.emplace_back("the chassis has no collision shapes: its visual shapes are used");
   for (const RobotPart& part : robot_.visuals) {
     if (wheel_on(part.link) == nullptr) robot_.collisions.push_back(part);
   }
@@ -184,7 +184,7 @@ void RobotLoader::measure_extent() {
   }
 }
 
-/// Errors that do not name the robot's file get its name.
+/// Adds the robot's file name to errors that lack it.
 template <typename Work>
 auto naming_file(const std::string& path, Work work) {
   try {

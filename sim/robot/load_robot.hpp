@@ -1,4 +1,4 @@
-/// A robot from a URDF or xacro file.
+/// Loads a robot from a URDF or xacro file.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 
 namespace castaway::sim {
 
-/// Loads a URDF file; what xacro it holds is expanded (see `xacro::expand`).
+/// Loads a URDF file; xacro in it is expanded (see `xacro::expand`).
 ///
-/// Packages and meshes are looked up as `PackageFinder` says, the search paths of the environment
-/// last. What can be repaired (inertia, missing meshes, missing casters...) is repaired and told in
-/// `RobotModel::warnings`. A skid steer is turned on the spot for its effective track.
+/// Packages and meshes are looked up as in `PackageFinder`, the search paths of the environment
+/// last. Problems that can be repaired (inertia, missing meshes, missing casters, ...) are repaired
+/// and reported in `RobotModel::warnings`. A skid steer is turned in place to measure its effective
+/// track.
 /// @throws std::runtime_error naming the file, what is wrong and what to do.
 RobotModel load_robot(const std::string& path, const RobotOptions& options = {});
 
-/// The URDF that a xacro file expands to.
+/// The URDF that results from expanding a xacro file.
 struct ExpandedRobot {
   std::string urdf;
   std::vector<std::string> warnings;
 };
 
-/// Expands a file and does nothing else. @throws std::runtime_error as `load_robot`.
+/// Only expands a file. @throws std::runtime_error as `load_robot`.
 ExpandedRobot expand_robot(const std::string& path, const RobotOptions& options = {});
 
 }  // namespace castaway::sim

@@ -56,7 +56,7 @@ std::vector<LidarConfig> lidars_of(const RobotModel& robot) {
     const auto same = std::count_if(lidars.begin(), lidars.end(), [&](const LidarConfig& other) {
       return other.frame != mount.link && other.name == lidars.back().name;
     });
-    if (same > 0) lidars.back().name += "_" + mount.link;  // One macro, used twice.
+    if (same > 0) lidars.back().name += "_" + mount.link;  // The same macro may be used twice.
   }
   return lidars;
 }

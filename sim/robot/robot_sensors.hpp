@@ -1,4 +1,4 @@
-/// What a robot's sensors are by its description.
+/// Sensor settings from a robot's description.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace castaway::sim {
 
-/// The lidar that the robot's description carries; what it does not say keeps its default. A robot
-/// without any gets one over its origin, 0.2 m above the floor or, where that is lower, 2 cm above
-/// its highest part.
+/// The lidar in the robot's description; values that it does not give keep their defaults. A robot
+/// without a lidar gets one above its origin, 0.2 m above the floor or, if that is lower, 2 cm
+/// above its highest part.
 LidarConfig lidar_of(const RobotModel& robot);
-/// All lidars, in the description's order, named by their sensors or links; without any one of the
-/// defaults.
+/// All lidars in the description's order, named after their sensors or links; a single default one
+/// if there are none.
 std::vector<LidarConfig> lidars_of(const RobotModel& robot);
 
 /// The true geometry of the robot's drive.

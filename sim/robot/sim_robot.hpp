@@ -1,4 +1,4 @@
-/// The robot of a run, by whichever means it moves.
+/// The robot of a run, with or without physics.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace castaway::sim {
 
-/// Either kind of robot.
+/// Either kind of robot behind one interface.
 class SimRobot {
  public:
   explicit SimRobot(RobotPhysics robot) : robot_(std::move(robot)) {}
   explicit SimRobot(KinematicRobot robot) : robot_(std::move(robot)) {}
 
-  /// The velocity to ramp to from the next step on.
+  /// Sets the velocity to ramp to from the next step on.
   void set_command(const Twist2& command) {
     std::visit([&](auto& robot) { robot.set_command(command); }, robot_);
   }
@@ -24,22 +24,22 @@ class SimRobot {
   void step() {
     std::visit([](auto& robot) { robot.step(); }, robot_);
   }
-  /// The same in somebody's hands, who holds base at `T_map_base` at its end.
+  /// Advances a held robot by one time step: base is at `T_map_base` at its end.
   void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels) {
     std::visit([&](auto& robot) { robot.step_held(T_map_base, wheels); }, robot_);
   }
-  /// Puts the robot elsewhere, standing still; wheel angles stay.
+  /// Puts the robot elsewhere, standing still; keeps wheel angles.
   void teleport(const Pose2& T_map_base) {
     std::visit([&](auto& robot) { robot.teleport(T_map_base); }, robot_);
   }
   [[nodiscard]] const RobotState& state() const {
     return std::visit([](const auto& robot) -> const RobotState& { return robot.state(); }, robot_);
   }
-  /// Contacts with the world begun so far, floor aside.
+  /// Number of contacts with the world, without the floor.
   [[nodiscard]] std::int64_t collisions() const {
     return std::visit([](const auto& robot) { return robot.collisions(); }, robot_);
   }
-  /// In contact with the world now, floor aside.
+  /// True while in contact with the world, without the floor.
   [[nodiscard]] bool touching() const {
     return std::visit([](const auto& robot) { return robot.touching(); }, robot_);
   }

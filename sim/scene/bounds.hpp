@@ -1,4 +1,4 @@
-/// The boxes around things of a scene.
+/// Bounding boxes of a scene's items.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,13 +7,13 @@
 
 namespace castaway::sim {
 
-/// In map, along its axes; wider than need be for a turned item. Empty if the mesh is.
+/// Axis-aligned in map, not tight for a rotated item. Empty if the mesh is.
 Eigen::AlignedBox3f bounds_of(const SceneItem& item);
 
-/// Around all that light falls on. Empty if nothing is lit.
+/// Bounds of all shaded items. Empty if there are none.
 Eigen::AlignedBox3f lit_bounds(const Scene& scene);
 
-/// Height of what casts shadows; roofs and floors do not. 0 if nothing does. [m]
+/// Height of the highest item that casts a shadow (not a roof or floor); 0 without any. [m]
 float standing_height(const std::vector<SceneItem>& items);
 
 }  // namespace castaway::sim

@@ -55,7 +55,7 @@ Eigen::Matrix4f clip_from_map(const Camera& camera, float aspect) {
 }
 
 Camera step_back(Camera camera, const Eigen::AlignedBox3f& box, float aspect) {
-  constexpr float kRim = 0.97F;  // Of the picture.
+  constexpr float kRim = 0.97F;  // Share of the picture.
   constexpr float kStep = 1.02F;
   const auto is_seen = [&](int corner) {
     const Eigen::Vector3f p = box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner));

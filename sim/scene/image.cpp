@@ -16,7 +16,7 @@ void require_fit(int width, int height, std::size_t values, std::size_t channels
       fmt::format("picture of {} x {} px with {} values", width, height, values));
 }
 
-std::string encoded(png_uint_32 format, int width, int height, const void* pixels) {
+std::string encode(png_uint_32 format, int width, int height, const void* pixels) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.format = format;
@@ -35,12 +35,12 @@ std::string encoded(png_uint_32 format, int width, int height, const void* pixel
 
 std::string encode_png(const Image& image) {
   require_fit(image.width, image.height, image.pixels.size(), 3);
-  return encoded(PNG_FORMAT_RGB, image.width, image.height, image.pixels.data());
+  return encode(PNG_FORMAT_RGB, image.width, image.height, image.pixels.data());
 }
 
 std::string encode_deep_png(const DeepImage& image) {
   require_fit(image.width, image.height, image.pixels.size(), 1);
-  return encoded(PNG_FORMAT_LINEAR_Y, image.width, image.height, image.pixels.data());
+  return encode(PNG_FORMAT_LINEAR_Y, image.width, image.height, image.pixels.data());
 }
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// A colour picture, and its way into a PNG file.
+/// Pictures and their encoding as PNG.
 #pragma once
 
 #include <cstdint>
@@ -7,25 +7,25 @@
 
 namespace castaway::sim {
 
-/// RGB, 8 bits a channel, row 0 at the top.
+/// RGB, 8 bits per channel, row 0 at the top.
 struct Image {
   int width = 0;                     ///< [px]
   int height = 0;                    ///< [px]
   std::vector<std::uint8_t> pixels;  ///< 3 * width * height: R, G, B of each pixel in rows.
 };
 
-/// The bytes of a PNG file; the same picture gives the same bytes. Throws std::invalid_argument if
-/// the pixels do not fit the size.
+/// Returns the bytes of a PNG file; the same picture gives the same bytes. @throws
+/// std::invalid_argument if the number of pixels does not fit the size.
 std::string encode_png(const Image& image);
 
-/// A picture of one channel of 16 bits, row 0 at the top.
+/// A picture with one channel of 16 bits, row 0 at the top.
 struct DeepImage {
   int width = 0;                      ///< [px]
   int height = 0;                     ///< [px]
   std::vector<std::uint16_t> pixels;  ///< width * height.
 };
 
-/// The bytes of a 16-bit grey PNG file. Throws as the one above.
+/// Returns the bytes of a 16-bit grey PNG file. @throws as `encode_png`.
 std::string encode_deep_png(const DeepImage& image);
 
 }  // namespace castaway::sim

@@ -10,8 +10,8 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float kLeastReach = 8.0F;  // [m]
-constexpr float kFocus = 0.7F;       // Of the reach, before the camera.
-constexpr float kBorder = 1.1F;      // Room for the map's fading rim.
+constexpr float kFocus = 0.7F;       // Share of the reach, ahead of the camera.
+constexpr float kBorder = 1.1F;      // Room for the map's faded border.
 
 /// Light coordinates: x right and y up as the sun sees them, z towards it.
 Eigen::Matrix3f light_from_map() {
@@ -22,7 +22,7 @@ Eigen::Matrix3f light_from_map() {
   return R;
 }
 
-Eigen::AlignedBox3f turned(const Eigen::AlignedBox3f& bounds, const Eigen::Matrix3f& R) {
+Eigen::AlignedBox3f rotate_box(const Eigen::AlignedBox3f& bounds, const Eigen::Matrix3f& R) {
   Eigen::AlignedBox3f box;
   for (int corner = 0; corner < 8; ++corner) {
     box.extend(R * bounds.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)));
@@ -30,7 +30,7 @@ Eigen::AlignedBox3f turned(const Eigen::AlignedBox3f& bounds, const Eigen::Matri
   return box;
 }
 
-/// The middle of what is to be seen, on the ground.
+/// The centre of the visible area, on the ground.
 Vector3f focus_of(const Camera& camera, float reach, float ground) {
   const Vector2f ahead = (camera.target - camera.eye).head<2>();
   const float way = ahead.norm();
@@ -46,7 +46,7 @@ Vector3f to_sun() { return Vector3f(-0.45F, -0.6F, 1.2F).normalized(); }
 
 LightFrame light_frame(const Camera& camera, const Eigen::AlignedBox3f& bounds, int texels) {
   const Eigen::Matrix3f R = light_from_map();
-  const Eigen::AlignedBox3f lit = turned(bounds, R);
+  const Eigen::AlignedBox3f lit = rotate_box(bounds, R);
   const float reach = std::max(kLeastReach, 2.0F * (camera.target - camera.eye).norm());
   const Vector3f focus = R * focus_of(camera, reach, bounds.min().z());
   LightFrame frame;

@@ -1,4 +1,4 @@
-/// Where the sun stands, and what of a scene its shadow map covers.
+/// Direction of the sun, and the part of a scene that its shadow map covers.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,19 +8,19 @@
 
 namespace castaway::sim {
 
-/// Towards the sun, in map, unit: from above left of a viewer in the south.
+/// Unit vector towards the sun, in map: from above left for a viewer in the south.
 Eigen::Vector3f to_sun();
 
-/// A parallel view from the sun.
+/// A parallel projection from the sun.
 struct LightFrame {
   Eigen::Matrix4f clip_from_map = Eigen::Matrix4f::Identity();
-  float texel_m = 0.01F;  ///< [m] Longer side of a cell of the map.
+  float texel_m = 0.01F;  ///< [m] Longer side of a cell of the shadow map.
 };
 
-/// The view for a square map of `texels` a side: all of `bounds`, but no further from the ground
-/// before the camera than twice the way to its target, or 8 m. It moves with the camera by whole
-/// cells, so that edges of shadows stand still in a film. What is nearer to the sun than the view
-/// begins must be clamped to it.
+/// The projection for a square shadow map of `texels` per side: all of `bounds`, but not farther
+/// from the ground ahead of the camera than twice the distance to its target, or 8 m. It moves with
+/// the camera by whole cells, so that edges of shadows do not flicker in a film. Surfaces nearer to
+/// the sun than the near plane must be clamped to it.
 LightFrame light_frame(const Camera& camera, const Eigen::AlignedBox3f& bounds, int texels);
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// A scene as plain data: what a picture shows. Knows nothing of GL. Frame map: z up, metres.
+/// A scene as plain data, independent of OpenGL. Frame map: z up, metres.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct TriangleMesh {
   std::vector<std::uint32_t> indices;  ///< Three a triangle, counter-clockwise from outside.
 };
 
-/// Ranges of instance numbers, which views for learning tell things apart by.
+/// Ranges of instance numbers, by which label maps distinguish objects.
 inline constexpr std::uint16_t kFloorInstance = 1;
 inline constexpr std::uint16_t kRobotInstance = 2;
 inline constexpr std::uint16_t kFirstObjectInstance = 10;     ///< + index of the world's object.
@@ -29,8 +29,8 @@ struct SceneItem {
   TriangleMesh mesh;
   Eigen::Isometry3f T_map_mesh = Eigen::Isometry3f::Identity();
   Eigen::Vector3f color{1.0F, 1.0F, 1.0F};  ///< Multiplies the vertex colours.
-  bool shaded = true;                       ///< False: its plain colour, whatever the light.
-  std::uint16_t instance = 0;               ///< What it belongs to; 0: nothing that has a number.
+  bool shaded = true;                       ///< False: its plain colour, without light.
+  std::uint16_t instance = 0;               ///< Number in label maps; 0: none.
   bool casts_shadow = true;                 ///< False: light passes (floors, roofs).
 };
 

@@ -12,7 +12,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kMaxPanes = 8;  // Of glass in the way of one beam.
+constexpr int kMaxPanes = 8;  // Glass panes that one beam can pass.
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 double uniform(Rng& rng) { return boost::random::uniform_01<double>()(rng); }
@@ -25,7 +25,7 @@ double BeamLight::cosine(const Surroundings& around, const Ray& ray, const Echo&
   return incidence_cosine(around.fixed.primitives()[echo.primitive], ray, echo.range);
 }
 
-/// Ranges count from the device, however many panes the light went through.
+/// The range counts from the device, whatever number of panes the light passed.
 Echo BeamLight::first_mirror(const Surroundings& around, Ray ray, Rng& rng,
                              std::uint32_t guess) const {
   const double within = std::cos(effects_.glass_angle_deg * kRadians);
@@ -51,9 +51,10 @@ Echo BeamLight::first_mirror(const Surroundings& around, Ray ray, Rng& rng,
   return {kNoHit, kHitNothing, guess, 1.0, 0.0, met};
 }
 
-/// The edges of the beam meet other ranges than its middle: what is reported lies between.
-double BeamLight::mixed(const Surroundings& around, const Ray& ray, const Eigen::Vector3d& across,
-                        const Echo& echo, Rng& rng) const {
+/// The edges of the beam hit surfaces at other ranges than its middle: the reported range lies
+/// between.
+double BeamLight::mix_ranges(const Surroundings& around, const Ray& ray,
+                             const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const {
   const double offset = std::tan(0.5 * effects_.divergence_deg * kRadians);
   const double share = uniform(rng);
   double near = echo.range;
@@ -70,20 +71,20 @@ double BeamLight::mixed(const Surroundings& around, const Ray& ray, const Eigen:
   return near + share * (far - near);
 }
 
-bool BeamLight::lost(const Echo& echo, Rng& rng) const {
+bool BeamLight::is_lost(const Echo& echo, Rng& rng) const {
   const double share = uniform(rng);
   if (echo.range > seen_within(effects_, echo.cosine, echo.reflectivity)) return true;
   return share < lost_share(effects_, echo.range / range_max_, echo.cosine, echo.reflectivity);
 }
 
-/// Dust comes last, so that it shifts no other effect's draws.
+/// Dust comes last, so that it does not shift the draws of other effects.
 Echo BeamLight::echo(const Surroundings& around, const Ray& ray, const Eigen::Vector3d& across,
                      LidarDraws& draws, std::uint32_t guess) const {
   Echo echo = first_mirror(around, ray, draws.glass, guess);
   if (effects_.divergence_deg > 0.0 && echo.object != kHitNothing) {
-    echo.range = mixed(around, ray, across, echo, draws.edges);
+    echo.range = mix_ranges(around, ray, across, echo, draws.edges);
   }
-  if (echo.object != kHitNothing && lost(echo, draws.dropout)) {
+  if (echo.object != kHitNothing && is_lost(echo, draws.dropout)) {
     echo = {kNoHit, kHitNothing, echo.primitive, 1.0, 0.0, true};
   }
   if (effects_.dust_rate <= 0.0) return echo;

@@ -1,4 +1,4 @@
-/// One beam's light: what it meets, through glass and dust, and whether enough of it returns.
+/// Light effects on one beam: glass, dust, mixed pixels and lost returns.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace castaway::sim {
 
-/// Random numbers of one lidar: one stream for each effect, so that none shifts another.
+/// Random streams of one lidar, one per effect, so that no effect shifts the draws of another.
 struct LidarDraws {
   Rng noise{};
   Rng pattern{};
@@ -21,24 +21,25 @@ struct LidarDraws {
   Rng dropout{};
 };
 
-/// The effects on one beam after the other.
+/// Applies the light effects to a beam.
 class BeamLight {
  public:
   BeamLight(const LightEffects& effects, Surfaces surfaces, double range_max)
       : effects_(effects), surfaces_(std::move(surfaces)), range_max_(range_max) {}
 
-  /// What comes back of a beam; `across`: unit vector at right angles to it, in the scan's plane.
+  /// Returns the echo of a beam. `across`: unit vector perpendicular to the beam, in the scan's
+  /// plane.
   [[nodiscard]] Echo echo(const Surroundings& around, const Ray& ray, const Eigen::Vector3d& across,
                           LidarDraws& draws, std::uint32_t guess) const;
 
  private:
   [[nodiscard]] double cosine(const Surroundings& around, const Ray& ray, const Echo& echo) const;
-  /// The first thing that returns light; panes of glass may let it through.
+  /// The first surface that returns light; panes of glass may let it pass.
   [[nodiscard]] Echo first_mirror(const Surroundings& around, Ray ray, Rng& rng,
                                   std::uint32_t guess) const;
-  [[nodiscard]] double mixed(const Surroundings& around, const Ray& ray,
-                             const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const;
-  [[nodiscard]] bool lost(const Echo& echo, Rng& rng) const;
+  [[nodiscard]] double mix_ranges(const Surroundings& around, const Ray& ray,
+                                  const Eigen::Vector3d& across, const Echo& echo, Rng& rng) const;
+  [[nodiscard]] bool is_lost(const Echo& echo, Rng& rng) const;
 
   LightEffects effects_;
   Surfaces surfaces_;

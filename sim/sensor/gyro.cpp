@@ -34,7 +34,7 @@ Gyro::Gyro(const GyroConfig& config, Rng rng) : config_(config), rng_(rng) {
   scale_ = 1.0 + config.scale_sigma * gaussian(rng_);
 }
 
-double Gyro::measured(double turn, double dt) {
+double Gyro::measure(double turn, double dt) {
   const double root = std::sqrt(dt);
   bias_ += config_.bias_walk_deg_s * kRadiansPerDegree * root * gaussian(rng_);
   return scale_ * turn + bias_ * dt + config_.noise_deg * kRadiansPerDegree * root * gaussian(rng_);

@@ -5,10 +5,10 @@
 
 namespace castaway::sim {
 
-/// How a gyro errs. Defaults: a MEMS gyro of a mobile base, calibrated at rest.
+/// Error model of a gyro. Defaults: a MEMS gyro of a mobile base, calibrated at rest.
 struct GyroConfig {
-  double noise_deg = 0.01;         ///< [deg/sqrt(s)] Random walk of the angle.
-  double bias_deg_s = 0.01;        ///< [deg/s] Standard deviation of what calibration left.
+  double noise_deg = 0.01;   ///< [deg/sqrt(s)] Random walk of the angle.
+  double bias_deg_s = 0.01;  ///< [deg/s] Standard deviation of the bias that calibration left.
   double bias_walk_deg_s = 0.001;  ///< [deg/s/sqrt(s)] Random walk of the bias.
   double scale_sigma = 0.002;      ///< Relative error of every turn, drawn once.
 };
@@ -19,11 +19,11 @@ void validate(const GyroConfig& config);
 /// Integrates a noisy rate.
 class Gyro {
  public:
-  /// Draws bias and scale from `rng`, which it keeps.
+  /// Draws bias and scale from `rng`, and keeps it.
   Gyro(const GyroConfig& config, Rng rng);
 
-  /// The turn measured for a true one [rad] within `dt` [s].
-  double measured(double turn, double dt);
+  /// Returns the measured turn for a true turn [rad] within `dt` [s].
+  double measure(double turn, double dt);
 
  private:
   GyroConfig config_;

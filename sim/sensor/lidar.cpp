@@ -51,14 +51,15 @@ float Lidar::intensity(const Echo& echo) const {
   return static_cast<float>(reflected / std::max(range * range, 1e-6));
 }
 
-/// Where a line meets something, noise is drawn even if its light is lost: no effect shifts it.
+/// Where a beam hits something, noise is drawn even if the light is lost, so that light effects do
+/// not shift the draws of noise.
 Beam Lidar::report(const Echo& echo, int index, Rng& rng) const {
   if (!echo.met && echo.object == kHitNothing) return {kInfinity, kHitNothing, echo.primitive};
   double range = echo.range;
   if (echo.met) {
     const double offset = offsets_.empty() ? 0.0 : offsets_[static_cast<std::size_t>(index)];
     const double true_range = std::min(echo.range, config_.range_max);
-    range = measured_range(config_.noise, true_range, offset, rng);
+    range = measure_range(config_.noise, true_range, offset, rng);
   }
   if (echo.object == kHitNothing || range > config_.range_max) {
     return {kInfinity, kHitNothing, echo.primitive};
@@ -111,7 +112,7 @@ void LidarSweeper::begin_scan(const Motion& motion) {
   if (config.intensity != Intensity::kNone) reading_.intensities.assign(beams, 0.0F);
 }
 
-/// The beams of all layers at one angle.
+/// Casts the beams of all layers at one angle.
 void LidarSweeper::cast_column(const Surroundings& around, const Eigen::Isometry3d& T_map_base) {
   for (std::size_t layer = 0; layer < last_primitives_.size(); ++layer) {
     const int index = static_cast<int>(layer) * lidar_.config().beams + next_beam_;

@@ -1,4 +1,4 @@
-/// A lidar in a scene: single beams, and sweeps of a moving robot.
+/// A lidar in a scene: single beams, and sweeps while the robot moves.
 #pragma once
 
 #include <chrono>
@@ -18,18 +18,18 @@ namespace castaway::sim {
 struct Beam {
   float range = 0.0F;                      ///< [m] +inf: nothing within range, -inf: too close.
   int object = kHitNothing;                ///< What it hit.
-  std::uint32_t primitive = kNoPrimitive;  ///< As in `cast`: the next guess.
-  float intensity = 0.0F;                  ///< As `LidarConfig::intensity` says.
+  std::uint32_t primitive = kNoPrimitive;  ///< As in `cast`: guess for the next beam.
+  float intensity = 0.0F;                  ///< As set by `LidarConfig::intensity`.
 };
 
 /// Casts beams from a mount on the base. Beams are numbered layer by layer.
 class Lidar {
  public:
-  /// `pattern`: the beams' own offsets are drawn from it. @throws std::invalid_argument if the
-  /// settings cannot be.
+  /// `pattern`: the constant offsets of the beams are drawn from it. @throws std::invalid_argument
+  /// if the settings are impossible.
   explicit Lidar(const LidarConfig& config, Surfaces surfaces = {}, Rng pattern = {});
 
-  /// Casts beam `index` from the base's pose, then adds the noise. `guess`: as in `RayScene::cast`.
+  /// Casts beam `index` from the base's pose and adds the noise. `guess`: as in `RayScene::cast`.
   [[nodiscard]] Beam cast(const Surroundings& around, const Eigen::Isometry3d& T_map_base,
                           int index, LidarDraws& draws, std::uint32_t guess = kNoPrimitive) const;
   /// Beam `index` from the base's pose.
@@ -42,21 +42,21 @@ class Lidar {
   [[nodiscard]] float intensity(const Echo& echo) const;
 
   LidarConfig config_;
-  std::optional<BeamLight> light_;           ///< Nothing where no surface matters.
-  std::vector<Eigen::Vector3d> directions_;  ///< Of the beams, in base.
-  std::vector<double> offsets_;              ///< [m] Of the beams; none: all 0.
+  std::optional<BeamLight> light_;           ///< Nothing if all light effects are off.
+  std::vector<Eigen::Vector3d> directions_;  ///< Directions of the beams, in base.
+  std::vector<double> offsets_;              ///< [m] Offsets of the beams; empty: all 0.
 };
 
-/// A stretch of the robot's motion.
+/// The robot's motion between two times.
 struct Motion {
   std::chrono::nanoseconds begin{};
   std::chrono::nanoseconds end{};
   Eigen::Isometry3d T_map_base_begin = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_base_end = Eigen::Isometry3d::Identity();
 
-  /// The pose at a time of the stretch.
+  /// The pose at a time of the motion.
   [[nodiscard]] Eigen::Isometry3d at(std::chrono::nanoseconds stamp) const;
-  /// How much of it is over then, in [0, 1].
+  /// Elapsed fraction of the motion at a time, in [0, 1].
   [[nodiscard]] double fraction(std::chrono::nanoseconds stamp) const;
 };
 
@@ -66,7 +66,7 @@ struct Sweep {
   LidarReading reading;
 };
 
-/// Gathers beams into scans while the robot moves. The first scan starts at time 0.
+/// Collects beams into scans while the robot moves. The first scan starts at time 0.
 class LidarSweeper {
  public:
   /// @throws as `Lidar`.
@@ -88,7 +88,7 @@ class LidarSweeper {
   std::chrono::nanoseconds period_{};
   std::chrono::nanoseconds time_increment_{};
   std::chrono::nanoseconds scan_stamp_{};
-  int next_beam_ = 0;  ///< Of all layers at once.
+  int next_beam_ = 0;  ///< Common to all layers.
   bool covered_ = false;
   std::vector<std::uint32_t> last_primitives_;  ///< By layer.
   LidarReading reading_;

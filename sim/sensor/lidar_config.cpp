@@ -23,7 +23,7 @@ void validate(const LidarConfig& c) {
   require(std::isfinite(c.angle_min), "angle_min", c.angle_min, "give an angle in radians");
   require(c.angle_increment != 0.0 && std::abs(c.angle_increment) * c.beams < 6.2832,
           "angle_increment", c.angle_increment,
-          "give a step such that the beams make at most one turn, the last not on the first");
+          "give a step such that all beams fit into one turn, without the last on the first");
   require(c.range_min >= 0.0, "range_min", c.range_min, "give 0 or more");
   require(c.range_max > c.range_min, "range_max", c.range_max, "give more than range_min");
   require(c.rate_hz > 0.0 && c.rate_hz <= 1000.0, "rate_hz", c.rate_hz, "give 0 to 1000");
@@ -31,14 +31,14 @@ void validate(const LidarConfig& c) {
           static_cast<double>(c.elevations.size()), "give 1 to 1024 layers");
   for (const double elevation : c.elevations) {
     require(std::abs(elevation) < 0.5 * std::numbers::pi, "elevation", elevation,
-            "give less than a right angle, in radians");
+            "give less than pi / 2 radians");
   }
   const int layers = static_cast<int>(c.elevations.size());
   require(c.beams <= kMostRays / layers, "number of rays of a sweep",
           static_cast<double>(c.beams) * layers, "give at most a million, beams times layers");
   const int planar = c.planar_layer.value_or(0);
   require(planar >= 0 && planar < layers, "localize_layer", planar,
-          "give the number of a layer, 0 the first");
+          "give the index of a layer, counted from 0");
   validate(c.noise);
   validate(c.light);
 }

@@ -9,7 +9,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kDarkReflectivity = 0.1;  // Of data sheets' dark targets.
+constexpr double kDarkReflectivity = 0.1;  // Reflectivity of the dark target in data sheets.
 
 void require_light(bool condition, const char* field, double value, const char* remedy) {
   if (condition) return;

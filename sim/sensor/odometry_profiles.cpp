@@ -6,7 +6,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Calibrated lately, hard wheels on a hard floor.
+/// Recently calibrated; hard wheels on a hard floor.
 OdometryConfig new_wheels() {
   OdometryConfig config;
   config.radius_sigma = 0.0001;
@@ -16,7 +16,7 @@ OdometryConfig new_wheels() {
   return config;
 }
 
-/// Years of service: calibrated once, a little slip now and then.
+/// Years of service: calibrated once, slips a little now and then.
 OdometryConfig worn_wheels() {
   OdometryConfig config;
   config.radius_sigma = 0.0007;

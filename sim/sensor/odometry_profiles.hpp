@@ -1,4 +1,4 @@
-/// How well robots count their wheels: named settings of odometry.
+/// Named odometry settings, from good to bad.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace castaway::sim {
 
-/// Names of the profiles, from the best to the worst: "ideal", "new-wheels",
-/// "worn-wheels", "default", "slippery".
+/// Names of the profiles, from best to worst: "ideal", "new-wheels", "worn-wheels", "default",
+/// "slippery".
 std::vector<std::string> odometry_profile_names();
 
-/// The settings of a profile; nothing if there is none of that name.
+/// The settings of a profile; nothing if the name is unknown.
 std::optional<OdometryConfig> odometry_profile(const std::string& name);
 
 }  // namespace castaway::sim

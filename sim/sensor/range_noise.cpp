@@ -22,10 +22,10 @@ void validate(const RangeNoise& noise) {
   require_noise_not_negative(noise.sigma_relative, "sigma_relative");
   require_noise_not_negative(noise.beam_bias_sigma, "beam_bias_sigma");
   require_noise_not_negative(noise.resolution, "resolution");
-  if (!std::isfinite(noise.bias)) throw std::invalid_argument("lidar: noise.bias is no number");
+  if (!std::isfinite(noise.bias)) throw std::invalid_argument("lidar: noise.bias is not a number");
 }
 
-double measured_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng) {
+double measure_range(const RangeNoise& noise, double range, double beam_bias, Rng& rng) {
   const double sigma = noise.sigma + noise.sigma_relative * range;
   double measured = range + (noise.bias + beam_bias);
   if (sigma > 0.0) measured += boost::random::normal_distribution<double>(0.0, sigma)(rng);

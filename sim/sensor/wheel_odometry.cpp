@@ -64,14 +64,14 @@ void WheelOdometry::reset() {
   T_odom_axle_ = {believed_.p_base_axle.x(), believed_.p_base_axle.y(), 0.0};
 }
 
-double WheelOdometry::measured(double angle) const {
+double WheelOdometry::quantize(double angle) const {
   if (config_.ticks_per_turn == 0) return angle;
   const double tick = 2.0 * std::numbers::pi / config_.ticks_per_turn;
   return tick * std::floor(angle / tick);
 }
 
 void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<double> turn) {
-  const WheelAngles now{measured(angles.left), measured(angles.right)};
+  const WheelAngles now{quantize(angles.left), quantize(angles.right)};
   const double left = (now.left - last_.left) * believed_.radius_left;
   const double right = (now.right - last_.right) * believed_.radius_right;
   last_ = now;

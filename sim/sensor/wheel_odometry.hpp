@@ -1,7 +1,7 @@
-/// Wheel odometry: what a robot makes of its encoders, with the errors of a real one.
+/// Wheel odometry with the errors of a real robot.
 ///
-/// Physics lets wheels slip too little, so that the error is an explicit model: encoder ticks,
-/// radii and track that are not what the robot believes, and a random walk.
+/// Wheels slip too little in simulated physics, so the error is an explicit model: encoder ticks,
+/// wheel radii and track that differ from what the robot assumes, and a random walk.
 #pragma once
 
 #include <limits>
@@ -13,32 +13,35 @@
 
 namespace castaway::sim {
 
-/// "Never", as a way to the next slip. [m]
+/// "Never", as a distance to the next slip. [m]
 inline constexpr double kNoSlip = std::numeric_limits<double>::infinity();
 
-/// How wheels slip (`WheelSlip`). Default: on slippery floors only.
+/// Slip of the wheels (`WheelSlip`). Default: only on slippery floors.
 struct SlipConfig {
-  double rate = 0.0;              ///< [1/m] Events in a metre that a wheel rolls; 0: none.
-  double length = 0.1;            ///< [m] Way of the wheel that an event lasts.
-  double share = 0.3;             ///< Of that way that is lost, on average, [0, 0.5].
-  double collision_length = 0.0;  ///< [m] The same at a collision, for both wheels; 0: none.
-  bool zones = true;              ///< Wheels slip in the world's slip zones...
-  double zone_spread = 0.5;       ///< ...by their slip times 1 +- this, new every 0.25 m, [0, 1].
+  double rate = 0.0;    ///< [1/m] Slip events per metre that a wheel rolls; 0: none.
+  double length = 0.1;  ///< [m] Distance that the wheel rolls during an event.
+  double share = 0.3;   ///< Mean share of that distance that is lost, [0, 0.5].
+  /// [m] Length of an event of both wheels at a collision; 0: none.
+  double collision_length = 0.0;
+  bool zones = true;  ///< Wheels slip in the world's slip zones.
+  /// A zone's slip varies by the factor 1 +- this, redrawn every 0.25 m, [0, 1].
+  double zone_spread = 0.5;
 };
 
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const SlipConfig& config);
 
-/// How odometry errs. Defaults: a well-kept indoor robot.
+/// Error model of odometry. Defaults: a well-maintained indoor robot.
 struct OdometryConfig {
-  double rate_hz = 100.0;       ///< [Hz] Readings a second.
+  double rate_hz = 100.0;       ///< [Hz] Readings per second.
   int ticks_per_turn = 4096;    ///< Encoder resolution; 0: continuous.
   double radius_sigma = 0.005;  ///< Relative error of each wheel's radius, drawn once.
   double track_sigma = 0.01;    ///< Relative error of the track, drawn once.
   double drift_along = 0.012;   ///< [m/sqrt(m)] Random walk along the heading.
   double drift_yaw_deg = 0.7;   ///< [deg/sqrt(m)] Random walk of the heading.
   SlipConfig slip{};
-  std::optional<GyroConfig> gyro{};  ///< Where there is one, headings are its: wheels tell the way.
+  /// With a gyro, headings come from it, and the wheels only give the distance.
+  std::optional<GyroConfig> gyro{};
 };
 
 /// @throws std::invalid_argument naming the field and the remedy.
@@ -61,22 +64,22 @@ struct DriveGeometry {
   Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the axle.
 };
 
-/// Integrates wheel angles into a pose. Starts at the identity.
+/// Integrates wheel angles into a pose that starts at the identity.
 class WheelOdometry {
  public:
   /// Draws the calibration errors from `rng`.
   WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng);
 
-  /// Takes the wheel angles; draws the drift of the way since the last call. `turn`: what a gyro
-  /// measured since then [rad], instead of what the wheels say.
+  /// Takes the wheel angles; draws the drift of the distance since the last call. `turn`: the turn
+  /// that a gyro measured since then [rad], used instead of the wheels'.
   void update(const WheelAngles& angles, Rng& rng, std::optional<double> turn = std::nullopt);
-  /// Starts from the identity again, as after a power cycle.
+  /// Restarts from the identity, as after a power cycle.
   void reset();
   /// The accumulated pose; continuous.
   [[nodiscard]] Pose2 T_odom_base() const;
 
  private:
-  [[nodiscard]] double measured(double angle) const;
+  [[nodiscard]] double quantize(double angle) const;
 
   OdometryConfig config_;
   DriveGeometry believed_;

@@ -10,8 +10,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kMostSlip = 0.95;  // A wheel that only spins would be stuck.
-constexpr double kPatch = 0.25;     // [m] Of way on which a zone's slip is the same.
+constexpr double kMostSlip = 0.95;  // A wheel with more slip would be stuck.
+constexpr double kPatch = 0.25;     // [m] Distance over which a zone's slip is constant.
 
 double uniform(double low, double high, Rng& rng) {
   return low < high ? boost::random::uniform_real_distribution<double>(low, high)(rng) : low;
@@ -64,7 +64,7 @@ double WheelSlip::zone_share(Wheel& wheel, double way, const Pose2& T_map_base) 
   return std::min(slip * wheel.zone_factor, kMostSlip);
 }
 
-double WheelSlip::counted(Wheel& wheel, double angle, const Pose2& T_map_base) {
+double WheelSlip::count(Wheel& wheel, double angle, const Pose2& T_map_base) {
   const double way = std::abs(angle) * wheel.radius;
   wheel.next_event -= way;
   if (wheel.next_event <= 0.0) {
@@ -77,14 +77,14 @@ double WheelSlip::counted(Wheel& wheel, double angle, const Pose2& T_map_base) {
   return angle / (1.0 - share);
 }
 
-WheelAngles WheelSlip::counted(const WheelAngles& increment, const Pose2& T_map_base,
-                               std::int64_t collisions) {
+WheelAngles WheelSlip::count(const WheelAngles& increment, const Pose2& T_map_base,
+                             std::int64_t collisions) {
   if (collisions > collisions_ && config_.collision_length > 0.0) {
     for (Wheel& wheel : wheels_) start_event(wheel, config_.collision_length);
   }
   collisions_ = collisions;
-  return {counted(wheels_[0], increment.left, T_map_base),
-          counted(wheels_[1], increment.right, T_map_base)};
+  return {count(wheels_[0], increment.left, T_map_base),
+          count(wheels_[1], increment.right, T_map_base)};
 }
 
 }  // namespace castaway::sim

@@ -1,6 +1,5 @@
-/// Wheels that turn further than the robot moves: on slippery floors, now and then, and where it
-/// runs into something. Physics lets wheels roll almost cleanly: slip is what the encoders count
-/// on top.
+/// Wheels that turn farther than the robot moves: on slippery floors, at random, and at collisions.
+/// Wheels hardly slip in simulated physics, so slip is added to the encoders' counts.
 #pragma once
 
 #include <array>
@@ -13,29 +12,28 @@
 
 namespace castaway::sim {
 
-/// Slip of both drive wheels, each by itself.
+/// Slip of both drive wheels, independent of each other.
 class WheelSlip {
  public:
-  /// `drive`: the true one. @throws std::invalid_argument naming the field and the remedy.
+  /// `drive`: its true geometry. @throws std::invalid_argument naming the field and the remedy.
   WheelSlip(const SlipConfig& config, const DriveGeometry& drive, std::vector<SlipZone> zones,
             Rng rng);
 
-  /// What the encoders count for a true increment of the wheels' angles [rad]. `T_map_base`: where
-  /// the robot is, `collisions`: how many it has had.
-  WheelAngles counted(const WheelAngles& increment, const Pose2& T_map_base,
-                      std::int64_t collisions);
+  /// Returns what the encoders count for true increments of the wheels' angles [rad]. `T_map_base`:
+  /// the robot's pose; `collisions`: its number of collisions so far.
+  WheelAngles count(const WheelAngles& increment, const Pose2& T_map_base, std::int64_t collisions);
 
  private:
   struct Wheel {
     double radius = 0.0;                               ///< [m]
     Eigen::Vector2d p_base = Eigen::Vector2d::Zero();  ///< [m] Where it touches the floor.
-    double next_event = 0.0;                           ///< [m] Of way until it slips...
-    double event_left = 0.0;                           ///< [m] ...and until that is over.
-    double event_share = 0.0;                          ///< Of the way, lost meanwhile.
-    double zone_left = 0.0;                            ///< [m] Until the floor is another.
-    double zone_factor = 1.0;                          ///< Of the zone's slip.
+    double next_event = 0.0;                           ///< [m] Distance to the next slip event.
+    double event_left = 0.0;                           ///< [m] Distance left of the current event.
+    double event_share = 0.0;                          ///< Share of the distance lost in the event.
+    double zone_left = 0.0;    ///< [m] Distance until the zone's slip changes.
+    double zone_factor = 1.0;  ///< Factor of the zone's slip.
   };
-  double counted(Wheel& wheel, double angle, const Pose2& T_map_base);
+  double count(Wheel& wheel, double angle, const Pose2& T_map_base);
   double zone_share(Wheel& wheel, double way, const Pose2& T_map_base);
   void start_event(Wheel& wheel, double length);
 

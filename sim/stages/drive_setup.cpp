@@ -9,16 +9,18 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kAsideMost = 1.2;     // [m] Off the path, for people's sake.
-constexpr double kPassed = 0.3;        // [m] From a waypoint: somebody may stand there.
-constexpr double kBeyond = 0.1;        // [m] Of the horizon's way, to the target.
-constexpr double kFirstMove = 0.5;     // [s] At full speed.
-constexpr double kMove = 5.0;          // [s] The same.
-constexpr double kNever = 1e9;         // [m] or [rad]
-constexpr double kLogWay = 0.3;        // [m]
-constexpr double kLogTurn = 0.5;       // [rad]
-constexpr double kStuck = 15.0;        // [s] Besides half a turn on the spot.
-constexpr double kBrakingShare = 0.6;  // Of the acceleration limit: the guard reacts late.
+// [m] The robot may be this far off its path before it re-plans: it makes room for people.
+constexpr double kMaxOffPath = 1.2;
+constexpr double kPassed = 0.3;  // [m] Tolerance of waypoints: a person may stand there.
+constexpr double kBeyond = 0.1;  // [m] Distance of the target beyond the way of the horizon.
+// [s] Driving at full speed for this long counts as the first move.
+constexpr double kFirstMove = 0.5;
+constexpr double kMove = 5.0;     // [s] Driving at full speed for this long counts as progress.
+constexpr double kNever = 1e9;    // [m] or [rad] Never reached.
+constexpr double kLogWay = 0.3;   // [m] Displacement that counts as progress with a log.
+constexpr double kLogTurn = 0.5;  // [rad] Turn that counts as progress with a log.
+constexpr double kStuck = 15.0;   // [s] Time without progress, in addition to half a turn in place.
+constexpr double kBrakingShare = 0.6;  // Share of the acceleration limit: the guard reacts late.
 
 }  // namespace
 
@@ -47,9 +49,10 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) 
   config.local.limits = config.route.follower.limits;
   config.local.radius = robot.footprint_radius;
   config.plan_margin = kDriveMargin;
-  config.route.replan_distance = kAsideMost;
+  config.route.replan_distance = kMaxOffPath;
   config.route.follower.goal_tolerance = kPassed;
-  // A nearer target would be reached within the horizon: no velocity beyond it would gain anything.
+  // A nearer target would be reached within the horizon, so that no higher velocity would reduce
+  // the cost.
   double& lookahead = config.route.follower.lookahead;
   lookahead = std::max(lookahead, config.local.limits.max_speed * config.local.horizon + kBeyond);
   return config;
@@ -69,14 +72,14 @@ ProgressConfig progress_of(const DriveConfig& drive, const RobotModel& robot) {
   config.first_turn = std::min(config.first_turn, kFirstMove * limits.max_turn_rate);
   config.way = std::min(config.way, kMove * limits.max_speed);
   config.stuck_s = kStuck + std::numbers::pi / limits.max_turn_rate;
-  if (!drive.log.empty()) {  // Commands may be anything: turns in place, small steps.
+  if (!drive.log.empty()) {  // A log may turn the robot in place or move it in small steps.
     double v = 0.0;
     double w = 0.0;
     for (const TimedTwist& line : drive.log) {
       v = std::max(v, std::abs(line.twist.v));
       w = std::max(w, std::abs(line.twist.w));
     }
-    // What is not commanded is no progress.
+    // Motions that are never commanded do not count as progress.
     config.first_way = std::min(config.first_way, v > 0.0 ? kFirstMove * v : kNever);
     config.first_turn = std::min(config.first_turn, w > 0.0 ? kFirstMove * w : kNever);
     config.way = v > 0.0 ? std::min(kLogWay, kMove * v) : kNever;

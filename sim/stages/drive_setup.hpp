@@ -1,4 +1,4 @@
-/// What drives the robot in a simulated run.
+/// Configures what drives the robot in a simulated run.
 #pragma once
 
 #include "sim/navigation/navigator.hpp"
@@ -10,19 +10,19 @@
 
 namespace castaway::sim {
 
-/// The limits asked for, or what the wheels can do if that is less.
+/// The configured limits, or what the wheels can do if that is less.
 TwistLimits limits_of(const DriveConfig& drive, const RobotModel& robot);
 
-/// The route asked for, driven within those limits.
+/// The configured route with those limits.
 RouteConfig route_of(const DriveConfig& drive, const RobotModel& robot);
 
-/// How that route is driven by an estimate.
+/// Settings for driving the route by an estimated pose.
 NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot);
 
-/// What keeps a robot that drives by the truth off people.
+/// Settings of the guard that keeps a robot driven by its true pose away from people.
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot);
 
-/// How far such a robot gets where nothing holds it up: slow ones get on in small steps.
+/// How much motion counts as progress for the robot: less for slow robots.
 ProgressConfig progress_of(const DriveConfig& drive, const RobotModel& robot);
 
 }  // namespace castaway::sim

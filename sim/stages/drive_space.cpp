@@ -14,7 +14,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSliceStep = 0.04;  // [m] Thinner boards pass between two slices of a tall robot.
+// [m] Thinner boards may pass between two slices of a tall robot.
+constexpr double kSliceStep = 0.04;
 
 }  // namespace
 

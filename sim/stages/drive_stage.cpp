@@ -10,9 +10,10 @@ namespace castaway::sim {
 namespace {
 
 constexpr std::chrono::nanoseconds kPeriod = std::chrono::milliseconds(50);
-constexpr double kRightWithin = 0.15;     // [m] A belief this near to the truth...
-constexpr double kRightWithinYaw = 0.15;  // [rad] ...is no reason to get stuck.
-constexpr double kInTheWay = 1.0;         // [m] From the robot to who may hold it up.
+// [m] A larger error of the estimated pose excuses a lack of progress.
+constexpr double kRightWithin = 0.15;
+constexpr double kRightWithinYaw = 0.15;  // [rad] The same for its heading.
+constexpr double kInTheWay = 1.0;         // [m] A person this close to the robot may be in its way.
 
 }  // namespace
 
@@ -39,19 +40,19 @@ Twist2 DriveStage::command(std::chrono::nanoseconds now, const Pose2& T_map_base
     return twist;
   }
   const bool done = navigator_ ? navigator_->done() : route_->done();
-  wants_ = !done && believes_rightly(T_map_base) && !somebody_near(T_map_base, people);
-  if (navigator_) return navigator_->command(believed_);
-  return people.yielded(route_->command(T_map_base), *route_);
+  wants_ = !done && is_estimate_right(T_map_base) && !is_person_near(T_map_base, people);
+  if (navigator_) return navigator_->command(estimate_);
+  return people.yield_to_people(route_->command(T_map_base), *route_);
 }
 
-bool DriveStage::believes_rightly(const Pose2& T_map_base) const {
+bool DriveStage::is_estimate_right(const Pose2& T_map_base) const {
   if (!navigator_) return true;
-  if (!believed_) return false;
-  const Pose2 error = inverse(T_map_base) * *believed_;
+  if (!estimate_) return false;
+  const Pose2 error = inverse(T_map_base) * *estimate_;
   return error.position().norm() < kRightWithin && std::abs(error.yaw) < kRightWithinYaw;
 }
 
-bool DriveStage::somebody_near(const Pose2& T_map_base, const PeopleStage& people) const {
+bool DriveStage::is_person_near(const Pose2& T_map_base, const PeopleStage& people) const {
   const std::vector<Eigen::Vector2d> positions = people.positions();
   return std::any_of(positions.begin(), positions.end(), [&](const Eigen::Vector2d& p_map) {
     return (p_map - T_map_base.position()).norm() < radius_ + kInTheWay;

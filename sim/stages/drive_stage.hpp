@@ -1,4 +1,4 @@
-/// What drives the robot in a simulated run.
+/// Drives the robot in a simulated run.
 #pragma once
 
 #include <chrono>
@@ -15,39 +15,42 @@
 
 namespace castaway::sim {
 
-/// Turns poses, odometry and scans into velocity commands, one a control period: a recorded log of
-/// them, a route by the truth, or a route by what a localizer believes.
+/// Turns poses, odometry and scans into velocity commands, one per control period: from a recorded
+/// log, along a route by the true pose, or along a route by a localizer's estimate.
 class DriveStage {
  public:
   /// `drive_grid`: where the robot's body can be.
   DriveStage(const SimulationConfig& config, const Grid& drive_grid);
 
-  /// True where a command is due at `now`.
+  /// True if a command is due at `now`.
   [[nodiscard]] bool due(std::chrono::nanoseconds now) const { return now >= next_; }
-  /// The command at `now` for a robot that truly is at `T_map_base`; people may make it yield.
+  /// Returns the command at `now` for a robot whose true pose is `T_map_base`; it may give way to
+  /// people.
   Twist2 command(std::chrono::nanoseconds now, const Pose2& T_map_base, PeopleStage& people);
-  /// What the driving localizer believes; nothing: it has no answer.
-  void set_pose(const std::optional<Pose2>& T_map_base) { believed_ = T_map_base; }
-  /// What the robot's sensors delivered.
+  /// Sets the driving localizer's estimate; nothing if it has none.
+  void set_pose(const std::optional<Pose2>& T_map_base) { estimate_ = T_map_base; }
+  /// Take what the robot's sensors delivered.
   void on_odometry(const OdometryReading& reading);
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);
-  /// True if the last command was to get the robot on: there is a route or a log to drive, nobody
-  /// is in the way, and what the robot believes about its pose is right.
+  /// True if the last command was meant to move the robot: there is a route or a log to drive, no
+  /// person is in the way, and the estimated pose is right.
   [[nodiscard]] bool wants() const { return wants_; }
-  /// Waypoints that were reached so far.
-  [[nodiscard]] int passed() const { return navigator_ ? navigator_->passed() : route_->passed(); }
+  /// Waypoints reached so far.
+  [[nodiscard]] int waypoints_reached() const {
+    return navigator_ ? navigator_->waypoints_reached() : route_->waypoints_reached();
+  }
   /// Recoveries and emergency stops since the last call.
   [[nodiscard]] std::vector<std::string> take_events();
 
  private:
-  [[nodiscard]] bool believes_rightly(const Pose2& T_map_base) const;
-  [[nodiscard]] bool somebody_near(const Pose2& T_map_base, const PeopleStage& people) const;
+  [[nodiscard]] bool is_estimate_right(const Pose2& T_map_base) const;
+  [[nodiscard]] bool is_person_near(const Pose2& T_map_base, const PeopleStage& people) const;
 
   std::chrono::nanoseconds wait_;
   std::vector<TimedTwist> log_;
-  std::optional<RouteRunner> route_;    ///< By the truth.
-  std::optional<Navigator> navigator_;  ///< By the estimate.
-  std::optional<Pose2> believed_;
+  std::optional<RouteRunner> route_;    ///< Drives by the true pose.
+  std::optional<Navigator> navigator_;  ///< Drives by the estimate.
+  std::optional<Pose2> estimate_;
   double radius_;  ///< [m] Of the robot.
   bool wants_ = false;
   std::chrono::nanoseconds next_{};

@@ -15,13 +15,14 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr double kClearOfPeople = 0.1;  // [m] Between bodies.
+// [m] Least distance between the bodies of robot and person.
+constexpr double kClearOfPeople = 0.1;
 
 bool takes_time(const KidnapSpec& spec) {
   return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kSpin;
 }
 
-/// The stream of a kidnap's times; others draw nothing.
+/// The random stream of a kidnap's times; empty for triggers that draw nothing.
 Rng clock_stream(const KidnapSpec& spec, std::size_t index, const NamedStreams& streams) {
   if (spec.when.on != KidnapTrigger::On::kPoisson) return Rng();
   if (!streams) {
@@ -31,7 +32,7 @@ Rng clock_stream(const KidnapSpec& spec, std::size_t index, const NamedStreams& 
   return streams(fmt::format("events/kidnap/{}", index));
 }
 
-/// A target that can never be reached is refused before the run.
+/// Throws before the run if a given target can never be reached.
 void check_target(const KidnapSpec& spec, const Pose2& start, const FreeSpace& free) {
   if (!spec.target) return;
   Rng unused;
@@ -70,7 +71,7 @@ KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {
     const bool due = entry.clock.due(trigger);
     if (!due || held_ || outcome.done) continue;
     outcome = begin(entry, input, rng);
-    if (outcome.done || outcome.picked_up) entry.clock.happened(trigger);
+    if (outcome.done || outcome.picked_up) entry.clock.on_kidnap(trigger);
   }
   return outcome;
 }
@@ -92,7 +93,7 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
   if (input.people) scene.people = input.people();
   const auto target = kidnap_target(entry.spec, scene, rng);
   if (!target) return {};
-  if (takes_time(entry.spec)) return lifted(entry, input, *target);
+  if (takes_time(entry.spec)) return begin_lift(entry, input, *target);
   power_cycle_ = entry.spec.power_cycle;
   KidnapOutcome outcome;
   outcome.done = KidnapRecord{input.now, entry.spec.kind,    input.T_map_base, target->T_map_base,
@@ -100,8 +101,8 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
   return outcome;
 }
 
-KidnapOutcome KidnapStage::lifted(const Entry& entry, const KidnapInput& input,
-                                  const KidnapTarget& target) {
+KidnapOutcome KidnapStage::begin_lift(const Entry& entry, const KidnapInput& input,
+                                      const KidnapTarget& target) {
   const Pose2& T_map_to = target.T_map_base;
   const Pose2& from = input.T_map_base;
   std::optional<std::vector<Eigen::Vector2d>> path;

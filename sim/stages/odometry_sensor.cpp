@@ -27,12 +27,13 @@ OdometrySensor::OdometrySensor(const SimulationConfig& config, const SimulationS
   }
 }
 
-/// What is counted too much is kept apart: without slip and faults, the angles stay what they are.
+/// Slip and faults are kept as an offset, so that without them the angles are exactly the true
+/// ones.
 WheelAngles OdometrySensor::encoders(const DriveState& state) {
   const WheelAngles before = last_ ? last_->angles : WheelAngles{};
   const WheelAngles way{state.angles.left - before.left, state.angles.right - before.right};
   const WheelGain gain = faults_.gain(state.stamp);
-  const WheelAngles slipped = slip_ ? slip_->counted(way, state.T_map_base, state.collisions) : way;
+  const WheelAngles slipped = slip_ ? slip_->count(way, state.T_map_base, state.collisions) : way;
   offset_.left += gain.left * slipped.left - way.left;
   offset_.right += gain.right * slipped.right - way.right;
   return {state.angles.left + offset_.left, state.angles.right + offset_.right};
@@ -42,7 +43,7 @@ std::optional<double> OdometrySensor::gyro_turn(const DriveState& state, bool fr
   if (!gyro_) return std::nullopt;
   const double turn = last_ ? state.turned - last_->turned : state.turned;
   const auto since = last_ ? state.stamp - last_->stamp : std::chrono::nanoseconds(0);
-  const double measured = gyro_->measured(turn, std::chrono::duration<double>(since).count());
+  const double measured = gyro_->measure(turn, std::chrono::duration<double>(since).count());
   return frozen ? 0.0 : measured;
 }
 
@@ -52,7 +53,7 @@ std::optional<OdometryReading> OdometrySensor::read(const DriveState& state) {
   odometry_.update(angles, rng_, turn);
   if (faults_.reset_due(state.stamp)) odometry_.reset();
   last_ = state;
-  if (faults_.lost(state.stamp)) return std::nullopt;
+  if (faults_.is_lost(state.stamp)) return std::nullopt;
   return OdometryReading{state.stamp, odometry_.T_odom_base(), state.T_map_base};
 }
 

@@ -1,4 +1,4 @@
-/// Wheel odometry of a run: slip, faults, gyro and what the robot integrates of them.
+/// Wheel odometry of a run: slip, faults, gyro and integration.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,25 @@
 
 namespace castaway::sim {
 
-/// The truth at a reading.
+/// True state at the time of a reading.
 struct DriveState {
   std::chrono::nanoseconds stamp{};
   WheelAngles angles;
-  double turned = 0.0;  ///< [rad] By base about its vertical since the start, kidnaps aside.
+  /// [rad] Turn of base about its vertical axis since the start, without kidnaps.
+  double turned = 0.0;
   Pose2 T_map_base;
-  std::int64_t collisions = 0;  ///< So far.
+  std::int64_t collisions = 0;  ///< Number of collisions so far.
 };
 
-/// Encoders, and a gyro where there is one.
+/// Encoders, and a gyro if configured.
 class OdometrySensor {
  public:
-  /// @throws std::invalid_argument if the settings cannot be.
+  /// @throws std::invalid_argument if the settings are impossible.
   OdometrySensor(const SimulationConfig& config, const SimulationStreams& streams);
 
-  /// Begins anew, from the identity.
+  /// Restarts from the identity.
   void reset() { odometry_.reset(); }
-  /// What arrives; nothing while a fault loses readings. Calls come in order of stamps.
+  /// Returns the reading that arrives; nothing if a fault loses it. Calls come in order of stamps.
   std::optional<OdometryReading> read(const DriveState& state);
 
  private:
@@ -39,7 +40,7 @@ class OdometrySensor {
   WheelOdometry odometry_;
   std::optional<WheelSlip> slip_;
   std::optional<Gyro> gyro_;
-  WheelAngles offset_;  ///< [rad] What the encoders count too much.
+  WheelAngles offset_;  ///< [rad] Angles that the encoders count in excess of the true ones.
   std::optional<DriveState> last_;
 };
 

@@ -14,12 +14,12 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
-constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm meanwhile.
+constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm in this time.
 constexpr nanoseconds kCrowd = milliseconds(500);
-constexpr int kPatience = 60;          // Calls of `yielded` for which the robot waits: 3 s...
-constexpr int kLongestPatience = 480;  // ...and, in a throng, twice as long each time: 24 s.
+constexpr int kPatience = 60;  // Calls of `yield_to_people` for which the robot waits first: 3 s.
+constexpr int kLongestPatience = 480;  // The wait doubles each time in a throng, up to 24 s.
 
-/// The people within a few metres.
+/// Discs of the people within 4 m of the robot.
 std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Pose2& robot) {
   constexpr double kWithin = 4.0;
   std::vector<RoundObstacle> discs;
@@ -80,14 +80,14 @@ void PeopleStage::on_kidnap(const Pose2& T_map_base) {
   scene_ = people_->scene(1.0);
 }
 
-Twist2 PeopleStage::yielded(const Twist2& command, RouteRunner& route) {
+Twist2 PeopleStage::yield_to_people(const Twist2& command, RouteRunner& route) {
   if (!people_ || !yields_) return command;
   const Pose2 T_base_map = inverse(robot_.T_map_base);
   std::vector<Eigen::Vector2d> p_base;
   for (const Eigen::Vector2d& p_map : positions()) p_base.emplace_back(T_base_map * p_map);
-  const Twist2 twist = guard_.guarded(command, p_base);
+  const Twist2 twist = guard_.limit(command, p_base);
   if (twist.v == command.v) patience_ = kPatience;
-  if (guard_.waited(patience_)) {
+  if (guard_.has_waited(patience_)) {
     patience_ = std::min(2 * patience_, kLongestPatience);
     const std::vector<RoundObstacle> discs = discs_near(people_->agents(), robot_.T_map_base);
     route.detour(robot_.T_map_base, route.free().with_discs(discs));

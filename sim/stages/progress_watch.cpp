@@ -5,8 +5,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kAtOnce = 0.2;        // [s]
-constexpr double kContactShare = 0.5;  // Of the first `contact_s`.
+constexpr double kAtOnce = 0.2;  // [s] A contact this soon after the start is one at the start.
+// Share of the first `contact_s` that a contact at the start must last.
+constexpr double kContactShare = 0.5;
 
 bool differ(const Pose2& a, const Pose2& b, double way, double turn) {
   const Pose2 difference = inverse(a) * b;
@@ -44,7 +45,7 @@ void ProgressWatch::watch_contact(const ProgressInput& input, double dt) {
   contact_s_ += dt;
 }
 
-/// What was a standstill is over.
+/// Ends the current standstill.
 void ProgressWatch::leave() {
   if (standing_s_ >= config_.stuck_s) {
     stuck_s_ += standing_s_;

@@ -1,4 +1,4 @@
-/// Does the robot of a run get anywhere? A run in which it does not says nothing about localizers.
+/// Checks whether the robot makes progress: a run without progress says nothing about localizers.
 #pragma once
 
 #include <chrono>
@@ -11,49 +11,54 @@ namespace castaway::sim {
 
 /// Why a run is void.
 enum class VoidReason : std::uint8_t {
-  kContactFromStart,  ///< The robot touches something from its first second on.
-  kNeverMoved,        ///< It was to drive and never did.
-  kStuck,             ///< It was to drive and no longer did, until the end or for most of the run.
+  kContactFromStart,  ///< The robot touches an obstacle from the first second on.
+  kNeverMoved,        ///< The robot was to drive and never moved.
+  kStuck,  ///< The robot was to drive and got stuck until the end, or for most of the run.
 };
 
-/// A run found void.
+/// The reason why a run is void.
 struct VoidRecord {
   VoidReason reason = VoidReason::kStuck;
-  std::chrono::nanoseconds since{};  ///< When that began.
+  std::chrono::nanoseconds since{};  ///< Beginning of the problem.
 };
 
-/// How much is getting on.
+/// Thresholds of progress.
 struct ProgressConfig {
-  double first_way = 0.1;   ///< [m] Of the first move, or with a waypoint passed...
-  double first_turn = 0.5;  ///< [rad] ...or turn, from the start.
-  double way = 1.0;         ///< [m] Later: from where it got on last; less is rocking to and fro...
-  double turn = 1e9;        ///< [rad] ...and so is less of a turn.
-  double contact_s = 1.0;   ///< [s] From the start; touching for half of it is void.
-  double never_s = 5.0;     ///< [s] Of wanting to drive, without ever getting on.
-  double stuck_s = 20.0;    ///< [s] Of wanting to drive, since it got on last.
-  double stuck_share = 0.5;  ///< Of all the time of wanting to drive, spent in being stuck.
+  /// [m] Displacement from the start that counts as the first move; also progress with a waypoint.
+  double first_way = 0.1;
+  double first_turn = 0.5;  ///< [rad] Turn from the start that counts as the first move.
+  /// [m] Displacement since the last progress that counts as progress; less may be rocking.
+  double way = 1.0;
+  double turn = 1e9;       ///< [rad] Turn since the last progress that counts as progress.
+  double contact_s = 1.0;  ///< [s] From the start; a contact for half of it makes the run void.
+  /// [s] Time of wanting to drive without a first move that makes the run void.
+  double never_s = 5.0;
+  /// [s] Time of wanting to drive without progress after which the robot is stuck.
+  double stuck_s = 20.0;
+  /// A run is void if the robot was stuck for this share of the time of wanting to drive.
+  double stuck_share = 0.5;
 };
 
-/// What the robot does at a moment.
+/// State of the robot at a time.
 struct ProgressInput {
   std::chrono::nanoseconds now{};
   Pose2 T_map_base;       ///< True pose of base.
-  bool touching = false;  ///< It is in contact with what is not the floor.
-  /// It is to drive, and neither people, nor somebody's hands, nor a wrong belief keep it from it.
+  bool touching = false;  ///< In contact with something other than the floor.
+  /// It is meant to drive, and no person, hand or wrong estimate keeps it from driving.
   bool wants = false;
-  int passed = 0;  ///< Waypoints so far: passing one on the move is getting on.
+  int passed = 0;  ///< Waypoints reached so far: reaching one while moving is progress.
 };
 
-/// Follows a run.
+/// Watches the progress of a run.
 class ProgressWatch {
  public:
   explicit ProgressWatch(const ProgressConfig& config) : config_(config) {}
 
-  /// Calls come in order of time.
+  /// Takes the state at a time; calls come in order of time.
   void update(const ProgressInput& input);
-  /// The robot was put elsewhere: what it was stuck in, it has left.
+  /// Ends a standstill, since the robot was put elsewhere.
   void on_teleport();
-  /// The reason, were the run to end now.
+  /// Returns why the run is void if it ends now; nothing if it is not.
   [[nodiscard]] std::optional<VoidRecord> verdict() const;
 
  private:
@@ -63,16 +68,16 @@ class ProgressWatch {
   ProgressConfig config_;
   std::optional<std::chrono::nanoseconds> first_;
   std::chrono::nanoseconds last_{};
-  double contact_s_ = 0.0;  ///< [s] Touching, in the first `contact_s`.
+  double contact_s_ = 0.0;  ///< [s] Of contact, in the first `contact_s`.
   bool touched_at_once_ = false;
   bool moved_ = false;
-  double wanted_s_ = 0.0;    ///< [s] Of wanting to drive, in all.
-  double stuck_s_ = 0.0;     ///< [s] Of that, in standstills that are over.
-  double standing_s_ = 0.0;  ///< [s] Of wanting to drive, since it got on last.
+  double wanted_s_ = 0.0;    ///< [s] Of wanting to drive, in total.
+  double stuck_s_ = 0.0;     ///< [s] Part of that spent in finished standstills.
+  double standing_s_ = 0.0;  ///< [s] Of wanting to drive, since the last progress.
   int passed_ = 0;
   std::optional<Pose2> started_;
-  std::optional<Pose2> stood_;        ///< Where it got on last...
-  std::chrono::nanoseconds since_{};  ///< ...and when.
+  std::optional<Pose2> stood_;        ///< Pose at the last progress.
+  std::chrono::nanoseconds since_{};  ///< Time of the last progress.
   std::optional<std::chrono::nanoseconds> first_stuck_;
 };
 

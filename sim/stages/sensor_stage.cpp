@@ -21,13 +21,13 @@ double turn_of(const Motion& motion) {
 }
 
 std::vector<LidarConfig> require_own_names(const std::vector<LidarConfig>& lidars) {
-  if (lidars.empty()) throw std::invalid_argument("lidars: there is none: give one");
+  if (lidars.empty()) throw std::invalid_argument("lidars: the list is empty: give at least one");
   for (auto lidar = lidars.begin(); lidar != lidars.end(); ++lidar) {
     const bool taken = std::any_of(
         lidars.begin(), lidar, [&](const LidarConfig& other) { return other.name == lidar->name; });
     if (taken) {
       throw std::invalid_argument("lidars: two are named '" + lidar->name +
-                                  "': give each a name of its own");
+                                  "': give each a unique name");
     }
   }
   return lidars;
@@ -53,7 +53,7 @@ void SensorStage::set_covered(bool covered) {
 }
 
 std::vector<FaultRecord> SensorStage::read_faults(const Motion& motion) {
-  std::vector<FaultRecord> records = timeline_.reached(motion.end - nanoseconds(1));
+  std::vector<FaultRecord> records = timeline_.take_due(motion.end - nanoseconds(1));
   for (FaultRecord& record : records) record.T_map_base_true = to_planar(motion.at(record.stamp));
   return records;
 }
@@ -79,7 +79,7 @@ std::vector<SimFrame> SensorStage::read_lidars(const Surroundings& around, const
   for (std::size_t i = 0; i < devices_.size(); ++i) {
     for (Sweep& sweep : devices_[i].sweeper.advance(around, motion)) {
       sweep.reading.lidar = i;
-      auto passed = devices_[i].faults.passed(std::move(sweep));
+      auto passed = devices_[i].faults.deliver(std::move(sweep));
       if (passed) pending_.push_back(std::move(*passed));
     }
   }

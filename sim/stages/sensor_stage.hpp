@@ -1,4 +1,4 @@
-/// The sensors of a simulated run: when lidars and odometry read, and what they deliver.
+/// Runs the sensors of a simulated run: lidars and odometry.
 #pragma once
 
 #include <chrono>
@@ -13,30 +13,31 @@
 
 namespace castaway::sim {
 
-/// Lidars and odometry of a run on its clock, each with its own streams, and their faults.
+/// Lidars and odometry of a run, each with its own random streams, and their faults.
 class SensorStage {
  public:
-  /// @throws std::invalid_argument if a sensor's settings cannot be.
+  /// @throws std::invalid_argument if a sensor's settings are impossible.
   SensorStage(const SimulationConfig& config, const SimulationStreams& streams);
 
-  /// While covered, the lidars see nothing: every beam is +inf. They go on turning.
+  /// Covers the lidars: every beam is +inf. They keep turning.
   void set_covered(bool covered);
 
-  /// Odometry begins anew, from the identity.
+  /// Restarts odometry from the identity.
   void reset_odometry() { odometry_.reset(); }
 
-  /// Faults that begin or end within a motion.
+  /// Returns the faults that begin or end within a motion.
   std::vector<FaultRecord> read_faults(const Motion& motion);
-  /// What the wheels say within a motion, in order of stamps; their angles at its begin and end.
+  /// Returns the odometry readings within a motion, in order of stamps. `begin` and `end` are the
+  /// wheel angles at its ends.
   std::vector<OdometryReading> read_odometry(const Motion& motion, const WheelAngles& begin,
                                              const WheelAngles& end, std::int64_t collisions = 0);
-  /// Scans delivered within a motion; motions must follow each other without gaps in time.
-  /// `LidarReading::people` is left empty.
+  /// Returns the scans delivered within a motion; motions must follow each other without gaps in
+  /// time. Leaves `LidarReading::people` empty.
   std::vector<SimFrame> read_lidars(const Surroundings& around, const Motion& motion);
 
-  /// What the lidars can meet of the world, people aside.
+  /// What lidars can hit of the world, without people.
   [[nodiscard]] const RayScene& scene() const { return scene_; }
-  /// The lidars, as `LidarReading::lidar` counts them.
+  /// The lidars, indexed by `LidarReading::lidar`.
   [[nodiscard]] const std::vector<LidarConfig>& lidars() const { return configs_; }
 
  private:
@@ -48,12 +49,12 @@ class SensorStage {
   RayScene scene_;
   std::vector<LidarConfig> configs_;
   std::vector<Device> devices_;
-  std::vector<Sweep> pending_;  ///< Scans still to be delivered.
+  std::vector<Sweep> pending_;  ///< Scans not delivered yet.
   FaultTimeline timeline_;
   OdometrySensor odometry_;
   std::chrono::nanoseconds odometry_period_;
   std::chrono::nanoseconds next_odometry_{};
-  double turned_ = 0.0;  ///< [rad] By base, kidnaps aside.
+  double turned_ = 0.0;  ///< [rad] Turn of base, without kidnaps.
 };
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// The random streams of a run's sensors, by name.
+/// The random streams of a run's sensors.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace castaway::sim {
 
-/// The stream `name`. @throws std::invalid_argument if the run has none by name.
+/// Returns the stream `name`. @throws std::invalid_argument if the run has no named streams.
 Rng named_stream(const SimulationStreams& streams, const std::string& name);
 
-/// The streams of a lidar: the noise of the one named "lidar" is the run's lidar stream, all others
-/// are "lidar/<name>/<effect>". Without streams by name, effects that need them are an error.
+/// Returns the streams of a lidar. The noise of the lidar named "lidar" uses the run's lidar
+/// stream; all others are "lidar/<name>/<effect>". @throws std::invalid_argument if an effect needs
+/// a named stream and the run has none.
 LidarDraws lidar_draws(const SimulationStreams& streams, const LidarConfig& lidar);
 
 }  // namespace castaway::sim

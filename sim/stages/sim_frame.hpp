@@ -19,7 +19,7 @@ struct PickUpRecord {
   Pose2 T_map_base;  ///< True pose of base.
 };
 
-/// The robot recovered from not getting on, or stopped short.
+/// The robot started a recovery or an emergency stop.
 struct DriveRecord {
   std::chrono::nanoseconds stamp{};
   std::string what;  ///< "wait", "re-plan", "back up", "spin" or "emergency stop".

@@ -1,4 +1,4 @@
-/// All that a simulated run depends on.
+/// Configuration of a simulated run.
 #pragma once
 
 #include <chrono>
@@ -24,28 +24,28 @@
 
 namespace castaway::sim {
 
-/// Where the robot drives and how fast.
+/// Where and how fast the robot drives.
 struct DriveConfig {
-  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; none: the robot stands still.
+  std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; if empty, the robot stands still.
   bool loop = true;                        ///< Starts again after the last waypoint.
-  std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints; may be empty.
-  bool by_estimate = false;                ///< Drives by `set_drive_pose`; false: by the true pose.
-  TwistLimits limits;                      ///< The wheels' own limits apply too.
-  double wait_s = 0.0;                     ///< [s] The robot stands still at first.
+  std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints if not empty.
+  bool by_estimate = false;  ///< Drives by the pose of `set_drive_pose`; false: by the true pose.
+  TwistLimits limits;        ///< The limits of the wheels apply, too.
+  double wait_s = 0.0;       ///< [s] Time for which the robot stands still at first.
 };
 
-/// By what the robot moves.
+/// How the robot's motion is computed.
 enum class DriveModel : std::uint8_t {
   kPhysics,    ///< Bullet: masses, contacts, motors.
-  kKinematic,  ///< Exactly as commanded; obstacles stop it.
+  kKinematic,  ///< Exactly as commanded; obstacles stop the robot.
 };
 
-/// All that a simulated run depends on, besides its random streams.
+/// Everything that a simulated run depends on, except its random streams.
 struct SimulationConfig {
   WorldSpec world;
-  Grid map;  ///< What the robot's planner knows; objects missing on it are avoided all the same.
+  Grid map;  ///< Known to the robot's planner; objects that it lacks are avoided nevertheless.
   RobotModel robot;
-  /// With names of their own, at least one. People, guards and kidnaps go by the first.
+  /// At least one, with unique names. Crowds and look-alike kidnaps use the first.
   std::vector<LidarConfig> lidars{LidarConfig{}};
   OdometryConfig odometry;
   DriveConfig drive;
@@ -59,13 +59,13 @@ struct SimulationConfig {
   DriveModel drive_model = DriveModel::kPhysics;
 };
 
-/// One stream of random numbers for each consumer.
+/// One stream of random numbers per consumer.
 struct SimulationStreams {
   Rng lidar;
   Rng odometry;
   Rng events;
-  /// Streams by name, "people/...", "lidar/...", "odometry/..."; needed for people and for sensors
-  /// with more than plain noise.
+  /// Returns a stream by name: "people/...", "lidar/...", "odometry/...". Required for people and
+  /// for sensors with more than plain noise.
   std::function<Rng(const std::string& name)> named{};
 };
 

@@ -1,4 +1,4 @@
-/// Between Eigen and Bullet. Internal to sim/world and sim/robot.
+/// Conversions between Eigen and Bullet. Internal to sim/world and sim/robot.
 #pragma once
 
 #include <LinearMath/btTransform.h>

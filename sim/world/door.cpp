@@ -27,7 +27,7 @@ void set_door(WorldSpec& world, const std::string& name, double open_deg) {
   if (door == world.doors.end() || leaf == world.objects.end()) {
     throw std::invalid_argument(fmt::format("world {}: no door '{}'", world.name, name));
   }
-  if (leaf->in_map) {  // The map goes on showing it where it was.
+  if (leaf->in_map) {  // The map still shows the leaf where it was surveyed.
     WorldObject surveyed = *leaf;
     surveyed.name = name + "/leaf on the map";
     surveyed.in_world = false;

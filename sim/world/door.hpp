@@ -7,10 +7,10 @@
 
 namespace castaway::sim {
 
-/// The leaf of a door that stands open by `open_deg`: a box; without a colour of its own.
+/// Returns the leaf of a door that is open by `open_deg`: a box without a colour of its own.
 WorldObject door_leaf(const Door& door, double open_deg);
 
-/// Opens or closes a door of a world: its leaf in the world turns, what the map shows of it stays.
+/// Opens or closes a door of a world: its leaf in the world turns, and the one on the map stays.
 /// @throws std::invalid_argument if the world has no such door.
 void set_door(WorldSpec& world, const std::string& name, double open_deg);
 

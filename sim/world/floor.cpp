@@ -11,22 +11,22 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kHeadroom = 0.4;     // [m] Above a level on which a robot stands.
-constexpr double kSameLevel = 0.02;   // [m]
-constexpr double kLevelArea = 2.0;    // [m^2] Smaller tops are furniture.
-constexpr double kMostlyUp = 0.9;     // Of a face's unit normal, along z.
-constexpr double kAroundStart = 0.3;  // [m] The wheels need the level, too.
-constexpr double kStage = 0.35;       // [m] Tops this high above much ground are furniture.
-constexpr double kMuchGround = 0.2;   // Of the extent.
+constexpr double kHeadroom = 0.4;    // [m] Free height that a robot needs above a level.
+constexpr double kSameLevel = 0.02;  // [m]
+constexpr double kLevelArea = 2.0;   // [m^2] Level faces with less area are furniture.
+constexpr double kMostlyUp = 0.9;  // Least z component of the unit normal of a face that faces up.
+constexpr double kAroundStart = 0.3;  // [m] The wheels need the level around the start, too.
+constexpr double kStage = 0.35;       // [m] Levels this high above a large ground are furniture.
+constexpr double kMuchGround = 0.2;   // Share of the extent that makes a ground large.
 constexpr double kRises = 0.05;       // [m]
-constexpr int kAcross = 48;           // Columns along either side of the extent.
+constexpr int kAcross = 48;           // Number of columns along either side of the extent.
 
-/// Where a vertical line meets a face.
+/// Intersection of a vertical line with a face.
 struct Crossing {
   double z = 0.0;
   bool up = false;      ///< The face is level and faces up.
-  bool enters = false;  ///< Going down, the line enters a body, else it leaves one.
-  bool solid = false;   ///< The body is closed for certain.
+  bool enters = false;  ///< The line, going down, enters a body here; false: it leaves one.
+  bool solid = false;   ///< The body is certainly closed.
 };
 
 struct Column {
@@ -34,10 +34,10 @@ struct Column {
   std::vector<Crossing> crossings;
 };
 
-/// A face in map.
+/// A triangle in map.
 struct Face {
   Eigen::Vector3d a, b, c, normal;
-  double area = 0.0;  ///< Of its projection. [m^2]
+  double area = 0.0;  ///< [m^2] Of its horizontal projection.
 };
 
 Face face_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -45,7 +45,7 @@ Face face_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return {a, b, c, n.normalized(), 0.5 * std::abs(n.z())};
 }
 
-/// Height of a face at a point seen from above; nothing beside it.
+/// Height of a face above a point of the plane; nothing if the point is beside it.
 std::optional<double> height_at(const Face& f, const Eigen::Vector2d& p) {
   const Eigen::Vector2d ab = (f.b - f.a).head<2>();
   const Eigen::Vector2d ac = (f.c - f.a).head<2>();
@@ -58,10 +58,10 @@ std::optional<double> height_at(const Face& f, const Eigen::Vector2d& p) {
   return f.a.z() + u * (f.b.z() - f.a.z()) + v * (f.c.z() - f.a.z());
 }
 
-/// Vertical lines through a world, and how much of it lies level at which height.
+/// Vertical lines through a world, and the area of its level faces by height.
 class Levels {
  public:
-  /// `columns`: in order of x.
+  /// `columns`: sorted by x.
   explicit Levels(std::vector<Column> columns) : columns_(std::move(columns)) {
     for (const Column& column : columns_) box_.extend(column.p);
   }
@@ -84,7 +84,7 @@ class Levels {
     }
   }
 
-  /// The lowest level of each column, `base` where there is none; sorted.
+  /// The lowest level of each column, `base` if it has none; sorted.
   [[nodiscard]] std::vector<double> lowest(double base) {
     std::vector<double> levels;
     for (Column& column : columns_) levels.push_back(lowest_of(column).value_or(base));
@@ -92,7 +92,7 @@ class Levels {
     return levels;
   }
 
-  /// Area of all level faces about a height. [m^2]
+  /// Area of all level faces near a height. [m^2]
   [[nodiscard]] double area_at(double height) const {
     double area = 0.0;
     for (const auto& [z, size] : level_faces_) {
@@ -161,7 +161,7 @@ std::vector<Column> columns_over(const Eigen::AlignedBox2d& extent) {
   return columns;
 }
 
-/// The middle of the fullest stretch of `kSameLevel`, and how many lie in it.
+/// Centre of the interval of length `kSameLevel` with most values, and their number.
 std::pair<double, std::size_t> most_common(const std::vector<double>& sorted) {
   std::pair<double, std::size_t> best{0.0, 0};
   for (std::size_t from = 0, to = 0; from < sorted.size(); ++from) {
@@ -191,7 +191,7 @@ Eigen::AlignedBox2d extent_of(const WorldSpec& world) {
   return extent;
 }
 
-/// Share of columns about a height.
+/// Share of the columns whose level is near a height.
 double share_at(const std::vector<double>& sorted, double height) {
   const auto count = std::count_if(sorted.begin(), sorted.end(), [&](double level) {
     return std::abs(level - height) <= kSameLevel;
@@ -199,7 +199,7 @@ double share_at(const std::vector<double>& sorted, double height) {
   return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, sorted.size()));
 }
 
-/// A level that nothing stands on is no floor.
+/// True if an object rises above a level; otherwise the level is no floor.
 bool something_rises(const WorldSpec& world, double level) {
   return std::any_of(world.objects.begin(), world.objects.end(), [&](const WorldObject& object) {
     return bounds(object).max().z() > level + kRises;

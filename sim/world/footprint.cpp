@@ -15,9 +15,9 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kSides = 24;
-constexpr double kSamePoint = 1e-18;  // [m^2] An edge so short has no direction.
+constexpr double kSamePoint = 1e-18;  // [m^2] Squared length below which an edge has no direction.
 
-/// A polygon around a circle.
+/// Adds a polygon around a circle.
 void add_ring(double radius, double z, Points& points) {
   const double around = radius / std::cos(std::numbers::pi / kSides);
   for (int i = 0; i < kSides; ++i) {
@@ -68,7 +68,7 @@ Points corners(const WorldObject& object) {
   return points;
 }
 
-/// True if the normal of an edge of `a` parts the two.
+/// True if an edge of `a` separates the two outlines.
 bool parted_by_edges(const ConvexOutline& a, const ConvexOutline& b) {
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Eigen::Vector2d edge = a.points[(i + 1) % a.points.size()] - a.points[i];
@@ -105,8 +105,8 @@ Eigen::AlignedBox3d bounds(const WorldObject& object) {
   return box;
 }
 
-ConvexOutline moved(const ConvexOutline& outline, const Eigen::Vector2d& center, double yaw,
-                    const Eigen::Vector2d& by) {
+ConvexOutline transform_outline(const ConvexOutline& outline, const Eigen::Vector2d& center,
+                                double yaw, const Eigen::Vector2d& by) {
   const Eigen::Rotation2Dd turn(yaw);
   ConvexOutline result;
   for (const Eigen::Vector2d& p : outline.points) {

@@ -8,10 +8,10 @@
 namespace castaway::sim {
 namespace {
 
-/// Sets that are joined step by step.
-class Joined {
+/// A union-find structure.
+class DisjointSets {
  public:
-  explicit Joined(std::size_t count) : parent_(count) {
+  explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
   [[nodiscard]] std::size_t root(std::size_t i) const {
@@ -57,10 +57,10 @@ bool belong_together(const WorldSpec& world, const Body& a, const Body& b) {
 
 std::vector<FurnitureGroup> furniture_groups(const WorldSpec& world) {
   const std::vector<Body> bodies = movable_bodies(world);
-  Joined joined(bodies.size());
+  DisjointSets sets(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (belong_together(world, bodies[i], bodies[j])) joined.join(i, j);
+      if (belong_together(world, bodies[i], bodies[j])) sets.join(i, j);
     }
   }
   std::vector<FurnitureGroup> groups;
@@ -68,7 +68,7 @@ std::vector<FurnitureGroup> furniture_groups(const WorldSpec& world) {
     FurnitureGroup group;
     Eigen::AlignedBox2d box;
     for (std::size_t i = root; i < bodies.size(); ++i) {
-      if (joined.root(i) != root) continue;
+      if (sets.root(i) != root) continue;
       group.objects.push_back(bodies[i].object);
       group.footprints.push_back(bodies[i].outline);
       box.extend(bodies[i].box);
@@ -87,7 +87,7 @@ void move_group(WorldSpec& world, const FurnitureGroup& group, double yaw,
                                    Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
                                    center.inverse();
   for (const std::size_t i : group.objects) {
-    if (world.objects[i].in_map) {  // The map goes on showing it where it was.
+    if (world.objects[i].in_map) {  // The map still shows the body where it was surveyed.
       WorldObject surveyed = world.objects[i];
       surveyed.name += " on the map";
       surveyed.in_world = false;

@@ -1,4 +1,4 @@
-/// Furniture as the difference layer handles it: groups of bodies that move as one.
+/// Groups of furniture bodies that the difference layer moves together.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace castaway::sim {
 
-/// Bodies that change together.
+/// Bodies that are moved or removed together.
 struct FurnitureGroup {
   std::vector<std::size_t> objects;       ///< Indices into `WorldSpec::objects`, ascending.
-  std::vector<ConvexOutline> footprints;  ///< Of these, in the same order.
-  Eigen::Vector2d center{0.0, 0.0};       ///< [m] Of their bounds.
+  std::vector<ConvexOutline> footprints;  ///< In the order of `objects`.
+  Eigen::Vector2d center{0.0, 0.0};       ///< [m] Centre of their bounds.
 };
 
-/// The movable bodies that stand in the world: those of a piece, and all that overlap seen from
-/// above, in one group. In order of their first bodies.
+/// Groups the movable bodies in the world: bodies of one piece, and bodies that overlap when seen
+/// from above, share a group. Ordered by the groups' first bodies.
 std::vector<FurnitureGroup> furniture_groups(const WorldSpec& world);
 
-/// Moves the bodies of a group in the world; on the map they stay.
+/// Moves the bodies of a group in the world; they stay on the map.
 void move_group(WorldSpec& world, const FurnitureGroup& group, double yaw,
                 const Eigen::Vector2d& by);
 
-/// Takes the bodies of a group out of the world; on the map they stay.
+/// Removes the bodies of a group from the world; they stay on the map.
 void remove_group(WorldSpec& world, const FurnitureGroup& group);
 
 }  // namespace castaway::sim

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kKeptBytes = 256U << 20U;
 constexpr float kFarthest = 1e6F;  // [m]
 
-/// Who reads, and what was read.
+/// The process-wide reader and cache.
 struct Shared {
   std::mutex mutex;
   MeshReader reader = read_mesh_file;
@@ -26,7 +26,7 @@ Shared& shared() {
   return instance;
 }
 
-/// A reader may hand on what a broken file says.
+/// Throws unless the mesh is valid: a reader may pass on the content of a broken file.
 void require_sound(const std::string& path, const TriangleMesh& mesh) {
   if (mesh.indices.empty()) throw std::runtime_error(path + ": this mesh has no triangles");
   const auto count = mesh.vertices.size();
@@ -37,8 +37,8 @@ void require_sound(const std::string& path, const TriangleMesh& mesh) {
                                 [](const auto& v) { return (v.array().abs() <= kFarthest).all(); });
   if (sound && near) return;
   throw std::runtime_error(
-      path + (sound ? ": cannot read this mesh (a vertex is no number, or beyond 1000 km)"
-                    : ": cannot read this mesh (its triangles name vertices that are not there)"));
+      path + (sound ? ": cannot read this mesh (a vertex is not a number, or beyond 1000 km)"
+                    : ": cannot read this mesh (its triangles refer to missing vertices)"));
 }
 
 TriangleMesh read_sound(const std::string& path) {

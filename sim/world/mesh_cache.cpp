@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kEntryBytes = 200;  // Of an entry without its mesh, roughly.
+constexpr std::size_t kEntryBytes = 200;  // Approximate size of an entry without its mesh.
 
-/// FNV-1a, of 64 bits and two offsets: files that collide by chance are not met.
+/// 64-bit FNV-1a with two offsets, so that accidental collisions do not occur.
 std::array<std::uint64_t, 2> hash_of(std::istream& stream) {
   constexpr std::uint64_t kPrime = 1099511628211U;
   std::array<std::uint64_t, 2> hash{14695981039346656037U, 1099511628227U};
@@ -37,7 +37,7 @@ bool stands_alone(const std::string& extension) {
   return extension == ".stl" || extension == ".dae" || extension == ".ply";
 }
 
-/// Nothing for what is no file to be read: the reader says why.
+/// Key of a file's content; nothing if the file cannot be read, which the reader reports.
 std::optional<std::string> key_of(const fs::path& path) {
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return std::nullopt;

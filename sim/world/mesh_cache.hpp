@@ -1,4 +1,4 @@
-/// Meshes that were read before, by the content of their files.
+/// Caches meshes by the content of their files.
 #pragma once
 
 #include <functional>
@@ -10,23 +10,24 @@
 
 namespace castaway::sim {
 
-/// Keeps meshes, and the reasons why others could not be read. What it keeps is limited: over the
-/// limit it forgets all.
+/// Caches meshes and the reasons why others could not be read. When its limit is exceeded, it drops
+/// all entries.
 class MeshCache {
  public:
-  /// `limit` of what is kept. [bytes]
+  /// `limit`: of the cached data. [bytes]
   explicit MeshCache(std::size_t limit) : limit_(limit) {}
 
-  /// The mesh of a file: what `read(path)` gave, or threw, for the first file of that content. A
-  /// format that takes materials from files beside it is told apart by its folder too.
+  /// Returns the mesh of a file: what `read(path)` returned, or threw, for the first file with the
+  /// same content. For formats that refer to materials in other files, the folder must be the same,
+  /// too.
   TriangleMesh get(const std::string& path,
                    const std::function<TriangleMesh(const std::string&)>& read);
 
  private:
-  /// Why a file could not be read; texts without the file's name.
+  /// Reason why a file could not be read, without the file's name.
   struct Failure {
     std::string reason;
-    bool too_large;  ///< std::length_error
+    bool too_large;  ///< The error was a std::length_error.
   };
   using Entry = std::variant<TriangleMesh, Failure>;
 

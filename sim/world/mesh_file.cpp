@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kMaxBytes = 128U << 20U;
 constexpr std::size_t kMaxTriangles = 1000000;
 
-/// Gives regular files only: a pipe or a device, named by a material, would never end.
+/// Opens regular files only: a pipe or device named by a material would never end.
 class RegularFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* path) const override { return is_regular(path); }
@@ -68,11 +68,11 @@ void append(const aiScene& scene, const aiMesh& mesh, TriangleMesh& out) {
   append_faces(mesh, base, out);
 }
 
-/// Before anything of it is read.
+/// Checks the file before anything of it is read.
 void refuse_file(const std::string& path) {
   std::error_code none;
   if (fs::exists(path, none) && !fs::is_regular_file(path, none)) {
-    throw std::runtime_error(path + ": cannot read this mesh (it is no regular file)");
+    throw std::runtime_error(path + ": cannot read this mesh (it is not a regular file)");
   }
   const std::uintmax_t size = fs::file_size(path, none);
   if (none || size <= kMaxBytes) return;

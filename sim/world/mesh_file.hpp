@@ -1,4 +1,4 @@
-/// Mesh files, read in this process.
+/// Reads mesh files in this process.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace castaway::sim {
 
-/// Reads a mesh file (whatever assimp reads), all its nodes merged. A Collada file's unit is
-/// applied, its up direction is not (as ROS does). Colours are the diffuse colours of materials.
+/// Reads a mesh file in any format of assimp, and merges its nodes. The unit of a Collada file is
+/// applied; its up direction is not, as in ROS. Colours are the diffuse colours of materials.
 ///
-/// assimp trusts its input: a crafted file can crash it, or keep it busy for hours. Programs that
-/// read meshes of strangers install a reader that is isolated (see `use_mesh_reader`).
+/// assimp trusts its input: a malicious file can crash it or keep it busy for hours. Programs that
+/// read untrusted meshes install an isolated reader (see `use_mesh_reader`).
 /// @throws std::runtime_error naming the file and the reason; std::length_error if the file is
 /// larger than 128 MiB or holds more than a million triangles.
 TriangleMesh read_mesh_file(const std::string& path);

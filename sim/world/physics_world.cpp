@@ -22,7 +22,7 @@ constexpr int kSolverIterations = 20;
 constexpr std::size_t kManyObjects = 200;
 constexpr double kTileEdge = 3.0;  // [m]
 
-/// Without what lies on the floor, which is a box of its own: casters would bump into it.
+/// Skips triangles on the floor, which is a separate box: casters would hit their edges.
 std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape,
                                              const Eigen::Isometry3d& T_map_shape) {
   const TriangleMesh mesh = load_mesh(shape.path, shape.scale);
@@ -41,13 +41,13 @@ std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape,
   return triangles;
 }
 
-/// A rug, a mark on the floor.
+/// True for rugs and marks on the floor.
 bool is_flat(const WorldObject& object) {
   return !object.drivable && !std::holds_alternative<MeshShape>(object.shape) &&
          bounds(object).max().z() <= kFloorTop;
 }
 
-/// Without a margin, so that wheels roll on the very face.
+/// A hull without margin, so that wheels roll exactly on the face.
 std::unique_ptr<btCollisionShape> hull_of(const RampShape& ramp) {
   auto hull = std::make_unique<btConvexHullShape>();
   for (const RampTriangle& triangle : ramp_triangles(ramp)) {
@@ -69,7 +69,7 @@ PhysicsWorld::PhysicsWorld(const WorldSpec& spec, double time_step)
   world_->setGravity(btVector3(0.0, 0.0, -kGravity));
   world_->getSolverInfo().m_numIterations = kSolverIterations;
   world_->getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  world_->setForceUpdateAllAabbs(false);  // Static objects stay where they are.
+  world_->setForceUpdateAllAabbs(false);  // Static objects do not move.
   add_floor(spec);
   add_objects(spec);
 }
@@ -80,8 +80,8 @@ PhysicsWorld::~PhysicsWorld() {
 
 void PhysicsWorld::step() { world_->stepSimulation(time_step_, 0); }
 
-/// Bullet visits every static body in every step: many objects are gathered into bodies of a few
-/// square metres each.
+/// Bullet visits every static body in every step, so many objects are merged into one body per tile
+/// of a few square metres.
 void PhysicsWorld::add_objects(const WorldSpec& spec) {
   const bool gather = spec.objects.size() > kManyObjects;
   std::map<std::pair<int, int>, std::unique_ptr<btCompoundShape>> tiles;
@@ -89,7 +89,7 @@ void PhysicsWorld::add_objects(const WorldSpec& spec) {
     if (!object.in_world || is_flat(object)) continue;
     std::unique_ptr<btCollisionShape> shape = shape_of(object);
     if (!shape) continue;
-    if (object.drivable) {  // Wheels meet the ground only.
+    if (object.drivable) {  // Only wheels and casters collide with the ground group.
       add_static(std::move(shape), object.T_map_object, kGroundGroup);
       continue;
     }

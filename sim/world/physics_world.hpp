@@ -1,8 +1,8 @@
-/// Bullet's world with the settings under which a differential drive is accurate. Internal to
-/// sim/world and sim/robot: it shows Bullet's types.
+/// Bullet's world, with settings that make a differential drive accurate. Internal to sim/world and
+/// sim/robot: it exposes Bullet's types.
 ///
-/// Wheels are accurate to a millimetre on 20 m only with two friction directions; a ground plane of
-/// infinite size breaks the broadphase, so that the floor is a box.
+/// Wheels are accurate to a millimetre on 20 m only with two friction directions. An infinite
+/// ground plane breaks the broadphase, so the floor is a box.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace castaway::sim {
 
-/// Who collides with whom.
+/// Groups that decide which bodies collide.
 enum CollisionGroup : int {
   kGroundGroup = 1 << 6,
   kObstacleGroup = 1 << 7,
@@ -25,7 +25,8 @@ enum CollisionGroup : int {
 inline constexpr int kFloorIndex = 1;
 inline constexpr int kObstacleIndex = 2;
 
-/// Owns a Bullet world with static geometry. Bodies added by others must be removed by them first.
+/// Owns a Bullet world with static geometry. Bodies that others add must be removed by them before
+/// its destruction.
 class PhysicsWorld {
  public:
   /// `time_step` [s]. @throws std::runtime_error if a mesh cannot be read.
@@ -43,7 +44,7 @@ class PhysicsWorld {
                   int group);
   void add_floor(const WorldSpec& spec);
   void add_objects(const WorldSpec& spec);
-  /// Nothing if all of it lies on the floor.
+  /// Shape of an object; nullptr if all of it lies on the floor.
   std::unique_ptr<btCollisionShape> shape_of(const WorldObject& object);
 
   double time_step_;

@@ -8,18 +8,18 @@ namespace castaway::sim {
 namespace {
 
 constexpr float kHigh = 1.5F;     // [m]
-constexpr float kShare = 0.25F;   // Of the extent.
+constexpr float kShare = 0.25F;   // Share of the extent.
 constexpr float kEnough = 20.0F;  // [m2]
-constexpr float kFlat = 0.5F;     // Of a unit normal, along z.
-constexpr float kOfPanel = 0.5F;  // Of its surface that is flat.
+constexpr float kFlat = 0.5F;     // Least z component of the unit normal of a flat face.
+constexpr float kOfPanel = 0.5F;  // Share of a panel's surface that is flat.
 
 /// The high flat faces of an item.
 struct Overhead {
-  std::vector<std::uint32_t> roof;  ///< Corners.
+  std::vector<std::uint32_t> roof;  ///< Vertex indices.
   std::vector<std::uint32_t> rest;
-  float up = 0.0F;    ///< [m2] On the ground, facing up.
-  float down = 0.0F;  ///< [m2] Facing down.
-  bool panel = true;  ///< All is high, and most is flat.
+  float up = 0.0F;    ///< [m2] Horizontal projection of faces that face up.
+  float down = 0.0F;  ///< [m2] The same of faces that face down.
+  bool panel = true;  ///< Everything is high, and most of it is flat.
 
   [[nodiscard]] float area() const { return std::max(up, down); }
 };
@@ -48,8 +48,8 @@ Overhead overhead_of(const SceneItem& item) {
   return overhead;
 }
 
-/// An item's roof behind the rest of it.
-void add_parted(SceneItem item, Overhead overhead, std::vector<SceneItem>& parted) {
+/// Appends an item and its roof as separate items.
+void add_split(SceneItem item, Overhead overhead, std::vector<SceneItem>& parted) {
   SceneItem roof = item;
   roof.casts_shadow = false;
   if (overhead.panel) {
@@ -64,7 +64,7 @@ void add_parted(SceneItem item, Overhead overhead, std::vector<SceneItem>& parte
 
 }  // namespace
 
-std::vector<SceneItem> part_roofs(std::vector<SceneItem> items, float extent) {
+std::vector<SceneItem> split_roofs(std::vector<SceneItem> items, float extent) {
   const float enough = std::min(kShare * extent, kEnough);
   std::vector<Overhead> overheads;
   float panels = 0.0F;
@@ -76,7 +76,7 @@ std::vector<SceneItem> part_roofs(std::vector<SceneItem> items, float extent) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const float area = overheads[i].panel ? panels : overheads[i].area();
     if (area > enough) {
-      add_parted(std::move(items[i]), std::move(overheads[i]), parted);
+      add_split(std::move(items[i]), std::move(overheads[i]), parted);
     } else {
       parted.push_back(std::move(items[i]));
     }

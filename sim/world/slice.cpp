@@ -31,7 +31,7 @@ void append_chain(Iterator begin, Iterator end, std::vector<Eigen::Vector2d>& hu
   hull.pop_back();
 }
 
-/// Where the edge from a to b crosses the height, if it does.
+/// Adds the point where the edge from a to b crosses the height, if it does.
 void add_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double z,
                   std::vector<Eigen::Vector2d>& points) {
   if ((a.z() - z) * (b.z() - z) > 0.0) return;
@@ -125,7 +125,7 @@ Slice cut(const TriangleMesh& mesh, const Eigen::Isometry3d& T, double z) {
   return result;
 }
 
-/// What is cut: a mesh is read once for all heights.
+/// The shape to cut; a mesh is read once for all heights.
 template <typename Shape>
 const Shape& solid_of(const Shape& shape) {
   return shape;

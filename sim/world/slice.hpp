@@ -1,4 +1,4 @@
-/// Cuts of a world's shapes at a height: what a level lidar sees of them.
+/// Horizontal cuts of a world's shapes: what a level lidar sees.
 #pragma once
 
 #include <vector>
@@ -19,13 +19,13 @@ struct Disc {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m]
   double radius = 0.0;                               ///< [m]
 };
-/// A line: where a plane cuts a mesh's surface.
+/// A line segment in which a plane cuts a mesh's surface.
 struct Segment {
   Eigen::Vector2d a = Eigen::Vector2d::Zero();
   Eigen::Vector2d b = Eigen::Vector2d::Zero();
 };
 
-/// What a plane leaves of a shape.
+/// The intersection of a plane and a shape.
 struct Slice {
   std::vector<ConvexOutline> outlines;
   std::vector<Disc> discs;
@@ -33,11 +33,11 @@ struct Slice {
 };
 
 /// Cuts an object at height `z` [m]. Exact for boxes, meshes and upright cylinders; tilted
-/// cylinders are cut as prisms of 64 sides. A face that lies in the plane counts as cut.
+/// cylinders are cut as prisms with 64 sides. A face in the plane belongs to the cut.
 /// @throws std::runtime_error if a mesh cannot be read.
 Slice slice(const WorldObject& object, double z);
 
-/// The same at several heights, in their order; a mesh is read once.
+/// The cuts at several heights, in their order; a mesh is read once.
 std::vector<Slice> slices(const WorldObject& object, const std::vector<double>& heights);
 
 /// Convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).

@@ -28,8 +28,8 @@ std::array<Eigen::Vector2d, 4> corners(const Eigen::AlignedBox2d& r) {
           Eigen::Vector2d(r.min().x(), r.max().y())};
 }
 
-/// Separating axis test of convex points and a rectangle: the rectangle's axes are left to the test
-/// of the bounds.
+/// Separating axis test of convex points and a rectangle; the rectangle's own axes are covered by
+/// the test of the bounds.
 bool touches_convex(const std::vector<Eigen::Vector2d>& points,
                     const Eigen::AlignedBox2d& rectangle) {
   const auto rectangle_corners = corners(rectangle);

@@ -1,4 +1,4 @@
-/// A world as plain data: what stands where. Frame map: z up, the floor is z = 0.
+/// A world as plain data. Frame map: z up, the floor is z = 0.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct RampShape {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m] Length along x, width, height.
 };
 
-/// A triangle mesh, loaded through assimp, static geometry: concave shapes are kept as they are.
+/// A triangle mesh, loaded by assimp; concave shapes are kept.
 struct MeshShape {
   std::string path;  ///< Absolute path of the file.
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -42,42 +42,43 @@ struct MeshShape {
 /// The shape of a static object.
 using ObjectShape = std::variant<BoxShape, CylinderShape, MeshShape, SphereShape, RampShape>;
 
-/// What a lidar's light meets.
+/// Optical properties of a surface.
 struct Surface {
   double reflectivity = 0.6;  ///< Diffuse, at the lidar's wavelength, [0, 1]; black cloth 0.05.
-  bool glass = false;         ///< Light passes, but for what the lidar's profile says comes back.
+  bool glass = false;  ///< Light passes, except for the share that the lidar's profile reflects.
 };
 
 /// One static object of a world.
 struct WorldObject {
-  std::string name;  ///< Unique within the world; names it in errors.
+  std::string name;  ///< Unique within the world; used in errors.
   ObjectShape shape;
   Eigen::Isometry3d T_map_object = Eigen::Isometry3d::Identity();
   Eigen::Vector3f color{0.7F, 0.7F, 0.7F};  ///< RGB in [0, 1].
-  bool in_map = true;                       ///< False: stands in the world, but not on the map.
+  bool in_map = true;                       ///< False: in the world, but not on the map.
   Surface surface{};
   bool in_world = true;   ///< False: on the map, but no longer in the world.
-  bool movable = false;   ///< Furniture: the difference layer may move it or take it away.
-  bool drivable = false;  ///< Meant to be driven over (ramps, sills): no obstacle for planners.
-  /// Bodies of one piece of furniture share it and move as one; empty: stands alone.
+  bool movable = false;   ///< Furniture: the difference layer may move or remove it.
+  bool drivable = false;  ///< To be driven over (ramps, sills): no obstacle for planners.
+  /// Common to the bodies of one piece of furniture, which move as one; empty: a single body.
   std::string piece{};
 };
 
-/// A leaf on hinges. Its two bodies, or one where map and world agree, are objects of the world.
+/// A door leaf on hinges. Its bodies in world and map, or a single one if they agree, are objects
+/// of the world.
 struct Door {
   std::string name;  ///< Unique; the leaf's body in the world is called `name/leaf`.
   /// At the floor under the hinge, x along the closed leaf.
   Eigen::Isometry3d T_map_hinge = Eigen::Isometry3d::Identity();
   Eigen::Vector3d leaf{1.0, 0.04, 2.0};  ///< [m] Width, thickness, height.
-  double turn = 1.0;                     ///< Sense of opening about z: +1 or -1.
-  double open_deg = 0.0;                 ///< [deg] How far it stands open in the world.
+  double turn = 1.0;                     ///< Direction of opening about z: +1 or -1.
+  double open_deg = 0.0;                 ///< [deg] Opening angle in the world.
 };
 
-/// A part of the floor on which wheels turn further than the robot moves.
+/// A part of the floor on which wheels turn farther than the robot moves.
 struct SlipZone {
   std::string name;
   std::vector<Eigen::Vector2d> outline;  ///< [m] A simple polygon in map.
-  double slip = 0.2;  ///< Share of the wheels' way that is lost on average, [0, 1).
+  double slip = 0.2;  ///< Mean share of the wheels' distance that is lost, [0, 1).
 };
 
 /// A world.
@@ -88,7 +89,7 @@ struct WorldSpec {
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
   std::vector<SlipZone> slip_zones;
   std::vector<Door> doors;
-  std::optional<Eigen::Vector2d> inside;  ///< [m] A point of the floor that is surveyed.
+  std::optional<Eigen::Vector2d> inside;  ///< [m] A point in the area that is surveyed.
 };
 
 }  // namespace castaway::sim

@@ -56,7 +56,7 @@ std::vector<SceneItem> world_visuals(const WorldSpec& world) {
     items.push_back(std::move(item));
   }
   const Eigen::Vector2d size = world.max_corner - world.min_corner;
-  return part_roofs(std::move(items), static_cast<float>(size.prod()));
+  return split_roofs(std::move(items), static_cast<float>(size.prod()));
 }
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// What a world looks like.
+/// Visual shapes of a world, for rendering.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace castaway::sim {
 
-/// The surface of a shape, about its frame. @throws std::runtime_error if a mesh cannot be read.
+/// The surface of a shape in its frame. @throws std::runtime_error if a mesh cannot be read.
 TriangleMesh shape_mesh(const ObjectShape& shape);
 
-/// One item for each object that stands in a world, in their order, in the objects' colours; the
-/// floor is left out. Roofs are items of their own and cast no shadow (`part_roofs`). Their
-/// instances are `kFirstObjectInstance` + index of the object. A mesh's own material colours are
-/// multiplied with the object's.
+/// One item per object in a world, in their order and colours; the floor is not included. Roofs are
+/// items of their own and cast no shadow (`split_roofs`). An item's instance is
+/// `kFirstObjectInstance` + index of the object. A mesh's material colours are multiplied with the
+/// object's colour.
 /// @throws std::runtime_error if a mesh cannot be read.
 std::vector<SceneItem> world_visuals(const WorldSpec& world);
 
-/// The same for a view from above: without roofs.
+/// The same without roofs, for a view from above.
 std::vector<SceneItem> world_visuals_from_above(const WorldSpec& world);
 
 }  // namespace castaway::sim

@@ -28,7 +28,8 @@ std::string names_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-/// `from` is the call. The macro's scope lies within the caller's, or within its namespace.
+/// Calls a macro from the element `from`. Its scope lies within the caller's, or within its
+/// namespace.
 void Expander::call(const Element& from, const std::string& name, Scope& scope, TiXmlNode& to) {
   const Place place = resolve(scope, name);
   const Macro* macro = find_macro(*place.scope, place.name);
@@ -38,8 +39,8 @@ void Expander::call(const Element& from, const std::string& name, Scope& scope, 
   }
   if (calling_.size() >= kMaxCallDepth || ++calls_ > kMaxCalls) {
     throw std::invalid_argument(
-        fmt::format("the macro '{}' is called endlessly ({} calls, {} of them within each other)",
-                    name, calls_, calling_.size()));
+        fmt::format("the macro '{}' is called without end ({} calls, {} of them nested)", name,
+                    calls_, calling_.size()));
   }
   Scope local(place.scope);
   bind_values(from, *macro, scope, local);
@@ -92,7 +93,8 @@ void Expander::bind_default(const Parameter& parameter, const Macro& macro, Scop
   local.properties[parameter.name] = {"", text != nullptr ? from_literal(*text) : value, false};
 }
 
-/// The call's elements, expanded where it stands, in the order of the macro's block parameters.
+/// Binds the call's child elements, expanded in the caller's scope, to the macro's block parameters
+/// in order.
 void Expander::bind_blocks(const Element& from, const Macro& macro, Scope& caller, Scope& local) {
   Element given("blocks");
   expand_children(from, caller, given);
@@ -157,7 +159,8 @@ std::string Expander::path_of_include(const Element& from, Scope& scope) {
     must_find_ = false;
   }
   if (name.find('*') != std::string::npos) {
-    throw std::invalid_argument(fmt::format("'{}': name each file in an include of its own", name));
+    throw std::invalid_argument(
+        fmt::format("'{}': wildcards are not supported; include each file separately", name));
   }
   fs::path path = name;
   if (path.is_relative()) path = fs::path(file_).parent_path() / path;

@@ -9,7 +9,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// The scope that `scope="..."` of a property means.
+/// The scope that the attribute `scope` of a property refers to.
 Scope& scope_of(const TiXmlElement& from, Scope& here) {
   const std::string which = attribute(from, "scope");
   if (which.empty() || which == "local") return here;
@@ -24,7 +24,7 @@ Scope& scope_of(const TiXmlElement& from, Scope& here) {
 
 void require_name(const std::string& name) {
   if (!name.empty() && name.find_first_of(" \t\n${}()") == std::string::npos) return;
-  throw std::invalid_argument(fmt::format("'{}' is no name", name));
+  throw std::invalid_argument(fmt::format("'{}' is not a valid name", name));
 }
 
 }  // namespace
@@ -72,9 +72,11 @@ void Expander::define_macro(const Element& from, Scope& scope) {
   allow_only(from, {"name", "params"});
   std::string name = required(from, "name");
   if (name.starts_with("xacro:")) name = name.substr(6);
-  if (name.find("${") == std::string::npos) require_name(name);  // Else nothing can call it.
+  // A name with an expression can never be called.
+  if (name.find("${") == std::string::npos) require_name(name);
   if (name.find('.') != std::string::npos) {
-    throw std::invalid_argument(fmt::format("'{}': a macro's name holds no dot", name));
+    throw std::invalid_argument(
+        fmt::format("'{}': the name of a macro must not contain a dot", name));
   }
   scope.macros[name] = {name, parse_parameters(attribute(from, "params")), &from, file_};
 }
@@ -99,14 +101,14 @@ std::string Expander::text_in(Scope& scope, const std::string& text) {
   return is_plain(text) ? text : to_text(evaluate_in(scope, text));
 }
 
-/// A property's text is evaluated in the scope that holds it, once.
+/// Evaluates a property's text once, in the scope that contains it.
 std::optional<Value> Expander::property_in(Scope& scope, const std::string& name) {
   const Place place = find_property(scope, name);
   if (place.scope == nullptr) return std::nullopt;
   Property& property = place.scope->properties.at(place.name);
   if (property.value) return property.value;
   if (property.evaluating) {
-    throw std::invalid_argument(fmt::format("the property '{}' is defined by itself", name));
+    throw std::invalid_argument(fmt::format("the property '{}' depends on itself", name));
   }
   property.evaluating = true;
   Value value = evaluate_in(*place.scope, property.text);
@@ -143,7 +145,7 @@ std::optional<Value> Expander::function(const std::string& name, const List& arg
   if (path.is_relative()) path = std::filesystem::path(file_).parent_path() / path;
   if (!packages_.may_read(path)) throw std::invalid_argument(packages_.refusal(path));
   try {
-    return bounded(options_.read_yaml(path.lexically_normal().string()));
+    return check_size(options_.read_yaml(path.lexically_normal().string()));
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(fmt::format("load_yaml: {}", error.what()));
   }

@@ -17,7 +17,7 @@ constexpr int kMaxElements = 200000;
 constexpr std::size_t kMaxBytes = 64U << 20U;
 const std::string kPrefix = "xacro:";
 
-/// True if anything in a tree needs to be expanded.
+/// True if anything in a tree must be expanded.
 bool uses_xacro(const TiXmlElement& element) {
   if (element.ValueStr().starts_with(kPrefix)) return true;
   for (auto* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
@@ -79,7 +79,7 @@ Expansion Expander::run(const std::string& path) {
   return result;
 }
 
-/// A misspelt argument would leave its default in place, unseen.
+/// Throws on unknown arguments: a misspelt one would silently keep its default.
 void Expander::require_known_arguments() const {
   const std::vector<std::string> known(known_arguments_.begin(), known_arguments_.end());
   for (const auto& [name, value] : options_.arguments) {
@@ -104,7 +104,7 @@ void Expander::expand_children(const TiXmlNode& from, Scope& scope, TiXmlNode& t
   }
 }
 
-/// Errors get the place of the innermost element that they come from.
+/// Adds the position of the innermost element that an error comes from.
 void Expander::expand_element(const Element& from, Scope& scope, TiXmlNode& to) {
   const std::string file = file_;
   try {
@@ -122,7 +122,7 @@ void Expander::expand_element(const Element& from, Scope& scope, TiXmlNode& to) 
   }
 }
 
-/// Refuses what would fill the memory.
+/// Counts an element and throws if the output grows too large.
 void Expander::count(const Element& output) {
   for (auto* a = output.FirstAttribute(); a != nullptr; a = a->Next()) {
     bytes_ += a->ValueStr().size();

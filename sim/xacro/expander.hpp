@@ -1,4 +1,4 @@
-/// The expander's working parts. Internal to sim/robot/xacro.
+/// The expander's state and steps. Internal to sim/xacro.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace castaway::sim::xacro {
 
-/// Copies a source tree to an output tree and evaluates on the way. Source trees stay as they are:
+/// Copies a source tree to an output tree and evaluates it. Source trees are not changed, since
 /// macros and blocks point into them.
 class Expander {
  public:
@@ -25,7 +25,7 @@ class Expander {
   void require_known_arguments() const;
   using Element = TiXmlElement;
 
-  // elements.cpp: what stands where.
+  // elements.cpp: walks the tree.
   void expand_children(const TiXmlNode& from, Scope& scope, TiXmlNode& to);
   void expand_element(const Element& from, Scope& scope, TiXmlNode& to);
   void copy(const Element& from, Scope& scope, TiXmlNode& to);
@@ -35,7 +35,7 @@ class Expander {
   void count(const Element& output);
   void count_tree(const TiXmlNode& output);
 
-  // definitions.cpp: properties, arguments, macros, and how texts are evaluated.
+  // definitions.cpp: properties, arguments, macros, and evaluation of texts.
   void define_property(const Element& from, Scope& scope);
   void define_argument(const Element& from, Scope& scope);
   void define_macro(const Element& from, Scope& scope);
@@ -45,7 +45,7 @@ class Expander {
   [[nodiscard]] std::string package_folder(const std::string& name);
   [[nodiscard]] std::optional<Value> function(const std::string& name, const List& arguments);
 
-  // calls.cpp: macros called, files included.
+  // calls.cpp: calls of macros and includes of files.
   void call(const Element& from, const std::string& name, Scope& scope, TiXmlNode& to);
   void bind_values(const Element& from, const Macro& macro, Scope& caller, Scope& local);
   void bind_default(const Parameter& parameter, const Macro& macro, Scope& caller, Scope& local);
@@ -57,27 +57,29 @@ class Expander {
   const PackageFinder& packages_;
   const RobotOptions& options_;
   std::map<std::string, std::string> arguments_;
-  std::set<std::string> known_arguments_;  ///< Defined or asked for by the files.
+  std::set<std::string> known_arguments_;  ///< Defined or read by the files.
   std::map<std::string, std::unique_ptr<TiXmlDocument>> documents_;  ///< By path.
   std::vector<std::string> including_;                               ///< Files, outermost first.
   std::vector<std::string> calling_;                                 ///< Macros, outermost first.
-  std::string file_;                                                 ///< Where the element stands.
+  std::string file_;  ///< File of the current element.
   std::set<std::string> missing_packages_;
   std::vector<std::string> warnings_;
   int depth_ = 0;
   int calls_ = 0;
-  int elements_ = 0;        ///< Looked at or put out.
-  std::size_t bytes_ = 0;   ///< Of texts put out.
-  bool must_find_ = false;  ///< In the name of an include: a missing package is an error.
+  int elements_ = 0;       ///< Elements visited or written.
+  std::size_t bytes_ = 0;  ///< Size of the texts written.
+  /// In the file name of an include, where a missing package is an error.
+  bool must_find_ = false;
 };
 
-/// An attribute's text; empty if there is none.
+/// Text of an attribute; empty if it is absent.
 std::string attribute(const TiXmlElement& element, const char* name);
 
-/// An attribute that must be there. @throws std::invalid_argument naming it.
+/// Text of a required attribute. @throws std::invalid_argument naming it.
 std::string required(const TiXmlElement& element, const char* name);
 
-/// Only attributes of these names may stand there. @throws std::invalid_argument naming another.
+/// Checks that an element has only these attributes. @throws std::invalid_argument naming another
+/// one.
 void allow_only(const TiXmlElement& element, const std::vector<std::string>& names);
 
 }  // namespace castaway::sim::xacro

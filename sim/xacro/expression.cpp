@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Syntax::Kind;
 
-/// "a.b.c" of names joined by dots; empty if the tree is anything else.
+/// "a.b.c" if the tree consists of names joined by dots; empty otherwise.
 std::string dotted_name(const Syntax& tree) {
   if (tree.kind == Kind::kName) return tree.text;
   if (tree.kind != Kind::kAttribute) return "";
@@ -21,7 +21,7 @@ std::string dotted_name(const Syntax& tree) {
   return before.empty() ? "" : before + "." + tree.text;
 }
 
-/// The name without the module that Python keeps it in.
+/// The name without its Python module.
 std::string without_module(const std::string& name) {
   for (const char* module : {"math.", "xacro.", "python."}) {
     if (name.starts_with(module)) return name.substr(std::string(module).size());
@@ -29,7 +29,7 @@ std::string without_module(const std::string& name) {
   return name;
 }
 
-/// Walks a tree.
+/// Evaluates a syntax tree.
 class Evaluator {
  public:
   explicit Evaluator(const Surroundings& surroundings) : surroundings_(surroundings) {}
@@ -45,16 +45,16 @@ class Evaluator {
       case Kind::kIndex:
         return index(child(tree, 0), child(tree, 1));
       case Kind::kList:
-        return bounded({list(tree, 0)});
+        return check_size({list(tree, 0)});
       case Kind::kDict:
         return dictionary(tree);
       case Kind::kCall:
         return call(tree);
       case Kind::kName:
       case Kind::kAttribute:
-        return named(tree);
+        return look_up(tree);
       case Kind::kKeyword:
-        throw std::invalid_argument(fmt::format("'{}=' is not supported there", tree.text));
+        throw std::invalid_argument(fmt::format("'{}=' is not supported here", tree.text));
       default:
         return logical(tree);
     }
@@ -65,7 +65,7 @@ class Evaluator {
     return value(tree.children[i]);
   }
 
-  /// What need not look at all of its parts.
+  /// Operators that do not evaluate all of their operands.
   [[nodiscard]] Value logical(const Syntax& tree) const {
     if (tree.kind == Kind::kNot) return {!truth(child(tree, 0))};
     if (tree.kind == Kind::kTernary) return child(tree, truth(child(tree, 1)) ? 0 : 2);
@@ -85,10 +85,10 @@ class Evaluator {
     for (std::size_t i = 0; i + 1 < tree.children.size(); i += 2) {
       dict.push_back({to_text(child(tree, i)), child(tree, i + 1)});
     }
-    return bounded({dict});
+    return check_size({dict});
   }
 
-  [[nodiscard]] Value named(const Syntax& tree) const {
+  [[nodiscard]] Value look_up(const Syntax& tree) const {
     const std::string name = dotted_name(tree);
     if (!name.empty()) {
       if (auto found = surroundings_.property(name)) return *found;
@@ -127,7 +127,7 @@ class Evaluator {
       if (argument.kind != Kind::kKeyword) throw std::invalid_argument("dict() needs name=value");
       dict.push_back({argument.text, child(argument, 0)});
     }
-    return bounded({dict});
+    return check_size({dict});
   }
 
   const Surroundings& surroundings_;

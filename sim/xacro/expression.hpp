@@ -1,4 +1,4 @@
-/// Evaluates xacro expressions, the insides of `${}`.
+/// Evaluates xacro expressions, the content of `${}`.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace castaway::sim::xacro {
 
-/// What an expression can ask of where it stands.
+/// Lookups that an expression needs from its context.
 struct Surroundings {
-  /// A property's value, also of a dotted name; nothing if there is none.
+  /// Value of a property, also with a dotted name; nothing if it does not exist.
   std::function<std::optional<Value>(const std::string& name)> property;
-  /// Functions of the place (`load_yaml`, `arg`, `find`); nothing if there is none of the name.
+  /// Calls a function of the context (`load_yaml`, `arg`, `find`); nothing for other names.
   std::function<std::optional<Value>(const std::string& name, const List& arguments)> function;
 };
 
-/// The value of an expression. @throws std::invalid_argument saying what is wrong with it.
+/// Evaluates an expression. @throws std::invalid_argument describing the problem.
 Value evaluate(const std::string& expression, const Surroundings& surroundings);
 
 }  // namespace castaway::sim::xacro

@@ -26,7 +26,7 @@ void expect_count(const std::string& name, const List& arguments, std::size_t le
 
 double finite(const std::string& name, double result) {
   if (std::isfinite(result)) return result;
-  throw std::invalid_argument(fmt::format("{}() of this argument is no finite number", name));
+  throw std::invalid_argument(fmt::format("{}() of this argument is not a finite number", name));
 }
 
 using Function1 = double (*)(double);
@@ -80,8 +80,8 @@ Value to_float(const Value& value) {
   return {to_double(number)};
 }
 
-/// Half to even, as Python does.
-Value rounded(const List& arguments) {
+/// Rounds half to even, as Python does.
+Value round_value(const List& arguments) {
   expect_count("round", arguments, 1, 2);
   const double number = to_double(arguments[0]);
   if (arguments.size() == 1) return whole(std::nearbyint(number));
@@ -114,7 +114,7 @@ std::int64_t length(const Value& value) {
   throw std::invalid_argument(fmt::format("len() of {}", type_name(value)));
 }
 
-/// Conversions and the like of one argument; nothing for other names.
+/// Calls a conversion or similar function of one argument; nothing for other names.
 std::optional<Value> convert(const std::string& name, const Value& x) {
   if (name == "int") return to_int(x);
   if (name == "float") return to_float(x);
@@ -147,7 +147,7 @@ std::optional<Value> call_function(const std::string& name, const List& argument
     return Value{finite(name, two->second(to_double(arguments[0]), to_double(arguments[1])))};
   }
   if (name == "min" || name == "max") return extreme(name, arguments);
-  if (name == "round") return rounded(arguments);
+  if (name == "round") return round_value(arguments);
   for (const char* conversion :
        {"int", "float", "str", "bool", "len", "list", "floor", "ceil", "abs"}) {
     if (name != conversion) continue;

@@ -13,8 +13,8 @@ std::optional<Value> constant(const std::string& name);
 
 /// Calls a function by its name (without `math.`): sin, cos, tan, asin, acos, atan, atan2, sqrt,
 /// hypot, exp, log, pow, floor, ceil, fabs, radians, degrees, abs, min, max, round, int, float,
-/// bool, str, len, list. Nothing if there is none of the name.
-/// @throws std::invalid_argument on arguments that do not fit.
+/// bool, str, len, list. Returns nothing for other names.
+/// @throws std::invalid_argument on unsuitable arguments.
 std::optional<Value> call_function(const std::string& name, const List& arguments);
 
 /// Calls a method of a text, a list or a dictionary: split, strip, lstrip, rstrip, lower, upper,

@@ -16,7 +16,7 @@ std::string text_argument(const List& arguments, std::size_t i, const std::strin
   throw std::invalid_argument(fmt::format("needs a text, found {}", type_name(arguments[i])));
 }
 
-std::string stripped(const std::string& text, const std::string& name, const std::string& what) {
+std::string strip(const std::string& text, const std::string& name, const std::string& what) {
   std::size_t first = 0;
   std::size_t last = text.size();
   while (name != "rstrip" && first < last && what.find(text[first]) != std::string::npos) ++first;
@@ -24,7 +24,7 @@ std::string stripped(const std::string& text, const std::string& name, const std
   return text.substr(first, last - first);
 }
 
-/// At white space, runs of it counting once.
+/// Splits at runs of white space.
 List words(const std::string& text) {
   List parts;
   for (std::size_t at = text.find_first_not_of(kBlank); at != std::string::npos;) {
@@ -48,7 +48,7 @@ List split(const std::string& text, const std::string& separator) {
   return parts;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
+std::string replace_all(std::string text, const std::string& what, const std::string& by) {
   if (what.empty()) throw std::invalid_argument("replace() of an empty text");
   for (std::size_t at = text.find(what); at != std::string::npos;
        at = text.find(what, at + by.size())) {
@@ -57,7 +57,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string cased(std::string text, bool upper) {
+std::string change_case(std::string text, bool upper) {
   for (char& c : text) {
     const auto code = static_cast<unsigned char>(c);
     c = static_cast<char>(upper ? std::toupper(code) : std::tolower(code));
@@ -68,14 +68,15 @@ std::string cased(std::string text, bool upper) {
 std::optional<Value> text_method(const std::string& self, const std::string& name,
                                  const List& arguments) {
   if (name == "strip" || name == "lstrip" || name == "rstrip") {
-    return Value{stripped(self, name, text_argument(arguments, 0, kBlank))};
+    return Value{strip(self, name, text_argument(arguments, 0, kBlank))};
   }
   if (name == "split") return Value{split(self, text_argument(arguments, 0, ""))};
-  if (name == "lower" || name == "upper") return Value{cased(self, name == "upper")};
+  if (name == "lower" || name == "upper") return Value{change_case(self, name == "upper")};
   if (name == "startswith") return Value{self.starts_with(text_argument(arguments, 0, ""))};
   if (name == "endswith") return Value{self.ends_with(text_argument(arguments, 0, ""))};
   if (name == "replace") {
-    return Value{replaced(self, text_argument(arguments, 0, ""), text_argument(arguments, 1, ""))};
+    return Value{
+        replace_all(self, text_argument(arguments, 0, ""), text_argument(arguments, 1, ""))};
   }
   return std::nullopt;
 }

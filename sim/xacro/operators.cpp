@@ -21,13 +21,13 @@ bool is_integer(const Value& v) {
                                           sign, type_name(b), to_text(a), to_text(b)));
 }
 
-/// Floors like Python, not towards zero.
+/// Rounds down like Python, not towards zero.
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   const std::int64_t quotient = a / b;
   return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
 
-/// The result in integers; nothing where it is no integer.
+/// The result in integers; nothing if it is not an integer.
 std::optional<Value> in_integers(const std::string& sign, std::int64_t a, std::int64_t b) {
   std::int64_t result = 0;
   bool overflow = false;
@@ -67,13 +67,13 @@ Value arithmetic(const std::string& sign, const Value& left, const Value& right)
   if (sign == "%") result = a - b * std::floor(a / b);
   if (sign == "**") result = std::pow(a, b);
   if (!std::isfinite(result)) {
-    throw std::invalid_argument(fmt::format("{} {} {} is no finite number", a, sign, b));
+    throw std::invalid_argument(fmt::format("{} {} {} is not a finite number", a, sign, b));
   }
   return {result};
 }
 
-/// Texts and lists side by side, or repeated; nothing for other types.
-std::optional<Value> joined(const std::string& sign, const Value& a, const Value& b) {
+/// Concatenates or repeats texts and lists; nothing for other types.
+std::optional<Value> join_or_repeat(const std::string& sign, const Value& a, const Value& b) {
   const auto* text = std::get_if<std::string>(&a.data);
   const auto* list = std::get_if<List>(&a.data);
   if (sign == "+" && a.data.index() == b.data.index() && text != nullptr) {
@@ -94,13 +94,13 @@ std::optional<Value> joined(const std::string& sign, const Value& a, const Value
   return Value{repeated};
 }
 
-Value checked_length(Value value) {
+Value check_length(Value value) {
   const auto* text = std::get_if<std::string>(&value.data);
-  if (text == nullptr || text->size() <= kMaxLength) return bounded(std::move(value));
+  if (text == nullptr || text->size() <= kMaxLength) return check_size(std::move(value));
   throw std::invalid_argument(fmt::format("a text longer than {} characters", kMaxLength));
 }
 
-/// Negative, zero or positive, as a is less than, equal to or more than b.
+/// Negative, zero or positive if a is less than, equal to or greater than b.
 int order(const std::string& sign, const Value& a, const Value& b) {
   if (is_number(a) && is_number(b)) {
     const double difference = to_double(a) - to_double(b);
@@ -147,7 +147,7 @@ Value binary(const std::string& sign, const Value& a, const Value& b) {
   if (sign == ">") return {order(sign, a, b) > 0};
   if (sign == ">=") return {order(sign, a, b) >= 0};
   if (is_number(a) && is_number(b)) return arithmetic(sign, a, b);
-  if (auto result = joined(sign, a, b)) return checked_length(std::move(*result));
+  if (auto result = join_or_repeat(sign, a, b)) return check_length(std::move(*result));
   meaningless(sign, a, b);
 }
 

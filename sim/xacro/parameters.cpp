@@ -9,7 +9,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// Words between blanks; blanks inside of quotes and brackets do not count.
+/// Splits at blanks outside of quotes and brackets.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
@@ -33,26 +33,26 @@ std::vector<std::string> words_of(const std::string& text) {
       word += c;
     }
   }
-  if (quote != 0) throw std::invalid_argument("params: a quote does not close");
+  if (quote != 0) throw std::invalid_argument("params: a quote is not closed");
   if (!word.empty()) words.push_back(word);
   return words;
 }
 
-std::string unquoted(const std::string& text) {
+std::string unquote(const std::string& text) {
   const bool quoted = text.size() >= 2 && text.front() == text.back() &&
                       (text.front() == '\'' || text.front() == '"');
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What stands behind `:=`. `^default` is taken for `^|default`, as xacro does.
+/// Reads the text after `:=`. `^default` means `^|default`, as in xacro.
 void read_default(const std::string& text, Parameter& parameter) {
   parameter.from_outside = text.starts_with("^");
   if (!parameter.from_outside) {
-    parameter.fallback = unquoted(text);
+    parameter.fallback = unquote(text);
     return;
   }
   const std::size_t begin = text.starts_with("^|") ? 2 : 1;
-  if (text.size() > begin) parameter.fallback = unquoted(text.substr(begin));
+  if (text.size() > begin) parameter.fallback = unquote(text.substr(begin));
 }
 
 Parameter parse_one(const std::string& word) {
@@ -64,11 +64,12 @@ Parameter parse_one(const std::string& word) {
   if (stars > 0) parameter.kind = stars == 1 ? Parameter::Kind::kBlock : Parameter::Kind::kContent;
   parameter.name = name.substr(std::min(stars, name.size()));
   if (parameter.name.empty() || parameter.name.find_first_of("*:${}") != std::string::npos) {
-    throw std::invalid_argument(fmt::format("params: '{}' is no parameter", word));
+    throw std::invalid_argument(fmt::format("params: '{}' is not a valid parameter", word));
   }
   if (assign == std::string::npos) return parameter;
   if (parameter.kind != Parameter::Kind::kValue) {
-    throw std::invalid_argument(fmt::format("params: the block '{}' has a default", word));
+    throw std::invalid_argument(
+        fmt::format("params: the block '{}' must not have a default", word));
   }
   read_default(word.substr(assign + 1), parameter);
   return parameter;
@@ -82,7 +83,8 @@ std::vector<Parameter> parse_parameters(const std::string& text) {
     const Parameter parameter = parse_one(word);
     const bool twice = std::any_of(parameters.begin(), parameters.end(),
                                    [&](const Parameter& p) { return p.name == parameter.name; });
-    if (twice) throw std::invalid_argument(fmt::format("params: '{}' twice", parameter.name));
+    if (twice)
+      throw std::invalid_argument(fmt::format("params: '{}' is given twice", parameter.name));
     parameters.push_back(parameter);
   }
   return parameters;

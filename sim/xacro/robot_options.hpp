@@ -1,4 +1,4 @@
-/// What a robot's description is read with.
+/// Options of reading a robot's description.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,14 @@
 
 namespace castaway::sim {
 
-/// Beside the file.
+/// Options besides the file.
 struct RobotOptions {
-  std::map<std::string, std::string> arguments;  ///< Of xacro, before their defaults.
-  std::vector<std::string> search_paths;         ///< Folders that packages are looked for in.
-  std::map<std::string, double> joints;  ///< Positions of joints, [rad] or [m]; others are at 0.
-  /// Reads a YAML file for `xacro.load_yaml` and for the parameters of drive controllers; throws
-  /// std::runtime_error. Empty: the first is an error, the second is left out.
+  /// Values of xacro arguments; they override defaults.
+  std::map<std::string, std::string> arguments;
+  std::vector<std::string> search_paths;  ///< Folders to search for packages.
+  std::map<std::string, double> joints;   ///< Joint positions, [rad] or [m]; other joints are at 0.
+  /// Reads a YAML file for `xacro.load_yaml` and for parameters of drive controllers; throws
+  /// std::runtime_error. If empty, `load_yaml` is an error and the parameters are ignored.
   std::function<xacro::Value(const std::string& path)> read_yaml;
 };
 

@@ -3,7 +3,7 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// The namespace of a name, here or further out; null if there is none.
+/// The innermost namespace of a name; nullptr if there is none.
 Scope* find_namespace(Scope& scope, const std::string& name) {
   for (Scope* at = &scope; at != nullptr; at = at->parent) {
     const auto found = at->namespaces.find(name);

@@ -1,4 +1,4 @@
-/// Names that are known at a place of a xacro file.
+/// Scopes of names in a xacro file.
 #pragma once
 
 #include <map>
@@ -14,19 +14,20 @@
 
 namespace castaway::sim::xacro {
 
-/// A property. Its text is evaluated when it is first asked for.
+/// A property. Its text is evaluated on first use.
 struct Property {
   std::string text;
-  std::optional<Value> value;  ///< Nothing: not yet evaluated.
-  bool evaluating = false;     ///< To find those that are defined by themselves.
+  std::optional<Value> value;  ///< Nothing before evaluation.
+  bool evaluating = false;     ///< Detects properties that depend on themselves.
 };
 
 /// A block: the children of an element.
 struct Block {
-  std::unique_ptr<const TiXmlElement> owned;  ///< Of macros' blocks; else the file owns it.
-  const TiXmlElement* holder = nullptr;       ///< Whose children it is.
-  bool expanded = false;  ///< False: a property's block, expanded where it is put in.
-  std::string file;       ///< Where it stands.
+  /// Of a macro's block; other blocks are owned by the file.
+  std::unique_ptr<const TiXmlElement> owned;
+  const TiXmlElement* holder = nullptr;  ///< The block is its children.
+  bool expanded = false;  ///< False: a property's block, expanded where it is inserted.
+  std::string file;       ///< Where the block is defined.
 };
 
 /// A macro.
@@ -34,10 +35,10 @@ struct Macro {
   std::string name;
   std::vector<Parameter> parameters;
   const TiXmlElement* body = nullptr;  ///< The `<xacro:macro>` element.
-  std::string file;                    ///< Where it stands.
+  std::string file;                    ///< Where the macro is defined.
 };
 
-/// A scope. What it does not hold is looked up in its parent, which must outlive it.
+/// A scope. Names that it lacks are looked up in its parent, which must outlive it.
 struct Scope {
   explicit Scope(Scope* enclosing) : parent(enclosing) {}
 
@@ -54,17 +55,17 @@ struct Place {
   std::string name;
 };
 
-/// Follows the namespaces of a dotted name: "a.b" is b in the namespace a. A name whose namespace
-/// is not known is left as it is.
+/// Follows the namespaces of a dotted name: "a.b" is b in namespace a. A name with an unknown
+/// namespace is not changed.
 Place resolve(Scope& scope, const std::string& dotted);
 
-/// The scope that holds a property of a dotted name; its `scope` is null if there is none.
+/// The scope that contains a property with a dotted name; its `scope` is nullptr if there is none.
 Place find_property(Scope& scope, const std::string& dotted);
-/// Null if there is none.
+/// nullptr if there is none.
 const Block* find_block(Scope& scope, const std::string& name);
-/// Null if there is none.
+/// nullptr if there is none.
 const Macro* find_macro(Scope& scope, const std::string& name);
-/// The names of all macros that can be seen.
+/// Names of all visible macros.
 std::vector<std::string> macro_names(const Scope& scope);
 
 }  // namespace castaway::sim::xacro

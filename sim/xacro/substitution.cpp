@@ -18,7 +18,7 @@ std::vector<std::string> substitution_words(const std::string& command) {
   return words;
 }
 
-/// The words from `first` on with blanks between them.
+/// The words from `first` on, joined by blanks.
 std::string rest_of(const std::vector<std::string>& words, std::size_t first) {
   std::string text;
   for (std::size_t i = first; i < words.size(); ++i) text += (i > first ? " " : "") + words[i];
@@ -42,7 +42,7 @@ std::string environment(const std::string& name, const std::optional<std::string
   throw std::invalid_argument(fmt::format("the environment variable {} is not set", name));
 }
 
-/// A substitution by name; nothing if there is none of it.
+/// Evaluates a substitution by its name; nothing for other names.
 std::optional<std::string> by_name(const std::vector<std::string>& words,
                                    const SubstitutionContext& context) {
   const std::string& name = words[0];
@@ -55,7 +55,7 @@ std::optional<std::string> by_name(const std::vector<std::string>& words,
   return std::nullopt;
 }
 
-std::string evaluated(const std::string& expression, const SubstitutionContext& context) {
+std::string evaluate_command(const std::string& expression, const SubstitutionContext& context) {
   Surroundings surroundings;
   surroundings.property = [&](const std::string& name) -> std::optional<Value> {
     const auto found = context.arguments->find(name);
@@ -78,7 +78,7 @@ std::string evaluated(const std::string& expression, const SubstitutionContext& 
 std::string substitute(const std::string& command, const SubstitutionContext& context) {
   const std::vector<std::string> words = substitution_words(command);
   if (!words.empty() && words[0] == "eval") {
-    return evaluated(command.substr(command.find("eval") + 4), context);
+    return evaluate_command(command.substr(command.find("eval") + 4), context);
   }
   if (!words.empty()) {
     if (auto text = by_name(words, context)) return *text;

@@ -1,4 +1,4 @@
-/// Substitutions: the insides of `$()`.
+/// Evaluates substitutions, the content of `$()`.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,17 @@
 
 namespace castaway::sim::xacro {
 
-/// What substitutions are made from.
+/// Lookups that substitutions need from their context.
 struct SubstitutionContext {
   const std::map<std::string, std::string>* arguments;  ///< By name.
   std::function<std::string(const std::string&)> find;  ///< The folder of a package.
   std::string folder;                                   ///< Of the file.
-  std::function<void(const std::string&)> on_argument;  ///< Told of every argument asked for.
+  std::function<void(const std::string&)> on_argument;  ///< Called for every argument read.
 };
 
-/// The text for `arg NAME`, `find PACKAGE`, `env NAME`, `optenv NAME default...`, `dirname`,
-/// `eval EXPRESSION` (arguments by their names; arg(), find(), env(), optenv(), dirname()).
+/// Returns the text for `arg NAME`, `find PACKAGE`, `env NAME`, `optenv NAME default...`, `dirname`
+/// or `eval EXPRESSION` (with arguments by their names, arg(), find(), env(), optenv() and
+/// dirname()).
 /// @throws std::invalid_argument naming what is missing and the remedy.
 std::string substitute(const std::string& command, const SubstitutionContext& context);
 

@@ -17,7 +17,7 @@ using Kind = Syntax::Kind;
 constexpr std::size_t kMaxExpression = 4096;
 constexpr int kMaxNesting = 60;
 
-/// Recursive descent; one function a level of precedence, the loosest first.
+/// Recursive descent parser; one function per level of precedence, the lowest first.
 class Parser {
  public:
   explicit Parser(const std::string& expression) : tokens_(tokenize(expression)) {}
@@ -43,9 +43,10 @@ class Parser {
     if (!take(text)) unexpected();
   }
   [[noreturn]] void unexpected() const {
-    if (peek().kind == Token::Kind::kEnd) throw std::invalid_argument("the expression is cut off");
+    if (peek().kind == Token::Kind::kEnd)
+      throw std::invalid_argument("the expression is incomplete");
     throw std::invalid_argument(
-        fmt::format("'{}' is not expected there (or not supported)", peek().text));
+        fmt::format("'{}' is unexpected here, or not supported", peek().text));
   }
   static Syntax node(Kind kind, std::string text, std::vector<Syntax> children) {
     return {kind, std::move(text), {}, std::move(children)};
@@ -106,7 +107,7 @@ Syntax Parser::negation() {
   return result;
 }
 
-/// The comparison that comes next, empty if none does.
+/// Takes the next comparison operator; empty if there is none.
 std::string Parser::comparison_operator() {
   for (const char* sign : {"==", "!=", "<=", ">=", "<", ">", "in"}) {
     if (take(sign)) return sign;
@@ -220,7 +221,7 @@ Syntax Parser::bracketed() {
   Syntax first = ternary();
   if (take(")")) return first;
   expect(",");
-  children = items(")");  // A tuple: a list to us.
+  children = items(")");  // A tuple is treated as a list.
   children.insert(children.begin(), std::move(first));
   return node(Kind::kList, "", std::move(children));
 }

@@ -1,5 +1,5 @@
-/// Syntax trees of xacro expressions: Python's grammar of expressions, without comprehensions,
-/// lambdas, slices and assignments.
+/// Syntax trees of xacro expressions: Python's expression grammar without comprehensions, lambdas,
+/// slices and assignments.
 #pragma once
 
 #include <string>
@@ -34,8 +34,8 @@ struct Syntax {
   std::vector<Syntax> children;
 };
 
-/// @throws std::invalid_argument saying what is wrong; also where the expression is nested deeper
-/// than 60 or longer than 4096 characters.
+/// Parses an expression. @throws std::invalid_argument describing the problem; also if it is nested
+/// deeper than 60 levels or longer than 4096 characters.
 Syntax parse_expression(const std::string& expression);
 
 }  // namespace castaway::sim::xacro

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxText = 65536;
 
-/// A stretch of a text.
+/// A part of a text.
 struct Piece {
   enum class Kind { kPlain, kExpression, kSubstitution };
 
@@ -18,7 +18,7 @@ struct Piece {
   std::string text;  ///< Without the brackets.
 };
 
-/// Where the bracket that opens at `open` closes, brackets inside of quotes aside.
+/// Position of the bracket that closes the one at `open`, ignoring brackets in quotes.
 std::size_t closing(const std::string& text, std::size_t open) {
   const char left = text[open];
   const char right = left == '{' ? '}' : ')';
@@ -66,7 +66,7 @@ std::vector<Piece> pieces(const std::string& text) {
   return result;
 }
 
-/// `$()` inside of an expression is put in as text before the expression is read.
+/// Evaluates a piece; `$()` in an expression is replaced by its text before parsing.
 Value value_of(const Piece& piece, const TextContext& context) {
   if (piece.kind == Piece::Kind::kPlain) return {piece.text};
   const bool expression = piece.kind == Piece::Kind::kExpression;

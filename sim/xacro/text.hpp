@@ -1,4 +1,4 @@
-/// Texts with `${expressions}` and `$(substitutions)` in them.
+/// Evaluates texts with `${expressions}` and `$(substitutions)`.
 #pragma once
 
 #include <functional>
@@ -8,19 +8,19 @@
 
 namespace castaway::sim::xacro {
 
-/// What a text can ask of where it stands.
+/// Lookups that a text needs from its context.
 struct TextContext {
   Surroundings surroundings;
-  /// The text that stands for `$(command)`.
+  /// Returns the text for `$(command)`.
   std::function<std::string(const std::string& command)> substitute;
 };
 
-/// True if the text holds nothing to evaluate.
+/// True if the text contains nothing to evaluate.
 bool is_plain(const std::string& text);
 
-/// The value of a text: that of its expression if it is one `${}` and nothing else, a text
-/// otherwise. `$${` and `$$(` stand for `${` and `$(`.
-/// @throws std::invalid_argument saying what is wrong; also if the text grows beyond 65536
+/// Evaluates a text: the value of its expression if it consists of a single `${}`, otherwise a
+/// text. `$${` and `$$(` stand for `${` and `$(`.
+/// @throws std::invalid_argument describing the problem; also if the text grows beyond 65536
 /// characters.
 Value evaluate_text(const std::string& text, const TextContext& context);
 

@@ -14,7 +14,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 
-/// Cuts tokens off the front of a text.
+/// Takes tokens from the front of a text.
 class Cutter {
  public:
   explicit Cutter(const std::string& text) : text_(text) {}
@@ -26,7 +26,7 @@ class Cutter {
     if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) {
       return number();
     }
-    if (c == '\'' || c == '"') return quoted(c);
+    if (c == '\'' || c == '"') return quoted_text(c);
     if (is_name_start(c)) return name();
     return symbol();
   }
@@ -38,19 +38,19 @@ class Cutter {
     const std::string digits = text_.substr(at_, end - at_);
     const Value value = from_literal(digits);
     if (!is_number(value)) {
-      throw std::invalid_argument(fmt::format("'{}' is no number", digits));
+      throw std::invalid_argument(fmt::format("'{}' is not a number", digits));
     }
     at_ = end;
     return {Token::Kind::kNumber, digits, value};
   }
 
-  /// A sign right after the e of an exponent.
+  /// True for the sign of an exponent.
   [[nodiscard]] bool is_sign(std::size_t i) const {
     const bool sign = text_[i] == '+' || text_[i] == '-';
     return sign && i > at_ && (text_[i - 1] == 'e' || text_[i - 1] == 'E');
   }
 
-  Token quoted(char quote) {
+  Token quoted_text(char quote) {
     std::string content;
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       if (text_[i] == quote) {
@@ -80,7 +80,7 @@ class Cutter {
       at_ += candidate.size();
       return {Token::Kind::kOperator, std::string(candidate), {}};
     }
-    throw std::invalid_argument(fmt::format("'{}' does not belong there", text_[at_]));
+    throw std::invalid_argument(fmt::format("unexpected character '{}'", text_[at_]));
   }
 
   const std::string& text_;

@@ -13,12 +13,12 @@ struct Token {
   enum class Kind { kNumber, kText, kName, kOperator, kEnd };
 
   Kind kind = Kind::kEnd;
-  std::string text;  ///< As written; of texts, what stands between the quotes.
+  std::string text;  ///< As written; of texts, the part between the quotes.
   Value literal;     ///< Of numbers.
 };
 
-/// The tokens of an expression, the last of kind kEnd.
-/// @throws std::invalid_argument on a character that does not belong there and on open quotes.
+/// Splits an expression into tokens, the last one of kind kEnd.
+/// @throws std::invalid_argument on an invalid character and on open quotes.
 std::vector<Token> tokenize(const std::string& expression);
 
 }  // namespace castaway::sim::xacro

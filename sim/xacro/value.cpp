@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kMaxWeight = 200000;
 
-/// The text without white space at its ends.
-std::string stripped(const std::string& text) {
+/// The text without white space at both ends.
+std::string strip(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// A whole text as a number of type T; nothing else may stand in it.
+/// Parses a complete text as a number of type T; false if anything else is in it.
 template <typename T>
 bool parse_whole(const std::string& text, T& number) {
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -29,8 +29,8 @@ bool parse_whole(const std::string& text, T& number) {
   return begin != end && error == std::errc{} && stop == end;
 }
 
-/// `repr` inside of lists and dictionaries.
-std::string quoted(const Value& value) {
+/// Python's `repr` for items of lists and dictionaries.
+std::string quote_text(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value.data)) return "'" + *text + "'";
   return to_text(value);
 }
@@ -40,7 +40,7 @@ std::string float_text(double number) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// Items and characters of a value.
+/// Number of items and characters of a value.
 std::size_t weight(const Value& value) {
   std::size_t sum = 1;
   if (const auto* text = std::get_if<std::string>(&value.data)) sum += text->size();
@@ -55,14 +55,15 @@ std::size_t weight(const Value& value) {
 
 std::string list_text(const List& list) {
   std::string text = "[";
-  for (const Value& item : list) text += (text.size() > 1 ? ", " : "") + quoted(item);
+  for (const Value& item : list) text += (text.size() > 1 ? ", " : "") + quote_text(item);
   return text + "]";
 }
 
 std::string dict_text(const Dict& dict) {
   std::string text = "{";
   for (const DictEntry& entry : dict) {
-    text += fmt::format("{}'{}': {}", text.size() > 1 ? ", " : "", entry.key, quoted(entry.value));
+    text +=
+        fmt::format("{}'{}': {}", text.size() > 1 ? ", " : "", entry.key, quote_text(entry.value));
   }
   return text + "}";
 }
@@ -86,7 +87,7 @@ std::string to_text(const Value& value) {
 }
 
 Value from_literal(const std::string& text) {
-  const std::string core = stripped(text);
+  const std::string core = strip(text);
   if (core.size() >= 2 && core.front() == '\'' && core.back() == '\'') {
     return {core.substr(1, core.size() - 2)};
   }
@@ -155,7 +156,7 @@ bool equal(const Value& a, const Value& b) {
   return to_text(a) == to_text(b);
 }
 
-Value bounded(Value value) {
+Value check_size(Value value) {
   if (weight(value) <= kMaxWeight) return value;
   throw std::invalid_argument(fmt::format(
       "{} of more than {} items and characters: make it smaller", type_name(value), kMaxWeight));

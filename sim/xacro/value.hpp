@@ -1,4 +1,4 @@
-/// Values of xacro expressions: Python's, as far as robot descriptions use them.
+/// Values of xacro expressions: the subset of Python's that robot descriptions use.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace castaway::sim::xacro {
 struct Value;
 struct DictEntry;
 using List = std::vector<Value>;
-using Dict = std::vector<DictEntry>;  ///< In the order of insertion, as Python keeps it.
+using Dict = std::vector<DictEntry>;  ///< In order of insertion, as in Python.
 
 /// One value; the first alternative is None.
 struct Value {
@@ -27,37 +27,37 @@ struct DictEntry {
 /// The type's name in Python, for errors.
 std::string type_name(const Value& value);
 
-/// `str(value)`: integers without, floats with a point, texts as they are.
+/// Python's `str(value)`: floats have a decimal point, texts are unchanged.
 std::string to_text(const Value& value);
 
-/// Text of a property or of a macro's argument as a value: an integer, a float, true or false, a
-/// quoted text without its quotes, else the text itself.
+/// The value of a property's or macro argument's text: an integer, a float, true or false, a quoted
+/// text without its quotes, or else the text itself.
 Value from_literal(const std::string& text);
 
-/// Python's truth of a value: zeros and what is empty are false.
+/// Python's truth value: zeros and empty values are false.
 bool truth(const Value& value);
 
-/// Truth of a condition's value: a text must say true, false or a whole number.
-/// @throws std::invalid_argument if it does not.
+/// Truth value of a condition: a text must be true, false or an integer.
+/// @throws std::invalid_argument otherwise.
 bool condition(const Value& value);
 
 /// True for integers, floats and booleans.
 bool is_number(const Value& value);
 
-/// @throws std::invalid_argument if the value is no number.
+/// @throws std::invalid_argument if the value is not a number.
 double to_double(const Value& value);
 
-/// @throws std::invalid_argument if the value is no integer or boolean.
+/// @throws std::invalid_argument if the value is not an integer or boolean.
 std::int64_t to_integer(const Value& value);
 
-/// Python's `==`: numbers by value, whatever their types.
+/// Python's `==`: numbers are compared by value, regardless of type.
 bool equal(const Value& a, const Value& b);
 
-/// The value, if it is not too large: lists in lists grow fast.
-/// @throws std::invalid_argument if it holds more than 200000 items and characters.
-Value bounded(Value value);
+/// Returns the value if it is not too large: nested lists grow fast.
+/// @throws std::invalid_argument if it has more than 200000 items and characters.
+Value check_size(Value value);
 
-/// The entry of a key; null if there is none.
+/// The value of a key; nullptr if there is none.
 const Value* find_key(const Dict& dict, const std::string& key);
 
 }  // namespace castaway::sim::xacro

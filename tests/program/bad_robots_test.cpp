@@ -131,7 +131,7 @@ std::vector<BadRobot> urdf_cases() {
            {"left_joint", "inf"}},
           {"NothingButWheels",
            robot("<link name=\"base_link\"/>" + wheel("left", "0.12") + wheel("right", "-0.12")),
-           {"nothing but wheels"}},
+           {"there are only wheels"}},
           {"MeshOutside", mesh("../../../../../../etc/passwd"), {"base_link", "lies outside"}},
           {"MeshAnywhere", mesh("file:///etc/passwd"), {"base_link", "--search-path"}},
           {"MeshOutOfItsPackage", mesh("package://r/../../etc/passwd"), {"lies outside"}},
@@ -151,7 +151,7 @@ std::vector<BadRobot> expression_cases() {
           {"UnknownSubstitution", value("$(anon robot)"), {"anon", "not supported"}},
           {"DefinedByItself",
            with("<xacro:property name=\"a\" value=\"${a + 1}\"/><x v=\"${a}\"/>"),
-           {"defined by itself"}},
+           {"depends on itself"}},
           {"TextThatGrows", with(doubling()), {"65536"}},
           {"YamlThatIsMissing", value("${xacro.load_yaml('gone.yaml')}"), {"gone.yaml"}},
           {"YamlOutside", value("${xacro.load_yaml('/etc/hostname')}"), {"lies outside"}},
@@ -182,11 +182,11 @@ std::vector<BadRobot> xacro_cases() {
        {"'gone' is not found", "CASTAWAY_PACKAGE_PATH"}},
       {"MacroThatCallsItself",
        with("<xacro:macro name=\"m\" params=\"\"><xacro:m/></xacro:macro><xacro:m/>"),
-       {"'m' is called endlessly"}},
+       {"'m' is called without end"}},
       {"MacrosThatDouble",
        with("<xacro:macro name=\"m\" params=\"n\"><xacro:if value=\"${n > 0}\"><xacro:m n=\"${n - "
             "1}\"/><xacro:m n=\"${n - 1}\"/></xacro:if></xacro:macro><xacro:m n=\"60\"/>"),
-       {"endlessly"}},
+       {"without end"}},
       {"UnsupportedElement", with("<xacro:element xacro:name=\"x\"/>"), {"not supported"}},
       {"ArgumentWithoutValue", with(""), {"name:=value"}, "--arg size"}};
 }

@@ -191,7 +191,7 @@ ScanFrame SimulatorSource::convert(const sim::LidarReading& reading) const {
 }
 
 DriveNow SimulatorSource::drive_now(const std::vector<sim::DriveWheel>& wheels) const {
-  const sim::Twist2 command = simulation_.commanded();
+  const sim::Twist2 command = simulation_.last_command();
   const sim::WheelAngles angles = simulation_.wheels();
   DriveNow now{command.v, command.w, {}};
   for (const sim::DriveWheel& wheel : wheels) {

@@ -8,7 +8,7 @@
 
 namespace castaway::localization {
 
-/// The paper's settings and what the published code does otherwise.
+/// The paper's settings, and those of the published code's differences.
 struct PublishedMhAmclConfig {
   PaperMhAmclConfig paper;
   PublishedDefects defects;
@@ -16,8 +16,8 @@ struct PublishedMhAmclConfig {
   StepNoiseConfig step_noise;  ///< Used with `noise_per_step`.
 };
 
-/// All defects and the published figures: new populations spread by 0.1 m and 0.05 rad, 3 %
-/// winners, copies spread as new populations.
+/// All defects, and the published values: new populations spread by 0.1 m and 0.05 rad, 3 %
+/// winners, and copies spread as in new populations.
 PublishedMhAmclConfig published_config();
 
 }  // namespace castaway::localization

@@ -10,7 +10,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Adds the hits to normalised weights, at least 1e-6.
+/// Adds the hits to the normalised weights; at least 1e-6.
 void add_weights(const std::vector<RayLocalScore>& scores, ParticleSet& particles) {
   const std::vector<double> before = normalized_weights(particles);
   for (std::size_t i = 0; i < scores.size(); ++i) {

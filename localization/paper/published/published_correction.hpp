@@ -1,4 +1,4 @@
-/// Correction and reseed of a population as the published MH-AMCL has them.
+/// Correction and reseed of a population as in the published MH-AMCL.
 #pragma once
 
 #include "localization/hypotheses/hypothesis.hpp"
@@ -8,12 +8,12 @@
 
 namespace castaway::localization {
 
-/// The model's settings: with `summed_weights` hits are the density `N(error; 0, sigma)` clamped to
-/// 1, so that with sigma 0.05 m every error up to 2 sigma is a perfect hit.
+/// The model's settings. With `summed_weights`, hits are the density `N(error; 0, sigma)` clamped
+/// to 1, so that with sigma 0.05 m every error up to 2 sigma is a perfect hit.
 RayLocalConfig published_sensor(RayLocalConfig config, const PublishedDefects& defects);
 
-/// `correct_by_rays` with `summed_weights` (which wants a model of `published_sensor`), the defects
-/// of the quality and those of the covariance.
+/// `correct_by_rays` with `summed_weights` (which requires a model of `published_sensor`), and with
+/// the defects of quality and covariance.
 void published_correct(const RayLocalModel& model, const ScanPoints& points,
                        const PublishedDefects& defects, Hypothesis& hypothesis);
 

@@ -4,7 +4,7 @@ namespace castaway::localization {
 
 PaperCascade published_cascade(PaperCascadeConfig config, const RayLocalConfig& sensor,
                                const OccupancyGrid& grid, const PublishedDefects& defects) {
-  constexpr int kCoarseLevel = 2;  // cells of 4 x 4
+  constexpr int kCoarseLevel = 2;  // Cells of 4 x 4.
   if (defects.wide_headings) config.yaw_step = std::numbers::pi / 4.0;
   if (defects.one_coarse_level) {
     config.finest_level = kCoarseLevel;

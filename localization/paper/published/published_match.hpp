@@ -10,11 +10,11 @@ namespace castaway::localization {
 PaperCascade published_cascade(PaperCascadeConfig config, const RayLocalConfig& sensor,
                                const OccupancyGrid& grid, const PublishedDefects& defects);
 
-/// Whether the published code looks at a cell: its limits of x and y change places, so that only
-/// cells that lie below both in map are searched.
+/// True if the published code searches a cell: its limits of x and y are swapped, so that only
+/// cells below both limits in map are searched.
 bool is_in_transposed_search(const GridFrame& frame, int column, int row);
 
-/// The scan as if the lidar stood at base (`mount_ignored`).
+/// The scan as if the lidar were at base (`mount_ignored`).
 ScanPoints points_at_base(const MatchScan& scan, const BeamSelection& beams);
 
 }  // namespace castaway::localization

@@ -1,4 +1,4 @@
-/// Moments of a population as the published MH-AMCL has them.
+/// Moments of a population as in the published MH-AMCL.
 #pragma once
 
 #include "localization/filter/particle_set.hpp"
@@ -6,8 +6,8 @@
 
 namespace castaway::localization {
 
-/// The weighted moments; the covariance is changed by `unweighted_covariance` (about the unweighted
-/// mean, divided by n - 1, n at least 2) and by `unwrapped_yaw`.
+/// The weighted moments. `unweighted_covariance` (about the unweighted mean, divided by n - 1, n at
+/// least 2) and `unwrapped_yaw` change the covariance.
 PoseMoments published_moments(const ParticleSet& particles, const PublishedDefects& defects);
 
 }  // namespace castaway::localization

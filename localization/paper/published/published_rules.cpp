@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-/// The position is scaled by the sum of the weights.
+/// Scales the position by the sum of the weights.
 void scale_mean(Hypothesis& hypothesis) {
   double sum = 0.0;
   for (const double log_weight : hypothesis.particles.log_weights) sum += std::exp(log_weight);
@@ -16,7 +16,7 @@ void scale_mean(Hypothesis& hypothesis) {
   hypothesis.belief.mean.y *= sum;
 }
 
-/// `second` goes into `first`.
+/// Merges `second` into `first`.
 void join(const PublishedDefects& defects, const Hypothesis& second, Hypothesis& first) {
   const bool raw = defects.unnormalised_merge;
   first.particles =
@@ -27,8 +27,8 @@ void join(const PublishedDefects& defects, const Hypothesis& second, Hypothesis&
   first.log_weight = std::max(first.log_weight, second.log_weight);
 }
 
-/// Removes one; the output jumps to the first population where the published code takes the
-/// successor for the one that went.
+/// Removes a population. The output jumps to the first population if the published code compares it
+/// with the successor of the removed one.
 void remove(std::size_t index, const PublishedDefects& defects, Populations& populations) {
   std::vector<Hypothesis>& all = populations.all;
   all.erase(all.begin() + static_cast<std::ptrdiff_t>(index));
@@ -36,7 +36,7 @@ void remove(std::size_t index, const PublishedDefects& defects, Populations& pop
   if (all[index].id == populations.output_id) populations.output_id = all.front().id;
 }
 
-/// Joins those after `first` that are in its place.
+/// Merges all populations after `first` that are at its place into it.
 void merge_into(std::size_t first, const MergeConfig& config, const PublishedDefects& defects,
                 Populations& populations) {
   std::vector<Hypothesis>& all = populations.all;

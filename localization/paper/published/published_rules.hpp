@@ -1,4 +1,4 @@
-/// Merge and destroy as the published MH-AMCL has them.
+/// Merge and destroy as in the published MH-AMCL.
 #pragma once
 
 #include "localization/hypotheses/populations.hpp"

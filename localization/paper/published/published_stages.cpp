@@ -9,7 +9,7 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kUntriedQuality = 0.25;  // of a new population
+constexpr double kUntriedQuality = 0.25;  // Initial quality of a new population.
 
 void replace_populations_stages(const PublishedMhAmclConfig& config, PaperStages& stages) {
   stages.merge = [merge = config.paper.rules.merge, defects = config.defects](
@@ -24,7 +24,7 @@ void replace_populations_stages(const PublishedMhAmclConfig& config, PaperStages
 
 void replace_filter_stages(const PublishedMhAmclConfig& config, const OccupancyGrid& map,
                            PaperStages& stages) {
-  // Shared: a std::function must be copied, and the model is as large as the map.
+  // Shared, since a std::function must be copyable and the model is as large as the map.
   const auto model = std::make_shared<const RayLocalModel>(
       published_sensor(config.paper.sensor, config.defects), map);
   stages.correct = [model, defects = config.defects](const ScanPoints& points, Hypothesis& h) {

@@ -1,5 +1,5 @@
-/// The stages of the MH-AMCL that its authors published: the paper's, with what their code does
-/// otherwise.
+/// The stages of the authors' published MH-AMCL: the paper's stages with the published code's
+/// differences.
 #pragma once
 
 #include "localization/paper/paper_stages.hpp"
@@ -7,8 +7,8 @@
 
 namespace castaway::localization {
 
-/// The paper's stages with those in place of which a defect that is on puts another. Throws
-/// std::invalid_argument for a map or settings that make no sense.
+/// Returns the paper's stages, with those replaced that a switched-on defect changes.
+/// @throws std::invalid_argument for an invalid map or settings.
 PaperStages published_stages(const PublishedMhAmclConfig& config, const OccupancyGrid& map);
 
 }  // namespace castaway::localization

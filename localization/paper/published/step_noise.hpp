@@ -1,5 +1,5 @@
-/// Odometry motion model of the published MH-AMCL (`PublishedDefects::noise_per_step`): every step
-/// is followed by a random share of itself.
+/// Odometry motion model of the published MH-AMCL (`PublishedDefects::noise_per_step`): the noise
+/// of a step is a random share of it.
 #pragma once
 
 #include "localization/geometry/random.hpp"
@@ -9,8 +9,9 @@ namespace castaway::localization {
 
 /// Standard deviations of the shares.
 struct StepNoiseConfig {
-  double trans = 0.01;  ///< Of the step's translation, one draw for x and y: nothing sideways.
-  double rot = 0.01;    ///< Of the step's rotation: none while driving straight.
+  /// Share of the step's translation, one draw for x and y: no sideways noise.
+  double trans = 0.01;
+  double rot = 0.01;  ///< Share of the step's rotation: none while driving straight.
 };
 
 /// One step of odometry, conditioned once and applied to many poses.
@@ -19,7 +20,7 @@ class StepNoiseMotion {
   /// `u` is `T_base0_base1`, the step as odometry measured it.
   StepNoiseMotion(const SE2& u, const StepNoiseConfig& config) : u_(u), config_(config) {}
 
-  /// `x' = x * u * e`, e drawn anew.
+  /// Draws `x' = x * u * e`.
   [[nodiscard]] SE2 sample(const SE2& T_map_base0, Rng& rng) const;
 
  private:

@@ -1,4 +1,4 @@
-/// A person: body, state, and what it makes of the robot.
+/// A person's body, state and behaviour.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace castaway::sim {
 
-/// What people do about the robot; `reaction.hpp` says how.
+/// How people react to the robot; `reaction.hpp` defines each behaviour.
 enum class Behaviour { kRegular, kImpassive, kSurprised, kCurious, kScared, kThreatening };
 
-/// All of them, in this order.
+/// All behaviours, in this order.
 inline constexpr std::array<Behaviour, 6> kBehaviours = {
     Behaviour::kRegular, Behaviour::kImpassive, Behaviour::kSurprised,
     Behaviour::kCurious, Behaviour::kScared,    Behaviour::kThreatening};
 
-/// "regular", "impassive"...: as scenarios name it.
+/// "regular", "impassive", ...: the name in scenarios.
 constexpr const char* behaviour_name(Behaviour behaviour) {
   constexpr std::array<const char*, kBehaviours.size()> names = {
       "regular", "impassive", "surprised", "curious", "scared", "threatening"};

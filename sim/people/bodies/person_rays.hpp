@@ -1,4 +1,4 @@
-/// What a lidar meets of a person.
+/// What a lidar can hit of a person.
 #pragma once
 
 #include "sim/casting/moving_scene.hpp"
@@ -9,7 +9,7 @@ namespace castaway::sim {
 /// Two upright legs at the feet up to `kTorsoBottom`, above it a torso, an ellipse of 0.45 x 0.28
 /// m, up to the shoulders, and a round head. Labelled kHitPerson + `index`.
 MovingBody person_rays(const PersonBody& body, const PersonState& state, int index);
-/// The same for who is known to face along `ahead`, a unit vector in map.
+/// The same for a person whose heading is known as `ahead`, a unit vector in map.
 MovingBody person_rays(const PersonBody& body, const PersonState& state,
                        const Eigen::Vector2d& ahead, int index);
 

@@ -18,7 +18,7 @@ const std::array<Vector3f, 3> kTrousers = {
     Vector3f{0.22F, 0.25F, 0.33F}, Vector3f{0.35F, 0.29F, 0.24F}, Vector3f{0.15F, 0.15F, 0.17F}};
 
 /// Stretches a mesh; normals stay unit and upright to the surface.
-TriangleMesh stretched(TriangleMesh mesh, const Vector3f& by) {
+TriangleMesh stretch(TriangleMesh mesh, const Vector3f& by) {
   for (Vector3f& v : mesh.vertices) v = v.cwiseProduct(by);
   for (Vector3f& n : mesh.normals) n = n.cwiseQuotient(by).normalized();
   return mesh;
@@ -76,9 +76,9 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
   const double middle = 0.5 * (shoulders + kTorsoBottom);
   const auto depth = static_cast<float>(kTorsoHalfDepth);
   const auto width = static_cast<float>(kTorsoHalfWidth - 0.045);
-  items.push_back(item(stretched(cylinder_mesh(1.0F, length, 24), {depth, width, 1.0F}),
+  items.push_back(item(stretch(cylinder_mesh(1.0F, length, 24), {depth, width, 1.0F}),
                        state.position, middle, yaw, coat));
-  items.push_back(item(stretched(sphere_mesh(1.0F, 8), {depth, width, 0.08F}), state.position,
+  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {depth, width, 0.08F}), state.position,
                        shoulders, yaw, coat));
   for (const double side : {1.0, -1.0}) {
     items.push_back(item(cylinder_mesh(0.045F, 0.62F, 12),
@@ -86,9 +86,9 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
                          yaw, 0.85F * coat));
   }
   const auto head = static_cast<float>(kHeadRadius);
-  items.push_back(item(stretched(sphere_mesh(1.0F, 8), {head, 0.9F * head, 1.25F * head}),
+  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {head, 0.9F * head, 1.25F * head}),
                        state.position, body.height - 1.25 * kHeadRadius, yaw, kSkin));
-  items.push_back(item(stretched(sphere_mesh(1.0F, 8), {0.9F * head, 0.95F * head, 0.9F * head}),
+  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {0.9F * head, 0.95F * head, 0.9F * head}),
                        state.position - 0.025 * ahead, body.height - 0.8 * kHeadRadius, yaw,
                        kShoe));
   for (SceneItem& part : items) {

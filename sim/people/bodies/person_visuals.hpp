@@ -1,4 +1,4 @@
-/// What people look like.
+/// Meshes of people, for rendering.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace castaway::sim {
 
-/// A person in map: shoes, legs, coat, arms and head, the outline that its lidar shape has; dressed
-/// by its number.
+/// A person in map: shoes, legs, coat, arms and head within the outline of the lidar's shape. The
+/// number chooses the clothes.
 std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState& state, int index);
 
 }  // namespace castaway::sim

@@ -32,7 +32,7 @@ BodyMass box_mass(const std::vector<Eigen::Vector3d>& points_base, double mass) 
   return {mass, box.center(), (mass / 12.0 * moments).asDiagonal()};
 }
 
-BodyMass lumped(const std::vector<BodyMass>& bodies) {
+BodyMass lump(const std::vector<BodyMass>& bodies) {
   BodyMass sum;
   for (const BodyMass& body : bodies) {
     sum.mass += body.mass;

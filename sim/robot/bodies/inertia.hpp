@@ -1,4 +1,4 @@
-/// Masses of links and their sum.
+/// Masses and inertia of bodies.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace castaway::sim {
 
-/// A rigid body's mass. Axes of base.
+/// Mass properties of a rigid body, with the axes of base.
 struct BodyMass {
   double mass = 0.0;                                     ///< [kg]
   Eigen::Vector3d p_base_com = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();     ///< [kg m^2] About the centre of mass.
 };
 
-/// True if a body can have this inertia: principal moments above 0, none above the sum of the
-/// others (by 1 %).
+/// True if a body can have this inertia: its principal moments are positive, and none exceeds the
+/// sum of the other two by more than 1 %.
 bool possible_inertia(const Eigen::Matrix3d& inertia);
 
-/// The solid box around points, of a given mass; points without extent count as a ball of 2 cm.
+/// Mass properties of the solid box around points; points without extent count as a box of 2 cm.
 BodyMass box_mass(const std::vector<Eigen::Vector3d>& points_base, double mass);
 
-/// Bodies that move as one (parallel axes).
-BodyMass lumped(const std::vector<BodyMass>& bodies);
+/// Mass properties of several bodies that move as one (parallel axis theorem).
+BodyMass lump(const std::vector<BodyMass>& bodies);
 
 }  // namespace castaway::sim

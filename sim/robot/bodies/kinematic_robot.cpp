@@ -29,20 +29,20 @@ void KinematicRobot::turn_wheels() {
   state_.wheels.right += (axle.v + 0.5 * track_ * axle.w) * step;
 }
 
-/// A robot that stands in the margin of an obstacle may leave it, but not go deeper.
-bool KinematicRobot::blocked(const Pose2& from, const Pose2& to) const {
+/// A robot closer to an obstacle than its radius may leave it, but not come closer.
+bool KinematicRobot::is_blocked(const Pose2& from, const Pose2& to) const {
   if (free_.contains(to.position())) return false;
   if (free_.contains(from.position())) return true;
   return free_.clearance_at(to.position()) < free_.clearance_at(from.position());
 }
 
 void KinematicRobot::step() {
-  twist_ = ramped(twist_, command_, limits_, time_step_);
+  twist_ = ramp_twist(twist_, command_, limits_, time_step_);
   const Pose2 T_base_axle{p_base_axle_.x(), p_base_axle_.y(), 0.0};
   const Twist2 axle = axle_twist(twist_, p_base_axle_);
   const Pose2 to = T_map_base_ * T_base_axle * arc(axle.v * time_step_, axle.w * time_step_) *
                    inverse(T_base_axle);
-  const bool touches = twist_.v != 0.0 && blocked(T_map_base_, to);
+  const bool touches = twist_.v != 0.0 && is_blocked(T_map_base_, to);
   if (touches) {
     if (contact_age_ >= kContactGap) ++collisions_;
     twist_ = {};
@@ -55,7 +55,8 @@ void KinematicRobot::step() {
 }
 
 void KinematicRobot::step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels) {
-  twist_ = held_twist(wheels, twist_, ramped(twist_, command_, limits_, time_step_), time_step_);
+  twist_ =
+      held_twist(wheels, twist_, ramp_twist(twist_, command_, limits_, time_step_), time_step_);
   turn_wheels();
   T_map_base_ = to_planar(T_map_base);
   state_.T_map_base = T_map_base;

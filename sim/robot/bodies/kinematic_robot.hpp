@@ -1,4 +1,4 @@
-/// A robot in a world without physics: it moves exactly as commanded.
+/// A robot without physics: it moves exactly as commanded.
 #pragma once
 
 #include <chrono>
@@ -13,29 +13,30 @@
 
 namespace castaway::sim {
 
-/// Integrates the unicycle exactly: arcs of constant velocity within a step. The floor is flat and
-/// holds; a step that would bring the robot's disc into an obstacle of the grid is not made, and
-/// the drive stops. For speed, and for descriptions whose contacts physics cannot make sense of.
+/// Integrates the unicycle model exactly: arcs of constant velocity within a step. The floor is
+/// flat and wheels do not slip. A step that would bring the robot's disc into an obstacle of the
+/// grid is not made, and the robot stops. For speed, and for robot descriptions whose contacts
+/// physics cannot handle.
 class KinematicRobot {
  public:
-  /// `free`: where the middle of the robot's disc can be. `time_step`: above 0.
+  /// `free`: where the centre of the robot's disc can be. `time_step`: above 0.
   KinematicRobot(const RobotModel& robot, FreeSpace free, const Pose2& start,
                  const TwistLimits& limits, std::chrono::nanoseconds time_step);
 
-  /// As those of `RobotPhysics`.
+  /// As in `RobotPhysics`.
   void set_command(const Twist2& command) { command_ = command; }
   void step();
   void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels);
   void teleport(const Pose2& T_map_base);
   [[nodiscard]] const RobotState& state() const { return state_; }
-  /// Runs into obstacles begun so far.
+  /// Number of times the robot ran into an obstacle.
   [[nodiscard]] std::int64_t collisions() const { return collisions_; }
-  /// Held up by an obstacle now.
+  /// True while an obstacle blocks the robot.
   [[nodiscard]] bool touching() const { return contact_age_ == 0.0; }
 
  private:
   void turn_wheels();
-  [[nodiscard]] bool blocked(const Pose2& from, const Pose2& to) const;
+  [[nodiscard]] bool is_blocked(const Pose2& from, const Pose2& to) const;
 
   double track_;
   double wheel_radius_;

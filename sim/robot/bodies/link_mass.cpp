@@ -8,9 +8,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGuessedDensity = 300.0;  // [kg/m^3] Of links without mass: half empty boxes.
+constexpr double kGuessedDensity = 300.0;  // [kg/m^3] Of links without mass: half-empty boxes.
 
-/// A mass for the box around points. [kg]
+/// Guesses the mass of the box around points. [kg]
 double guessed_mass(const std::vector<Eigen::Vector3d>& points_base) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points_base) box.extend(p);
@@ -39,7 +39,7 @@ BodyMass link_mass(const urdf::Link& link, const LinkFrames& frames,
   if (points_base.empty() && !has_mass) return {};
   const double mass = has_mass ? link.inertial->mass : guessed_mass(points_base);
   warnings.push_back(
-      fmt::format("link {}: no possible inertia: that of a box of {:.2f} kg", link.name, mass));
+      fmt::format("link {}: no valid inertia: using that of a box of {:.2f} kg", link.name, mass));
   BodyMass body = box_mass(points_base, mass);
   if (points_base.empty()) body.p_base_com = T_base_link.translation();
   return body;

@@ -1,4 +1,4 @@
-/// The mass of a URDF link, made possible where it is not. Internal to sim/robot.
+/// The mass of a URDF link, repaired if necessary. Internal to sim/robot.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace castaway::sim {
 
-/// Mass of a link in base. Where the file gives none, or an impossible one, that of the box around
-/// `points_base` (the link's shape), with a warning; a link without shape and mass is a mere frame
-/// and weighs nothing.
+/// Mass of a link in base. If the file gives none, or an impossible one, it is that of the box
+/// around `points_base` (the link's shape), with a warning. A link without shape and mass is a mere
+/// frame and weighs nothing.
 BodyMass link_mass(const urdf::Link& link, const LinkFrames& frames,
                    const std::vector<Eigen::Vector3d>& points_base,
                    std::vector<std::string>& warnings);

@@ -11,7 +11,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Points of a link's collision shapes, else of its visual ones. [m] In base.
+/// Points of a link's collision shapes, or of its visual shapes if it has none. [m] In base.
 std::vector<Eigen::Vector3d> points_of(const RobotModel& robot, const std::string& link) {
   std::vector<Eigen::Vector3d> points;
   for (const auto* parts : {&robot.collisions, &robot.visuals}) {
@@ -24,7 +24,7 @@ std::vector<Eigen::Vector3d> points_of(const RobotModel& robot, const std::strin
   return points;
 }
 
-/// The sum of the wheels' masses. [kg]
+/// Sets the wheels' masses and returns their sum. [kg]
 double weigh_wheels(const UrdfFile& file, const LinkFrames& frames, RobotModel& robot) {
   double sum = 0.0;
   for (DriveWheel& wheel : robot.wheels) {
@@ -38,7 +38,7 @@ double weigh_wheels(const UrdfFile& file, const LinkFrames& frames, RobotModel& 
   return sum;
 }
 
-/// All links but the wheels; those without <inertial> only if their masses are to be guessed.
+/// Mass of all links except the wheels; links without <inertial> count only with `guess`.
 BodyMass weigh_chassis(const UrdfFile& file, const LinkFrames& frames, bool guess,
                        RobotModel& robot) {
   std::vector<BodyMass> bodies;
@@ -50,7 +50,7 @@ BodyMass weigh_chassis(const UrdfFile& file, const LinkFrames& frames, bool gues
     const BodyMass body = link_mass(*link, frames, points_of(robot, name), robot.warnings);
     if (body.mass > 0.0) bodies.push_back(body);
   }
-  return lumped(bodies);
+  return lump(bodies);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robo
   }
   if (chassis.mass <= 0.0) {
     throw std::runtime_error(fmt::format(
-        "{}: nothing but wheels: give the chassis a <collision> or an <inertial>", file.path));
+        "{}: there are only wheels: give the chassis a <collision> or an <inertial>", file.path));
   }
   robot.chassis_mass = chassis.mass;
   robot.p_base_com = chassis.p_base_com;

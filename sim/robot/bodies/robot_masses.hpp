@@ -5,14 +5,14 @@
 
 namespace castaway::sim {
 
-/// Fills the masses of a robot whose wheels and parts are known. Links without <inertial> weigh
-/// nothing (many files keep the whole mass in one link); where that leaves a chassis lighter than
-/// its wheels, they weigh what their shapes suggest, with a warning.
-/// @throws std::runtime_error if there is nothing but wheels.
+/// Sets the masses of a robot whose wheels and parts are known. Links without <inertial> weigh
+/// nothing (many files put the whole mass into one link). If that makes the chassis lighter than
+/// the wheels, the masses of these links are guessed from their shapes, with a warning.
+/// @throws std::runtime_error if there are only wheels.
 void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robot);
 
-/// [N] What a driven wheel carries where they carry alike, and nothing else carries: the robot's
-/// weight by their number.
+/// [N] Load of a driven wheel if all wheels carry the same and nothing else carries: the robot's
+/// weight divided by their number.
 double wheel_load(const RobotModel& robot);
 
 }  // namespace castaway::sim

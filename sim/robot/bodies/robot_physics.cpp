@@ -94,7 +94,7 @@ void RobotPhysics::Body::place_all(const Eigen::Isometry3d& T_map_base) {
 }
 
 void RobotPhysics::Body::turn_wheels(HeldWheels held) {
-  twist = held_twist(held, twist, ramped(twist, command, limits, time_step), time_step);
+  twist = held_twist(held, twist, ramp_twist(twist, command, limits, time_step), time_step);
   const Twist2 axle = axle_twist(twist, robot.p_base_axle);
   for (WheelBody& wheel : wheels) {
     const double side = is_left(wheel) ? -0.5 : 0.5;
@@ -106,9 +106,10 @@ bool RobotPhysics::Body::is_left(const WheelBody& wheel) const {
   return wheel.model().p_base_wheel.y() > robot.p_base_axle.y();
 }
 
-/// Slows both sides alike where a wheel would turn too fast, so that the curve stays the same.
+/// Where a wheel would turn too fast, both sides slow down by the same factor, so that the curve
+/// stays the same.
 void RobotPhysics::Body::drive() {
-  twist = ramped(twist, command, limits, time_step);
+  twist = ramp_twist(twist, command, limits, time_step);
   const Twist2 axle = axle_twist(twist, robot.p_base_axle);
   const double left = axle.v - 0.5 * robot.track * axle.w;
   const double right = axle.v + 0.5 * robot.track * axle.w;

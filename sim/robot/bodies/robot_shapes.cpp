@@ -10,20 +10,20 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kFloorClearance = 0.004;  // [m] Of the hulls.
+constexpr double kFloorClearance = 0.004;  // [m] Of the hulls above the floor.
 constexpr double kHullMargin = 0.001;      // [m]
 constexpr int kMaxHullPoints = 64;
 
-/// A hull with a thin margin; Bullet's own would blow it up by 4 cm.
+/// A hull with a thin margin; Bullet's default would grow it by 4 cm.
 std::unique_ptr<btConvexHullShape> thin_hull() {
   auto shape = std::make_unique<btConvexHullShape>();
   shape->setMargin(kHullMargin);
   return shape;
 }
 
-/// Fewer corners, sampled from the support of the hull.
-std::unique_ptr<btConvexHullShape> reduced(btConvexHullShape& full) {
-  full.setMargin(0.0);  // Support points include it.
+/// A hull with fewer corners, sampled from the support of the full one.
+std::unique_ptr<btConvexHullShape> reduce_hull(btConvexHullShape& full) {
+  full.setMargin(0.0);  // Support points include the margin.
   btShapeHull corners(&full);
   corners.buildHull(0.0);
   auto shape = thin_hull();
@@ -34,7 +34,7 @@ std::unique_ptr<btConvexHullShape> reduced(btConvexHullShape& full) {
   return shape;
 }
 
-/// The hull of a part, in coordinates about the centre of mass.
+/// Convex hull of a part, in coordinates about the centre of mass.
 std::unique_ptr<btConvexHullShape> hull(const RobotPart& part, const Eigen::Vector3d& p_base_com) {
   auto shape = thin_hull();
   for (Eigen::Vector3d p : part_points(part)) {
@@ -42,7 +42,7 @@ std::unique_ptr<btConvexHullShape> hull(const RobotPart& part, const Eigen::Vect
     shape->addPoint(to_bullet(Eigen::Vector3d(p - p_base_com)), false);
   }
   shape->recalcLocalAabb();
-  return shape->getNumPoints() > kMaxHullPoints ? reduced(*shape) : std::move(shape);
+  return shape->getNumPoints() > kMaxHullPoints ? reduce_hull(*shape) : std::move(shape);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace castaway::sim {
 
-/// A compound of convex hulls and casters about the centre of mass, axes of base. Hulls are cut off
-/// just above the floor, on which only wheels and casters roll.
+/// A compound of convex hulls and casters about the centre of mass, with the axes of base. Hulls
+/// end just above the floor, on which only wheels and casters roll.
 class ChassisShape {
  public:
   explicit ChassisShape(const RobotModel& robot);

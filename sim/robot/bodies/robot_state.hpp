@@ -1,4 +1,4 @@
-/// Where a robot is.
+/// The motion state of a robot.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,10 +7,10 @@
 
 namespace castaway::sim {
 
-/// Where a robot is.
+/// Pose and wheel angles of a robot.
 struct RobotState {
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
-  WheelAngles wheels;  ///< Means of each side.
+  WheelAngles wheels;  ///< Mean of each side.
 };
 
 }  // namespace castaway::sim

@@ -15,11 +15,12 @@ namespace {
 constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(2);
 constexpr int kSettleSteps = 1000;
 constexpr int kTurnSteps = 1000;
-constexpr double kTurnRate = 0.5;       // [rad/s]
-constexpr double kFloor = 20.0;         // [m]
-constexpr double kReserve = 1.2;        // Of torque over friction.
-constexpr double kAside = 0.01;         // [m] Less is not made up for.
-constexpr double kLargestRatio = 10.0;  // Of measured to geometric; beyond it does not turn.
+constexpr double kTurnRate = 0.5;  // [rad/s]
+constexpr double kFloor = 20.0;    // [m]
+constexpr double kReserve = 1.2;   // Factor of the torque over friction.
+constexpr double kAside = 0.01;    // [m] A smaller offset is not corrected.
+// Largest ratio of measured and ideal track; above it the robot does not turn.
+constexpr double kLargestRatio = 10.0;
 
 WorldSpec bare_floor() {
   WorldSpec world;
@@ -30,7 +31,7 @@ WorldSpec bare_floor() {
 
 double yaw_of(const RobotState& state) { return to_planar(state.T_map_base).yaw; }
 
-/// The point of base that stays where it is from one pose to another, which is turned. [m]
+/// The point of base that does not move between two poses with different headings. [m]
 Eigen::Vector2d pivot(const Pose2& T_map_a, const Pose2& T_map_b) {
   const Eigen::Matrix2d turned = Eigen::Rotation2Dd(T_map_a.yaw).toRotationMatrix() -
                                  Eigen::Rotation2Dd(T_map_b.yaw).toRotationMatrix();
@@ -50,7 +51,7 @@ double ideal_skid_track(const RobotModel& robot) {
   return separation + (front - back) * (front - back) / separation;
 }
 
-void strengthen_motors(RobotModel& robot) {
+void remove_low_effort_limits(RobotModel& robot) {
   const double load = wheel_load(robot);
   double lowest = 0.0;
   for (DriveWheel& wheel : robot.wheels) {
@@ -60,12 +61,12 @@ void strengthen_motors(RobotModel& robot) {
   }
   if (lowest <= 0.0) return;
   robot.warnings.push_back(
-      fmt::format("with <limit effort=\"{}\"> the wheels cannot skid, and the robot not turn: the "
-                  "limit is lifted",
+      fmt::format("the wheels cannot skid with <limit effort=\"{}\">, so the robot could not turn: "
+                  "the limit is ignored",
                   lowest));
 }
 
-SkidTurn measured_skid_turn(const RobotModel& robot) {
+SkidTurn measure_skid_turn(const RobotModel& robot) {
   RobotPhysics physics(bare_floor(), robot, {}, {1.0, kTurnRate, 1.0, 1.0}, kStep);
   physics.set_command({0.0, kTurnRate});
   for (int i = 0; i < kSettleSteps; ++i) physics.step();
@@ -86,9 +87,9 @@ SkidTurn measured_skid_turn(const RobotModel& robot) {
 }
 
 void steer_by_skidding(RobotModel& robot) {
-  strengthen_motors(robot);
+  remove_low_effort_limits(robot);
   robot.track = ideal_skid_track(robot);
-  const SkidTurn turn = measured_skid_turn(robot);
+  const SkidTurn turn = measure_skid_turn(robot);
   robot.track = turn.track;
   robot.p_base_axle.y() = turn.axle_y;
 }

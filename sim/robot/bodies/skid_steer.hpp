@@ -1,33 +1,34 @@
-/// How a robot on more than two driven wheels turns.
+/// Turning of robots with more than two driven wheels.
 #pragma once
 
 #include "sim/robot/urdf/robot_model.hpp"
 
 namespace castaway::sim {
 
-/// The track of the differential drive that turns as fast on the spot with the same wheel speeds:
-/// B (1 + (L / B)^2) for wheels of separation B and outermost axles L apart, each carrying the same
-/// weight, by dry friction. The moment of friction about the middle vanishes at that rate, whatever
-/// the friction. [m] After Mandow et al., Experimental kinematics for wheeled skid-steer mobile
-/// robots, IROS 2007, who measure what is derived here for one load.
+/// Track of the differential drive that turns in place equally fast with the same wheel speeds: B
+/// (1 + (L / B)^2) for wheels of separation B and outermost axles L apart that carry equal loads
+/// with dry friction. At that rate the moment of friction about the centre vanishes, whatever the
+/// friction is. [m] After Mandow et al., "Experimental kinematics for wheeled skid-steer mobile
+/// robots", IROS 2007, who measure what is derived here for equal loads.
 double ideal_skid_track(const RobotModel& robot);
 
-/// Lifts torque limits that are too low for the wheels to skid, with a warning: such a robot could
-/// not turn.
-void strengthen_motors(RobotModel& robot);
+/// Removes torque limits that are too low for the wheels to skid, with a warning: such a robot
+/// could not turn.
+void remove_low_effort_limits(RobotModel& robot);
 
-/// How a robot turns on the spot in the simulator's physics.
+/// Measured turn in place of a robot in simulated physics.
 struct SkidTurn {
-  double track;   ///< [m] The ideal track's counterpart.
-  double axle_y;  ///< [m] In base, of the point about which it turns: off the middle between the
-                  ///< wheels where one side carries more.
+  double track;  ///< [m] Effective track, the counterpart of the ideal one.
+  /// [m] y in base of the centre of rotation; not midway between the wheels if one side carries
+  /// more.
+  double axle_y;
 };
 
-/// Turns the robot on the spot on a bare floor for two seconds. `robot.track` is the first guess.
-SkidTurn measured_skid_turn(const RobotModel& robot);
+/// Measures a turn in place on a bare floor for two seconds. `robot.track` is the initial guess.
+SkidTurn measure_skid_turn(const RobotModel& robot);
 
-/// Lets a robot on more than two driven wheels turn: lifts torque limits, sets `track` and the axle
-/// so that commands of its drive and wheel odometry come out right.
+/// Prepares a robot with more than two driven wheels for turning: removes low torque limits, and
+/// sets `track` and the axle so that its drive commands and wheel odometry are correct.
 void steer_by_skidding(RobotModel& robot);
 
 }  // namespace castaway::sim

@@ -1,4 +1,4 @@
-/// Velocity commands as a drive's firmware follows them: with bounded acceleration.
+/// Velocity ramp with bounded acceleration, as in a drive's firmware.
 #pragma once
 
 #include "sim/common/geometry.hpp"
@@ -13,7 +13,8 @@ struct TwistLimits {
   double max_turn_acceleration = 2.0;  ///< [rad/s^2]
 };
 
-/// `command` within the limits of speed, and no further from `current` than `dt` [s] allows.
-Twist2 ramped(const Twist2& current, const Twist2& command, const TwistLimits& limits, double dt);
+/// `command` limited to the speed limits and to what `dt` [s] allows from `current`.
+Twist2 ramp_twist(const Twist2& current, const Twist2& command, const TwistLimits& limits,
+                  double dt);
 
 }  // namespace castaway::sim

@@ -11,37 +11,37 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kWheelFriction = 1.0;
-constexpr double kWheelShare = 0.15;  // Of the chassis' mass, each.
+constexpr double kWheelShare = 0.15;  // Share of the chassis' mass that each wheel has at least.
 constexpr double kLagGain = 10.0;     // [1/s] Without it a standing robot creeps by 0.2 mm/s.
 constexpr double kMaxLag = 0.1;       // [rad]
-// Spin inertia of skidding wheels, of a ball's: that of rotors and gears. The solver lets the last
-// word to friction, which stops the skid of a light wheel by its spin: with 1 a robot as long as
-// wide turns half as fast as dry friction lets it, with 7 it is within 3 %.
+// Spin inertia of skidding wheels relative to a ball's, for rotors and gears. The solver handles
+// friction last, which stops the skid of a light wheel through its spin: with 1, a robot that is as
+// long as wide turns half as fast as dry friction allows; with 7, within 3 %.
 constexpr double kSkidSpin = 7.0;
-// [m] What the tyres of four wheels give under their load. Rigid wheels on a flat floor leave open
-// which of them carry: three do, and a robot turns about one end.
+// [m] Deflection of the tyres of four wheels under their load. With rigid wheels on a flat floor it
+// is undetermined which of them carry: only three do, and the robot turns about one end.
 constexpr double kTyreSag = 5e-4;
 
 double body_mass(const DriveWheel& wheel, const RobotModel& robot) {
   return std::max(wheel.mass, kWheelShare * robot.chassis_mass);
 }
 
-/// Motor torque where the file gives none: an acceleration of half a g, shared by the wheels; for a
-/// skid steer, whose wheels must overcome friction to turn, three times what that takes of each
-/// where they carry alike.
+/// Motor torque if the file gives none: enough for an acceleration of half a g, shared by the
+/// wheels. For a skid steer, whose wheels must overcome friction to turn, three times the torque
+/// that this takes with equal loads.
 double effort_of(const DriveWheel& wheel, const RobotModel& robot) {
   if (wheel.effort_max > 0.0) return wheel.effort_max;
   if (robot.wheels.size() > 2) return 3.0 * wheel_load(robot) * wheel.radius;
   return 5.0 * robot.chassis_mass * wheel.radius / static_cast<double>(robot.wheels.size());
 }
 
-/// Lets a wheel give under its share of the robot's weight, critically damped.
+/// Makes a wheel's contact elastic under its share of the robot's weight, critically damped.
 void soften(btRigidBody& wheel, double mass, double load) {
   const double stiffness = load / kTyreSag;
   wheel.setContactStiffnessAndDamping(stiffness, 2.0 * std::sqrt(stiffness * mass));
 }
 
-/// Rotation of `b` against `a` about the common y axis. [rad]
+/// Rotation of `b` relative to `a` about the common y axis. [rad]
 double angle_about_y(const btTransform& a, const btTransform& b) {
   const btMatrix3x3 R = a.getBasis().transposeTimes(b.getBasis());
   return std::atan2(R[0][2], R[0][0]);
@@ -75,7 +75,7 @@ WheelBody::WheelBody(const DriveWheel& model, const RobotModel& robot, btRigidBo
   const double moment = spin * 0.4 * mass * model.radius * model.radius;
   body_ = make_body(mass, btVector3(moment, moment, moment), shape_.get(), kWheelFriction);
   if (skids) soften(*body_, mass, wheel_load(robot));
-  // The hinge turns about z of its frames; a rotation of -90 degrees about x puts that on y.
+  // The hinge turns about z of its frames; rotating them by -90 degrees about x puts that on y.
   const btQuaternion z_to_y(btVector3(1.0, 0.0, 0.0), -SIMD_HALF_PI);
   const Eigen::Vector3d p_com_wheel = model.p_base_wheel - robot.p_base_com;
   hinge_ = std::make_unique<btHingeConstraint>(

@@ -9,8 +9,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kUpright = 0.9;     // Of the cosine.
-constexpr double kSameHeight = 0.5;  // Of a wheel's radius.
+constexpr double kUpright = 0.9;     // Cosine of the angle to an axis.
+constexpr double kSameHeight = 0.5;  // Share of a wheel's radius.
 constexpr double kAside = 0.05;      // [m]
 
 const char* const kSteered = "steered wheels";
@@ -25,7 +25,7 @@ bool holds(const std::string& text, const char* word) {
   return text.find(word) != std::string::npos;
 }
 
-/// Names of the plug-ins below an element, in lower case, with blanks between them.
+/// Names of the plug-ins below an element, in lower case, separated by blanks.
 std::string plugin_names(const TiXmlElement& from) {
   std::string names;
   for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
@@ -39,7 +39,7 @@ std::string plugin_names(const TiXmlElement& from) {
   return names;
 }
 
-/// What a wheel, its joint and its meshes are called.
+/// Names of a wheel's joint, link and meshes, in lower case.
 std::string wheel_names(const UrdfFile& file, const DriveWheel& wheel) {
   std::string names = wheel.joint + " " + wheel.link;
   for (const auto& visual : file.model->links_.at(wheel.link)->visual_array) {
@@ -49,7 +49,7 @@ std::string wheel_names(const UrdfFile& file, const DriveWheel& wheel) {
   return lower(names);
 }
 
-/// A joint that turns a wheel about the upright within limits, or whose name says so.
+/// True of a joint that turns a wheel about the vertical within limits, or whose name says "steer".
 bool steers(const urdf::Joint& joint, const LinkFrames& frames) {
   if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS) return false;
   if (holds(lower(joint.name), "steer")) return true;
@@ -68,7 +68,7 @@ bool is_steered(const UrdfFile& file, const LinkFrames& frames, const std::strin
   return false;
 }
 
-/// True if a joint turns as driven wheels do: about y, at the height of their axles.
+/// True if a joint turns like a driven wheel: about y, at the height of their axles.
 bool turns_as_wheel(const urdf::Joint& joint, const LinkFrames& frames,
                     const std::vector<DriveWheel>& wheels) {
   const Eigen::Isometry3d& frame = frames.at(joint.child_link_name);
@@ -80,9 +80,9 @@ bool turns_as_wheel(const urdf::Joint& joint, const LinkFrames& frames,
   });
 }
 
-/// Also wheels that are not driven may steer: those of a car's front axle. An arm's joints turn
-/// about the upright, too: what steers is called a wheel, or is one by its place and there is
-/// another on the other side.
+/// True if any wheel is steered, also one that is not driven, as on a car's front axle. Since an
+/// arm's joints turn about the vertical, too, a wheel must be named as one, or there must be one on
+/// each side.
 bool any_steered(const UrdfFile& file, const LinkFrames& frames,
                  const std::vector<DriveWheel>& wheels) {
   int named = 0;

@@ -1,4 +1,4 @@
-/// How a robot moves where that is not what is simulated: by wheels that roll sideways, or steer.
+/// Detects drives that are not simulated: wheels that roll sideways, or steer.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace castaway::sim {
 
-/// "mecanum wheels", "omni wheels", "a planar_move plug-in", "steered wheels"; nothing: its wheels
-/// roll along x, and it turns by their difference. Found by the names of wheels, their meshes and
-/// plug-ins, and by joints that steer wheels.
+/// "mecanum wheels", "omni wheels", "a planar_move plug-in", "steered wheels"; nothing if the
+/// robot's wheels roll along x and it turns by their speed difference. Detected by the names of
+/// wheels, meshes and plug-ins, and by joints that steer wheels.
 std::optional<std::string> other_drive(const UrdfFile& file, const LinkFrames& frames,
                                        const std::vector<DriveWheel>& wheels);
 
-/// What it cannot do here, for a warning.
+/// Describes for a warning how the simulated drive differs.
 std::string other_drive_warning(const std::string& drive, std::size_t wheels);
 
 }  // namespace castaway::sim

@@ -14,7 +14,7 @@ const Value* first_key(const Dict& dict, std::initializer_list<const char*> name
   return nullptr;
 }
 
-/// A name or a list of names.
+/// A single name as a list, or a list of names.
 std::vector<std::string> names_of(const Value* value) {
   std::vector<std::string> names;
   if (value == nullptr) return names;
@@ -31,7 +31,7 @@ void set_number(const Value* value, std::optional<double>& number) {
   if (to_double(*value) > 0.0) number = to_double(*value);
 }
 
-/// The map of a differential drive's parameters; null if there is none below.
+/// The dictionary of a differential drive's parameters; nullptr if there is none.
 const Dict* find_drive(const Value& value) {
   const auto* dict = std::get_if<Dict>(&value.data);
   if (dict == nullptr) return nullptr;

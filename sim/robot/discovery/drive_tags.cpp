@@ -13,7 +13,7 @@ namespace {
 
 using Visit = std::function<void(const TiXmlElement&)>;
 
-/// All elements of a name below another.
+/// Calls `visit` for all elements of a name below another one.
 void for_each(const TiXmlElement& from, const std::string& name, const Visit& visit) {
   for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     if (e->ValueStr() == name) visit(*e);
@@ -21,7 +21,7 @@ void for_each(const TiXmlElement& from, const std::string& name, const Visit& vi
   }
 }
 
-std::string trimmed(const char* text) {
+std::string trim(const char* text) {
   const std::string all = text == nullptr ? "" : text;
   const std::size_t first = all.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
@@ -29,7 +29,7 @@ std::string trimmed(const char* text) {
 }
 
 std::string attribute(const TiXmlElement& element, const char* name) {
-  return trimmed(element.Attribute(name));
+  return trim(element.Attribute(name));
 }
 
 template <std::size_t N>
@@ -62,13 +62,13 @@ std::string dialect_of(const TiXmlElement& plugin, const std::string& joint_tag)
   return camel ? "gazebo-classic" : "gazebo-ros2";
 }
 
-/// A plug-in that names joints on both sides; else its dialect is empty.
+/// The drive of a plug-in that names joints on both sides; otherwise its dialect is empty.
 DriveTags of_plugin(const TiXmlElement& plugin) {
   DriveTags tags;
   std::string joint_tag;
   for (auto* e = plugin.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     const std::string& tag = e->ValueStr();
-    const std::string text = trimmed(e->GetText());
+    const std::string text = trim(e->GetText());
     if (one_of(tag, kLeft)) {
       tags.left.push_back(text);
       joint_tag = tag;
@@ -82,7 +82,7 @@ DriveTags of_plugin(const TiXmlElement& plugin) {
   return tags;
 }
 
-/// Joints that are commanded by their velocity.
+/// Joints with a velocity command interface.
 std::vector<std::string> velocity_joints(const TiXmlElement& root) {
   std::vector<std::string> joints;
   for_each(root, "ros2_control", [&](const TiXmlElement& control) {
@@ -100,7 +100,7 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
   for_each(root, "transmission", [&](const TiXmlElement& transmission) {
     bool velocity = false;
     for_each(transmission, "hardwareInterface", [&](const TiXmlElement& interface) {
-      velocity = velocity || trimmed(interface.GetText()).find("Velocity") != std::string::npos;
+      velocity = velocity || trim(interface.GetText()).find("Velocity") != std::string::npos;
     });
     for_each(transmission, "joint", [&](const TiXmlElement& joint) {
       if (velocity) joints.push_back(attribute(joint, "name"));
@@ -109,19 +109,19 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
   return joints;
 }
 
-/// Adds what the parameter files of plug-ins say about a differential drive.
+/// Adds parameters of a differential drive from the plug-ins' parameter files.
 void add_parameters(const UrdfFile& file, const PackageFinder& packages,
                     const RobotOptions& options, DriveTags& tags) {
   if (!options.read_yaml) return;
   for_each(*file.xml->RootElement(), "parameters", [&](const TiXmlElement& e) {
-    std::filesystem::path path = trimmed(e.GetText());
+    std::filesystem::path path = trim(e.GetText());
     if (path.is_relative()) path = std::filesystem::path(file.path).parent_path() / path;
     std::error_code none;
     if (!packages.may_read(path) || !std::filesystem::is_regular_file(path, none)) return;
     try {
       add_drive_parameters(options.read_yaml(path.string()), tags);
     } catch (const std::runtime_error&) {
-      return;  // What drives is known without it.
+      return;  // No error: the drive is known without it.
     }
   });
 }

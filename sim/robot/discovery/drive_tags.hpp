@@ -1,4 +1,4 @@
-/// What plug-in tags of a robot's description say about its drive. Internal to sim/robot.
+/// Reads a robot's drive from its description's plug-in tags. Internal to sim/robot.
 ///
 /// Four dialects: Gazebo classic with ROS 1 (`<leftJoint>`, `<wheelSeparation>`), with ROS 2
 /// (`<left_joint>`, `<wheel_separation>`), gz-sim's DiffDrive (`<left_joint>`, `<wheel_radius>`),
@@ -14,18 +14,18 @@
 
 namespace castaway::sim {
 
-/// A drive as the tags describe it. Anything may be missing.
+/// A drive as its tags describe it. Everything is optional.
 struct DriveTags {
   std::string dialect;               ///< "gazebo-classic", "gazebo-ros2", "gz-sim", "ros2_control"
                                      ///< or "transmission"; empty: no tag.
   std::vector<std::string> left;     ///< Joints.
   std::vector<std::string> right;    ///< Joints.
-  std::vector<std::string> driven;   ///< Joints whose side is not told.
-  std::optional<double> separation;  ///< [m] Between left and right.
+  std::vector<std::string> driven;   ///< Joints on an unknown side.
+  std::optional<double> separation;  ///< [m] Between left and right wheels.
   std::optional<double> radius;      ///< [m] Of the wheels.
 };
 
-/// The first drive that the tags of a robot describe.
+/// Returns the first drive that the tags of a robot describe.
 DriveTags find_drive_tags(const UrdfFile& file, const PackageFinder& packages,
                           const RobotOptions& options);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMinBeams = 20;
 constexpr double kMinView = 0.3;  // [rad]
 
-/// The element at the end of a path of names; null if there is none.
+/// The element at the end of a path of names; nullptr if there is none.
 const TiXmlElement* descend(const TiXmlElement* from, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (from != nullptr) from = from->FirstChildElement(name);
@@ -34,7 +34,7 @@ bool is_lidar(const TiXmlElement& sensor) {
   return type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar";
 }
 
-/// Angles, samples and layers of `<scan>`.
+/// Reads the angles, samples and layers of `<scan>`.
 void read_scan(const TiXmlElement* ray, LidarSpecs& specs) {
   const auto samples = number(ray, {"scan", "horizontal", "samples"});
   if (samples) specs.samples = static_cast<int>(std::clamp(*samples, 1.0, 100000.0));
@@ -72,7 +72,7 @@ Eigen::Isometry3d read_pose(const TiXmlElement& sensor) {
          Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX());
 }
 
-/// The link that a gazebo tag speaks of: named itself, or below the joint that is named.
+/// The link that a gazebo tag refers to: by its own name, or as the child of the named joint.
 std::string referred_link(const TiXmlElement& gazebo, const UrdfFile& file) {
   const char* name = gazebo.Attribute("reference");
   if (name == nullptr) return file.model->getRoot()->name;

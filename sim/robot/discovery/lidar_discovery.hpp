@@ -7,10 +7,10 @@
 
 namespace castaway::sim {
 
-/// All lidars: links (or child links of joints) with a sensor tag of type ray, gpu_ray, lidar or
-/// gpu_lidar that has at least 20 beams over at least 0.3 rad (fewer make a range finder). Where no
-/// tag is, the links whose names hold scan, laser, lidar, lds or a maker's name and that are no
-/// mounts, the one farthest from the root. Planar ones first.
+/// Finds all lidars: links (or child links of joints) with a sensor tag of type ray, gpu_ray, lidar
+/// or gpu_lidar that has at least 20 beams over at least 0.3 rad (with fewer it is a range finder).
+/// Without such a tag, it is the link farthest from the root whose name contains scan, laser,
+/// lidar, lds or a manufacturer's name and no word for a mount. Planar lidars come first.
 std::vector<LidarMount> find_lidars(const UrdfFile& file, const LinkFrames& frames);
 
 }  // namespace castaway::sim

@@ -8,8 +8,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kSameMount = 0.02;    // Relative; nearer sizes are the same.
-constexpr double kRoughRadius = 0.25;  // Relative; a mesh's size is no better than that.
+constexpr double kSameMount = 0.02;    // Relative difference below which two sizes are the same.
+constexpr double kRoughRadius = 0.25;  // Relative error of a radius measured on a mesh.
 
 double radius_of(const WheelShape& shape, const std::string& link, const DriveTags& tags,
                  std::vector<std::string>& warnings) {
@@ -19,7 +19,7 @@ double radius_of(const WheelShape& shape, const std::string& link, const DriveTa
   if (difference > kSameMount) {
     warnings.push_back(
         fmt::format("link {}: its shape has a radius of {:.4f} m, the {} tag says {:.4f} m: the "
-                    "shape rolls",
+                    "shape's radius is used",
                     link, shape.radius, tags.dialect, *tags.radius));
   }
   return shape.radius;

@@ -1,4 +1,4 @@
-/// Driven wheels from their joints. Internal to sim/robot.
+/// Creates driven wheels from their joints. Internal to sim/robot.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace castaway::sim {
 
-/// The wheels on the drive joints, in their order, in the root link; masses are left out. A tag's
-/// radius stands where there is no shape or a rough one; where it contradicts a shape, that rolls,
-/// with a warning. @throws std::runtime_error if neither gives a radius.
+/// Returns the wheels on the drive joints, in their order, in the root link's frame, without
+/// masses. A tag's radius is used if there is no shape or only a rough one; if it contradicts a
+/// shape, the shape's radius is used, with a warning. @throws std::runtime_error if neither gives a
+/// radius.
 std::vector<DriveWheel> mount_wheels(const UrdfFile& file, const LinkFrames& frames,
                                      const MeshFinder& finder, const DriveTags& tags,
                                      const DriveJoints& drive, std::vector<std::string>& warnings);

@@ -12,13 +12,14 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kFloorReach = 0.01;        // [m] Parts that come nearer to the floor carry.
+// [m] Parts lower than this above the floor support the robot.
+constexpr double kFloorReach = 0.01;
 constexpr double kLift = 0.0005;            // [m]
 constexpr double kSameCaster = 0.02;        // [m]
 constexpr double kMinCasterRadius = 0.005;  // [m]
-constexpr double kInnerShare = 0.15;        // Of the way from the axle to the casters.
+constexpr double kInnerShare = 0.15;        // Share of the distance between axle and casters.
 constexpr double kOuterShare = 0.85;
-constexpr double kWorthTelling = 0.001;  // [m]
+constexpr double kWorthTelling = 0.001;  // [m] A smaller shift gets no warning.
 
 bool is_caster_name(std::string link) {
   std::transform(link.begin(), link.end(), link.begin(),
@@ -26,7 +27,7 @@ bool is_caster_name(std::string link) {
   return link.find("caster") != std::string::npos || link.find("castor") != std::string::npos;
 }
 
-/// The caster that stands for a part; nothing if the part does not reach the floor.
+/// The caster that replaces a part; nothing if the part does not reach the floor.
 std::optional<Caster> caster_of(const RobotPart& part, double wheel_radius) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : part_points(part)) box.extend(p);
@@ -40,7 +41,7 @@ std::optional<Caster> caster_of(const RobotPart& part, double wheel_radius) {
   return Caster{{box.center().x(), box.center().y(), radius}, radius};
 }
 
-bool known(const std::vector<Caster>& casters, const Caster& caster) {
+bool is_known_caster(const std::vector<Caster>& casters, const Caster& caster) {
   return std::any_of(casters.begin(), casters.end(), [&caster](const Caster& c) {
     return (c.p_base_caster - caster.p_base_caster).head<2>().norm() < kSameCaster;
   });
@@ -56,7 +57,7 @@ void add_default_caster(RobotModel& robot) {
       fmt::format("no caster reaches the floor: one was put at x = {:.3f} m", x));
 }
 
-/// Casters in front and behind would take the weight off the wheels.
+/// Casters in front and behind would take the load off the wheels.
 void lift_if_on_both_sides(RobotModel& robot) {
   bool front = false;
   bool back = false;
@@ -67,8 +68,8 @@ void lift_if_on_both_sides(RobotModel& robot) {
   for (Caster& caster : robot.casters) caster.p_base_caster.z() += kLift;
 }
 
-/// From where to where along x the centre of mass may lie.
-std::pair<double, double> carried(const RobotModel& robot) {
+/// Range along x in which the centre of mass is supported.
+std::pair<double, double> supported_range(const RobotModel& robot) {
   double low = robot.wheels.front().p_base_wheel.x();
   double high = low;
   for (const DriveWheel& wheel : robot.wheels) {
@@ -92,7 +93,7 @@ void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
                                       [&](const auto& wheel) { return wheel.link == part.link; });
     if (!could_carry || is_wheel) return false;
     const std::optional<Caster> caster = caster_of(part, robot.wheel_radius);
-    if (caster && !known(robot.casters, *caster)) robot.casters.push_back(*caster);
+    if (caster && !is_known_caster(robot.casters, *caster)) robot.casters.push_back(*caster);
     return caster.has_value();
   });
   if (robot.casters.empty() && robot.wheels.size() == 2) add_default_caster(robot);
@@ -100,9 +101,9 @@ void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
 }
 
 void balance(RobotModel& robot) {
-  const auto [low, high] = carried(robot);
+  const auto [low, high] = supported_range(robot);
   const double axle = robot.p_base_axle.x();
-  // Support on one side only: keep some of the weight on it, and most on the wheels.
+  // With support on one side only, some load is kept on the caster and most on the wheels.
   const bool front = high - axle > kSameCaster;
   const bool back = axle - low > kSameCaster;
   const double first =
@@ -118,11 +119,11 @@ void balance(RobotModel& robot) {
   if (moved > kWorthTelling) {
     const bool stands = robot.p_base_com.x() >= low && robot.p_base_com.x() <= high &&
                         std::abs(robot.p_base_com.y() - robot.p_base_axle.y()) <= 2.0 * side;
-    robot.warnings.push_back(
-        fmt::format("centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: {}",
-                    robot.p_base_com.x(), robot.p_base_com.y(), x, y,
-                    stands ? "so near the edge of its support the robot would tip as it brakes"
-                           : "wheels and casters do not carry it"));
+    robot.warnings.push_back(fmt::format(
+        "centre of mass moved from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m: {}",
+        robot.p_base_com.x(), robot.p_base_com.y(), x, y,
+        stands ? "so close to the edge of its support, the robot would tip when it brakes"
+               : "wheels and casters did not support it"));
   }
   robot.p_base_com.x() = x;
   robot.p_base_com.y() = y;

@@ -13,7 +13,7 @@ namespace castaway::sim {
 namespace {
 
 constexpr double kMirrorTolerance = 0.02;  // [m]
-constexpr double kAxisTolerance = 0.02;    // Of the cosine.
+constexpr double kAxisTolerance = 0.02;    // Of the cosine of the angle to an axis.
 constexpr double kMinTrack = 0.04;         // [m]
 constexpr double kFloorTolerance = 0.03;   // [m]
 constexpr std::size_t kMostPairs = 10;
@@ -22,16 +22,16 @@ constexpr std::size_t kMostPairs = 10;
 struct Candidate {
   std::string joint;
   Eigen::Vector3d p_root = Eigen::Vector3d::Zero();
-  double low = 0.0;  ///< [m] Its wheel's lowest point in the root link.
+  double low = 0.0;  ///< [m] Lowest point of its wheel in the root link's frame.
 };
 
-/// Left and right.
+/// Wheels opposite each other.
 struct Pair {
   Candidate left;
   Candidate right;
 };
 
-/// What may stand between a wheel and the chassis.
+/// Kinds of joints that may lie between a wheel and the chassis.
 enum class Hang { kFixed, kSuspension, kAny };
 
 bool allows(Hang hang, const urdf::Joint& joint) {
@@ -63,13 +63,13 @@ bool is_passive(std::string name) {
   return false;
 }
 
-/// Gathers candidates from one robot.
+/// Collects the candidates of one robot.
 class Gatherer {
  public:
   Gatherer(const UrdfFile& file, const LinkFrames& frames, const MeshFinder& finder)
       : model_(*file.model), frames_(frames), finder_(finder) {}
 
-  /// Those that a plug-in names as the wheels that it drives.
+  /// Candidates that a plug-in names as the wheels it drives.
   [[nodiscard]] std::vector<Candidate> among(const std::set<std::string>& names) const {
     std::vector<Candidate> result;
     for (const std::string& name : names) {
@@ -82,8 +82,8 @@ class Gatherer {
     return result;
   }
 
-  /// Those of joints that are commanded, whatever they move: a motor's tag alone makes no wheel.
-  /// Casters, and what hangs below something that turns freely, do not drive.
+  /// Candidates among commanded joints: a motor's tag alone does not make a wheel. Excludes
+  /// casters, and joints below something that turns freely.
   [[nodiscard]] std::vector<Candidate> driving_among(const std::set<std::string>& names) const {
     std::set<std::string> driving;
     for (const std::string& name : names) {
@@ -127,7 +127,7 @@ bool beside(const Candidate& left, const Candidate& right) {
          std::abs(left.p_root.z() - right.p_root.z()) < kMirrorTolerance;
 }
 
-/// Each joint in one pair at most: the outermost ones pair up. The front pair first.
+/// Pairs the joints, outermost first, each in at most one pair. The front pair comes first.
 std::vector<Pair> pairs_of(std::vector<Candidate> joints) {
   std::sort(joints.begin(), joints.end(), [](const Candidate& a, const Candidate& b) {
     return a.p_root.y() != b.p_root.y() ? a.p_root.y() > b.p_root.y() : a.joint < b.joint;
@@ -149,7 +149,7 @@ std::vector<Pair> pairs_of(std::vector<Candidate> joints) {
   return pairs;
 }
 
-/// Without those whose wheels do not come as far down as the others.
+/// Removes pairs whose wheels are higher above the floor than the lowest pair's.
 std::vector<Pair> on_floor(std::vector<Pair> pairs) {
   double floor = 1e9;
   for (const Pair& pair : pairs) floor = std::min(floor, pair.left.low);
@@ -195,8 +195,8 @@ DriveJoints find_drive_joints(const UrdfFile& file, const LinkFrames& frames,
     }
   }
   if (pairs.size() > kMostPairs) {
-    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} make a robot", file.path,
-                                         2 * pairs.size(), 2 * kMostPairs));
+    throw std::runtime_error(fmt::format("{}: {} driven wheels: at most {} are supported",
+                                         file.path, 2 * pairs.size(), 2 * kMostPairs));
   }
   for (const Pair& pair : pairs) {
     result.joints.push_back(pair.left.joint);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMaxRadius = 5.0;  // [m]
 
-/// Of a shape about a wheel's joint.
+/// Radius and shift of a shape about a wheel's joint.
 WheelShape shape_of(const RobotPart& part, const Eigen::Vector3d& p_joint) {
   const double shift = part.T_base_part.translation().y() - p_joint.y();
   if (const auto* sphere = std::get_if<SphereShape>(&part.shape)) {
@@ -29,7 +29,7 @@ WheelShape shape_of(const RobotPart& part, const Eigen::Vector3d& p_joint) {
   return shape;
 }
 
-/// The largest of a link's shapes.
+/// The shape with the largest radius.
 std::optional<WheelShape> largest(const std::vector<RobotPart>& parts,
                                   const Eigen::Vector3d& p_joint) {
   std::optional<WheelShape> best;
@@ -45,7 +45,7 @@ std::optional<WheelShape> largest(const std::vector<RobotPart>& parts,
 
 std::optional<WheelShape> wheel_shape(const urdf::Link& link, const LinkFrames& frames,
                                       const MeshFinder& finder) {
-  std::vector<std::string> ignored;  // The same warnings come with the parts.
+  std::vector<std::string> ignored;  // The same warnings are given for the link's parts.
   const Eigen::Vector3d p_joint = frames.at(link.name).translation();
   const auto shape = largest(collision_parts(link, frames, finder, ignored), p_joint);
   if (shape) return shape;

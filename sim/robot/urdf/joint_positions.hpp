@@ -1,4 +1,4 @@
-/// Where the joints of a robot stand that it does not drive with: arms folded, lifts down.
+/// Positions of joints that are not driven: a folded arm, a lowered lift.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@
 
 namespace castaway::sim {
 
-/// Positions by joint: [rad], of prismatic joints [m].
+/// Positions by joint name: [rad], or [m] for prismatic joints.
 using JointPositions = std::map<std::string, double>;
 
-/// `asked` with the joints that mimic those. A position beyond a joint's limits is taken, with a
-/// warning. @throws std::runtime_error for a joint that the robot does not have, that is fixed, or
-/// that mimics another.
+/// Returns the positions `asked` for, and those of joints that mimic them. A position beyond a
+/// joint's limits is accepted with a warning. @throws std::runtime_error for a joint that does not
+/// exist, is fixed, or mimics another.
 JointPositions joint_positions(const urdf::ModelInterface& model, const JointPositions& asked,
                                std::vector<std::string>& warnings);
 
-/// How far a joint moves its child link from where it is at 0.
+/// Transform of a joint's child link relative to its position at 0.
 Eigen::Isometry3d joint_motion(const urdf::Joint& joint, double position);
 
 }  // namespace castaway::sim

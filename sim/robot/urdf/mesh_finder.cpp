@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text behind `prefix`; nothing if `uri` does not start with it.
+/// The text after `prefix`; nothing if `uri` does not start with it.
 std::optional<std::string> after(const std::string& uri, const std::string& prefix) {
   if (!uri.starts_with(prefix)) return std::nullopt;
   return uri.substr(prefix.size());
@@ -45,7 +45,7 @@ std::optional<std::string> MeshFinder::in_package(const std::string& package_pat
   return if_file(*folder / package_path.substr(slash + 1));
 }
 
-/// A place that is not allowed is an error only if the file is at no other either.
+/// A forbidden place is an error only if the file is at no allowed place.
 std::optional<std::string> MeshFinder::relative(const std::string& path) const {
   std::optional<fs::path> refused;
   for (const fs::path& start : packages_->starts()) {

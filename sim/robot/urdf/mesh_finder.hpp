@@ -1,4 +1,4 @@
-/// Files behind mesh URIs.
+/// Finds the files of mesh URIs.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 namespace castaway::sim {
 
 /// Resolves `package://`, `model://`, `file://`, absolute and relative URIs of one robot. Relative
-/// ones start at the file's folder, its package and the search paths.
+/// ones are searched in the file's folder, its package and the search paths.
 class MeshFinder {
  public:
   explicit MeshFinder(const PackageFinder& packages) : packages_(&packages) {}
 
-  /// The file, absolute; nothing if it is nowhere.
-  /// @throws std::runtime_error if it lies where the robot has no business (see `PackageFinder`),
-  /// and on a scheme that is not known.
+  /// Returns the absolute path of the file; nothing if it does not exist.
+  /// @throws std::runtime_error if it lies where the robot must not read (see `PackageFinder`), and
+  /// on an unknown scheme.
   [[nodiscard]] std::optional<std::string> find(const std::string& uri) const;
 
  private:

@@ -1,4 +1,4 @@
-/// Points on the surface of a part: for hulls, footprints and bounds.
+/// Points on the surface of a part, for hulls, footprints and bounds.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace castaway::sim {
 
-/// Points in base whose convex hull is the part's, curved surfaces sampled. [m]
+/// Points in base whose convex hull is that of the part; curved surfaces are sampled. [m]
 /// @throws std::runtime_error if a mesh cannot be read.
 std::vector<Eigen::Vector3d> part_points(const RobotPart& part);
 

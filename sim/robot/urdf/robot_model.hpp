@@ -1,7 +1,7 @@
-/// A differential-drive robot as plain data, whatever file it came from.
+/// A differential-drive robot as plain data, independent of the file format.
 ///
 /// Frame base: on the floor below the root link, x forward, y left, z up. Links on fixed or locked
-/// joints are lumped into the chassis; their frames are kept.
+/// joints are part of the chassis; their frames are kept.
 #pragma once
 
 #include <map>
@@ -26,7 +26,8 @@ struct RobotPart {
   std::string link;
   RobotShape shape;
   Eigen::Isometry3d T_base_part = Eigen::Isometry3d::Identity();  ///< With all joints at 0.
-  std::optional<Eigen::Vector3f> color;  ///< RGB in [0, 1]; nothing: the mesh's own, or grey.
+  /// RGB in [0, 1]; nothing: the mesh's own colour, or grey.
+  std::optional<Eigen::Vector3f> color;
 };
 
 /// A driven wheel. Its axis is base's y.
@@ -48,7 +49,7 @@ struct Caster {
   double radius = 0.01;                                     ///< [m]
 };
 
-/// The lidar as its sensor tag describes it.
+/// A lidar as its sensor tag describes it.
 struct LidarSpecs {
   int samples = 360;
   double angle_min = 0.0;       ///< [rad] First beam, about the laser's z from its x.
@@ -57,47 +58,49 @@ struct LidarSpecs {
   double range_max = 0.0;       ///< [m]
   double rate_hz = 0.0;         ///< [Hz] 0: not given.
   std::optional<double> sigma;  ///< [m] Gaussian range noise.
-  int layers = 1;               ///< Above each other; more than one: a 3-D lidar.
+  int layers = 1;               ///< Number of layers; more than one: a 3-D lidar.
   double layer_min = 0.0;       ///< [rad] Elevation of the lowest layer.
   double layer_max = 0.0;       ///< [rad] Elevation of the highest layer.
 };
 
-/// Where a lidar sits.
+/// The mount of a lidar.
 struct LidarMount {
   std::string link;
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
-  std::optional<LidarSpecs> specs;  ///< Nothing: found by its name only.
-  std::string sensor{};             ///< Name of the sensor tag; empty: found by its link's name.
+  std::optional<LidarSpecs> specs;  ///< Nothing if it was found by its name only.
+  std::string sensor{};  ///< Name of the sensor tag; empty if it was found by its link's name.
 };
 
-/// A robot. Chassis: all but the driven wheels.
+/// A robot. Its chassis is everything except the driven wheels.
 struct RobotModel {
   std::string name;
-  std::string path;                                              ///< The file it came from.
-  double chassis_mass = 1.0;                                     ///< [kg]
-  Eigen::Vector3d p_base_com = Eigen::Vector3d::Zero();          ///< [m] Chassis' centre of mass.
-  Eigen::Matrix3d inertia = 0.01 * Eigen::Matrix3d::Identity();  ///< [kg m^2] At it, axes of base.
-  std::vector<RobotPart> collisions;                             ///< Of the chassis.
-  std::vector<RobotPart> visuals;                                ///< Of all links.
-  std::vector<DriveWheel> wheels;                                ///< Two, or four if skid-steered.
+  std::string path;                                      ///< The file it came from.
+  double chassis_mass = 1.0;                             ///< [kg]
+  Eigen::Vector3d p_base_com = Eigen::Vector3d::Zero();  ///< [m] Centre of mass of the chassis.
+  /// [kg m^2] About the centre of mass, axes of base.
+  Eigen::Matrix3d inertia = 0.01 * Eigen::Matrix3d::Identity();
+  std::vector<RobotPart> collisions;  ///< Of the chassis.
+  std::vector<RobotPart> visuals;     ///< Of all links.
+  std::vector<DriveWheel> wheels;     ///< Two, or more for a skid steer.
   std::vector<Caster> casters;
-  double wheel_radius = 0.03;             ///< [m] Mean of the driven wheels.
-  double track = 0.3;                     ///< [m] As turns go: of skid steers more than...
-  double wheel_separation = 0.3;          ///< [m] ...between the middles of left and right wheels.
-  Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Middle of the drive axle; see `axle_twist`.
+  double wheel_radius = 0.03;  ///< [m] Mean of the driven wheels.
+  /// [m] Effective in turns; for skid steers larger than the wheel separation.
+  double track = 0.3;
+  double wheel_separation = 0.3;          ///< [m] Between the centres of left and right wheels.
+  Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Centre of the drive axle; see `axle_twist`.
   std::string wheels_found_by;            ///< "kinematics", or the dialect of the plug-in tags.
-  std::string other_drive;          ///< How it moves, if not as simulated; see drive_kind.hpp.
-  std::optional<LidarMount> lidar;  ///< The first of...
-  std::vector<LidarMount> lidars;   ///< ...all of them.
-  double footprint_radius = 0.2;    ///< [m] Disc about base's origin.
-  double height = 0.2;              ///< [m]
+  std::string other_drive;  ///< How the robot moves if not as simulated; see drive_kind.hpp.
+  std::optional<LidarMount> lidar;                  ///< The first of `lidars`.
+  std::vector<LidarMount> lidars;                   ///< All lidars.
+  double footprint_radius = 0.2;                    ///< [m] Disc about base's origin.
+  double height = 0.2;                              ///< [m]
   std::map<std::string, Eigen::Isometry3d> frames;  ///< `T_base_link` of every link.
-  std::vector<std::string> locked_joints;           ///< Could move, but are not driven.
+  std::vector<std::string> locked_joints;           ///< Joints that could move but are not driven.
   std::vector<std::string> warnings;                ///< What was repaired or guessed.
 };
 
-/// What the axle's middle does as base moves by `twist`: where the axle lies to one side of base,
-/// as it does where one side of a skid steer carries more, it goes forward or back as base turns.
+/// Velocity of the axle's centre when base moves by `twist`. If the axle lies to one side of base,
+/// as with a skid steer with more load on one side, it moves forward or back as base turns.
 inline Twist2 axle_twist(const Twist2& twist, const Eigen::Vector2d& p_base_axle) {
   return {twist.v - twist.w * p_base_axle.y(), twist.w};
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMaxLinks = 2000;
 constexpr double kMaxOffset = 1000.0;  // [m]
 
-/// Keeps what urdfdom would print.
+/// Collects the messages that urdfdom would print.
 class ConsoleCapture : public console_bridge::OutputHandler {
  public:
   ConsoleCapture() { console_bridge::useOutputHandler(this); }
@@ -58,13 +58,13 @@ urdf::ModelInterfaceSharedPtr parse(const UrdfFile& file) {
 
 void require_sound(const UrdfFile& file) {
   if (file.model->links_.size() > kMaxLinks) {
-    throw std::runtime_error(fmt::format("{}: {} links: at most {} make a robot", file.path,
+    throw std::runtime_error(fmt::format("{}: {} links: at most {} are supported", file.path,
                                          file.model->links_.size(), kMaxLinks));
   }
   for (const auto& [name, joint] : file.model->joints_) {
     const urdf::Vector3& p = joint->parent_to_joint_origin_transform.position;
     for (const double x : {p.x, p.y, p.z}) {
-      if (std::abs(x) <= kMaxOffset) continue;  // False for nan.
+      if (std::abs(x) <= kMaxOffset) continue;  // False for NaN.
       throw std::runtime_error(fmt::format(
           "{}: joint {}: its <origin> is at {}: give finite metres", file.path, name, x));
     }

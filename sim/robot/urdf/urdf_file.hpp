@@ -1,4 +1,4 @@
-/// A URDF file, read and checked. Internal to sim/robot: it shows urdfdom's and TinyXML's types.
+/// Reads and checks a URDF file. Internal to sim/robot: it exposes urdfdom's and TinyXML's types.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace castaway::sim {
 
-/// The robot as urdfdom sees it, and the text for what urdfdom skips (gazebo tags).
+/// The robot as urdfdom reads it, and the XML for what urdfdom skips (gazebo tags).
 struct UrdfFile {
   std::string path;
   urdf::ModelInterfaceSharedPtr model;
@@ -21,7 +21,7 @@ struct UrdfFile {
   std::vector<std::string> warnings;
 };
 
-/// Reads a file, expands what xacro it holds and repairs what urdfdom would stumble over.
+/// Reads a file, expands xacro in it and repairs what urdfdom cannot read.
 /// @throws std::runtime_error naming file, line or element, and remedy.
 UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
                    const RobotOptions& options);

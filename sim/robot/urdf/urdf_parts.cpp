@@ -12,16 +12,16 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kDefaultEdge = 0.05;     // [m] Of the box in place of a missing mesh.
+constexpr double kDefaultEdge = 0.05;     // [m] Of the box that replaces a missing mesh.
 constexpr double kLeastDensity = 50.0;    // [kg/m^3]
 constexpr double kMostDensity = 12000.0;  // [kg/m^3]
-constexpr float kMaxMeshSize = 15.0F;     // [m] Of a mesh in metres.
+constexpr float kMaxMeshSize = 15.0F;     // [m] A larger mesh is in millimetres.
 constexpr double kMaxPrimitive = 1000.0;  // [m]
 
 Eigen::Vector3d to_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// The solid box with the link's mass and inertia; a small cube where that makes no sense: where
-/// figures are made up the box would weigh like foam or like lead.
+/// The solid box with the link's mass and inertia; a small cube if its density is implausible,
+/// because the values are made up.
 BoxShape inertia_box(const urdf::Link& link) {
   const BoxShape cube{Eigen::Vector3d::Constant(kDefaultEdge)};
   if (!link.inertial || link.inertial->mass <= 0.0) return cube;
@@ -35,14 +35,14 @@ BoxShape inertia_box(const urdf::Link& link) {
   return density > kLeastDensity && density < kMostDensity ? box : cube;
 }
 
-/// A shape and whether it stands in for a mesh.
+/// A shape, and whether it replaces a mesh.
 struct FoundShape {
   RobotShape shape;
-  std::string problem;    ///< Empty: as the file says.
-  bool stand_in = false;  ///< A box in place of a mesh.
+  std::string problem;    ///< Empty if the shape is as in the file.
+  bool stand_in = false;  ///< A box that replaces a mesh.
 };
 
-/// A mesh as wide as a house was drawn in millimetres.
+/// Scales a mesh from millimetres to metres if it is implausibly large.
 FoundShape in_metres(MeshShape shape, const urdf::Link& link) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& v : load_mesh(shape.path, shape.scale).vertices) box.extend(v);
@@ -64,8 +64,8 @@ FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const Mesh
   }
   if (!path) {
     return {inertia_box(link),
-            fmt::format("link {}: no mesh {}: a box stands for it; give --search-path, the folder "
-                        "above its package",
+            fmt::format("link {}: no mesh {}: a box replaces it; name the folder above its package "
+                        "with --search-path",
                         link.name, mesh.filename),
             true};
   }
@@ -73,7 +73,7 @@ FoundShape mesh_shape(const urdf::Mesh& mesh, const urdf::Link& link, const Mesh
     return in_metres({*path, to_vector(mesh.scale)}, link);
   } catch (const std::runtime_error& error) {
     return {inertia_box(link),
-            fmt::format("link {}: {}: a box stands for it", link.name, error.what()), true};
+            fmt::format("link {}: {}: a box replaces it", link.name, error.what()), true};
   }
 }
 
@@ -98,7 +98,8 @@ Eigen::Vector3d extent(const RobotShape& shape) {
   return {2.0 * cylinder.radius, 2.0 * cylinder.radius, cylinder.height};
 }
 
-/// Nothing, and a warning, for shapes without volume, which some files use as place holders.
+/// Converts a geometry; nothing, with a warning, for shapes without volume, which some files use as
+/// placeholders.
 std::optional<FoundShape> to_shape(const urdf::Geometry& geometry, const urdf::Link& link,
                                    const MeshFinder& finder, std::vector<std::string>& warnings) {
   if (geometry.type == urdf::Geometry::MESH) {
@@ -116,7 +117,7 @@ std::optional<FoundShape> to_shape(const urdf::Geometry& geometry, const urdf::L
   return std::nullopt;
 }
 
-/// Collision or Visual.
+/// `Element` is a Collision or a Visual.
 template <typename Element>
 std::optional<RobotPart> to_part(const Element& element, const urdf::Link& link,
                                  const LinkFrames& frames, const MeshFinder& finder,

@@ -12,17 +12,17 @@
 
 namespace castaway::sim {
 
-/// Frames by link.
+/// Frames by link name.
 using LinkFrames = std::map<std::string, Eigen::Isometry3d>;
 
-/// A pose of urdfdom as a transform.
+/// Converts a pose of urdfdom.
 Eigen::Isometry3d to_transform(const urdf::Pose& pose);
 
-/// `T_root_link` of every link; joints that have no position stand at 0.
+/// `T_root_link` of every link; joints without a given position are at 0.
 LinkFrames link_frames(const urdf::ModelInterface& model, const JointPositions& positions = {});
 
-/// The collision shapes of a link, in the frame that `frames` gives. A mesh that is missing or
-/// cannot be read becomes a box, and a warning.
+/// The collision shapes of a link, in the frame of `frames`. A mesh that is missing or cannot be
+/// read is replaced by a box, with a warning.
 std::vector<RobotPart> collision_parts(const urdf::Link& link, const LinkFrames& frames,
                                        const MeshFinder& finder,
                                        std::vector<std::string>& warnings);

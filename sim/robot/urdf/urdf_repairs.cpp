@@ -18,7 +18,7 @@ bool has_look(const TiXmlElement& material) {
          material.FirstChildElement("texture") != nullptr;
 }
 
-/// The names of the materials that are defined, each once from now on.
+/// Names of the defined materials; removes repeated and empty definitions.
 std::set<std::string> defined_materials(TiXmlElement& robot) {
   std::set<std::string> names;
   for (TiXmlElement* m = robot.FirstChildElement("material"); m != nullptr;) {
@@ -26,7 +26,7 @@ std::set<std::string> defined_materials(TiXmlElement& robot) {
     if (!has_look(*m) || !names.insert(attribute_of(*m, "name")).second) robot.RemoveChild(m);
     m = next;
   }
-  // urdfdom keeps a material that a visual shape defines for all that come later.
+  // urdfdom keeps a material that a visual shape defines for all later ones.
   for (auto* link = robot.FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
     for (auto* v = link->FirstChildElement("visual"); v != nullptr;
@@ -48,7 +48,7 @@ void drop_unknown_materials(TiXmlElement& robot, std::vector<std::string>& warni
       TiXmlElement* m = v->FirstChildElement("material");
       if (m == nullptr || has_look(*m) || known.contains(attribute_of(*m, "name"))) continue;
       if (told.insert(attribute_of(*m, "name")).second) {
-        warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey stands for it",
+        warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey is used",
                                        attribute_of(*link, "name"), attribute_of(*m, "name")));
       }
       v->RemoveChild(m);
@@ -71,7 +71,7 @@ void add_limits(TiXmlElement& robot, std::vector<std::string>& warnings) {
     for (const char* name : {"effort", "velocity"}) {
       if (limit->Attribute(name) == nullptr) limit->SetAttribute(name, "0");
     }
-    warnings.push_back(fmt::format("joint {}: no whole <limit>: zeros stand for what is missing",
+    warnings.push_back(fmt::format("joint {}: incomplete <limit>: missing values are 0",
                                    attribute_of(*joint, "name")));
   }
 }
@@ -82,7 +82,8 @@ void repair_urdf(TiXmlElement& robot, const std::string& path, std::vector<std::
   if (attribute_of(robot, "name").empty()) {
     const std::string stem = std::filesystem::path(path).stem().stem().string();
     robot.SetAttribute("name", stem);
-    warnings.push_back(fmt::format("the robot has no name: '{}', after its file", stem));
+    warnings.push_back(
+        fmt::format("the robot has no name: it is called '{}' after its file", stem));
   }
   drop_unknown_materials(robot, warnings);
   add_limits(robot, warnings);

@@ -1,4 +1,4 @@
-/// Repairs of URDF trees before urdfdom reads them. Internal to sim/robot.
+/// Repairs URDF trees before urdfdom reads them. Internal to sim/robot.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace castaway::sim {
 
-/// Gives a robot without a name that of its file, drops materials that are defined twice or
-/// nowhere, and gives joints that need limits and have none limits of 0 (they are locked anyway);
-/// each with a warning.
+/// Names a nameless robot after its file, removes materials that are defined twice or not at all,
+/// and gives joints without required limits limits of 0 (they are locked anyway); each with a
+/// warning.
 void repair_urdf(TiXmlElement& robot, const std::string& path, std::vector<std::string>& warnings);
 
 }  // namespace castaway::sim

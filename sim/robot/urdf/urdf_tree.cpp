@@ -9,10 +9,10 @@
 namespace castaway::sim {
 namespace {
 
-/// What a link hangs on.
-struct Hanger {
+/// The joint and parent of a link.
+struct ParentJoint {
   std::string joint;
-  std::string parent;  ///< Link.
+  std::string parent;  ///< Parent link.
 };
 
 std::string text_of(const TiXmlElement* element, const char* attribute) {
@@ -20,9 +20,10 @@ std::string text_of(const TiXmlElement* element, const char* attribute) {
   return text == nullptr ? "" : text;
 }
 
-/// By link.
-std::map<std::string, Hanger> hangers(const TiXmlElement& robot, const std::string& path) {
-  std::map<std::string, Hanger> result;
+/// Joint and parent of each link.
+std::map<std::string, ParentJoint> parent_joints(const TiXmlElement& robot,
+                                                 const std::string& path) {
+  std::map<std::string, ParentJoint> result;
   for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
     const std::string name = text_of(joint, "name");
@@ -41,7 +42,7 @@ std::map<std::string, Hanger> hangers(const TiXmlElement& robot, const std::stri
 }  // namespace
 
 void require_tree(const TiXmlElement& robot, const std::string& path) {
-  const std::map<std::string, Hanger> joints = hangers(robot, path);
+  const std::map<std::string, ParentJoint> joints = parent_joints(robot, path);
   std::set<std::string> sound;
   for (const auto& [link, hanger] : joints) {
     std::set<std::string> climbed;

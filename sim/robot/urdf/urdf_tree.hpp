@@ -1,4 +1,4 @@
-/// Joints of a URDF as a tree. Internal to sim/robot.
+/// Checks that the joints of a URDF form a tree. Internal to sim/robot.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace castaway::sim {
 
-/// Makes sure that no link hangs on two joints and that no joints form a loop, which urdfdom lets
-/// pass where it finds a root elsewhere.
+/// Checks that no link is the child of two joints and that no joints form a loop; urdfdom accepts
+/// both if it finds a root elsewhere.
 /// @throws std::runtime_error naming the file, the joints and the remedy.
 void require_tree(const TiXmlElement& robot, const std::string& path);
 

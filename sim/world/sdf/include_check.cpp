@@ -20,7 +20,7 @@ constexpr int kMaxInclusions = 5000;
   throw std::length_error(fmt::format("{}: {}", file.string(), why));
 }
 
-/// URIs of the includes that are, or are below, an element.
+/// Collects the URIs of an element's includes, at all depths.
 void collect(const TiXmlNode& node, std::vector<std::string>& uris) {
   if (const TiXmlElement* self = node.ToElement(); self != nullptr) {
     const TiXmlElement* uri =
@@ -34,7 +34,8 @@ void collect(const TiXmlNode& node, std::vector<std::string>& uris) {
   }
 }
 
-/// Whatever happens, the file is closed again.
+/// Removes the file from the list of open files at the end of its scope, also when an exception is
+/// thrown.
 class OpenFile {
  public:
   OpenFile(std::vector<fs::path>& open, const fs::path& file) : open_(open) {
@@ -61,7 +62,7 @@ void IncludeCheck::visit(const std::string& uri) {
   if (++inclusions_ > kMaxInclusions) refuse(from, "more than 5000 models are included");
   const fs::path file = finder_.model_file(finder_.find(uri, from.parent_path()));
   if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
-    refuse(file, "it includes itself; break the circle");
+    refuse(file, "it includes itself; remove the circular include");
   }
   if (open_.size() >= kMaxDepth) refuse(file, "models are nested more than 20 levels deep");
   const OpenFile opened(open_, file);

@@ -1,4 +1,4 @@
-/// The files of an SDF world before libsdformat sees them.
+/// Checks the files of an SDF world before libsdformat reads them.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace castaway::sim {
 
-/// Reads what a world includes, and all that this includes, and refuses what is no harmless XML
+/// Reads everything that a world includes, at all depths. Refuses files that are not harmless XML
 /// (see `parse_xml`), models that include themselves, more than 20 levels and more than 5000
 /// inclusions.
 class IncludeCheck {
@@ -22,8 +22,8 @@ class IncludeCheck {
       : finder_(finder), open_{std::filesystem::weakly_canonical(world)} {}
 
   /// Follows the includes below an element of the world.
-  /// @throws std::runtime_error naming file and reason where one cannot be read;
-  /// std::length_error where they are too many, too deep or a circle.
+  /// @throws std::runtime_error naming file and reason if one cannot be read; std::length_error if
+  /// they are too many, too deep or circular.
   void follow(const TiXmlNode& element);
 
  private:

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kMaxSide = 1000.0;  // [m]
-constexpr double kTold = 0.001;      // [m] A floor this far from 0 is worth a line.
+constexpr double kTold = 0.001;      // [m] A smaller distance of the floor from 0 is not reported.
 
 std::string text_of(const std::string& path, const SdfOptions& options) {
   if (fs::path(path).extension() != ".xacro") return read_xml_text(path);
@@ -30,7 +30,7 @@ std::string text_of(const std::string& path, const SdfOptions& options) {
       *xacro::expand(path, PackageFinder(path, options.search_paths), expansion, "sdf").xml);
 }
 
-/// `default` and `world` say nothing.
+/// Name of the world; of its file if the world is called `default` or `world`.
 std::string name_of(const WorldPieces& world, const std::string& path) {
   fs::path stem = fs::path(path).stem();
   if (stem.has_extension()) stem = stem.stem();
@@ -40,25 +40,25 @@ std::string name_of(const WorldPieces& world, const std::string& path) {
 
 void refuse_vast(const Eigen::Vector2d& size, const std::string& path) {
   if (size.maxCoeff() <= kMaxSide) return;
-  throw std::runtime_error(
-      fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m either way", path, size.x(), size.y()));
+  throw std::runtime_error(fmt::format("{}: {:.0f} m x {:.0f} m: at most 1000 m in each direction",
+                                       path, size.x(), size.y()));
 }
 
-/// Just the geometry: a margin would be open ground all round it.
+/// Sets the extent to that of the geometry: a margin would be open ground all around it.
 void set_extent(WorldSpec& spec, const std::string& path) {
   Eigen::AlignedBox3d box;
   for (const WorldObject& object : spec.objects) box.extend(bounds(object));
   const Eigen::Vector3d size = box.sizes();
   if (spec.objects.empty() || !(size.head<2>().minCoeff() > 0.0)) {
-    throw std::runtime_error(fmt::format(
-        "{}: nothing in it stands above the floor; there is nothing that a lidar could see", path));
+    throw std::runtime_error(
+        fmt::format("{}: nothing in it is above the floor, so a lidar would see nothing", path));
   }
   refuse_vast(size.head<2>(), path);
   spec.min_corner = box.min().head<2>();
   spec.max_corner = box.max().head<2>();
 }
 
-/// A plane that everything lies below is a roof.
+/// The ground plane; nothing if everything lies below it, which makes it a roof.
 std::optional<Ground> below_something(const std::optional<Ground>& ground, const WorldSpec& spec,
                                       Notes& notes) {
   if (!ground || spec.objects.empty()) return ground;
@@ -96,7 +96,7 @@ SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
   }
   if (std::abs(result.floor) > kTold) {
     result.warnings.push_back(fmt::format(
-        "the floor lies at z = {:.3f} m in {}: heights count from it", result.floor, path));
+        "the floor is at z = {:.3f} m in {}: heights are relative to it", result.floor, path));
   }
   set_extent(result.spec, path);
   return result;

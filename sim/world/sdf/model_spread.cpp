@@ -6,9 +6,9 @@
 namespace castaway::sim {
 namespace {
 
-/// What the elements below a model say of where its bodies are.
+/// What the elements in a model tell about the positions of its bodies.
 struct Inside {
-  double reach = 0.0;  ///< [m] From the model's origin to any frame in it, at most.
+  double reach = 0.0;  ///< [m] Largest distance of any of its frames from the model's origin.
   bool solid = false;
   bool includes = false;
 };
@@ -20,7 +20,7 @@ Eigen::Vector3d position_of(const TiXmlElement& pose) {
   return p;
 }
 
-/// A body that is where its frame is; a mesh need not be.
+/// True for a body whose shape is at its frame; a mesh need not be.
 bool is_solid(const TiXmlElement& collision) {
   const TiXmlElement* geometry = collision.FirstChildElement("geometry");
   if (geometry == nullptr) return false;

@@ -1,4 +1,4 @@
-/// How far apart the models of an SDF world stand, by their XML alone.
+/// A lower bound for the extent of an SDF world, from its XML alone.
 #pragma once
 
 #include <tinyxml.h>
@@ -7,18 +7,19 @@
 
 namespace castaway::sim {
 
-/// Bounds the extent of a world from below, before libsdformat takes milliseconds for each model.
+/// Computes a lower bound for the extent of a world, before libsdformat takes milliseconds per
+/// model.
 class ModelSpread {
  public:
-  /// Models without a box, cylinder or sphere that collides, and those that are placed relative to
-  /// something or include others, say nothing.
+  /// Adds a model. Ignores models without a colliding box, cylinder or sphere, and those with
+  /// relative poses or includes.
   void add(const TiXmlElement& model);
 
-  /// What the world measures at least. [m]
+  /// Lower bound for the world's size. [m]
   [[nodiscard]] Eigen::Vector2d size() const { return (last_ - first_).cwiseMax(0.0); }
 
  private:
-  /// The least x and y that a body has at most, and the other way round. [m]
+  /// Least upper bound of x and y of a body, and greatest lower bound. [m]
   Eigen::Vector2d first_ = Eigen::Vector2d::Constant(1e300);
   Eigen::Vector2d last_ = Eigen::Vector2d::Constant(-1e300);
 };

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr std::size_t kNamed = 3;  // Subjects that a line names.
+constexpr std::size_t kNamed = 3;  // Number of subjects that a line names.
 
 }  // namespace
 

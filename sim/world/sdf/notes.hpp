@@ -1,4 +1,4 @@
-/// Warnings of one kind gathered into one line each.
+/// Collects warnings of one kind into one line.
 #pragma once
 
 #include <exception>
@@ -8,16 +8,17 @@
 
 namespace castaway::sim {
 
-/// What was noticed, and of what.
+/// Warnings by kind, with their subjects.
 class Notes {
  public:
-  /// `what`: the same words for all subjects of a kind.
+  /// `what`: the same text for all subjects of a kind.
   void add(const std::string& what, const std::string& subject) {
     subjects_[what].push_back(subject);
   }
-  /// A piece is left out because of an error: by what is missing, or else by its own name.
+  /// Notes that a piece is left out because of an error, under the missing file or else the piece's
+  /// name.
   void leave_out(const std::string& name, const std::exception& error);
-  /// One line a kind, in order of the kinds: "what: a, b, c and 9 more".
+  /// One line per kind, ordered by kind: "what: a, b, c and 9 more".
   [[nodiscard]] std::vector<std::string> lines() const;
 
  private:

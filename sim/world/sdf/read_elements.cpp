@@ -20,12 +20,12 @@ void copy_values(const sdf::Element& from, sdf::Element& to) {
   to.AddValue(value->GetTypeName(), value->GetDefaultAsString(), value->GetRequired());
 }
 
-sdf::ElementPtr needed(const sdf::Element& description) {
+sdf::ElementPtr copy_needed(const sdf::Element& description) {
   auto copy = std::make_shared<sdf::Element>();
   copy_values(description, *copy);
   for (unsigned i = 0; i < description.GetElementDescriptionCount(); ++i) {
     const sdf::ElementPtr child = description.GetElementDescription(i);
-    if (!is_unneeded(child->GetName())) copy->AddElementDescription(needed(*child));
+    if (!is_unneeded(child->GetName())) copy->AddElementDescription(copy_needed(*child));
   }
   return copy;
 }
@@ -36,7 +36,7 @@ sdf::SDFPtr empty_sdf() {
   static const sdf::ElementPtr elements = [] {
     auto all = std::make_shared<sdf::SDF>();
     sdf::init(all);
-    return needed(*all->Root());
+    return copy_needed(*all->Root());
   }();
   auto tree = std::make_shared<sdf::SDF>();
   tree->Root(elements->Clone());

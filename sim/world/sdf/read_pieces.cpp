@@ -19,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kAtATime = 50;
-constexpr std::size_t kMostLinked = 500;  // About 1.5 GB in libsdformat.
+constexpr std::size_t kMostLinked = 500;  // Takes about 1.5 GB in libsdformat.
 
-/// libsdformat tells std::cerr what it also returns as errors; this keeps it to itself.
+/// Suppresses std::cerr, to which libsdformat prints what it also returns as errors.
 class Silence {
  public:
   Silence() : cerr_(std::cerr.rdbuf(nowhere_.rdbuf())) {}
@@ -56,7 +56,7 @@ void throw_first(const sdf::Errors& errors) {
   if (!errors.empty()) throw std::runtime_error(one_line(errors.front().Message()));
 }
 
-/// Masses are of no use here, and wrong ones would be errors.
+/// Masses are not needed, and wrong ones would be errors.
 void remove_masses(const sdf::ElementPtr& parent) {
   std::vector<sdf::ElementPtr> masses;
   for (sdf::ElementPtr e = parent->GetFirstElement(); e; e = e->GetNextElement()) {
@@ -92,7 +92,7 @@ class Reader {
   }
 
  private:
-  /// Nothing if a piece cannot be read.
+  /// Reads the pieces [begin, end); nullptr if one cannot be read.
   std::unique_ptr<sdf::Root> load(std::size_t begin, std::size_t end) {
     const std::string& name = world_.pieces[begin].name;
     try {
@@ -112,7 +112,7 @@ class Reader {
     sdf::Errors errors;
     const bool read = sdf::readString(text, config_, tree, errors);
     throw_first(errors);
-    if (!read) throw std::runtime_error("it is no SDF");
+    if (!read) throw std::runtime_error("it is not SDF");
     remove_masses(tree->Root());
     auto root = std::make_unique<sdf::Root>();
     throw_first(root->Load(tree, config_));

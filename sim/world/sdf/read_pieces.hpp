@@ -1,4 +1,4 @@
-/// The pieces of an SDF world through libsdformat.
+/// Reads the pieces of an SDF world by libsdformat.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace castaway::sim {
 
-/// Reads the pieces, some at a time, since libsdformat needs megabytes for a model, and adds them
-/// to `bodies`. Where it cannot read some, it tries halves of them, down to the piece that is at
-/// fault, which is left out. `path`: of the world, for errors.
+/// Reads the pieces in batches, since libsdformat needs megabytes per model, and adds them to
+/// `bodies`. A batch that cannot be read is halved until the faulty piece is found, which is left
+/// out. `path`: of the world, for errors.
 /// @throws std::runtime_error naming file, piece and reason.
 void read_pieces(const WorldPieces& world, const std::string& path, const ResourceFinder& finder,
                  const PiecePolicy& policy, SdfBodies& bodies);

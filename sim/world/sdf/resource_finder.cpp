@@ -40,7 +40,7 @@ std::vector<std::string> folders_of_environment() {
   return folders;
 }
 
-/// The entry of a folder by its name, upper and lower case alike.
+/// The entry of a folder with this name, ignoring case.
 std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name) {
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -56,8 +56,8 @@ std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name
   return *std::min_element(found.begin(), found.end());
 }
 
-/// The file or folder, its links followed; nothing if there is none.
-std::optional<fs::path> existing(const fs::path& path, bool any_case) {
+/// The file or folder with its links resolved; nothing if it does not exist.
+std::optional<fs::path> find_existing(const fs::path& path, bool any_case) {
   std::error_code none;
   const fs::path exact = fs::weakly_canonical(path, none);
   if (none) return std::nullopt;
@@ -110,7 +110,7 @@ fs::path ResourceFinder::find(const std::string& uri, const fs::path& from) cons
   starts.insert(starts.end(), starts_.begin(), starts_.end());
   for (const bool any_case : {false, true}) {
     for (const fs::path& start : starts) {
-      const auto candidate = existing(start / path, any_case);
+      const auto candidate = find_existing(start / path, any_case);
       if (path.empty() || !candidate) continue;
       if (may_read(*candidate)) return *candidate;
       outside = true;
@@ -141,7 +141,7 @@ fs::path ResourceFinder::model_file(const fs::path& model) const {
     }
   }
   if (!fs::is_regular_file(file) || !may_read(fs::canonical(file))) {
-    throw std::runtime_error(fmt::format("{}: the model's folder has no {} within reach",
+    throw std::runtime_error(fmt::format("{}: the model's folder has no {} that may be read",
                                          model.string(), file.filename().string()));
   }
   return file;

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 23> kUnneeded{
     "road",    "scene",      "script",        "sensor",       "spherical_coordinates",
     "state",   "surface",    "velocity_decay"};
 
-/// The last part of a URI in lower case, blanks as underscores.
+/// The last part of a URI in lower case, with blanks as underscores.
 std::string plain_name(const std::string& uri) {
   std::string name = uri.substr(uri.find_last_of('/') + 1);
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {

@@ -1,17 +1,17 @@
-/// What worlds of Gazebo have and nobody needs here.
+/// Parts of Gazebo worlds that are not needed.
 #pragma once
 
 #include <string>
 
 namespace castaway::sim {
 
-/// True for `model://ground_plane` and its like on the network.
+/// True for `model://ground_plane` and the same model under other URIs.
 bool is_ground_plane(const std::string& uri);
 
-/// True for those and for `model://sun`.
+/// True for ground planes and for `model://sun`.
 bool is_scenery(const std::string& uri);
 
-/// True for elements of SDF that say nothing of where bodies are: sensors, lights, masses...
+/// True for SDF elements that do not affect where bodies are: sensors, lights, masses, ...
 bool is_unneeded(const std::string& element);
 
 }  // namespace castaway::sim

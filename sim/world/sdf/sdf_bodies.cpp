@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxObjects = 20000;
 constexpr double kMaxLength = 1e4;  // [m]
-constexpr double kLevel = 0.999;    // Of a plane's unit normal, along z.
+constexpr double kLevel = 0.999;    // Least z component of a level plane's unit normal.
 
 Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
   const auto& q = pose.Rot();
@@ -23,7 +23,7 @@ Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
   return T;
 }
 
-/// Of the first visual with a material of its own.
+/// Colour of the first visual with a material of its own.
 Eigen::Vector3f color_of(const sdf::Link& link) {
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
     const sdf::Material* material = link.VisualByIndex(i)->Material();
@@ -34,7 +34,7 @@ Eigen::Vector3f color_of(const sdf::Link& link) {
   return {0.7F, 0.7F, 0.7F};
 }
 
-/// What a geometry is called that is not read.
+/// Name of an unsupported geometry, for messages.
 std::string name_of(const sdf::Geometry& geometry) {
   if (geometry.Type() == sdf::GeometryType::HEIGHTMAP) return "a height map";
   const sdf::ElementPtr element = geometry.Element();
@@ -42,19 +42,19 @@ std::string name_of(const sdf::Geometry& geometry) {
   return kind ? "the geometry <" + kind->GetName() + ">" : "an empty geometry";
 }
 
-/// Why a piece cannot be read; what catches it knows the piece.
+/// Throws the reason why a piece cannot be read; the catcher knows the piece.
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
 
 double length(double value) {
   if (value > 0.0 && value <= kMaxLength) return value;
-  fail(
-      fmt::format("it has a length of {} m: from above 0 to {:.0f} m are read", value, kMaxLength));
+  fail(fmt::format("it has a length of {} m: it must be above 0 and at most {:.0f} m", value,
+                   kMaxLength));
 }
 
-Eigen::Isometry3d resolved(const sdf::SemanticPose& pose) {
+Eigen::Isometry3d resolve_pose(const sdf::SemanticPose& pose) {
   ignition::math::Pose3d value;
   const sdf::Errors errors = pose.Resolve(value);
-  if (!errors.empty()) fail("its pose is not: " + errors.front().Message());
+  if (!errors.empty()) fail("its pose cannot be resolved: " + errors.front().Message());
   if (!value.IsFinite()) fail("its pose is not finite");
   return to_isometry(value);
 }
@@ -84,11 +84,11 @@ void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_pare
                     const std::string& prefix) {
   const std::string name = prefix + model.Name();
   if (!model.Static() && prefix.empty()) {
-    policy_.notes->add("not static, but stands where it is", name);
+    policy_.notes->add("not static, but treated as static", name);
   }
   Eigen::Isometry3d T_map_model;
   try {
-    T_map_model = T_map_parent * resolved(model.SemanticPose());
+    T_map_model = T_map_parent * resolve_pose(model.SemanticPose());
   } catch (const std::runtime_error& error) {
     return leave_out(name, error);
   }
@@ -109,7 +109,7 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
     const sdf::Collision& collision = *link.CollisionByIndex(i);
     object.name = fmt::format("{}/{}/{}", name, link.Name(), collision.Name());
     try {
-      add(collision, T_map_model * resolved(link.SemanticPose()), object);
+      add(collision, T_map_model * resolve_pose(link.SemanticPose()), object);
     } catch (const std::runtime_error& error) {
       leave_out(object.name, error);
     }
@@ -122,7 +122,7 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
 
 void SdfBodies::add(const sdf::Collision& collision, const Eigen::Isometry3d& T_map_link,
                     WorldObject object) {
-  object.T_map_object = T_map_link * resolved(collision.SemanticPose());
+  object.T_map_object = T_map_link * resolve_pose(collision.SemanticPose());
   const auto shape = shape_of(*collision.Geom(), object.name, object.T_map_object);
   if (!shape) return;
   object.shape = *shape;
@@ -151,35 +151,35 @@ std::optional<ObjectShape> SdfBodies::shape_of(const sdf::Geometry& geometry,
   return shape_around(geometry, name);
 }
 
-/// Of what there is no shape for, the simplest one about it.
+/// The simplest supported shape around an unsupported one.
 std::optional<ObjectShape> SdfBodies::shape_around(const sdf::Geometry& geometry,
                                                    const std::string& name) {
   if (const sdf::Capsule* capsule = geometry.CapsuleShape()) {
-    policy_.notes->add("a capsule stands as the cylinder about it", name);
+    policy_.notes->add("a capsule is replaced by the cylinder around it", name);
     const double radius = length(capsule->Radius());
     return CylinderShape{radius, length(capsule->Length()) + 2.0 * radius};
   }
   if (const sdf::Ellipsoid* ellipsoid = geometry.EllipsoidShape()) {
-    policy_.notes->add("an ellipsoid stands as the box about it", name);
+    policy_.notes->add("an ellipsoid is replaced by the box around it", name);
     const auto& r = ellipsoid->Radii();
     return BoxShape{{2.0 * length(r.X()), 2.0 * length(r.Y()), 2.0 * length(r.Z())}};
   }
-  fail(fmt::format("{} is not read", name_of(geometry)));
+  fail(fmt::format("{} is not supported", name_of(geometry)));
 }
 
 void SdfBodies::add_plane(const sdf::Plane& plane, const Eigen::Isometry3d& T_map_plane) {
   const ignition::math::Vector3d n = plane.Normal();
   const Eigen::Vector3d up = T_map_plane.linear() * Eigen::Vector3d(n.X(), n.Y(), n.Z());
-  if (up.z() <= kLevel) fail("a plane that is not level is not read");
+  if (up.z() <= kLevel) fail("a plane that is not level is not supported");
   const Eigen::Vector3d p = T_map_plane.translation();
   if (ground_ && ground_->height <= p.z()) return;
   ground_ = Ground{p.z(), {}};
-  if (plane.Size() == sdf::Plane().Size()) return;  // No size is given: it has no end.
+  if (plane.Size() == sdf::Plane().Size()) return;  // Without a given size, the plane is infinite.
   const Eigen::Vector2d half(0.5 * length(plane.Size().X()), 0.5 * length(plane.Size().Y()));
   ground_->extent = Eigen::AlignedBox2d(p.head<2>() - half, p.head<2>() + half);
 }
 
-/// A mesh that many models share is read once.
+/// Checks a mesh; one that many models share is read once.
 void SdfBodies::require_readable(const std::string& path) {
   const auto [entry, is_new] = meshes_.try_emplace(path);
   if (is_new) {
@@ -194,7 +194,7 @@ void SdfBodies::require_readable(const std::string& path) {
 
 ObjectShape SdfBodies::mesh_of(const sdf::Mesh& mesh, const std::string& name) {
   if (!mesh.Submesh().empty()) {
-    policy_.notes->add("a submesh is not taken apart, the whole mesh stands", name);
+    policy_.notes->add("submeshes are not supported, the whole mesh is used", name);
   }
   const auto& scale = mesh.Scale();
   if (!scale.IsFinite() || scale.X() * scale.Y() * scale.Z() == 0.0) {

@@ -1,4 +1,5 @@
-/// From libsdformat's tree to objects. Internal to sim/world/sdf: it shows libsdformat's types.
+/// Converts libsdformat's tree to objects. Internal to sim/world/sdf: it exposes libsdformat's
+/// types.
 #pragma once
 
 #include <map>
@@ -18,17 +19,17 @@
 
 namespace castaway::sim {
 
-/// Gathers the collision bodies of worlds and models.
+/// Collects the collision bodies of worlds and models.
 class SdfBodies {
  public:
   /// `path`: of the world, for errors. `finder` must outlive this.
   SdfBodies(const ResourceFinder& finder, std::string path, const PiecePolicy& policy)
       : finder_(finder), path_(std::move(path)), policy_(policy) {}
 
-  /// All models of a world. @throws std::runtime_error naming file and element if there are too
-  /// many, or if the policy is strict and one cannot be read.
+  /// Adds all models of a world. @throws std::runtime_error naming file and element if there are
+  /// too many, or if the policy is strict and one cannot be read.
   void add(const sdf::World& world);
-  /// A model and those nested in it.
+  /// Adds a model and its nested models.
   void add(const sdf::Model& model, const Eigen::Isometry3d& T_map_parent,
            const std::string& prefix = "");
 
@@ -55,7 +56,8 @@ class SdfBodies {
   std::set<std::string> names_;
   PiecePolicy policy_;
   std::optional<Ground> ground_;
-  std::map<std::string, std::string> meshes_;  ///< By path: why it cannot be read, or nothing.
+  /// By path: why a mesh cannot be read; empty if it can.
+  std::map<std::string, std::string> meshes_;
 };
 
 }  // namespace castaway::sim

@@ -13,7 +13,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGroundPlane = 100.0;  // [m] Edge of the included model.
+constexpr double kGroundPlane = 100.0;  // [m] Edge of the model `ground_plane`.
 
 std::string attribute(const TiXmlElement& element, const char* name) {
   const char* value = element.Attribute(name);
@@ -46,7 +46,7 @@ void remove_unneeded(TiXmlElement& parent) {
   }
 }
 
-/// Height of an included ground plane.
+/// Height and extent of an included ground plane.
 Ground ground_of(const TiXmlElement& include) {
   std::istringstream pose(child_text(include, "pose"));
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -61,13 +61,13 @@ std::string name_of(const TiXmlElement& element) {
   return name.empty() ? child_text(element, "uri") : name;
 }
 
-/// Sorts the children of a world.
+/// Sorts the children of a world element.
 class Cutter {
  public:
   Cutter(const std::string& path, const ResourceFinder& finder, const PiecePolicy& policy)
       : path_(path), policy_(policy), check_(path, finder) {}
 
-  /// What the models added measure at least. [m]
+  /// Lower bound for the size of the models added so far. [m]
   [[nodiscard]] Eigen::Vector2d size() const { return spread_.size(); }
 
   void add(TiXmlElement& element, WorldPieces& world) {
@@ -115,7 +115,7 @@ WorldPieces cut_world(const std::string& path, const std::string& text,
   const auto document = parse_xml(path, text);
   TiXmlElement* root = document->RootElement();
   if (root == nullptr || root->ValueStr() != "sdf") {
-    throw std::runtime_error(path + ": is no SDF file: its root is not <sdf>");
+    throw std::runtime_error(path + ": not an SDF file: its root is not <sdf>");
   }
   WorldPieces world;
   const std::string version = attribute(*root, "version");

@@ -1,5 +1,5 @@
-/// An SDF world cut into its models, so that one that cannot be read does not take the others
-/// along, and that thousands do not need memory at the same time.
+/// Cuts an SDF world into its models, so that an unreadable one does not affect the others, and
+/// thousands are not in memory at the same time.
 #pragma once
 
 #include <optional>
@@ -20,23 +20,23 @@ struct WorldPiece {
 
 /// The pieces of an SDF file's first world, or its one model.
 struct WorldPieces {
-  std::string name;                ///< Of the world; empty: the file has a model only.
+  std::string name;                ///< Of the world; empty if the file has only a model.
   std::string version = "1.6";     ///< Of the file's format.
   std::string frames;              ///< Elements that all pieces may refer to.
   std::vector<WorldPiece> pieces;  ///< In the file's order.
-  bool linked = false;             ///< They may refer to each other.
+  bool linked = false;             ///< Pieces may refer to each other.
   std::optional<Ground> ground;    ///< Of an included ground plane.
-  Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< [m] The world's, at least.
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< [m] Lower bound for the world's size.
 };
 
-/// What to do with a piece that cannot be read.
+/// Handling of pieces that cannot be read.
 struct PiecePolicy {
-  bool strict = false;     ///< An error, instead of a note.
-  Notes* notes = nullptr;  ///< Takes what was left out, and why.
+  bool strict = false;     ///< They are errors instead of notes.
+  Notes* notes = nullptr;  ///< Collects what was left out, and why.
 };
 
-/// Cuts the text of a world; sun and ground are taken out, and so are sensors, plug-ins, lights and
-/// masses. An include whose files cannot be read is left out. `path`: of the world, for errors.
+/// Cuts the text of a world; drops sun, ground, sensors, plug-ins, lights and masses. An include
+/// whose files cannot be read is left out. `path`: of the world, for errors.
 /// @throws std::runtime_error, std::length_error naming file and reason.
 WorldPieces cut_world(const std::string& path, const std::string& text,
                       const ResourceFinder& finder, const PiecePolicy& policy);

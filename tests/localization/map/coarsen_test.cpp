@@ -9,7 +9,7 @@ namespace {
 
 TEST(Coarsened, KeepsWallsThenFreeSpace) {
   const OccupancyGrid coarse =
-      coarsened(test::string_map({"..  ", ".#  ", "... ", "..  "}, 0.1, {1, 2, 0.3}), 2);
+      coarsen(test::string_map({"..  ", ".#  ", "... ", "..  "}, 0.1, {1, 2, 0.3}), 2);
   EXPECT_EQ(coarse.frame.width, 2);
   EXPECT_DOUBLE_EQ(coarse.frame.resolution, 0.2);
   EXPECT_EQ(coarse.frame.T_map_grid, (SE2{1, 2, 0.3}));
@@ -20,7 +20,7 @@ TEST(Coarsened, KeepsWallsThenFreeSpace) {
 }
 
 TEST(Coarsened, RoundsItsSizeUp) {
-  EXPECT_EQ(coarsened(test::string_map({"....."}, 0.1), 4).frame.width, 2);
+  EXPECT_EQ(coarsen(test::string_map({"....."}, 0.1), 4).frame.width, 2);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ struct SearchedMap {
                                                             const SearchSpace& within) const {
     std::vector<std::vector<CellOffset>> scans;
     for (const int yaw : within.yaws) {
-      scans.push_back(turned_scan(points, kPoints, field.frame().resolution,
+      scans.push_back(rotate_scan(points, kPoints, field.frame().resolution,
                                   yaw_of_step(yaw, kYaws), field.padding()));
     }
     return scans;

@@ -29,7 +29,7 @@ TEST(TurnedScan, RoundsToCellsAndLeavesOutWhatIsTooFar) {
   ScanPoints points;
   points.x = {1.0F, 0.29F, 9.0F};
   points.y = {0.0F, -0.31F, 0.0F};
-  const auto scan = turned_scan(points, 64, 0.2, std::numbers::pi / 2.0, 20);
+  const auto scan = rotate_scan(points, 64, 0.2, std::numbers::pi / 2.0, 20);
   ASSERT_EQ(scan.size(), 2U);
   EXPECT_EQ(scan[0].dx, 0);
   EXPECT_EQ(scan[0].dy, 5);
@@ -41,7 +41,7 @@ TEST(TurnedScan, TakesPointsEvenly) {
   ScanPoints points;
   for (int i = 0; i < 10; ++i) points.x.push_back(0.2F * static_cast<float>(i));
   points.y.assign(10, 0.0F);
-  const auto scan = turned_scan(points, 5, 0.2, 0.0, 20);
+  const auto scan = rotate_scan(points, 5, 0.2, 0.0, 20);
   ASSERT_EQ(scan.size(), 5U);
   for (int k = 0; k < 5; ++k) EXPECT_EQ(scan[static_cast<std::size_t>(k)].dx, 2 * k);
 }

@@ -61,19 +61,19 @@ TEST(FaultTimeline, TellsBeginningsAndEndsInOrderOnce) {
   FaultTimeline timeline({fault(FaultKind::kLidarFrozen, 3.0, 4.0),
                           fault(FaultKind::kOdometryReset, 5.0, 1.0),
                           fault(FaultKind::kLidarDropout, 1.0, 3.0)});
-  EXPECT_TRUE(timeline.reached(milliseconds(999)).empty());
-  const auto first = timeline.reached(seconds(1));
+  EXPECT_TRUE(timeline.take_due(milliseconds(999)).empty());
+  const auto first = timeline.take_due(seconds(1));
   ASSERT_EQ(first.size(), 1U);
   EXPECT_EQ(first[0].kind, FaultKind::kLidarDropout);
   EXPECT_TRUE(first[0].begins);
-  const auto rest = timeline.reached(seconds(100));
+  const auto rest = timeline.take_due(seconds(100));
   ASSERT_EQ(rest.size(), 4U);
   EXPECT_EQ(rest[0].stamp, seconds(3));
   EXPECT_EQ(rest[1].stamp, seconds(4));
   EXPECT_FALSE(rest[1].begins);
   EXPECT_EQ(rest[2].kind, FaultKind::kOdometryReset);
   EXPECT_EQ(rest[3].stamp, seconds(7));
-  EXPECT_TRUE(timeline.reached(seconds(200)).empty());
+  EXPECT_TRUE(timeline.take_due(seconds(200)).empty());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::vector<double> times_of(KidnapClock clock, double end) {
     const TriggerInput input{0.1 * i, 0.05 * i, true};
     if (!clock.due(input)) continue;
     times.push_back(input.now_s);
-    clock.happened(input);
+    clock.on_kidnap(input);
   }
   return times;
 }
@@ -43,7 +43,7 @@ TEST(KidnapClock, StaysDueUntilItHappens) {
   EXPECT_FALSE(clock.due({0.9}));
   EXPECT_TRUE(clock.due({1.0}));
   EXPECT_TRUE(clock.due({1.1}));
-  clock.happened({1.1});
+  clock.on_kidnap({1.1});
   EXPECT_FALSE(clock.due({1.2}));
 }
 
@@ -66,7 +66,7 @@ TEST(KidnapClock, WaitsUntilTheLocalizerIsSureForLongEnough) {
   EXPECT_FALSE(clock.due({2.0, 0.0, true}));
   EXPECT_FALSE(clock.due({3.9, 0.0, true}));
   EXPECT_TRUE(clock.due({4.0, 0.0, true}));
-  clock.happened({4.0, 0.0, true});
+  clock.on_kidnap({4.0, 0.0, true});
   EXPECT_FALSE(clock.due({4.1, 0.0, true}));
   EXPECT_TRUE(clock.due({6.1, 0.0, true}));
 }

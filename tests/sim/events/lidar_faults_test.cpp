@@ -41,36 +41,36 @@ FaultSpec fault(FaultKind kind) {
 
 TEST(LidarFaults, WithoutAnyScansPassAsTheyAre) {
   LidarFaults faults({}, eight_beams());
-  const auto passed = faults.passed(sweep(1500, 2.0F));
+  const auto passed = faults.deliver(sweep(1500, 2.0F));
   EXPECT_EQ(passed->last_beam, milliseconds(1590));
   EXPECT_EQ(passed->reading.ranges[3], 2.0F);
 }
 
 TEST(LidarFaults, ADropoutLosesScansWhileItLasts) {
   LidarFaults faults({fault(FaultKind::kLidarDropout)}, eight_beams());
-  EXPECT_TRUE(faults.passed(sweep(900, 1.0F)).has_value());
-  EXPECT_FALSE(faults.passed(sweep(1000, 1.0F)).has_value());
-  EXPECT_FALSE(faults.passed(sweep(1900, 1.0F)).has_value());
-  EXPECT_TRUE(faults.passed(sweep(2000, 1.0F)).has_value());
+  EXPECT_TRUE(faults.deliver(sweep(900, 1.0F)).has_value());
+  EXPECT_FALSE(faults.deliver(sweep(1000, 1.0F)).has_value());
+  EXPECT_FALSE(faults.deliver(sweep(1900, 1.0F)).has_value());
+  EXPECT_TRUE(faults.deliver(sweep(2000, 1.0F)).has_value());
 }
 
 TEST(LidarFaults, MeanOneLidarOrAll) {
   FaultSpec spec = fault(FaultKind::kLidarDropout);
   spec.lidar = "front";
-  EXPECT_FALSE(LidarFaults({spec}, eight_beams("front")).passed(sweep(1500, 1.0F)).has_value());
-  EXPECT_TRUE(LidarFaults({spec}, eight_beams("rear")).passed(sweep(1500, 1.0F)).has_value());
+  EXPECT_FALSE(LidarFaults({spec}, eight_beams("front")).deliver(sweep(1500, 1.0F)).has_value());
+  EXPECT_TRUE(LidarFaults({spec}, eight_beams("rear")).deliver(sweep(1500, 1.0F)).has_value());
   spec.lidar.clear();
-  EXPECT_FALSE(LidarFaults({spec}, eight_beams("rear")).passed(sweep(1500, 1.0F)).has_value());
+  EXPECT_FALSE(LidarFaults({spec}, eight_beams("rear")).deliver(sweep(1500, 1.0F)).has_value());
 }
 
 TEST(LidarFaults, AFreezeRepeatsTheLastScanWithNewStamps) {
   LidarFaults faults({fault(FaultKind::kLidarFrozen)}, eight_beams());
-  (void)faults.passed(sweep(800, 1.0F));
-  (void)faults.passed(sweep(900, 2.0F));
-  const auto frozen = faults.passed(sweep(1500, 3.0F));
+  (void)faults.deliver(sweep(800, 1.0F));
+  (void)faults.deliver(sweep(900, 2.0F));
+  const auto frozen = faults.deliver(sweep(1500, 3.0F));
   EXPECT_EQ(frozen->reading.stamp, milliseconds(1500));
   EXPECT_EQ(frozen->reading.ranges, std::vector<float>(8, 2.0F));
-  EXPECT_EQ(faults.passed(sweep(2000, 4.0F))->reading.ranges[0], 4.0F);
+  EXPECT_EQ(faults.deliver(sweep(2000, 4.0F))->reading.ranges[0], 4.0F);
 }
 
 TEST(LidarFaults, ACoverBlocksItsSectorAndNothingElse) {
@@ -78,7 +78,7 @@ TEST(LidarFaults, ACoverBlocksItsSectorAndNothingElse) {
   spec.from_deg = -45.0;
   spec.to_deg = 0.0;
   spec.distance = 0.25;
-  const auto passed = LidarFaults({spec}, eight_beams()).passed(sweep(1500, 3.0F));
+  const auto passed = LidarFaults({spec}, eight_beams()).deliver(sweep(1500, 3.0F));
   // Beams at -180, -135, -90, -45, 0...
   EXPECT_EQ(passed->reading.ranges,
             (std::vector<float>{3.0F, 3.0F, 3.0F, 0.25F, 0.25F, 3.0F, 3.0F, 3.0F}));
@@ -91,7 +91,7 @@ TEST(LidarFaults, ACoverAcrossTheBackWrapsRound) {
   spec.from_deg = 130.0;
   spec.to_deg = -170.0;
   spec.distance = 0.05;  // Nearer than the lidar sees.
-  const auto passed = LidarFaults({spec}, eight_beams()).passed(sweep(1500, 3.0F));
+  const auto passed = LidarFaults({spec}, eight_beams()).deliver(sweep(1500, 3.0F));
   EXPECT_EQ(passed->reading.ranges,
             (std::vector<float>{-kInfinity, 3.0F, 3.0F, 3.0F, 3.0F, 3.0F, 3.0F, -kInfinity}));
 }
@@ -100,14 +100,14 @@ TEST(LidarFaults, AWrongMountIsToldBesideTheScan) {
   FaultSpec spec = fault(FaultKind::kLidarMount);
   spec.mount_error = {0.1, -0.2, 0.3};
   LidarFaults faults({spec}, eight_beams());
-  EXPECT_FALSE(faults.passed(sweep(900, 1.0F))->reading.mount_error.has_value());
-  EXPECT_EQ(faults.passed(sweep(1000, 1.0F))->reading.mount_error, spec.mount_error);
+  EXPECT_FALSE(faults.deliver(sweep(900, 1.0F))->reading.mount_error.has_value());
+  EXPECT_EQ(faults.deliver(sweep(1000, 1.0F))->reading.mount_error, spec.mount_error);
 }
 
 TEST(LidarFaults, LateScansKeepTheirStamp) {
   FaultSpec spec = fault(FaultKind::kLidarLate);
   spec.delay_s = 0.3;
-  const auto late = LidarFaults({spec}, eight_beams()).passed(sweep(1500, 1.0F));
+  const auto late = LidarFaults({spec}, eight_beams()).deliver(sweep(1500, 1.0F));
   EXPECT_EQ(late->reading.stamp, milliseconds(1500));
   EXPECT_EQ(late->last_beam, milliseconds(1890));
 }
@@ -115,7 +115,7 @@ TEST(LidarFaults, LateScansKeepTheirStamp) {
 TEST(LidarFaults, AFastClockShiftsStampsAndNoDelivery) {
   FaultSpec spec = fault(FaultKind::kLidarClock);
   spec.offset_s = 0.2;
-  const auto fast = LidarFaults({spec}, eight_beams()).passed(sweep(1500, 1.0F));
+  const auto fast = LidarFaults({spec}, eight_beams()).deliver(sweep(1500, 1.0F));
   EXPECT_EQ(fast->reading.stamp, milliseconds(1700));
   EXPECT_EQ(fast->last_beam, milliseconds(1590));
 }

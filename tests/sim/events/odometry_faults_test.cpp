@@ -49,8 +49,8 @@ TEST(OdometryFaults, OverlappingOnesMultiply) {
 
 TEST(OdometryFaults, ADropoutLosesReadings) {
   const OdometryFaults faults({odometry_fault(FaultKind::kOdometryDropout)});
-  EXPECT_FALSE(faults.lost(milliseconds(999)));
-  EXPECT_TRUE(faults.lost(milliseconds(1500)));
+  EXPECT_FALSE(faults.is_lost(milliseconds(999)));
+  EXPECT_TRUE(faults.is_lost(milliseconds(1500)));
   EXPECT_EQ(faults.gain(milliseconds(1500)).left, 1.0);
 }
 

@@ -72,13 +72,13 @@ TEST(GridTools, ErodesOnTheSafeSide) {
                                    "#.....#",  //
                                    "#.....#",  //
                                    "#######"});
-  EXPECT_EQ(art_of(eroded(grid, 1.5)), (std::vector<std::string>{"#######",  //
-                                                                 "#######",  //
-                                                                 "##...##",  //
-                                                                 "##...##",  //
-                                                                 "##...##",  //
-                                                                 "#######",  //
-                                                                 "#######"}));
+  EXPECT_EQ(art_of(erode(grid, 1.5)), (std::vector<std::string>{"#######",  //
+                                                                "#######",  //
+                                                                "##...##",  //
+                                                                "##...##",  //
+                                                                "##...##",  //
+                                                                "#######",  //
+                                                                "#######"}));
 }
 
 TEST(GridTools, KeepsTheLargestComponent) {

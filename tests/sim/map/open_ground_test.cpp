@@ -29,7 +29,7 @@ TEST(OpenGround, IsAllOfAPlane) {
 TEST(OpenGround, IsFiftyMetresAroundOfALargePlane) {
   WorldSpec world = wall();
   const auto line = extend_over(plane(1000.0, 60.0), world);
-  EXPECT_THAT(line.value_or(""), testing::HasSubstr("1000 m x 60 m counts up to 50 m around"));
+  EXPECT_THAT(line.value_or(""), testing::HasSubstr("1000 m x 60 m is used up to 50 m around"));
   EXPECT_EQ(world.min_corner, Eigen::Vector2d(-20.5, -30.0));
   EXPECT_EQ(world.max_corner, Eigen::Vector2d(80.5, 30.0));
 }

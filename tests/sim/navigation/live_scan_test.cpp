@@ -88,7 +88,7 @@ TEST(LiveScan, TakesEachBeamFromItsOwnPlace) {
   LidarReading scan = scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F});
   scan.time_increment = milliseconds(25);
   live.on_scan(scan, cross());
-  const auto news = live.take_news();
+  const auto news = live.take_new_scans();
   ASSERT_EQ(news.size(), 1U);
   ASSERT_EQ(news[0].size(), 4U);
   EXPECT_NEAR(news[0][0].p.x(), 2.0, 1e-6);
@@ -99,13 +99,13 @@ TEST(LiveScan, TakesEachBeamFromItsOwnPlace) {
 
 TEST(LiveScan, HandsEachScanOutOnce) {
   LiveScan live;
-  EXPECT_TRUE(live.take_news().empty());
+  EXPECT_TRUE(live.take_new_scans().empty());
   live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 3.0F, 4.0F}), cross());
   LidarReading other = scan_at(milliseconds(0), {5.0F, NAN, NAN, NAN});
   other.lidar = 1;
   live.on_scan(other, cross());
-  EXPECT_EQ(live.take_news().size(), 2U);
-  EXPECT_TRUE(live.take_news().empty());
+  EXPECT_EQ(live.take_new_scans().size(), 2U);
+  EXPECT_TRUE(live.take_new_scans().empty());
 }
 
 TEST(LiveScan, TellsTheSpeedFromOdometry) {

@@ -40,7 +40,7 @@ TEST(Movers, HaveTheVelocityOfWhoWalks) {
   Eigen::Vector2d p(6.0, 0.0);
   nanoseconds stamp{};
   for (int i = 0; i < 20; ++i, stamp += kScan, p += 0.1 * v) movers.update(legs(p, v, stamp));
-  const auto seen = movers.seen(stamp);
+  const auto seen = movers.extrapolate(stamp);
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_LT((seen[0].velocity - v).norm(), 0.15);
   EXPECT_LT((seen[0].p - p).norm(), 0.1);  // Where they are now, a scan later.
@@ -51,15 +51,15 @@ TEST(Movers, KeepUpWithWhoSetsOffQuickly) {
   Eigen::Vector2d p(4.0, 0.0);
   nanoseconds stamp{};
   for (int i = 0; i < 10; ++i, stamp += kScan) movers.update(legs(p, {0.0, 0.0}, stamp));
-  ASSERT_EQ(movers.seen(stamp).size(), 1U);
-  EXPECT_TRUE(movers.seen(stamp)[0].stands());
+  ASSERT_EQ(movers.extrapolate(stamp).size(), 1U);
+  EXPECT_TRUE(movers.extrapolate(stamp)[0].stands());
   Eigen::Vector2d v(0.0, 0.0);
   for (int i = 0; i < 10; ++i, stamp += kScan, p += 0.1 * v) {
     v.x() = std::max(v.x() - 0.3, -1.9);  // 3 m/s^2
     movers.update(legs(p, v, stamp));
   }
-  ASSERT_EQ(movers.seen(stamp).size(), 1U);
-  EXPECT_LT(movers.seen(stamp)[0].velocity.x(), -1.3);
+  ASSERT_EQ(movers.extrapolate(stamp).size(), 1U);
+  EXPECT_LT(movers.extrapolate(stamp)[0].velocity.x(), -1.3);
 }
 
 TEST(Movers, AreNotKnownFromAFewScans) {
@@ -68,7 +68,7 @@ TEST(Movers, AreNotKnownFromAFewScans) {
   for (int i = 0; i < 3; ++i, stamp += kScan) {
     movers.update(legs({2.0 + 0.1 * i, 1.0}, {1.0, 0.0}, stamp));
   }
-  EXPECT_TRUE(movers.seen(stamp).empty());
+  EXPECT_TRUE(movers.extrapolate(stamp).empty());
 }
 
 TEST(Movers, AreToldApart) {
@@ -79,7 +79,7 @@ TEST(Movers, AreToldApart) {
     add(points, legs({1.0 + 0.1 * i, -0.6}, {1.0, 0.0}, stamp));
     movers.update(points);
   }
-  const auto seen = movers.seen(stamp);
+  const auto seen = movers.extrapolate(stamp);
   ASSERT_EQ(seen.size(), 2U);
   EXPECT_NEAR(seen[0].velocity.x(), -1.2, 0.15);
   EXPECT_NEAR(seen[1].velocity.x(), 1.0, 0.15);
@@ -94,7 +94,7 @@ TEST(Movers, WalkSideBySide) {
     add(points, legs({6.0 - 0.1 * i, 0.65}, {-1.0, 0.0}, stamp));
     movers.update(points);
   }
-  EXPECT_EQ(movers.seen(stamp).size(), 2U);
+  EXPECT_EQ(movers.extrapolate(stamp).size(), 2U);
 }
 
 TEST(Movers, AreCarriedOnWhileHiddenAndThenForgotten) {
@@ -105,10 +105,10 @@ TEST(Movers, AreCarriedOnWhileHiddenAndThenForgotten) {
   }
   movers.update({});
   movers.update({});
-  const auto hidden = movers.seen(stamp + 2 * kScan);
+  const auto hidden = movers.extrapolate(stamp + 2 * kScan);
   ASSERT_EQ(hidden.size(), 1U);
   EXPECT_NEAR(hidden[0].p.x(), 6.0 - 0.12 * 22, 0.15);
-  EXPECT_TRUE(movers.seen(stamp + milliseconds(700)).empty());
+  EXPECT_TRUE(movers.extrapolate(stamp + milliseconds(700)).empty());
 }
 
 /// Whatever is seen, there are no more people than points.
@@ -122,9 +122,9 @@ TEST(Movers, AreNeverMoreThanWhatIsSeen) {
       points.push_back({{uniform(0.0, 3.0, rng), uniform(0.0, 3.0, rng)}, stamp});
     }
     movers.update(points);
-    ASSERT_LE(movers.seen(stamp).size(), 400U);
+    ASSERT_LE(movers.extrapolate(stamp).size(), 400U);
   }
-  for (const Mover& mover : movers.seen(stamp)) EXPECT_TRUE(mover.p.allFinite());
+  for (const Mover& mover : movers.extrapolate(stamp)) EXPECT_TRUE(mover.p.allFinite());
 }
 
 }  // namespace

@@ -31,30 +31,30 @@ FreeSpace corridor(double half_width) {
 Mover coming(double x, double y) { return {{x, y}, {-1.3, 0.0}}; }
 
 TEST(Passing, KeepsToTheRightWhereThereIsRoom) {
-  EXPECT_NEAR(Passing({}).aside(kLane, 0.8, {}, corridor(1.5)).y(), -0.4, 1e-9);
-  EXPECT_NEAR(Passing({}).aside(kLane, 0.8, {}, corridor(0.5)).y(), 0.0, 1e-9);
+  EXPECT_NEAR(Passing({}).choose_target(kLane, 0.8, {}, corridor(1.5)).y(), -0.4, 1e-9);
+  EXPECT_NEAR(Passing({}).choose_target(kLane, 0.8, {}, corridor(0.5)).y(), 0.0, 1e-9);
 }
 
 TEST(Passing, LeavesRoomOnTheSideWhereThePersonIsNot) {
   const FreeSpace space = corridor(1.5);
-  EXPECT_LT(Passing({}).aside(kLane, 0.8, {coming(4.0, 0.2)}, space).y(), -0.5);
-  EXPECT_GT(Passing({}).aside(kLane, 0.8, {coming(4.0, -0.9)}, space).y(), -0.1);
+  EXPECT_LT(Passing({}).choose_target(kLane, 0.8, {coming(4.0, 0.2)}, space).y(), -0.5);
+  EXPECT_GT(Passing({}).choose_target(kLane, 0.8, {coming(4.0, -0.9)}, space).y(), -0.1);
 }
 
 TEST(Passing, DoesNotMindWhoIsBehindFarOffOrFaster) {
   const FreeSpace space = corridor(1.5);
   const std::vector<Mover> others{coming(-1.5, -0.4), coming(7.0, -0.4), {{2.0, -0.4}, {1.5, 0.0}}};
-  EXPECT_NEAR(Passing({}).aside(kLane, 0.8, others, space).y(), -0.4, 1e-9);
+  EXPECT_NEAR(Passing({}).choose_target(kLane, 0.8, others, space).y(), -0.4, 1e-9);
 }
 
 TEST(Passing, ReachesTheLanesEnd) {
   const Lane end{{0.0, 0.0}, {0.5, 0.0}};
-  EXPECT_EQ(Passing({}).aside(end, 0.8, {coming(2.0, 0.0)}, corridor(1.5)), end.to);
+  EXPECT_EQ(Passing({}).choose_target(end, 0.8, {coming(2.0, 0.0)}, corridor(1.5)), end.to);
 }
 
 TEST(Passing, LeavesWhoStandsToTheDynamicWindow) {
-  EXPECT_NEAR(Passing({}).aside(kLane, 0.8, {{{2.0, -0.4}, {0.0, 0.0}}}, corridor(1.5)).y(), -0.4,
-              1e-9);
+  EXPECT_NEAR(Passing({}).choose_target(kLane, 0.8, {{{2.0, -0.4}, {0.0, 0.0}}}, corridor(1.5)).y(),
+              -0.4, 1e-9);
 }
 
 const PaceConfig kPace{.max_speed = 0.9, .deceleration = 0.5, .radius = 0.25};

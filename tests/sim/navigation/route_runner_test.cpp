@@ -50,7 +50,7 @@ TEST(RouteRunner, PassesNoWaypointFarFromWhichItStays) {
   Pose2 pose{-3.0, -2.0, 1.0};
   for (int i = 0; i < 3000; ++i) pose = moved(pose, runner.command(pose));
   EXPECT_TRUE(runner.done());
-  EXPECT_EQ(runner.passed(), 1);
+  EXPECT_EQ(runner.waypoints_reached(), 1);
 }
 
 TEST(RouteRunner, NeverLeavesTheFreeSpace) {

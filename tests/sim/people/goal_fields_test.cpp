@@ -28,7 +28,7 @@ TEST(GoalFields, LeadAroundWallsToEveryPlace) {
     double way = 0.0;
     for (int i = 0; i < 800 && (p - goals.places()[place]).norm() > 0.1; ++i) {
       const Eigen::Vector2d to = goals.ahead(place, p) - p;
-      p = moved(space, p, std::min(0.05, to.norm()) * to.normalized());
+      p = slide_along_walls(space, p, std::min(0.05, to.norm()) * to.normalized());
       way += 0.05;
     }
     EXPECT_LT((p - goals.places()[place]).norm(), 0.11);

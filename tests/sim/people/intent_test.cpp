@@ -71,7 +71,7 @@ TEST_F(IntentTest, TheCrowdFacesTheRobotAndKeepsUpWithIt) {
   const Intent intent = intent_of(0);
   EXPECT_NEAR(intent.velocity.x(), 0.3, 1e-9);
   EXPECT_NEAR(std::abs(intent.heading), 3.14159265, 1e-6);
-  EXPECT_FALSE(intent.minds_robot);
+  EXPECT_FALSE(intent.avoids_robot);
 }
 
 TEST_F(IntentTest, WhoIsStuckGoesElsewhere) {

@@ -20,14 +20,14 @@ std::vector<PersonState> states(const std::vector<Agent>& agents) {
 TEST(Moved, GoesStraightInTheOpenAndNoFurtherThanAStep) {
   const TestHall hall(6.0);
   const WalkSpace space(hall.map);
-  EXPECT_EQ(moved(space, {0.0, 0.0}, {0.06, 0.08}), Eigen::Vector2d(0.06, 0.08));
-  EXPECT_NEAR(moved(space, {0.0, 0.0}, {3.0, 0.0}).x(), WalkSpace::kMaxStep, 1e-12);
+  EXPECT_EQ(slide_along_walls(space, {0.0, 0.0}, {0.06, 0.08}), Eigen::Vector2d(0.06, 0.08));
+  EXPECT_NEAR(slide_along_walls(space, {0.0, 0.0}, {3.0, 0.0}).x(), WalkSpace::kMaxStep, 1e-12);
 }
 
 TEST(Moved, SlidesAlongAWall) {
   const TestHall hall(6.0);
   const WalkSpace space(hall.map);
-  const Eigen::Vector2d p = moved(space, {2.74, 0.0}, {0.08, 0.06});
+  const Eigen::Vector2d p = slide_along_walls(space, {2.74, 0.0}, {0.08, 0.06});
   EXPECT_TRUE(space.clear(p));
   EXPECT_NEAR(p.y(), 0.06, 0.02);
   EXPECT_LT(p.x(), 2.76);
@@ -42,7 +42,7 @@ TEST(Moved, NeverPassesAWallWhateverIsTried) {
   double heading = 0.0;
   for (int i = 0; i < 100000; ++i) {
     heading += uniform(-0.4, 0.4, rng);
-    const Eigen::Vector2d to = moved(space, p, 0.15 * heading_vector(heading));
+    const Eigen::Vector2d to = slide_along_walls(space, p, 0.15 * heading_vector(heading));
     const double length = (to - p).norm();
     if (length > 0.0) {
       const Eigen::Vector2d d = (to - p) / length;

@@ -84,7 +84,7 @@ TEST_F(MeshFormats, BrokenOnesBecomeBoxes) {
   write("empty.stl", "");
   write("cut.gltf", R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POS)");
   for (const char* name : {"torn.dae", "empty.stl", "cut.gltf"}) {
-    EXPECT_THAT(load(name).warnings, testing::Contains(HasSubstr("a box stands for it"))) << name;
+    EXPECT_THAT(load(name).warnings, testing::Contains(HasSubstr("a box replaces it"))) << name;
   }
 }
 

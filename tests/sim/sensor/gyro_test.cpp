@@ -20,7 +20,7 @@ double drift(const GyroConfig& config) {
   for (unsigned seed = 0; seed < kGyros; ++seed) {
     Gyro gyro(config, Rng(seed));
     double angle = 0.0;
-    for (int i = 0; i < 100; ++i) angle += gyro.measured(0.0, 0.1);
+    for (int i = 0; i < 100; ++i) angle += gyro.measure(0.0, 0.1);
     squares += angle * angle;
   }
   return std::sqrt(squares / kGyros) / kDegree;
@@ -30,7 +30,7 @@ double gyro_tolerance(double sigma) { return 4.0 * sigma / std::sqrt(2.0 * kGyro
 
 TEST(Gyro, WithoutErrorIsExact) {
   Gyro gyro(exact(), Rng(1));
-  EXPECT_DOUBLE_EQ(gyro.measured(0.3, 0.01), 0.3);
+  EXPECT_DOUBLE_EQ(gyro.measure(0.3, 0.01), 0.3);
 }
 
 TEST(Gyro, NoiseWalksWithTheRootOfTime) {
@@ -58,7 +58,7 @@ TEST(Gyro, ScaleErrsWithTurns) {
   config.scale_sigma = 0.01;
   double squares = 0.0;
   for (unsigned seed = 0; seed < kGyros; ++seed) {
-    const double error = Gyro(config, Rng(seed)).measured(2.0, 0.1) - 2.0;
+    const double error = Gyro(config, Rng(seed)).measure(2.0, 0.1) - 2.0;
     squares += error * error;
   }
   EXPECT_NEAR(std::sqrt(squares / kGyros), 0.02, gyro_tolerance(0.02));

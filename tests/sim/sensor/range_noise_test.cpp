@@ -18,7 +18,7 @@ std::pair<double, double> moments(const RangeNoise& noise, double range) {
   double sum = 0.0;
   double squares = 0.0;
   for (int i = 0; i < kDraws; ++i) {
-    const double error = measured_range(noise, range, 0.0, rng) - range;
+    const double error = measure_range(noise, range, 0.0, rng) - range;
     sum += error;
     squares += error * error;
   }
@@ -28,7 +28,7 @@ std::pair<double, double> moments(const RangeNoise& noise, double range) {
 
 TEST(RangeNoise, WithoutErrorIsExactAndDrawsNothing) {
   Rng rng(1);
-  EXPECT_EQ(measured_range(kNoNoise, 3.7, 0.0, rng), 3.7);
+  EXPECT_EQ(measure_range(kNoNoise, 3.7, 0.0, rng), 3.7);
   EXPECT_EQ(rng, Rng(1));
 }
 
@@ -36,15 +36,15 @@ TEST(RangeNoise, BiasIsAdded) {
   RangeNoise noise = kNoNoise;
   noise.bias = -0.02;
   Rng rng(1);
-  EXPECT_DOUBLE_EQ(measured_range(noise, 3.0, 0.005, rng), 2.985);
+  EXPECT_DOUBLE_EQ(measure_range(noise, 3.0, 0.005, rng), 2.985);
 }
 
 TEST(RangeNoise, RoundsToItsResolution) {
   RangeNoise noise = kNoNoise;
   noise.resolution = 0.01;
   Rng rng(1);
-  EXPECT_DOUBLE_EQ(measured_range(noise, 1.2345, 0.0, rng), 1.23);
-  EXPECT_DOUBLE_EQ(measured_range(noise, 1.2351, 0.0, rng), 1.24);
+  EXPECT_DOUBLE_EQ(measure_range(noise, 1.2345, 0.0, rng), 1.23);
+  EXPECT_DOUBLE_EQ(measure_range(noise, 1.2351, 0.0, rng), 1.24);
 }
 
 TEST(RangeNoise, DeviatesByItsConstantAndItsShareOfRange) {

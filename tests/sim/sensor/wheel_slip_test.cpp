@@ -26,7 +26,7 @@ WheelAngles drive(WheelSlip slip, double from, double to, std::int64_t collision
   const double step = 0.001;
   for (double x = from; x < to - 1e-9; x += step) {
     const WheelAngles counted =
-        slip.counted({step / kRadius, step / kRadius}, {x, 0.0, 0.0}, collisions);
+        slip.count({step / kRadius, step / kRadius}, {x, 0.0, 0.0}, collisions);
     sum.left += kRadius * counted.left;
     sum.right += kRadius * counted.right;
   }
@@ -72,8 +72,8 @@ TEST(WheelSlip, ACollisionMakesBothWheelsSpin) {
   SlipConfig config;
   config.collision_length = 0.1;
   WheelSlip slip(config, kSlippingDrive, {}, Rng(3));
-  EXPECT_EQ(slip.counted({1e-3, 1e-3}, {}, 0).left, 1e-3);
-  const WheelAngles spun = slip.counted({1e-3, 1e-3}, {}, 1);
+  EXPECT_EQ(slip.count({1e-3, 1e-3}, {}, 0).left, 1e-3);
+  const WheelAngles spun = slip.count({1e-3, 1e-3}, {}, 1);
   EXPECT_GT(spun.left, 1e-3);
   EXPECT_GT(spun.right, 1e-3);
   EXPECT_NEAR(drive(slip, 0.0, 0.1, 1).left, drive(slip, 0.0, 1.0, 1).left - 0.9, 2e-3);
@@ -81,7 +81,7 @@ TEST(WheelSlip, ACollisionMakesBothWheelsSpin) {
 
 TEST(WheelSlip, BackwardsSlipsBackwards) {
   WheelSlip slip(even(), kSlippingDrive, ice(), Rng(1));
-  EXPECT_DOUBLE_EQ(slip.counted({-0.01, -0.01}, {1.5, 0.0, 0.0}, 0).left, -0.0125);
+  EXPECT_DOUBLE_EQ(slip.count({-0.01, -0.01}, {1.5, 0.0, 0.0}, 0).left, -0.0125);
 }
 
 TEST(WheelSlip, RefusesWhatCannotBe) {

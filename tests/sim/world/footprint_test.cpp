@@ -50,7 +50,8 @@ TEST(Footprint, MeasuresDistances) {
 
 TEST(Footprint, MovesAboutAPoint) {
   const ConvexOutline square = footprint(box_on_floor("b", {2.0, 1.0, 1.0}, {1.0, 0.0}));
-  const Eigen::AlignedBox2d box = bounds(moved(square, {0.0, 0.0}, kQuarter, {5.0, 0.0}));
+  const Eigen::AlignedBox2d box =
+      bounds(transform_outline(square, {0.0, 0.0}, kQuarter, {5.0, 0.0}));
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(4.5, 0.0), 1e-9));
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector2d(5.5, 2.0), 1e-9));
 }

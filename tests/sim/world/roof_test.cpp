@@ -26,7 +26,7 @@ std::size_t roofs(const std::vector<SceneItem>& items) {
 
 TEST(PartRoofs, FindsASlabOverTheWorld) {
   const auto items =
-      part_roofs({box({6, 0.1F, 2.5F}, {0, 3, 1.25F}), box({6, 6, 0.2F}, {0, 0, 2.6F})}, 36.0F);
+      split_roofs({box({6, 0.1F, 2.5F}, {0, 3, 1.25F}), box({6, 6, 0.2F}, {0, 0, 2.6F})}, 36.0F);
   ASSERT_EQ(items.size(), 2U);
   EXPECT_TRUE(items[0].casts_shadow);
   EXPECT_FALSE(items[1].casts_shadow);  // With its sides.
@@ -40,14 +40,14 @@ TEST(PartRoofs, FindsACeilingOfPanels) {
     const auto y = static_cast<float>(i / 4);
     panels.push_back(box({0.98F, 0.98F, 0.05F}, {x, y, 2.4F}));
   }
-  EXPECT_EQ(roofs(part_roofs(panels, 16.0F)), 16U);
+  EXPECT_EQ(roofs(split_roofs(panels, 16.0F)), 16U);
   panels.resize(3);  // Lamps.
-  EXPECT_EQ(roofs(part_roofs(panels, 16.0F)), 0U);
+  EXPECT_EQ(roofs(split_roofs(panels, 16.0F)), 0U);
 }
 
 /// A closed room of one mesh keeps its walls and its floor.
 TEST(PartRoofs, PartsTheRoofOfAMesh) {
-  const auto items = part_roofs({box({6, 6, 2.5F}, {0, 0, 1.25F})}, 36.0F);
+  const auto items = split_roofs({box({6, 6, 2.5F}, {0, 0, 1.25F})}, 36.0F);
   ASSERT_EQ(items.size(), 2U);
   EXPECT_EQ(items[0].mesh.indices.size(), 30U);
   EXPECT_EQ(items[1].mesh.indices.size(), 6U);
@@ -56,7 +56,7 @@ TEST(PartRoofs, PartsTheRoofOfAMesh) {
 }
 
 TEST(PartRoofs, FindsAHouseOnALargeGround) {
-  EXPECT_EQ(roofs(part_roofs({box({6, 6, 2.5F}, {0, 0, 1.25F})}, 10000.0F)), 1U);
+  EXPECT_EQ(roofs(split_roofs({box({6, 6, 2.5F}, {0, 0, 1.25F})}, 10000.0F)), 1U);
 }
 
 TEST(PartRoofs, FindsAPitchedRoof) {
@@ -64,14 +64,14 @@ TEST(PartRoofs, FindsAPitchedRoof) {
                                box({6, 4.2F, 0.1F}, {0, 1.5F, 3.5F})};
   sides[0].T_map_mesh.linear() = Eigen::AngleAxisf(0.7F, Vector3f::UnitX()).matrix();
   sides[1].T_map_mesh.linear() = Eigen::AngleAxisf(-0.7F, Vector3f::UnitX()).matrix();
-  EXPECT_EQ(roofs(part_roofs(sides, 36.0F)), 2U);
+  EXPECT_EQ(roofs(split_roofs(sides, 36.0F)), 2U);
 }
 
 TEST(PartRoofs, LeavesFurnitureAndLintels) {
-  const auto items = part_roofs({box({1, 4, 2}, {0, 0, 1}),              // A rack.
-                                 box({30, 30, 0.05F}, {0, 0, 0.75F}),    // A table.
-                                 box({40, 0.2F, 0.5F}, {0, 0, 2.25F})},  // Above a door.
-                                100.0F);
+  const auto items = split_roofs({box({1, 4, 2}, {0, 0, 1}),              // A rack.
+                                  box({30, 30, 0.05F}, {0, 0, 0.75F}),    // A table.
+                                  box({40, 0.2F, 0.5F}, {0, 0, 2.25F})},  // Above a door.
+                                 100.0F);
   EXPECT_EQ(items.size(), 3U);
   EXPECT_EQ(roofs(items), 0U);
 }

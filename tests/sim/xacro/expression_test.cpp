@@ -120,14 +120,14 @@ TEST(ExpressionErrors, SayWhatIsWrong) {
   EXPECT_THAT(error_of("d['z']"), HasSubstr("no entry 'z'"));
   EXPECT_THAT(error_of("open('/etc/passwd')"), HasSubstr("'open' is not supported"));
   EXPECT_THAT(error_of("[x for x in l]"), HasSubstr("'for' is not expected"));
-  EXPECT_THAT(error_of("1.2.3"), HasSubstr("'1.2.3' is no number"));
+  EXPECT_THAT(error_of("1.2.3"), HasSubstr("'1.2.3' is not a number"));
   EXPECT_THAT(error_of("s.format(1)"), HasSubstr("no method format()"));
   EXPECT_THAT(error_of(""), HasSubstr("cut off"));
 }
 
 TEST(ExpressionErrors, RefuseWhatGrowsWithoutBounds) {
   EXPECT_THAT(error_of("'a' * 1000000000"), HasSubstr("65536"));
-  EXPECT_THAT(error_of("10.0 ** 400"), HasSubstr("no finite number"));
+  EXPECT_THAT(error_of("10.0 ** 400"), HasSubstr("not a finite number"));
   EXPECT_THAT(error_of(std::string(200, '(') + "1" + std::string(200, ')')), HasSubstr("deeply"));
   EXPECT_THAT(error_of(std::string(500, '-') + "1"), HasSubstr("deeply"));
   EXPECT_THAT(error_of(std::string(5000, '1')), HasSubstr("4096"));

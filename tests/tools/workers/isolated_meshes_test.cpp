@@ -179,8 +179,8 @@ TEST_F(HardMesh, ThatIsAPipeIsRefused) {
   const std::string path = (folder_ / "pipe.stl").string();
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   EXPECT_THAT(said_of(sim::read_mesh_file, path),
-              HasSubstr("pipe.stl: cannot read this mesh (it is no"));
-  EXPECT_THAT(said_of(sim::read_mesh_file, "/dev/zero"), HasSubstr("no regular file"));
+              HasSubstr("pipe.stl: cannot read this mesh (it is not a"));
+  EXPECT_THAT(said_of(sim::read_mesh_file, "/dev/zero"), HasSubstr("not a regular file"));
 }
 
 TEST_F(HardMesh, IsReportedByTheLoaderToo) {

@@ -28,8 +28,8 @@ TEST(Inertia, OfABoxByHand) {
 
 TEST(Inertia, OfABoxIsThatOfItsHalves) {
   const BodyMass whole = box_mass({{0.0, 0.0, 0.0}, {2.0, 1.0, 0.5}}, 4.0);
-  const BodyMass sum = lumped({box_mass({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}}, 2.0),
-                               box_mass({{1.0, 0.0, 0.0}, {2.0, 1.0, 0.5}}, 2.0)});
+  const BodyMass sum = lump({box_mass({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}}, 2.0),
+                             box_mass({{1.0, 0.0, 0.0}, {2.0, 1.0, 0.5}}, 2.0)});
   EXPECT_TRUE(sum.p_base_com.isApprox(whole.p_base_com));
   EXPECT_TRUE(sum.inertia.isApprox(whole.inertia));
   EXPECT_DOUBLE_EQ(sum.mass, 4.0);

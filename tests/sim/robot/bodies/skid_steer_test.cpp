@@ -43,12 +43,12 @@ TEST(SkidSteer, PhysicsComesNearTheIdealTrack) {
       wheel.p_base_wheel.x() = std::copysign(0.5 * length, wheel.p_base_wheel.x());
     }
     robot.track = ideal_skid_track(robot);
-    EXPECT_NEAR(measured_skid_turn(robot).track / robot.track, 1.0, 0.05) << length;
+    EXPECT_NEAR(measure_skid_turn(robot).track / robot.track, 1.0, 0.05) << length;
   }
 }
 
 TEST(SkidSteer, TurnsBetweenItsWheelsWhereTheyCarryAlike) {
-  EXPECT_EQ(measured_skid_turn(mule()).axle_y, 0.0);
+  EXPECT_EQ(measure_skid_turn(mule()).axle_y, 0.0);
   EXPECT_EQ(mule().p_base_axle.y(), 0.0);
 }
 
@@ -87,7 +87,7 @@ TEST(SkidSteer, TurnsWhereDryFrictionSays) {
     robot.p_base_com.y() = p_y;
     const double carried = p_y * robot.chassis_mass / (robot.chassis_mass + 4.0 * kHeavyWheel);
     const Eigen::Vector2d turn = friction_turn(robot, carried);
-    const SkidTurn measured = measured_skid_turn(robot);
+    const SkidTurn measured = measure_skid_turn(robot);
     EXPECT_NEAR(measured.axle_y, turn.x(), 0.005) << p_y;
     EXPECT_NEAR(robot.track / measured.track, turn.y(), 0.02) << p_y;
   }
@@ -108,17 +108,17 @@ TEST(SkidSteer, HasMotorsForHeavyWheelsWhereNoneAreGiven) {
     wheel.mass = 3.6;
     wheel.effort_max = 0.0;
   }
-  EXPECT_NEAR(measured_skid_turn(robot).track / ideal_skid_track(robot), 1.0, 0.02);
+  EXPECT_NEAR(measure_skid_turn(robot).track / ideal_skid_track(robot), 1.0, 0.02);
   EXPECT_LT(moved_by_a_turn(robot), 0.03);
 }
 
 TEST(SkidSteer, LiftsLimitsThatForbidTurning) {
   RobotModel robot = mule();
   for (DriveWheel& wheel : robot.wheels) wheel.effort_max = 1.0;
-  strengthen_motors(robot);
+  remove_low_effort_limits(robot);
   ASSERT_EQ(robot.warnings.size(), 1U);
   EXPECT_EQ(robot.wheels[0].effort_max, 0.0);
-  strengthen_motors(robot);
+  remove_low_effort_limits(robot);
   EXPECT_EQ(robot.warnings.size(), 1U);
 }
 

@@ -49,7 +49,7 @@ TEST_F(UrdfFileTest, AddsMissingLimits) {
   const UrdfFile file = read(
       "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" "
       "type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/></joint></robot>");
-  EXPECT_THAT(file.warnings, Contains(HasSubstr("joint j: no whole <limit>")));
+  EXPECT_THAT(file.warnings, Contains(HasSubstr("joint j: incomplete <limit>")));
   EXPECT_EQ(file.model->getJoint("j")->limits->effort, 0.0);
 }
 

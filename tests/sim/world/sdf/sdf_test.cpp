@@ -162,7 +162,7 @@ TEST_F(SdfFiles, SaysWhatItDoesNotTake) {
   ASSERT_EQ(world.spec.objects.size(), 1U);
   ASSERT_EQ(world.warnings.size(), 2U);
   EXPECT_THAT(world.warnings[0], testing::HasSubstr("everything else lies below it: a plane"));
-  EXPECT_THAT(world.warnings[1], testing::HasSubstr("not static, but stands where it is: ball"));
+  EXPECT_THAT(world.warnings[1], testing::HasSubstr("not static, but treated as static: ball"));
 }
 
 /// Sun and ground are on the network in half of all worlds; masses are wrong in the other half.
@@ -239,13 +239,14 @@ TEST_F(SdfFiles, SaysInWordsWhatIsLeftOut) {
            link("<box><size>300000 300000 1</size></box>") +
            "</model><include><uri>model://nobody</uri></include>"
            "<include><uri>https://fuel.gazebosim.org/1.0/x/models/y</uri></include>");
-  EXPECT_THAT(world.warnings,
-              testing::UnorderedElementsAre(
-                  testing::StartsWith("left out, since it is not found in /"),
-                  testing::StartsWith("left out, since it is not on this machine; download"),
-                  "left out, since the geometry <polyline> is not read: b/l/c",
-                  "left out, since it has a length of 300000 m: from above 0 to 10000 m are read: "
-                  "sea/l/c"));
+  EXPECT_THAT(
+      world.warnings,
+      testing::UnorderedElementsAre(
+          testing::StartsWith("left out, since it is not found in /"),
+          testing::StartsWith("left out, since it is not on this machine; download"),
+          "left out, since the geometry <polyline> is not supported: b/l/c",
+          "left out, since it has a length of 300000 m: it must be above 0 and at most 10000 m: "
+          "sea/l/c"));
 }
 
 TEST_F(SdfFiles, ReadsAWorldOfAReservedName) {
@@ -279,7 +280,7 @@ TEST_F(SdfFiles, RefusesAWorldOfKilometresBeforeItsModelsAreRead) {
     load_sdf(file, strict);
     FAIL() << "it was read";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("1500 m x 0 m: at most 1000 m either way"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("1500 m x 0 m: at most 1000 m in each direction"));
   }
 }
 
