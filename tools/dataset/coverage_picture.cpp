@@ -20,7 +20,7 @@ Color map_color(std::int8_t cell) {
   return {light, light, light};
 }
 
-/// `heat` in (0, 1]; walls stay to be seen.
+/// `heat` in (0, 1]. The colour is multiplied so that walls stay visible.
 Color heated(const Color& below, double heat) {
   Color color{};
   for (std::size_t i = 0; i < color.size(); ++i) {

@@ -40,7 +40,7 @@ void add_head(const DatasetContents& contents, Lines out) {
   fmt::format_to(out, "Root seed: {}. Specification: [dataset.yaml](dataset.yaml).\n", spec.seed);
 }
 
-/// Smallest, median and largest of a figure.
+/// Adds a table row with the smallest, median and largest value of a figure.
 void add_spread(const DatasetContents& contents, const char* name, const char* pointer, Lines out) {
   const std::vector<double> all = contents.figures(pointer);
   if (all.empty()) {
@@ -106,7 +106,7 @@ void add_worlds(const DatasetContents& contents, Lines out) {
       contents.splits.remark.empty() ? "" : " " + contents.splits.remark + ".");
 }
 
-/// "0.2 to 0.6" for numbers, otherwise how often each value was drawn.
+/// "0.2 to 0.6" for numbers; otherwise how often each value was drawn.
 std::string range_of(const DatasetContents& contents, const std::string& key) {
   constexpr std::size_t kMostNamed = 8;
   std::map<std::string, int> values;

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// The lists themselves, and the file that depends on the build.
 const std::set<std::string> kUnlisted{"manifest.json", "SHA256SUMS", kPlotsPage};
 
-/// Paths from the folder, in order.
+/// Sorted paths relative to the folder.
 std::vector<std::string> paths_in(const fs::path& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -33,7 +33,7 @@ std::vector<std::string> paths_in(const fs::path& folder) {
   return paths;
 }
 
-/// What is wrong with a listed file; empty if it is correct.
+/// Describes what is wrong with a listed file; empty if it is correct.
 std::string error_in(const fs::path& folder, const ManifestFile& file) {
   const fs::path path = folder / file.path;
   std::error_code error;
@@ -48,7 +48,7 @@ std::string error_in(const fs::path& folder, const ManifestFile& file) {
                      file.sha256.substr(0, 12));
 }
 
-/// A manifest lists files of its folder and no others.
+/// Rejects paths that lead outside the data set's folder.
 std::string checked_path(const std::string& path) {
   const fs::path parsed = path;
   const bool outside = std::find(parsed.begin(), parsed.end(), "..") != parsed.end();

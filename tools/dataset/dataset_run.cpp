@@ -17,10 +17,11 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kTold = 4;            // Exit code of a worker that left a note of what went wrong.
-constexpr char kDiskTrouble = '!';  // Begins the note of one that others would fare no better than.
+constexpr int kTold = 4;            // Exit code of a worker that left a note about its failure.
+constexpr char kDiskTrouble = '!';  // First character of a note about a disk error, which would
+                                    // also stop the other workers.
 
-/// Draws every sequence and builds every world: what cannot be is found before anything is made.
+/// Draws every sequence and builds every world, so that errors are found before anything is made.
 void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
   for (int i = 0; i < count; ++i) {
     const SampledSequence sequence = sample_sequence(spec, i);
@@ -40,7 +41,7 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
   return missing;
 }
 
-/// In a process of its own.
+/// Makes one sequence; runs in its own process.
 int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
             const WorkerNotes& notes, int index) {
   try {
@@ -58,14 +59,14 @@ int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetF
   return kTold;
 }
 
-/// How a pass over the missing sequences ended.
+/// Result of a pass over the missing sequences.
 struct Pass {
   int made = 0;
   int failed = 0;
-  std::string disk_trouble{};  ///< What the first one met; empty: nobody met any.
+  std::string disk_trouble{};  ///< The first disk error; empty if there was none.
 };
 
-/// Trouble with the disk is told once, at the end.
+/// Prints the notes; a disk error is kept and reported once, at the end.
 void take_notes(const std::vector<std::string>& notes, Pass& pass) {
   for (const std::string& note : notes) {
     if (note.front() != kDiskTrouble) {
@@ -110,7 +111,7 @@ int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const
   return kRunFailed;
 }
 
-/// CPU time and memory of all workers that have ended.
+/// CPU time and peak memory of all workers that have ended.
 DatasetMaking workers_cost() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
@@ -129,7 +130,7 @@ std::vector<std::string> names_of(int count) {
   return names;
 }
 
-/// Interrupted: the folder is put in order, and what is kept is said.
+/// Clears the drafts and reports what is kept after an interruption.
 [[noreturn]] void tell_kept(Interrupted interrupted, const DatasetFolder& folder,
                             const DatasetRequest& request) {
   folder.clear_work();

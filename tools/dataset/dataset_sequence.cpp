@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To six digits after the point.
+/// Rounds to six decimal places.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 Json drawn_json(const SampledSequence& sequence) {
@@ -34,7 +34,7 @@ Json files_json(const std::filesystem::path& folder) {
   return files;
 }
 
-/// Plays it and returns what it is: names, and what was counted.
+/// Simulates the sequence and returns its metadata and statistics.
 Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSequence& sequence,
             const std::filesystem::path& draft) {
   SequenceStatistics statistics;

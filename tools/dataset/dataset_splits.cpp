@@ -15,14 +15,15 @@ namespace {
 
 using Shares = std::array<double, 3>;
 
-constexpr std::array<int, 3> kFirstServed{0, 2, 1};  // Without a test nothing is shown.
+constexpr std::array<int, 3> kFirstServed{0, 2, 1};  // Test before validation: a data set without a
+                                                     // test split proves nothing.
 
 Shares shares_of(const SplitSpec& spec) {
   const double sum = spec.train + spec.val + spec.test;
   return {spec.train / sum, spec.val / sum, spec.test / sum};
 }
 
-/// Names in an order drawn by name: another name changes no place but its own.
+/// Shuffles names by a random key per name, so that adding a name does not reorder the others.
 std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t seed) {
   const auto draw = [seed](const std::string& name) {
     return localization::substream(seed, "splits/" + name)();
@@ -32,7 +33,7 @@ std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t 
   return names;
 }
 
-/// Where most is missing of what the shares ask for.
+/// The split whose size is farthest below its requested share.
 int neediest(const Shares& shares, const Shares& filled, double all) {
   int best = 0;
   double most = -1e300;
@@ -56,7 +57,7 @@ std::vector<int> parts_with_share(const Shares& shares) {
   return parts;
 }
 
-/// In a drawn order, the one with most sequences first: it is the one to learn from.
+/// Shuffles the worlds, then moves the one with the most sequences to the front, for training.
 std::vector<std::string> world_order(const std::map<std::string, int>& sequences,
                                      std::uint64_t seed) {
   std::vector<std::string> names;
@@ -69,7 +70,7 @@ std::vector<std::string> world_order(const std::map<std::string, int>& sequences
   return names;
 }
 
-/// The part of each world.
+/// Assigns a split to each world.
 std::map<std::string, int> place_worlds(const std::map<std::string, int>& sequences,
                                         const Shares& shares, std::uint64_t seed) {
   double all = 0.0;

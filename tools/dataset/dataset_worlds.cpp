@@ -17,7 +17,7 @@ std::string setting_text(const LidarSpec& lidar, const char* key) {
   return value == nullptr ? "-" : emit_yaml(*value);
 }
 
-/// Of what decides whether a lidar can be built: its mount and its layers, not its figures.
+/// Key of the settings that decide whether a lidar can be built: mount and layers, not noise.
 std::string lidar_key(const LidarSpec& lidar) {
   return fmt::format("{} {} {} {}", lidar.name, lidar.profile, setting_text(lidar, "mount_xyz"),
                      setting_text(lidar, "elevations_deg"));
@@ -28,7 +28,7 @@ std::string world_key(const Scenario& scenario) {
                      scenario.wall_height);
 }
 
-/// Scenarios with the same one can be built or not, all of them, as far as names go.
+/// Scenarios with equal keys name the same files, so either all of them can be built or none.
 std::string structure_key(const Scenario& scenario) {
   std::string key = fmt::format("{} | {} {} {} | {} {}", world_key(scenario), scenario.robot.file,
                                 scenario.robot.arguments, scenario.robot.search_paths,
@@ -38,7 +38,7 @@ std::string structure_key(const Scenario& scenario) {
   return key;
 }
 
-/// Of the first lidar, as far as the scenario says.
+/// Maximum range [m] of the first lidar, with the scenario's changes applied.
 double range_of(const Scenario& scenario, const sim::LidarConfig& built) {
   return changed(built, scenario.lidars.front().changes).range_max;
 }

@@ -10,9 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kWindow = 2;  // [m] Over which the error of odometry is taken.
+constexpr int kWindow = 2;  // [m] Distance over which the odometry error is measured.
 
-/// To the micrometre: more says nothing.
+/// Rounds to six decimal places; more digits carry no information.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 Json number(const std::optional<double>& value) { return value ? Json(rounded(*value)) : Json(); }
@@ -21,7 +21,7 @@ Json mean(double sum, std::int64_t count) {
   return count > 0 ? Json(rounded(sum / static_cast<double>(count))) : Json();
 }
 
-/// How far the movement that odometry tells ends from the true one, and how far it is turned.
+/// Position and yaw error between the movement by odometry and the true one.
 std::pair<double, double> error_between(const SE2& told, const SE2& truth) {
   return {localization::distance(told, truth), localization::yaw_distance(told, truth)};
 }
