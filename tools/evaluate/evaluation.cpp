@@ -14,7 +14,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::size_t kTail = 40;  // scans at the end of a log where no trial begins
+constexpr std::size_t kTail = 40;  // No trial begins within this many scans of the log's end.
 
 /// Evenly spaced scans, away from the end of the log.
 std::size_t place_of(std::size_t scans, int k, int count) {
@@ -27,7 +27,7 @@ std::optional<localization::PoseWithCovariance> known(const std::optional<SE2>& 
   return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
-/// What one trial plays and how it begins.
+/// Input of one trial.
 struct Trial {
   Frames frames;
   bool known_start = false;
@@ -85,7 +85,7 @@ void add_detection(const LocalizerMetrics& metrics, EvaluationRow& row) {
   }
 }
 
-/// When the event of a trial was: its kidnap, else its start.
+/// Stamp of a trial's event: its kidnap, or else its start.
 Stamp begin_of(const RowsOfRun& rows) {
   return rows.events.empty() ? Stamp{} : rows.events.front().stamp;
 }
@@ -97,7 +97,7 @@ void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
   row.calibration.add(calibration_of(scored, {}));
 }
 
-/// Counts scans that are wrong while they say to be right, from the event (or the start) on.
+/// Counts scans that are wrong without the alarm, from the kidnap or start on.
 void add_honesty(const RowsOfRun& rows, EvaluationRow& row) {
   const Stamp begin = begin_of(rows);
   bool was_wrong = false;
@@ -131,13 +131,14 @@ struct CpuSum {
   }
 };
 
-/// Half a log from a place, so that a kidnap leads far away, and early enough to track up to it.
+/// The scan half a log away, so that a kidnap leads far, but early enough to track for `lead`
+/// scans.
 std::size_t far_from(std::size_t place, std::size_t scans, std::size_t lead) {
   const std::size_t half = place < scans / 2 ? place + scans / 2 : place - scans / 2;
   return std::min(half, scans > lead ? scans - lead - 1 : 0);
 }
 
-/// What the trials of one localizer on one log are put together in.
+/// Accumulates the trials of one localizer on one log.
 struct Score {
   EvaluationRow row;
   CpuSum cpu;
