@@ -14,9 +14,9 @@ namespace {
 
 using namespace localization;
 
-constexpr double kLongest = 40.0;     // [m] Of a range.
-constexpr double kAround = 0.5;       // [m] Free around the pose.
-constexpr double kMaxDistance = 5.0;  // [m] Cap of the distance field.
+constexpr double kLongest = 40.0;     // [m] Maximum range.
+constexpr double kAround = 0.5;       // [m] Free space around the pose.
+constexpr double kMaxDistance = 5.0;  // [m] Upper bound of the distance field.
 
 SE2 roomy_pose(const OccupancyGrid& grid, const DistanceField& distances) {
   Rng rng = substream(1, "bench_scene/pose");

@@ -13,9 +13,10 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kRobotSpeed = 0.4;  // [m/s]
-constexpr double kSettling = 5.0;    // [s] In which people drawn close to each other part.
+constexpr double kSettling = 5.0;    // [s] Time in which people that were drawn too close together
+                                     // separate.
 
-/// Slides along its waypoints, whatever is in the way.
+/// Moves along its waypoints and ignores obstacles.
 class Sliding {
  public:
   explicit Sliding(const sim::SimulationConfig& config)
@@ -43,7 +44,7 @@ class Sliding {
   sim::RobotBody body_;
 };
 
-/// Holds a step against the true shapes.
+/// Checks a step against the true shapes.
 void judge(const sim::RayScene& walls, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
            CrowdHours& seen) {
   const double length = (to - from).norm();

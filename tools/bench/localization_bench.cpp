@@ -11,10 +11,10 @@ namespace {
 
 using namespace localization;
 
-/// Keeps a result from being optimised away.
+/// Prevents the compiler from optimising a result away.
 void keep(double value) { [[maybe_unused]] volatile double sink = value; }
 
-/// Times one step of both; the filters are copied, so that no step sees what another one did.
+/// Times one step of both implementations. The filters are copied so that no step affects another.
 template <typename Step>
 StepTime timed(const std::string& name, FastFilters fast, PlainFilters plain,
                const BenchEffort& effort, Step step) {

@@ -9,7 +9,7 @@ namespace {
 
 using namespace localization;
 
-/// Likelihoods of coarse cells, looked up in metres; 0 off the map.
+/// Likelihoods of coarse cells, looked up in metres; 0 outside the map.
 struct PlainField {
   GridFrame frame;
   std::vector<double> likelihood;
@@ -40,7 +40,7 @@ struct PlainField {
   }
 };
 
-/// At most `count` end points, even over the scan, turned by a yaw. [m]
+/// At most `count` end points [m], evenly spaced over the scan, rotated by `yaw`.
 std::vector<Eigen::Vector2d> turned(const PlainScan& scan, int count, double yaw) {
   const std::size_t used = std::min(scan.range.size(), static_cast<std::size_t>(count));
   std::vector<Eigen::Vector2d> points;
@@ -52,7 +52,7 @@ std::vector<Eigen::Vector2d> turned(const PlainScan& scan, int count, double yaw
   return points;
 }
 
-/// The best free cell for a scan turned already.
+/// The best free cell for the rotated end points.
 Candidate best_cell(const PlainField& field, const std::vector<Eigen::Vector2d>& points) {
   Candidate best;
   for (int row = 0; row < field.frame.height; ++row) {

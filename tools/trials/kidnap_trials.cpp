@@ -19,11 +19,12 @@ namespace {
 
 constexpr double kPersonRadius = 0.25;  // [m]
 constexpr double kPersonHeight = 1.8;   // [m]
-constexpr double kRobotMargin = 0.1;    // [m] Around the footprint, where the robot is put.
+constexpr double kRobotMargin = 0.1;    // [m] Free space around the footprint where the robot is
+                                        // placed.
 constexpr double kLeadSpread = 0.5;     // [s]
 constexpr int kWaypoints = 4;
-constexpr int kTries = 200;  // For one place...
-constexpr int kCrowds = 10;  // ...and for a crowd around it.
+constexpr int kTries = 200;  // Attempts to draw one place.
+constexpr int kCrowds = 10;  // Attempts to draw people around a place.
 
 double uniform_between(double low, double high, sim::Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
@@ -53,7 +54,7 @@ sim::WorldObject person(const Eigen::Vector2d& p_map, std::size_t number) {
   return object;
 }
 
-/// Whether the robot can stand at its start and at the kidnap's target, and drive off.
+/// Whether the robot can stand at its start and at the kidnap's target, and drive away from both.
 bool can_drive(const sim::SimulationConfig& config) {
   const sim::KidnapSpec& kidnap = config.kidnaps.front();
   const sim::FreeSpace free(sim::drive_grid(config),
