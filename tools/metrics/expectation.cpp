@@ -17,7 +17,7 @@ namespace {
 
 using Kind = Condition::Kind;
 
-// Longer ones first: "<=" begins with "<".
+// Longer operators first, since "<=" begins with "<".
 constexpr std::array<std::pair<std::string_view, Kind>, 5> kOperators{{{"<=", Kind::kAtMost},
                                                                        {">=", Kind::kAtLeast},
                                                                        {"==", Kind::kEqual},

@@ -12,9 +12,9 @@ bool is_tracking(const std::vector<RecoveryWindow>& windows, Stamp stamp) {
                       [&](const RecoveryWindow& window) { return window.is_lost_at(stamp); });
 }
 
-constexpr double kBlock = 5.0;  // [s] Of rows that resemble each other.
+constexpr double kBlock = 5.0;  // [s] Length of a bootstrap block; rows within it are correlated.
 
-/// Rows of 5 s, by the mean time between two.
+/// Number of rows in a block of 5 s, by the mean period of the rows.
 std::size_t block_of(const std::vector<MetricRow>& rows) {
   if (rows.size() < 2) return 1;
   const double period =
@@ -72,7 +72,7 @@ void measure_wrong_lock(const std::vector<MetricRow>& rows, const RecoveryConfig
   if (answered > 0) metrics.wrong_lock_share = static_cast<double>(wrong) / answered;
 }
 
-/// Each row stands for the time to the next one; the last to the end.
+/// Each row counts until the next one, the last one until the end.
 void measure_wrong_lock_time(const std::vector<MetricRow>& rows, Stamp end,
                              const RecoveryConfig& config, LocalizerMetrics& metrics) {
   double stretch = 0.0;
@@ -96,7 +96,7 @@ void measure_availability(const std::vector<MetricRow>& rows, LocalizerMetrics& 
   if (scored > 0) metrics.availability = static_cast<double>(available) / scored;
 }
 
-/// The trajectories as the TUM files hold them: a pose a stamp, the first one.
+/// Computes the APE of the trajectories in the TUM files: one pose per stamp, the first one.
 std::optional<Ape> ape_of(const std::vector<MetricRow>& rows) {
   std::vector<StampedPose> truth;
   std::vector<StampedPose> estimate;
@@ -123,7 +123,7 @@ void measure_detection(LocalizerMetrics& metrics) {
   metrics.detection_delay_s = statistics(std::move(delays));
 }
 
-/// Up to when an alarm answers the kidnap (or the unknown start) of a window.
+/// Up to this time an alarm is a correct response to the kidnap (or unknown start) of a window.
 Stamp excused_until(const RecoveryWindow& window, const RecoveryConfig& config) {
   const Stamp grace = std::min(window.begin + config.alarm_grace, window.end);
   return std::max(window.recovered.value_or(window.end), grace);

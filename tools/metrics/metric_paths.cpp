@@ -29,7 +29,7 @@ void add_figures(const Json& json, const std::string& path, MetricTable& table) 
   }
 }
 
-/// What a run can have besides its localizers' figures.
+/// A summary with every key of a run, apart from its localizers.
 Json empty_run() {
   Json run{{"duration_s", nullptr}, {"distance_m", nullptr}, {"collisions", nullptr}};
   for (const char* what : {"recoveries", "wait", "re-plan", "back up", "spin", "emergency stop"}) {
