@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostSide = 32768;  // As pictures of maps.
+constexpr int kMostSide = 32768;  // Same limit as for pictures of maps.
 constexpr int kMostCells = 1 << 29;
 constexpr std::string_view kFirstLine = "castaway recording 1\n";
 
@@ -22,7 +22,7 @@ constexpr std::string_view kFirstLine = "castaway recording 1\n";
   throw std::runtime_error("not a recording of this version: " + why + "; run it again");
 }
 
-/// The header's text; `at` is left behind it.
+/// Parses the header; `at` becomes the offset behind it.
 Json parse_header(std::string_view bytes, std::size_t& at) {
   if (!bytes.starts_with(kFirstLine)) refuse("its first line is another");
   const std::size_t end = bytes.find('\n', kFirstLine.size());
@@ -44,7 +44,7 @@ std::string pack_recording(Json header, const std::vector<RecordingSection>& sec
     header["sections"].push_back({{"name", section.name}, {"bytes", section.bytes.size()}});
     body += section.bytes;
   }
-  const auto replace = Json::error_handler_t::replace;  // A name need not be UTF-8.
+  const auto replace = Json::error_handler_t::replace;  // A name need not be valid UTF-8.
   return gzip(std::string(kFirstLine) + header.dump(-1, ' ', false, replace) + "\n" + body);
 }
 

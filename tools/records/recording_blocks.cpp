@@ -18,8 +18,8 @@ void append_pose(std::string& block, const SE2& pose) {
   append_signed(block, quantized(pose.yaw, kRecordingAngle));
 }
 
-/// Some `most` of the particles at even steps, relative to `center`, by x and y: their order means
-/// nothing, and sorted they take less room.
+/// About `most` of the particles at a regular stride, relative to `center`. They are sorted by x
+/// and y, since their order has no meaning and sorted differences are smaller.
 std::vector<std::pair<std::int64_t, std::int64_t>> points_about(const SE2& center,
                                                                 const std::vector<SE2>& particles,
                                                                 std::size_t most) {

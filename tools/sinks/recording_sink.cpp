@@ -22,7 +22,7 @@ constexpr std::array<const char*, 4> kBelief{"/quality", "/probability", "/sigma
 
 std::string of_localizer(std::size_t index) { return std::to_string(index); }
 
-/// Rotation and translation, row by row.
+/// Upper three rows of the matrix, row by row.
 Json matrix(const Eigen::Isometry3d& T) {
   Json rows = Json::array();
   for (int row = 0; row < 3; ++row) {
@@ -88,7 +88,7 @@ bool RecordingSink::is_torn(const ScanRecord& record) const {
   });
 }
 
-/// Whether it is time for another scan of a lidar, and when it is for the one after.
+/// Returns whether a scan of a lidar is due, and advances its next due time if so.
 bool RecordingSink::is_due(const ScanRecord& record, double every_s,
                            std::map<std::string, Stamp>& next) {
   if (every_s <= 0.0) return true;
@@ -98,7 +98,7 @@ bool RecordingSink::is_due(const ScanRecord& record, double every_s,
   return true;
 }
 
-/// Index of the scan's lidar among those of the header, where it is put at its first scan.
+/// Index of the scan's lidar in the header; it is added at its first scan.
 std::size_t RecordingSink::lidar_of(const LaserScan& scan, std::size_t stride) {
   const Json lidar = lidar_header(scan, stride);
   Json& lidars = header_["lidars"];

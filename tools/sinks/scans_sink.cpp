@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Numbers with spaces between, in `format`.
+/// Joins numbers formatted as `format` with spaces.
 template <typename T>
 std::string joined(const std::vector<T>& values, fmt::format_string<const T&> format) {
   std::string text;
