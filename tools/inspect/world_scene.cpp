@@ -22,7 +22,7 @@ Vector3f lifted(const Eigen::Vector2d& p, float z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), z};
 }
 
-/// A closed line.
+/// A closed polyline.
 sim::SceneLines outline(const std::vector<Eigen::Vector2d>& points, const Vector3f& color) {
   sim::SceneLines lines{{}, color, 2.0F};
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -12,7 +12,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What a specification starts from.
+/// The robot's lidar that a specification modifies.
 sim::LidarConfig described(const LidarSpec& spec, const sim::RobotModel& robot) {
   const std::vector<sim::LidarConfig> lidars = sim::lidars_of(robot);
   for (const sim::LidarConfig& lidar : lidars) {
@@ -23,7 +23,7 @@ sim::LidarConfig described(const LidarSpec& spec, const sim::RobotModel& robot) 
   return lidar;
 }
 
-/// The same changes for every lidar of the description.
+/// Applies one specification to every lidar of the description.
 std::vector<LidarSpec> for_each_lidar(const LidarSpec& all, const sim::RobotModel& robot) {
   std::vector<LidarSpec> specs;
   for (const sim::LidarConfig& lidar : sim::lidars_of(robot)) {

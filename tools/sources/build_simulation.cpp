@@ -17,7 +17,7 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kWorthTelling =
-    0.5;  // Of the speed asked for; the robot's own is expected to be less.
+    0.5;  // Share of the requested speed below which a robot is reported as slow.
 
 void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
   config.start = world.file.start;
@@ -28,7 +28,6 @@ void place_start(const StartSpec& start, const LoadedWorld& world, sim::Simulati
                         (start.place == StartSpec::Place::kWorld && !world.has_start);
 }
 
-/// A robot and its lidars.
 struct LoadedRobot {
   sim::RobotModel robot;
   std::vector<sim::LidarConfig> lidars;
@@ -52,7 +51,7 @@ SurveyOptions survey_options(const Scenario& scenario, const LoadedRobot& robot)
   return options;
 }
 
-/// What stands where it was not mapped, and how much a lidar sees of that.
+/// Difference between world and map, and the share of a lidar's beams that it affects.
 std::optional<MapDifference> difference_of(const LoadedWorld& world,
                                            const sim::LidarConfig& lidar) {
   if (!differs_from_map(world.file.spec)) return std::nullopt;
@@ -63,7 +62,7 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
                        layer.opened, layer.closed, layer.added};
 }
 
-/// Wheels that turn slower than the scenario drives.
+/// Warns if the wheels limit the robot to much less than the requested speed.
 void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
   if (limits.max_speed > kWorthTelling * config.drive.limits.max_speed) return;
@@ -73,7 +72,7 @@ void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::s
                   limits.max_speed, config.drive.limits.max_speed));
 }
 
-/// A robot that is wider than its route.
+/// Warns if the robot does not fit through its route.
 void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const auto& waypoints = config.drive.waypoints;
   const sim::FreeSpace space(config.map, config.robot.footprint_radius);
@@ -86,7 +85,7 @@ void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::s
       config.robot.footprint_radius, tight, waypoints.size()));
 }
 
-/// A lidar that the robot's file knows nothing of.
+/// Warns if the robot's file describes no lidar.
 void warn_of_default_lidar(const sim::SimulationConfig& config,
                            std::vector<std::string>& warnings) {
   if (!config.robot.lidars.empty()) return;

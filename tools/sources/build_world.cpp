@@ -25,16 +25,16 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kMapResolution = 0.05;  // [m]
-constexpr double kMostCells = 28e6;      // Of a survey; a run with people needs 70 bytes a cell.
-constexpr double kNoRoom = 1.0;          // [m^2] Less free space than this is none.
-constexpr double kTold = 0.001;          // [m] A floor this far from 0 is worth a line.
-constexpr double kPlatform = 0.3;        // [m] What is higher at the start is an obstacle.
+constexpr double kMostCells = 28e6;      // Of a survey; a run with people needs 70 bytes per cell.
+constexpr double kNoRoom = 1.0;          // [m^2] Less free space counts as none.
+constexpr double kTold = 0.001;          // [m] Greater floor heights are reported.
+constexpr double kPlatform = 0.3;        // [m] At the start, higher objects are obstacles.
 
 bool is_ros_map(const std::filesystem::path& path) {
   return YamlDocument::load(path).root().has("image");
 }
 
-/// Names that changes can go by: bodies, pieces, doors, groups, without their parts.
+/// Names that changes can refer to: bodies, pieces, doors and groups, but not their parts.
 std::vector<std::string> names_in(const sim::WorldSpec& world, bool doors) {
   std::set<std::string> names;
   if (doors) {
@@ -84,7 +84,7 @@ bool is_sdf(std::filesystem::path path) {
   return path.extension() == ".sdf" || path.extension() == ".world";
 }
 
-/// Search paths from the scenario's folder, or from the current one where they are not there.
+/// Resolves search paths relative to the scenario's folder, or else to the current one.
 std::vector<std::string> found_from(const std::vector<std::string>& paths,
                                     const std::filesystem::path& base) {
   std::vector<std::string> result;
@@ -95,14 +95,14 @@ std::vector<std::string> found_from(const std::vector<std::string>& paths,
   return result;
 }
 
-/// Names the part of the free space that the run is about, and makes the others unknown.
+/// Restricts the free space to the region of the run: the others become unknown.
 void choose_space(const std::optional<Eigen::Vector2d>& start, double radius, LoadedWorld& world) {
   sim::FreeChoice choice = sim::choose_free(world.grid, radius, start);
   world.grid = std::move(choice.grid);
   if (const auto text = sim::describe(choice)) world.warnings.push_back(*text);
 }
 
-/// Edge of a cell with which the map of a world has no more than `kMostCells`. [m]
+/// Cell size [m] at which the map of a world has at most `kMostCells` cells.
 double survey_resolution(const sim::WorldSpec& spec) {
   const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
   double resolution = kMapResolution;
@@ -110,7 +110,7 @@ double survey_resolution(const sim::WorldSpec& spec) {
   return resolution;
 }
 
-/// Edge of the map's cells: as fine as memory allows. [m]
+/// Cell size [m] of the map; adds a warning if the world is too large for the usual one.
 double told_resolution(LoadedWorld& world) {
   const double resolution = survey_resolution(world.file.spec);
   if (resolution > kMapResolution) {

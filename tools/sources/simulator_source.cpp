@@ -36,7 +36,7 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
   return truth;
 }
 
-/// When what is delivered began: a scan with its first beam.
+/// Start of a frame's measurement: for a scan, the stamp of its first beam.
 Stamp begun(const Frame& frame) {
   const auto* scan = std::get_if<ScanFrame>(&frame.data);
   return scan != nullptr ? scan->scan.stamp : frame.stamp;
@@ -110,7 +110,7 @@ std::optional<Frame> SimulatorSource::next_of_all() {
   return frame;
 }
 
-/// With what is to be told before it.
+/// Queues the next frame, preceded by its events.
 void SimulatorSource::take_next() {
   if (over_) return;
   const std::optional<sim::SimFrame> frame = simulation_.next();

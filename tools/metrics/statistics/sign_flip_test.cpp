@@ -10,11 +10,11 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::uint64_t kFlipSeed = 1;  // As of every bootstrap.
+constexpr std::uint64_t kFlipSeed = 1;  // The same as of the bootstrap.
 constexpr std::size_t kMostExact = 16;
 constexpr int kFlips = 20000;
 
-/// Sums that differ by rounding are equal.
+/// Tolerance for sums that differ only by rounding.
 double threshold_of(const std::vector<double>& differences) {
   const double sum = std::accumulate(differences.begin(), differences.end(), 0.0);
   double size = 0.0;

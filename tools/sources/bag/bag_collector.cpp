@@ -15,7 +15,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The stamp of a header; the log time where it is not set.
+/// Stamp of a header, or the log time if it is not set.
 Stamp stamp_of(const ros::Header& header, std::int64_t log_time_ns) {
   const Stamp stamp = from_ros_time(header.stamp);
   return stamp.count() != 0 ? stamp : Stamp(log_time_ns);
