@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Text that XML takes as text, also in attributes. Control characters have no form in XML 1.0.
+/// Escapes text for XML content and attributes. XML 1.0 cannot represent control characters.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {

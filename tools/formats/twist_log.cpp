@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kHeader = "t_s,v,w";
 constexpr double kLargestTwist = 1e7;  // [s], [m/s], [rad/s]
 
-/// Three numbers of at most `kLargestTwist` between commas; false where there is anything else.
+/// Parses three comma-separated numbers of at most `kLargestTwist`; false on anything else.
 bool parse(std::string_view line, std::array<double, 3>& numbers) {
   const char* at = line.data();
   const char* const end = at + line.size();

@@ -5,7 +5,8 @@
 namespace castaway::testbed {
 namespace {
 
-/// The one that shows more: a row without an error is a gap, which shows that there was no answer.
+/// The more informative row: a row without an error (the localizer had no output), else the larger
+/// error.
 const ReportRow& more_telling(const ReportRow& a, const ReportRow& b) {
   if (!a.position_error_m || !b.position_error_m) return a.position_error_m ? b : a;
   return *b.position_error_m > *a.position_error_m ? b : a;

@@ -20,9 +20,9 @@ struct MeshLimits {
 /// std::runtime_error "path: cannot read this mesh (...)" here. Exceptions of `read` are passed on,
 /// std::length_error with its type. The child has ended when this returns.
 ///
-/// The limit of memory is one of address space beyond what is taken now, so that it also holds
-/// under a sanitizer that has reserved terabytes for its own; there it bounds what the allocator
-/// maps anew, and the limit of time the rest.
+/// The memory limit applies to the address space beyond the current one, so it also works under a
+/// sanitizer that has reserved terabytes; there it bounds only new mappings, and the time limit
+/// bounds the rest.
 sim::TriangleMesh read_isolated(const std::string& path, const sim::MeshReader& read,
                                 const MeshLimits& limits = {});
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kNoCompression = 0;
 constexpr std::uint32_t kBitFields = 3;
 
-/// A bitmap of Windows: a header, a palette, rows from the bottom.
+/// Reads a Windows bitmap: a header, a palette, and rows from the bottom.
 class BmpReader {
  public:
   BmpReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
@@ -72,7 +72,7 @@ class BmpReader {
     for (std::uint32_t i = 0; i < colors; ++i) palette_.push_back(mean(14 + header + 4 * i));
   }
 
-  /// Of blue, green and red.
+  /// Mean of blue, green and red.
   [[nodiscard]] std::uint16_t mean(std::size_t at) const {
     const std::uint32_t sum = number(at, 1) + number(at + 1, 1) + number(at + 2, 1);
     return static_cast<std::uint16_t>((sum + 1) / 3);
