@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if the folder is free or was made by the same subcommand from the same settings.
+/// True if the folder is free or was made by the same subcommand with the same settings.
 bool is_same_or_free(const fs::path& folder, const std::string& made_by,
                      const std::string& settings) {
   try {

@@ -20,7 +20,7 @@ void say(std::string_view text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-/// Only what a signal handler may call.
+/// Calls only async-signal-safe functions.
 extern "C" void interrupt(int signal) {
   if (pending != 0 && silent) return;
   if (pending != 0) _exit(128 + signal);
@@ -32,7 +32,7 @@ extern "C" void interrupt(int signal) {
 
 }  // namespace
 
-/// Without SA_RESTART: whoever waits for a process or a file is woken.
+/// Without SA_RESTART, so that blocking waits return.
 void watch_for_interruption() {
   struct sigaction action {};
   action.sa_handler = interrupt;

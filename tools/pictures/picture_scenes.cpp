@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector3f;
 
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
-constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest picture that overviews fit into.
+constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest image for which overviews are framed.
 
 Vector3f lifted(const Eigen::Vector2d& p, double z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
 }
 
-/// A person on the map: the ellipse of its body with its nose.
+/// Adds a person on the map: an ellipse for the body, with a nose.
 void add_person(const PersonTruth& person, sim::Scene& scene) {
   constexpr int kSides = 20;
   constexpr double kDepth = 0.16;   // [m]
@@ -40,11 +40,11 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
   scene.lines.push_back(std::move(outline));
 }
 
-/// Where each localizer believes the robot to be: a ring and an arrow on the floor; near the robot
-/// on what carries that.
+/// Adds each localizer's estimate as a ring and an arrow on the floor, or near the robot on the
+/// ground that carries it.
 void add_ghosts(const PictureWorld& world, const ScanRecord& record, double height,
                 sim::Scene& scene) {
-  constexpr double kFloor = 0.02;  // [m] Above it.
+  constexpr double kFloor = 0.02;  // [m] Above the floor.
   constexpr double kNear = 1.0;    // [m]
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
@@ -56,7 +56,7 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
   }
 }
 
-/// What stands and what moves, but the robot.
+/// The static and the moving objects, without the robot.
 std::vector<sim::SceneItem> surroundings(const PictureWorld& world,
                                          std::vector<sim::SceneItem> items) {
   if (world.moving) {
@@ -65,7 +65,7 @@ std::vector<sim::SceneItem> surroundings(const PictureWorld& world,
   return items;
 }
 
-/// `items`, robot at its true pose, and lidar hits.
+/// `items`, the robot at its true pose, and lidar hits.
 sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> items,
                       const ScanRecord& record, const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
@@ -102,7 +102,7 @@ Eigen::AlignedBox2d box_of(const RosMap& map) {
   return bounds;
 }
 
-/// Looks straight down on the map, as large as the picture allows.
+/// A camera that looks straight down on the map, as large as the image allows.
 sim::Camera camera_above(const RosMap& map, const MapView& view) {
   const double height = map_height(map, view);
   const Eigen::Vector2d middle =
@@ -174,7 +174,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
   scene.camera = camera_above(*world.map, view);
   scene.items.push_back(map_item);
   const double radius = std::max(world.robot_radius, 0.012 * scene.camera.ortho_height);
-  double z = 0.2;  // Later outlines lie over earlier ones.
+  double z = 0.2;  // Later outlines are drawn above earlier ones.
   for (const LocalizerRecord& localizer : record.localizers) {
     for (const auto& population : localizer.diagnostics.populations) {
       add_particles(population, scene);
