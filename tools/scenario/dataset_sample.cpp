@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// In one line.
+/// YAML of a value on one line.
 std::string brief(const YamlNode& value) {
   std::string text = emit_yaml(value);
   for (char& c : text) c = c == '\n' ? ' ' : c;
@@ -15,7 +15,7 @@ std::string brief(const YamlNode& value) {
   return text;
 }
 
-/// Drawn values whose keys an error is about, or else all of them.
+/// The drawn values whose keys an error mentions, or else all of them.
 std::string suspects(const SampledSequence& sequence, const std::string& error) {
   std::string named;
   std::string all;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys of a scenario that a data set sees to itself.
+/// Keys of a scenario that a data set sets itself.
 const std::vector<std::string> kOwn{"seed", "name", "outputs", "expect"};
 
 fs::path base_scenario(const YamlReader& value, const fs::path& folder) {
@@ -38,7 +38,7 @@ YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) 
   return document.root().raw();
 }
 
-/// What runs need and a data set does not, and the reverse.
+/// Adapts a scenario to a data set: removes its own keys, and sets localizers and outputs.
 void fit(YamlNode& scenario, const YamlNode& outputs) {
   for (const std::string& key : kOwn) drop(scenario, key);
   if (scenario.find("localizers") == nullptr) {
@@ -85,7 +85,7 @@ SplitSpec read_splits(YamlReader& root) {
   return splits;
 }
 
-/// The text with the scenario within, whatever file it came from.
+/// YAML of the specification with the base scenario included.
 std::string effective_text(YamlReader& root, const DatasetSpec& spec, const YamlNode& outputs) {
   YamlNode tree = root.raw();
   YamlNode scenario = spec.scenario;

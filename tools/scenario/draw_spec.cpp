@@ -66,7 +66,7 @@ Draw read_integer(YamlReader& map) {
   return draw;
 }
 
-/// The one key that says how it is drawn.
+/// The key that names the distribution; there must be exactly one.
 std::string kind_of(YamlReader& map) {
   std::string kind;
   for (auto& [key, value] : map.entries()) {
@@ -82,7 +82,7 @@ std::string kind_of(YamlReader& map) {
   return kind;
 }
 
-/// With six digits, as a reader would write it.
+/// Rounds to six significant digits.
 YamlNode number(double value, double low, double high) {
   const std::string text = fmt::format("{:.6g}", value);
   double rounded = value;
@@ -98,7 +98,7 @@ YamlNode value_of(const ChoiceDraw& draw, Rng& rng) {
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < draw.weights.size(); ++i) {
     if (draw.weights[i] <= 0.0) continue;
-    chosen = i;  // The last one that has a weight, should rounding leave some.
+    chosen = i;  // If rounding leaves a rest, the last option with a positive weight is chosen.
     if (left < draw.weights[i]) break;
     left -= draw.weights[i];
   }

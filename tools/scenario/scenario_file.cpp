@@ -20,7 +20,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever they last.
+constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever their length.
 
 void run_fields(Settings settings, Scenario& scenario) {
   settings.field({"seed", "", "Root of all random streams.", {0.0, 1.9e19}}, scenario.seed);
@@ -95,7 +95,8 @@ std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers) 
   return names;
 }
 
-/// Whoever is watched must ride along; by default the first one is.
+/// Sets the localizer that kidnaps wait for, by default the first one, and checks that the run has
+/// it.
 void choose_watched(const YamlReader& root, Scenario& scenario) {
   std::string& watched = scenario.events.watched;
   if (!waits_for_localizer(scenario.events)) return;
@@ -107,7 +108,7 @@ void choose_watched(const YamlReader& root, Scenario& scenario) {
   }
 }
 
-/// Who drives is the truth or a localizer of the run.
+/// Checks that the driver is "truth" or a localizer of the run.
 void check_driver(YamlReader& root, const Scenario& scenario) {
   std::vector<std::string> drivers = names_of(scenario.localizers);
   drivers.emplace_back("truth");

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
                   path.string()));
 }
 
-/// A file that can be read, or an error.
+/// Returns a readable MCAP file; throws for other formats.
 fs::path checked(const fs::path& file) {
   if (file.extension() == ".db3") refuse_sqlite(file);
   if (file.extension() == ".bag") refuse_ros1(file);
@@ -76,7 +76,7 @@ bool is_bag(const fs::path& path) {
 
 std::vector<fs::path> bag_files(const fs::path& path) {
   if (!fs::is_directory(path)) return {checked(path)};
-  // A run folder holds its bag in a folder of its own.
+  // A run folder holds its bag in a subfolder.
   const bool run = !fs::exists(path / "metadata.yaml") && fs::is_directory(path / "bag");
   const fs::path folder = run ? path / "bag" : path;
   const bool described = fs::exists(folder / "metadata.yaml");

@@ -25,8 +25,8 @@ std::vector<std::string> folders_in(const fs::path& path) {
   return names;
 }
 
-/// The folder of data that lies by the program: `share/castaway` beside its folder, as installed,
-/// or in it, where a build tree has links to the source tree's.
+/// The data folder of the program: `share/castaway` next to its folder when installed, or inside it
+/// in a build tree, which links to the source tree's data.
 fs::path beside_program() {
   std::error_code none;
   const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -37,7 +37,7 @@ fs::path beside_program() {
   return folder.parent_path() / "share/castaway";
 }
 
-/// What to look for: `<data>/<kind>s/<text>/<one of files>`.
+/// Finds `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
               const std::vector<std::string>& files) {
   const fs::path shipped = data_root() / (kind + "s");

@@ -3,7 +3,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr NumberRange kPopulation{1.0, 20000.0};  // There may be a dozen.
+constexpr NumberRange kPopulation{1.0, 20000.0};  // A localizer may have a dozen populations.
 
 }  // namespace
 

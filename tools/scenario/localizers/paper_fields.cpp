@@ -1,4 +1,4 @@
-// The settings of the paper's MH-AMCL and of the published code.
+// Settings of the paper's MH-AMCL and of the published code.
 #include "tools/scenario/localizers/filter_fields.hpp"
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 

@@ -21,7 +21,7 @@ const std::vector<std::pair<std::string, KidnapKind>> kKinds{
     {"carry", KidnapKind::kCarry},
     {"spin", KidnapKind::kSpin}};
 
-/// One of the four keys that say when.
+/// The four keys for the trigger of a kidnap, of which one is given.
 void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
   const std::vector<std::pair<Setting, KidnapTrigger::On>> keys{
       {{"at_s", "s", "Simulated time.", {0.0, kLongest}}, KidnapTrigger::On::kTime},
@@ -67,7 +67,7 @@ void lift_fields(Settings& settings, KidnapKind kind, sim::LiftConfig& lift) {
   settings.field({"covered", "", "Whoever carries it covers the lidars."}, lift.covered);
 }
 
-/// Where it goes, for the kinds that go far.
+/// Target of a kidnap, for the kinds that move the robot far.
 void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
   if (kidnap.kind != KidnapKind::kLookAlike) {
     std::optional<Eigen::Vector3d> pose;

@@ -18,13 +18,14 @@ LidarSpec read_named_lidar(const std::string& name, YamlReader body) {
   return lidar;
 }
 
-/// Another number of beams over the same field of view.
+/// Changes the number of beams over the same field of view.
 void resample(int beams, sim::LidarConfig& lidar) {
   lidar.angle_increment *= static_cast<double>(lidar.beams) / beams;
   lidar.beams = beams;
 }
 
-/// The beams over a field of view ahead; the last beam of a full circle does not repeat the first.
+/// Spreads the beams over a field of view centred ahead; the last beam of a full circle does not
+/// repeat the first.
 void spread(double fov_deg, sim::LidarConfig& lidar) {
   const int gaps = fov_deg >= 360.0 ? lidar.beams : std::max(lidar.beams - 1, 1);
   lidar.angle_increment = fov_deg * kRadians / gaps;

@@ -52,7 +52,7 @@ void fields(Settings settings, CameraConfig& camera) {
   settings.field({"instances", "", "Writes camera/instances."}, camera.instances);
 }
 
-/// `key: false`, `key: true`, or a map of what differs from the defaults.
+/// Reads `key: false`, `key: true`, or a map of changes to the defaults.
 template <typename Config>
 std::optional<Config> read_switch(YamlReader& map, const std::string& key) {
   const std::optional<YamlReader> given = map.find(key);

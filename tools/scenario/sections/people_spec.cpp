@@ -6,7 +6,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kCrowdPerShare = 60.0;  // Walkers for all beams, where there is no count.
+constexpr double kCrowdPerShare = 60.0;  // Walkers per blocked share of 1, if no count is given.
 
 std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() {
   std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> names;
@@ -17,7 +17,7 @@ std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() 
   return names;
 }
 
-/// As many as such a crowd takes; more would block beams as they pass.
+/// Number of walkers that suffices for the share; more would block additional beams in passing.
 int crowd_count(double blocked_share) {
   return static_cast<int>(std::lround(kCrowdPerShare * blocked_share));
 }
@@ -31,7 +31,7 @@ std::vector<int> read_talking(YamlReader& map) {
   return sizes;
 }
 
-/// [x, y] or [x, y, yaw].
+/// Reads poses [x, y] or [x, y, yaw].
 std::vector<sim::Pose2> read_placed(YamlReader& map) {
   std::vector<sim::Pose2> poses;
   for (const YamlReader& item : map.list("at")) {

@@ -10,7 +10,7 @@ namespace {
 
 Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder);
 
-/// What is taken for furniture where the file does not say.
+/// Whether a kind is furniture by default.
 bool is_furniture(const std::string& kind) {
   return kind == "box" || kind == "cylinder" || kind == "sphere" || kind == "table" ||
          kind == "chair" || kind == "shelf" || kind == "mesh";
@@ -23,7 +23,7 @@ const char* standard_color(const std::string& kind) {
   return "#b3b3b3";
 }
 
-/// "#rrggbb"
+/// Parses "#rrggbb".
 Eigen::Vector3f color_of(YamlReader& reader, const char* fallback) {
   const std::string text = reader.get("color", fallback);
   unsigned rgb = 0;
@@ -58,12 +58,12 @@ Bodies read_bodies(const std::string& kind, YamlReader& reader,
       "shelf, sphere, step, table, wall, window");
 }
 
-/// Where the object is to be found: in the world, on the map, or both.
+/// Reads whether the object is in the world, on the map, or both.
 void read_presence(YamlReader& reader, const std::string& kind, Bodies& bodies) {
   const bool in_world = reader.get("in_world", true);
   if (kind == "door") {
     if (!in_world) reader.find("in_world")->fail("a door is in the world; see `in_map`");
-    return;  // Its `in_map` is of its own.
+    return;  // Doors have an `in_map` of their own.
   }
   const bool in_map = reader.get("in_map", true);
   if (!in_world && !in_map) reader.fail("neither in the world nor on the map: leave it out");
@@ -79,7 +79,7 @@ double read_reflectivity(YamlReader& reader, double fallback) {
   return value;
 }
 
-/// Keys that every kind takes.
+/// Reads the keys that all kinds have.
 void read_common(YamlReader& reader, const std::string& kind, Bodies& bodies) {
   const Eigen::Vector3f color = color_of(reader, standard_color(kind));
   const double reflectivity = read_reflectivity(reader, sim::Surface{}.reflectivity);
@@ -108,7 +108,7 @@ void give_names(const std::string& name, bool furniture, Bodies& bodies) {
   for (sim::Door& door : bodies.doors) door.name = name;
 }
 
-/// One copy of a group: moved, and named after its place.
+/// Adds one copy of a group, moved and with a name prefix.
 void append_copy(const Bodies& group, const Eigen::Isometry3d& T, const std::string& prefix,
                  Bodies& out) {
   for (sim::WorldObject object : group.bodies) {

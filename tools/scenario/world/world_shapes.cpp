@@ -1,4 +1,4 @@
-// Single bodies of world files: boxes, balls, ramps, meshes.
+// Single bodies of world files: boxes, spheres, ramps, meshes.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if `path` lies in `folder`, links followed.
+/// True if `path` lies in `folder` after following links.
 bool within(const fs::path& path, const fs::path& folder) {
   const fs::path inner = fs::weakly_canonical(path);
   const fs::path outer = fs::weakly_canonical(folder);

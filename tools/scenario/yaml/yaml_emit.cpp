@@ -7,7 +7,7 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-/// Text that every YAML reader takes as this very string when it stands bare.
+/// Whether every YAML reader takes the unquoted text as this string.
 bool is_plain(const std::string& text) {
   constexpr std::string_view kSafe =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
@@ -40,7 +40,7 @@ bool all_scalars(const YamlNode& list) {
   return true;
 }
 
-/// The node on the line of its key, or nothing if it needs lines of its own.
+/// The node on the line of its key; empty if it needs lines of its own.
 std::string inline_text(const YamlNode& node) {
   if (node.kind == Kind::kNull) return "~";
   if (node.kind == Kind::kScalar) return scalar_text(node.scalar);

@@ -35,7 +35,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A list of scalars is a value; a map or a list of maps has keys to check.
+/// A list of scalars is a value; maps and lists of maps have keys to check.
 void reject_unknown(const YamlNode& node) {
   for (const YamlEntry& entry : node.entries) {
     if (!contains(node.known, entry.key)) {

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-constexpr double kLargest = 1e9;  // Of any length, time or rate.
+constexpr double kLargest = 1e9;  // Bound of any length, time or rate.
 
 std::string shown(const YamlNode& node) {
   switch (node.kind) {
