@@ -64,7 +64,7 @@ const BagTopicInfo& topic_named(const BagInventory& bag, const std::string& name
   return *found;
 }
 
-/// The topic of an option, of one of `types`.
+/// The topic named by an option; its type must be one of `types`.
 std::string required(const BagInventory& bag, const std::string& name, const char* option,
                      const Names& types) {
   const BagTopicInfo& topic = topic_named(bag, name, option);
@@ -75,7 +75,8 @@ std::string required(const BagInventory& bag, const std::string& name, const cha
   return name;
 }
 
-/// The only one, or that of the usual name; an error where several remain; empty of none.
+/// The only candidate, or the one with the usual name. Empty if there are none; throws if several
+/// remain.
 std::string only_one(const BagInventory& bag, const Names& names, const std::string& usual,
                      const char* option) {
   if (names.empty()) return "";
@@ -85,7 +86,7 @@ std::string only_one(const BagInventory& bag, const Names& names, const std::str
                                        bag.name, names.size(), option, fmt::join(names, ", ")));
 }
 
-/// True if the scans are ours: then all lidars are taken.
+/// True for scans of castaway's own bags, of which all lidars are used.
 bool tells_lidar(const BagInventory& bag, const std::string& name) {
   return topic_named(bag, name, "").metadata.contains("castaway.lidar");
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kForEver = "    sec: 9223372036\n    nsec: 854775807\n";
 
-/// A text of several lines as one quoted YAML line.
+/// Quotes a multi-line text as one line of YAML.
 std::string quoted(const std::string& text) {
   std::string line = "\"";
   for (const char c : text) {
@@ -33,7 +33,8 @@ std::string topic_text(const BagTopic& topic) {
 
 std::string qos_text(Durability durability) {
   const bool latched = durability == Durability::kTransientLocal;
-  // Numbers of rmw: keep last = 1, reliable = 1, transient local = 1, volatile = 2, automatic = 1.
+  // Enumerators of rmw: keep last = 1, reliable = 1, transient local = 1, volatile = 2, automatic =
+  // 1.
   return fmt::format(
       "- history: 1\n  depth: {}\n  reliability: 1\n  durability: {}\n  deadline:\n{}  "
       "lifespan:\n{}"
