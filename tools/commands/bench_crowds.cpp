@@ -1,4 +1,4 @@
-// castaway bench crowds: does anybody ever pass a wall?
+// castaway bench crowds: checks that people never pass a wall.
 #include <cstdio>
 #include <memory>
 
@@ -15,14 +15,14 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct CrowdArguments {
   CrowdHoursConfig config;
   bool json = false;
 };
 
 int bench_crowds(CrowdArguments arguments) {
-  arguments.config.people.behaviour.reset();  // All kinds.
+  arguments.config.people.behaviour.reset();  // Mixes all behaviours.
   const bool progress = isatty(STDERR_FILENO) != 0;
   const std::chrono::nanoseconds begin = thread_cpu_time();
   const CrowdHours seen = watch_crowd(arguments.config, [&](int hour) {

@@ -1,4 +1,4 @@
-// castaway bench kidnaps: random kidnaps in the simulator, with and without people about.
+// castaway bench kidnaps: random kidnaps in the simulator, with and without people.
 #include <cstdio>
 #include <memory>
 
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegrees = 57.29577951308232;
 
-/// What the command line says.
+/// Arguments of the command.
 struct KidnapArguments {
   KidnapTrialConfig trials;
   int kidnaps = 200;
@@ -36,13 +36,13 @@ std::string rate(int successes, int trials) {
                      100 * interval.high);
 }
 
-/// Mean, 95th percentile and worst of times.
+/// Mean, 95th percentile and maximum of times.
 std::string times(const std::vector<double>& sample) {
   const auto s = statistics(sample);
   return s ? fmt::format("{:.2f}, {:.2f}, {:.2f} s", s->mean, s->p95, s->max) : "-";
 }
 
-/// How many, and the mean.
+/// Number and mean.
 std::string count(const std::vector<double>& sample) {
   const auto s = statistics(sample);
   return s ? fmt::format("{}, {:.2f} s", sample.size(), s->mean) : "0";
@@ -81,8 +81,8 @@ std::string text(const std::optional<double>& time) {
   return time ? fmt::format("{:.2f} s", *time) : "never";
 }
 
-/// A trial in which the right place is not among the best five or the first localizer recovers
-/// late.
+/// Prints a trial in which the right place is not among the best five or the first localizer
+/// recovers late.
 void print_failure(const KidnapReport& report, const KidnapArguments& arguments) {
   const SearchOutcome& search = report.search;
   bool failed = !search.rank || *search.rank >= 5;

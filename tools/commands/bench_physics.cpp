@@ -1,4 +1,4 @@
-// castaway bench physics: a robot's drive against closed forms.
+// castaway bench physics: compares a robot's drive with closed forms.
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct PhysicsArguments {
   std::string robot = "waffle";
   double physics_hz = 500.0;

@@ -1,4 +1,4 @@
-// castaway bench published: what each defect of the published MH-AMCL costs.
+// castaway bench published: the cost of each defect of the published MH-AMCL.
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -16,7 +16,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct PublishedArguments {
   std::string scenario;
   int seeds = 5;

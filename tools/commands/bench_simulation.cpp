@@ -1,4 +1,4 @@
-// castaway bench simulation: what a simulated second costs.
+// castaway bench simulation: CPU time of a simulated second.
 #include <cstdio>
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the command line says.
+/// Arguments of the command.
 struct SimulationArguments {
   double duration_s = 60.0;
   bool quick = false;

@@ -1,4 +1,4 @@
-// castaway check-world: what was understood of a world.
+// castaway check-world: reports how a world was interpreted.
 #include <filesystem>
 #include <memory>
 
@@ -22,7 +22,7 @@ namespace {
 constexpr int kWorldPictureWidth = 1000;  // [px]
 constexpr int kWorldPictureHeight = 750;  // [px]
 
-/// What the command line says.
+/// Arguments of the command.
 struct CheckWorldArguments {
   WorldChoice world;
   std::string robot = "waffle";
@@ -40,7 +40,7 @@ std::string map_name(const std::string& file) {
   return (path.parent_path() / (path.stem().string() + "-map.png")).string();
 }
 
-/// The files' names, or why there are no pictures.
+/// Writes two pictures and returns their file names, or why there are none.
 std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   const std::string file = out.empty() ? file_name_of(world.file.spec.name) + ".png" : out;
   std::string overview;
@@ -58,7 +58,7 @@ std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   return fmt::format("{}, {}", file, map_name(file));
 }
 
-/// Of a scenario: its world, seed and differences.
+/// Takes world, seed and differences from a scenario.
 void take_scenario(CheckWorldArguments& arguments) {
   arguments.scenario = find_scenario(arguments.scenario, ".").string();
   const LoadedScenario loaded = load_scenario(arguments.scenario, {});

@@ -1,4 +1,4 @@
-// castaway dataset: many runs, drawn from a specification, as a data set.
+// castaway dataset: makes a data set of many runs drawn from a specification.
 #include <memory>
 #include <stdexcept>
 
@@ -12,7 +12,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says besides.
+/// Arguments of the command.
 struct DatasetArguments {
   DatasetRequest request;
   std::string spec;

@@ -1,4 +1,4 @@
-// castaway evaluate: localizers judged on recorded logs.
+// castaway evaluate: evaluates localizers on recorded logs.
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -17,7 +17,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct EvaluateArguments {
   std::vector<std::string> folders;
   std::vector<std::string> localizers;
@@ -36,7 +36,7 @@ std::string quantile(const std::vector<double>& ascending, double q, const char*
   return ascending.empty() ? "-" : fmt::format("{:.1f} {}", percentile(ascending, q), unit);
 }
 
-/// One line of the table, the cells right-aligned but for the first two.
+/// Prints a row of the table; all cells but the first two are right-aligned.
 void print_line(const std::array<std::string, 17>& cells) {
   constexpr std::array<int, 17> kWidths = {16, 14, 18, 8, 8, 8, 19, 8, 8,
                                            8,  17, 12, 8, 8, 7, 7,  18};

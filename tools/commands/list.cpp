@@ -1,4 +1,4 @@
-// castaway worlds, robots, scenarios: what comes along.
+// castaway worlds, robots, scenarios: lists what is shipped.
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A name, and where it is.
+/// An entry of a list.
 struct Listed {
   std::string name;
   std::filesystem::path file;

@@ -35,7 +35,7 @@ void add_commands(Command app) {
   add_completion_command(app);
 }
 
-/// Parses and acts; the exit code.
+/// Parses the arguments and runs the command; returns the exit code.
 int run_program(CommandLine& line, int argc, char** argv) {
   const CommandLine::Parsed parsed = line.parse(argc, argv);
   if (parsed.act) return parsed.act();

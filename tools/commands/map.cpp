@@ -1,4 +1,4 @@
-// castaway map: the ROS map of a world.
+// castaway map: writes the ROS map of a world.
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct MapArguments {
   std::string world;
   std::string robot = "waffle";

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// As YAML reads it back: a text, whatever is in it.
+/// Quotes a text as a YAML string.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);

@@ -1,4 +1,4 @@
-// castaway settings: every key of a scenario, with its default, range and meaning.
+// castaway settings: lists every key of a scenario with its default, range and meaning.
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct SettingsArguments {
   std::string prefix;
   bool json = false;
