@@ -1,4 +1,4 @@
-// Data sets: made, verified, read, made again.
+// Tests castaway dataset: making, verifying, reading and reproducing data sets.
 #include <nlohmann/json.hpp>
 
 #include "tests/program/dataset_files.hpp"
@@ -70,7 +70,7 @@ TEST(Dataset, VerifiesEveryFile) {
   EXPECT_EQ(OrderedJson::parse(json.out).at("troubles").size(), 3U);
 }
 
-/// The pieces of Python in a card.
+/// Python snippets of a card.
 std::vector<std::string> snippets(const std::string& card) {
   const std::string begin = "```python\n";
   std::vector<std::string> found;
@@ -81,7 +81,7 @@ std::vector<std::string> snippets(const std::string& card) {
   return found;
 }
 
-/// A Python that has what the card's pieces import; empty if there is none.
+/// A Python with the modules that the card's snippets import; empty if there is none.
 std::string python_with_readers() {
   for (const char* python : {"python3", "/usr/bin/python3"}) {
     const std::string import = std::string(python) + " -c 'import h5py, numpy, pandas' 2>/dev/null";
@@ -97,7 +97,7 @@ TEST(Dataset, IsReadByThePythonOfItsCard) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const auto pieces = snippets(text_of(folder / "set/README.md"));
   ASSERT_EQ(pieces.size(), 2U);
-  // Both read the same ranges and classes, but for the digits that text keeps.
+  // Both give the same ranges and classes, within the precision of the text.
   const std::string compare =
       "\nassert np.array_equal(classes, from_h5[1]) and ranges.shape == (20, 36)\n"
       "assert np.allclose(ranges, from_h5[0], atol=1e-4)\n";

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM.
+// Tests of Ctrl-C and SIGTERM.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +15,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Starts it with stderr in stderr.txt, sends a signal once `ready`, and returns how it ended.
+/// Starts the command with stderr in stderr.txt, sends a signal once `ready` returns true, and
+/// returns the outcome.
 Outcome interrupted(const fs::path& folder, const std::string& arguments, int signal,
                     const std::function<bool()>& ready) {
   fs::remove(folder / "stdout.txt");
@@ -119,9 +120,9 @@ TEST(Interruption, CommandsThatWriteNothingSaySo) {
                      "outputs.carmen=true --set outputs.map=true --out made")
                 .exit_code,
             0);
-  const Outcome outcome =
-      interrupted(folder, "evaluate made --starts 100 --kidnaps 0 --window 15", SIGINT,
-                  [&] { return !text_of(folder / "stdout.txt").empty(); });  // The table's head.
+  const Outcome outcome = interrupted(
+      folder, "evaluate made --starts 100 --kidnaps 0 --window 15", SIGINT,
+      [&] { return !text_of(folder / "stdout.txt").empty(); });  // The head of the table.
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.err, "castaway: interrupted; nothing was written\n");
 }

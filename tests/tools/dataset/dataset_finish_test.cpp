@@ -22,7 +22,7 @@ TEST(DatasetFinish, LeavesAllThatStandsBesideTheSequences) {
   EXPECT_TRUE(std::filesystem::exists(path / "maps/office.pgm"));
   EXPECT_TRUE(contains(read_file(path / "maps/office.yaml"), "office.pgm"));
   EXPECT_TRUE(contains(read_file(path / "README.md"), "# small"));
-  // The sums of the sequences' files are taken from their lists: here, made up.
+  // The checksums of the sequences' files are copied from their lists, which are made up here.
   EXPECT_EQ(verify_dataset(path).size(), 3U);
   EXPECT_TRUE(contains(verify_dataset(path)[0], "sequences/000000/truth.tum: changed"));
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Worlds = std::vector<std::string>;
 
-/// `each` sequences in every one of so many worlds, in turn.
+/// `count` worlds with `each` sequences, interleaved.
 Worlds worlds_of(int count, int each) {
   Worlds worlds;
   for (int i = 0; i < count * each; ++i) worlds.push_back("world-" + std::to_string(i % count));

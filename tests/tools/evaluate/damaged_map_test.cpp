@@ -33,7 +33,7 @@ RosMap damaged_room(const StressConfig& config, std::uint64_t seed = 1) {
 TEST(DamagedMap, IsTheMapByDefault) {
   Rng rng(1);
   EXPECT_EQ(damaged(room(), {}, rng).cells, room().cells);
-  EXPECT_EQ(rng, Rng(1));  // nor does it draw
+  EXPECT_EQ(rng, Rng(1));  // and draws nothing
 }
 
 TEST(DamagedMap, LosesItsWalls) {
@@ -54,7 +54,7 @@ TEST(DamagedMap, LosesItsWalls) {
 }
 
 TEST(DamagedMap, GetsBoxesInItsFreeSpace) {
-  const RosMap map = damaged_room({.boxes_per_m2 = 0.1});  // 54 m^2: 5 boxes of 25 cells
+  const RosMap map = damaged_room({.boxes_per_m2 = 0.1});  // 54 m^2: 5 boxes of 25 cells each
   std::ptrdiff_t added = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     EXPECT_GE(map.cells[i], room().cells[i]);

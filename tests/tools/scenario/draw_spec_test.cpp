@@ -23,7 +23,7 @@ std::string draw_refusal(const std::string& text) {
   return error_of([&] { draw_of(text); });
 }
 
-/// `count` draws as numbers.
+/// Makes `count` draws and returns them as numbers.
 std::vector<double> numbers(const std::string& text, int count) {
   const Draw draw = draw_of(text);
   localization::Rng rng = substream(1, "draws");

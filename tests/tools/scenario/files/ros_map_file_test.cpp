@@ -32,7 +32,7 @@ TEST(RosMapFile, ReadsModeAndNegate) {
   EXPECT_EQ(load_ros_map(path).name, "a");
 }
 
-/// As nav2's map_server reads them.
+/// As in nav2's map_server.
 TEST(RosMapFile, ReadsModesInAnyLetterCase) {
   const TemporaryFolder folder;
   folder.put("a.pgm", "P5 2 1 255\n\x32\x80");
