@@ -26,14 +26,14 @@ void run_fields(Settings settings, Scenario& scenario) {
   settings.field({"seed", "", "Root of all random streams.", {0.0, 1.9e19}}, scenario.seed);
   settings.field({"duration_s", "s", "Simulated time.", {1e-3, 1e7}}, scenario.duration_s);
   settings.field(
-      {"stop_after_m", "m", "The run ends once so much is driven; 0: it does not.", {0.0, 1e7}},
+      {"stop_after_m", "m", "Driven distance at which the run ends; 0: no limit.", {0.0, 1e7}},
       scenario.stop_after_m);
   settings.choice({"physics", "", "kinematic: the robot moves exactly as commanded."},
                   scenario.kinematic, {{"bullet", false}, {"kinematic", true}});
   if (scenario.kinematic) scenario.physics_hz = kKinematicHz;
-  settings.field({"physics_hz", "Hz", "Steps of the simulation; kinematic: 100.", {10.0, 1e4}},
+  settings.field({"physics_hz", "Hz", "Rate of the simulation steps; kinematic: 100.", {10.0, 1e4}},
                  scenario.physics_hz);
-  settings.field({"wall_height", "m", "Of a world made from a map.", {0.01, 100.0}},
+  settings.field({"wall_height", "m", "Wall height of a world made from a map.", {0.01, 100.0}},
                  scenario.wall_height);
 }
 
@@ -126,7 +126,7 @@ std::vector<SettingText> scenario_settings() {
   const auto under = [&](const std::string& prefix) { return Settings::describing(texts, prefix); };
   Scenario scenario;
   Settings root = under("");
-  root.form({"name", "", "Names the run folder."}, "the file's");
+  root.form({"name", "", "Name of the run folder."}, "the file's");
   root.form({"world", "", "A world's name or file, or a map {name, search_paths, differences}."},
             "lab");
   root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},

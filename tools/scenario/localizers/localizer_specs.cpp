@@ -53,7 +53,8 @@ void describe_localizers(std::vector<SettingText>& texts) {
   const auto under = [&](const std::string& kind) {
     Settings settings = Settings::describing(texts, "localizers[]." + kind + ".");
     settings.form({"name", "", "Names its files."}, "the kind's");
-    settings.form({"global_localization_at_kidnap", "", "It is told of kidnaps and starts anew."},
+    settings.form({"global_localization_at_kidnap", "",
+                   "The localizer is notified of kidnaps and relocalizes globally."},
                   "false");
     return settings;
   };
