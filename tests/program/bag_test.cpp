@@ -130,10 +130,10 @@ TEST(Bag, RefusesWhatItCannotDoInOneLine) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
   refused("replay a.db3", "ros2 bag convert -i a.db3");
-  refused("replay b.mcap", "b.mcap: is no MCAP file");
+  refused("replay b.mcap", "b.mcap: is not an MCAP file");
   refused("replay gone.mcap", "gone.mcap: cannot be read");
   refused("replay b.mcap --splice 1:2", "take CARMEN logs, not bags");
-  refused("bag b.mcap", "b.mcap: is no MCAP file");
+  refused("bag b.mcap", "b.mcap: is not an MCAP file");
   std::ofstream(folder / "some.log") << "";
   refused("replay some.log", "--map is missing");
   refused("replay gone.log", "gone.log: cannot be read");

@@ -50,7 +50,7 @@ TEST(Dataset, VerifiesEveryFile) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const Outcome good = castaway(folder, "dataset --verify set");
   EXPECT_EQ(good.exit_code, 0) << good.out;
-  expect_contains(good.out, "set: every file is as in its manifest.json");
+  expect_contains(good.out, "set: every file matches its manifest.json");
   if (std::system("sha256sum --version >/dev/null 2>&1") == 0) {
     const std::string check =
         "cd '" + (folder / "set").string() + "' && sha256sum -c --quiet SHA256SUMS";
@@ -64,7 +64,7 @@ TEST(Dataset, VerifiesEveryFile) {
   expect_contains(bad.out, "maps/room.pgm: missing\n");
   expect_contains(bad.out, "sequences/000000/truth.tum: changed: 5 bytes instead of ");
   expect_contains(bad.out, "notes.txt: not listed in manifest.json\n");
-  expect_contains(bad.err, "3 of its files are not as in its manifest.json");
+  expect_contains(bad.err, "3 of its files differ from its manifest.json");
   const Outcome json = castaway(folder, "dataset --verify set --json");
   EXPECT_EQ(json.exit_code, 1);
   EXPECT_EQ(OrderedJson::parse(json.out).at("troubles").size(), 3U);
@@ -113,7 +113,7 @@ TEST(Dataset, KeepsToOneSpecificationAndGrows) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const Outcome same = castaway(folder, "dataset s.yaml -n 1 --out set");
   EXPECT_EQ(same.exit_code, 0);
-  expect_contains(same.out, "all 1 sequences were finished before");
+  expect_contains(same.out, "all 1 sequences are already finished");
   const Outcome json = castaway(folder, "dataset s.yaml -n 1 --out set --json");
   EXPECT_EQ(OrderedJson::parse(json.out).at("timing").at("made"), 0);
   const Outcome seed = castaway(folder, "dataset s.yaml -n 1 --seed 2 --out set");

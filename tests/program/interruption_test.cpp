@@ -71,7 +71,7 @@ TEST(Interruption, ManySeedsGoOnWhereTheyWereStopped) {
   });
   ASSERT_EQ(outcome.exit_code, 143);
   expect_contains(outcome.err, "castaway: interrupted; ");
-  expect_contains(outcome.err, " of 6 runs are kept in part; the same command goes on\n");
+  expect_contains(outcome.err, " of 6 runs are kept in part; the same command resumes\n");
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (int seed = 1; seed <= 6; ++seed) {
     EXPECT_FALSE(
@@ -106,7 +106,7 @@ TEST(Interruption, ADataSetGoesOn) {
   const Outcome outcome = interrupted(folder, "dataset s.yaml -n 6 -j 2 --out set", SIGINT,
                                       [&] { return fs::exists(folder / "set/sequences/000000"); });
   ASSERT_EQ(outcome.exit_code, 130);
-  expect_contains(outcome.err, "of 6 sequences are finished; the same command goes on");
+  expect_contains(outcome.err, "of 6 sequences are finished; the same command resumes");
   EXPECT_FALSE(fs::exists(folder / "set/.work"));
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out set").exit_code, 0);
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out whole").exit_code, 0);

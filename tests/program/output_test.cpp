@@ -95,7 +95,7 @@ TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
   const Outcome second = castaway(folder, kTwoSeconds + " --set lidar.range_max=6");
   ASSERT_EQ(second.exit_code, 0);
   expect_contains(second.err,
-                  "runs/lab-kidnap/seed-1 holds something else; this goes to "
+                  "runs/lab-kidnap/seed-1 holds something else; writing to "
                   "runs/lab-kidnap/seed-1-");
   EXPECT_EQ(text_of(folder / "runs/lab-kidnap/seed-1/scenario.yaml"), first);
   const auto folders = [&] {

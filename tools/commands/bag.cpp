@@ -104,7 +104,7 @@ int describe_bag(const BagArguments& arguments) {
 void add_bag_command(Command& app) {
   auto a = std::make_shared<BagArguments>();
   Command command =
-      app.add_command("bag", "Say what a bag of ROS 2 (MCAP) holds: topics, types, counts");
+      app.add_command("bag", "Show the topics, types and message counts of a ROS 2 bag (MCAP)");
   command.add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
       .required();
   command.add_flag("--json", a->json, "Print JSON");

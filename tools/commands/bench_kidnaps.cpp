@@ -168,27 +168,28 @@ int bench_kidnaps(KidnapArguments arguments) {
 void add_bench_kidnaps(Command& bench) {
   auto a = std::make_shared<KidnapArguments>();
   Command command = bench.add_command(
-      "kidnaps", "Random kidnaps in the simulator, with people about who are on no map");
+      "kidnaps", "Random kidnaps in the simulator, with people who are not on the map");
   command
-      .add_option("--world", a->trials.world,
-                  "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
+      .add_option(
+          "--world", a->trials.world,
+          "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of similar rooms")
       .show_default();
   command.add_option("--kidnaps", a->kidnaps, "Trials of each batch")
       .range(1, 100000)
       .show_default();
   command
       .add_option("--obstacles", a->obstacles,
-                  "People within 4 m of where the robot comes to; repeat for several batches "
+                  "Number of people within 4 m of the kidnap's target; repeat for several batches "
                   "(default: 0)")
       .range(0, 200)
       .repeatable();
-  command.add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
+  command.add_option("--lead", a->trials.lead_s, "Approximate driving time before the kidnap [s]")
       .range(0.1, 1e5)
       .show_default();
-  command.add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
+  command.add_option("--window", a->trials.window_s, "Driving time after the kidnap [s]")
       .range(0.1, 1e5)
       .show_default();
-  command.add_option("--within", a->within_s, "Time within which to be right [s]")
+  command.add_option("--within", a->within_s, "Time limit of a recovery [s]")
       .range(0.1, 1e5)
       .show_default();
   command

@@ -95,7 +95,7 @@ int bench_localization(const LocalizationArguments& arguments) {
 void add_bench_localization(Command& bench) {
   auto arguments = std::make_shared<LocalizationArguments>();
   Command command = bench.add_command(
-      "localization", "How fast the parts of the localizer are, beside a plain reference");
+      "localization", "Speed of the parts of the localizer, beside a plain reference");
   command.add_flag("--quick", arguments->quick, "Rough figures and small maps only");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(

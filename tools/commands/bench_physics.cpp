@@ -46,7 +46,7 @@ int bench_physics(const PhysicsArguments& arguments) {
 void add_bench_physics(Command& bench) {
   auto arguments = std::make_shared<PhysicsArguments>();
   Command command =
-      bench.add_command("physics", "A robot's drive against what mechanics says in one line");
+      bench.add_command("physics", "Compare a robot's drive with closed-form mechanics");
   command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
   command.add_option("--physics-hz", arguments->physics_hz, "Steps a second").range(100.0, 10000.0);
   command.add_flag("--json", arguments->json, "Print JSON");

@@ -100,7 +100,7 @@ int bench_simulation(const SimulationArguments& arguments) {
 void add_bench_simulation(Command& bench) {
   auto arguments = std::make_shared<SimulationArguments>();
   Command command = bench.add_command(
-      "simulation", "What a simulated second costs over people, beams and obstacles");
+      "simulation", "CPU time of a simulated second over people, beams and obstacles");
   command.add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
       .range(0.1, 1e6);
   command.add_flag("--quick", arguments->quick, "Four runs and rough figures");

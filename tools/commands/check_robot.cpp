@@ -80,8 +80,7 @@ int check_robot(CheckArguments arguments) {
 
 void add_check_robot_command(Command& app) {
   auto a = std::make_shared<CheckArguments>();
-  Command command =
-      app.add_command("check-robot", "Print and picture what is understood of a robot");
+  Command command = app.add_command("check-robot", "Show how a robot's description is interpreted");
   command.add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro").required();
   add_robot_options(command, a->options);
   command.add_option("--joints", a->joints,

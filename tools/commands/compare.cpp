@@ -70,8 +70,7 @@ int compare_folders(const CompareArguments& arguments) {
 
 void add_compare_command(Command& app) {
   auto a = std::make_shared<CompareArguments>();
-  Command command = app.add_command(
-      "compare", "Runs against runs: paired by scenario and seed, differences with intervals");
+  Command command = app.add_command("compare", "Compare sets of runs, paired by scenario and seed");
   command
       .add_option("folders", a->folders,
                   "Run folders, or folders of runs; the others against the first")

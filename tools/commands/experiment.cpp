@@ -98,7 +98,7 @@ std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFold
           progress.next(tally.text());
         });
   } catch (Interrupted& interrupted) {
-    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command resumes",
                                    std::count(codes.begin(), codes.end(), kDone), runs.size(),
                                    folder.path().string());
     throw;
@@ -242,9 +242,9 @@ void add_experiment_command(Command& app) {
   Command command = app.add_command(
       "experiment", "The paper's experiments: 1 tracking, 2 recovery, 3 an hour among people");
   command.add_option("number", a->number, "1, 2 or 3").required();
-  command.add_option("--seeds", a->repeats, "How often each of the paper's runs is made")
+  command.add_option("--seeds", a->repeats, "Number of repetitions of each of the paper's runs")
       .show_default();
-  command.add_flag("--quick", a->quick, "Some seconds of it, to see that it works");
+  command.add_flag("--quick", a->quick, "A version of a few seconds, to see that it works");
   command.add_option("-j,--jobs", a->workers, "Runs at a time").range(1, 1024).show_default();
   command.add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
   command.add_option("--junit", a->junit, "Write the expectations as JUnit XML");

@@ -63,9 +63,9 @@ int make_reports(const ReportArguments& arguments) {
 void add_report_command(Command& app) {
   auto a = std::make_shared<ReportArguments>();
   Command command = app.add_command(
-      "report", "Make report.html of run folders again; of several also a page that leads to them");
+      "report", "Render report.html of run folders again, and an index page if there are several");
   command.add_option("runs", a->runs, "Run folders, or folders of runs").required();
-  command.add_option("--out", a->out, "Page that leads to the runs (default: runs.html)");
+  command.add_option("--out", a->out, "Index page of the runs (default: runs.html)");
   command.footer(
       "Examples:\n"
       "  castaway report runs/lab-kidnap/seed-1\n"

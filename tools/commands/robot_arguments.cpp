@@ -22,7 +22,7 @@ void add_robot_options(Command command, RobotArguments& arguments) {
       .repeatable();
   command
       .add_option("--search-path", arguments.search_paths,
-                  "Folder that the robot's packages are looked for in (besides "
+                  "Folder in which the robot's packages are searched (besides "
                   "CASTAWAY_PACKAGE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
       .repeatable();
 }

@@ -53,7 +53,7 @@ std::string checked_path(const std::string& path) {
   const fs::path parsed = path;
   const bool outside = std::find(parsed.begin(), parsed.end(), "..") != parsed.end();
   if (path.empty() || parsed.is_absolute() || outside) {
-    throw std::runtime_error("'" + path + "' is no path within the data set");
+    throw std::runtime_error("'" + path + "' is not a path within the data set");
   }
   return path;
 }
@@ -104,10 +104,10 @@ std::vector<ManifestFile> read_manifest(const fs::path& file) {
 
 std::vector<std::string> verify_dataset(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "manifest.json")) {
-    throw std::runtime_error(fmt::format(
-        "{}: no manifest.json: no data set, or one that is not finished; the command that made it "
-        "goes on with it",
-        folder.string()));
+    throw std::runtime_error(
+        fmt::format("{}: no manifest.json: not a data set, or an unfinished one; repeat the "
+                    "command that made it to finish it",
+                    folder.string()));
   }
   const std::vector<ManifestFile> files = read_manifest(folder / "manifest.json");
   std::vector<std::string> troubles;

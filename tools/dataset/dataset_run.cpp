@@ -91,7 +91,7 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
       [&](int job, int code) {
         take_notes(notes.take(), pass);
         if (code != kDone && code != kTold) {
-          fmt::print(stderr, "castaway: sequence {}: its process was ended\n", index_of(job));
+          fmt::print(stderr, "castaway: sequence {}: its process was killed\n", index_of(job));
         }
         ++(code == kDone ? pass.made : pass.failed);
         progress.next("");
@@ -103,11 +103,11 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
 int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
-  fmt::print(stderr,
-             "castaway: {}: {} of {} sequences are finished; the same command goes on with the "
-             "rest\n",
-             pass.disk_trouble.empty() ? folder.path().string() : pass.disk_trouble,
-             static_cast<std::size_t>(request.sequences) - missing, request.sequences);
+  fmt::print(
+      stderr,
+      "castaway: {}: {} of {} sequences are finished; the same command resumes with the rest\n",
+      pass.disk_trouble.empty() ? folder.path().string() : pass.disk_trouble,
+      static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   return kRunFailed;
 }
 
@@ -136,7 +136,7 @@ std::vector<std::string> names_of(int count) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
   interrupted.kept = fmt::format(
-      "{}: {} of {} sequences are finished; the same command goes on", folder.path().string(),
+      "{}: {} of {} sequences are finished; the same command resumes", folder.path().string(),
       static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   throw interrupted;
 }
@@ -181,7 +181,7 @@ int make_dataset(const DatasetRequest& request) {
       }
     }
     if (!request.json) {
-      fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
+      fmt::print("{}: all {} sequences are already finished\n", request.out.string(),
                  request.sequences);
       return kDone;
     }

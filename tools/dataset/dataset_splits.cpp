@@ -94,7 +94,7 @@ std::string remark_on(std::size_t worlds, const std::vector<int>& parts) {
     empty.emplace_back(kSplitNames[static_cast<std::size_t>(parts[i])]);
   }
   return fmt::format(
-      "{} world{} for {} parts: {} {} empty; add worlds, or say splits: {{by: sequence}}", worlds,
+      "{} world{} for {} splits: {} {} empty; add worlds, or set splits: {{by: sequence}}", worlds,
       worlds == 1 ? "" : "s", parts.size(), fmt::join(empty, " and "),
       empty.size() == 1 ? "is" : "are");
 }

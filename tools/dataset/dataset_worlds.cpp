@@ -92,7 +92,7 @@ void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts
                                  parse_scores(read_file(file_of(job))));
       });
   if (failed > 0) {
-    throw FileError(drafts.string() + ": what was found out of the maps cannot be kept there");
+    throw FileError(drafts.string() + ": the scores of the maps cannot be written there");
   }
 }
 

@@ -121,7 +121,8 @@ std::vector<std::string> CsvReader::take() {
     quoted = quoted != (std::count(line.begin(), line.end(), '"') % 2 != 0);
     if (text.size() <= kLongest) continue;
     throw std::runtime_error(
-        fmt::format("{}:{}: a row of more than 1 MiB; no table of ours", path_.string(), row_ + 1));
+        fmt::format("{}:{}: a row of more than 1 MiB; castaway writes no such table",
+                    path_.string(), row_ + 1));
   }
   if (!any) return {};
   ++row_;

@@ -40,7 +40,7 @@ fs::path with_suffix(const OutputRequest& request) {
 
 fs::path tell(const OutputRequest& request, const fs::path& folder) {
   if (folder != request.target) {
-    fmt::print(stderr, "castaway: {} holds something else; this goes to {}\n",
+    fmt::print(stderr, "castaway: {} holds something else; writing to {}\n",
                request.target.string(), folder.string());
   }
   return folder;

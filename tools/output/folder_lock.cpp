@@ -29,7 +29,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, double patience_s) {
   }
   ::close(handle_);
   throw std::runtime_error(folder.string() +
-                           ": another castaway is at work in it; wait for its end or choose "
+                           ": another castaway process is using it; wait until it ends or choose "
                            "another folder with --out");
 }
 

@@ -22,9 +22,9 @@ void require_own(const fs::path& file, const std::optional<FileRecord>& record) 
     throw std::runtime_error(file.string() + ": names a folder; give a file's name");
   }
   if (is_replaceable(folder_of(file), file.filename().string(), record)) return;
-  throw std::runtime_error(
-      file.string() +
-      ": exists, and castaway did not write it as it is; move it away or give another name");
+  throw std::runtime_error(file.string() +
+                           ": exists, and castaway did not write it or it was changed since; move "
+                           "it away or give another name");
 }
 
 }  // namespace

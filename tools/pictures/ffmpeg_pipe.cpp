@@ -91,7 +91,8 @@ FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_
   const std::filesystem::path folder = format_.file.parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   words_ = std::tmpfile();
-  if (words_ == nullptr) throw std::runtime_error("no temporary file for what ffmpeg says");
+  if (words_ == nullptr)
+    throw std::runtime_error("cannot create a temporary file for ffmpeg's messages");
   try {
     start();
   } catch (...) {
@@ -105,7 +106,7 @@ FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_
 void FfmpegPipe::start() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw std::runtime_error("no socket to ffmpeg");
+    throw std::runtime_error("cannot create a socket to ffmpeg");
   }
   ffmpeg_ = spawn(command(format_, partial_.string()), ends[1], fileno(words_));
   ::close(ends[1]);

@@ -24,9 +24,9 @@ constexpr std::string_view kFirstLine = "castaway recording 1\n";
 
 /// Parses the header; `at` becomes the offset behind it.
 Json parse_header(std::string_view bytes, std::size_t& at) {
-  if (!bytes.starts_with(kFirstLine)) refuse("its first line is another");
+  if (!bytes.starts_with(kFirstLine)) refuse("its first line is different");
   const std::size_t end = bytes.find('\n', kFirstLine.size());
-  if (end == std::string_view::npos) refuse("it ends in its header");
+  if (end == std::string_view::npos) refuse("it ends within its header");
   at = end + 1;
   const std::string_view text = bytes.substr(kFirstLine.size(), end - kFirstLine.size());
   if (nests_too_deep(text)) refuse("its header is broken");
@@ -54,7 +54,7 @@ Recording unpack_recording(std::string_view file) {
   Recording recording{parse_header(bytes, at), {}};
   for (const Json& section : recording.header["sections"]) {
     const auto size = whole<std::size_t>(section.at("bytes"));
-    if (size > bytes.size() - at) refuse("it ends in section " + section.at("name").dump());
+    if (size > bytes.size() - at) refuse("it ends within section " + section.at("name").dump());
     recording.sections[section.at("name").get<std::string>()] = bytes.substr(at, size);
     at += size;
   }

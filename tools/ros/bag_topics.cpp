@@ -58,7 +58,7 @@ const BagTopicInfo& topic_named(const BagInventory& bag, const std::string& name
   const auto found = std::find_if(bag.topics.begin(), bag.topics.end(),
                                   [&](const BagTopicInfo& topic) { return topic.name == name; });
   if (found == bag.topics.end()) {
-    throw std::runtime_error(fmt::format("{}: {} {}: there is no such topic; there are: {}",
+    throw std::runtime_error(fmt::format("{}: {} {}: there is no such topic; available are: {}",
                                          bag.name, option, name, list_of(bag)));
   }
   return *found;
@@ -69,7 +69,7 @@ std::string required(const BagInventory& bag, const std::string& name, const cha
                      const Names& types) {
   const BagTopicInfo& topic = topic_named(bag, name, option);
   if (std::find(types.begin(), types.end(), topic.type) == types.end()) {
-    throw std::runtime_error(fmt::format("{}: {} {}: its type is {}; {} is taken", bag.name, option,
+    throw std::runtime_error(fmt::format("{}: {} {}: its type is {}; expected {}", bag.name, option,
                                          name, topic.type, fmt::join(types, " or ")));
   }
   return name;
@@ -82,7 +82,7 @@ std::string only_one(const BagInventory& bag, const Names& names, const std::str
   if (names.empty()) return "";
   if (names.size() == 1) return names.front();
   if (std::find(names.begin(), names.end(), usual) != names.end()) return usual;
-  throw std::runtime_error(fmt::format("{}: {} topics could be meant; say which by {}: {}",
+  throw std::runtime_error(fmt::format("{}: {} topics are possible; choose one with {}: {}",
                                        bag.name, names.size(), option, fmt::join(names, ", ")));
 }
 

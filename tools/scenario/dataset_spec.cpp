@@ -63,7 +63,7 @@ std::vector<VariedKey> read_vary(YamlReader& root) {
   for (auto& [path, value] : root.child("vary").entries()) {
     const std::string head = path.substr(0, path.find('.'));
     if (std::find(kOwn.begin(), kOwn.end(), head) != kOwn.end()) {
-      value.fail(fmt::format("'{}' cannot vary: a data set sees to it itself", head));
+      value.fail(fmt::format("'{}' cannot vary: a data set sets it itself", head));
     }
     const std::string where = value.raw().where;
     vary.push_back({path, read_draw(value), where});

@@ -72,12 +72,12 @@ std::string kind_of(YamlReader& map) {
   for (auto& [key, value] : map.entries()) {
     if (key == "weights") continue;
     if (std::find(kKinds.begin(), kKinds.end(), key) == kKinds.end()) {
-      value.fail(fmt::format("'{}' is no way to draw a value; {}", key, suggestion(key, kKinds)));
+      value.fail(fmt::format("'{}' is not a known distribution; {}", key, suggestion(key, kKinds)));
     }
     if (!kind.empty()) map.fail(fmt::format("'{}' and '{}': give one of them", kind, key));
     kind = key;
   }
-  if (kind.empty()) map.fail("says not how it is drawn: give choice, uniform, integer...");
+  if (kind.empty()) map.fail("does not state a distribution: give choice, uniform, integer...");
   if (kind != "choice" && map.has("weights")) map.fail("'weights' go with 'choice' only");
   return kind;
 }

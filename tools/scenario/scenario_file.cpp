@@ -101,7 +101,7 @@ void choose_watched(const YamlReader& root, Scenario& scenario) {
   std::string& watched = scenario.events.watched;
   if (!waits_for_localizer(scenario.events)) return;
   const std::vector<std::string> names = names_of(scenario.localizers);
-  if (names.empty()) root.fail("a kidnap waits for a localizer to be localized: give one");
+  if (names.empty()) root.fail("a kidnap waits until a localizer is localized: add a localizer");
   if (watched.empty()) watched = names.front();
   if (std::find(names.begin(), names.end(), watched) == names.end()) {
     root.fail("a kidnap waits for localizer '" + watched + "'; " + suggestion(watched, names));

@@ -79,10 +79,10 @@ void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::s
   const auto tight = std::count_if(waypoints.begin(), waypoints.end(),
                                    [&](const auto& p) { return !space.contains(p); });
   if (tight == 0) return;
-  warnings.push_back(fmt::format(
-      "the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: free places "
-      "beside them stand for them; `robot: {{joints: ...}}` folds an arm",
-      config.robot.footprint_radius, tight, waypoints.size()));
+  warnings.push_back(
+      fmt::format("the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: "
+                  "free places beside them are used instead; `robot: {{joints: ...}}` folds an arm",
+                  config.robot.footprint_radius, tight, waypoints.size()));
 }
 
 /// Warns if the robot's file describes no lidar.

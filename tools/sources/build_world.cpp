@@ -155,7 +155,7 @@ LoadedWorld yaml_world(const std::filesystem::path& path, const SurveyOptions& o
   if (floor > kTold && floor <= kPlatform) {
     sim::settle(spec, floor);
     world.warnings.push_back(fmt::format(
-        "what carries the robot at the start lies at z = {:.3f} m: heights count from it", floor));
+        "the floor under the start is at z = {:.3f} m: heights are relative to it", floor));
   }
   world.grid = sim::rasterise(spec, options.lidar_height, told_resolution(world));
   return world;

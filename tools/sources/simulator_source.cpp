@@ -144,8 +144,8 @@ void SimulatorSource::finish() {
 void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
   if (!kidnap.too_near) return;
   warnings_.push_back(fmt::format(
-      "kidnap at {:.2f} s: no free place as far away as its min_distance_m asks for; it goes to "
-      "the farthest, {:.2f} m away",
+      "kidnap at {:.2f} s: no free place at its min_distance_m or farther; it goes to the "
+      "farthest, {:.2f} m away",
       seconds(kidnap.since), (kidnap.T_map_to.position() - kidnap.T_map_from.position()).norm()));
   tell(EventKind::kWarning, warnings_.back(), kidnap.T_map_from);
 }

@@ -40,7 +40,7 @@ TEST(DatasetFinish, TellsWhatItAmountsTo) {
   EXPECT_TRUE(contains(words,
                        "3 made now in 10.0 s, 2 at a time: workers busy 90 %, the largest "
                        "took 64 MB"));
-  EXPECT_TRUE(contains(words, "Splits: 2 worlds for 3 parts"));
+  EXPECT_TRUE(contains(words, "Splits: 2 worlds for 3 splits"));
   const auto json =
       nlohmann::ordered_json::parse(dataset_json(dataset.folder(), dataset.contents(), making));
   EXPECT_EQ(json.at("scans"), 12.0);

@@ -188,8 +188,8 @@ TEST(OutputFolder, ClearsWhatAKilledRunLeft) {
 TEST(OutputFolder, RefusesASecondProcess) {
   const TemporaryFolder folder;
   const OutputFolder output(request_for(folder.path() / "run"));
-  EXPECT_TRUE(
-      contains(refusal(request_for(folder.path() / "run")), "another castaway is at work in it"));
+  EXPECT_TRUE(contains(refusal(request_for(folder.path() / "run")),
+                       "another castaway process is using it"));
 }
 
 TEST(OutputFolder, RefusesAFile) {

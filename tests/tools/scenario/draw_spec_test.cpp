@@ -90,9 +90,9 @@ TEST(Draw, NumbersAreWrittenShort) {
 }
 
 TEST(Draw, RefusesWhatCannotBeDrawn) {
-  EXPECT_TRUE(contains(draw_refusal("{unifrom: [0, 1]}"),
-                       "d.yaml:1: x.unifrom: 'unifrom' is no way to draw a value; did you mean "
-                       "'uniform'?"));
+  EXPECT_TRUE(contains(
+      draw_refusal("{unifrom: [0, 1]}"),
+      "d.yaml:1: x.unifrom: 'unifrom' is not a known distribution; did you mean 'uniform'?"));
   EXPECT_TRUE(contains(draw_refusal("{uniform: [2, 1]}"), "the lower end comes first"));
   EXPECT_TRUE(contains(draw_refusal("{log_uniform: [0, 1]}"), "needs positive ends"));
   EXPECT_TRUE(contains(draw_refusal("{integer: [1]}"), "takes two whole numbers"));
@@ -106,7 +106,7 @@ TEST(Draw, RefusesWhatCannotBeDrawn) {
   EXPECT_TRUE(contains(draw_refusal("{uniform: [0, 1], integer: [0, 1]}"), "give one of them"));
   EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 0, min: 0, max: 1}}"), "'sd' must be"));
   EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 1, min: 0}}"), "needs the key 'max'"));
-  EXPECT_TRUE(contains(draw_refusal("{}"), "says not how it is drawn"));
+  EXPECT_TRUE(contains(draw_refusal("{}"), "does not state a distribution"));
 }
 
 }  // namespace

@@ -55,15 +55,15 @@ class BmpReader {
   void read_header() {
     data_ = number(10, 4);
     const std::uint32_t header = number(14, 4);
-    if (header < 40) fail("its header is older than Windows 3; save it anew as PNG");
+    if (header < 40) fail("its header is older than Windows 3; save it as PNG");
     width_ = static_cast<int>(number(18, 4));
     height_ = static_cast<int>(number(22, 4));
     bits_ = number(28, 2);
     const std::uint32_t compression = number(30, 4);
     const bool plain = compression == kNoCompression || (compression == kBitFields && bits_ == 32);
-    if (!plain) fail("it is compressed; save it anew as PNG");
+    if (!plain) fail("it is compressed; save it as PNG");
     if (bits_ != 1 && bits_ != 4 && bits_ != 8 && bits_ != 24 && bits_ != 32) {
-      fail(fmt::format("{} bits a pixel are not read; save it anew as PNG", bits_));
+      fail(fmt::format("{} bits per pixel are not supported; save it as PNG", bits_));
     }
     if (width_ <= 0 || height_ == 0 || height_ == INT32_MIN) fail("it has no pixels");
     if (bits_ > 8) return;

@@ -113,7 +113,7 @@ std::string plots_notice() {
            "tables and pictures are not.</p></noscript>\n";
   }
   return "<p class=\"soft\">This page has no plots: castaway was built without Node.js. Install "
-         "nodejs and npm, configure and build again, and make the page anew.</p>\n";
+         "nodejs and npm, configure and build again, and make the page again.</p>\n";
 }
 
 }  // namespace castaway::testbed

@@ -50,7 +50,7 @@ void McapReader::open() {
   }
   position_ = 0;
   if (size_ < magic || read_bytes(magic) != kMcapMagic) {
-    throw std::runtime_error(name_ + ": is no MCAP file: its first bytes are others");
+    throw std::runtime_error(name_ + ": is not an MCAP file: its first bytes differ");
   }
 }
 
@@ -169,7 +169,7 @@ void McapReader::take_channel(ByteReader& record) {
   channel.metadata = record.texts();
   if (channel.schema != 0 && !schemas_.contains(channel.schema)) {
     throw std::runtime_error(
-        fmt::format("channel {} has schema {}, which is not there", id, channel.schema));
+        fmt::format("channel {} has schema {}, which does not exist", id, channel.schema));
   }
   channels_.try_emplace(id, std::move(channel));
 }
@@ -207,7 +207,8 @@ McapMessage McapReader::message_of(std::string_view content) const {
   record.take(sizeof(std::uint64_t));
   const auto found = channels_.find(channel);
   if (found == channels_.end()) {
-    throw std::runtime_error(fmt::format("a message has channel {}, which is not there", channel));
+    throw std::runtime_error(
+        fmt::format("a message has channel {}, which does not exist", channel));
   }
   message.channel = &found->second;
   message.data = record.take(record.rest());

@@ -89,9 +89,9 @@ fs::path find_scenario(const std::string& text, const fs::path& base) {
   const bool close = near && edit_distance(text, *near) <= 3;
   throw std::runtime_error(fmt::format(
       "{}: no such scenario; {}", text,
-      close ? fmt::format("did you mean '{}'?", *near)
-            : "give a file's path, or <world>/<name>; `castaway scenarios` lists those that come "
-              "along"));
+      close
+          ? fmt::format("did you mean '{}'?", *near)
+          : "give a file's path, or <world>/<name>; `castaway scenarios` lists the shipped ones"));
 }
 
 std::vector<std::string> world_names() { return folders_in(data_root() / "worlds"); }

@@ -45,7 +45,7 @@ MapMode read_mode(YamlReader& root) {
   if (mode == "trinary") return MapMode::kTrinary;
   if (mode == "scale") return MapMode::kScale;
   if (mode == "raw") return MapMode::kRaw;
-  root.find("mode")->fail(fmt::format("'{}' is no choice here; {}", text,
+  root.find("mode")->fail(fmt::format("'{}' is not allowed here; {}", text,
                                       suggestion(mode, {"trinary", "scale", "raw"})));
 }
 

@@ -57,7 +57,7 @@ StartSpec read_start(YamlReader& root) {
     map.fail("'wrong_by' needs a start that is known");
   }
   if (start.known && start.switch_on_s > 0.0) {
-    map.fail("'switch_on_s' needs 'known: false': nobody could tell where the robot is by then");
+    map.fail("'switch_on_s' needs 'known: false': the start pose is outdated by then");
   }
   return start;
 }

@@ -77,7 +77,7 @@ void read_tables(YamlReader& map, OutputSpec& outputs) {
   const auto take = [&](const YamlReader& value) {
     const auto kind = value.as<std::string>();
     if (kind != "none" && kind != "csv" && kind != "hdf5") {
-      value.fail("'" + kind + "' is no kind of table; " +
+      value.fail("'" + kind + "' is not a kind of table; " +
                  suggestion(kind, {"csv", "hdf5", "none"}));
     }
     outputs.tables_csv = outputs.tables_csv || kind == "csv";

@@ -133,7 +133,7 @@ std::string YamlReader::choice(const std::string& key, const std::string& fallba
                                const std::vector<std::string>& allowed) {
   const std::string value = get(key, fallback);
   if (!contains(allowed, value)) {
-    find(key)->fail(fmt::format("'{}' is no choice here; {}", value, suggestion(value, allowed)));
+    find(key)->fail(fmt::format("'{}' is not allowed here; {}", value, suggestion(value, allowed)));
   }
   return value;
 }

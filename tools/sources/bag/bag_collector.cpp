@@ -139,10 +139,10 @@ void BagCollector::mount_the_rest() {
     if (!mounts_.mount(scan_of(recording_.frames[frame]), lidar_frame)) unknown.insert(lidar_frame);
   }
   for (const std::string& frame : unknown) {
-    recording_.warnings.push_back(fmt::format(
-        "{}: no transform from '{}' to '{}'; the lidar is taken to sit in the middle and to look "
-        "ahead. Record /tf_static to say where it sits",
-        bag_.name, mounts_.base_frame(), frame));
+    recording_.warnings.push_back(
+        fmt::format("{}: no transform from '{}' to '{}'; the lidar's mount is assumed to be the "
+                    "identity. Record /tf_static to provide it",
+                    bag_.name, mounts_.base_frame(), frame));
   }
 }
 

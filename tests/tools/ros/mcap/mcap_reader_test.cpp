@@ -163,8 +163,9 @@ TEST(McapReader, ReadsNoRecordOfGigabytesThatIsThere) {
 }
 
 TEST(McapReader, SaysThatAFileIsOfAnotherKind) {
-  EXPECT_TRUE(contains(error_of([] { reader_of("SQLite format 3"); }), "a.mcap: is no MCAP file"));
-  EXPECT_TRUE(contains(error_of([] { reader_of(""); }), "a.mcap: is no MCAP file"));
+  EXPECT_TRUE(
+      contains(error_of([] { reader_of("SQLite format 3"); }), "a.mcap: is not an MCAP file"));
+  EXPECT_TRUE(contains(error_of([] { reader_of(""); }), "a.mcap: is not an MCAP file"));
   EXPECT_TRUE(contains(error_of([] { McapReader reader("no/such.mcap"); }), "cannot be read"));
 }
 

@@ -62,7 +62,7 @@ TEST(RosMapFile, NamesTheModeThatIsMeant) {
     });
   };
   EXPECT_TRUE(contains(error("TRINRY"),
-                       "m.yaml:4: mode: 'TRINRY' is no choice here; did you mean 'trinary'"));
+                       "m.yaml:4: mode: 'TRINRY' is not allowed here; did you mean 'trinary'"));
   EXPECT_TRUE(contains(error("Scaled"), "did you mean 'scale'"));
   EXPECT_TRUE(contains(error("RWA"), "'raw'"));
   EXPECT_TRUE(contains(error("binary"), "trinary"));

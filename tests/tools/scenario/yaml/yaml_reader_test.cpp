@@ -79,7 +79,7 @@ TEST(YamlReader, ChecksChoices) {
   EXPECT_EQ(error_of([&] {
               (void)doc.root().choice("by", "truth", {"truth", "nobody"});
             }),
-            "f.yaml:1: by: 'trut' is no choice here; did you mean 'truth'?");
+            "f.yaml:1: by: 'trut' is not allowed here; did you mean 'truth'?");
 }
 
 TEST(YamlReader, ReadsNamesWithAndWithoutSettings) {
