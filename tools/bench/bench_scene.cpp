@@ -28,7 +28,8 @@ SE2 roomy_pose(const OccupancyGrid& grid, const DistanceField& distances) {
   return pose;
 }
 
-LaserScan taken(const BenchSceneSpec& spec, const OccupancyGrid& grid, const SE2& T_map_base) {
+LaserScan simulate_scan(const BenchSceneSpec& spec, const OccupancyGrid& grid,
+                        const SE2& T_map_base) {
   const SE2 T_grid_base = grid.frame.T_map_grid.inverse() * T_map_base;
   const double cell = grid.frame.resolution;
   LaserScan scan;
@@ -51,7 +52,7 @@ LaserScan taken(const BenchSceneSpec& spec, const OccupancyGrid& grid, const SE2
   return scan;
 }
 
-ScanPoints projected(const BenchSceneSpec& spec, const LaserScan& scan) {
+ScanPoints project_points(const BenchSceneSpec& spec, const LaserScan& scan) {
   TransformBuffer still;
   still.add(scan.stamp, {});
   return project_scan(scan, still, scan.stamp, {spec.beams, kLongest}).value();
@@ -66,8 +67,8 @@ BenchScene bench_scene(const BenchSceneSpec& spec) {
   OccupancyGrid grid = to_occupancy_grid(draw_office(office));
   DistanceField distances(grid, kMaxDistance);
   const SE2 pose = roomy_pose(grid, distances);
-  LaserScan scan = taken(spec, grid, pose);
-  ScanPoints points = projected(spec, scan);
+  LaserScan scan = simulate_scan(spec, grid, pose);
+  ScanPoints points = project_points(spec, scan);
   return {std::move(grid), std::move(distances), pose, std::move(scan), std::move(points)};
 }
 

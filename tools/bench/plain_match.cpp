@@ -41,7 +41,7 @@ struct PlainField {
 };
 
 /// At most `count` end points [m], evenly spaced over the scan, rotated by `yaw`.
-std::vector<Eigen::Vector2d> turned(const PlainScan& scan, int count, double yaw) {
+std::vector<Eigen::Vector2d> rotated_points(const PlainScan& scan, int count, double yaw) {
   const std::size_t used = std::min(scan.range.size(), static_cast<std::size_t>(count));
   std::vector<Eigen::Vector2d> points;
   for (std::size_t k = 0; k < used; ++k) {
@@ -77,7 +77,7 @@ Candidate plain_match(const MatcherConfig& config, const OccupancyGrid& grid,
   Candidate best;
   for (int k = 0; k < yaws; ++k) {
     const double yaw = 2.0 * std::numbers::pi * k / static_cast<double>(yaws);
-    Candidate found = best_cell(field, turned(scan, config.points, yaw));
+    Candidate found = best_cell(field, rotated_points(scan, config.points, yaw));
     found.T_map_base.yaw = wrap_angle(yaw);
     if (found.score > best.score) best = found;
   }

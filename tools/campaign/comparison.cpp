@@ -119,7 +119,7 @@ const ComparedRun* counterpart(const ComparedRun& run, const std::vector<Compare
   return same == namesakes.end() ? nullptr : *same;
 }
 
-std::vector<Pair> paired(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
+std::vector<Pair> pair_runs(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
   std::vector<Pair> pairs;
   for (const ComparedRun& run : a) {
     if (const ComparedRun* other = counterpart(run, b)) pairs.emplace_back(&run, other);
@@ -192,7 +192,7 @@ std::vector<MetricComparison> rows_for(const std::vector<std::string>& localizer
   return rows;
 }
 
-std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
+std::string no_pairs_error(const ComparedRun& a, const ComparedRun& b) {
   if (a.scenario != b.scenario) {
     return fmt::format("not comparable: {} is of scenario '{}', {} of '{}'", a.folder.string(),
                        a.scenario, b.folder.string(), b.scenario);
@@ -241,8 +241,8 @@ Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
   std::vector<ComparedRun> a = find_runs(baseline);
   std::vector<ComparedRun> b = find_runs(other);
   const std::size_t voids = drop_voids(baseline, a) + drop_voids(other, b);
-  const std::vector<Pair> pairs = paired(a, b);
-  if (pairs.empty()) throw std::invalid_argument(no_pairs(a.front(), b.front()));
+  const std::vector<Pair> pairs = pair_runs(a, b);
+  if (pairs.empty()) throw std::invalid_argument(no_pairs_error(a.front(), b.front()));
   for (const Pair& pair : pairs) {
     require_same_version(pair);
     require_same_conditions(pair);

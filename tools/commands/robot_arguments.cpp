@@ -8,7 +8,7 @@ namespace castaway::testbed {
 namespace {
 
 /// Quotes a text as a YAML string.
-std::string quoted(const std::string& text) {
+std::string quote_yaml(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
@@ -40,7 +40,7 @@ std::pair<std::string, std::string> parse_assignment(const std::string& text) {
 std::vector<std::string> robot_overrides(const std::string& file, const RobotArguments& arguments) {
   std::vector<std::string> overrides;
   if (arguments.assignments.empty() && arguments.search_paths.empty()) {
-    if (!file.empty()) overrides.push_back("robot=" + quoted(file));
+    if (!file.empty()) overrides.push_back("robot=" + quote_yaml(file));
     return overrides;
   }
   if (file.empty()) {
@@ -49,14 +49,14 @@ std::vector<std::string> robot_overrides(const std::string& file, const RobotArg
   std::string args;
   for (const std::string& text : arguments.assignments) {
     const auto [name, value] = parse_assignment(text);
-    args += (args.empty() ? "" : ", ") + quoted(name) + ": " + quoted(value);
+    args += (args.empty() ? "" : ", ") + quote_yaml(name) + ": " + quote_yaml(value);
   }
   std::string paths;
   for (const std::string& path : arguments.search_paths) {
-    paths += (paths.empty() ? "" : ", ") + quoted(path);
+    paths += (paths.empty() ? "" : ", ") + quote_yaml(path);
   }
   overrides.push_back(fmt::format("robot={{file: {}, args: {{{}}}, search_paths: [{}]}}",
-                                  quoted(file), args, paths));
+                                  quote_yaml(file), args, paths));
   return overrides;
 }
 

@@ -11,7 +11,7 @@ namespace castaway::testbed {
 void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents);
 
 /// Figures of the current invocation.
-struct DatasetMaking {
+struct DatasetInvocation {
   double wall_s = 0.0;  ///< Time spent on the sequences made in this invocation.
   int made = 0;         ///< Number of sequences made in this invocation.
   int workers = 1;
@@ -21,10 +21,10 @@ struct DatasetMaking {
 
 /// Report for the terminal.
 std::string describe_dataset(const DatasetFolder& folder, const DatasetContents& contents,
-                             const DatasetMaking& making);
+                             const DatasetInvocation& invocation);
 
 /// Report as JSON.
 std::string dataset_json(const DatasetFolder& folder, const DatasetContents& contents,
-                         const DatasetMaking& making);
+                         const DatasetInvocation& invocation);
 
 }  // namespace castaway::testbed

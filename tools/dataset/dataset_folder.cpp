@@ -55,7 +55,7 @@ std::string first_difference(const std::string& there, const std::string& here) 
 }
 
 constexpr const char* kMadeBy = "dataset";
-constexpr double kPatience = 10.0;  // [s]
+constexpr double kLockTimeout = 10.0;  // [s]
 
 /// A folder without a data set may hold only what an unfinished attempt of castaway left there.
 void check_unused(const fs::path& folder) {
@@ -118,7 +118,7 @@ DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
     throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
                                 folder_.string(), error.message()));
   }
-  lock_.emplace(folder_, kPatience);
+  lock_.emplace(folder_, kLockTimeout);
   const bool begun = fs::exists(folder_ / "dataset.json");
   if (!begun) save_record(folder_, {kMadeBy, {}, false, {}, {}});
   clear_leftovers(folder_, std::nullopt);

@@ -17,9 +17,9 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kTold = 4;            // Exit code of a worker that left a note about its failure.
-constexpr char kDiskTrouble = '!';  // First character of a note about a disk error, which would
-                                    // also stop the other workers.
+constexpr int kNoteLeft = 4;      // Exit code of a worker that left a note about its failure.
+constexpr char kDiskError = '!';  // First character of a note about a disk error, which would
+                                  // also stop the other workers.
 
 /// Draws every sequence and builds every world, so that errors are found before anything is made.
 void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
@@ -28,7 +28,7 @@ void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
     try {
       worlds.check(sequence.loaded.scenario);
     } catch (const std::exception& error) {
-      throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+      throw std::runtime_error(sequence_error(spec, sequence, error.what()));
     }
   }
 }
@@ -42,8 +42,8 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
 }
 
 /// Makes one sequence; runs in its own process.
-int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
-            const WorkerNotes& notes, int index) {
+int make_one(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
+             const WorkerNotes& notes, int index) {
   try {
     const std::string name = sequence_name(index);
     make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name));
@@ -51,28 +51,28 @@ int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetF
     return kDone;
   } catch (const FileError& error) {
     throw_if_interrupted();
-    notes.leave(kDiskTrouble + std::string(error.what()));
+    notes.leave(kDiskError + std::string(error.what()));
   } catch (const std::exception& error) {
     throw_if_interrupted();
     notes.leave(error.what());
   }
-  return kTold;
+  return kNoteLeft;
 }
 
 /// Result of a pass over the missing sequences.
 struct Pass {
   int made = 0;
   int failed = 0;
-  std::string disk_trouble{};  ///< The first disk error; empty if there was none.
+  std::string disk_error{};  ///< The first disk error; empty if there was none.
 };
 
 /// Prints the notes; a disk error is kept and reported once, at the end.
 void take_notes(const std::vector<std::string>& notes, Pass& pass) {
   for (const std::string& note : notes) {
-    if (note.front() != kDiskTrouble) {
+    if (note.front() != kDiskError) {
       fmt::print(stderr, "castaway: {}\n", note);
-    } else if (pass.disk_trouble.empty()) {
-      pass.disk_trouble = note.substr(1);
+    } else if (pass.disk_error.empty()) {
+      pass.disk_error = note.substr(1);
     }
   }
 }
@@ -87,16 +87,16 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
   const auto index_of = [&](int job) { return missing[static_cast<std::size_t>(job)]; };
   run_jobs(
       count, request.workers,
-      [&](int job) { return work_on(spec, worlds, folder, notes, index_of(job)); },
+      [&](int job) { return make_one(spec, worlds, folder, notes, index_of(job)); },
       [&](int job, int code) {
         take_notes(notes.take(), pass);
-        if (code != kDone && code != kTold) {
+        if (code != kDone && code != kNoteLeft) {
           fmt::print(stderr, "castaway: sequence {}: its process was killed\n", index_of(job));
         }
         ++(code == kDone ? pass.made : pass.failed);
         progress.next("");
       },
-      [&] { return !pass.disk_trouble.empty(); });
+      [&] { return !pass.disk_error.empty(); });
   return pass;
 }
 
@@ -106,22 +106,22 @@ int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const
   fmt::print(
       stderr,
       "castaway: {}: {} of {} sequences are finished; the same command resumes with the rest\n",
-      pass.disk_trouble.empty() ? folder.path().string() : pass.disk_trouble,
+      pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
       static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   return kRunFailed;
 }
 
 /// CPU time and peak memory of all workers that have ended.
-DatasetMaking workers_cost() {
+DatasetInvocation workers_cost() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
   const auto seconds_of = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  DatasetMaking making;
-  making.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
-  making.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
-  return making;
+  DatasetInvocation invocation;
+  invocation.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  invocation.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
+  return invocation;
 }
 
 std::vector<std::string> names_of(int count) {
@@ -131,8 +131,8 @@ std::vector<std::string> names_of(int count) {
 }
 
 /// Clears the drafts and reports what is kept after an interruption.
-[[noreturn]] void tell_kept(Interrupted interrupted, const DatasetFolder& folder,
-                            const DatasetRequest& request) {
+[[noreturn]] void report_kept(Interrupted interrupted, const DatasetFolder& folder,
+                              const DatasetRequest& request) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
   interrupted.kept = fmt::format(
@@ -144,22 +144,23 @@ std::vector<std::string> names_of(int count) {
 int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
             const DatasetRequest& request) {
   const std::vector<int> missing = missing_sequences(folder, request.sequences);
-  for (const int index : missing) worlds.ask_scores(sample_sequence(spec, index).loaded.scenario);
-  worlds.find_scores(request.workers, folder.path() / ".work");
+  for (const int index : missing)
+    worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
+  worlds.compute_scores(request.workers, folder.path() / ".work");
   const std::chrono::nanoseconds begin = wall_time();
   const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
   if (pass.failed > 0) return incomplete(folder, request, pass);
-  DatasetMaking making = workers_cost();
-  making.cpu_s -= cpu_before;
-  making.made = pass.made;
-  making.workers = request.workers;
-  making.wall_s = seconds(wall_time() - begin);
+  DatasetInvocation invocation = workers_cost();
+  invocation.cpu_s -= cpu_before;
+  invocation.made = pass.made;
+  invocation.workers = request.workers;
+  invocation.wall_s = seconds(wall_time() - begin);
   const DatasetContents contents =
       load_contents(folder, spec, names_of(request.sequences), worlds.maps());
   finish_dataset(folder, contents);
-  fmt::print("{}", request.json ? dataset_json(folder, contents, making)
-                                : describe_dataset(folder, contents, making));
+  fmt::print("{}", request.json ? dataset_json(folder, contents, invocation)
+                                : describe_dataset(folder, contents, invocation));
   return kDone;
 }
 
@@ -177,7 +178,7 @@ int make_dataset(const DatasetRequest& request) {
       try {
         return make_in(folder, spec, worlds, request);
       } catch (const Interrupted& interrupted) {
-        tell_kept(interrupted, folder, request);
+        report_kept(interrupted, folder, request);
       }
     }
     if (!request.json) {

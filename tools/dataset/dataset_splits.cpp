@@ -15,8 +15,8 @@ namespace {
 
 using Shares = std::array<double, 3>;
 
-constexpr std::array<int, 3> kFirstServed{0, 2, 1};  // Test before validation: a data set without a
-                                                     // test split proves nothing.
+constexpr std::array<int, 3> kSplitPriority{0, 2, 1};  // Test before validation: a data set without
+                                                       // a test split proves nothing.
 
 Shares shares_of(const SplitSpec& spec) {
   const double sum = spec.train + spec.val + spec.test;
@@ -24,7 +24,7 @@ Shares shares_of(const SplitSpec& spec) {
 }
 
 /// Shuffles names by a random key per name, so that adding a name does not reorder the others.
-std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t seed) {
+std::vector<std::string> shuffle_names(std::vector<std::string> names, std::uint64_t seed) {
   const auto draw = [seed](const std::string& name) {
     return localization::substream(seed, "splits/" + name)();
   };
@@ -34,7 +34,7 @@ std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t 
 }
 
 /// The split whose size is farthest below its requested share.
-int neediest(const Shares& shares, const Shares& filled, double all) {
+int farthest_below_share(const Shares& shares, const Shares& filled, double all) {
   int best = 0;
   double most = -1e300;
   for (int part = 0; part < 3; ++part) {
@@ -51,7 +51,7 @@ int neediest(const Shares& shares, const Shares& filled, double all) {
 
 std::vector<int> parts_with_share(const Shares& shares) {
   std::vector<int> parts;
-  for (const int part : kFirstServed) {
+  for (const int part : kSplitPriority) {
     if (shares[static_cast<std::size_t>(part)] > 0.0) parts.push_back(part);
   }
   return parts;
@@ -62,7 +62,7 @@ std::vector<std::string> world_order(const std::map<std::string, int>& sequences
                                      std::uint64_t seed) {
   std::vector<std::string> names;
   for (const auto& [name, count] : sequences) names.push_back(name);
-  names = shuffled(std::move(names), seed);
+  names = shuffle_names(std::move(names), seed);
   const auto largest = std::max_element(
       names.begin(), names.end(),
       [&](const auto& a, const auto& b) { return sequences.at(a) < sequences.at(b); });
@@ -71,16 +71,16 @@ std::vector<std::string> world_order(const std::map<std::string, int>& sequences
 }
 
 /// Assigns a split to each world.
-std::map<std::string, int> place_worlds(const std::map<std::string, int>& sequences,
-                                        const Shares& shares, std::uint64_t seed) {
+std::map<std::string, int> assign_worlds(const std::map<std::string, int>& sequences,
+                                         const Shares& shares, std::uint64_t seed) {
   double all = 0.0;
   for (const auto& [name, count] : sequences) all += count;
   const std::vector<int> first = parts_with_share(shares);
   Shares filled{};
   std::map<std::string, int> places;
   for (const std::string& name : world_order(sequences, seed)) {
-    const int part =
-        places.size() < first.size() ? first[places.size()] : neediest(shares, filled, all);
+    const int part = places.size() < first.size() ? first[places.size()]
+                                                  : farthest_below_share(shares, filled, all);
     places[name] = part;
     filled[static_cast<std::size_t>(part)] += sequences.at(name);
   }
@@ -105,8 +105,8 @@ DatasetSplits by_sequence(std::size_t count, const Shares& shares, std::uint64_t
   DatasetSplits splits;
   splits.part.resize(count);
   Shares filled{};
-  for (const std::string& name : shuffled(names, seed)) {
-    const int part = neediest(shares, filled, static_cast<double>(count));
+  for (const std::string& name : shuffle_names(names, seed)) {
+    const int part = farthest_below_share(shares, filled, static_cast<double>(count));
     splits.part[std::stoul(name)] = part;
     filled[static_cast<std::size_t>(part)] += 1.0;
   }
@@ -121,7 +121,7 @@ DatasetSplits split_dataset(const std::vector<std::string>& worlds, const SplitS
   if (spec.by_sequence) return by_sequence(worlds.size(), shares, seed);
   std::map<std::string, int> sequences;
   for (const std::string& world : worlds) ++sequences[world];
-  const std::map<std::string, int> places = place_worlds(sequences, shares, seed);
+  const std::map<std::string, int> places = assign_worlds(sequences, shares, seed);
   DatasetSplits splits;
   for (const std::string& world : worlds) splits.part.push_back(places.at(world));
   splits.remark = remark_on(sequences.size(), parts_with_share(shares));

@@ -21,13 +21,13 @@ class DatasetWorlds {
   /// before. Throws what `build_simulation` throws.
   void check(const Scenario& scenario);
   /// Requests the scores of the scenario's map. Precondition: `check` was called for it.
-  void ask_scores(const Scenario& scenario);
+  void request_scores(const Scenario& scenario);
   /// Computes all requested scores, `workers` maps at a time, each in its own process. The
   /// processes leave their results in `drafts`; the files may be removed afterwards. Throws
   /// FileError if the results cannot be kept there.
-  void find_scores(int workers, const std::filesystem::path& drafts);
+  void compute_scores(int workers, const std::filesystem::path& drafts);
 
-  /// Scores computed by `find_scores`.
+  /// Scores computed by `compute_scores`.
   [[nodiscard]] const MapScores& scores(const Scenario& scenario) const;
   /// Name of the world, as in summaries. Precondition: `check` was called for the scenario.
   [[nodiscard]] const std::string& world(const Scenario& scenario) const;
@@ -41,9 +41,9 @@ class DatasetWorlds {
     std::string world;
   };
 
-  [[nodiscard]] const Built& built(const Scenario& scenario) const;
+  [[nodiscard]] const Built& built_world(const Scenario& scenario) const;
   [[nodiscard]] std::string score_key(const Scenario& scenario) const;
-  [[nodiscard]] MapScores judged(const Scenario& scenario) const;
+  [[nodiscard]] MapScores score_map(const Scenario& scenario) const;
 
   std::filesystem::path base_;
   std::map<std::string, Built> built_;

@@ -22,7 +22,7 @@ std::size_t place_of(std::size_t scans, int k, int count) {
   return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
 }
 
-std::optional<localization::PoseWithCovariance> known(const std::optional<SE2>& pose) {
+std::optional<localization::PoseWithCovariance> with_covariance(const std::optional<SE2>& pose) {
   if (!pose) return std::nullopt;
   return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
@@ -40,16 +40,16 @@ class Evaluator {
   Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
       : spec_(spec), config_(config) {
     localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
-    map_ = to_occupancy_grid(damaged(place.map, config.stress, rng));
+    map_ = to_occupancy_grid(damage_map(place.map, config.stress, rng));
   }
 
   RowsOfRun run(const Trial& trial) const {
     localization::Rng rng =
         localization::substream(config_.seed, "stress/" + std::to_string(trial.seed));
-    RecordedSource source(stressed(trial.frames, config_.stress, rng));
+    RecordedSource source(apply_stress(trial.frames, config_.stress, rng));
     std::vector<NamedLocalizer> localizers = build_localizers({spec_}, map_, trial.seed);
     LoopConfig loop;
-    if (trial.known_start) loop.start = known(source.start_pose());
+    if (trial.known_start) loop.start = with_covariance(source.start_pose());
     RowsOfRun rows;
     std::vector<std::unique_ptr<RunSink>> sinks;
     sinks.push_back(std::make_unique<RowsSink>(rows));
@@ -98,7 +98,7 @@ void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
 }
 
 /// Counts scans that are wrong without the alarm, from the kidnap or start on.
-void add_honesty(const RowsOfRun& rows, EvaluationRow& row) {
+void add_wrong_scans(const RowsOfRun& rows, EvaluationRow& row) {
   const Stamp begin = begin_of(rows);
   bool was_wrong = false;
   Stamp wrong_since{};
@@ -149,7 +149,7 @@ struct Score {
     add_trial(metrics, summary);
     add_detection(metrics, row);
     add_alarms(metrics, row);
-    add_honesty(rows, row);
+    add_wrong_scans(rows, row);
     add_calibration(rows, row);
     cpu.add(rows);
   }

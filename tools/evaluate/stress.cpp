@@ -105,7 +105,7 @@ void validate(const StressConfig& config) {
   }
 }
 
-Frames stressed(const Frames& frames, const StressConfig& config, localization::Rng& rng) {
+Frames apply_stress(const Frames& frames, const StressConfig& config, localization::Rng& rng) {
   validate(config);
   Frames result;
   std::size_t scans = 0;
@@ -123,7 +123,7 @@ Frames stressed(const Frames& frames, const StressConfig& config, localization::
   return result;
 }
 
-RosMap damaged(const RosMap& map, const StressConfig& config, localization::Rng& rng) {
+RosMap damage_map(const RosMap& map, const StressConfig& config, localization::Rng& rng) {
   validate(config);
   RosMap result = map;
   if (config.erased_share > 0.0) erase_walls(result, config.erased_share, rng);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOccupiedThresh = 0.65;
 constexpr double kFreeThresh = 0.196;
 constexpr int kUnknownGray = 205;
-constexpr double kMuch = 1.0;  // [%] Of the pixels; a larger share is reported.
+constexpr double kReportedShare = 1.0;  // [%] Of the pixels; a larger share is reported.
 
 std::int8_t raw_cell(double shade) {
   const int value = static_cast<int>(std::lround(shade * 255.0));
@@ -57,7 +57,7 @@ Eigen::Vector2d RosMap::to_map(const Eigen::Vector2d& cells_from_corner) const {
 namespace {
 
 /// Makes pixels unknown that are not opaque, as map_server does; raw mode ignores transparency.
-void take_out_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
+void clear_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
   if (image.transparent.empty() || mode == MapMode::kRaw) return;
   const auto width = static_cast<std::size_t>(image.width);
   std::size_t count = 0;
@@ -77,7 +77,7 @@ void warn_of_free_unknown(const GrayImage& image, const RosMapHeader& header, Ro
   if (cell_of(kUnknownGray / 255.0, header) != 0) return;
   const auto count = static_cast<std::size_t>(
       std::count(image.pixels.begin(), image.pixels.end(), std::uint16_t{kUnknownGray}));
-  if (percent_of(count, image) < kMuch) return;
+  if (percent_of(count, image) < kReportedShare) return;
   map.warnings.push_back(fmt::format(
       "map {}: free_thresh {} makes grey {} (unknown, {:.0f} % of the picture) free; "
       "write free_thresh: {}",
@@ -99,7 +99,7 @@ RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::str
     std::transform(row - width, row, std::back_inserter(map.cells),
                    [&](std::uint16_t gray) { return cell_of_gray[gray]; });
   }
-  take_out_transparent(image, header.mode, map);
+  clear_transparent(image, header.mode, map);
   warn_of_free_unknown(image, header, map);
   return map;
 }

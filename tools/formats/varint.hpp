@@ -15,7 +15,7 @@ void append_varint(std::string& bytes, std::uint64_t value);
 void append_signed(std::string& bytes, std::int64_t value);
 
 /// Rounds `value` / `quantum`; NaN gives 0, and the result is limited to +-2^50.
-std::int64_t quantized(double value, double quantum);
+std::int64_t quantize(double value, double quantum);
 
 /// A column of slowly varying numbers, stored as differences to the previous one.
 class IntColumn {

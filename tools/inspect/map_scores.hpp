@@ -19,7 +19,7 @@ struct MapScores {
 
 /// Range [m] for which a map is scored: `range_max` rounded up to one of 2, 3, 4, 6, 8, 12, 16, 25,
 /// 50 m, so that lidars of similar range share their scores.
-double judged_range(double range_max);
+double scoring_range(double range_max);
 
 /// Scores the world as it was mapped, without later differences, seen from the lidar's height.
 /// Loads the world; takes seconds for a building.

@@ -124,7 +124,7 @@ void measure_detection(LocalizerMetrics& metrics) {
 }
 
 /// Up to this time an alarm is a correct response to the kidnap (or unknown start) of a window.
-Stamp excused_until(const RecoveryWindow& window, const RecoveryConfig& config) {
+Stamp alarm_grace_end(const RecoveryWindow& window, const RecoveryConfig& config) {
   const Stamp grace = std::min(window.begin + config.alarm_grace, window.end);
   return std::max(window.recovered.value_or(window.end), grace);
 }
@@ -134,7 +134,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
   if (rows.empty()) return;
   Stamp watched = end - rows.front().stamp;
   for (const RecoveryWindow& window : metrics.windows) {
-    watched -= excused_until(window, config) - window.taken;
+    watched -= alarm_grace_end(window, config) - window.taken;
   }
   if (watched <= Stamp::zero() || !metrics.tracking_error_m) return;
   bool was_lost = false;
@@ -142,7 +142,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
     const bool onset = row.lost && !was_lost;
     const bool excused = std::any_of(
         metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
-          return row.answered() >= window.taken && row.answered() < excused_until(window, config);
+          return row.answered() >= window.taken && row.answered() < alarm_grace_end(window, config);
         });
     if (onset && is_right(row, config) && !excused) ++metrics.false_alarms;
     was_lost = row.lost;
@@ -157,7 +157,7 @@ LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<Ru
                          bool known_start, Stamp end, const RecoveryConfig& config) {
   LocalizerMetrics metrics;
   const std::vector<RunEvent> kidnaps = kidnaps_of(events);
-  const std::vector<MetricRow> rows = with_torn_marked(all, kidnaps);
+  const std::vector<MetricRow> rows = mark_torn_rows(all, kidnaps);
   metrics.windows = recovery_windows(rows, kidnaps, known_start, end, config);
   measure_errors(rows, metrics);
   measure_recovery(metrics);

@@ -10,7 +10,7 @@ using localization::distance;
 using localization::yaw_distance;
 
 /// The previous answer moved by odometry.
-SE2 expected(const MetricRow& before, const MetricRow& now) {
+SE2 predict_answer(const MetricRow& before, const MetricRow& now) {
   return *before.T_map_base_estimate * before.T_odom_base.inverse() * now.T_odom_base;
 }
 
@@ -32,7 +32,7 @@ OutputJumps jumps_of(const std::vector<MetricRow>& rows, const std::vector<Recov
     if (!row.T_map_base_estimate) continue;
     const MetricRow* last = std::exchange(before, &row);
     if (last == nullptr) continue;
-    const SE2 unmoved = expected(*last, row);
+    const SE2 unmoved = predict_answer(*last, row);
     const double leap = distance(unmoved, *row.T_map_base_estimate);
     jumps.largest_m = std::max(jumps.largest_m, leap);
     const bool jumped = leap > config.position_m ||

@@ -23,7 +23,7 @@ RowRange rows_in(const std::vector<MetricRow>& rows, const RecoveryWindow& windo
 
 /// Index of the first row from which on all scored rows of the range are right; nothing if the last
 /// scored row is wrong. Rows without truth are skipped.
-std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& rows, RowRange range,
+std::optional<std::size_t> first_lasting_right(const std::vector<MetricRow>& rows, RowRange range,
                                                const RecoveryConfig& config) {
   std::optional<std::size_t> first;
   for (std::size_t i = range.last; i > range.first; --i) {
@@ -64,7 +64,7 @@ double wrong_lock(const std::vector<MetricRow>& rows, const RecoveryWindow& wind
 
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
            const RecoveryConfig& config, RecoveryWindow& window) {
-  const auto right = first_of_last_right(rows, range, config);
+  const auto right = first_lasting_right(rows, range, config);
   if (window.scored && right && window.end - rows[*right].answered() >= config.min_left) {
     window.recovered = rows[*right].answered();
     window.distance_m = driven[*right] - driven[range.first];

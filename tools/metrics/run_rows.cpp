@@ -40,8 +40,8 @@ std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   return kidnaps;
 }
 
-std::vector<MetricRow> with_torn_marked(std::vector<MetricRow> rows,
-                                        const std::vector<RunEvent>& kidnaps) {
+std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
+                                      const std::vector<RunEvent>& kidnaps) {
   for (MetricRow& row : rows) {
     row.torn = std::any_of(kidnaps.begin(), kidnaps.end(), [&](const RunEvent& kidnap) {
       const auto within = [&](Stamp stamp) { return stamp > row.stamp && stamp < row.answered(); };

@@ -42,8 +42,8 @@ std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events);
 
 /// Marks the rows of torn scans: the robot was lifted or put down between the first and the last
 /// beam. Such a scan has no single true pose.
-std::vector<MetricRow> with_torn_marked(std::vector<MetricRow> rows,
-                                        const std::vector<RunEvent>& kidnaps);
+std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
+                                      const std::vector<RunEvent>& kidnaps);
 
 /// Distance driven [m] up to each row, 0 at the first: along the true path, or along odometry if
 /// the truth is not known. Neither the jump of a kidnap nor the path while the robot is carried

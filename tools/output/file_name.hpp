@@ -9,7 +9,7 @@ namespace castaway::testbed {
 /// Why a text cannot name a file or a folder, as the end of a sentence ("must not hold '/'"). Empty
 /// if it can: 1 to 100 bytes, no slash, backslash or control character, no leading '.' or '-', no
 /// blank at either end.
-std::string trouble_with_file_name(std::string_view name);
+std::string file_name_error(std::string_view name);
 
 /// Converts a text to a file name: invalid characters become '_'; "unnamed" if nothing is left.
 std::string file_name_of(std::string_view text);

@@ -15,7 +15,7 @@ std::atomic<int> pending{0};
 std::atomic<int> guards{0};
 std::atomic<bool> silent{false};
 
-void say(std::string_view text) {
+void write_stderr(std::string_view text) {
   if (silent) return;
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
@@ -26,7 +26,7 @@ extern "C" void interrupt(int signal) {
   if (pending != 0) _exit(128 + signal);
   pending = signal;
   if (guards > 0) return;
-  say("castaway: interrupted; nothing was written\n");
+  write_stderr("castaway: interrupted; nothing was written\n");
   _exit(128 + signal);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPatience = 10.0;  // [s] Other processes hold the lock only briefly.
+constexpr double kLockWait = 10.0;  // [s] Other processes hold the lock only briefly.
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -35,7 +35,7 @@ void put_own_file(const fs::path& file, const std::function<void()>& put) {
   const fs::path folder = folder_of(file);
   std::error_code error;
   fs::create_directories(folder, error);  // If this fails, the lock reports the error.
-  const FolderLock lock(folder, kPatience);
+  const FolderLock lock(folder, kLockWait);
   const std::optional<FileRecord> known = load_record(folder);
   require_own(file, known);
   put();

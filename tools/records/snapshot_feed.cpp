@@ -21,7 +21,7 @@ std::optional<Snapshot> parse_name(const std::string& stem) {
 
 }  // namespace
 
-std::vector<Snapshot> SnapshotFeed::fresh() {
+std::vector<Snapshot> SnapshotFeed::take_new() {
   std::set<std::string> names;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, missing)) {

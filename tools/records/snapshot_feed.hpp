@@ -24,7 +24,7 @@ class SnapshotFeed {
       : folder_(run_folder / "snapshots") {}
 
   /// Pictures that are new since the last call, sorted by name. Other files are ignored.
-  std::vector<Snapshot> fresh();
+  std::vector<Snapshot> take_new();
 
  private:
   std::filesystem::path folder_;

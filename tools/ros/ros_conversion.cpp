@@ -55,7 +55,7 @@ double yaw_of(const ros::Quaternion& q) {
 }
 
 /// The double that is this many representable values away.
-double stepped(double value, int steps) {
+double offset_by_ulps(double value, int steps) {
   for (; steps > 0; --steps) value = std::nextafter(value, 2.0);
   for (; steps < 0; ++steps) value = std::nextafter(value, -2.0);
   return value;
@@ -67,7 +67,7 @@ ros::Quaternion planar_quaternion(double yaw) {
   constexpr std::array<int, 7> kSteps{0, 1, -1, 2, -2, 3, -3};
   for (const int z : kSteps) {
     for (const int w : kSteps) {
-      const ros::Quaternion q{0.0, 0.0, stepped(nearest.z, z), stepped(nearest.w, w)};
+      const ros::Quaternion q{0.0, 0.0, offset_by_ulps(nearest.z, z), offset_by_ulps(nearest.w, w)};
       if (yaw_of(q) == yaw) return q;
     }
   }

@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kForEver = "    sec: 9223372036\n    nsec: 854775807\n";
 
 /// Quotes a multi-line text as one line of YAML.
-std::string quoted(const std::string& text) {
+std::string quote_line(const std::string& text) {
   std::string line = "\"";
   for (const char c : text) {
     if (c == '\n') {
@@ -26,7 +26,7 @@ std::string topic_text(const BagTopic& topic) {
       "    - topic_metadata:\n        name: {}\n        type: {}\n        serialization_format: "
       "cdr\n"
       "        offered_qos_profiles: {}\n      message_count: {}\n",
-      topic.name, topic.type, quoted(qos_text(topic.durability)), topic.messages);
+      topic.name, topic.type, quote_line(qos_text(topic.durability)), topic.messages);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string rosbag2_metadata(const BagContents& bag) {
       "  compression_format: \"\"\n  compression_mode: \"\"\n  relative_file_paths:\n    - {0}\n"
       "  files:\n    - path: {0}\n      starting_time:\n        nanoseconds_since_epoch: {1}\n"
       "      duration:\n        nanoseconds: {2}\n      message_count: {3}\n",
-      quoted(bag.file), bag.start_ns, bag.length_ns, bag.messages);
+      quote_line(bag.file), bag.start_ns, bag.length_ns, bag.messages);
   return text;
 }
 

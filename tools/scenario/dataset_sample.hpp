@@ -26,7 +26,7 @@ SampledSequence sample_sequence(const DatasetSpec& spec, int index);
 
 /// One line that describes an error of a sequence: file, sequence, error, and the drawn values that
 /// may have caused it.
-std::string sequence_trouble(const DatasetSpec& spec, const SampledSequence& sequence,
-                             const std::string& what);
+std::string sequence_error(const DatasetSpec& spec, const SampledSequence& sequence,
+                           const std::string& what);
 
 }  // namespace castaway::testbed

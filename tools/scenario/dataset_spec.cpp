@@ -39,7 +39,7 @@ YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) 
 }
 
 /// Adapts a scenario to a data set: removes its own keys, and sets localizers and outputs.
-void fit(YamlNode& scenario, const YamlNode& outputs) {
+void adapt_scenario(YamlNode& scenario, const YamlNode& outputs) {
   for (const std::string& key : kOwn) drop(scenario, key);
   if (scenario.find("localizers") == nullptr) {
     put_value(scenario, "localizers", parse_yaml("[]", ""), "");
@@ -116,7 +116,7 @@ DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& over
   for (const std::string& assignment : overrides.scenario) {
     apply_override(spec.scenario, assignment);
   }
-  fit(spec.scenario, outputs);
+  adapt_scenario(spec.scenario, outputs);
   spec.effective = effective_text(root, spec, outputs);
   return spec;
 }

@@ -140,7 +140,7 @@ Draw read_draw(YamlReader value) {
   return FixedDraw{fixed ? fixed->raw() : YamlNode{}};
 }
 
-YamlNode drawn(const Draw& draw, Rng& rng) {
+YamlNode draw_value(const Draw& draw, Rng& rng) {
   return std::visit([&rng](const auto& of) { return value_of(of, rng); }, draw);
 }
 

@@ -59,6 +59,6 @@ Draw read_draw(YamlReader value);
 
 /// Draws a value. Numbers that are not integers are rounded to six digits. After a thousand
 /// rejections, a normal value is clamped to its limits.
-YamlNode drawn(const Draw& draw, localization::Rng& rng);
+YamlNode draw_value(const Draw& draw, localization::Rng& rng);
 
 }  // namespace castaway::testbed

@@ -77,7 +77,7 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
 EventSpecs read_events(YamlReader& root) {
   EventSpecs events;
   for (YamlReader event : root.list("events")) {
-    auto [kind, body] = event.named();
+    auto [kind, body] = event.name_and_body();
     if (kind == "kidnap") {
       read_kidnap(body, events);
     } else if (kind == "fault") {
@@ -156,8 +156,8 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides) {
   YamlDocument document = YamlDocument::load(file);
   for (const std::string& assignment : overrides) {
-    if (assignment.starts_with("robot.")) document.write_out("robot", "file");
-    if (assignment.starts_with("world.")) document.write_out("world", "name");
+    if (assignment.starts_with("robot.")) document.expand_short_form("robot", "file");
+    if (assignment.starts_with("world.")) document.expand_short_form("world", "name");
     document.set(assignment);
   }
   return read_scenario(std::move(document), file.parent_path(), file.stem().string());

@@ -207,7 +207,7 @@ void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
 /// Pictures are taken after this sink has handled a scan, so they are logged with the next one.
 void BagSink::write_snapshots(Stamp delivered) {
   if (!config_.options.snapshots) return;
-  for (Snapshot& snapshot : snapshots_.fresh()) {
+  for (Snapshot& snapshot : snapshots_.take_new()) {
     const auto [topic, first] = views_.try_emplace(snapshot.view);
     if (first) {
       topic->second =

@@ -76,7 +76,7 @@ Route route_of(const Scenario& scenario, const RouteWorld& world, const sim::Rob
 }
 
 /// The path as given, or else relative to `base`.
-std::filesystem::path found_file(const std::string& text, const std::filesystem::path& base) {
+std::filesystem::path resolve_file(const std::string& text, const std::filesystem::path& base) {
   return std::filesystem::exists(text) ? std::filesystem::path(text) : base / text;
 }
 
@@ -92,7 +92,7 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);
   } else {
-    for (const TwistLine& line : read_twist_log(found_file(spec.twist_log, base))) {
+    for (const TwistLine& line : read_twist_log(resolve_file(spec.twist_log, base))) {
       drive.log.push_back({line.t_s, {line.v, line.w}});
     }
   }

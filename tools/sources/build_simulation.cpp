@@ -16,7 +16,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWorthTelling =
+constexpr double kSlowShare =
     0.5;  // Share of the requested speed below which a robot is reported as slow.
 
 void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
@@ -65,7 +65,7 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
 /// Warns if the wheels limit the robot to much less than the requested speed.
 void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
-  if (limits.max_speed > kWorthTelling * config.drive.limits.max_speed) return;
+  if (limits.max_speed > kSlowShare * config.drive.limits.max_speed) return;
   warnings.push_back(
       fmt::format("<limit velocity> of the wheels' joints slows the robot down to {:.2f} m/s; "
                   "drive.max_speed is {:.2f} m/s",
@@ -100,8 +100,8 @@ void warn_of_default_lidar(const sim::SimulationConfig& config,
                   free ? "free of the body" : "not free of the body: its beams pass through it"));
 }
 
-PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
-                                LoadedRobot robot, LoadedWorld world) {
+PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::path& base,
+                            LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
@@ -135,14 +135,14 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot robot = load_any_robot(scenario, base);
   const SurveyOptions options = survey_options(scenario, robot);
-  return put_together(scenario, base, std::move(robot), build_world(scenario.world, base, options));
+  return assemble(scenario, base, std::move(robot), build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map) {
   LoadedRobot robot = load_any_robot(scenario, base);
   const SurveyOptions options = survey_options(scenario, robot);
-  return put_together(scenario, base, std::move(robot), world_of_map(std::move(map), options));
+  return assemble(scenario, base, std::move(robot), world_of_map(std::move(map), options));
 }
 
 }  // namespace castaway::testbed

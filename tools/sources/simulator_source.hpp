@@ -59,8 +59,8 @@ class SimulatorSource final : public SensorSource {
  private:
   std::optional<Frame> next_of_all();
   void take_next();
-  void tell(EventKind kind, const std::string& detail, const sim::Pose2& pose,
-            std::optional<Stamp> since = {});
+  void add_event(EventKind kind, const std::string& detail, const sim::Pose2& pose,
+                 std::optional<Stamp> since = {});
   void note(const sim::KidnapRecord& kidnap);
   void finish();
   [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;

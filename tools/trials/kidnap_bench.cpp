@@ -77,7 +77,7 @@ SearchOutcome search(const PlaceFinder& finder, const localization::ScanPoints& 
                      const SE2& T_map_base_true) {
   SearchOutcome outcome;
   outcome.blocked_share = finder.blocked_share(points, T_map_base_true);
-  outcome.right = finder.refined(points, T_map_base_true).log_likelihood;
+  outcome.right = finder.refine(points, T_map_base_true).log_likelihood;
   const std::vector<FoundPlace> places = finder.find(points);
   if (!places.empty()) {
     outcome.fifth = places[std::min<std::size_t>(4, places.size() - 1)].log_likelihood;

@@ -40,7 +40,7 @@ PreparedSimulation prepare(const KidnapTrialConfig& config) {
                                   : build_simulation(scenario, ".");
 }
 
-sim::Pose2 sampled(const std::optional<sim::Pose2>& pose) {
+sim::Pose2 sample_pose(const std::optional<sim::Pose2>& pose) {
   if (pose) return *pose;
   throw std::runtime_error("the world has no room for a kidnap; choose a larger one");
 }
@@ -87,7 +87,8 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
   sim::KidnapSpec kidnap;
   kidnap.kind = sim::KidnapKind::kTeleportTo;
   kidnap.when.value = config_.lead_s + uniform_between(-kLeadSpread, kLeadSpread, rng);
-  kidnap.target = sampled(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
+  kidnap.target =
+      sample_pose(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
 }
 
@@ -130,10 +131,10 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   sim::Rng people = localization::substream(config_.seed, fmt::format("people/{}", index));
   KidnapTrial trial{prepared_.config, rng()};
   sim::SimulationConfig& config = trial.simulation;
-  config.start = sampled(robot_space_.sample(rng));
+  config.start = sample_pose(robot_space_.sample(rng));
   config.random_start = false;
   for (int i = 0; i < kWaypoints; ++i) {
-    config.drive.waypoints.push_back(sampled(robot_space_.sample(rng)).position());
+    config.drive.waypoints.push_back(sample_pose(robot_space_.sample(rng)).position());
   }
   for (int tries = 0; tries < kTries; ++tries) {
     config.kidnaps = {draw_kidnap(rng, config.start)};

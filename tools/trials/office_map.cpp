@@ -32,9 +32,9 @@ struct Box {
 };
 
 /// Draws corridors, rooms and furniture into a map that is initially all wall.
-class Draughtsman {
+class OfficeBuilder {
  public:
-  explicit Draughtsman(const OfficeSpec& spec)
+  explicit OfficeBuilder(const OfficeSpec& spec)
       : spec_(spec), rng_(localization::substream(spec.seed, "office")) {
     map_.name = "office";
     map_.resolution = spec.resolution;
@@ -137,7 +137,7 @@ RosMap draw_office(const OfficeSpec& spec) {
   if (!(spec.resolution > 0.0) || spec.resolution > 0.1) {
     throw std::invalid_argument("an office's resolution must be in (0, 0.1] m");
   }
-  return Draughtsman(spec).draw();
+  return OfficeBuilder(spec).draw();
 }
 
 }  // namespace castaway::testbed

@@ -22,8 +22,8 @@ class PlaceFinder {
   /// Refined places, best evidence first; empty for a scan without points.
   [[nodiscard]] std::vector<FoundPlace> find(const localization::ScanPoints& points) const;
   /// The place to which refinement converges from a pose: what a search started there would list.
-  [[nodiscard]] FoundPlace refined(const localization::ScanPoints& points,
-                                   const localization::SE2& T_map_base) const;
+  [[nodiscard]] FoundPlace refine(const localization::ScanPoints& points,
+                                  const localization::SE2& T_map_base) const;
   /// Share of the beams that end at least 0.3 m before the first wall on the map.
   [[nodiscard]] double blocked_share(const localization::ScanPoints& points,
                                      const localization::SE2& T_map_base) const;

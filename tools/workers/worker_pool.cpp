@@ -30,7 +30,7 @@ int done_by(const Job& job, int index) {
   }
 }
 
-pid_t started(const Job& job, int index) {
+pid_t start_job(const Job& job, int index) {
   std::fflush(nullptr);  // Buffered output would be written twice.
   const pid_t parent = getpid();
   const pid_t process = fork();
@@ -68,7 +68,7 @@ void run_jobs(int count, int workers, const Job& job,
   while (next < count || !running.empty()) {
     if (stopped && stopped()) count = next;
     while (next < count && static_cast<int>(running.size()) < workers) {
-      running.emplace(started(job, next), next);
+      running.emplace(start_job(job, next), next);
       ++next;
     }
     if (running.empty()) return;

@@ -29,20 +29,20 @@ TEST(DatasetFinish, LeavesAllThatStandsBesideTheSequences) {
 
 TEST(DatasetFinish, TellsWhatItAmountsTo) {
   const SmallDataset dataset;
-  DatasetMaking making;
-  making.wall_s = 10.0;
-  making.made = 3;
-  making.workers = 2;
-  making.cpu_s = 18.0;
-  making.largest_mb = 64.0;
-  const std::string words = describe_dataset(dataset.folder(), dataset.contents(), making);
+  DatasetInvocation invocation;
+  invocation.wall_s = 10.0;
+  invocation.made = 3;
+  invocation.workers = 2;
+  invocation.cpu_s = 18.0;
+  invocation.largest_mb = 64.0;
+  const std::string words = describe_dataset(dataset.folder(), dataset.contents(), invocation);
   EXPECT_TRUE(contains(words, "small: 3 sequences, 3.0 min, 30 m, 12 scans"));
   EXPECT_TRUE(contains(words,
                        "3 made now in 10.0 s, 2 at a time: workers busy 90 %, the largest "
                        "took 64 MB"));
   EXPECT_TRUE(contains(words, "Splits: 2 worlds for 3 splits"));
   const auto json =
-      nlohmann::ordered_json::parse(dataset_json(dataset.folder(), dataset.contents(), making));
+      nlohmann::ordered_json::parse(dataset_json(dataset.folder(), dataset.contents(), invocation));
   EXPECT_EQ(json.at("scans"), 12.0);
   EXPECT_EQ(json.at("timing").at("made"), 3);
 }

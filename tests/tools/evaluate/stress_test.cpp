@@ -41,13 +41,13 @@ std::vector<LaserScan> scans_of(const Frames& frames) {
 std::vector<LaserScan> stressed_scans(const Frames& frames, const StressConfig& config,
                                       std::uint64_t seed = 1) {
   Rng rng(seed);
-  return scans_of(stressed(frames, config, rng));
+  return scans_of(apply_stress(frames, config, rng));
 }
 
 TEST(Stress, ChangesNothingByDefault) {
   const Frames frames = frames_with(5.0F);
   Rng rng(1);
-  const Frames same = stressed(frames, {}, rng);
+  const Frames same = apply_stress(frames, {}, rng);
   ASSERT_EQ(same.size(), frames.size());
   EXPECT_EQ(scans_of(same)[2].ranges, scans_of(frames)[2].ranges);
   EXPECT_EQ(rng, Rng(1));  // and draws nothing
@@ -101,7 +101,7 @@ TEST(Stress, DependsOnTheGeneratorOnly) {
 TEST(Stress, LeavesOutScansOfEvenIndexButNoOdometry) {
   const Frames frames = frames_with(8.0F, 5);
   Rng rng(1);
-  const Frames odd = stressed(frames, {.odd_scans_only = true}, rng);
+  const Frames odd = apply_stress(frames, {.odd_scans_only = true}, rng);
   EXPECT_EQ(odd.size(), frames.size() - 3);
   ASSERT_EQ(scans_of(odd).size(), 2U);
   EXPECT_EQ(scans_of(odd)[0].stamp, scans_of(frames)[1].stamp);

@@ -55,7 +55,7 @@ TEST(TornRows, AreThoseThatAKidnapFallsInto) {
   for (MetricRow& row : rows) row.delivered = row.stamp + from_seconds(0.9);
   RunEvent carry = kidnap_at(6.5);
   carry.since = from_seconds(4.5);
-  rows = with_torn_marked(std::move(rows), {kidnap_at(1.5), kidnap_at(3.0), carry});
+  rows = mark_torn_rows(std::move(rows), {kidnap_at(1.5), kidnap_at(3.0), carry});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool torn = i == 1 || i == 4 || i == 6;
     EXPECT_EQ(rows[i].torn, torn) << i;

@@ -28,7 +28,7 @@ std::vector<double> numbers(const std::string& text, int count) {
   const Draw draw = draw_of(text);
   localization::Rng rng = substream(1, "draws");
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(drawn(draw, rng), "x"));
+  for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(draw_value(draw, rng), "x"));
   return values;
 }
 
@@ -40,9 +40,9 @@ double mean_of(const std::vector<double>& values) {
 
 TEST(Draw, AFixedValueIsItself) {
   localization::Rng rng = substream(1, "draws");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("office"), rng)), "office\n");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("[1, 2]"), rng)), "[1, 2]\n");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("{value: {count: 3}}"), rng)), "count: 3\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("office"), rng)), "office\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("[1, 2]"), rng)), "[1, 2]\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("{value: {count: 3}}"), rng)), "count: 3\n");
 }
 
 TEST(Draw, ChoicesComeByTheirWeights) {
@@ -50,7 +50,7 @@ TEST(Draw, ChoicesComeByTheirWeights) {
   localization::Rng rng = substream(1, "draws");
   std::map<std::string, int> counts;
   constexpr int kDraws = 4000;
-  for (int i = 0; i < kDraws; ++i) ++counts[emit_yaml(drawn(draw, rng))];
+  for (int i = 0; i < kDraws; ++i) ++counts[emit_yaml(draw_value(draw, rng))];
   EXPECT_EQ(counts.count("b\n"), 0U);
   // Five sigma of a binomial count.
   EXPECT_NEAR(counts["a\n"], 0.75 * kDraws, 5.0 * std::sqrt(kDraws * 0.75 * 0.25));

@@ -16,7 +16,7 @@ const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl"};
 const char* const kToldPreset = "amcl-global";
 
 LocalizerSpec read_localizer(YamlReader item) {
-  auto [kind, body] = item.named();
+  auto [kind, body] = item.name_and_body();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
     const std::string mode = body.choice("mode", "improved", mh_amcl_modes());

@@ -26,7 +26,7 @@ void resample(int beams, sim::LidarConfig& lidar) {
 
 /// Spreads the beams over a field of view centred ahead; the last beam of a full circle does not
 /// repeat the first.
-void spread(double fov_deg, sim::LidarConfig& lidar) {
+void spread_beams(double fov_deg, sim::LidarConfig& lidar) {
   const int gaps = fov_deg >= 360.0 ? lidar.beams : std::max(lidar.beams - 1, 1);
   lidar.angle_increment = fov_deg * kRadians / gaps;
   lidar.angle_min = -0.5 * fov_deg * kRadians;
@@ -52,7 +52,7 @@ void angle_fields(Settings& settings, sim::LidarConfig& lidar) {
                       "Field of view ahead, from the first beam to the last.",
                       {1e-3, 720.0}},
                      fov_deg)) {
-    spread(fov_deg, lidar);
+    spread_beams(fov_deg, lidar);
   }
   if (settings.field({"angle_min_deg", "deg", "Direction of the first beam.", {-720.0, 720.0}},
                      angle_min_deg)) {
@@ -157,7 +157,7 @@ YamlNode read_lidar_changes(YamlReader& map) {
 std::vector<LidarSpec> read_lidars(YamlReader& root) {
   std::vector<LidarSpec> lidars;
   for (YamlReader item : root.list("lidars")) {
-    auto [name, body] = item.named();
+    auto [name, body] = item.name_and_body();
     require_name(item, "a lidar's name", name);
     for (const LidarSpec& other : lidars) {
       if (other.name == name) item.fail("two lidars are named '" + name + "': give other names");
@@ -168,7 +168,7 @@ std::vector<LidarSpec> read_lidars(YamlReader& root) {
   return lidars;
 }
 
-sim::LidarConfig changed(sim::LidarConfig lidar, const YamlNode& changes) {
+sim::LidarConfig apply_changes(sim::LidarConfig lidar, const YamlNode& changes) {
   YamlNode copy = changes;
   fields(Settings::changing({copy, "lidar"}), lidar);
   return lidar;

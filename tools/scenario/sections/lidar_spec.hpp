@@ -21,6 +21,6 @@ YamlNode read_lidar_changes(YamlReader& map);
 std::vector<LidarSpec> read_lidars(YamlReader& root);
 
 /// Applies changes (`read_lidar_changes`) to a lidar. Throws as reading them does.
-sim::LidarConfig changed(sim::LidarConfig lidar, const YamlNode& changes);
+sim::LidarConfig apply_changes(sim::LidarConfig lidar, const YamlNode& changes);
 
 }  // namespace castaway::testbed

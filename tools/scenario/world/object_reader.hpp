@@ -30,7 +30,7 @@ Eigen::Vector3d size_of(YamlReader& reader);
 /// underside from `bottom`.
 Eigen::Isometry3d floor_frame(YamlReader& reader);
 /// A frame translated by `by`, given in its own coordinates.
-Eigen::Isometry3d shifted(const Eigen::Isometry3d& T, const Eigen::Vector3d& by);
+Eigen::Isometry3d translate(const Eigen::Isometry3d& T, const Eigen::Vector3d& by);
 /// An unnamed body.
 sim::WorldObject body(sim::ObjectShape shape, const Eigen::Isometry3d& T_map_object);
 /// A box whose underside is centred at `p` of a frame.

@@ -22,7 +22,7 @@ sim::Door door_of(YamlReader& reader, const Eigen::Isometry3d& T_map_door, doubl
     reader.find("open_deg")->fail("must be from -180 to 180 (0: closed)");
   }
   door.turn = right ? -1.0 : 1.0;
-  door.T_map_hinge = shifted(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kGap), 0.0, 0.0});
+  door.T_map_hinge = translate(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kGap), 0.0, 0.0});
   if (right) door.T_map_hinge.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));
   return door;
 }

@@ -152,7 +152,7 @@ Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder) {
   for (int row = 0; row < static_cast<int>(count.y()); ++row) {
     for (int column = 0; column < static_cast<int>(count.x()); ++column) {
       const Eigen::Vector3d place(column * spacing.x(), row * spacing.y(), 0.0);
-      append_copy(group, shifted(T_map_group, place), fmt::format("{}-{}/", column, row), result);
+      append_copy(group, translate(T_map_group, place), fmt::format("{}-{}/", column, row), result);
     }
   }
   return result;
@@ -162,7 +162,7 @@ Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder) {
 
 Bodies read_world_object(YamlReader& entry, std::size_t index,
                          const std::filesystem::path& folder) {
-  auto [kind, reader] = entry.named();
+  auto [kind, reader] = entry.name_and_body();
   Bodies bodies = read_bodies(kind, reader, folder);
   const std::string name = reader.get("name", fmt::format("{}-{}", kind, index));
   if (kind == "repeat") {

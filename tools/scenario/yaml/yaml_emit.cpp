@@ -16,7 +16,7 @@ bool is_plain(const std::string& text) {
   return !text.empty() && !dash && text.find_first_not_of(kSafe) == std::string::npos;
 }
 
-std::string quoted(const std::string& text) {
+std::string quote_scalar(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -31,7 +31,9 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string scalar_text(const std::string& text) { return is_plain(text) ? text : quoted(text); }
+std::string scalar_text(const std::string& text) {
+  return is_plain(text) ? text : quote_scalar(text);
+}
 
 bool all_scalars(const YamlNode& list) {
   for (const YamlNode& item : list.items) {

@@ -77,7 +77,7 @@ void put_value(YamlNode& root, const std::string& path, YamlNode value, const st
   *node = std::move(value);
 }
 
-void write_out(YamlNode& root, const std::string& key, const std::string& long_key) {
+void expand_short_form(YamlNode& root, const std::string& key, const std::string& long_key) {
   YamlNode* node = root.find(key);
   if (node == nullptr || node->kind != YamlNode::Kind::kScalar) return;
   YamlNode map;

@@ -19,10 +19,10 @@ std::vector<std::string> keys_of(const YamlNode& map) {
   return keys;
 }
 
-void know_all(YamlNode& node) {
+void mark_known(YamlNode& node) {
   node.known = keys_of(node);
-  for (YamlEntry& entry : node.entries) know_all(entry.value);
-  for (YamlNode& item : node.items) know_all(item);
+  for (YamlEntry& entry : node.entries) mark_known(entry.value);
+  for (YamlNode& item : node.items) mark_known(item);
 }
 
 void forget_known(YamlNode& node) {
@@ -85,7 +85,7 @@ std::vector<YamlReader> YamlReader::list(const std::string& key) {
 }
 
 YamlNode YamlReader::raw() const {
-  know_all(*node_);
+  mark_known(*node_);
   return copy();
 }
 
@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, YamlReader>> YamlReader::entries() {
   return result;
 }
 
-std::pair<std::string, YamlReader> YamlReader::named() {
+std::pair<std::string, YamlReader> YamlReader::name_and_body() {
   if (is_scalar()) {
     node_->entries.push_back({node_->scalar, {}});
     node_->entries.back().value.where = node_->where;

@@ -6,7 +6,7 @@
 ///     config.seed = root.get("seed", config.seed);            // typed, default
 ///     config.rate_hz = root.child("lidar").get("rate_hz", 10.0);
 ///     for (YamlReader event : root.list("events")) {          // - kidnap: {at_s: 30}
-///       auto [kind, body] = event.named();
+///       auto [kind, body] = event.name_and_body();
 ///       kidnap.at_s = body.require<double>("at_s");
 ///     }
 ///     document.reject_unknown_keys();                         // after all has been read
@@ -83,7 +83,7 @@ class YamlReader {
   /// Keys and values of a map whose keys are chosen by the user; marks all keys as known.
   [[nodiscard]] std::vector<std::pair<std::string, YamlReader>> entries();
   /// A name with an optional body: `amcl`, or a map of one key `amcl: {...}`.
-  [[nodiscard]] std::pair<std::string, YamlReader> named();
+  [[nodiscard]] std::pair<std::string, YamlReader> name_and_body();
 
   /// The value of `key`, or `fallback`, which is then written into the effective document.
   template <typename T>
@@ -142,9 +142,9 @@ class YamlDocument {
 
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
-  /// Expands a key's short form (see `castaway::testbed::write_out`); call it before reading.
-  void write_out(const std::string& key, const std::string& long_key) {
-    testbed::write_out(*root_, key, long_key);
+  /// Expands a key's short form (see `castaway::testbed::expand_short_form`); call it before reading.
+  void expand_short_form(const std::string& key, const std::string& long_key) {
+    testbed::expand_short_form(*root_, key, long_key);
   }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
   /// Throws on the first key that no reader has requested, naming the nearest requested one.

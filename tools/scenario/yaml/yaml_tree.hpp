@@ -48,7 +48,7 @@ void put_value(YamlNode& root, const std::string& path, YamlNode value, const st
 
 /// Expands the short form of a key: a scalar `key: value` becomes `key: {long_key: value}`, so that
 /// other keys can be added. Does nothing if the value is not a scalar.
-void write_out(YamlNode& root, const std::string& key, const std::string& long_key);
+void expand_short_form(YamlNode& root, const std::string& key, const std::string& long_key);
 
 /// Formats the tree as block-style YAML; parsing the text gives the same tree.
 std::string emit_yaml(const YamlNode& root);

@@ -71,7 +71,7 @@ void BagCollector::take_scan(const McapMessage& message) {
   frame.truth.frame = scan.header.frame_id;
   frame.truth.intensities = scan.intensities;
   if (const auto exact = exact_mount(message.channel->metadata)) {
-    mounts_.tell(frame.scan.lidar, *exact);
+    mounts_.set_stated_mount(frame.scan.lidar, *exact);
   }
   recording_.frames.push_back({Stamp(message.log_time_ns), std::move(frame)});
   if (!mounts_.mount(scan_of(recording_.frames.back()), scan.header.frame_id)) {
@@ -133,7 +133,7 @@ void BagCollector::take_event(const McapMessage& message) {
   if (event) recording_.frames.push_back({Stamp(message.log_time_ns), *event});
 }
 
-void BagCollector::mount_the_rest() {
+void BagCollector::mount_remaining() {
   std::set<std::string> unknown;
   for (const auto& [frame, lidar_frame] : unmounted_) {
     if (!mounts_.mount(scan_of(recording_.frames[frame]), lidar_frame)) unknown.insert(lidar_frame);
@@ -169,7 +169,7 @@ void BagCollector::add_truth() {
 
 BagRecording BagCollector::finish() {
   if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
-  mount_the_rest();
+  mount_remaining();
   tf_odometry_.insert_into(recording_.frames);
   require_scans_and_odometry();
   add_truth();

@@ -30,7 +30,7 @@ class BagCollector {
   void take_transforms(const McapMessage& message);
   void take_truth(const McapMessage& message, const std::string& type);
   void take_event(const McapMessage& message);
-  void mount_the_rest();
+  void mount_remaining();
   void require_scans_and_odometry() const;
   void add_truth();
 

@@ -16,7 +16,7 @@ class BagMounts {
  public:
   TfTree& tree() { return tree_; }
   /// Sets the mount stated by the metadata of a scan's channel.
-  void tell(const std::string& lidar, const Eigen::Isometry3d& T_base_laser);
+  void set_stated_mount(const std::string& lidar, const Eigen::Isometry3d& T_base_laser);
   /// Sets the frame that lidars are mounted on; only the first call has an effect.
   void set_base_frame(const std::string& frame);
   [[nodiscard]] const std::string& base_frame() const { return base_frame_; }
@@ -27,7 +27,7 @@ class BagMounts {
  private:
   TfTree tree_;
   std::string base_frame_;
-  std::map<std::string, Eigen::Isometry3d> told_;  ///< Mounts from channel metadata, by lidar.
+  std::map<std::string, Eigen::Isometry3d> stated_;  ///< Mounts from channel metadata, by lidar.
 };
 
 }  // namespace castaway::testbed
