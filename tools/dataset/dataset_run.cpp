@@ -67,7 +67,7 @@ struct Pass {
 };
 
 /// Prints the notes; a disk error is kept and reported once, at the end.
-void take_notes(const std::vector<std::string>& notes, Pass& pass) {
+void report_notes(const std::vector<std::string>& notes, Pass& pass) {
   for (const std::string& note : notes) {
     if (note.front() != kDiskError) {
       fmt::print(stderr, "castaway: {}\n", note);
@@ -89,7 +89,7 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
       count, request.workers,
       [&](int job) { return make_one(spec, worlds, folder, notes, index_of(job)); },
       [&](int job, int code) {
-        take_notes(notes.take(), pass);
+        report_notes(notes.take(), pass);
         if (code != kDone && code != kNoteLeft) {
           fmt::print(stderr, "castaway: sequence {}: its process was killed\n", index_of(job));
         }
