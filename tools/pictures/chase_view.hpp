@@ -18,10 +18,10 @@ struct ChaseView {
 bool is_hidden(const std::vector<sim::SceneItem>& items, const Eigen::Vector3f& from,
                const Eigen::Vector3f& to);
 
-/// Chooses a view from behind and above the robot. If a wall or a cupboard is in the way, the camera
-/// moves nearer, higher or to the side: it takes the first position from which the robot and the
-/// ground in front of it are visible, or straight above if there is none. `height` [m]: height of
-/// the ground under the robot.
+/// Chooses a view from behind and above the robot. If a wall or a cupboard is in the way, the
+/// camera moves nearer, higher or to the side: it takes the first position from which the robot and
+/// the ground in front of it are visible, or straight above if there is none. `height` [m]: height
+/// of the ground under the robot.
 ChaseView clear_view(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base,
                      float height = 0.0F);
 

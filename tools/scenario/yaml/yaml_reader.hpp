@@ -142,7 +142,8 @@ class YamlDocument {
 
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
-  /// Expands a key's short form (see `castaway::testbed::expand_short_form`); call it before reading.
+  /// Expands a key's short form (see `castaway::testbed::expand_short_form`); call it before
+  /// reading.
   void expand_short_form(const std::string& key, const std::string& long_key) {
     testbed::expand_short_form(*root_, key, long_key);
   }
