@@ -1,4 +1,4 @@
-// The directions in which parts of the project may include each other.
+// Tests of the allowed include directions between the parts of the project.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An include line: who, and what it names.
+/// An include directive: the including file and the included header.
 struct Include {
-  std::string file;    ///< From the root of the project.
+  std::string file;    ///< Relative to the root of the project.
   std::string header;  ///< Between the quotes or brackets.
 };
 
@@ -43,7 +43,8 @@ std::vector<Include> all_includes() {
   return includes;
 }
 
-/// All includes of `header` that match and are not allowed, as "file -> header".
+/// All includes of headers accepted by `header` in files rejected by `file_may`, as "file ->
+/// header".
 std::vector<std::string> violations(const std::function<bool(const std::string&)>& header,
                                     const std::function<bool(const std::string&)>& file_may) {
   static const std::vector<Include> includes = all_includes();
@@ -128,7 +129,7 @@ TEST(Includes, RunSinksMetricsAndFormatsLinkWithoutTheSimulator) {
             Names{});
 }
 
-/// Rooms from the lowest up; a room includes itself and rooms of the lines above it only.
+/// Folders from the lowest layer up; a folder may include itself and folders of lower layers only.
 using Layers = std::vector<Names>;
 
 const Layers kSimLayers = {
@@ -168,7 +169,7 @@ const Layers kLocalizationLayers = {
 
 std::string room_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
 
-/// The layer of a room; -1 of one that is not listed.
+/// Layer of a folder; -1 if it is not listed.
 int layer_of(const Layers& layers, const std::string& room) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (std::find(layers[i].begin(), layers[i].end(), room) != layers[i].end()) {
@@ -211,7 +212,7 @@ TEST(Includes, ARoomInTheWrongLayerIsFound) {
   EXPECT_FALSE(against_layers(upside_down, "sim/").empty());
 }
 
-/// A room that outgrows this is divided by subject.
+/// A larger folder should be divided by subject.
 TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
   std::map<std::string, int> files;
   for (const char* part : {"localization", "sim", "tools"}) {

@@ -1,5 +1,5 @@
-/// How long the phases of the filter take for 5 populations of 200 particles and 180 beams, and the
-/// same written without any thought of speed beside it.
+/// Times the phases of the filter for 5 populations of 200 particles and 180 beams, beside an
+/// unoptimised reference implementation.
 #include <benchmark/benchmark.h>
 
 #include "tools/bench/bench_filters.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace castaway::testbed;
 
-/// Times a step on a filter of its own.
+/// Times a step on its own filter.
 template <typename Filters, typename Step>
 void time_step(benchmark::State& state, Step step) {
   const BenchScene scene = bench_scene();

@@ -1,4 +1,4 @@
-/// How long the global search takes on a floor of like rooms.
+/// Times the global search on a floor of similar rooms.
 #include <benchmark/benchmark.h>
 
 #include "localization/matching/cascade_matcher.hpp"
@@ -9,7 +9,7 @@ namespace {
 using namespace castaway;
 using namespace castaway::localization;
 
-/// Arguments: algorithm, percentage of the beams that is blocked by people.
+/// Arguments: algorithm, percentage of beams blocked by people.
 void match_floor(benchmark::State& state) {
   testbed::BenchSceneSpec spec;
   spec.blocked = 0.01 * static_cast<double>(state.range(1));

@@ -1,4 +1,4 @@
-// CARMEN logs, plain and gzipped, up to the frames that localizers are given.
+// Fuzzes CARMEN logs, plain and gzipped, up to the frames that localizers receive.
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-/// What fuzzers and their corpus tests share.
+/// Helpers shared by the fuzzers and their corpus tests.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
-/// libFuzzer's entry: reads `size` bytes at `data` as a file of its format. Whatever they are, it
-/// returns; an error that says what is wrong with them is as good as success.
+/// Entry point of libFuzzer: reads `size` bytes at `data` as a file of the fuzzer's format. It
+/// returns for any input; an error with a message counts as success.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace castaway::testbed {
@@ -17,8 +17,8 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Writes the bytes to a file of this process, for readers that take a path; `ending` with its dot.
-/// Every call replaces the file of the one before.
+/// Writes the bytes to a temporary file of this process, for readers that need a path; `ending`
+/// includes its dot. Every call replaces the previous file.
 std::filesystem::path as_file(const std::uint8_t* data, std::size_t size, std::string_view ending);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-// MCAP bags, up to the frames that localizers are given.
+// Fuzzes MCAP bags, up to the frames that localizers receive.
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
-// Meshes, through the process of their own that the program reads them in: what assimp does with
-// them stays there. The first byte says which format.
+// Fuzzes meshes through the separate process in which the program reads them, so that crashes of
+// assimp stay there. The first byte selects the format.
 
 #include <array>
 #include <chrono>

@@ -1,4 +1,4 @@
-// recording.gz as the report reads it: whole files, and their unpacked bytes packed again.
+// Fuzzes recording.gz as read by the report: whole files, and their unpacked bytes packed again.
 
 #include <exception>
 #include <string>

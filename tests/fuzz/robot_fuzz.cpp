@@ -1,4 +1,4 @@
-// URDF and xacro: the robot that comes of a text.
+// Fuzzes URDF and xacro up to the loaded robot.
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// Runs a fuzzer's entry over files and folders of files: the corpus as a test, with any compiler.
+// Runs a fuzzer's entry point on files and folders of files: tests the corpus with any compiler.
 
 #include <cstdio>
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace {
 
 void run(const std::filesystem::path& file) {
   std::printf("%s\n", file.filename().c_str());
-  std::fflush(stdout);  // The last line names what crashed.
+  std::fflush(stdout);  // The last line names the file that crashed.
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

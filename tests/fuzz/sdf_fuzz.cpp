@@ -1,4 +1,4 @@
-// SDF worlds, without the files that they name.
+// Fuzzes SDF worlds, without the files that they refer to.
 
 #include <stdexcept>
 

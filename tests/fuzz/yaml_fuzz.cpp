@@ -1,4 +1,4 @@
-// YAML: the parser, scenarios, worlds and maps.
+// Fuzzes YAML: the parser, scenarios, worlds and maps.
 
 #include <stdexcept>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Errors with a message are what bad input is answered with; anything else ends the fuzzer.
+/// Bad input must be rejected with a message; any other exception ends the fuzzer.
 template <typename Read>
 void tried(Read read) {
   try {

@@ -18,7 +18,7 @@ PoseWithCovariance known(const SE2& pose) {
   return {pose, Eigen::Vector3d(0.04, 0.04, 0.01).asDiagonal()};
 }
 
-/// The particles after the newest update, which all weigh the same.
+/// The particles after the newest update, all with the same weight.
 ParticleSet population(const Amcl& localizer) {
   ParticleSet particles{localizer.diagnostics().populations[0].particles, {}};
   particles.log_weights.assign(particles.poses.size(), 0.0);
@@ -46,7 +46,7 @@ TEST(Amcl, UpdatesOnTheFirstScanAndThenOnlyAfterMoving) {
   for (int i = 0; i < 20; ++i) drive.step(localizer, {});
   EXPECT_EQ(updates(), 1);
   drive.step(localizer,
-             {0.2, 0.0, 0.0});  // odom is turned by 1 rad: 0.11 m and 0.17 m along its axes
+             {0.2, 0.0, 0.0});  // odom is rotated by 1 rad: 0.11 m and 0.17 m along its axes
   EXPECT_EQ(updates(), 1);
   drive.step(localizer, {0.2, 0.0, 0.0});
   EXPECT_EQ(updates(), 2);
@@ -61,8 +61,8 @@ TEST(Amcl, ThresholdsOfUpdatesAreOfEachAxis) {
   test::GridDrive drive(test::office(), kStart);
   const auto updates = [&] { return localizer.diagnostics().cpu_by_stage["correct"].count(); };
   drive.step(localizer, {});
-  // 0.29 m are more than 0.25 m, but odom is turned by 1 rad: 0.29 cos 1 = 0.157 m along x, 0.29
-  // sin 1 = 0.244 m along y.
+  // 0.29 m exceeds 0.25 m, but odom is rotated by 1 rad: 0.29 cos 1 = 0.157 m along x, 0.29 sin 1 =
+  // 0.244 m along y.
   drive.step(localizer, {0.29, 0.0, 0.0});
   EXPECT_EQ(updates(), 1);
   // 0.30 m: 0.252 m along y.
@@ -86,7 +86,7 @@ TEST(Amcl, StartsWithTheSpreadGiven) {
   Amcl localizer({}, test::office(), 1);
   localizer.initialize(known(kStart));
   const PoseMoments m = moments(population(localizer));
-  // 2000 particles: a variance is right up to 4 * sqrt(2 / 2000) = 13 %.
+  // With 2000 particles, a variance is accurate to 4 * sqrt(2 / 2000) = 13 %.
   EXPECT_NEAR(m.covariance(0, 0), 0.04, 0.13 * 0.04);
   EXPECT_NEAR(m.covariance(2, 2), 0.01, 0.13 * 0.01);
 }
@@ -103,7 +103,7 @@ TEST(Amcl, StartsWithNav2sSpreadWhereNoneIsGiven) {
 TEST(Amcl, StatesTheHeaviestClusterAndTheCovarianceOfTheWholeSet) {
   AmclConfig config;
   config.kld.min_particles = 2000;
-  Amcl localizer(config, test::office(), 1);  // anywhere: many clusters
+  Amcl localizer(config, test::office(), 1);  // spread over the whole map: many clusters
   test::GridDrive drive(test::office(), kStart);
   drive.step(localizer, {});
   const ParticleSet particles = population(localizer);
@@ -186,7 +186,7 @@ TEST(Amcl, ShiftsTheMapByHalfACellIfAskedTo) {
     for (int i = 0; i < 10; ++i) drive.step(localizer, kForward);
     return localizer.estimate()->T_map_base;
   };
-  // Cells of 0.05 m: a map whose origin is at (0.025, 0.025) is taken for one at (0, 0).
+  // Cells of 0.05 m: a map with origin (0.025, 0.025) is treated as one with origin (0, 0).
   OccupancyGrid off = test::office();
   off.frame.T_map_grid = {0.025, 0.025, 0.0};
   AmclConfig shifting;

@@ -1,5 +1,5 @@
-// What a localizer does with input that is late, broken, or of another world: defined, never a
-// crash. Every test runs on every localizer.
+// Late, malformed or mismatched input has defined results and never crashes a localizer. Every test
+// runs with every localizer.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -125,7 +125,7 @@ TEST_P(HardInput, AGapOfOdometryIsBridged) {
   start_at(kStart);
   test::GridDrive office(office_, kStart);
   drive(office, 5);
-  // 3 s and 0.6 m without a word.
+  // 3 s and 0.6 m without data.
   office.skip(seconds(3), {0.6, 0.0, 0.0});
   drive(office, 15);
   EXPECT_LT(error(*localizer_, office.truth()), 0.25);
@@ -136,7 +136,7 @@ TEST_P(HardInput, AClockSetBackBeginsANewMotionAtTheSamePlace) {
   test::GridDrive office(office_, kStart);
   office.skip(seconds(10), {});
   drive(office, 10);
-  // The log begins again: stamps from 0, odometry from its own origin.
+  // The log starts again: stamps from 0, odometry from its own origin.
   test::GridDrive again(office_, office.truth());
   drive(again, 15);
   EXPECT_LT(error(*localizer_, again.truth()), 0.2);
@@ -199,7 +199,7 @@ TEST_P(HardInput, AStartThatIsNoNumberIsRefusedAndChangesNothing) {
 }
 
 TEST_P(HardInput, TheUserCanSayWhereItIsAtAnyTime) {
-  start_at({7.5, 6.5, 2.0});  // wrong
+  start_at({7.5, 6.5, 2.0});  // a wrong pose
   test::GridDrive office(office_, kStart);
   drive(office, 3);
   localizer_->initialize(known_start(office.truth()));
@@ -213,7 +213,7 @@ TEST_P(HardInput, GlobalLocalizationCanBeAskedForAtAnyTime) {
   drive(office, 5);
   localizer_->initialize(std::nullopt);
   EXPECT_FALSE(localizer_->estimate());
-  drive(office, 5);  // wherever it thinks it is: no crash, and a user can help
+  drive(office, 5);  // its pose may be wrong, but it does not crash, and a user can correct it
   localizer_->initialize(known_start(office.truth()));
   drive(office, 5);
   EXPECT_LT(error(*localizer_, office.truth()), 0.2);

@@ -53,7 +53,7 @@ TEST(MhAmcl, FindsItselfOnTheMoveThoughTheSearchTakesManyScans) {
   MhAmcl localizer(config, test::office(), 1);
   test::GridDrive drive(test::office(), kStart);
   for (int i = 0; i < 5; ++i) drive.step(localizer, kForward);
-  EXPECT_FALSE(localizer.estimate());  // It goes on searching.
+  EXPECT_FALSE(localizer.estimate());  // It keeps searching.
   for (int i = 0; i < 75; ++i) drive.step(localizer, kForward);
   EXPECT_TRUE(is_right(localizer, drive.truth()));
   EXPECT_FALSE(localizer.estimate()->lost);
@@ -67,7 +67,7 @@ TEST(MhAmcl, BecomesConfidentStandingStill) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
-/// Drives for a while; the stated probability at the first scan at which it is not lost.
+/// Drives for a while; returns the stated probability at the first scan without the alarm.
 std::optional<double> found_at(const MhAmclConfig& config, bool knows) {
   MhAmcl localizer(config, test::office(), 1);
   if (knows) localizer.initialize(known_start(kStart));
@@ -88,7 +88,7 @@ TEST(MhAmcl, TakesMoreToBeFoundThanToStaySo) {
   MhAmclConfig never;
   never.lost_and_found.found = 1.0;
   EXPECT_FALSE(found_at(never, false));
-  EXPECT_TRUE(found_at(never, true));  // The user's word counts.
+  EXPECT_TRUE(found_at(never, true));  // The user's start pose is trusted.
 }
 
 TEST(MhAmcl, RaisesTheAlarmAtOnceAndRecoversFromAKidnap) {
@@ -127,7 +127,7 @@ TEST(MhAmcl, SearchesOnWhereNothingFitsThoughItStands) {
   MhAmcl localizer({}, test::office(), 1);
   localizer.initialize(known_start(kStart));
   test::GridDrive drive(test::office(), kStart);
-  for (int i = 0; i < 300; ++i) drive.step_blind(localizer, {}, 11.0F);  // through all walls
+  for (int i = 0; i < 300; ++i) drive.step_blind(localizer, {}, 11.0F);  // ends beyond all walls
   drive.kidnap({7.5, 6.5, 2.0});
   for (int i = 0; i < 7; ++i) drive.step(localizer, {});
   EXPECT_TRUE(is_right(localizer, drive.truth()));
@@ -162,8 +162,8 @@ TEST(MhAmcl, NamesTheTwinOfAnAmbiguousPlace) {
 }
 
 TEST(MhAmcl, FindsOutThatAPlaceNearByWasALookAlike) {
-  // A kidnap tears a scan; then it looks much the same half a metre from where the robot was, but
-  // for a box.
+  // A kidnap happens during a scan. Half a metre from the original pose the room then looks almost
+  // the same, except for a box.
   OccupancyGrid room = test::office();
   test::fill(room, 0.2, 0.2, 9.8, 7.8, CellState::kFree);
   test::fill(room, 2.0, 6.0, 2.2, 6.2, CellState::kOccupied);
@@ -239,8 +239,9 @@ std::vector<double> probabilities_at_rest(double deep_below, double usual_rate) 
   MhAmclConfig config;
   config.create.deep_below = deep_below;
   config.posterior.usual_rate = usual_rate;
-  config.posterior.usual_match_rate = 0.0;  // A search does not say what is usual...
-  config.posterior.missed = -5.0;           // ...and misses as much whatever it finds.
+  config.posterior.usual_match_rate = 0.0;  // Searches do not change the usual likelihood.
+  config.posterior.missed = -5.0;           // The probability of a missed place does not depend on
+                                            // the search.
   config.posterior.missed_slope = 0.0;
   MhAmcl localizer(config, test::office(), 1);
   test::GridDrive drive(test::office(), kStart);
@@ -254,7 +255,7 @@ std::vector<double> probabilities_at_rest(double deep_below, double usual_rate) 
 
 TEST(MhAmcl, LearnsOfAScanOnceThoughASearchEndsWithIt) {
   const std::vector<double> probabilities = probabilities_at_rest(-1000.0, 0.05);
-  EXPECT_GT(probabilities.front(), 0.9);  // confident, so that it learns
+  EXPECT_GT(probabilities.front(), 0.9);  // confident enough to learn
   EXPECT_EQ(probabilities, probabilities_at_rest(1.0, 0.05));
   EXPECT_NE(probabilities, probabilities_at_rest(-1000.0, 0.1));
 }

@@ -34,7 +34,7 @@ TEST(Output, IsThePoseAtTheStampWithItsAlternatives) {
   EXPECT_EQ(estimate->probability, 0.7);
   EXPECT_TRUE(estimate->lost);
   ASSERT_EQ(estimate->alternatives.size(), 2U);
-  EXPECT_EQ(estimate->alternatives[0].T_map_base, (SE2{1.5, 0.0, 0.0}));  // the likeliest first
+  EXPECT_EQ(estimate->alternatives[0].T_map_base, (SE2{1.5, 0.0, 0.0}));  // the most likely first
   EXPECT_EQ(estimate->alternatives[0].share, 0.2);
   EXPECT_EQ(estimate->alternatives[1].share, 0.05);
 }

@@ -10,7 +10,7 @@ namespace {
 
 class TrackingFilterTest : public testing::Test {
  protected:
-  /// Particles spread by `sigma` about a pose.
+  /// Particles around a pose with standard deviation `sigma`.
   Hypothesis around(const SE2& pose, double sigma) const {
     Hypothesis h;
     h.rng = substream(1, "tracking_filter");

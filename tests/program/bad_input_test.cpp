@@ -1,4 +1,4 @@
-// Bad input: one clear line and a non-zero exit, and nothing that was there before is lost.
+// Bad input gives one clear line and a non-zero exit code, and existing files are kept.
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A catalogue of broken robots: each ends in one clear line and exit code 2.
+// A catalogue of broken robots: each gives one clear line and exit code 2.
 #include <algorithm>
 #include <ostream>
 #include <vector>
@@ -10,10 +10,10 @@
 namespace castaway::test {
 namespace {
 
-/// A broken robot and what the line must say.
+/// A broken robot, and the required parts of the error line.
 struct BadRobot {
   const char* name;
-  std::string text;  ///< Of r.urdf.xacro.
+  std::string text;  ///< Content of r.urdf.xacro.
   std::vector<std::string> parts;
   std::string arguments = {};
 };
@@ -38,7 +38,7 @@ std::string robot(const std::string& inside) {
          "</robot>\n";
 }
 
-/// A whole robot with something else in it.
+/// A valid robot with additional content.
 std::string with(const std::string& inside) {
   return robot(inside + kBody + wheel("left", "0.12") + wheel("right", "-0.12"));
 }

@@ -1,4 +1,4 @@
-// A catalogue of broken worlds, maps and SDF files: each ends in one clear line and exit code 2.
+// A catalogue of broken worlds, maps and SDF files: each gives one clear line and exit code 2.
 #include <algorithm>
 #include <functional>
 #include <ostream>
@@ -11,7 +11,7 @@
 namespace castaway::test {
 namespace {
 
-/// Files by name, the one to check, and what the line must say.
+/// Files by name, the one to check, and the required parts of the error line.
 struct BadWorld {
   const char* name;
   std::string checked;
@@ -223,7 +223,7 @@ std::vector<BadWorld> sdf_cases() {
 #ifdef __SANITIZE_ADDRESS__
 constexpr const char* kLimit = "";  // Sanitizers reserve terabytes.
 #else
-constexpr const char* kLimit = "ulimit -v 4000000;";  // [kB] Nothing gigantic is ever allocated.
+constexpr const char* kLimit = "ulimit -v 4000000;";  // [kB] Catches huge allocations.
 #endif
 
 class BadWorlds : public testing::TestWithParam<BadWorld> {};
@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(Worlds, BadWorlds, testing::ValuesIn(world_cases()), te
 INSTANTIATE_TEST_SUITE_P(Maps, BadWorlds, testing::ValuesIn(map_cases()), test_name);
 INSTANTIATE_TEST_SUITE_P(Sdf, BadWorlds, testing::ValuesIn(sdf_cases()), test_name);
 
-/// Next to a good model, each is left out with a warning, or refused by --strict.
+/// Beside a valid model, a broken one is skipped with a warning, or rejected by --strict.
 TEST(PiecesOfAWorld, AreLeftOutUnlessStrict) {
   const fs::path folder = fresh_folder();
   const auto piece = [](const std::string& name, const std::string& inside) {
@@ -289,7 +289,7 @@ TEST(PiecesOfAWorld, AreOneWarningIfTheyAreAlike) {
   expect_contains(outcome.out, "model://nobody0, model://nobody1, model://nobody2 and 97 more");
 }
 
-/// Worlds that load, but cannot be run in.
+/// Worlds that load but in which no run is possible.
 TEST(RunInABadWorld, SaysWhyNot) {
   const fs::path folder = fresh_folder();
   const std::string run = "run --duration 1 --set events=[] --set outputs.snapshots=false --world ";
@@ -305,7 +305,7 @@ TEST(RunInABadWorld, SaysWhyNot) {
   expect_contains(full.err, "no place");
 }
 
-/// A sparse file: nothing of it is read.
+/// The file is sparse and must not be read.
 TEST(HugeMesh, IsRefusedBeforeItIsRead) {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "big.stl") << "x";

@@ -1,4 +1,4 @@
-// Bags, CARMEN logs and maps that runs leave, read back by the program and by MRPT.
+// Bags, CARMEN logs and maps of runs, read back by the program and by MRPT.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ const std::string kBare = " --set outputs.snapshots=false --set outputs.report=f
 const std::string kReplay =
     " --start truth --seed 3 --localizer mh_amcl --localizer amcl --no-pictures --out again";
 
-/// Runs a kidnap of 16 s with these settings into `run`.
+/// Simulates a kidnap run of 16 s with these settings into `run`.
 void simulate(const fs::path& folder, const std::string& sets) {
   const Outcome outcome =
       castaway(folder,
@@ -108,7 +108,8 @@ TEST(Bag, DamagedIsOneLineWithFileAndByte) {
   const fs::path folder = fresh_folder();
   simulate(folder, " --set outputs.bag=true");
   std::string bytes = text_of(folder / "run" / "bag" / "lab_kidnap.mcap");
-  const std::size_t at = bytes.find("\x28\xB5\x2F\xFD") + 200;  // Of a chunk: zstd's magic.
+  const std::size_t at = bytes.find("\x28\xB5\x2F\xFD") + 200;  // Inside a chunk, after zstd's
+                                                                // magic.
   ASSERT_LT(at, bytes.size());
   bytes[at] = static_cast<char>(bytes[at] ^ 0x55);
   std::ofstream(folder / "bad.mcap", std::ios::binary) << bytes;
@@ -129,17 +130,17 @@ TEST(Bag, RefusesWhatItCannotDoInOneLine) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
   refused("replay a.db3", "ros2 bag convert -i a.db3");
-  refused("replay b.mcap", "b.mcap: is no MCAP file");
+  refused("replay b.mcap", "b.mcap: is not an MCAP file");
   refused("replay gone.mcap", "gone.mcap: cannot be read");
   refused("replay b.mcap --splice 1:2", "take CARMEN logs, not bags");
-  refused("bag b.mcap", "b.mcap: is no MCAP file");
+  refused("bag b.mcap", "b.mcap: is not an MCAP file");
   std::ofstream(folder / "some.log") << "";
   refused("replay some.log", "--map is missing");
   refused("replay gone.log", "gone.log: cannot be read");
   refused("run --set outputs.bag.compression=zip --out run", "'zip'");
 }
 
-/// Odometry and scans of a CARMEN log are the run's to the last digit, if beams are taken at once.
+/// If all beams of a scan have the same time, a CARMEN log holds the exact odometry and scans.
 TEST(CarmenLog, ReplayedGivesTheSameEstimates) {
   const fs::path folder = fresh_folder();
   simulate(folder, " --set outputs.carmen=true --set outputs.map=true --set lidar.sweep=false");

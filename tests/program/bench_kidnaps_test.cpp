@@ -1,4 +1,4 @@
-// castaway bench kidnaps.
+// Tests castaway bench kidnaps.
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// castaway bench: published and localization, short.
+// Short tests of castaway bench published and localization.
 #include <algorithm>
 
 #include <gtest/gtest.h>

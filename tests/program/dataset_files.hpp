@@ -26,7 +26,7 @@ vary:
 outputs: {bag: true, tables: [csv, hdf5], carmen: true, kitti: true, map: true}
 )";
 
-/// A specification, and a room of 6 m x 5 m with a pillar.
+/// A folder with a specification and a room of 6 m x 5 m with a pillar.
 inline fs::path folder_with_spec(const std::string& spec = kDatasetSpec) {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "s.yaml") << spec;
@@ -45,7 +45,7 @@ inline fs::path folder_with_spec(const std::string& spec = kDatasetSpec) {
   return folder;
 }
 
-/// Every file's bytes by path.
+/// Content of every file, by path.
 inline std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -1,4 +1,4 @@
-// Data sets that are killed while they are made.
+// Data sets whose process is killed while they are made.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 namespace castaway::test {
 namespace {
 
-/// Starts it, kills it after a while, and says whether it was killed.
+/// Starts the command, kills it after a while, and returns whether it was killed in time.
 bool killed_after(const fs::path& folder, std::chrono::microseconds wait) {
   const pid_t process = fork();
   if (process == 0) {
@@ -29,7 +29,7 @@ bool killed_after(const fs::path& folder, std::chrono::microseconds wait) {
   return WIFSIGNALED(status);
 }
 
-// CASTAWAY_KILLS says how often; 4 unless it does.
+// CASTAWAY_KILLS sets the number of kills; the default is 4.
 TEST(Dataset, KilledAtAnyMomentItGoesOnAndComesOutTheSame) {
   const fs::path folder = folder_with_spec();
   const auto begin = std::chrono::steady_clock::now();
@@ -46,7 +46,7 @@ TEST(Dataset, KilledAtAnyMomentItGoesOnAndComesOutTheSame) {
                   ? 1
                   : 0;
     if (!fs::exists(folder / "set/manifest.json")) continue;
-    expect_equal(folder / "whole", folder / "set");  // It was done before it could be killed.
+    expect_equal(folder / "whole", folder / "set");  // It finished before it could be killed.
     fs::remove_all(folder / "set");
   }
   const Outcome last = castaway(folder, "dataset s.yaml -n 6 -j 2 --out set");

@@ -1,4 +1,4 @@
-// Data sets: made, verified, read, made again.
+// Tests castaway dataset: making, verifying, reading and reproducing data sets.
 #include <nlohmann/json.hpp>
 
 #include "tests/program/dataset_files.hpp"
@@ -50,7 +50,7 @@ TEST(Dataset, VerifiesEveryFile) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const Outcome good = castaway(folder, "dataset --verify set");
   EXPECT_EQ(good.exit_code, 0) << good.out;
-  expect_contains(good.out, "set: every file is as in its manifest.json");
+  expect_contains(good.out, "set: every file matches its manifest.json");
   if (std::system("sha256sum --version >/dev/null 2>&1") == 0) {
     const std::string check =
         "cd '" + (folder / "set").string() + "' && sha256sum -c --quiet SHA256SUMS";
@@ -64,13 +64,13 @@ TEST(Dataset, VerifiesEveryFile) {
   expect_contains(bad.out, "maps/room.pgm: missing\n");
   expect_contains(bad.out, "sequences/000000/truth.tum: changed: 5 bytes instead of ");
   expect_contains(bad.out, "notes.txt: not listed in manifest.json\n");
-  expect_contains(bad.err, "3 of its files are not as in its manifest.json");
+  expect_contains(bad.err, "3 of its files differ from its manifest.json");
   const Outcome json = castaway(folder, "dataset --verify set --json");
   EXPECT_EQ(json.exit_code, 1);
   EXPECT_EQ(OrderedJson::parse(json.out).at("troubles").size(), 3U);
 }
 
-/// The pieces of Python in a card.
+/// Python snippets of a card.
 std::vector<std::string> snippets(const std::string& card) {
   const std::string begin = "```python\n";
   std::vector<std::string> found;
@@ -81,7 +81,7 @@ std::vector<std::string> snippets(const std::string& card) {
   return found;
 }
 
-/// A Python that has what the card's pieces import; empty if there is none.
+/// A Python with the modules that the card's snippets import; empty if there is none.
 std::string python_with_readers() {
   for (const char* python : {"python3", "/usr/bin/python3"}) {
     const std::string import = std::string(python) + " -c 'import h5py, numpy, pandas' 2>/dev/null";
@@ -97,7 +97,7 @@ TEST(Dataset, IsReadByThePythonOfItsCard) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const auto pieces = snippets(text_of(folder / "set/README.md"));
   ASSERT_EQ(pieces.size(), 2U);
-  // Both read the same ranges and classes, but for the digits that text keeps.
+  // Both give the same ranges and classes, within the precision of the text.
   const std::string compare =
       "\nassert np.array_equal(classes, from_h5[1]) and ranges.shape == (20, 36)\n"
       "assert np.allclose(ranges, from_h5[0], atol=1e-4)\n";
@@ -113,7 +113,7 @@ TEST(Dataset, KeepsToOneSpecificationAndGrows) {
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 1 --out set").exit_code, 0);
   const Outcome same = castaway(folder, "dataset s.yaml -n 1 --out set");
   EXPECT_EQ(same.exit_code, 0);
-  expect_contains(same.out, "all 1 sequences were finished before");
+  expect_contains(same.out, "all 1 sequences are already finished");
   const Outcome json = castaway(folder, "dataset s.yaml -n 1 --out set --json");
   EXPECT_EQ(OrderedJson::parse(json.out).at("timing").at("made"), 0);
   const Outcome seed = castaway(folder, "dataset s.yaml -n 1 --seed 2 --out set");

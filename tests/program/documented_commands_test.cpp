@@ -1,5 +1,5 @@
-// Every command line that README and docs show in a block is run, as it stands there but for
-// placeholders, times and numbers of runs, in a folder with the files that it names.
+// Runs every command line in a code block of README and docs in a folder with the files that it
+// names. Only placeholders, durations and numbers of runs are replaced.
 #include <regex>
 
 #include "tests/program/program.hpp"
@@ -12,7 +12,7 @@ const fs::path kSource = CASTAWAY_SOURCE_DIR;
 /// A command line of a page.
 struct Shown {
   std::string page;
-  std::string arguments;  ///< Without the program's name and what follows "#" or "&&".
+  std::string arguments;  ///< Without the program's name and anything after "#" or "&&".
 };
 
 std::string without_comment(std::string line) {
@@ -20,7 +20,7 @@ std::string without_comment(std::string line) {
   return line.substr(0, line.find_last_not_of(" \t") + 1);
 }
 
-/// Commands in the blocks between ``` of a page.
+/// Commands in the code blocks of a page.
 std::vector<Shown> commands_in(const fs::path& page) {
   static const std::regex kCommand(R"(^\s*(?:- run: )?(?:build/release/)?castaway (.*))");
   std::istringstream text(std::regex_replace(text_of(page), std::regex(R"(\\\n)"), " "));
@@ -54,7 +54,7 @@ std::string replaced(const std::string& text, const std::string& what, const std
   return std::regex_replace(text, std::regex(what), by);
 }
 
-/// The same command, small.
+/// The command with smaller numbers of runs and shorter durations.
 std::string small(std::string line) {
   line = replaced(line, R"(--seeds \d+)", "--seeds 2");
   line = replaced(line, R"(--duration \d+)", "");
@@ -76,7 +76,7 @@ std::string small(std::string line) {
   return line;
 }
 
-/// Four walls of 8 x 6 m and a pillar.
+/// An SDF room of 8 x 6 m with four walls and a pillar.
 const char* const kWorld = R"(<sdf version="1.6"><world name="mine">
 <model name="floor"><static>true</static><link name="l"><collision name="c"><geometry><plane>
 <normal>0 0 1</normal><size>8 6</size></plane></geometry></collision></link></model>
@@ -89,7 +89,7 @@ const char* const kWorld = R"(<sdf version="1.6"><world name="mine">
 </link></model></world></sdf>
 )";
 
-/// A folder with what the pages' commands name.
+/// A folder with the files that the pages' commands name.
 fs::path folder_with_inputs() {
   const fs::path folder = fresh_folder();
   for (const char* name : {"worlds", "robots", "datasets"}) {
@@ -134,7 +134,7 @@ fs::path folder_with_inputs() {
   return folder;
 }
 
-/// Needs topics that no bag of ours has.
+/// True for commands that use topics which no bag of castaway has.
 bool names_foreign_topics(const std::string& line) {
   return line.find("/vicon/pose") != std::string::npos;
 }
@@ -150,7 +150,7 @@ TEST(DocumentedCommands, AllWork) {
   for (const Shown& shown : all) {
     if (names_foreign_topics(shown.arguments)) continue;
     if (!films && shown.arguments.find("--video") != std::string::npos) continue;
-    // gate-of-main is what the page's job got from another branch.
+    // gate-of-main is the result of another branch, which the page's CI job downloads.
     if (shown.arguments.find("gate-of-main") != std::string::npos) {
       fs::copy(folder / "gate", folder / "gate-of-main", fs::copy_options::recursive);
     }
@@ -162,7 +162,7 @@ TEST(DocumentedCommands, AllWork) {
   }
 }
 
-/// The first block of a page that begins with these words.
+/// The first code block of a page that begins with these words.
 std::string block_of(const fs::path& page, const std::string& begin) {
   const std::string text = text_of(page);
   const std::size_t from = text.find("\n" + begin);
@@ -170,7 +170,7 @@ std::string block_of(const fs::path& page, const std::string& begin) {
   return text.substr(from + 1, text.find("\n```", from) - from);
 }
 
-// The scenario and the world that the pages show as a whole.
+// The complete scenario and world files on the pages.
 TEST(DocumentedCommands, ExamplesOfFilesLoad) {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "gate.yaml") << block_of(kSource / "docs/ci.md", "name: localizer-gate");

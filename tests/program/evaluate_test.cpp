@@ -1,4 +1,4 @@
-// castaway evaluate: on a log that the test writes, and on recorded ones where they are.
+// Tests castaway evaluate on a log that the test writes, and on recorded logs if available.
 #include <algorithm>
 #include <cstdlib>
 

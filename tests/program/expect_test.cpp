@@ -1,4 +1,4 @@
-// Expectations, seeds and JUnit reports, as a CI job uses them.
+// Expectations, seeds and JUnit reports as used in CI.
 #include <nlohmann/json.hpp>
 
 #include "tests/program/program.hpp"
@@ -70,7 +70,7 @@ TEST(Seeds, LeaveTheSameBytesWhateverTheNumberOfWorkers) {
         folder, std::string("run gate.yaml --seeds 4..6 -j ") + workers + " --out w" + workers);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_contains(outcome.out, "gate: 3 seeds, 0 failed");
-    expect_contains(outcome.out, "Expectations: 4 of 4 met");  // one a seed, one for all
+    expect_contains(outcome.out, "Expectations: 4 of 4 met");  // one per seed, one for all
     EXPECT_EQ(outcome.err, "");
   }
   for (const char* file :

@@ -1,4 +1,4 @@
-// The paper's experiments in small, comparisons, and the scenario keys that they need.
+// Small versions of the paper's experiments, comparisons, and the scenario keys that they use.
 #include <nlohmann/json.hpp>
 
 #include "tests/program/program.hpp"
@@ -63,7 +63,7 @@ TEST(Run, EndsAfterAWayAndBeginsOnTheMove) {
                "outputs.report=false --set drive.route=random");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const OrderedJson summary = OrderedJson::parse(text_of(folder / "run/summary.json"));
-  EXPECT_LT(summary.at("distance_m").get<double>(), 2.0);  // without the 3 s before
+  EXPECT_LT(summary.at("distance_m").get<double>(), 2.0);  // without the first 3 s
   EXPECT_LT(summary.at("duration_s").get<double>(), 30.0);
   const std::string truth = text_of(folder / "run/truth.tum");
   EXPECT_GE(std::stod(truth), 3.0);

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM.
+// Tests of Ctrl-C and SIGTERM.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +15,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Starts it with stderr in stderr.txt, sends a signal once `ready`, and returns how it ended.
+/// Starts the command with stderr in stderr.txt, sends a signal once `ready` returns true, and
+/// returns the outcome.
 Outcome interrupted(const fs::path& folder, const std::string& arguments, int signal,
                     const std::function<bool()>& ready) {
   fs::remove(folder / "stdout.txt");
@@ -70,7 +71,7 @@ TEST(Interruption, ManySeedsGoOnWhereTheyWereStopped) {
   });
   ASSERT_EQ(outcome.exit_code, 143);
   expect_contains(outcome.err, "castaway: interrupted; ");
-  expect_contains(outcome.err, " of 6 runs are kept in part; the same command goes on\n");
+  expect_contains(outcome.err, " of 6 runs are kept in part; the same command resumes\n");
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (int seed = 1; seed <= 6; ++seed) {
     EXPECT_FALSE(
@@ -105,7 +106,7 @@ TEST(Interruption, ADataSetGoesOn) {
   const Outcome outcome = interrupted(folder, "dataset s.yaml -n 6 -j 2 --out set", SIGINT,
                                       [&] { return fs::exists(folder / "set/sequences/000000"); });
   ASSERT_EQ(outcome.exit_code, 130);
-  expect_contains(outcome.err, "of 6 sequences are finished; the same command goes on");
+  expect_contains(outcome.err, "of 6 sequences are finished; the same command resumes");
   EXPECT_FALSE(fs::exists(folder / "set/.work"));
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out set").exit_code, 0);
   ASSERT_EQ(castaway(folder, "dataset s.yaml -n 6 -j 2 --out whole").exit_code, 0);
@@ -119,9 +120,9 @@ TEST(Interruption, CommandsThatWriteNothingSaySo) {
                      "outputs.carmen=true --set outputs.map=true --out made")
                 .exit_code,
             0);
-  const Outcome outcome =
-      interrupted(folder, "evaluate made --starts 100 --kidnaps 0 --window 15", SIGINT,
-                  [&] { return !text_of(folder / "stdout.txt").empty(); });  // The table's head.
+  const Outcome outcome = interrupted(
+      folder, "evaluate made --starts 100 --kidnaps 0 --window 15", SIGINT,
+      [&] { return !text_of(folder / "stdout.txt").empty(); });  // The head of the table.
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.err, "castaway: interrupted; nothing was written\n");
 }

@@ -1,4 +1,4 @@
-// The main job from end to end: the robot is kidnapped and finds itself again.
+// The main use case from end to end: the robot is kidnapped and relocalizes.
 #include <map>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Kidnap, IsRecoveredFromInTheDefaultWorld) {
   }
 }
 
-/// Contents of every file of a run that no clock may influence.
+/// Content of every file of a run that must not depend on clocks.
 std::map<std::string, std::string> repeatable_files(const fs::path& run) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(run)) {

@@ -1,4 +1,4 @@
-// What is the user's stays the user's, whatever a command is told to write where.
+// No command replaces or removes a user's files, whatever output it is given.
 #include <set>
 
 #include "tests/program/dataset_files.hpp"
@@ -6,7 +6,7 @@
 namespace castaway::test {
 namespace {
 
-/// A run of a second without pictures.
+/// A short run without pictures.
 const std::string kTwoSeconds = "run --duration 2 --set outputs.snapshots=false";
 
 std::string put(const fs::path& file, const std::string& text) {
@@ -95,7 +95,7 @@ TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
   const Outcome second = castaway(folder, kTwoSeconds + " --set lidar.range_max=6");
   ASSERT_EQ(second.exit_code, 0);
   expect_contains(second.err,
-                  "runs/lab-kidnap/seed-1 holds something else; this goes to "
+                  "runs/lab-kidnap/seed-1 holds something else; writing to "
                   "runs/lab-kidnap/seed-1-");
   EXPECT_EQ(text_of(folder / "runs/lab-kidnap/seed-1/scenario.yaml"), first);
   const auto folders = [&] {
@@ -214,7 +214,7 @@ TEST(Output, ADataSetGrowsOnlyWhereItsCardIsItsOwn) {
   EXPECT_EQ(text_of(folder / "set/README.md"), card);
 }
 
-// A scenario from a stranger: names are names, never paths.
+// In files from others, names must be names and never paths.
 TEST(Output, NamesFromFilesLeadNowhere) {
   const fs::path folder = fresh_folder();
   put(folder / "victim/report.html", "mine");

@@ -1,4 +1,4 @@
-// castaway run with people, and the measurements of them.
+// Tests castaway run with people, and the metrics of people.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(People, RepeatToTheByteAndFromTheScenarioTheyLeave) {
   }
 }
 
-/// Another localizer along changes neither the robot's course nor anybody's.
+/// An additional localizer changes neither the robot's path nor those of people.
 TEST(People, DoNotCareWhoIsLocalizing) {
   const fs::path folder = fresh_folder();
   const std::string people = "run --duration 6 --set people.count=8 ";

@@ -1,5 +1,5 @@
-// Files that are no files: a pipe that nobody writes to, a device that never ends. Whatever takes
-// a file's name says so in one line, at once.
+// Files that are not regular: a pipe without a writer, an endless device. Every command that takes
+// a file name rejects them at once with one line.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace castaway::test {
 namespace {
 
-/// A file's place in a command line.
+/// A command that reads a file.
 struct Place {
   const char* name;
-  const char* file;     ///< Where the pipe is put.
-  const char* command;  ///< That reads it.
+  const char* file;     ///< Path of the pipe.
+  const char* command;  ///< The command that reads it.
 };
 
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
@@ -41,7 +41,7 @@ class Pipes : public testing::TestWithParam<Place> {
     write(folder_ / "good.carmen", "ODOM 0 0 0 0 0 0 1 h 1\nFLASER 3 1 1 1 0 0 0 0 0 0 1 h 1\n");
     fs::create_directories(folder_ / "run/snapshots");
   }
-  /// Puts something else in the file's place, and tries.
+  /// Replaces the file by something else and runs the command.
   void expect_refused(const std::function<void(const fs::path&)>& make) {
     const fs::path file = folder_ / GetParam().file;
     fs::remove(file);

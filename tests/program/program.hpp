@@ -1,4 +1,4 @@
-/// Runs the program as a user does.
+/// Runs the program like a user.
 #pragma once
 
 #include <sys/wait.h>
@@ -17,7 +17,7 @@ namespace castaway::test {
 
 namespace fs = std::filesystem;
 
-/// What came of a call.
+/// Result of running a command.
 struct Outcome {
   int exit_code = -1;
   std::string out;
@@ -31,14 +31,14 @@ inline std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// "Suite.Name" without slashes.
+/// "Suite.Name", with slashes replaced.
 inline std::string suite_and_name(const testing::TestInfo& info) {
   std::string text = std::string(info.test_suite_name()) + "." + info.name();
   for (char& c : text) c = c == '/' ? '.' : c;
   return text;
 }
 
-/// A folder of this test's own, empty.
+/// An empty folder for the current test.
 inline fs::path fresh_folder() {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   const fs::path folder =
@@ -48,7 +48,7 @@ inline fs::path fresh_folder() {
   return folder;
 }
 
-/// `castaway <arguments>` in `folder`; `environment` is put before the command, e.g. "A=b".
+/// Runs `castaway <arguments>` in `folder`; `environment` precedes the command, e.g. "A=b".
 inline Outcome castaway(const fs::path& folder, const std::string& arguments,
                         const std::string& environment = "") {
   const fs::path out = folder / "stdout.txt";
@@ -64,14 +64,14 @@ inline void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "missing: " << part << "\nin: " << text;
 }
 
-/// One line on stderr that holds every part, and exit code 2.
+/// Expects one line on stderr that contains every part, and exit code 2.
 inline void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (const std::string& part : parts) expect_contains(outcome.err, part);
 }
 
-/// Writes a file, and the folders above it.
+/// Writes a file and creates its folders.
 inline void write(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << text;

@@ -1,4 +1,4 @@
-// Recorded logs of real robots through the same program. Skipped where the data are not there.
+// Replays recorded logs of real robots. Skipped if the data are not available.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_P(Replay, FindsItselfFromAnUnknownStart) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json mh_amcl = Json::parse(outcome.out).at("localizers").at("mh_amcl");
   EXPECT_EQ(mh_amcl.at("recovery").at("recovered"), 1);
-  EXPECT_LT(mh_amcl.at("tracking_error_m").at("mean"), 0.1);  // what the reference poses allow
+  EXPECT_LT(mh_amcl.at("tracking_error_m").at("mean"), 0.1);  // the accuracy of the reference poses
 }
 
 INSTANTIATE_TEST_SUITE_P(RealLogs, Replay, testing::Values("intel", "freiburg-079", "aces"),

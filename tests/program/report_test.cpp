@@ -1,4 +1,4 @@
-// castaway report, and films.
+// Tests castaway report, and films.
 #include "tests/program/program.hpp"
 
 namespace castaway::test {
@@ -83,7 +83,7 @@ TEST(Film, SaysWhatIsMissingBeforeTheRun) {
   EXPECT_FALSE(fs::exists(folder / "film.mp4"));
 }
 
-// What a shell makes of DIR/*: the folders, and the files beside them.
+// A shell expands DIR/* to the run folders and the files beside them.
 TEST(ReportCommand, TakesAllThatManySeedsLeft) {
   const fs::path folder = fresh_folder();
   ASSERT_EQ(castaway(folder, "run --duration 2 --set outputs.snapshots=false --seeds 2 --out all")

@@ -1,4 +1,4 @@
-// castaway lidars, and castaway run with sensors that err and fail.
+// Tests castaway lidars, and castaway run with sensor errors and faults.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Sensors, RepeatToTheByteWithEveryErrorOn) {
   }
 }
 
-/// What a lidar tells besides ranges, and who writes it down, changes no run.
+/// Recording more data of a lidar does not change a run.
 TEST(Sensors, WritingScansChangesNothing) {
   const fs::path folder = fresh_folder();
   const std::string run = "run --duration 4 --set events=[] " + kNoReport;

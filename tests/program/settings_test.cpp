@@ -1,4 +1,4 @@
-// castaway settings: the page of the docs, and what a saved run holds.
+// Tests castaway settings: the page of the docs, and the settings of a saved run.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

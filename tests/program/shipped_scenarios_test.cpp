@@ -1,4 +1,4 @@
-// Every shipped scenario runs, and twice to the same bytes.
+// Runs every shipped scenario twice; both runs must give the same bytes.
 #include <algorithm>
 #include <cctype>
 #include <functional>
@@ -33,7 +33,7 @@ std::string scenario_name(const testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-/// Hashes of all files of a run but those of its cost.
+/// Hashes of all files of a run except for timing.
 std::map<std::string, std::size_t> hashes(const fs::path& run) {
   std::map<std::string, std::size_t> result;
   for (const auto& entry : fs::recursive_directory_iterator(run)) {

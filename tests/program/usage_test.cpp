@@ -1,10 +1,10 @@
-// What a command line that is amiss is answered, and what helps to write one.
+// Errors of the command line, and help for writing one.
 #include "tests/program/program.hpp"
 
 namespace castaway::test {
 namespace {
 
-/// Refused in one line that holds all of `parts`.
+/// Expects a rejection with one line that contains all of `parts`.
 void expect_refused(const fs::path& folder, const std::string& arguments,
                     const std::vector<std::string>& parts) {
   const Outcome outcome = castaway(folder, arguments);
@@ -67,7 +67,7 @@ TEST(Usage, ListsWhatComesAlong) {
   expect_contains(castaway(folder, "scenarios --json").out, "\"name\": \"lab/kidnap\"");
 }
 
-/// What bash offers for a line that ends there.
+/// Completions that bash offers at the end of a line.
 std::string offered(const fs::path& folder, const std::string& words) {
   std::ofstream(folder / "try.sh") << "source completion.sh\nCOMP_WORDS=(" << words
                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_castaway\n"
@@ -102,7 +102,7 @@ TEST(Usage, HasAManualPage) {
   EXPECT_EQ(text_of(folder / "warnings.txt"), "");
 }
 
-// Colours go to terminals only.
+// Colours are printed to terminals only.
 TEST(Usage, PrintsNoColoursIntoAPipe) {
   const fs::path folder = fresh_folder();
   EXPECT_EQ(castaway(folder, "run nowhere.yaml").err.find('\x1b'), std::string::npos);

@@ -1,4 +1,4 @@
-// A run that is void is told as such by every command, and scores nobody.
+// Every command reports a void run as void and scores nobody by it.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A room with a cell at its start: bars at the height of the chassis, too thin for the planner to
-/// see.
+/// A folder with a world in which bars enclose the start: they are at the height of the chassis and
+/// too thin for the planner to see.
 fs::path folder_with_cell() {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "cell.yaml") << R"(name: cell
@@ -64,7 +64,7 @@ TEST(Void, IsLeftOutOfTheSeeds) {
   expect_contains(text_of(folder / "a.xml"), "void: the robot");
 }
 
-/// Data of castaway's own whose laboratory is the cell.
+/// Data of castaway in which the lab is replaced by that world.
 fs::path data_with_cell(const fs::path& folder) {
   const fs::path data = folder / "data";
   fs::create_directories(data / "worlds");
@@ -106,7 +106,7 @@ TEST(Void, IsComparedAndEvaluatedByNobody) {
   expect_contains(evaluated.out + evaluated.err, "void");
 }
 
-/// A hall whose floor is cut into squares of 1 m by such bars: no robot gets out of its square.
+/// Writes a hall divided by such bars into squares of 1 m, which no robot can leave.
 void write_grid(const fs::path& file) {
   std::ofstream out(file);
   out << "name: grid\nextent: {min: [0, 0], max: [12, 8]}\nstart: [1.5, 1.5, 0]\nobjects:\n"

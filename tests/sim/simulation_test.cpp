@@ -78,7 +78,7 @@ TEST(Simulation, OdometryWithoutErrorsFollowsTheTruth) {
   EXPECT_NEAR(wrap_angle(last.T_odom_base.yaw - truth.yaw), 0.0, 0.01);
 }
 
-/// FNV-1a over all numbers of a run.
+/// FNV-1a hash of all numbers of a run.
 class Hash {
  public:
   template <typename T>

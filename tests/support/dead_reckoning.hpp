@@ -1,4 +1,4 @@
-/// The simplest localizer: where it started, carried on by odometry. Shows what the seam asks for.
+/// The simplest localizer: the start pose propagated by odometry. It shows the minimal interface.
 #pragma once
 
 #include "localization/localizer.hpp"

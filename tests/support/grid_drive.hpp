@@ -1,4 +1,4 @@
-/// Drives a localizer through a world of cells: exact odometry from the start, scans without noise.
+/// Drives a localizer through a grid world with exact odometry and noise-free scans.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace castaway::test {
 
-/// Where drives in the office begin, and a step of theirs.
+/// Start and step of drives in the office.
 inline const SE2 kStart{1.5, 3.0, 0.0};
 inline const SE2 kForward{0.04, 0.0, 0.02};
 
@@ -18,24 +18,24 @@ inline localization::PoseWithCovariance known_start(const SE2& pose) {
   return {pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
-/// A robot in a grid world. One step is 0.1 s: ten readings of odometry, then a scan.
+/// A robot in a grid world. A step is 0.1 s: ten odometry readings, then a scan.
 class GridDrive {
  public:
   GridDrive(OccupancyGrid grid, const SE2& start) : grid_(std::move(grid)), truth_(start) {}
 
-  /// Moves by `u` (base) within one step and hands everything to the localizer.
+  /// Moves by `u` (base) within one step and passes all data to the localizer.
   void step(localization::Localizer& localizer, const SE2& u) {
     drive(localizer, u);
     localizer.on_scan(scan_at(grid_, truth_, now_));
   }
-  /// The same with a scan all of whose ranges are `range`.
+  /// As `step`, with a scan whose ranges are all `range`.
   void step_blind(localization::Localizer& localizer, const SE2& u, float range) {
     drive(localizer, u);
     localization::LaserScan scan = scan_at(grid_, truth_, now_);
     scan.ranges.assign(scan.ranges.size(), range);
     localizer.on_scan(scan);
   }
-  /// The same with two lidars that see half of the surroundings each, one mounted backwards.
+  /// As `step`, with two lidars that each see half of the surroundings, one mounted backwards.
   void step_two_lidars(localization::Localizer& localizer, const SE2& u) {
     drive(localizer, u);
     const localization::LaserScan whole = scan_at(grid_, truth_, now_);
@@ -52,7 +52,7 @@ class GridDrive {
     rear.ranges.insert(rear.ranges.end(), whole.ranges.begin(), whole.ranges.begin() + quarter);
     localizer.on_scan(rear);
   }
-  /// The same with a kidnap to `pose` in the middle of the scan: its later half comes from there.
+  /// As `step`, with a kidnap to `pose` in the middle of the scan: its second half is taken there.
   void step_torn(localization::Localizer& localizer, const SE2& u, const SE2& pose) {
     drive(localizer, u);
     localization::LaserScan torn = scan_at(grid_, truth_, now_);
@@ -62,13 +62,13 @@ class GridDrive {
     localizer.on_scan(torn);
     kidnap(pose);
   }
-  /// Lets time pass and the robot move without a word to anybody.
+  /// Advances time and moves the robot without passing data to a localizer.
   void skip(localization::Stamp time, const SE2& u) {
     now_ += time;
     truth_ = truth_ * u;
     odom_ = odom_ * u;
   }
-  /// Puts the robot elsewhere; odometry does not notice.
+  /// Moves the robot without odometry.
   void kidnap(const SE2& pose) { truth_ = pose; }
 
   [[nodiscard]] const SE2& truth() const { return truth_; }

@@ -1,5 +1,5 @@
-/// A world made of a map's cells, for tests of localizers: an office without symmetry, and scans
-/// cast in it.
+/// A world of grid cells for tests of localizers: an office without symmetry, and scans simulated
+/// in it.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ inline void fill(OccupancyGrid& grid, double x0, double y0, double x1, double y1
   }
 }
 
-/// 10 x 8 m: outer walls, an inner wall with a doorway, three pieces of furniture.
+/// 10 x 8 m with outer walls, an inner wall with a doorway, and three pieces of furniture.
 inline OccupancyGrid office() {
   OccupancyGrid grid;
   grid.frame = {200, 160, 0.05, {}};
@@ -42,8 +42,8 @@ inline OccupancyGrid office() {
   return grid;
 }
 
-/// Range from a point of map along a heading to the first occupied cell; infinity beyond `longest`.
-/// [m]
+/// Range [m] from a point in map along a heading to the first occupied cell; infinity beyond
+/// `longest`.
 inline double cast(const OccupancyGrid& grid, const Eigen::Vector2d& from, double heading,
                    double longest) {
   const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
@@ -53,8 +53,8 @@ inline double cast(const OccupancyGrid& grid, const Eigen::Vector2d& from, doubl
   return std::numeric_limits<double>::infinity();
 }
 
-/// A full turn of `beams` beams from a base pose, lidar in its centre, all at one time, without
-/// noise.
+/// A noise-free scan of `beams` beams over a full turn, all at the same time, by a lidar at the
+/// origin of base.
 inline localization::LaserScan scan_at(const OccupancyGrid& grid, const SE2& T_map_base,
                                        localization::Stamp stamp, int beams = 120) {
   localization::LaserScan scan;

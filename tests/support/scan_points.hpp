@@ -1,4 +1,4 @@
-/// Scans as points, for tests.
+/// Builds scan points for tests.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace castaway::test {
 
-/// Beams straight ahead of base, of these ranges. [m]
+/// Beams straight ahead of base with these ranges [m].
 inline localization::ScanPoints forward_beams(std::initializer_list<float> ranges) {
   localization::ScanPoints points;
   for (const float r : ranges) {
@@ -23,7 +23,7 @@ inline localization::ScanPoints forward_beams(std::initializer_list<float> range
   return points;
 }
 
-/// What a lidar in the centre of base sees from a pose, in base.
+/// Points in base of a scan taken at a pose by a lidar at the origin of base.
 inline localization::ScanPoints points_from(const OccupancyGrid& grid, const SE2& T_map_base) {
   localization::TransformBuffer buffer;
   buffer.add(localization::Stamp(0), {});
@@ -31,7 +31,7 @@ inline localization::ScanPoints points_from(const OccupancyGrid& grid, const SE2
   return *localization::project_scan(scan, buffer, localization::Stamp(0), {});
 }
 
-/// The same with people all around on one side: their beams end a metre from the robot.
+/// Shortens a third of the beams, on one side, to 1 m, as if people stood there.
 inline localization::ScanPoints with_people(localization::ScanPoints points) {
   for (std::size_t i = 0; i < points.size() / 3; ++i) {
     const float scale = 1.0F / points.range[i];

@@ -11,7 +11,7 @@ using namespace localization;
 
 constexpr double kSpread = 0.1;      // [m]
 constexpr double kSpreadYaw = 0.05;  // [rad]
-const SE2 kStep{0.005, 0.0, 0.003};  // of 10 ms
+const SE2 kStep{0.005, 0.0, 0.003};  // Motion in 10 ms.
 
 PoseGaussian around(const BenchScene& scene) {
   const Eigen::Vector3d sigma(kSpread, kSpread, kSpreadYaw);

@@ -1,5 +1,5 @@
-/// Five populations as the localizer holds them and as a plain reference does, with the steps that
-/// benchmarks time.
+/// Five particle populations in the localizer's implementation and in the plain reference, with the
+/// steps that benchmarks time.
 #pragma once
 
 #include <vector>
@@ -12,21 +12,21 @@
 
 namespace castaway::testbed {
 
-/// The localizer's own parts. The scene outlives it; copies are independent.
+/// The localizer's own implementation. The scene must outlive it; copies are independent.
 class FastFilters {
  public:
   static constexpr int kPopulations = 5;
-  static constexpr int kParticles = 200;  ///< Of each.
+  static constexpr int kParticles = 200;  ///< Per population.
 
-  /// All populations are spread around the scene's pose by 0.1 m and 0.05 rad.
+  /// Spreads all populations around the scene's pose by 0.1 m and 0.05 rad.
   explicit FastFilters(const BenchScene& scene);
 
-  void predict();                  ///< By the step of 10 ms.
-  void correct();                  ///< By end points, as in mode `improved`.
-  void correct_by_rays();          ///< As in mode `paper`.
+  void predict();                  ///< By the motion of 10 ms.
+  void correct();                  ///< By the end point model, as in mode `improved`.
+  void correct_by_rays();          ///< By the ray model, as in mode `paper`.
   void reseed();                   ///< Around the scene's pose.
-  double evidence() const;         ///< Sum over the populations at their means.
-  double update();                 ///< Predict, correct, evidence, reseed.
+  double evidence() const;         ///< Sum of the evidence at the means of the populations.
+  double update();                 ///< Predicts, corrects, computes the evidence and reseeds.
   double mean_log_weight() const;  ///< Over all particles.
 
  private:
@@ -39,7 +39,7 @@ class FastFilters {
   std::vector<localization::ParticleSet> populations_;
 };
 
-/// The same by the reference, from the same particles.
+/// The same steps by the plain reference, starting from the same particles.
 class PlainFilters {
  public:
   explicit PlainFilters(const BenchScene& scene);

@@ -9,11 +9,11 @@
 
 namespace castaway::testbed {
 
-/// Turned boxes of 0.2 to 1.5 m strewn over a square hall without walls about the origin, of `edge`
-/// [m].
+/// Boxes of 0.2 to 1.5 m at random poses in a square hall without walls, centred at the origin,
+/// with edge `edge` [m].
 sim::WorldSpec bench_hall(int boxes, double edge, std::uint64_t seed);
 
-/// People in mid-step, anywhere in it.
+/// Walking people at random places in the hall.
 std::vector<sim::MovingBody> bench_people(int count, double edge, std::uint64_t seed);
 
 }  // namespace castaway::testbed

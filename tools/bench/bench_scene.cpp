@@ -14,9 +14,9 @@ namespace {
 
 using namespace localization;
 
-constexpr double kLongest = 40.0;     // [m] Of a range.
-constexpr double kAround = 0.5;       // [m] Free around the pose.
-constexpr double kMaxDistance = 5.0;  // [m] Cap of the distance field.
+constexpr double kLongest = 40.0;     // [m] Maximum range.
+constexpr double kAround = 0.5;       // [m] Free space around the pose.
+constexpr double kMaxDistance = 5.0;  // [m] Upper bound of the distance field.
 
 SE2 roomy_pose(const OccupancyGrid& grid, const DistanceField& distances) {
   Rng rng = substream(1, "bench_scene/pose");
@@ -28,7 +28,8 @@ SE2 roomy_pose(const OccupancyGrid& grid, const DistanceField& distances) {
   return pose;
 }
 
-LaserScan taken(const BenchSceneSpec& spec, const OccupancyGrid& grid, const SE2& T_map_base) {
+LaserScan simulate_scan(const BenchSceneSpec& spec, const OccupancyGrid& grid,
+                        const SE2& T_map_base) {
   const SE2 T_grid_base = grid.frame.T_map_grid.inverse() * T_map_base;
   const double cell = grid.frame.resolution;
   LaserScan scan;
@@ -51,7 +52,7 @@ LaserScan taken(const BenchSceneSpec& spec, const OccupancyGrid& grid, const SE2
   return scan;
 }
 
-ScanPoints projected(const BenchSceneSpec& spec, const LaserScan& scan) {
+ScanPoints project_points(const BenchSceneSpec& spec, const LaserScan& scan) {
   TransformBuffer still;
   still.add(scan.stamp, {});
   return project_scan(scan, still, scan.stamp, {spec.beams, kLongest}).value();
@@ -66,8 +67,8 @@ BenchScene bench_scene(const BenchSceneSpec& spec) {
   OccupancyGrid grid = to_occupancy_grid(draw_office(office));
   DistanceField distances(grid, kMaxDistance);
   const SE2 pose = roomy_pose(grid, distances);
-  LaserScan scan = taken(spec, grid, pose);
-  ScanPoints points = projected(spec, scan);
+  LaserScan scan = simulate_scan(spec, grid, pose);
+  ScanPoints points = project_points(spec, scan);
   return {std::move(grid), std::move(distances), pose, std::move(scan), std::move(points)};
 }
 

@@ -1,4 +1,4 @@
-/// What the benchmarks of the localizer work on: an office and a scan taken in it.
+/// Scene of the localizer's benchmarks: an office and a scan taken in it.
 #pragma once
 
 #include "localization/map/distance_field.hpp"
@@ -6,16 +6,15 @@
 
 namespace castaway::testbed {
 
-/// Which scene.
 struct BenchSceneSpec {
-  double width = 40.0;   ///< [m] Of the office (`draw_office`), cells of 5 cm.
+  double width = 40.0;   ///< [m] Width of the office (`draw_office`); its cells are 5 cm.
   double height = 30.0;  ///< [m]
-  int beams = 180;       ///< Over a full turn, up to 40 m.
-  double noise = 0.02;   ///< [m] Uniform, of every range.
+  int beams = 180;       ///< Over a full turn, with a maximum range of 40 m.
+  double noise = 0.02;   ///< [m] Half-width of the uniform noise of every range.
   double blocked = 0.0;  ///< Share of the beams that end at people 1 m away.
 };
 
-/// An office, a pose in it with half a metre around it free, and the scan from there.
+/// An office, a pose in it with 0.5 m of free space around it, and the scan taken there.
 struct BenchScene {
   localization::OccupancyGrid grid;
   localization::DistanceField distances;
@@ -24,7 +23,7 @@ struct BenchScene {
   localization::ScanPoints points;  ///< The scan in base coordinates.
 };
 
-/// Always the same for one specification. The fewer beams are blocked, the more are as before.
+/// Deterministic for a specification. Beams that are not blocked do not depend on `blocked`.
 BenchScene bench_scene(const BenchSceneSpec& spec = {});
 
 }  // namespace castaway::testbed

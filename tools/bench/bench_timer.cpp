@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// CPU time of `calls` calls. [s]
+/// CPU time of `calls` calls [s].
 double time_of(const std::function<void()>& body, int calls) {
   const std::chrono::nanoseconds begin = thread_cpu_time();
   for (int i = 0; i < calls; ++i) body();

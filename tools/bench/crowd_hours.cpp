@@ -13,12 +13,13 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kRobotSpeed = 0.4;  // [m/s]
-constexpr double kSettling = 5.0;    // [s] In which people drawn close to each other part.
+constexpr double kSettling = 5.0;    // [s] Time in which people that were drawn too close together
+                                     // separate.
 
-/// Slides along its waypoints, whatever is in the way.
-class Sliding {
+/// Moves along its waypoints and ignores obstacles.
+class RouteRobot {
  public:
-  explicit Sliding(const sim::SimulationConfig& config)
+  explicit RouteRobot(const sim::SimulationConfig& config)
       : waypoints_(config.drive.waypoints),
         body_{sim::robot_outline(config.robot), config.robot.footprint_radius, config.start, {}} {}
 
@@ -43,9 +44,9 @@ class Sliding {
   sim::RobotBody body_;
 };
 
-/// Holds a step against the true shapes.
-void judge(const sim::RayScene& walls, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-           CrowdHours& seen) {
+/// Checks a step against the true shapes.
+void check_step(const sim::RayScene& walls, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                CrowdHours& seen) {
   const double length = (to - from).norm();
   const Eigen::Vector2d ahead =
       length > 0.0 ? Eigen::Vector2d((to - from) / length) : Eigen::Vector2d::UnitX();
@@ -69,7 +70,7 @@ void step_and_judge(const sim::RayScene& walls, const sim::RobotBody& robot, sim
   for (const sim::Agent& agent : people.agents()) before.push_back(agent.state.position);
   people.step(robot);
   for (std::size_t i = 0; i < before.size(); ++i) {
-    judge(walls, before[i], people.agents()[i].state.position, seen);
+    check_step(walls, before[i], people.agents()[i].state.position, seen);
   }
 }
 
@@ -91,7 +92,7 @@ CrowdHours watch_crowd(const CrowdHoursConfig& config, const std::function<void(
   scenario.seed = config.seed;
   const sim::SimulationConfig simulation = build_simulation(scenario, ".").config;
   const sim::RayScene walls(sim::ray_primitives(simulation.world));
-  Sliding robot(simulation);
+  RouteRobot robot(simulation);
   sim::People people(config.people, simulation.world, simulation.map, simulation.lidars.front(),
                      robot.body(), simulation_streams(config.seed).named);
   CrowdHours seen;

@@ -11,13 +11,13 @@ namespace {
 
 using namespace localization;
 
-/// Keeps a result from being optimised away.
+/// Prevents the compiler from optimising a result away.
 void keep(double value) { [[maybe_unused]] volatile double sink = value; }
 
-/// Times one step of both; the filters are copied, so that no step sees what another one did.
+/// Times one step of both implementations. The filters are copied so that no step affects another.
 template <typename Step>
-StepTime timed(const std::string& name, FastFilters fast, PlainFilters plain,
-               const BenchEffort& effort, Step step) {
+StepTime time_step(const std::string& name, FastFilters fast, PlainFilters plain,
+                   const BenchEffort& effort, Step step) {
   StepTime time;
   time.step = name;
   time.time_s = median_cpu_time([&] { step(fast); }, effort);
@@ -64,7 +64,7 @@ std::vector<StepTime> time_steps(const BenchEffort& effort) {
   const FastFilters fast(scene);
   const PlainFilters plain(scene);
   const auto time = [&](const char* name, auto step) {
-    return timed(name, fast, plain, effort, step);
+    return time_step(name, fast, plain, effort, step);
   };
   constexpr double kAll = FastFilters::kPopulations * FastFilters::kParticles;
   return {

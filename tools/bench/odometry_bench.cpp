@@ -13,7 +13,7 @@ Frames drive(const std::string& profile, std::uint64_t seed, double duration_s) 
   scenario.seed = seed;
   scenario.duration_s = duration_s;
   scenario.odometry = sim::odometry_profile(profile).value();
-  scenario.lidars.front().set("beams", 1).set("rate_hz", 1.0);  // Nobody looks.
+  scenario.lidars.front().set("beams", 1).set("rate_hz", 1.0);  // The scans are not used.
   PreparedSimulation prepared = build_simulation(scenario, ".");
   std::vector<sim::LidarConfig> lidars = prepared.config.lidars;
   SimulatorSource source(

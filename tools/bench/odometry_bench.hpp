@@ -1,4 +1,4 @@
-/// The drift of the odometry profiles in simulated runs.
+/// Measures the drift of the odometry profiles in simulated runs.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace castaway::testbed {
 
-/// What is driven.
 struct OdometryBenchConfig {
-  int seeds = 8;              ///< Robots, each with its own calibration.
-  double duration_s = 300.0;  ///< [s] Each.
-  double length_m = 10.0;     ///< [m] Of a segment.
+  int seeds = 8;              ///< Number of robots, each with its own calibration.
+  double duration_s = 300.0;  ///< [s] Per robot.
+  double length_m = 10.0;     ///< [m] Length of a segment.
 };
 
-/// Segments of all robots of a profile on the lab's loop.
+/// Drift segments of all robots of a profile on the lab's loop.
 std::vector<DriftSegment> simulated_drift(const std::string& profile,
                                           const OdometryBenchConfig& config);
 

@@ -6,9 +6,9 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kStride = 1.0;  // [m] Between the beginnings of two segments.
+constexpr double kStride = 1.0;  // [m] Distance between the starts of consecutive segments.
 
-/// Odometry with its truth and the way driven up to it.
+/// Odometry, true pose and the distance driven so far.
 struct Step {
   SE2 T_odom_base;
   SE2 T_map_base;

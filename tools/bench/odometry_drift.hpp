@@ -1,4 +1,4 @@
-/// How far odometry drifts from the truth.
+/// Drift of odometry relative to the true path.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,17 @@
 
 namespace castaway::testbed {
 
-/// A segment of a trajectory: relative motion by odometry against relative motion in truth.
+/// Error of a segment of a trajectory: relative motion by odometry against true relative motion.
 struct DriftSegment {
-  double percent = 0.0;    ///< Position error at its end, of its length.
-  double deg_per_m = 0.0;  ///< Yaw error at its end, over its length, without sign.
+  double percent = 0.0;    ///< Position error at the end, as a percentage of the length.
+  double deg_per_m = 0.0;  ///< Absolute yaw error at the end, divided by the length.
 };
 
-/// Segments of `length_m` of true path, one from each metre on; a kidnap ends all that it is in.
+/// Segments of `length_m` [m] of true path, one starting at each metre. A kidnap discards the
+/// segments that contain it.
 std::vector<DriftSegment> drift_segments(const Frames& frames, double length_m);
 
-/// Means over segments; nothing where there are none.
+/// Means over the segments; nothing if there are none.
 std::optional<DriftSegment> mean_drift(const std::vector<DriftSegment>& segments);
 
 }  // namespace castaway::testbed

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kSlope = 5.0 * kDegree;
-constexpr double kSlopeLength = 8.0;  // [m] Of the ramp's base.
+constexpr double kSlopeLength = 8.0;  // [m] Length of the ramp's base.
 
 sim::WorldSpec floor_with_slope() {
   sim::WorldSpec world;
@@ -27,7 +27,7 @@ sim::WorldSpec floor_with_slope() {
   return world;
 }
 
-/// A robot that obeys commands for a while.
+/// A robot that executes velocity commands and measures its motion.
 class Course {
  public:
   Course(const sim::RobotModel& robot, const sim::Pose2& start, double hz)
@@ -35,7 +35,7 @@ class Course {
         limits_(sim::limits_of(sim::DriveConfig{}, robot)),
         physics_(floor_with_slope(), robot, start, limits_,
                  std::chrono::nanoseconds(std::llround(1e9 / hz))) {
-    drive({}, 1.0);  // settles
+    drive({}, 1.0);  // Lets the robot settle.
   }
 
   void drive(const sim::Twist2& command, double seconds) {
@@ -51,7 +51,7 @@ class Course {
   [[nodiscard]] Eigen::Isometry3d T_map_base() const { return physics_.state().T_map_base; }
   [[nodiscard]] sim::Pose2 pose() const { return sim::to_planar(T_map_base()); }
   [[nodiscard]] Eigen::Vector3d p() const { return T_map_base().translation(); }
-  /// [rad] All turns since the start.
+  /// [rad] Sum of all rotations since the start.
   [[nodiscard]] double turned() const { return turned_; }
 
  private:

@@ -1,4 +1,4 @@
-/// Physics against closed forms: what a drive does and what it should.
+/// Compares simulated drives with closed-form mechanics.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// A figure that mechanics gives in one line, and what the simulator makes of it.
+/// A quantity with a closed form, and the simulator's value for it.
 struct PhysicsCheck {
   std::string what;
   std::string unit;
@@ -16,8 +16,8 @@ struct PhysicsCheck {
   double measured = 0.0;
 };
 
-/// Drives the robot by physics at `physics_hz` on an open floor and on a slope, at up to 0.5 m/s
-/// and 1 rad/s with 0.5 m/s^2 and 2 rad/s^2.
+/// Drives the robot by physics at `physics_hz` [Hz] on a level floor and on a slope, at up to 0.5
+/// m/s and 1 rad/s with 0.5 m/s^2 and 2 rad/s^2.
 std::vector<PhysicsCheck> check_physics(const sim::RobotModel& robot, double physics_hz);
 
 }  // namespace castaway::testbed

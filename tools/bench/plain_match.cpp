@@ -9,7 +9,7 @@ namespace {
 
 using namespace localization;
 
-/// Likelihoods of coarse cells, looked up in metres; 0 off the map.
+/// Likelihoods of coarse cells, looked up in metres; 0 outside the map.
 struct PlainField {
   GridFrame frame;
   std::vector<double> likelihood;
@@ -40,8 +40,8 @@ struct PlainField {
   }
 };
 
-/// At most `count` end points, even over the scan, turned by a yaw. [m]
-std::vector<Eigen::Vector2d> turned(const PlainScan& scan, int count, double yaw) {
+/// At most `count` end points [m], evenly spaced over the scan, rotated by `yaw`.
+std::vector<Eigen::Vector2d> rotated_points(const PlainScan& scan, int count, double yaw) {
   const std::size_t used = std::min(scan.range.size(), static_cast<std::size_t>(count));
   std::vector<Eigen::Vector2d> points;
   for (std::size_t k = 0; k < used; ++k) {
@@ -52,7 +52,7 @@ std::vector<Eigen::Vector2d> turned(const PlainScan& scan, int count, double yaw
   return points;
 }
 
-/// The best free cell for a scan turned already.
+/// The best free cell for the rotated end points.
 Candidate best_cell(const PlainField& field, const std::vector<Eigen::Vector2d>& points) {
   Candidate best;
   for (int row = 0; row < field.frame.height; ++row) {
@@ -77,7 +77,7 @@ Candidate plain_match(const MatcherConfig& config, const OccupancyGrid& grid,
   Candidate best;
   for (int k = 0; k < yaws; ++k) {
     const double yaw = 2.0 * std::numbers::pi * k / static_cast<double>(yaws);
-    Candidate found = best_cell(field, turned(scan, config.points, yaw));
+    Candidate found = best_cell(field, rotated_points(scan, config.points, yaw));
     found.T_map_base.yaw = wrap_angle(yaw);
     if (found.score > best.score) best = found;
   }

@@ -1,5 +1,5 @@
-/// The global search written straight from its definition, without any thought of speed. What the
-/// benchmarks compare with, and an oracle for tests.
+/// The global search written directly from its definition, without optimisation. It is the
+/// reference of the benchmarks and an oracle for tests.
 #pragma once
 
 #include "localization/matching/cascade_matcher.hpp"
@@ -7,8 +7,8 @@
 
 namespace castaway::testbed {
 
-/// The best place and its score in [0, 1] as `CascadeMatcher` rates them: every free cell of the
-/// config's resolution at every yaw.
+/// The best place with its score in [0, 1], as `CascadeMatcher` computes it, over every free cell
+/// at the config's resolution and every yaw.
 localization::Candidate plain_match(const localization::MatcherConfig& config,
                                     const localization::OccupancyGrid& grid,
                                     const localization::DistanceField& distances,

@@ -11,7 +11,7 @@ namespace {
 
 using namespace localization;
 
-/// End point of a beam, `range` along it, from a pose. [m] In map.
+/// The point [m] in map at `range` along a beam from a pose.
 Eigen::Vector2d along(const PlainParticle& at, double angle, double range) {
   return {at.x + range * std::cos(at.yaw + angle), at.y + range * std::sin(at.yaw + angle)};
 }
@@ -20,7 +20,7 @@ double distance_at(const DistanceField& distances, const Eigen::Vector2d& p_map)
   return distances.at(distances.frame().T_map_grid.inverse() * p_map);
 }
 
-/// Whether a beam meets a wall before the last part of its way.
+/// Whether a beam crosses a wall before the last part of its path.
 bool passes_wall(const RayConsistencyConfig& config, const DistanceField& distances,
                  const PlainParticle& at, double angle, double range) {
   const double cell = distances.frame().resolution;

@@ -1,6 +1,6 @@
-/// The steps of the localizer written straight from the formulas, without any thought of speed:
-/// particles as an array of structures, double throughout, sine and cosine at every beam, the map
-/// looked up in metres. What the benchmarks compare with, and an oracle for tests.
+/// The localizer's steps written directly from the formulas, without optimisation: particles as an
+/// array of structures, double throughout, sine and cosine at every beam, map lookups in metres.
+/// They are the reference of the benchmarks and an oracle for tests.
 #pragma once
 
 #include <vector>
@@ -20,39 +20,41 @@ struct PlainParticle {
   double log_weight = 0.0;  ///< Not normalised.
 };
 
-/// A scan of a lidar in the centre of base.
+/// A scan of a lidar at the origin of base.
 struct PlainScan {
   std::vector<double> range;  ///< [m]
-  std::vector<double> angle;  ///< [rad] In base.
+  std::vector<double> angle;  ///< [rad] In the base frame.
 };
 
-/// The valid beams of a scan whose lidar stands in the centre of base.
+/// The valid beams of a scan whose lidar is at the origin of base.
 PlainScan plain_scan(const localization::LaserScan& scan);
 
-/// As `predict` with `OdometryMotion`.
+/// Same as `predict` with `OdometryMotion`.
 void plain_predict(std::vector<PlainParticle>& particles, const localization::SE2& u,
                    const localization::OdometryNoiseConfig& noise, localization::Rng& rng);
 
-/// As `EndpointModel::log_likelihood`, but at the nearest cell instead of between four.
+/// Same as `EndpointModel::log_likelihood`, but with nearest-cell lookup instead of interpolation
+/// between four cells.
 double plain_endpoints(const localization::EndpointConfig& config,
                        const localization::DistanceField& distances, const PlainScan& scan,
                        const PlainParticle& at);
 
-/// As `RayLocalModel::evaluate`.
+/// Same as `RayLocalModel::evaluate`.
 localization::RayLocalScore plain_rays(const localization::RayLocalConfig& config,
                                        const localization::OccupancyGrid& grid,
                                        const PlainScan& scan, const PlainParticle& at);
 
-/// As `EvidenceModel::evaluate`, at the nearest cells, following rays in steps of half a cell.
+/// Same as `EvidenceModel::evaluate`, but with nearest-cell lookup and rays followed in steps of
+/// half a cell.
 double plain_evidence(const localization::EvidenceConfig& config,
                       const localization::OccupancyGrid& grid,
                       const localization::DistanceField& distances, const PlainScan& scan,
                       const PlainParticle& at);
 
-/// Weighted mean.
 localization::SE2 plain_mean(const std::vector<PlainParticle>& particles);
 
-/// As many particles drawn by weight, each from the start of the list, spread by Gaussian noise.
+/// Draws as many particles by weight, each by a linear search from the first particle, and adds
+/// Gaussian noise.
 std::vector<PlainParticle> plain_reseed(const std::vector<PlainParticle>& particles, double sigma_m,
                                         double sigma_rad, localization::Rng& rng);
 

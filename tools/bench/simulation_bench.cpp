@@ -44,10 +44,11 @@ sim::SimulationConfig in_hall(int boxes) {
   return config;
 }
 
-/// Calls `scan` with origins all over the hall until time is up. Returns scans a second.
+/// Calls `scan` with origins all over the hall until `wanted_s` has passed. Returns scans per
+/// second.
 template <typename Scan>
 double scans_per_s(double wanted_s, Scan scan) {
-  constexpr double kGolden = 0.6180339887498949;  // Spreads places evenly.
+  constexpr double kGolden = 0.6180339887498949;  // The golden ratio spreads the places evenly.
   const std::chrono::nanoseconds begin = thread_cpu_time();
   double spent = 0.0;
   int count = 0;

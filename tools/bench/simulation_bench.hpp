@@ -1,4 +1,4 @@
-/// What a simulated second costs, over people, beams and obstacles, and how fast beams are cast.
+/// CPU time of a simulated second over people, beams and obstacles, and the speed of ray casting.
 #pragma once
 
 #include <map>
@@ -6,32 +6,34 @@
 
 namespace castaway::testbed {
 
-/// A run without localizers: a lidar of 10 Hz, the robot driving, by physics at 240 Hz or
+/// A run without localizers: a lidar of 10 Hz and a moving robot, by physics at 240 Hz or
 /// kinematically at 100 Hz.
 struct SimulationCostSpec {
   int people = 0;
   int beams = 360;
-  int obstacles = 0;         ///< 0: in the lab; else so many boxes in a hall with 1.7 m^2 for each.
+  int obstacles = 0;         ///< 0: in the lab; otherwise this many boxes in a hall with 1.7 m^2
+                             ///< per box.
   double duration_s = 60.0;  ///< [s] Simulated.
-  bool kinematic = false;    ///< No masses, no contacts.
+  bool kinematic = false;    ///< Without masses and contacts.
 };
 
-/// What it took.
 struct SimulationCost {
   SimulationCostSpec spec;
   double realtime_factor = 0.0;         ///< Simulated time over CPU time of one core.
-  std::map<std::string, double> cpu_s;  ///< [s] By stage, in a run that measures them.
+  std::map<std::string, double> cpu_s;  ///< [s] CPU time by stage, from a separate run that
+                                        ///< measures stages.
 };
 
-/// Runs it. Throws std::runtime_error if there is no room for so many people.
+/// Runs the simulation. Throws std::runtime_error if there is no room for so many people.
 SimulationCost time_simulation(const SimulationCostSpec& spec);
 
-/// How fast beams are cast from places all over a hall of turned boxes with people in mid-step.
+/// Speed of ray casts from places all over a hall of rotated boxes and walking people.
 struct CastSpeed {
   int boxes = 0;
   int people = 0;
-  double rays_per_s = 0.0;        ///< [1/s] One core.
-  double plain_rays_per_s = 0.0;  ///< [1/s] By a loop over all shapes, same intersections.
+  double rays_per_s = 0.0;        ///< [1/s] On one core.
+  double plain_rays_per_s = 0.0;  ///< [1/s] By a loop over all shapes with the same intersection
+                                  ///< tests.
 };
 CastSpeed time_casts(int boxes, int people, double seconds);
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Recoveries of one localizer.
+/// Pooled recoveries of one localizer.
 struct Pool {
   int events = 0;
   std::vector<double> times;

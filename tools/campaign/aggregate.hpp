@@ -1,4 +1,4 @@
-/// Several runs of one scenario put together.
+/// Statistics over several runs of one scenario.
 #pragma once
 
 #include <string>
@@ -10,12 +10,14 @@
 
 namespace castaway::testbed {
 
-/// Every figure over runs: mean, median, p95, min, max and the bootstrap interval of the mean
-/// (`mean_interval`, runs drawn one by one), with `runs`: how many had something to measure.
+/// Aggregates every figure over runs: mean, median, p95, min, max and the bootstrap interval of the
+/// mean (`mean_interval`, resampling single runs). `runs` is the number of runs that have the
+/// figure.
 nlohmann::ordered_json aggregate_figures(const std::vector<MetricTable>& runs);
 
-/// Recoveries of all runs' localizers as one sample: events, recovered, success with its Wilson
-/// interval, statistics of the times and ways with bootstrap intervals. `summaries`: of the runs.
+/// Pools the recoveries of all localizers of the runs into one sample: events, recovered, success
+/// with its Wilson interval, and statistics of times and distances with bootstrap intervals.
+/// `summaries`: summary.json of each run.
 nlohmann::ordered_json pooled_recoveries(const std::vector<nlohmann::ordered_json>& summaries);
 
 }  // namespace castaway::testbed

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Pair = std::pair<const ComparedRun*, const ComparedRun*>;
 
-/// What is compared of each localizer.
+/// A localizer metric that is compared.
 struct Compared {
   const char* metric;
   bool more_is_better;
@@ -46,7 +46,8 @@ constexpr std::array<Compared, 4> kOfRuns{{{"distance_m", true},
                                            {"driving.recoveries", false},
                                            {"driving.emergency_stop", false}}};
 
-/// A run's own summary, not that of an experiment or of many seeds; null: there is none.
+/// Summary of a single run; null if there is none, or if it is of an experiment or of several
+/// seeds.
 Json run_summary(const fs::path& folder) {
   if (!fs::exists(folder / "summary.json")) return nullptr;
   Json summary = read_json(folder / "summary.json");
@@ -69,7 +70,7 @@ ComparedRun compared_run(const fs::path& folder, const Json& summary) {
   return run;
 }
 
-/// The scenario without what a comparison may differ in, key by key.
+/// The scenario key by key, without the keys in which compared runs may differ.
 std::map<std::string, std::string> conditions(const fs::path& run_folder) {
   const fs::path file = run_folder / "scenario.yaml";
   const YamlNode root = parse_yaml(read_file(file), file.string());
@@ -103,8 +104,8 @@ void require_same_version(const Pair& pair) {
       pair.second->metrics_version));
 }
 
-/// The counterpart of a run among `others`: of those with its scenario and seed one of the same
-/// conditions, or the first. The parts of an experiment share scenario and seed.
+/// Finds the counterpart of a run among `others`: the only run with its scenario and seed, or among
+/// several (the parts of an experiment) the first with the same conditions. Null if there is none.
 const ComparedRun* counterpart(const ComparedRun& run, const std::vector<ComparedRun>& others) {
   std::vector<const ComparedRun*> namesakes;
   for (const ComparedRun& other : others) {
@@ -118,7 +119,7 @@ const ComparedRun* counterpart(const ComparedRun& run, const std::vector<Compare
   return same == namesakes.end() ? nullptr : *same;
 }
 
-std::vector<Pair> paired(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
+std::vector<Pair> pair_runs(const std::vector<ComparedRun>& a, const std::vector<ComparedRun>& b) {
   std::vector<Pair> pairs;
   for (const ComparedRun& run : a) {
     if (const ComparedRun* other = counterpart(run, b)) pairs.emplace_back(&run, other);
@@ -170,7 +171,7 @@ void correct_for_number(std::vector<MetricComparison>& rows) {
   }
 }
 
-/// The metrics to be compared, clocks last.
+/// The metrics to compare, clocks last.
 std::vector<MetricComparison> rows_for(const std::vector<std::string>& localizers) {
   std::vector<MetricComparison> rows;
   const auto add = [&rows](const std::string& metric, bool more_is_better, bool clock) {
@@ -191,7 +192,7 @@ std::vector<MetricComparison> rows_for(const std::vector<std::string>& localizer
   return rows;
 }
 
-std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
+std::string no_pairs_error(const ComparedRun& a, const ComparedRun& b) {
   if (a.scenario != b.scenario) {
     return fmt::format("not comparable: {} is of scenario '{}', {} of '{}'", a.folder.string(),
                        a.scenario, b.folder.string(), b.scenario);
@@ -200,7 +201,7 @@ std::string no_pairs(const ComparedRun& a, const ComparedRun& b) {
                      a.folder.string(), a.seed, b.folder.string(), b.seed);
 }
 
-/// Takes void runs out; how many.
+/// Removes void runs and returns their number.
 std::size_t drop_voids(const fs::path& folder, std::vector<ComparedRun>& runs) {
   const std::size_t voids = std::erase_if(runs, [](const ComparedRun& run) { return run.is_void; });
   if (!runs.empty()) return voids;
@@ -240,8 +241,8 @@ Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
   std::vector<ComparedRun> a = find_runs(baseline);
   std::vector<ComparedRun> b = find_runs(other);
   const std::size_t voids = drop_voids(baseline, a) + drop_voids(other, b);
-  const std::vector<Pair> pairs = paired(a, b);
-  if (pairs.empty()) throw std::invalid_argument(no_pairs(a.front(), b.front()));
+  const std::vector<Pair> pairs = pair_runs(a, b);
+  if (pairs.empty()) throw std::invalid_argument(no_pairs_error(a.front(), b.front()));
   for (const Pair& pair : pairs) {
     require_same_version(pair);
     require_same_conditions(pair);

@@ -1,4 +1,4 @@
-/// Two sets of runs held against each other, pair by pair.
+/// Paired comparison of two sets of runs.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace castaway::testbed {
 
-/// A finished run, as a comparison sees it.
+/// A finished run as input of a comparison.
 struct ComparedRun {
   std::filesystem::path folder;
-  std::string scenario;  ///< Its name.
+  std::string scenario;  ///< Name of the scenario.
   std::uint64_t seed = 0;
   int metrics_version = 0;
   std::vector<std::string> localizers;
@@ -25,45 +25,46 @@ struct ComparedRun {
   bool is_void = false;  ///< See tools/metrics/void_run.hpp.
 };
 
-/// The run of `folder`, or all runs below it, by folder. Throws std::runtime_error if there is
-/// none.
+/// Finds the run in `folder`, or all runs below it, sorted by folder. Throws std::runtime_error if
+/// there is none.
 std::vector<ComparedRun> find_runs(const std::filesystem::path& folder);
 
-/// One metric over the pairs that have it in both.
+/// Comparison of one metric over the pairs in which both runs have it.
 struct MetricComparison {
   std::string metric;
   std::size_t pairs = 0;
   double baseline = 0.0;             ///< Mean.
   double other = 0.0;                ///< Mean.
   double difference = 0.0;           ///< Mean of other - baseline.
-  std::optional<Interval> interval;  ///< 95 %, bootstrap over the pairs; nothing for one pair.
+  std::optional<Interval> interval;  ///< 95 % bootstrap interval over the pairs; nothing for a
+                                     ///< single pair.
   bool more_is_better = false;
-  bool clock = false;  ///< Of this machine's clock: shown, never judged.
-  /// That chance alone makes such a difference, corrected for the number of metrics compared;
-  /// nothing for a clock.
+  bool clock = false;  ///< CPU or wall time of this machine: reported but never tested.
+  /// p-value of the difference under the null hypothesis, corrected for the number of metrics
+  /// compared. Nothing for a clock.
   std::optional<double> p_value{};
 
-  /// 1: better, -1: worse, both at a level of 0.05 over all metrics together; 0: neither.
+  /// 1: better; -1: worse; 0: not significant at a level of 0.05 over all metrics together.
   [[nodiscard]] int verdict() const;
 };
 
-/// What came of it.
+/// Result of a comparison.
 struct Comparison {
   std::filesystem::path baseline;
   std::filesystem::path other;
   std::size_t pairs = 0;
-  std::size_t unpaired = 0;  ///< Runs of either side without a counterpart, which are left out.
-  std::size_t voids = 0;     ///< Void runs of either side, which are left out.
+  std::size_t unpaired = 0;  ///< Runs of either side without a counterpart; they are excluded.
+  std::size_t voids = 0;     ///< Void runs of either side; they are excluded.
   std::vector<MetricComparison> metrics;
 };
 
-/// Pairs runs by scenario and seed; of several that share both, those of the same conditions.
-/// Throws std::invalid_argument, one line that says what differs: metrics of two versions, no
-/// common scenario, seed or localizer, or a scenario that says something else than its namesake
-/// besides localizers, outputs and expectations.
+/// Pairs runs by scenario name and seed; among several candidates, those of the same conditions.
+/// Throws std::invalid_argument with one line that names the difference: other metrics versions, no
+/// common scenario, seed or localizer, or two scenarios of one name that differ in more than
+/// localizers, outputs and expectations.
 Comparison compare_runs(const std::filesystem::path& baseline, const std::filesystem::path& other);
 
-/// As `castaway compare --json` prints it.
+/// JSON for `castaway compare --json`.
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
 }  // namespace castaway::testbed

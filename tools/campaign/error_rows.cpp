@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Where what stands.
+/// Column indices in errors.csv.
 struct Columns {
   std::size_t stamp, localizer, error, quality, sigma, probability, populations;
 

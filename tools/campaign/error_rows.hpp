@@ -1,4 +1,4 @@
-/// errors.csv read back: what an experiment is summed up from.
+/// Reads errors.csv, from which an experiment is summarised.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace castaway::testbed {
 
-/// A scan and a localizer's answer; nothing where there was none.
+/// A scan and a localizer's output for it.
 struct ErrorRow {
   double stamp_s = 0.0;
   std::optional<double> error_m;
@@ -19,13 +19,13 @@ struct ErrorRow {
   double populations = 0.0;
 };
 
-/// Rows of one localizer, by time.
+/// Rows of one localizer, sorted by time.
 struct LocalizerRows {
   std::string localizer;
   std::vector<ErrorRow> rows;
 };
 
-/// Reads a run folder's errors.csv; localizers in the order in which they appear. Throws
+/// Reads errors.csv of a run folder; localizers are in the order in which they appear. Throws
 /// std::runtime_error naming the file.
 std::vector<LocalizerRows> read_error_rows(const std::filesystem::path& run_folder);
 

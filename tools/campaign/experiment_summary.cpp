@@ -25,7 +25,7 @@ double mean(const std::vector<double>& sample) {
   return figures ? figures->mean : 0.0;
 }
 
-/// Errors of the scans with an answer, and each run's mean.
+/// Errors of the scans with an output, and each run's mean.
 struct Errors {
   std::vector<double> all;
   std::vector<double> means;
@@ -59,7 +59,7 @@ Json error_json(const Errors& errors) {
   return json;
 }
 
-/// What the answers of all runs say of themselves.
+/// What the outputs of all runs state about themselves.
 struct Beliefs {
   std::vector<double> quality;
   std::vector<double> sigma;

@@ -10,7 +10,7 @@ namespace castaway::testbed {
 namespace {
 
 using Json = nlohmann::ordered_json;
-/// A localizer's cell from its figures and its name.
+/// Formats a localizer's cell from its figures and its name.
 using Cell = std::function<std::string(const Json& figures, const std::string& name)>;
 
 std::string number(const Json& value, const char* format, double factor = 1.0) {
@@ -26,7 +26,7 @@ std::string with_interval(const Json& figures, const char* key, const char* form
   return text;
 }
 
-/// Adds rows and keeps them as long as the head.
+/// Adds rows and pads them to the length of the head.
 class Builder {
  public:
   Builder(const Experiment& experiment, const Json& summary)
@@ -115,7 +115,7 @@ void add_recovery(Builder& builder) {
   }
 }
 
-/// Mean over the runs, with the range where there are several.
+/// Mean over the runs, with the range if there are several.
 std::string over_runs(const Json& runs, const char* key, const char* format) {
   std::vector<double> values;
   for (const Json& run : runs) {

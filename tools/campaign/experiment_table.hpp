@@ -1,4 +1,4 @@
-/// An experiment's table: the paper's figures and this run's side by side.
+/// Table of an experiment: the paper's figures beside those of this run.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace castaway::testbed {
 
-/// Cells as text; every row is as long as the head.
+/// Cells as text; every row has as many cells as the head.
 struct TextTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
 };
 
-/// The paper's rows with a column for each localizer, then what the paper shows in figures:
-/// hypotheses, and how well quality, stated probability and covariance tell right from wrong.
+/// The paper's rows with a column for each localizer, followed by values that the paper only plots:
+/// number of hypotheses, and how well quality, stated probability and covariance separate right
+/// from wrong outputs.
 TextTable experiment_table(const Experiment& experiment, const nlohmann::ordered_json& summary,
                            const nlohmann::ordered_json& timing);
 
-/// Columns padded to their widest cell, the first one left, the others right.
+/// Columns are padded to their widest cell; the first is left-aligned, the others right-aligned.
 std::string as_text(const TextTable& table);
 
 }  // namespace castaway::testbed

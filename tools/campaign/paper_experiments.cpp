@@ -8,7 +8,8 @@ namespace castaway::testbed {
 namespace {
 
 constexpr int kStartsOfAKind = 15;
-constexpr std::uint64_t kStandingSeeds = 100'001;  // No start of one kind is one of the other.
+constexpr std::uint64_t kStandingSeeds = 100'001;  // Keeps the seeds of the two kinds of starts
+                                                   // disjoint.
 
 using Parts = std::vector<ExperimentPart>;
 
@@ -35,7 +36,7 @@ Parts marathon_parts(int repeats) {
   return {{"marathon", "worlds/corridor/scenarios/paper-marathon.yaml", {}, 1, repeats}};
 }
 
-/// Two short runs of each of the first two parts; nothing is expected of them.
+/// Reduces the experiment to two short runs of each of the first two parts, without expectations.
 void shorten(Experiment& experiment) {
   if (experiment.parts.size() > 2) experiment.parts.resize(2);
   for (ExperimentPart& part : experiment.parts) {

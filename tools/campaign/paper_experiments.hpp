@@ -1,6 +1,6 @@
 /// The experiments of A. Garcia, F. Martin, J. M. Guerrero, F. J. Rodriguez, V. Matellan, "Portable
-/// Multi-Hypothesis Monte Carlo Localization for Mobile Robots", 2022, section V, as runs in the
-/// simulator.
+/// Multi-Hypothesis Monte Carlo Localization for Mobile Robots", 2022, section V, as simulated
+/// runs.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,22 @@
 
 namespace castaway::testbed {
 
-/// Runs of one scenario that differ by their seed.
+/// Runs of one scenario that differ only in their seed.
 struct ExperimentPart {
-  std::string name;                    ///< Names its folder.
-  std::string scenario;                ///< File under the data root.
-  std::vector<std::string> overrides;  ///< key=value
+  std::string name;                    ///< Also the name of its folder.
+  std::string scenario;                ///< File relative to the data root.
+  std::vector<std::string> overrides;  ///< Entries "key=value".
   std::uint64_t first_seed = 1;
   int runs = 1;
 };
 
-/// A line of the paper's table.
+/// A row of the paper's table.
 struct PaperFigure {
   std::string label;
-  std::string mh_amcl;  ///< As printed there.
-  std::string amcl;     ///< Empty: the paper has none.
+  std::string mh_amcl;  ///< As printed in the paper.
+  std::string amcl;     ///< Empty if the paper has no value.
 };
 
-/// One experiment.
 struct Experiment {
   int number = 1;
   std::string title;
@@ -37,17 +36,18 @@ struct Experiment {
 struct ExperimentRun {
   std::string part;
   std::string scenario;
-  std::vector<std::string> overrides;  ///< The part's, the seed and what is not written.
+  std::vector<std::string> overrides;  ///< Those of the part, the seed and the outputs that are
+                                       ///< switched off.
   std::uint64_t seed = 1;
-  std::string folder;  ///< Relative to the experiment's.
+  std::string folder;  ///< Relative to the experiment's folder.
 };
 
-/// Experiment 1, 2 or 3. `repeats` [1, 1000]: how often each of the paper's runs is made, with
-/// other seeds. `quick`: a small version for tests, whose figures mean nothing. Throws
-/// std::invalid_argument for another number.
+/// Returns experiment 1, 2 or 3. `repeats` [1, 1000]: number of times each of the paper's runs is
+/// made, with different seeds. `quick`: a small version for tests, whose results are meaningless.
+/// Throws std::invalid_argument for another number.
 Experiment paper_experiment(int number, int repeats, bool quick);
 
-/// All its runs, in order.
+/// All runs of the experiment, in order.
 std::vector<ExperimentRun> runs_of(const Experiment& experiment);
 
 }  // namespace castaway::testbed

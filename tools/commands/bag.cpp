@@ -1,4 +1,4 @@
-// castaway bag: what a bag of ROS 2 holds.
+// castaway bag: shows the contents of a ROS 2 bag.
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct BagArguments {
   std::string bag;
   bool json = false;
@@ -63,7 +63,7 @@ void print_words(const BagInventory& bag) {
   }
 }
 
-/// One line of JSON a message; of types that are not known, without its fields.
+/// Prints each message as one line of JSON, without fields if its type is unknown.
 void print_messages(const std::vector<std::filesystem::path>& files) {
   using Json = nlohmann::ordered_json;
   for (const auto& file : files) {
@@ -104,7 +104,7 @@ int describe_bag(const BagArguments& arguments) {
 void add_bag_command(Command& app) {
   auto a = std::make_shared<BagArguments>();
   Command command =
-      app.add_command("bag", "Say what a bag of ROS 2 (MCAP) holds: topics, types, counts");
+      app.add_command("bag", "Show the topics, types and message counts of a ROS 2 bag (MCAP)");
   command.add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
       .required();
   command.add_flag("--json", a->json, "Print JSON");

@@ -1,4 +1,4 @@
-// castaway bench: the project's own measurements, each by one command.
+// castaway bench: the project's own benchmarks, one command each.
 #include "tools/commands/bench.hpp"
 
 namespace castaway::testbed {

@@ -1,5 +1,5 @@
-/// The measurements of `castaway bench`. Each stands in a file of its own, bench_<name>.cpp, and
-/// adds itself as a subcommand with a function that is declared here.
+/// The benchmarks of `castaway bench`. Each file bench_<name>.cpp adds its subcommand with a
+/// function declared here.
 #pragma once
 
 #include "tools/commands/commands.hpp"

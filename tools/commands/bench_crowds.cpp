@@ -1,4 +1,4 @@
-// castaway bench crowds: does anybody ever pass a wall?
+// castaway bench crowds: checks that people never pass a wall.
 #include <cstdio>
 #include <memory>
 
@@ -15,14 +15,14 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct CrowdArguments {
   CrowdHoursConfig config;
   bool json = false;
 };
 
 int bench_crowds(CrowdArguments arguments) {
-  arguments.config.people.behaviour.reset();  // All kinds.
+  arguments.config.people.behaviour.reset();  // Mixes all behaviours.
   const bool progress = isatty(STDERR_FILENO) != 0;
   const std::chrono::nanoseconds begin = thread_cpu_time();
   const CrowdHours seen = watch_crowd(arguments.config, [&](int hour) {
@@ -41,8 +41,9 @@ int bench_crowds(CrowdArguments arguments) {
   }
   fmt::print(
       "{:.1f} h of {} people ({:.0f} person-hours), {:.0f} km walked: {} steps through walls, {} "
-      "into walls\nclosest two middles {:.2f} m, {} hit by a robot that minds nobody; {:.0f} s of "
-      "CPU, {:.0f} x real time\n",
+      "into walls\n"
+      "closest two centres {:.2f} m, {} hit by a robot that never yields; {:.0f} s of CPU, {:.0f} "
+      "x real time\n",
       seen.hours, arguments.config.people.count(), seen.person_hours, seen.walked_km, seen.through,
       seen.inside, seen.closest_pair_m, seen.robot_hits, cpu_s, 3600.0 * seen.hours / cpu_s);
   return seen.through + seen.inside == 0 ? kDone : kRunFailed;
@@ -55,7 +56,7 @@ void add_bench_crowds(Command& bench) {
   arguments->config.people.walking = 20;
   arguments->config.people.in_groups = 0.3;
   Command command =
-      bench.add_command("crowds", "Hours of people in a world: does anybody pass a wall?");
+      bench.add_command("crowds", "Check that people never pass a wall, over hours of simulation");
   CrowdHoursConfig& config = arguments->config;
   command.add_option("--hours", config.hours, "Simulated time [h]").range(1e-4, 1e4);
   command.add_option("--people", config.people.walking, "How many walk").range(1, 200);
@@ -65,9 +66,8 @@ void add_bench_crowds(Command& bench) {
   command.add_option("--seed", config.seed, "Root seed of all random streams");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "People of all behaviours, a third of them in groups, and a robot that drives its route "
-      "whoever\nis in the way. Every step is held against the world's true shapes at four "
-      "heights.\n"
+      "People of all behaviours, a third of them in groups, and a robot that drives its route\n"
+      "without yielding. Every step is checked against the world's true shapes at four heights.\n"
       "Exit code 1 if anybody passed or entered a wall. Example:\n"
       "  castaway bench crowds --hours 100");
   command.action([arguments] { return bench_crowds(*arguments); });

@@ -1,4 +1,4 @@
-// castaway bench kidnaps: random kidnaps in the simulator, with and without people about.
+// castaway bench kidnaps: random kidnaps in the simulator, with and without people.
 #include <cstdio>
 #include <memory>
 
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegrees = 57.29577951308232;
 
-/// What the command line says.
+/// Arguments of the command.
 struct KidnapArguments {
   KidnapTrialConfig trials;
   int kidnaps = 200;
@@ -36,13 +36,13 @@ std::string rate(int successes, int trials) {
                      100 * interval.high);
 }
 
-/// Mean, 95th percentile and worst of times.
+/// Mean, 95th percentile and maximum of times.
 std::string times(const std::vector<double>& sample) {
   const auto s = statistics(sample);
   return s ? fmt::format("{:.2f}, {:.2f}, {:.2f} s", s->mean, s->p95, s->max) : "-";
 }
 
-/// How many, and the mean.
+/// Number and mean.
 std::string count(const std::vector<double>& sample) {
   const auto s = statistics(sample);
   return s ? fmt::format("{}, {:.2f} s", sample.size(), s->mean) : "0";
@@ -81,8 +81,8 @@ std::string text(const std::optional<double>& time) {
   return time ? fmt::format("{:.2f} s", *time) : "never";
 }
 
-/// A trial in which the right place is not among the best five or the first localizer recovers
-/// late.
+/// Prints a trial in which the right place is not among the best five or the first localizer
+/// recovers late.
 void print_failure(const KidnapReport& report, const KidnapArguments& arguments) {
   const SearchOutcome& search = report.search;
   bool failed = !search.rank || *search.rank >= 5;
@@ -168,27 +168,28 @@ int bench_kidnaps(KidnapArguments arguments) {
 void add_bench_kidnaps(Command& bench) {
   auto a = std::make_shared<KidnapArguments>();
   Command command = bench.add_command(
-      "kidnaps", "Random kidnaps in the simulator, with people about who are on no map");
+      "kidnaps", "Random kidnaps in the simulator, with people who are not on the map");
   command
-      .add_option("--world", a->trials.world,
-                  "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of like rooms")
+      .add_option(
+          "--world", a->trials.world,
+          "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of similar rooms")
       .show_default();
   command.add_option("--kidnaps", a->kidnaps, "Trials of each batch")
       .range(1, 100000)
       .show_default();
   command
       .add_option("--obstacles", a->obstacles,
-                  "People within 4 m of where the robot comes to; repeat for several batches "
+                  "Number of people within 4 m of the kidnap's target; repeat for several batches "
                   "(default: 0)")
       .range(0, 200)
       .repeatable();
-  command.add_option("--lead", a->trials.lead_s, "Time driven before the kidnap, about [s]")
+  command.add_option("--lead", a->trials.lead_s, "Approximate driving time before the kidnap [s]")
       .range(0.1, 1e5)
       .show_default();
-  command.add_option("--window", a->trials.window_s, "Time driven on after the kidnap [s]")
+  command.add_option("--window", a->trials.window_s, "Driving time after the kidnap [s]")
       .range(0.1, 1e5)
       .show_default();
-  command.add_option("--within", a->within_s, "Time within which to be right [s]")
+  command.add_option("--within", a->within_s, "Time limit of a recovery [s]")
       .range(0.1, 1e5)
       .show_default();
   command

@@ -1,4 +1,4 @@
-// castaway bench localization: how fast the parts of the localizer are.
+// castaway bench localization: speed of the parts of the localizer.
 #include <cstdio>
 #include <memory>
 
@@ -11,13 +11,13 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct LocalizationArguments {
   bool quick = false;
   bool json = false;
 };
 
-/// A time in the unit that suits it.
+/// Formats a time in a suitable unit.
 std::string duration(double s) {
   if (s < 0.9995e-3) return fmt::format("{:.1f} us", 1e6 * s);
   return s < 0.9995 ? fmt::format("{:.2f} ms", 1e3 * s) : fmt::format("{:.2f} s", s);
@@ -95,7 +95,7 @@ int bench_localization(const LocalizationArguments& arguments) {
 void add_bench_localization(Command& bench) {
   auto arguments = std::make_shared<LocalizationArguments>();
   Command command = bench.add_command(
-      "localization", "How fast the parts of the localizer are, beside a plain reference");
+      "localization", "Speed of the parts of the localizer, beside a plain reference");
   command.add_flag("--quick", arguments->quick, "Rough figures and small maps only");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(

@@ -1,4 +1,4 @@
-// castaway bench odometry: how far odometry drifts, simulated and recorded.
+// castaway bench odometry: drift of odometry, simulated and recorded.
 #include <cstdio>
 #include <memory>
 
@@ -13,7 +13,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct OdometryArguments {
   std::vector<std::string> logs;
   OdometryBenchConfig config;
@@ -27,7 +27,7 @@ std::vector<DriftSegment> recorded_drift(const std::string& log, double length_m
   return drift_segments(frames, length_m);
 }
 
-/// A row; false if there is nothing to tell.
+/// Adds a row; returns false if there are no segments.
 bool add_row(const std::string& name, const std::vector<DriftSegment>& segments, bool words,
              nlohmann::ordered_json& json) {
   const auto mean = mean_drift(segments);
@@ -44,7 +44,7 @@ bool add_row(const std::string& name, const std::vector<DriftSegment>& segments,
   return true;
 }
 
-/// Of all logs, read before anything is simulated: what cannot be read is said at once.
+/// Reads all logs before anything is simulated, so that errors are reported early.
 std::vector<std::vector<DriftSegment>> drift_of_logs(const OdometryArguments& arguments) {
   std::vector<std::vector<DriftSegment>> drift;
   for (const std::string& log : arguments.logs) {

@@ -1,4 +1,4 @@
-// castaway bench physics: a robot's drive against closed forms.
+// castaway bench physics: compares a robot's drive with closed forms.
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct PhysicsArguments {
   std::string robot = "waffle";
   double physics_hz = 500.0;
@@ -46,7 +46,7 @@ int bench_physics(const PhysicsArguments& arguments) {
 void add_bench_physics(Command& bench) {
   auto arguments = std::make_shared<PhysicsArguments>();
   Command command =
-      bench.add_command("physics", "A robot's drive against what mechanics says in one line");
+      bench.add_command("physics", "Compare a robot's drive with closed-form mechanics");
   command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
   command.add_option("--physics-hz", arguments->physics_hz, "Steps a second").range(100.0, 10000.0);
   command.add_flag("--json", arguments->json, "Print JSON");

@@ -1,4 +1,4 @@
-// castaway bench published: what each defect of the published MH-AMCL costs.
+// castaway bench published: the cost of each defect of the published MH-AMCL.
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -16,7 +16,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct PublishedArguments {
   std::string scenario;
   int seeds = 5;
@@ -87,15 +87,16 @@ int bench_published(const PublishedArguments& arguments) {
 void add_bench_published(Command& bench) {
   auto arguments = std::make_shared<PublishedArguments>();
   Command command = bench.add_command(
-      "published", "What each defect of the published MH-AMCL costs on top of the paper");
+      "published", "Cost of each defect of the published MH-AMCL, relative to the paper");
   command.add_option("--scenario", arguments->scenario,
                      "Scenario file (default: the default kidnap)");
-  command.add_option("--seeds", arguments->seeds, "Runs, each with a seed of its own")
+  command.add_option("--seeds", arguments->seeds, "Number of runs, each with its own seed")
       .show_default();
   command.add_option("--seed", arguments->first_seed, "The first seed (default: the scenario's)");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "All variants ride the same runs. Right: error below 0.5 m and 0.35 rad to the next kidnap.\n"
+      "All variants are played on the same frames. Right: error below 0.5 m and 0.35 rad to the "
+      "next kidnap.\n"
       "Wrong: share of scans in which the localizer says that it is right and is not.\n"
       "Example:\n"
       "  castaway bench published --seeds 20");

@@ -1,4 +1,4 @@
-// castaway bench simulation: what a simulated second costs.
+// castaway bench simulation: CPU time of a simulated second.
 #include <cstdio>
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the command line says.
+/// Arguments of the command.
 struct SimulationArguments {
   double duration_s = 60.0;
   bool quick = false;
@@ -100,7 +100,7 @@ int bench_simulation(const SimulationArguments& arguments) {
 void add_bench_simulation(Command& bench) {
   auto arguments = std::make_shared<SimulationArguments>();
   Command command = bench.add_command(
-      "simulation", "What a simulated second costs over people, beams and obstacles");
+      "simulation", "CPU time of a simulated second over people, beams and obstacles");
   command.add_option("--duration", arguments->duration_s, "Simulated time of each run [s]")
       .range(0.1, 1e6);
   command.add_flag("--quick", arguments->quick, "Four runs and rough figures");

@@ -1,4 +1,4 @@
-// castaway check-robot: what was understood of a robot's description.
+// castaway check-robot: reports how a robot's description was interpreted.
 #include <memory>
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 constexpr int kWidth = 800;   // [px]
 constexpr int kHeight = 600;  // [px]
 
-/// What the command line says.
+/// Arguments of the command.
 struct CheckArguments {
   RobotSpec robot;
   RobotArguments options;
@@ -33,7 +33,7 @@ struct CheckArguments {
   bool no_picture = false;
 };
 
-/// The file's name, or why there is no picture.
+/// Writes a picture and returns its file name, or why there is none.
 std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
   const std::string file = out.empty() ? file_name_of(robot.name) + ".png" : out;
   std::string png;
@@ -80,8 +80,7 @@ int check_robot(CheckArguments arguments) {
 
 void add_check_robot_command(Command& app) {
   auto a = std::make_shared<CheckArguments>();
-  Command command =
-      app.add_command("check-robot", "Print and picture what is understood of a robot");
+  Command command = app.add_command("check-robot", "Show how a robot's description is interpreted");
   command.add_option("robot", a->robot.file, "A robot's name, a .urdf or a .xacro").required();
   add_robot_options(command, a->options);
   command.add_option("--joints", a->joints,

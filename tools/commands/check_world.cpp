@@ -1,4 +1,4 @@
-// castaway check-world: what was understood of a world.
+// castaway check-world: reports how a world was interpreted.
 #include <filesystem>
 #include <memory>
 
@@ -22,7 +22,7 @@ namespace {
 constexpr int kWorldPictureWidth = 1000;  // [px]
 constexpr int kWorldPictureHeight = 750;  // [px]
 
-/// What the command line says.
+/// Arguments of the command.
 struct CheckWorldArguments {
   WorldChoice world;
   std::string robot = "waffle";
@@ -40,7 +40,7 @@ std::string map_name(const std::string& file) {
   return (path.parent_path() / (path.stem().string() + "-map.png")).string();
 }
 
-/// The files' names, or why there are no pictures.
+/// Writes two pictures and returns their file names, or why there are none.
 std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   const std::string file = out.empty() ? file_name_of(world.file.spec.name) + ".png" : out;
   std::string overview;
@@ -58,7 +58,7 @@ std::string take_pictures(const LoadedWorld& world, const std::string& out) {
   return fmt::format("{}, {}", file, map_name(file));
 }
 
-/// Of a scenario: its world, seed and differences.
+/// Takes world, seed and differences from a scenario.
 void take_scenario(CheckWorldArguments& arguments) {
   arguments.scenario = find_scenario(arguments.scenario, ".").string();
   const LoadedScenario loaded = load_scenario(arguments.scenario, {});
@@ -98,25 +98,24 @@ int check_world(CheckWorldArguments arguments) {
 void add_check_world_command(Command& app) {
   auto a = std::make_shared<CheckWorldArguments>();
   Command command = app.add_command(
-      "check-world",
-      "Print and picture what is understood of a world, and how it is to localize in");
+      "check-world", "Show how a world is interpreted and how hard it is to localize in");
   command.add_option("world", a->world.file, "A world's name or file (YAML, .sdf, .world, ROS map)")
       .show_default();
   command.add_option("--scenario", a->scenario,
                      "Scenario whose world is checked, with its seed and its differences");
   command
       .add_option("--search-path", a->world.search_paths,
-                  "Folder that models of an SDF world are looked for in (besides "
+                  "Folder in which models of an SDF world are searched (besides "
                   "GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH)")
       .repeatable();
-  command.add_option("--robot", a->robot, "Robot whose lidar's height is taken").show_default();
+  command.add_option("--robot", a->robot, "Robot whose lidar height is used").show_default();
   command.add_option("--range-max", a->range_max, "Of the lidar that sees places alike [m]")
       .show_default()
       .range(0.5, 200.0);
   command.add_option("--out", a->out,
                      "Picture to write (default: <world's name>.png); the map's goes beside it");
   command.add_flag("--no-picture", a->no_picture, "Write no pictures");
-  command.add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
+  command.add_flag("--strict", a->strict, "Reject an SDF world if a part of it cannot be read");
   command.add_flag("--json", a->json, "Print JSON instead of words");
   command.footer(
       "Examples:\n"

@@ -1,5 +1,4 @@
-/// The subcommands of the program. Each adds itself to the command line and says what its options
-/// are.
+/// The subcommands of the program. Each adds itself to the command line and describes its options.
 #pragma once
 
 #include "tools/commands/command_line.hpp"

@@ -1,4 +1,4 @@
-// castaway compare: runs against runs, pair by pair.
+// castaway compare: compares two sets of runs pair by pair.
 #include <memory>
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct CompareArguments {
   std::vector<std::string> folders;
   std::string out;
@@ -22,7 +22,7 @@ struct CompareArguments {
   bool json = false;
 };
 
-/// Where the comparison goes: the default folder keeps to one set of folders compared.
+/// Output of the comparison. The default folder depends on the compared folders.
 OutputRequest output_request(const CompareArguments& arguments) {
   std::string compared;
   OutputRequest request{arguments.out, "compare", {}, {}, arguments.force};
@@ -70,8 +70,7 @@ int compare_folders(const CompareArguments& arguments) {
 
 void add_compare_command(Command& app) {
   auto a = std::make_shared<CompareArguments>();
-  Command command = app.add_command(
-      "compare", "Runs against runs: paired by scenario and seed, differences with intervals");
+  Command command = app.add_command("compare", "Compare sets of runs, paired by scenario and seed");
   command
       .add_option("folders", a->folders,
                   "Run folders, or folders of runs; the others against the first")

@@ -1,5 +1,5 @@
-// castaway completion: a script by which a shell completes commands, options and names. castaway
-// man: the manual page. Both are made from the command line's own description.
+// castaway completion: a shell script that completes commands, options and names. castaway man: the
+// manual page. Both are generated from the command line's own description.
 #include <memory>
 
 #include <fmt/chrono.h>
@@ -22,7 +22,7 @@ std::vector<std::string> words_of(const Command& command) {
   return words;
 }
 
-/// A case for each command, by its path ("bench kidnaps").
+/// Cases of the shell script for a command and its subcommands, by path ("bench kidnaps").
 std::string cases(const Command& command, const std::string& path) {
   std::string text =
       fmt::format("    \"{}\") words=\"{}\" ;;\n", path, fmt::join(words_of(command), " "));
@@ -65,7 +65,8 @@ std::string script(const Command& app, const std::string& shell) {
   return bash_script(app);
 }
 
-/// Text for roff: no line begins with a control character, backslashes and dashes are literal.
+/// Escapes text for roff: no line begins with a control character, backslashes and dashes are
+/// literal.
 std::string roff(const std::string& text) {
   std::string escaped;
   bool line_begins = true;

@@ -1,4 +1,4 @@
-// castaway dataset: many runs, drawn from a specification, as a data set.
+// castaway dataset: makes a data set of many runs drawn from a specification.
 #include <memory>
 #include <stdexcept>
 
@@ -12,7 +12,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says besides.
+/// Arguments of the command.
 struct DatasetArguments {
   DatasetRequest request;
   std::string spec;
@@ -32,11 +32,11 @@ int verify(const std::string& folder, bool json) {
   }
   for (const std::string& trouble : troubles) fmt::print("{}\n", trouble);
   if (!troubles.empty()) {
-    fmt::print(stderr, "castaway: {}: {} of its files are not as in its manifest.json\n", folder,
+    fmt::print(stderr, "castaway: {}: {} of its files differ from its manifest.json\n", folder,
                troubles.size());
     return kRunFailed;
   }
-  fmt::print("{}: every file is as in its manifest.json\n", folder);
+  fmt::print("{}: every file matches its manifest.json\n", folder);
   return kDone;
 }
 
@@ -62,20 +62,20 @@ void add_dataset_command(Command& app) {
   command.add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
   command.add_option("-n", a->request.sequences, "Sequences").show_default().range(1, 999999);
   command.add_option("-j", a->request.workers, "At a time").show_default().range(1, 1024);
-  command.add_option("--out", a->out, "Folder to make, or to go on with");
+  command.add_option("--out", a->out, "Folder to create or to resume");
   const Option seed =
-      command.add_option("--seed", a->seed, "Root of all draws, instead of the specification's");
+      command.add_option("--seed", a->seed, "Root seed; overrides the specification's");
   command
       .add_option("--set", a->request.overrides.scenario,
-                  "key=value of the scenario that all sequences share")
+                  "key=value override of the scenario of all sequences")
       .repeatable();
-  command.add_option("--only", a->only, "Makes this sequence alone, again, as folder --out")
+  command.add_option("--only", a->only, "Make only this sequence again, as folder --out")
       .range(0, 999999);
   command.add_option("--verify", a->verify,
-                     "Holds a data set's files against its manifest; makes nothing");
+                     "Compare a data set's files with its manifest; make nothing");
   command.add_flag("--json", a->request.json, "Print JSON instead of words");
   command.footer(
-      "A call that was stopped goes on where it was when it is made again.\n"
+      "Repeat a stopped command to resume it.\n"
       "Examples:\n"
       "  castaway dataset datasets/office-people.yaml -n 100 -j 2 --out data/office\n"
       "  castaway dataset --verify data/office\n"

@@ -1,4 +1,4 @@
-// castaway evaluate: localizers judged on recorded logs.
+// castaway evaluate: evaluates localizers on recorded logs.
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -17,7 +17,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct EvaluateArguments {
   std::vector<std::string> folders;
   std::vector<std::string> localizers;
@@ -36,7 +36,7 @@ std::string quantile(const std::vector<double>& ascending, double q, const char*
   return ascending.empty() ? "-" : fmt::format("{:.1f} {}", percentile(ascending, q), unit);
 }
 
-/// One line of the table, the cells right-aligned but for the first two.
+/// Prints a row of the table; all cells but the first two are right-aligned.
 void print_line(const std::array<std::string, 17>& cells) {
   constexpr std::array<int, 17> kWidths = {16, 14, 18, 8, 8, 8, 19, 8, 8,
                                            8,  17, 12, 8, 8, 7, 7,  18};
@@ -136,7 +136,8 @@ void add_evaluate_command(Command& app) {
   auto a = std::make_shared<EvaluateArguments>();
   EvaluationConfig& config = a->config;
   Command command = app.add_command(
-      "evaluate", "Judge localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
+      "evaluate",
+      "Evaluate localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
   command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
   command
       .add_option("--localizer", a->localizers,
@@ -148,18 +149,20 @@ void add_evaluate_command(Command& app) {
   command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
       .range(0, 100000)
       .show_default();
-  command.add_option("--window", config.window_s, "Time to be right [s]")
+  command.add_option("--window", config.window_s, "Length of a trial [s]")
       .range(0.1, 1e6)
       .show_default();
   command.add_option("--seed", config.seed, "Seed of the stress").show_default();
   command.add_flag("!--no-tracking", config.tracking,
-                   "Leave out the whole log from its true start");
+                   "Skip tracking of the whole log from its true start");
   command.add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
   command
       .add_option("--blocked", config.stress.blocked_share,
                   "Share of the view blocked by people near the robot")
       .range(0.0, 1.0);
-  command.add_option("--max-range", config.stress.range_max, "Cut ranges to so many metres")
+  command
+      .add_option("--max-range", config.stress.range_max,
+                  "Maximum range [m]; longer returns are dropped")
       .range(0.1, 1e4);
   command
       .add_option("--erase-walls", config.stress.erased_share,

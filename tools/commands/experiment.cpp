@@ -30,7 +30,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the command line says.
+/// Arguments of the command.
 struct ExperimentArguments {
   int number = 1;
   int repeats = 1;
@@ -56,7 +56,7 @@ int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, boo
   return play(load(run), options);
 }
 
-/// Its folder with one for every run.
+/// The experiment's folder, with a subfolder for each run.
 RunsFolder open_folder(const ExperimentArguments& arguments,
                        const std::vector<ExperimentRun>& runs) {
   std::vector<PlannedRun> planned;
@@ -74,7 +74,8 @@ RunsFolder open_folder(const ExperimentArguments& arguments,
   return {std::move(request), std::move(planned)};
 }
 
-/// Exit codes by run. A single run is played here, for its own progress line.
+/// Plays all runs and returns their exit codes. A single run is played in this process, which shows
+/// its progress.
 std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFolder& folder,
                           const ExperimentArguments& arguments) {
   if (runs.size() == 1) return {play_run(runs[0], folder, arguments.force, false)};
@@ -97,7 +98,7 @@ std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFold
           progress.next(tally.text());
         });
   } catch (Interrupted& interrupted) {
-    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command resumes",
                                    std::count(codes.begin(), codes.end(), kDone), runs.size(),
                                    folder.path().string());
     throw;
@@ -105,10 +106,10 @@ std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFold
   return codes;
 }
 
-/// What came of all runs.
+/// Results of all runs.
 struct PlayedRuns {
-  std::vector<ExperimentOutcome> outcomes;  ///< Of those that count.
-  std::vector<JunitCase> cases;             ///< Of every run.
+  std::vector<ExperimentOutcome> outcomes;  ///< Of the valid runs.
+  std::vector<JunitCase> cases;             ///< Of all runs.
   std::size_t voids = 0;
 };
 
@@ -139,7 +140,7 @@ PlayedRuns outcomes_of(const std::vector<ExperimentRun>& runs, const std::vector
   return played;
 }
 
-/// What each part's scenario expects, of its own runs.
+/// Checks the expectations of each part's scenario against the part's runs.
 std::vector<Check> judge_parts(const Experiment& experiment,
                                const std::vector<ExperimentOutcome>& outcomes) {
   std::vector<Check> checks;
@@ -155,7 +156,7 @@ std::vector<Check> judge_parts(const Experiment& experiment,
   return checks;
 }
 
-/// runs.csv: a row for every run and localizer.
+/// Writes runs.csv: a row for every run and localizer.
 void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::filesystem::path& path) {
   CsvWriter csv(path, {"part", "seed", "localizer", "error_mean_m", "error_median_m", "recovered",
                        "recovery_time_s", "distance_m", "collisions", "folder"});
@@ -241,9 +242,9 @@ void add_experiment_command(Command& app) {
   Command command = app.add_command(
       "experiment", "The paper's experiments: 1 tracking, 2 recovery, 3 an hour among people");
   command.add_option("number", a->number, "1, 2 or 3").required();
-  command.add_option("--seeds", a->repeats, "How often each of the paper's runs is made")
+  command.add_option("--seeds", a->repeats, "Number of repetitions of each of the paper's runs")
       .show_default();
-  command.add_flag("--quick", a->quick, "Some seconds of it, to see that it works");
+  command.add_flag("--quick", a->quick, "A version of a few seconds, to see that it works");
   command.add_option("-j,--jobs", a->workers, "Runs at a time").range(1, 1024).show_default();
   command.add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
   command.add_option("--junit", a->junit, "Write the expectations as JUnit XML");

@@ -1,4 +1,4 @@
-// castaway lidars: the devices that a scenario can name.
+// castaway lidars: lists the lidar profiles that a scenario can use.
 #include <cmath>
 #include <memory>
 #include <numbers>

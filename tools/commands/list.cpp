@@ -1,4 +1,4 @@
-// castaway worlds, robots, scenarios: what comes along.
+// castaway worlds, robots, scenarios: lists what is shipped.
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A name, and where it is.
+/// An entry of a list.
 struct Listed {
   std::string name;
   std::filesystem::path file;
@@ -56,10 +56,10 @@ void add_list(Command& app, const std::string& name, const std::string& text,
 }  // namespace
 
 void add_list_commands(Command& app) {
-  add_list(app, "worlds", "List the worlds that come along", "castaway run --world office", worlds);
-  add_list(app, "robots", "List the robots that come along", "castaway run --robot mule", robots);
-  add_list(app, "scenarios", "List the scenarios that come along",
-           "castaway run office/look-alikes", scenarios);
+  add_list(app, "worlds", "List the shipped worlds", "castaway run --world office", worlds);
+  add_list(app, "robots", "List the shipped robots", "castaway run --robot mule", robots);
+  add_list(app, "scenarios", "List the shipped scenarios", "castaway run office/look-alikes",
+           scenarios);
 }
 
 }  // namespace castaway::testbed

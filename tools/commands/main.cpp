@@ -12,7 +12,7 @@
 namespace castaway::testbed {
 namespace {
 
-void print_trouble(const std::string& text) {
+void print_error(const std::string& text) {
   fmt::print(stderr, "{} {}\n", paint("castaway:", Color::kRed, stderr), text);
 }
 
@@ -35,7 +35,7 @@ void add_commands(Command app) {
   add_completion_command(app);
 }
 
-/// Parses and acts; the exit code.
+/// Parses the arguments and runs the command; returns the exit code.
 int run_program(CommandLine& line, int argc, char** argv) {
   const CommandLine::Parsed parsed = line.parse(argc, argv);
   if (parsed.act) return parsed.act();
@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
   try {
     return run_program(line, argc, argv);
   } catch (const Interrupted& interrupted) {
-    print_trouble(describe(interrupted));
+    print_error(describe(interrupted));
     return exit_code_of(interrupted);
   } catch (const std::exception& error) {
-    print_trouble(error.what());
+    print_error(error.what());
     return kBadInput;
   }
 }

@@ -1,4 +1,4 @@
-// castaway map: the ROS map of a world.
+// castaway map: writes the ROS map of a world.
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct MapArguments {
   std::string world;
   std::string robot = "waffle";
@@ -64,8 +64,8 @@ void add_map_command(Command& app) {
   auto a = std::make_shared<MapArguments>();
   Command command = app.add_command("map", "Survey a world into a ROS map (.yaml and .pgm)");
   command.add_option("world", a->world, "A world's name or path").required();
-  command.add_option("--robot", a->robot, "Robot whose lidar's height is taken").show_default();
-  command.add_option("--height", a->height, "Height of the cut [m] instead of a robot's lidar")
+  command.add_option("--robot", a->robot, "Robot whose lidar height is used").show_default();
+  command.add_option("--height", a->height, "Height of the survey [m], instead of a robot's lidar")
       .range(-1000.0, 1000.0);
   command.add_option("--resolution", a->resolution, "Edge of a cell [m]")
       .show_default()
@@ -74,9 +74,9 @@ void add_map_command(Command& app) {
                      "YAML file to write (default: <world>.yaml); the picture goes beside it");
   command
       .add_option("--search-path", a->search_paths,
-                  "Folder that models of an SDF world are looked for in")
+                  "Folder in which models of an SDF world are searched")
       .repeatable();
-  command.add_flag("--strict", a->strict, "Refuse an SDF world if a piece of it cannot be read");
+  command.add_flag("--strict", a->strict, "Reject an SDF world if a part of it cannot be read");
   command.footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
   command.action([a] { return make_map(*a); });
 }

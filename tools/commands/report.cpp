@@ -1,4 +1,4 @@
-// castaway report: pages of finished runs, made again.
+// castaway report: renders the pages of finished runs again.
 #include <memory>
 
 #include <fmt/format.h>
@@ -15,21 +15,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the command line says.
+/// Arguments of the command.
 struct ReportArguments {
   std::vector<std::string> runs;
   std::string out;
 };
 
-/// In the place of the one that castaway wrote, and of no other.
+/// Replaces a run's page only if castaway wrote it.
 void remake_report(const fs::path& run) {
   const fs::path page = run / "report.html";
   require_own_file(page);
   put_own_file(page, [&] { write_report(run, std::nullopt); });
 }
 
-/// The run folders that are meant: those given, and those in folders of runs (`run --seeds`). Files
-/// that a shell's `DIR/*` brings along are left out.
+/// The run folders among the arguments: those given, and those inside folders of runs (`run
+/// --seeds`). Files matched by a shell's `DIR/*` are skipped.
 std::vector<fs::path> run_folders(const ReportArguments& arguments) {
   std::vector<fs::path> folders;
   for (const std::string& given : arguments.runs) {
@@ -63,9 +63,9 @@ int make_reports(const ReportArguments& arguments) {
 void add_report_command(Command& app) {
   auto a = std::make_shared<ReportArguments>();
   Command command = app.add_command(
-      "report", "Make report.html of run folders again; of several also a page that leads to them");
+      "report", "Render report.html of run folders again, and an index page if there are several");
   command.add_option("runs", a->runs, "Run folders, or folders of runs").required();
-  command.add_option("--out", a->out, "Page that leads to the runs (default: runs.html)");
+  command.add_option("--out", a->out, "Index page of the runs (default: runs.html)");
   command.footer(
       "Examples:\n"
       "  castaway report runs/lab-kidnap/seed-1\n"

@@ -7,8 +7,8 @@
 namespace castaway::testbed {
 namespace {
 
-/// As YAML reads it back: a text, whatever is in it.
-std::string quoted(const std::string& text) {
+/// Quotes a text as a YAML string.
+std::string quote_yaml(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
@@ -22,7 +22,7 @@ void add_robot_options(Command command, RobotArguments& arguments) {
       .repeatable();
   command
       .add_option("--search-path", arguments.search_paths,
-                  "Folder that the robot's packages are looked for in (besides "
+                  "Folder in which the robot's packages are searched (besides "
                   "CASTAWAY_PACKAGE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH)")
       .repeatable();
 }
@@ -40,7 +40,7 @@ std::pair<std::string, std::string> parse_assignment(const std::string& text) {
 std::vector<std::string> robot_overrides(const std::string& file, const RobotArguments& arguments) {
   std::vector<std::string> overrides;
   if (arguments.assignments.empty() && arguments.search_paths.empty()) {
-    if (!file.empty()) overrides.push_back("robot=" + quoted(file));
+    if (!file.empty()) overrides.push_back("robot=" + quote_yaml(file));
     return overrides;
   }
   if (file.empty()) {
@@ -49,14 +49,14 @@ std::vector<std::string> robot_overrides(const std::string& file, const RobotArg
   std::string args;
   for (const std::string& text : arguments.assignments) {
     const auto [name, value] = parse_assignment(text);
-    args += (args.empty() ? "" : ", ") + quoted(name) + ": " + quoted(value);
+    args += (args.empty() ? "" : ", ") + quote_yaml(name) + ": " + quote_yaml(value);
   }
   std::string paths;
   for (const std::string& path : arguments.search_paths) {
-    paths += (paths.empty() ? "" : ", ") + quoted(path);
+    paths += (paths.empty() ? "" : ", ") + quote_yaml(path);
   }
   overrides.push_back(fmt::format("robot={{file: {}, args: {{{}}}, search_paths: [{}]}}",
-                                  quoted(file), args, paths));
+                                  quote_yaml(file), args, paths));
   return overrides;
 }
 

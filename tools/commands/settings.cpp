@@ -1,4 +1,4 @@
-// castaway settings: every key of a scenario, with its default, range and meaning.
+// castaway settings: lists every key of a scenario with its default, range and meaning.
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Arguments of the command.
 struct SettingsArguments {
   std::string prefix;
   bool json = false;
@@ -90,7 +90,7 @@ void add_settings_command(Command& app) {
   auto a = std::make_shared<SettingsArguments>();
   Command command =
       app.add_command("settings", "List the keys of a scenario: defaults, ranges, meaning");
-  command.add_option("prefix", a->prefix, "Only keys that begin so: \"drive\", \"lidar.noise\"");
+  command.add_option("prefix", a->prefix, "Only keys with this prefix: \"drive\", \"lidar.noise\"");
   command.add_flag("--markdown", a->markdown,
                    "Print Markdown tables, as docs/settings.md has them");
   command.add_flag("--json", a->json, "Print JSON");

@@ -20,8 +20,8 @@ Color map_color(std::int8_t cell) {
   return {light, light, light};
 }
 
-/// `heat` in (0, 1]; walls stay to be seen.
-Color heated(const Color& below, double heat) {
+/// `heat` in (0, 1]. The colour is multiplied so that walls stay visible.
+Color blend_heat(const Color& below, double heat) {
   Color color{};
   for (std::size_t i = 0; i < color.size(); ++i) {
     color[i] = (kFew[i] + (kMost[i] - kFew[i]) * heat) * below[i];
@@ -49,7 +49,7 @@ std::string coverage_png(const RosMap& map, const Coverage& coverage, double edg
       Color color = map_color(map.at(x, y));
       const auto found = coverage.find({cell_of(x, map.origin_x), cell_of(y, map.origin_y)});
       if (found != coverage.end()) {
-        color = heated(color, std::log1p(found->second) / std::log1p(most));
+        color = blend_heat(color, std::log1p(found->second) / std::log1p(most));
       }
       for (const double part : color) {
         image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * part)));

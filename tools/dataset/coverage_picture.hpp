@@ -1,4 +1,4 @@
-/// Where a data set's robots were.
+/// Picture of where the robots of a data set were.
 #pragma once
 
 #include <map>
@@ -9,11 +9,12 @@
 
 namespace castaway::testbed {
 
-/// Scans by cell: (column, row) counted from the map frame's origin.
+/// Number of scans by cell: (column, row), counted from the map frame's origin.
 using Coverage = std::map<std::pair<int, int>, double>;
 
-/// The map, a pixel a cell, with the coverage over it, in cells of `edge` [m]: yellow where few
-/// scans were taken, dark red where most were. The bytes of a PNG; a map's turn is not shown.
+/// Draws the map, one pixel per cell, with the coverage over it as a PNG: yellow where few scans
+/// were taken, dark red where most were. Coverage cells have the edge `edge` [m]. The yaw of the
+/// map's origin is ignored.
 std::string coverage_png(const RosMap& map, const Coverage& coverage, double edge);
 
 }  // namespace castaway::testbed

@@ -40,7 +40,7 @@ void add_head(const DatasetContents& contents, Lines out) {
   fmt::format_to(out, "Root seed: {}. Specification: [dataset.yaml](dataset.yaml).\n", spec.seed);
 }
 
-/// Smallest, median and largest of a figure.
+/// Adds a table row with the smallest, median and largest value of a figure.
 void add_spread(const DatasetContents& contents, const char* name, const char* pointer, Lines out) {
   const std::vector<double> all = contents.figures(pointer);
   if (all.empty()) {
@@ -52,20 +52,25 @@ void add_spread(const DatasetContents& contents, const char* name, const char* p
 }
 
 void add_difficulty(const DatasetContents& contents, Lines out) {
-  fmt::format_to(out,
-                 "\n## Difficulty\n\nBy sequence; every figure of every sequence is in "
-                 "[sequences.csv](sequences.csv).\n\n| | least | median | most |\n"
-                 "|---|---|---|---|\n");
-  add_spread(contents, "ambiguity: likeness of the place most like the robot's, mean",
+  fmt::format_to(
+      out,
+      "\n"
+      "## Difficulty\n"
+      "\n"
+      "By sequence; every figure of every sequence is in [sequences.csv](sequences.csv).\n"
+      "\n"
+      "| | minimum | median | maximum |\n"
+      "|---|---|---|---|\n");
+  add_spread(contents, "ambiguity: similarity of the place most similar to the robot's, mean",
              "/difficulty/ambiguity", out);
   add_spread(contents, "the same over all places of the map", "/difficulty/map_ambiguity", out);
   add_spread(contents, "places of the map with a twin, share", "/difficulty/map_twins", out);
-  add_spread(contents, "beams that end elsewhere than on the map, share",
+  add_spread(contents, "share of beams that end elsewhere than on the map",
              "/difficulty/map_difference", out);
   add_spread(contents, "occluded beams, share, mean", "/difficulty/occluded_mean", out);
   add_spread(contents, "occluded beams, share, worst scan", "/difficulty/occluded_max", out);
-  add_spread(contents, "odometry: error a metre [m]", "/difficulty/odometry_error_per_m", out);
-  add_spread(contents, "odometry: error of yaw a metre [rad]",
+  add_spread(contents, "odometry: error per metre [m]", "/difficulty/odometry_error_per_m", out);
+  add_spread(contents, "odometry: yaw error per metre [rad]",
              "/difficulty/odometry_yaw_error_rad_per_m", out);
 }
 
@@ -89,10 +94,12 @@ void add_worlds(const DatasetContents& contents, Lines out) {
     sums.kidnaps += sequence.at("kidnaps").size();
     sums.part = contents.splits.part[i];
   }
-  fmt::format_to(
-      out,
-      "\n## Worlds and parts\n\n| world | sequences | minutes | metres | kidnaps | part |\n"
-      "|---|---|---|---|---|---|\n");
+  fmt::format_to(out,
+                 "\n"
+                 "## Worlds and splits\n"
+                 "\n"
+                 "| world | sequences | minutes | metres | kidnaps | split |\n"
+                 "|---|---|---|---|---|---|\n");
   for (const auto& [name, sums] : worlds) {
     fmt::format_to(out, "| {} | {} | {:.1f} | {:.0f} | {} | {} |\n", name, sums.sequences,
                    sums.seconds / 60.0, sums.metres, sums.kidnaps,
@@ -102,11 +109,11 @@ void add_worlds(const DatasetContents& contents, Lines out) {
   }
   fmt::format_to(
       out, "\nsplits/train.txt, val.txt and test.txt name the sequences, {}.{}\n",
-      contents.spec.splits.by_sequence ? "drawn one by one" : "never two parts with one world",
+      contents.spec.splits.by_sequence ? "drawn one by one" : "no world is in two splits",
       contents.splits.remark.empty() ? "" : " " + contents.splits.remark + ".");
 }
 
-/// "0.2 to 0.6" for numbers, otherwise how often each value was drawn.
+/// "0.2 to 0.6" for numbers; otherwise how often each value was drawn.
 std::string range_of(const DatasetContents& contents, const std::string& key) {
   constexpr std::size_t kMostNamed = 8;
   std::map<std::string, int> values;

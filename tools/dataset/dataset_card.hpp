@@ -1,4 +1,4 @@
-/// README.md of a data set.
+/// The card (README.md) of a data set.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace castaway::testbed {
 
-/// What it holds, how it was made, statistics, plots, and how to load each format, as Markdown. The
-/// same data set gives the same text.
+/// Writes the card as Markdown: contents, provenance, statistics, plots, and how to load each
+/// format. The same data set gives the same text.
 std::string dataset_card(const DatasetContents& contents);
 
 }  // namespace castaway::testbed

@@ -5,7 +5,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A kind of file: how its path ends within a sequence, what it is, how to load it.
+/// A file format: how its paths end within a sequence, its table row, and code that loads it.
 struct Format {
   const char* ending;
   const char* row;

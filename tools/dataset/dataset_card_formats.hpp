@@ -7,7 +7,7 @@
 
 namespace castaway::testbed {
 
-/// Says what is there, and nothing of what is not.
+/// Describes only the formats that the data set contains.
 std::string describe_formats(const DatasetContents& contents);
 
 }  // namespace castaway::testbed

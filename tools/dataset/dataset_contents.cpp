@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
-/// Adds a sequence: its files as it lists them, and its sequence.json.
+/// Adds a sequence: its sequence.json and the files listed there.
 void add_sequence(const DatasetFolder& folder, const std::string& name, DatasetContents& contents) {
   const std::string text = read_file(folder.sequence(name) / "sequence.json");
   Json root = Json::parse(text);

@@ -1,4 +1,4 @@
-/// A finished data set's sequences, as their sequence.json say.
+/// The sequences of a finished data set, as read from their sequence.json files.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,29 @@
 
 namespace castaway::testbed {
 
-/// All that a card can say.
+/// All inputs of a data set's card.
 struct DatasetContents {
   DatasetSpec spec;
-  std::vector<std::string> names;                 ///< "000042"
-  std::vector<nlohmann::ordered_json> sequences;  ///< sequence.json of each, without its files.
-  std::vector<std::uintmax_t> bytes;              ///< Of each.
-  std::vector<ManifestFile> files;                ///< Of all, by path from the data set's folder.
+  std::vector<std::string> names;                 ///< Such as "000042".
+  std::vector<nlohmann::ordered_json> sequences;  ///< sequence.json of each sequence, without its
+                                                  ///< list of files.
+  std::vector<std::uintmax_t> bytes;              ///< Size of each sequence.
+  std::vector<ManifestFile> files;                ///< Files of all sequences; paths relative to the
+                                                  ///< data set's folder.
   DatasetSplits splits;
   std::map<std::string, RosMap> maps;  ///< By world.
 
-  /// The sum of a figure of all sequences; `pointer`: "/scans".
+  /// Sums a figure over all sequences; `pointer` is a JSON pointer such as "/scans".
   [[nodiscard]] double sum(const char* pointer) const;
-  /// A figure of each sequence that has it.
+  /// Values of a figure, from the sequences that have it.
   [[nodiscard]] std::vector<double> figures(const char* pointer) const;
-  /// The sum of lists of counts, "/statistics/ranges".
+  /// Sums a list of counts, such as "/statistics/ranges", bin by bin over all sequences.
   [[nodiscard]] std::vector<double> counts(const char* pointer) const;
-  /// Of all files of sequences.
+  /// Total size of the files of all sequences.
   [[nodiscard]] std::uintmax_t all_bytes() const;
 };
 
-/// Of values in any order, at least one; 0: the least, 1: the most.
+/// The `q` quantile of values in any order, at least one; `q` 0 is the minimum, 1 the maximum.
 double quantile(std::vector<double> values, double q);
 
 /// Reads the sequences. Throws std::runtime_error naming a file that cannot be read.

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Columns of sequences.csv that stand in a sequence.json.
+/// Columns of sequences.csv, with JSON pointers into sequence.json.
 const std::vector<std::pair<const char*, const char*>> kColumns{
     {"sequence", "/sequence"},
     {"world", "/world"},

@@ -9,13 +9,13 @@
 
 namespace castaway::testbed {
 
-/// A file beside the sequences: its path from the data set's folder, and its bytes.
+/// A file beside the sequences: its path relative to the data set's folder, and its bytes.
 using DatasetFile = std::pair<std::string, std::string>;
 
 /// plots/index.html and plots/coverage-<world>.png.
 std::vector<DatasetFile> dataset_plots(const DatasetContents& contents);
 
-/// The rows of sequences.csv, its header first: what a sequence is, how hard it is, what was drawn.
+/// The rows of sequences.csv, header first: metadata, difficulty and drawn values of each sequence.
 std::vector<std::vector<std::string>> sequence_rows(const DatasetContents& contents);
 
 }  // namespace castaway::testbed

@@ -85,7 +85,7 @@ void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents
 }
 
 std::string describe_dataset(const DatasetFolder& folder, const DatasetContents& contents,
-                             const DatasetMaking& making) {
+                             const DatasetInvocation& invocation) {
   const double scans = std::max(contents.sum("/scans"), 1.0);
   const auto bytes = static_cast<double>(contents.all_bytes());
   std::string text = fmt::format(
@@ -94,15 +94,16 @@ std::string describe_dataset(const DatasetFolder& folder, const DatasetContents&
       contents.sum("/distance_m"), contents.sum("/scans"), bytes / 1e6, bytes / scans);
   text += fmt::format(
       "{} made now in {:.1f} s, {} at a time: workers busy {:.0f} %, the largest took {:.0f} MB\n",
-      making.made, making.wall_s, making.workers,
-      100.0 * making.cpu_s / std::max(making.wall_s * making.workers, 1e-9), making.largest_mb);
+      invocation.made, invocation.wall_s, invocation.workers,
+      100.0 * invocation.cpu_s / std::max(invocation.wall_s * invocation.workers, 1e-9),
+      invocation.largest_mb);
   if (!contents.splits.remark.empty()) text += "Splits: " + contents.splits.remark + "\n";
   text += fmt::format("Folder: {0}\nCard:   {0}/README.md\n", folder.path().string());
   return text;
 }
 
 std::string dataset_json(const DatasetFolder& folder, const DatasetContents& contents,
-                         const DatasetMaking& making) {
+                         const DatasetInvocation& invocation) {
   const Json root{{"castaway", CASTAWAY_VERSION},
                   {"kind", "dataset"},
                   {"name", contents.spec.name},
@@ -114,11 +115,11 @@ std::string dataset_json(const DatasetFolder& folder, const DatasetContents& con
                   {"bytes", contents.all_bytes()},
                   {"splits", contents.splits.remark},
                   {"timing",
-                   {{"made", making.made},
-                    {"wall_s", making.wall_s},
-                    {"workers", making.workers},
-                    {"cpu_s", making.cpu_s},
-                    {"largest_mb", making.largest_mb}}}};
+                   {{"made", invocation.made},
+                    {"wall_s", invocation.wall_s},
+                    {"workers", invocation.workers},
+                    {"cpu_s", invocation.cpu_s},
+                    {"largest_mb", invocation.largest_mb}}}};
   return root.dump(2) + "\n";
 }
 

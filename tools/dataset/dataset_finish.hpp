@@ -7,24 +7,24 @@
 
 namespace castaway::testbed {
 
-/// Writes all files beside the sequences; the manifest comes last. Throws FileError.
+/// Writes all files beside the sequences, the manifest last. Throws FileError.
 void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents);
 
 /// Figures of the current invocation.
-struct DatasetMaking {
-  double wall_s = 0.0;  ///< For the sequences of this invocation.
-  int made = 0;         ///< Number of these sequences.
+struct DatasetInvocation {
+  double wall_s = 0.0;  ///< Time spent on the sequences made in this invocation.
+  int made = 0;         ///< Number of sequences made in this invocation.
   int workers = 1;
-  double cpu_s = 0.0;       ///< Of the workers.
+  double cpu_s = 0.0;       ///< CPU time of all workers.
   double largest_mb = 0.0;  ///< Peak memory of the largest worker.
 };
 
-/// For the terminal: words.
+/// Report for the terminal.
 std::string describe_dataset(const DatasetFolder& folder, const DatasetContents& contents,
-                             const DatasetMaking& making);
+                             const DatasetInvocation& invocation);
 
-/// For programs: JSON.
+/// Report as JSON.
 std::string dataset_json(const DatasetFolder& folder, const DatasetContents& contents,
-                         const DatasetMaking& making);
+                         const DatasetInvocation& invocation);
 
 }  // namespace castaway::testbed

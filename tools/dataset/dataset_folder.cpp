@@ -35,7 +35,7 @@ std::string identity_text(const DatasetIdentity& identity) {
       fmt::format("{}: {}; choose another folder with --out", folder.string(), why));
 }
 
-/// The first line in which two texts differ, in words.
+/// Describes the first line in which two texts differ.
 std::string first_difference(const std::string& there, const std::string& here) {
   std::istringstream old_text(there);
   std::istringstream new_text(here);
@@ -55,9 +55,9 @@ std::string first_difference(const std::string& there, const std::string& here) 
 }
 
 constexpr const char* kMadeBy = "dataset";
-constexpr double kPatience = 10.0;  // [s]
+constexpr double kLockTimeout = 10.0;  // [s]
 
-/// A folder that holds no data set may hold what castaway began one with.
+/// A folder without a data set may hold only what an unfinished attempt of castaway left there.
 void check_unused(const fs::path& folder) {
   const std::optional<FileRecord> record = load_record(folder);
   std::set<std::string> own{kRecordName};
@@ -70,8 +70,8 @@ void check_unused(const fs::path& folder) {
   }
 }
 
-/// A finished data set is about to grow: its card and tables are made again, and must still be
-/// ours.
+/// Called before a finished data set grows: its card and tables will be overwritten, so they must
+/// still be ours.
 void require_unchanged(const fs::path& folder) {
   if (!fs::exists(folder / "manifest.json")) return;
   for (const ManifestFile& file : read_manifest(folder / "manifest.json")) {
@@ -118,7 +118,7 @@ DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
     throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
                                 folder_.string(), error.message()));
   }
-  lock_.emplace(folder_, kPatience);
+  lock_.emplace(folder_, kLockTimeout);
   const bool begun = fs::exists(folder_ / "dataset.json");
   if (!begun) save_record(folder_, {kMadeBy, {}, false, {}, {}});
   clear_leftovers(folder_, std::nullopt);

@@ -1,4 +1,4 @@
-/// A data set on disk, being made: nothing in it is ever half of something.
+/// The folder of a data set that is being made. Its files and sequences are always complete.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +12,45 @@
 
 namespace castaway::testbed {
 
-/// What a data set is made from. A folder keeps to one.
+/// What a data set is made from. It never changes within one folder.
 struct DatasetIdentity {
-  std::string version;     ///< Of the program.
-  std::uint64_t seed = 1;  ///< Root of all draws; stands in `spec`, too.
+  std::string version;     ///< Version of the program.
+  std::uint64_t seed = 1;  ///< Root of all draws; also part of `spec`.
   int sequences = 0;
   std::string spec;  ///< `DatasetSpec::effective`
 };
 
-/// Throws std::runtime_error in one line that says what differs if `folder` holds a data set made
-/// from something else, or other files. The same with fewer sequences is a beginning of this one.
+/// Throws std::runtime_error with one line that names the difference if `folder` holds other files
+/// or a data set of another identity. A data set that differs only in having fewer sequences is
+/// accepted, since it can be extended.
 void check_identity(const std::filesystem::path& folder, const DatasetIdentity& identity);
 
 /// The folder:
 ///
 ///     dataset.json, dataset.yaml    the identity
 ///     sequences/000042/             a finished sequence
-///     .work/                        whatever is being made; cleared at the start
+///     .work/                        drafts; cleared at the start
 ///     manifest.json                 written last: the data set is finished
 ///
-/// Files and sequences are made in .work, brought to the disk and renamed into place.
+/// Files and sequences are made in .work, flushed to disk and renamed into place.
 class DatasetFolder {
  public:
-  /// Makes the folder or goes on with it. Only one process works in it at a time: the next one
-  /// waits ten seconds for the end of the one before. Throws as `check_identity` does, and
+  /// Creates the folder or resumes in it. Only one process works in a folder at a time: a second
+  /// one waits up to ten seconds for the first to end. Throws as `check_identity` does, and
   /// FileError where nothing can be written.
   DatasetFolder(std::filesystem::path folder, const DatasetIdentity& identity);
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
-  /// True if all is done.
+  /// True if the manifest is written and nothing is left to do.
   [[nodiscard]] bool is_finished() const;
   [[nodiscard]] bool has_sequence(const std::string& name) const;
   [[nodiscard]] std::filesystem::path sequence(const std::string& name) const;
   /// Where a sequence is made.
   [[nodiscard]] std::filesystem::path draft(const std::string& name) const;
-  /// A draft is complete: it takes its place.
+  /// Renames a complete draft into place.
   void commit_sequence(const std::string& name) const;
-  /// Writes a file; `path` from the folder.
+  /// Writes a file; `path` is relative to the folder.
   void put(const std::string& path, std::string_view bytes) const;
-  /// Removes .work; nothing more is written.
+  /// Removes .work. Nothing may be written afterwards.
   void clear_work() const;
 
  private:

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// The lists themselves, and the file that depends on the build.
 const std::set<std::string> kUnlisted{"manifest.json", "SHA256SUMS", kPlotsPage};
 
-/// Paths from the folder, in order.
+/// Sorted paths relative to the folder.
 std::vector<std::string> paths_in(const fs::path& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -33,7 +33,7 @@ std::vector<std::string> paths_in(const fs::path& folder) {
   return paths;
 }
 
-/// What is wrong with a listed file; empty if it is correct.
+/// Describes what is wrong with a listed file; empty if it is correct.
 std::string error_in(const fs::path& folder, const ManifestFile& file) {
   const fs::path path = folder / file.path;
   std::error_code error;
@@ -48,12 +48,12 @@ std::string error_in(const fs::path& folder, const ManifestFile& file) {
                      file.sha256.substr(0, 12));
 }
 
-/// A manifest lists files of its folder and no others.
+/// Rejects paths that lead outside the data set's folder.
 std::string checked_path(const std::string& path) {
   const fs::path parsed = path;
   const bool outside = std::find(parsed.begin(), parsed.end(), "..") != parsed.end();
   if (path.empty() || parsed.is_absolute() || outside) {
-    throw std::runtime_error("'" + path + "' is no path within the data set");
+    throw std::runtime_error("'" + path + "' is not a path within the data set");
   }
   return path;
 }
@@ -104,10 +104,10 @@ std::vector<ManifestFile> read_manifest(const fs::path& file) {
 
 std::vector<std::string> verify_dataset(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "manifest.json")) {
-    throw std::runtime_error(fmt::format(
-        "{}: no manifest.json: no data set, or one that is not finished; the command that made it "
-        "goes on with it",
-        folder.string()));
+    throw std::runtime_error(
+        fmt::format("{}: no manifest.json: not a data set, or an unfinished one; repeat the "
+                    "command that made it to finish it",
+                    folder.string()));
   }
   const std::vector<ManifestFile> files = read_manifest(folder / "manifest.json");
   std::vector<std::string> troubles;

@@ -14,25 +14,26 @@ inline constexpr const char* kPlotsPage = "plots/index.html";
 
 /// A file of a data set.
 struct ManifestFile {
-  std::string path;  ///< From the data set's folder, with slashes.
+  std::string path;  ///< Relative to the data set's folder, with slashes.
   std::uintmax_t bytes = 0;
   std::string sha256;  ///< 64 hexadecimal digits.
 };
 
-/// Every file in a folder and below, by path. Throws std::runtime_error if one cannot be read.
+/// Lists every file in a folder and below, sorted by path. Throws std::runtime_error if one cannot
+/// be read.
 std::vector<ManifestFile> survey_files(const std::filesystem::path& folder);
 
-/// manifest.json, to be read by `read_manifest`.
+/// Text of manifest.json, as `read_manifest` reads it.
 std::string manifest_text(const std::vector<ManifestFile>& files);
 
-/// SHA256SUMS, for `sha256sum -c`.
+/// Text of SHA256SUMS, for `sha256sum -c`.
 std::string sums_text(const std::vector<ManifestFile>& files);
 
 /// Throws std::runtime_error naming the file and what is wrong with it.
 std::vector<ManifestFile> read_manifest(const std::filesystem::path& file);
 
-/// Compares a data set with its manifest.json. One line for each file that is missing, changed or
-/// not listed; none if all is as it should be. Throws std::runtime_error without a manifest.
+/// Compares a data set with its manifest.json. Returns one line for each file that is missing,
+/// changed or not listed. Throws std::runtime_error if there is no manifest.
 std::vector<std::string> verify_dataset(const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

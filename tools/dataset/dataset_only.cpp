@@ -18,10 +18,10 @@ int make_only(const DatasetRequest& request, int index) {
   OutputFolder output({request.out, "dataset --only", {}, {request.spec}, false, false});
   DatasetWorlds worlds(spec.base);
   worlds.check(sequence.loaded.scenario);
-  worlds.ask_scores(sequence.loaded.scenario);
+  worlds.request_scores(sequence.loaded.scenario);
   try {
     const std::filesystem::path scores = output.folder() / "scores";
-    worlds.find_scores(1, scores);
+    worlds.compute_scores(1, scores);
     std::filesystem::remove_all(scores);
     make_sequence(spec, worlds, sequence, output.folder());
     output.commit();

@@ -1,11 +1,11 @@
-/// Makes one sequence of a data set again.
+/// Reproduces one sequence of a data set.
 #pragma once
 
 #include "tools/dataset/dataset_run.hpp"
 
 namespace castaway::testbed {
 
-/// Makes sequence `index` again, as folder `out`, byte for byte.
+/// Reproduces sequence `index` byte for byte in the folder `out`.
 int make_only(const DatasetRequest& request, int index);
 
 }  // namespace castaway::testbed

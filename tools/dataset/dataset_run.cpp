@@ -17,17 +17,18 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kTold = 4;            // Exit code of a worker that left a note of what went wrong.
-constexpr char kDiskTrouble = '!';  // Begins the note of one that others would fare no better than.
+constexpr int kNoteLeft = 4;      // Exit code of a worker that left a note about its failure.
+constexpr char kDiskError = '!';  // First character of a note about a disk error, which would
+                                  // also stop the other workers.
 
-/// Draws every sequence and builds every world: what cannot be is found before anything is made.
+/// Draws every sequence and builds every world, so that errors are found before anything is made.
 void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
   for (int i = 0; i < count; ++i) {
     const SampledSequence sequence = sample_sequence(spec, i);
     try {
       worlds.check(sequence.loaded.scenario);
     } catch (const std::exception& error) {
-      throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+      throw std::runtime_error(sequence_error(spec, sequence, error.what()));
     }
   }
 }
@@ -40,9 +41,9 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
   return missing;
 }
 
-/// In a process of its own.
-int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
-            const WorkerNotes& notes, int index) {
+/// Makes one sequence; runs in its own process.
+int make_one(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
+             const WorkerNotes& notes, int index) {
   try {
     const std::string name = sequence_name(index);
     make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name));
@@ -50,28 +51,28 @@ int work_on(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetF
     return kDone;
   } catch (const FileError& error) {
     throw_if_interrupted();
-    notes.leave(kDiskTrouble + std::string(error.what()));
+    notes.leave(kDiskError + std::string(error.what()));
   } catch (const std::exception& error) {
     throw_if_interrupted();
     notes.leave(error.what());
   }
-  return kTold;
+  return kNoteLeft;
 }
 
-/// How a pass over the missing sequences ended.
+/// Result of a pass over the missing sequences.
 struct Pass {
   int made = 0;
   int failed = 0;
-  std::string disk_trouble{};  ///< What the first one met; empty: nobody met any.
+  std::string disk_error{};  ///< The first disk error; empty if there was none.
 };
 
-/// Trouble with the disk is told once, at the end.
-void take_notes(const std::vector<std::string>& notes, Pass& pass) {
+/// Prints the notes; a disk error is kept and reported once, at the end.
+void report_notes(const std::vector<std::string>& notes, Pass& pass) {
   for (const std::string& note : notes) {
-    if (note.front() != kDiskTrouble) {
+    if (note.front() != kDiskError) {
       fmt::print(stderr, "castaway: {}\n", note);
-    } else if (pass.disk_trouble.empty()) {
-      pass.disk_trouble = note.substr(1);
+    } else if (pass.disk_error.empty()) {
+      pass.disk_error = note.substr(1);
     }
   }
 }
@@ -86,41 +87,41 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
   const auto index_of = [&](int job) { return missing[static_cast<std::size_t>(job)]; };
   run_jobs(
       count, request.workers,
-      [&](int job) { return work_on(spec, worlds, folder, notes, index_of(job)); },
+      [&](int job) { return make_one(spec, worlds, folder, notes, index_of(job)); },
       [&](int job, int code) {
-        take_notes(notes.take(), pass);
-        if (code != kDone && code != kTold) {
-          fmt::print(stderr, "castaway: sequence {}: its process was ended\n", index_of(job));
+        report_notes(notes.take(), pass);
+        if (code != kDone && code != kNoteLeft) {
+          fmt::print(stderr, "castaway: sequence {}: its process was killed\n", index_of(job));
         }
         ++(code == kDone ? pass.made : pass.failed);
         progress.next("");
       },
-      [&] { return !pass.disk_trouble.empty(); });
+      [&] { return !pass.disk_error.empty(); });
   return pass;
 }
 
 int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
-  fmt::print(stderr,
-             "castaway: {}: {} of {} sequences are finished; the same command goes on with the "
-             "rest\n",
-             pass.disk_trouble.empty() ? folder.path().string() : pass.disk_trouble,
-             static_cast<std::size_t>(request.sequences) - missing, request.sequences);
+  fmt::print(
+      stderr,
+      "castaway: {}: {} of {} sequences are finished; the same command resumes with the rest\n",
+      pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
+      static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   return kRunFailed;
 }
 
-/// CPU time and memory of all workers that have ended.
-DatasetMaking workers_cost() {
+/// CPU time and peak memory of all workers that have ended.
+DatasetInvocation workers_cost() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
   const auto seconds_of = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  DatasetMaking making;
-  making.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
-  making.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
-  return making;
+  DatasetInvocation invocation;
+  invocation.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  invocation.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
+  return invocation;
 }
 
 std::vector<std::string> names_of(int count) {
@@ -129,13 +130,13 @@ std::vector<std::string> names_of(int count) {
   return names;
 }
 
-/// Interrupted: the folder is put in order, and what is kept is said.
-[[noreturn]] void tell_kept(Interrupted interrupted, const DatasetFolder& folder,
-                            const DatasetRequest& request) {
+/// Clears the drafts and reports what is kept after an interruption.
+[[noreturn]] void report_kept(Interrupted interrupted, const DatasetFolder& folder,
+                              const DatasetRequest& request) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
   interrupted.kept = fmt::format(
-      "{}: {} of {} sequences are finished; the same command goes on", folder.path().string(),
+      "{}: {} of {} sequences are finished; the same command resumes", folder.path().string(),
       static_cast<std::size_t>(request.sequences) - missing, request.sequences);
   throw interrupted;
 }
@@ -143,22 +144,23 @@ std::vector<std::string> names_of(int count) {
 int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
             const DatasetRequest& request) {
   const std::vector<int> missing = missing_sequences(folder, request.sequences);
-  for (const int index : missing) worlds.ask_scores(sample_sequence(spec, index).loaded.scenario);
-  worlds.find_scores(request.workers, folder.path() / ".work");
+  for (const int index : missing)
+    worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
+  worlds.compute_scores(request.workers, folder.path() / ".work");
   const std::chrono::nanoseconds begin = wall_time();
   const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
   if (pass.failed > 0) return incomplete(folder, request, pass);
-  DatasetMaking making = workers_cost();
-  making.cpu_s -= cpu_before;
-  making.made = pass.made;
-  making.workers = request.workers;
-  making.wall_s = seconds(wall_time() - begin);
+  DatasetInvocation invocation = workers_cost();
+  invocation.cpu_s -= cpu_before;
+  invocation.made = pass.made;
+  invocation.workers = request.workers;
+  invocation.wall_s = seconds(wall_time() - begin);
   const DatasetContents contents =
       load_contents(folder, spec, names_of(request.sequences), worlds.maps());
   finish_dataset(folder, contents);
-  fmt::print("{}", request.json ? dataset_json(folder, contents, making)
-                                : describe_dataset(folder, contents, making));
+  fmt::print("{}", request.json ? dataset_json(folder, contents, invocation)
+                                : describe_dataset(folder, contents, invocation));
   return kDone;
 }
 
@@ -176,11 +178,11 @@ int make_dataset(const DatasetRequest& request) {
       try {
         return make_in(folder, spec, worlds, request);
       } catch (const Interrupted& interrupted) {
-        tell_kept(interrupted, folder, request);
+        report_kept(interrupted, folder, request);
       }
     }
     if (!request.json) {
-      fmt::print("{}: all {} sequences were finished before\n", request.out.string(),
+      fmt::print("{}: all {} sequences are already finished\n", request.out.string(),
                  request.sequences);
       return kDone;
     }

@@ -7,7 +7,7 @@
 
 namespace castaway::testbed {
 
-/// What the command line says.
+/// Arguments of the command line.
 struct DatasetRequest {
   std::filesystem::path spec;
   DatasetOverrides overrides;
@@ -17,10 +17,10 @@ struct DatasetRequest {
   bool json = false;
 };
 
-/// Makes what is missing of the data set in `out` and finishes it. Prints what it amounts to;
-/// returns kRunFailed, with a line on stderr, where a sequence failed or nothing could be written:
-/// finished sequences stay, and the same call goes on with the rest. Throws std::exception for a
-/// specification that cannot be, or an `out` that holds something else, before anything is made.
+/// Makes the missing sequences of the data set in `out`, finishes the data set and prints a report.
+/// If a sequence fails or nothing can be written, prints a line on stderr and returns kRunFailed;
+/// finished sequences are kept, and the same call resumes with the others. Throws std::exception
+/// before anything is made if the specification is invalid or `out` holds something else.
 int make_dataset(const DatasetRequest& request);
 
 }  // namespace castaway::testbed

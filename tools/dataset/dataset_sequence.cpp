@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To six digits after the point.
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+/// Rounds to six decimal places.
+double round_digits(double value) { return std::round(value * 1e6) / 1e6; }
 
 Json drawn_json(const SampledSequence& sequence) {
   Json drawn = Json::object();
@@ -34,9 +34,9 @@ Json files_json(const std::filesystem::path& folder) {
   return files;
 }
 
-/// Plays it and returns what it is: names, and what was counted.
-Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSequence& sequence,
-            const std::filesystem::path& draft) {
+/// Simulates the sequence and returns its metadata and statistics.
+Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
+                   const SampledSequence& sequence, const std::filesystem::path& draft) {
   SequenceStatistics statistics;
   RunInfo info;
   PlayOptions options;
@@ -61,9 +61,10 @@ Json played(const DatasetSpec& spec, const MapScores& scores, const SampledSeque
             {"robot", info.robot},
             {"drawn", drawn_json(sequence)}};
   root.update(statistics.json());
-  root["difficulty"]["map_ambiguity"] = rounded(scores.ambiguity.mean);
-  root["difficulty"]["map_twins"] = rounded(scores.ambiguity.twins);
-  root["difficulty"]["map_difference"] = info.difference ? rounded(info.difference->beams) : 0.0;
+  root["difficulty"]["map_ambiguity"] = round_digits(scores.ambiguity.mean);
+  root["difficulty"]["map_twins"] = round_digits(scores.ambiguity.twins);
+  root["difficulty"]["map_difference"] =
+      info.difference ? round_digits(info.difference->beams) : 0.0;
   return root;
 }
 
@@ -73,13 +74,13 @@ void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
                    const SampledSequence& sequence, const std::filesystem::path& draft) {
   try {
     const MapScores& scores = worlds.scores(sequence.loaded.scenario);
-    Json root = played(spec, scores, sequence, draft);
+    Json root = play_sequence(spec, scores, sequence, draft);
     root["files"] = files_json(draft);
     write_file(draft / "sequence.json", root.dump() + "\n");
   } catch (const FileError&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+    throw std::runtime_error(sequence_error(spec, sequence, error.what()));
   }
 }
 

@@ -8,9 +8,9 @@
 
 namespace castaway::testbed {
 
-/// Plays the sequence into `draft` and writes its sequence.json, which says what it holds, how hard
-/// it is and which files it has. The same sequence gives the same bytes. Throws FileError or
-/// std::exception in one line where it cannot be made. `worlds` must know its scores.
+/// Simulates the sequence into `draft` and writes its sequence.json: contents, difficulty and list
+/// of files. The same sequence gives the same bytes. Throws FileError, or a std::exception of one
+/// line, if it cannot be made. Precondition: `worlds` has the scores of the sequence's scenario.
 void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
                    const SampledSequence& sequence, const std::filesystem::path& draft);
 

@@ -15,15 +15,16 @@ namespace {
 
 using Shares = std::array<double, 3>;
 
-constexpr std::array<int, 3> kFirstServed{0, 2, 1};  // Without a test nothing is shown.
+constexpr std::array<int, 3> kSplitPriority{0, 2, 1};  // Test before validation: a data set without
+                                                       // a test split proves nothing.
 
 Shares shares_of(const SplitSpec& spec) {
   const double sum = spec.train + spec.val + spec.test;
   return {spec.train / sum, spec.val / sum, spec.test / sum};
 }
 
-/// Names in an order drawn by name: another name changes no place but its own.
-std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t seed) {
+/// Shuffles names by a random key per name, so that adding a name does not reorder the others.
+std::vector<std::string> shuffle_names(std::vector<std::string> names, std::uint64_t seed) {
   const auto draw = [seed](const std::string& name) {
     return localization::substream(seed, "splits/" + name)();
   };
@@ -32,8 +33,8 @@ std::vector<std::string> shuffled(std::vector<std::string> names, std::uint64_t 
   return names;
 }
 
-/// Where most is missing of what the shares ask for.
-int neediest(const Shares& shares, const Shares& filled, double all) {
+/// The split whose size is farthest below its requested share.
+int farthest_below_share(const Shares& shares, const Shares& filled, double all) {
   int best = 0;
   double most = -1e300;
   for (int part = 0; part < 3; ++part) {
@@ -50,18 +51,18 @@ int neediest(const Shares& shares, const Shares& filled, double all) {
 
 std::vector<int> parts_with_share(const Shares& shares) {
   std::vector<int> parts;
-  for (const int part : kFirstServed) {
+  for (const int part : kSplitPriority) {
     if (shares[static_cast<std::size_t>(part)] > 0.0) parts.push_back(part);
   }
   return parts;
 }
 
-/// In a drawn order, the one with most sequences first: it is the one to learn from.
+/// Shuffles the worlds, then moves the one with the most sequences to the front, for training.
 std::vector<std::string> world_order(const std::map<std::string, int>& sequences,
                                      std::uint64_t seed) {
   std::vector<std::string> names;
   for (const auto& [name, count] : sequences) names.push_back(name);
-  names = shuffled(std::move(names), seed);
+  names = shuffle_names(std::move(names), seed);
   const auto largest = std::max_element(
       names.begin(), names.end(),
       [&](const auto& a, const auto& b) { return sequences.at(a) < sequences.at(b); });
@@ -69,17 +70,17 @@ std::vector<std::string> world_order(const std::map<std::string, int>& sequences
   return names;
 }
 
-/// The part of each world.
-std::map<std::string, int> place_worlds(const std::map<std::string, int>& sequences,
-                                        const Shares& shares, std::uint64_t seed) {
+/// Assigns a split to each world.
+std::map<std::string, int> assign_worlds(const std::map<std::string, int>& sequences,
+                                         const Shares& shares, std::uint64_t seed) {
   double all = 0.0;
   for (const auto& [name, count] : sequences) all += count;
   const std::vector<int> first = parts_with_share(shares);
   Shares filled{};
   std::map<std::string, int> places;
   for (const std::string& name : world_order(sequences, seed)) {
-    const int part =
-        places.size() < first.size() ? first[places.size()] : neediest(shares, filled, all);
+    const int part = places.size() < first.size() ? first[places.size()]
+                                                  : farthest_below_share(shares, filled, all);
     places[name] = part;
     filled[static_cast<std::size_t>(part)] += sequences.at(name);
   }
@@ -93,7 +94,7 @@ std::string remark_on(std::size_t worlds, const std::vector<int>& parts) {
     empty.emplace_back(kSplitNames[static_cast<std::size_t>(parts[i])]);
   }
   return fmt::format(
-      "{} world{} for {} parts: {} {} empty; add worlds, or say splits: {{by: sequence}}", worlds,
+      "{} world{} for {} splits: {} {} empty; add worlds, or set splits: {{by: sequence}}", worlds,
       worlds == 1 ? "" : "s", parts.size(), fmt::join(empty, " and "),
       empty.size() == 1 ? "is" : "are");
 }
@@ -104,8 +105,8 @@ DatasetSplits by_sequence(std::size_t count, const Shares& shares, std::uint64_t
   DatasetSplits splits;
   splits.part.resize(count);
   Shares filled{};
-  for (const std::string& name : shuffled(names, seed)) {
-    const int part = neediest(shares, filled, static_cast<double>(count));
+  for (const std::string& name : shuffle_names(names, seed)) {
+    const int part = farthest_below_share(shares, filled, static_cast<double>(count));
     splits.part[std::stoul(name)] = part;
     filled[static_cast<std::size_t>(part)] += 1.0;
   }
@@ -120,7 +121,7 @@ DatasetSplits split_dataset(const std::vector<std::string>& worlds, const SplitS
   if (spec.by_sequence) return by_sequence(worlds.size(), shares, seed);
   std::map<std::string, int> sequences;
   for (const std::string& world : worlds) ++sequences[world];
-  const std::map<std::string, int> places = place_worlds(sequences, shares, seed);
+  const std::map<std::string, int> places = assign_worlds(sequences, shares, seed);
   DatasetSplits splits;
   for (const std::string& world : worlds) splits.part.push_back(places.at(world));
   splits.remark = remark_on(sequences.size(), parts_with_share(shares));

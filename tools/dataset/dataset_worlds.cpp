@@ -17,7 +17,7 @@ std::string setting_text(const LidarSpec& lidar, const char* key) {
   return value == nullptr ? "-" : emit_yaml(*value);
 }
 
-/// Of what decides whether a lidar can be built: its mount and its layers, not its figures.
+/// Key of the settings that decide whether a lidar can be built: mount and layers, not noise.
 std::string lidar_key(const LidarSpec& lidar) {
   return fmt::format("{} {} {} {}", lidar.name, lidar.profile, setting_text(lidar, "mount_xyz"),
                      setting_text(lidar, "elevations_deg"));
@@ -28,7 +28,7 @@ std::string world_key(const Scenario& scenario) {
                      scenario.wall_height);
 }
 
-/// Scenarios with the same one can be built or not, all of them, as far as names go.
+/// Scenarios with equal keys name the same files, so either all of them can be built or none.
 std::string structure_key(const Scenario& scenario) {
   std::string key = fmt::format("{} | {} {} {} | {} {}", world_key(scenario), scenario.robot.file,
                                 scenario.robot.arguments, scenario.robot.search_paths,
@@ -38,9 +38,9 @@ std::string structure_key(const Scenario& scenario) {
   return key;
 }
 
-/// Of the first lidar, as far as the scenario says.
+/// Maximum range [m] of the first lidar, with the scenario's changes applied.
 double range_of(const Scenario& scenario, const sim::LidarConfig& built) {
-  return changed(built, scenario.lidars.front().changes).range_max;
+  return apply_changes(built, scenario.lidars.front().changes).range_max;
 }
 
 }  // namespace
@@ -53,27 +53,27 @@ void DatasetWorlds::check(const Scenario& scenario) {
   maps_.try_emplace(prepared.world_name, std::move(prepared.map));
 }
 
-const DatasetWorlds::Built& DatasetWorlds::built(const Scenario& scenario) const {
+const DatasetWorlds::Built& DatasetWorlds::built_world(const Scenario& scenario) const {
   return built_.at(structure_key(scenario));
 }
 
 std::string DatasetWorlds::score_key(const Scenario& scenario) const {
-  const sim::LidarConfig& lidar = built(scenario).lidar;
+  const sim::LidarConfig& lidar = built_world(scenario).lidar;
   return fmt::format("{} | {} {}", world_key(scenario), lidar.T_base_laser.translation().z(),
-                     judged_range(range_of(scenario, lidar)));
+                     scoring_range(range_of(scenario, lidar)));
 }
 
-void DatasetWorlds::ask_scores(const Scenario& scenario) {
+void DatasetWorlds::request_scores(const Scenario& scenario) {
   asked_.try_emplace(score_key(scenario), scenario);
 }
 
-MapScores DatasetWorlds::judged(const Scenario& scenario) const {
-  sim::LidarConfig lidar = built(scenario).lidar;
+MapScores DatasetWorlds::score_map(const Scenario& scenario) const {
+  sim::LidarConfig lidar = built_world(scenario).lidar;
   lidar.range_max = range_of(scenario, lidar);
   return map_scores(scenario, base_, lidar);
 }
 
-void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts) {
+void DatasetWorlds::compute_scores(int workers, const std::filesystem::path& drafts) {
   std::vector<std::pair<std::string, Scenario>> jobs(asked_.begin(), asked_.end());
   asked_.clear();
   const auto file_of = [&](int job) { return drafts / fmt::format("scores-{}", job); };
@@ -82,7 +82,7 @@ void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts
       static_cast<int>(jobs.size()), workers,
       [&](int job) {
         const Scenario& scenario = jobs[static_cast<std::size_t>(job)].second;
-        write_file(file_of(job), scores_text(judged(scenario)));
+        write_file(file_of(job), scores_text(score_map(scenario)));
         return 0;
       },
       [&](int job, int code) {
@@ -92,7 +92,7 @@ void DatasetWorlds::find_scores(int workers, const std::filesystem::path& drafts
                                  parse_scores(read_file(file_of(job))));
       });
   if (failed > 0) {
-    throw FileError(drafts.string() + ": what was found out of the maps cannot be kept there");
+    throw FileError(drafts.string() + ": the scores of the maps cannot be written there");
   }
 }
 
@@ -101,7 +101,7 @@ const MapScores& DatasetWorlds::scores(const Scenario& scenario) const {
 }
 
 const std::string& DatasetWorlds::world(const Scenario& scenario) const {
-  return built(scenario).world;
+  return built_world(scenario).world;
 }
 
 }  // namespace castaway::testbed

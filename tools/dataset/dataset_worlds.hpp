@@ -1,4 +1,4 @@
-/// What the sequences of a data set have in common: worlds, maps, and how hard these are.
+/// Data shared by the sequences of a data set: worlds, maps, and the maps' ambiguity scores.
 #pragma once
 
 #include <filesystem>
@@ -14,36 +14,36 @@ namespace castaway::testbed {
 /// Builds worlds and robots once for all sequences that share them.
 class DatasetWorlds {
  public:
-  /// `base`: folder that relative paths of the scenarios start from.
+  /// `base`: folder that relative paths in the scenarios start from.
   explicit DatasetWorlds(std::filesystem::path base) : base_(std::move(base)) {}
 
-  /// Builds the scenario unless one with the same world, robot, lidars and route was built before.
-  /// Throws what `build_simulation` throws.
+  /// Builds the scenario unless an equivalent one (same world, robot, lidars and route) was built
+  /// before. Throws what `build_simulation` throws.
   void check(const Scenario& scenario);
-  /// Asks how alike the places of its map look. `check` it first.
-  void ask_scores(const Scenario& scenario);
-  /// Finds out whatever was asked, `workers` maps at a time, each in a process of its own.
-  /// `drafts`: a folder for what they find; what is left there may go. Throws FileError where that
-  /// fails: the worlds were built before.
-  void find_scores(int workers, const std::filesystem::path& drafts);
+  /// Requests the scores of the scenario's map. Precondition: `check` was called for it.
+  void request_scores(const Scenario& scenario);
+  /// Computes all requested scores, `workers` maps at a time, each in its own process. The
+  /// processes leave their results in `drafts`; the files may be removed afterwards. Throws
+  /// FileError if the results cannot be kept there.
+  void compute_scores(int workers, const std::filesystem::path& drafts);
 
-  /// What `find_scores` found.
+  /// Scores computed by `compute_scores`.
   [[nodiscard]] const MapScores& scores(const Scenario& scenario) const;
-  /// The world's name, as in summaries. `check` it first.
+  /// Name of the world, as in summaries. Precondition: `check` was called for the scenario.
   [[nodiscard]] const std::string& world(const Scenario& scenario) const;
-  /// Maps by world: of the first scenario there.
+  /// Maps by world name; each is from the first scenario that was built in the world.
   [[nodiscard]] const std::map<std::string, RosMap>& maps() const { return maps_; }
 
  private:
-  /// What was built.
+  /// Results of building a scenario.
   struct Built {
     sim::LidarConfig lidar;
     std::string world;
   };
 
-  [[nodiscard]] const Built& built(const Scenario& scenario) const;
+  [[nodiscard]] const Built& built_world(const Scenario& scenario) const;
   [[nodiscard]] std::string score_key(const Scenario& scenario) const;
-  [[nodiscard]] MapScores judged(const Scenario& scenario) const;
+  [[nodiscard]] MapScores score_map(const Scenario& scenario) const;
 
   std::filesystem::path base_;
   std::map<std::string, Built> built_;

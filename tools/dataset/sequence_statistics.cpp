@@ -10,18 +10,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kWindow = 2;  // [m] Over which the error of odometry is taken.
+constexpr int kWindow = 2;  // [m] Distance over which the odometry error is measured.
 
-/// To the micrometre: more says nothing.
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+/// Rounds to six decimal places; more digits carry no information.
+double round_figure(double value) { return std::round(value * 1e6) / 1e6; }
 
-Json number(const std::optional<double>& value) { return value ? Json(rounded(*value)) : Json(); }
-
-Json mean(double sum, std::int64_t count) {
-  return count > 0 ? Json(rounded(sum / static_cast<double>(count))) : Json();
+Json number(const std::optional<double>& value) {
+  return value ? Json(round_figure(*value)) : Json();
 }
 
-/// How far the movement that odometry tells ends from the true one, and how far it is turned.
+Json mean(double sum, std::int64_t count) {
+  return count > 0 ? Json(round_figure(sum / static_cast<double>(count))) : Json();
+}
+
+/// Position and yaw error between the movement by odometry and the true one.
 std::pair<double, double> error_between(const SE2& told, const SE2& truth) {
   return {localization::distance(told, truth), localization::yaw_distance(told, truth)};
 }
@@ -77,8 +79,8 @@ void SequenceStatistics::add(const RunEvent& event) {
   if (held_ || !event.T_map_from || !event.T_map_to) return;
   const double far = localization::distance(*event.T_map_from, *event.T_map_to);
   kidnaps_.push_back({{"kind", event.detail},
-                      {"at_s", rounded(seconds(event.stamp))},
-                      {"distance_m", rounded(far)}});
+                      {"at_s", round_figure(seconds(event.stamp))},
+                      {"distance_m", round_figure(far)}});
 }
 
 void SequenceStatistics::add(const OdometryFrame& frame) {
@@ -128,11 +130,11 @@ Json SequenceStatistics::json() const {
   Json lost = Json::object();
   for (const auto& [name, scans] : lost_) lost[name] = mean(static_cast<double>(scans), scans_);
   Json curve = Json::array();
-  for (const auto& [metre, error] : drift_.curve()) curve.push_back({metre, rounded(error)});
+  for (const auto& [metre, error] : drift_.curve()) curve.push_back({metre, round_figure(error)});
   Json coverage = Json::array();
   for (const auto& [cell, scans] : coverage_) coverage.push_back({cell.first, cell.second, scans});
-  return {{"duration_s", rounded(seconds(end_))},
-          {"distance_m", rounded(driven_)},
+  return {{"duration_s", round_figure(seconds(end_))},
+          {"distance_m", round_figure(driven_)},
           {"scans", scans_},
           {"beams", beams_},
           {"people", people_},
@@ -143,7 +145,7 @@ Json SequenceStatistics::json() const {
           {"difficulty",
            {{"ambiguity", mean(ambiguity_sum_, judged_)},
             {"occluded_mean", mean(occluded_sum_, scans_)},
-            {"occluded_max", rounded(occluded_max_)},
+            {"occluded_max", round_figure(occluded_max_)},
             {"odometry_error_per_m", number(drift_.per_metre())},
             {"odometry_yaw_error_rad_per_m", number(drift_.yaw_per_metre())}}},
           {"statistics",

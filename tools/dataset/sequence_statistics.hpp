@@ -1,4 +1,4 @@
-/// What a sequence of a data set holds and how hard it is.
+/// Statistics of one sequence of a data set, and its difficulty.
 #pragma once
 
 #include <array>
@@ -17,27 +17,28 @@
 namespace castaway::testbed {
 
 inline constexpr double kRangeBin = 0.5;      ///< [m] Width of a bin of ranges.
-inline constexpr int kRangeBins = 60;         ///< Up to 30 m; longer ones are in the last.
-inline constexpr int kOccludedBins = 20;      ///< Of the share of occluded beams.
-inline constexpr double kCoverageCell = 0.5;  ///< [m] Edge of a cell of the coverage.
+inline constexpr int kRangeBins = 60;         ///< Covers up to 30 m; longer ranges are in the last
+                                              ///< bin.
+inline constexpr int kOccludedBins = 20;      ///< Bins of the share of occluded beams.
+inline constexpr double kCoverageCell = 0.5;  ///< [m] Edge of a coverage cell.
 
-/// Error of odometry over the way, from the truth beside it. It starts anew when the robot is taken
-/// up or put down.
+/// Odometry error over the distance driven, relative to the true pose. It starts anew when the
+/// robot is picked up or put down.
 class OdometryDrift {
  public:
   void add(const OdometryFrame& frame);
-  /// The robot was moved by somebody.
+  /// Call this when the robot was moved by something other than its wheels.
   void restart() { marks_.clear(); }
 
-  /// [m] Mean error of position after two metres, by metre driven; nothing below two metres.
+  /// [m] Mean position error after two metres of driving, per metre; nothing below two metres.
   [[nodiscard]] std::optional<double> per_metre() const;
-  /// [rad] The same of yaw.
+  /// [rad] Mean yaw error after two metres of driving, per metre; nothing below two metres.
   [[nodiscard]] std::optional<double> yaw_per_metre() const;
-  /// Whole metres driven since the start, and the error of position there. [m]
+  /// Pairs of whole metres driven since the start and the position error there [m].
   [[nodiscard]] const std::vector<std::pair<int, double>>& curve() const { return curve_; }
 
  private:
-  /// Odometry and truth at a whole metre.
+  /// Odometry and true pose where a whole metre is reached.
   struct Mark {
     SE2 T_odom_base;
     SE2 T_map_base;
@@ -54,16 +55,16 @@ class OdometryDrift {
   std::vector<std::pair<int, double>> curve_;
 };
 
-/// Counts a run as it goes by.
+/// Accumulates statistics while a run is played.
 class SequenceStatistics {
  public:
   void add(const RunEvent& event);
   void add(const OdometryFrame& frame);
-  /// `row`: labels of the scan; `localizers` in the order of `row.lost`.
+  /// `row` holds the labels of the scan; the localizers are in the order of `row.lost`.
   void add(const ScanRecord& record, const ScanRow& row);
   void end_at(Stamp end) { end_ = end; }
 
-  /// Everything by name, in SI units: counts, `difficulty`, `statistics`.
+  /// All statistics in SI units: counts, `difficulty`, `statistics`.
   [[nodiscard]] nlohmann::ordered_json json() const;
 
  private:
@@ -73,7 +74,7 @@ class SequenceStatistics {
   std::int64_t scans_ = 0;
   std::int64_t beams_ = 0;
   int people_ = 0;
-  std::map<EventKind, int> events_;  ///< By kind.
+  std::map<EventKind, int> events_;
   nlohmann::ordered_json kidnaps_ = nlohmann::ordered_json::array();
   std::array<std::int64_t, kRangeBins> ranges_{};
   std::array<std::int64_t, kBeamClasses> classes_{};
@@ -81,16 +82,16 @@ class SequenceStatistics {
   double occluded_sum_ = 0.0;
   double occluded_max_ = 0.0;
   double ambiguity_sum_ = 0.0;
-  std::int64_t judged_ = 0;  ///< Scans with an ambiguity.
+  std::int64_t judged_ = 0;  ///< Scans that have an ambiguity score.
   std::map<std::string, std::int64_t> lost_;
   std::map<std::pair<int, int>, std::int64_t> coverage_;
-  std::optional<SE2> last_;  ///< True pose; nothing after a kidnap.
+  std::optional<SE2> last_;  ///< True pose; nothing directly after a kidnap.
   double driven_ = 0.0;
   OdometryDrift drift_;
   bool held_ = false;
 };
 
-/// Hands a run to statistics that outlive it.
+/// Forwards a run to its statistics.
 class StatisticsSink final : public RunSink {
  public:
   /// `statistics` must outlive the sink.

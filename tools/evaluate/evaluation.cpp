@@ -14,7 +14,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::size_t kTail = 40;  // scans at the end of a log where no trial begins
+constexpr std::size_t kTail = 40;  // No trial begins within this many scans of the log's end.
 
 /// Evenly spaced scans, away from the end of the log.
 std::size_t place_of(std::size_t scans, int k, int count) {
@@ -22,12 +22,12 @@ std::size_t place_of(std::size_t scans, int k, int count) {
   return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
 }
 
-std::optional<localization::PoseWithCovariance> known(const std::optional<SE2>& pose) {
+std::optional<localization::PoseWithCovariance> with_covariance(const std::optional<SE2>& pose) {
   if (!pose) return std::nullopt;
   return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
-/// What one trial plays and how it begins.
+/// Input of one trial.
 struct Trial {
   Frames frames;
   bool known_start = false;
@@ -40,16 +40,16 @@ class Evaluator {
   Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
       : spec_(spec), config_(config) {
     localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
-    map_ = to_occupancy_grid(damaged(place.map, config.stress, rng));
+    map_ = to_occupancy_grid(damage_map(place.map, config.stress, rng));
   }
 
   RowsOfRun run(const Trial& trial) const {
     localization::Rng rng =
         localization::substream(config_.seed, "stress/" + std::to_string(trial.seed));
-    RecordedSource source(stressed(trial.frames, config_.stress, rng));
+    RecordedSource source(apply_stress(trial.frames, config_.stress, rng));
     std::vector<NamedLocalizer> localizers = build_localizers({spec_}, map_, trial.seed);
     LoopConfig loop;
-    if (trial.known_start) loop.start = known(source.start_pose());
+    if (trial.known_start) loop.start = with_covariance(source.start_pose());
     RowsOfRun rows;
     std::vector<std::unique_ptr<RunSink>> sinks;
     sinks.push_back(std::make_unique<RowsSink>(rows));
@@ -85,7 +85,7 @@ void add_detection(const LocalizerMetrics& metrics, EvaluationRow& row) {
   }
 }
 
-/// When the event of a trial was: its kidnap, else its start.
+/// Stamp of a trial's event: its kidnap, or else its start.
 Stamp begin_of(const RowsOfRun& rows) {
   return rows.events.empty() ? Stamp{} : rows.events.front().stamp;
 }
@@ -97,8 +97,8 @@ void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
   row.calibration.add(calibration_of(scored, {}));
 }
 
-/// Counts scans that are wrong while they say to be right, from the event (or the start) on.
-void add_honesty(const RowsOfRun& rows, EvaluationRow& row) {
+/// Counts scans that are wrong without the alarm, from the kidnap or start on.
+void add_wrong_scans(const RowsOfRun& rows, EvaluationRow& row) {
   const Stamp begin = begin_of(rows);
   bool was_wrong = false;
   Stamp wrong_since{};
@@ -131,13 +131,14 @@ struct CpuSum {
   }
 };
 
-/// Half a log from a place, so that a kidnap leads far away, and early enough to track up to it.
+/// The scan half a log away, so that a kidnap leads far, but early enough to track for `lead`
+/// scans.
 std::size_t far_from(std::size_t place, std::size_t scans, std::size_t lead) {
   const std::size_t half = place < scans / 2 ? place + scans / 2 : place - scans / 2;
   return std::min(half, scans > lead ? scans - lead - 1 : 0);
 }
 
-/// What the trials of one localizer on one log are put together in.
+/// Accumulates the trials of one localizer on one log.
 struct Score {
   EvaluationRow row;
   CpuSum cpu;
@@ -148,7 +149,7 @@ struct Score {
     add_trial(metrics, summary);
     add_detection(metrics, row);
     add_alarms(metrics, row);
-    add_honesty(rows, row);
+    add_wrong_scans(rows, row);
     add_calibration(rows, row);
     cpu.add(rows);
   }

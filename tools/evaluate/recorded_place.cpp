@@ -1,4 +1,4 @@
-// Finding a log and its map in a folder.
+// Finds a log and its map in a folder.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -32,7 +32,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The map beside a log: map.yaml, map/map.yaml of a run folder, or the only YAML file; nothing if
+/// The map beside a log: map.yaml, map/map.yaml of a run folder, or the only YAML file. Nothing if
 /// there is none.
 std::optional<fs::path> map_in(const fs::path& folder, const std::vector<fs::path>& files) {
   for (const char* name : {"map.yaml", "map/map.yaml"}) {
@@ -46,7 +46,7 @@ std::optional<fs::path> map_in(const fs::path& folder, const std::vector<fs::pat
   return maps.size() == 1 ? std::optional(maps.front()) : std::nullopt;
 }
 
-/// The bag in a folder: the folder itself, or `bag` of a run folder; nothing if there is none.
+/// The bag in a folder: the folder itself, or `bag` of a run folder. Nothing if there is none.
 std::optional<fs::path> bag_in(const fs::path& folder, const std::vector<fs::path>& files) {
   const bool itself = std::any_of(files.begin(), files.end(),
                                   [](const fs::path& file) { return file.extension() == ".mcap"; });
@@ -65,7 +65,7 @@ void take_log(const fs::path& log, RecordedPlace& place) {
   while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
 }
 
-/// The bag's map is taken where there is no other.
+/// Reads the bag. Its map is used only if there is no other.
 void take_bag(const fs::path& path, bool has_map, RecordedPlace& place) {
   const BagInventory bag = take_inventory(path, bag_files(path));
   BagRecording recording = read_bag(bag, choose_topics(bag, {}));

@@ -1,4 +1,4 @@
-/// Collects what the metrics need of a run with one localizer.
+/// Collects the input of the metrics from a run with one localizer.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace castaway::testbed {
 
-/// A run with one localizer, as the metrics see it.
+/// A run with one localizer, as input of the metrics.
 struct RowsOfRun {
   std::vector<MetricRow> rows;
   std::vector<RunEvent> events;
-  std::vector<double> update_ms;  ///< [ms] CPU time of every scan.
+  std::vector<double> update_ms;  ///< [ms] CPU time of each scan.
   Stamp end{};
 };
 
-/// Writes into rows that outlive it.
+/// Writes into rows that must outlive the sink.
 class RowsSink final : public RunSink {
  public:
   explicit RowsSink(RowsOfRun& rows);

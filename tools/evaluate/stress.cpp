@@ -17,7 +17,7 @@ double uniform(localization::Rng& rng, double low, double high) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
 }
 
-/// Puts one person into the scan; notes the beams that meet it.
+/// Puts one person into the scan and marks the beams that meet it in `met`.
 void add_person(LaserScan& scan, std::vector<bool>& met, localization::Rng& rng) {
   constexpr double kRadius = 0.25;  // [m]
   const double d = uniform(rng, 0.6, 2.5);
@@ -71,7 +71,7 @@ void erase_walls(RosMap& map, double share, localization::Rng& rng) {
   }
 }
 
-/// As many boxes as find a place.
+/// Adds boxes until the density is reached or no more free places are found.
 void add_boxes(RosMap& map, double per_m2, localization::Rng& rng) {
   const auto free = std::count(map.cells.begin(), map.cells.end(), std::int8_t{0});
   const double area = static_cast<double>(free) * map.resolution * map.resolution;
@@ -105,7 +105,7 @@ void validate(const StressConfig& config) {
   }
 }
 
-Frames stressed(const Frames& frames, const StressConfig& config, localization::Rng& rng) {
+Frames apply_stress(const Frames& frames, const StressConfig& config, localization::Rng& rng) {
   validate(config);
   Frames result;
   std::size_t scans = 0;
@@ -123,7 +123,7 @@ Frames stressed(const Frames& frames, const StressConfig& config, localization::
   return result;
 }
 
-RosMap damaged(const RosMap& map, const StressConfig& config, localization::Rng& rng) {
+RosMap damage_map(const RosMap& map, const StressConfig& config, localization::Rng& rng) {
   validate(config);
   RosMap result = map;
   if (config.erased_share > 0.0) erase_walls(result, config.erased_share, rng);

@@ -1,4 +1,4 @@
-/// Files and folders that a crash of the machine does not take back.
+/// Writes files and folders that survive a crash of the machine.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace castaway::testbed {
 
-/// Brings a file's or a folder's own data to the disk. Throws FileError.
+/// Flushes the data of a file or a folder to the disk. Throws FileError.
 void sync_path(const std::filesystem::path& path);
 
-/// Writes a whole file under `draft`, brings it to the disk, then gives it its place `path` on the
-/// same file system, over an older one. Whatever happens, `path` has its old content or the new
-/// one. Throws FileError.
+/// Writes a whole file as `draft`, flushes it and renames it to `path` on the same file system,
+/// replacing an older one. After a crash, `path` has either its old or its new content. Throws
+/// FileError.
 void write_durable(const std::filesystem::path& draft, const std::filesystem::path& path,
                    std::string_view bytes);
 
-/// Brings all files under the folder `draft` to the disk, then gives it its place `path`, where
-/// there must be nothing. Throws FileError.
+/// Flushes all files under the folder `draft`, then renames it to `path`, which must not exist.
+/// Throws FileError.
 void move_durable(const std::filesystem::path& draft, const std::filesystem::path& path);
 
 }  // namespace castaway::testbed

@@ -1,12 +1,12 @@
-/// Trouble with the disk, not with what was to be written.
+/// Error of the disk, as opposed to the data to be written.
 #pragma once
 
 #include <stdexcept>
 
 namespace castaway::testbed {
 
-/// A file or a folder cannot be written: the disk is full or read-only, the folder is not ours.
-/// Whoever makes many files stops at the first.
+/// A file or a folder cannot be written: the disk is full or read-only, or permission is missing.
+/// Code that writes many files stops at the first such error.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,17 +8,17 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kGzipWindow = 15 + 16;  // zlib's sign for a gzip header.
+constexpr int kGzipWindow = 15 + 16;  // zlib's flag for a gzip header.
 constexpr std::size_t kBlock = 1U << 16U;
-constexpr std::size_t kMostBytes = 1U << 30U;  // A few bytes may stand for any number of them.
+constexpr std::size_t kMostBytes = 1U << 30U;  // A few bytes can expand to any number of them.
 
-/// zlib reads its input through a pointer to non-const bytes and leaves them as they are.
+/// zlib takes non-const input but does not modify it.
 void set_input(z_stream& stream, std::string_view bytes) {
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
 }
 
-/// Calls `step` (deflate or inflate) until it ends or fails; returns what came out.
+/// Calls `step` (deflate or inflate) until it ends or fails; returns its output.
 template <typename Step>
 std::string pump(z_stream& stream, Step step, int& result) {
   std::string out;

@@ -6,11 +6,11 @@
 
 namespace castaway::testbed {
 
-/// `bytes` as a gzip stream without name or time: the same bytes give the same stream. Throws
-/// std::runtime_error if there is no memory for it.
+/// Compresses to a gzip stream without name and time, so that equal bytes give equal streams.
+/// Throws std::runtime_error if memory runs out.
 std::string gzip(std::string_view bytes);
 
-/// What a gzip stream holds. Throws std::runtime_error if it is none, damaged or cut off.
+/// Decompresses a gzip stream. Throws std::runtime_error if it is not one, damaged or truncated.
 std::string gunzip(std::string_view stream);
 
 }  // namespace castaway::testbed

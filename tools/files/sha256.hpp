@@ -7,11 +7,11 @@
 
 namespace castaway::testbed {
 
-/// 64 hexadecimal digits in lower case.
+/// Hash as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-/// Of a file's bytes, read a piece at a time. Throws std::runtime_error naming the file if it
-/// cannot be read.
+/// Hash of a file, which is read in pieces. Throws std::runtime_error naming the file if it cannot
+/// be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace castaway::testbed

@@ -12,7 +12,7 @@ namespace {
 
 using localization::SE2;
 
-/// Takes fields off the front of a line.
+/// Consumes the fields of a line from the front.
 class Fields {
  public:
   explicit Fields(std::string_view line) : rest_(line) {}
@@ -40,7 +40,7 @@ class Fields {
     return value;
   }
 
-  /// A count, at most as large as the rest of the line could hold.
+  /// Parses a count; limited by what the rest of the line can hold.
   std::size_t count(const char* what) {
     const std::string_view text = word(what);
     std::size_t value = 0;
@@ -61,7 +61,7 @@ class Fields {
     return {x, y, localization::wrap_angle(length(what))};
   }
 
-  /// A number of metres or radians that a robot may come to.
+  /// Parses a length or angle and rejects absurd values.
   double length(const char* what) {
     constexpr double kFarthest = 1e7;
     const double value = number(what);
@@ -74,9 +74,9 @@ class Fields {
     for (int i = 0; i < fields; ++i) word(what);
   }
 
-  /// `t host t`: the first is the sender's clock, the last the logger's.
+  /// Parses `t host t`: the first time is the sender's clock, the last the logger's.
   double logger_time() {
-    constexpr double kLatest = 4e9;  // [s] In nanoseconds it fits 64 bits.
+    constexpr double kLatest = 4e9;  // [s] In nanoseconds it still fits into 64 bits.
     skip(2, "time stamp and host");
     const double time_s = number("logger time");
     if (std::abs(time_s) <= kLatest) return time_s;

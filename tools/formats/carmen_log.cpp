@@ -11,11 +11,12 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::size_t kLongestLine = 16U << 20U;  // A few bytes of gzip may stand for any number.
+constexpr std::size_t kLongestLine = 16U << 20U;  // A few bytes of gzip can expand to a line of any
+                                                  // length.
 
 }  // namespace
 
-/// Bytes of a file, decompressed where it is gzipped.
+/// Bytes of a file, decompressed if it is gzipped.
 struct CarmenLogReader::Stream {
   explicit Stream(const std::filesystem::path& path) {
     require_regular_file(path);
@@ -34,7 +35,7 @@ struct CarmenLogReader::Stream {
     end = count > 0 ? static_cast<std::size_t>(count) : 0;
     return count > 0;
   }
-  /// True if the stream is broken rather than at its end.
+  /// True if the stream is damaged rather than at its end.
   [[nodiscard]] bool broken() const {
     int code = Z_OK;
     gzerror(file, &code);

@@ -1,7 +1,7 @@
-/// Reading CARMEN logs, plain or gzipped, line by line.
+/// Reads CARMEN logs, plain or gzipped, line by line.
 ///
-/// Only what a localizer needs is kept; messages of other names are skipped. A line of a known name
-/// that cannot be read is an error with file and line.
+/// Only messages that a localizer needs are kept; those of other names are skipped. A malformed
+/// line of a known name is an error with file and line.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct CarmenParam {
 
 /// `ODOM x y theta tv rv accel t host t`
 struct CarmenOdometry {
-  double time_s = 0.0;  ///< The logger's clock: the last number of the line.
+  double time_s = 0.0;  ///< Clock of the logger: the last number of the line.
   localization::SE2 T_odom_base;
 };
 
@@ -33,8 +33,8 @@ struct CarmenLaser {
   double time_s = 0.0;
   localization::SE2 T_odom_laser;
   localization::SE2 T_odom_base;
-  std::vector<float> ranges;  ///< [m] Misses are the maximum range.
-  /// What only ROBOTLASER1 says of itself.
+  std::vector<float> ranges;  ///< [m] A miss is the maximum range.
+  /// Geometry that only ROBOTLASER1 states.
   struct Device {
     double angle_min = 0.0;        ///< [rad]
     double field_of_view = 0.0;    ///< [rad]
@@ -44,8 +44,8 @@ struct CarmenLaser {
   std::optional<Device> device;
 };
 
-/// `TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta t host t`: the truth of the scan just
-/// before it.
+/// `TRUEPOS true_x true_y true_theta odom_x odom_y odom_theta t host t`: the truth of the preceding
+/// scan.
 struct CarmenTruth {
   double time_s = 0.0;
   localization::SE2 T_map_base;
@@ -53,7 +53,7 @@ struct CarmenTruth {
 
 using CarmenMessage = std::variant<CarmenParam, CarmenOdometry, CarmenLaser, CarmenTruth>;
 
-/// Reads one log from its beginning to its end.
+/// Reads one log from beginning to end.
 class CarmenLogReader {
  public:
   /// Throws std::runtime_error if the file cannot be opened.
@@ -61,7 +61,7 @@ class CarmenLogReader {
   ~CarmenLogReader();
 
   /// The next message of a known kind; nothing at the end of the log. Throws std::runtime_error
-  /// "file:line: ..." on a broken line and on a gzip stream that is cut short.
+  /// "file:line: ..." on a malformed line or a truncated gzip stream.
   std::optional<CarmenMessage> next();
   /// "file:line" of the newest message.
   [[nodiscard]] std::string place() const;
@@ -76,8 +76,8 @@ class CarmenLogReader {
   std::int64_t line_number_ = 0;
 };
 
-/// Reads one line; nothing for an empty line, a comment and a message of an unknown name. Throws
-/// std::runtime_error on a broken line, without its place.
+/// Parses one line; nothing for an empty line, a comment or a message of an unknown name. Throws
+/// std::runtime_error, without the place, on a malformed line.
 std::optional<CarmenMessage> parse_carmen_line(const std::string& line);
 
 }  // namespace castaway::testbed

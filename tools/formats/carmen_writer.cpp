@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kHost = "castaway";
 
-/// `t host t` and the end of the line.
+/// The fields `t host t` and the end of the line.
 std::string time_fields(std::chrono::nanoseconds stamp) {
   const double t = std::chrono::duration<double>(stamp).count();
   return fmt::format("{:.9f} {} {:.9f}\n", t, kHost, t);

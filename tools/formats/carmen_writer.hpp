@@ -1,4 +1,4 @@
-/// Writes CARMEN logs: the lines that `carmen_log.hpp` reads, numbers at full length.
+/// Writes the lines of CARMEN logs that `carmen_log.hpp` reads, with numbers at full precision.
 #pragma once
 
 #include <chrono>
@@ -9,9 +9,9 @@
 
 namespace castaway::testbed {
 
-/// A scan as a CARMEN log tells it: planar, all beams at once.
+/// A scan as in a CARMEN log: planar, all beams at the same time.
 struct CarmenScan {
-  int lidar = 1;                 ///< ROBOTLASER<n>, from 1.
+  int lidar = 1;                 ///< ROBOTLASER<n>, starting at 1.
   double angle_min = 0.0;        ///< [rad] About the laser's x, counter-clockwise.
   double angle_increment = 0.0;  ///< [rad]
   double range_max = 0.0;        ///< [m]

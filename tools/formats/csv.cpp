@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Takes one row, with its quoted cells, off the front of `text`.
+/// Consumes one row from the front of `text`, with quoted cells.
 std::vector<std::string> take_row(std::string_view& text) {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -108,7 +108,7 @@ CsvReader::CsvReader(const std::filesystem::path& path) : path_(path) {
   header_ = take();
 }
 
-/// The next row; without any cell at the end. A line break within quotes belongs to its cell.
+/// The next row; empty at the end. A line break within quotes belongs to its cell.
 std::vector<std::string> CsvReader::take() {
   constexpr std::size_t kLongest = 1U << 20U;
   std::string text;
@@ -121,7 +121,8 @@ std::vector<std::string> CsvReader::take() {
     quoted = quoted != (std::count(line.begin(), line.end(), '"') % 2 != 0);
     if (text.size() <= kLongest) continue;
     throw std::runtime_error(
-        fmt::format("{}:{}: a row of more than 1 MiB; no table of ours", path_.string(), row_ + 1));
+        fmt::format("{}:{}: a row of more than 1 MiB; castaway writes no such table",
+                    path_.string(), row_ + 1));
   }
   if (!any) return {};
   ++row_;

@@ -12,7 +12,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr hsize_t kChunkBytes = 64 * 1024;  // About what one chunk holds before it is deflated.
+constexpr hsize_t kChunkBytes = 64 * 1024;  // Approximate size of a chunk before compression.
 constexpr unsigned kDeflate = 4;
 
 hid_t file_type(Hdf5Type type) {
@@ -38,7 +38,7 @@ Hdf5Handle text_type(std::size_t size) {
   return type;
 }
 
-/// Makes the groups on the way.
+/// Makes the library create missing groups.
 Hdf5Handle link_properties() {
   Hdf5Handle properties(H5Pcreate(H5P_LINK_CREATE));
   H5Pset_create_intermediate_group(properties.get(), 1);
@@ -48,7 +48,7 @@ Hdf5Handle link_properties() {
 }  // namespace
 
 struct Hdf5File::State {
-  /// A table and how many rows it has.
+  /// An open table and its number of rows.
   struct Open {
     Hdf5Handle set;
     hsize_t columns = 0;
@@ -96,7 +96,8 @@ void Hdf5File::State::append(int table, hid_t type, const void* values, std::siz
 }
 
 Hdf5File::Hdf5File(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // The library must not print; we report errors
+                                                // ourselves.
   state_->name = path.string();
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE));
   H5Pset_obj_track_times(creation.get(), false);

@@ -1,5 +1,4 @@
-/// HDF5 files: tables that grow row by row, with attributes, in bytes that do not change from run
-/// to run.
+/// Writes HDF5 files: tables that grow row by row, with attributes. Equal data give equal bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,43 +9,43 @@
 
 namespace castaway::testbed {
 
-/// Types of elements.
+/// Element types.
 enum class Hdf5Type : std::uint8_t { kFloat32, kFloat64, kUint8, kInt32, kInt64 };
 
-/// What a table is.
+/// Description of a table.
 struct Hdf5Table {
-  std::string path;  ///< "/scans/ranges"; groups are made as needed.
+  std::string path;  ///< Such as "/scans/ranges"; groups are created as needed.
   Hdf5Type type = Hdf5Type::kFloat64;
-  int columns = 0;        ///< 0: a list of numbers, else rows of so many.
-  std::string unit{};     ///< Attribute `unit`; empty: none is written.
-  std::string meaning{};  ///< Attribute `meaning`; empty: none is written.
+  int columns = 0;        ///< 0: a list of numbers; otherwise the number of columns.
+  std::string unit{};     ///< Attribute `unit`; not written if empty.
+  std::string meaning{};  ///< Attribute `meaning`; not written if empty.
 };
 
-/// A file being written. Times are not tracked, so that equal tables make equal bytes; tables are
-/// cut into chunks of rows and deflated.
+/// A file being written. Times are not tracked, so that equal tables give equal bytes. Tables are
+/// chunked by rows and deflated.
 class Hdf5File {
  public:
-  /// Throws FileError naming the file if it cannot be made.
+  /// Throws FileError naming the file if it cannot be created.
   explicit Hdf5File(const std::filesystem::path& path);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
-  /// Adds an empty table and returns its number.
+  /// Adds an empty table and returns its id.
   int add(const Hdf5Table& table);
-  /// Appends whole rows; the elements are turned into the table's type. The number of values must
-  /// be a multiple of its columns.
+  /// Appends whole rows; elements are converted to the table's type. The number of values must be a
+  /// multiple of the number of columns.
   void append(int table, const std::vector<double>& values);
   void append(int table, const std::vector<float>& values);
   void append(int table, const std::vector<std::uint8_t>& values);
   void append(int table, const std::vector<std::int32_t>& values);
   void append(int table, const std::vector<std::int64_t>& values);
-  /// Writes a list of texts, padded with zero bytes to the longest, at once.
+  /// Writes a list of texts, padded with zero bytes to the length of the longest.
   void write_texts(const std::string& path, const std::vector<std::string>& texts);
-  /// Attributes of a group, "/" for the file.
+  /// Sets an attribute of a group; "/" is the file.
   void set_attribute(const std::string& path, const std::string& name, const std::string& text);
   void set_attribute(const std::string& path, const std::string& name, double value);
-  /// Brings everything to the file. Throws FileError where that fails.
+  /// Flushes everything to the file. Throws FileError on failure.
   void close();
 
  private:

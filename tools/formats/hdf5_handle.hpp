@@ -1,4 +1,4 @@
-/// Handles of the HDF5 library that close themselves.
+/// RAII handles of the HDF5 library.
 #pragma once
 
 #include <utility>
@@ -26,7 +26,7 @@ class Hdf5Handle {
 
   [[nodiscard]] hid_t get() const { return id_; }
   [[nodiscard]] bool valid() const { return id_ >= 0; }
-  /// Closes it; false if the library could not.
+  /// Closes the handle; false if the library fails to.
   bool close() {
     const hid_t id = std::exchange(id_, H5I_INVALID_HID);
     return id < 0 || H5Idec_ref(id) >= 0;

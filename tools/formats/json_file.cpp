@@ -28,7 +28,8 @@ bool nests_too_deep(std::string_view json) {
 nlohmann::ordered_json read_json(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   if (nests_too_deep(text)) {
-    throw std::runtime_error(path.string() + ": JSON nested more than 100 deep, none of ours");
+    throw std::runtime_error(path.string() +
+                             ": JSON nested more than 100 deep; castaway writes no such file");
   }
   try {
     return nlohmann::ordered_json::parse(text);

@@ -1,4 +1,4 @@
-/// JSON from files of unknown origin.
+/// Reads JSON files of unknown origin.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,12 @@
 
 namespace castaway::testbed {
 
-/// True if arrays and objects are nested more than 100 deep: whoever walks such a tree recurses.
+/// True if arrays and objects are nested more than 100 deep, since code that walks the tree
+/// recurses.
 bool nests_too_deep(std::string_view json);
 
-/// The JSON of a file. Throws std::runtime_error naming it where it cannot be read, is broken or
-/// nested too deep.
+/// Parses a file. Throws std::runtime_error naming it if it cannot be read, is malformed or is
+/// nested too deeply.
 nlohmann::ordered_json read_json(const std::filesystem::path& path);
 
 }  // namespace castaway::testbed

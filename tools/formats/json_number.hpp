@@ -1,4 +1,4 @@
-/// Whole numbers from JSON of unknown origin.
+/// Reads integers from JSON of unknown origin.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace castaway::testbed {
 
-/// A whole number. Throws Json::out_of_range if it has a fraction or does not fit into T, where
-/// `get` is undefined; Json::type_error if it is no number.
+/// Reads an integer. Throws Json::out_of_range if it has a fraction or does not fit into T, for
+/// which `get` is undefined; Json::type_error if it is not a number.
 template <std::integral T, typename Json>
 T whole(const Json& value) {
   if (value.is_number_float()) {
@@ -32,7 +32,7 @@ T whole(const Json& value) {
   throw Json::out_of_range::create(406, value.dump() + " is no whole number, or too large", &value);
 }
 
-/// That of a key of an object, or `fallback` where there is none.
+/// Reads the integer under a key of an object, or `fallback` if the key is missing.
 template <std::integral T, typename Json>
 T whole_or(const Json& object, const std::string& key, T fallback) {
   const auto found = object.find(key);

@@ -7,8 +7,8 @@
 namespace castaway::testbed {
 namespace {
 
-/// Text that XML takes as text, also in attributes. Control characters have no form in XML 1.0.
-std::string escaped(const std::string& text) {
+/// Escapes text for XML content and attributes. XML 1.0 cannot represent control characters.
+std::string escape_xml(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '&')
@@ -29,12 +29,13 @@ std::string escaped(const std::string& text) {
 
 std::string outcome(const char* element, const char* type, const std::string& text) {
   return fmt::format("      <{0} message=\"{2}\" type=\"{1}\">{2}</{0}>\n", element, type,
-                     escaped(text));
+                     escape_xml(text));
 }
 
 std::string case_xml(const JunitCase& test) {
-  const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
-                                       escaped(test.class_name), escaped(test.name), test.time_s);
+  const std::string head =
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
+                  escape_xml(test.class_name), escape_xml(test.name), test.time_s);
   if (test.error) return head + ">\n" + outcome("error", "run", *test.error) + "    </testcase>\n";
   if (test.failure) {
     return head + ">\n" + outcome("failure", "expectation", *test.failure) + "    </testcase>\n";
@@ -57,7 +58,7 @@ std::string junit_xml(const std::string& suite, const std::vector<JunitCase>& ca
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"castaway\" {0}>\n"
       "  <testsuite name=\"{1}\" {0} skipped=\"0\">\n",
-      counts, escaped(suite));
+      counts, escape_xml(suite));
   for (const JunitCase& test : cases) xml += case_xml(test);
   return xml + "  </testsuite>\n</testsuites>\n";
 }

@@ -1,7 +1,7 @@
-/// Test results as JUnit XML, as GitHub, GitLab and Jenkins read it.
+/// Writes test results as JUnit XML, as read by GitHub, GitLab and Jenkins.
 ///
-/// There is no standard; this keeps to what the schema of Jenkins' xUnit plug-in (junit-10.xsd)
-/// allows and the readers agree on: testsuites, testsuite, testcase, failure, error.
+/// There is no standard. This writes only what the schema of Jenkins' xUnit plug-in (junit-10.xsd)
+/// allows and all readers understand: testsuites, testsuite, testcase, failure, error.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 
 namespace castaway::testbed {
 
-/// One case.
+/// One test case.
 struct JunitCase {
-  std::string class_name;  ///< Groups cases: dots are levels.
+  std::string class_name;  ///< Groups cases; dots separate levels.
   std::string name;
   double time_s = 0.0;                 ///< [s]
-  std::optional<std::string> failure;  ///< What was not met, one line; nothing: it passed.
-  std::optional<std::string> error;    ///< Why it could not be judged, one line.
+  std::optional<std::string> failure;  ///< The unmet expectation, one line; nothing if the case
+                                       ///< passed.
+  std::optional<std::string> error;    ///< Why the case could not be evaluated, one line.
 };
 
-/// The document with one suite. Characters that XML does not allow are left out.
+/// The document with one suite. Characters that XML does not allow are dropped.
 std::string junit_xml(const std::string& suite, const std::vector<JunitCase>& cases);
 
 }  // namespace castaway::testbed

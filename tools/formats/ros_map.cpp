@@ -14,7 +14,7 @@ namespace {
 constexpr double kOccupiedThresh = 0.65;
 constexpr double kFreeThresh = 0.196;
 constexpr int kUnknownGray = 205;
-constexpr double kMuch = 1.0;  // [%] Of a picture.
+constexpr double kReportedShare = 1.0;  // [%] Of the pixels; a larger share is reported.
 
 std::int8_t raw_cell(double shade) {
   const int value = static_cast<int>(std::lround(shade * 255.0));
@@ -41,7 +41,7 @@ double percent_of(std::size_t pixels, const GrayImage& image) {
          static_cast<double>(std::max<std::size_t>(1, image.pixels.size()));
 }
 
-/// Decimal with a point, whatever the value: "0.0", "-11.55".
+/// Formats a number with a decimal point, so that YAML reads it as a float: "0.0", "-11.55".
 std::string yaml_number(double value) {
   const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
@@ -56,8 +56,8 @@ Eigen::Vector2d RosMap::to_map(const Eigen::Vector2d& cells_from_corner) const {
 
 namespace {
 
-/// Pixels that are not opaque are unknown, as map_server has them; in raw mode it does not look.
-void take_out_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
+/// Makes pixels unknown that are not opaque, as map_server does; raw mode ignores transparency.
+void clear_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
   if (image.transparent.empty() || mode == MapMode::kRaw) return;
   const auto width = static_cast<std::size_t>(image.width);
   std::size_t count = 0;
@@ -71,13 +71,13 @@ void take_out_transparent(const GrayImage& image, MapMode mode, RosMap& map) {
                                      map.name, percent_of(count, image)));
 }
 
-/// Grey 205, as which map savers write what is unknown, is 0.1961 of occupancy.
+/// Map savers write unknown cells as grey 205, which is an occupancy of 0.1961.
 void warn_of_free_unknown(const GrayImage& image, const RosMapHeader& header, RosMap& map) {
   if (image.max_value != 255 || header.mode == MapMode::kRaw || header.negate) return;
   if (cell_of(kUnknownGray / 255.0, header) != 0) return;
   const auto count = static_cast<std::size_t>(
       std::count(image.pixels.begin(), image.pixels.end(), std::uint16_t{kUnknownGray}));
-  if (percent_of(count, image) < kMuch) return;
+  if (percent_of(count, image) < kReportedShare) return;
   map.warnings.push_back(fmt::format(
       "map {}: free_thresh {} makes grey {} (unknown, {:.0f} % of the picture) free; "
       "write free_thresh: {}",
@@ -99,7 +99,7 @@ RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::str
     std::transform(row - width, row, std::back_inserter(map.cells),
                    [&](std::uint16_t gray) { return cell_of_gray[gray]; });
   }
-  take_out_transparent(image, header.mode, map);
+  clear_transparent(image, header.mode, map);
   warn_of_free_unknown(image, header, map);
   return map;
 }

@@ -1,4 +1,4 @@
-/// Occupancy maps as ROS' map_server keeps them: a picture and a few numbers.
+/// Occupancy maps in the format of ROS' map_server: an image and a few numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace castaway::testbed {
 
-/// A map. Cell (column, row) covers, before the turn by `origin_yaw` about the origin,
-/// `[origin + (column, row) * resolution, origin + (column + 1, row + 1) * resolution)`.
+/// A map. Before the rotation by `origin_yaw` about the origin, cell (column, row) covers `[origin
+/// + (column, row) * resolution, origin + (column + 1, row + 1) * resolution)`.
 struct RosMap {
   std::string name;
   int width = 0;                   ///< [cells]
@@ -23,24 +23,25 @@ struct RosMap {
   double origin_y = 0.0;           ///< [m]
   double origin_yaw = 0.0;         ///< [rad]
   std::vector<std::int8_t> cells;  ///< -1 unknown, 0 free ... 100 occupied; row 0 at the bottom.
-  std::vector<std::string> warnings{};  ///< What is odd about its file.
+  std::vector<std::string> warnings{};  ///< Peculiarities of the map's file.
 
   [[nodiscard]] std::int8_t at(int column, int row) const {
     return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                  static_cast<std::size_t>(column)];
   }
-  /// A point of the grid, in cells from its lower left corner, in map. [m]
+  /// Converts a point in cells from the grid's lower left corner to map [m].
   [[nodiscard]] Eigen::Vector2d to_map(const Eigen::Vector2d& cells_from_corner) const;
 };
 
-/// How grey becomes occupancy, p = (max - grey) / max, or grey / max if `negate`.
+/// How grey values become occupancy, p = (max - grey) / max, or grey / max if `negate`.
 enum class MapMode {
   kTrinary,  ///< p >= occupied_thresh: 100; p <= free_thresh: 0; else unknown.
-  kScale,    ///< As trinary, but between the thresholds 0 to 100, linear, rounded.
-  kRaw,      ///< Grey of 0 to 100 (of 255) is the value, more is unknown; `negate` has no effect.
+  kScale,    ///< As trinary, but linear from 0 to 100 and rounded between the thresholds.
+  kRaw,      ///< Grey values 0 to 100 (of 255) are occupancy, larger ones unknown; `negate` is
+             ///< ignored.
 };
 
-/// What a map's YAML file says beside the name of the picture.
+/// Values of a map's YAML file besides the image's name.
 struct RosMapHeader {
   double resolution = 0.05;  ///< [m] Edge of a cell.
   double origin_x = 0.0;     ///< [m] Lower left corner in map.
@@ -52,18 +53,17 @@ struct RosMapHeader {
   double free_thresh = 0.196;     ///< In [0, 1].
 };
 
-/// The map in a picture, whose row 0 is the largest y.
+/// Converts an image, whose row 0 is the largest y, to a map.
 RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::string name);
 
-/// The picture of a map in trinary mode: 0 where occupancy is at least 65, 254 where it is 0 to 19,
-/// 205 elsewhere.
+/// The image of a map in trinary mode: 0 for an occupancy of at least 65, 254 for 0 to 19, 205
+/// otherwise.
 GrayImage map_image(const RosMap& map);
 
-/// The YAML file of a map whose picture is `image`, a path relative to it.
+/// Text of the YAML file of a map; `image` is a path relative to that file.
 std::string ros_map_yaml(const RosMap& map, const std::string& image);
 
-/// Writes `<stem>.yaml` and `<stem>.pgm` beside it; the same map gives the same bytes. `yaml_path`
-/// names the YAML file.
+/// Writes the YAML file `yaml_path` and `<stem>.pgm` beside it. The same map gives the same bytes.
 void write_ros_map(const RosMap& map, const std::filesystem::path& yaml_path);
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A number without the sign of a zero.
+/// Formats a number; negative zero loses its sign.
 std::string decimal(double value) {
   const std::string text = fmt::format("{:.9f}", value);
   return text == "-0.000000000" ? "0.000000000" : text;

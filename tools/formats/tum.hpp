@@ -1,4 +1,4 @@
-/// Trajectories in TUM format: `timestamp tx ty tz qx qy qz qw` a line.
+/// Trajectories in TUM format: lines of `timestamp tx ty tz qx qy qz qw`.
 #pragma once
 
 #include <chrono>
@@ -8,13 +8,13 @@
 
 namespace castaway::testbed {
 
-/// A pose of base in map at a time.
+/// A pose of base in map with its time.
 struct StampedPose {
   std::chrono::nanoseconds stamp{};
   localization::SE2 T_map_base;
 };
 
-/// One line with its newline: seconds with 9 digits, metres and quaternion with 9 digits.
+/// One line with its newline; seconds, metres and quaternion with 9 decimal places.
 std::string tum_line(const StampedPose& pose);
 
 }  // namespace castaway::testbed

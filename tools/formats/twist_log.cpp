@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kHeader = "t_s,v,w";
 constexpr double kLargestTwist = 1e7;  // [s], [m/s], [rad/s]
 
-/// Three numbers of at most `kLargestTwist` between commas; false where there is anything else.
+/// Parses three comma-separated numbers of at most `kLargestTwist`; false on anything else.
 bool parse(std::string_view line, std::array<double, 3>& numbers) {
   const char* at = line.data();
   const char* const end = at + line.size();
@@ -31,7 +31,7 @@ bool parse(std::string_view line, std::array<double, 3>& numbers) {
   return at == end;
 }
 
-std::string_view trimmed(std::string_view line) {
+std::string_view trim(std::string_view line) {
   const auto last = line.find_last_not_of(" \t\r");
   return last == std::string_view::npos ? std::string_view() : line.substr(0, last + 1);
 }
@@ -44,7 +44,7 @@ std::vector<TwistLine> read_twist_log(const std::filesystem::path& path) {
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
-    const std::string_view line = trimmed(text);
+    const std::string_view line = trim(text);
     if (line.empty() || line.front() == '#' || line == kHeader) continue;
     const auto fail = [&](const char* what) {
       throw std::runtime_error(fmt::format("{}:{}: {}", path.string(), number, what));

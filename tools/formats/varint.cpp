@@ -16,7 +16,7 @@ void append_signed(std::string& bytes, std::int64_t value) {
   append_varint(bytes, value < 0 ? ~(bits << 1U) : bits << 1U);
 }
 
-std::int64_t quantized(double value, double quantum) {
+std::int64_t quantize(double value, double quantum) {
   constexpr double kMost = 1125899906842624.0;  // 2^50: exact as a double in any reader.
   if (std::isnan(value)) return 0;
   return std::llround(std::clamp(value / quantum, -kMost, kMost));

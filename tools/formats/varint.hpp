@@ -1,4 +1,4 @@
-/// Whole numbers as bytes, small ones in one: LEB128, signed ones by zigzag (0, -1, 1, -2...).
+/// Variable-length integers (LEB128); signed ones use zigzag coding (0, -1, 1, -2...).
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace castaway::testbed {
 
-/// Appends 7 bits a byte, lowest first; a set eighth bit says that more follow.
+/// Appends 7 bits per byte, lowest first; a set eighth bit marks a continuation.
 void append_varint(std::string& bytes, std::uint64_t value);
 
-/// Appends a signed number: 2 v for v >= 0, -2 v - 1 below.
+/// Appends a signed number in zigzag coding: 2 v for v >= 0, -2 v - 1 for v < 0.
 void append_signed(std::string& bytes, std::int64_t value);
 
-/// Round of `value` / `quantum`; 0 for what is no number, at most 2^50 either way.
-std::int64_t quantized(double value, double quantum);
+/// Rounds `value` / `quantum`; NaN gives 0, and the result is limited to +-2^50.
+std::int64_t quantize(double value, double quantum);
 
-/// Numbers that change little from one to the next, kept as differences to the one before.
+/// A column of slowly varying numbers, stored as differences to the previous one.
 class IntColumn {
  public:
   void add(std::int64_t value);
-  /// The last number once more; 0 at first.
+  /// Appends the last number again; 0 if there is none.
   void repeat() { add(last_); }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -30,15 +30,15 @@ class IntColumn {
   std::int64_t last_ = 0;
 };
 
-/// Reads what was appended, in its order. `bytes` must outlive it.
+/// Reads appended numbers in their order. `bytes` must outlive the reader.
 class VarintReader {
  public:
   explicit VarintReader(std::string_view bytes) : bytes_(bytes) {}
 
   [[nodiscard]] bool done() const { return at_ == bytes_.size(); }
-  /// Throws std::runtime_error where the bytes end or the number has more than 64 bits.
+  /// Throws std::runtime_error if the bytes end or the number has more than 64 bits.
   std::uint64_t next();
-  /// The same for a signed number.
+  /// As `next`, for a signed number.
   std::int64_t next_signed();
 
  private:

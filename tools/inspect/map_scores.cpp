@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-double judged_range(double range_max) {
+double scoring_range(double range_max) {
   constexpr double kLongest = 50.0;
   for (const double range : {2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 25.0}) {
     if (range_max <= range) return range;
@@ -31,7 +31,7 @@ MapScores map_scores(const Scenario& scenario, const std::filesystem::path& base
   }
   const LoadedWorld world = build_world(mapped, base, options);
   const sim::PlaceLikeness places =
-      world_likeness(world, {lidar.T_base_laser.translation().z(), judged_range(lidar.range_max)});
+      world_likeness(world, {lidar.T_base_laser.translation().z(), scoring_range(lidar.range_max)});
   return {sim::ambiguity_of(places), {places.places, places.likeness}};
 }
 

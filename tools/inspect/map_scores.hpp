@@ -1,4 +1,4 @@
-/// How alike the places of a scenario's map look to its lidar.
+/// Perceptual aliasing of a scenario's map, as seen by its lidar.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace castaway::testbed {
 
-/// A map's ambiguity, on the whole and by place.
+/// A map's ambiguity, overall and by place.
 struct MapScores {
   sim::Ambiguity ambiguity;
   PlaceScores places;
 };
 
-/// The range that a lidar is judged by: the next of 2, 3, 4, 6, 8, 12, 16, 25, 50 m, so that lidars
-/// of nearly the same range share their figures. [m]
-double judged_range(double range_max);
+/// Range [m] for which a map is scored: `range_max` rounded up to one of 2, 3, 4, 6, 8, 12, 16, 25,
+/// 50 m, so that lidars of similar range share their scores.
+double scoring_range(double range_max);
 
-/// Of the world as it was mapped, whatever differs by now, seen from the lidar's height. Loads the
-/// world; seconds for a building.
+/// Scores the world as it was mapped, without later differences, seen from the lidar's height.
+/// Loads the world; takes seconds for a building.
 MapScores map_scores(const Scenario& scenario, const std::filesystem::path& base,
                      const sim::LidarConfig& lidar);
 
-/// To hand them from one process to another, and back without loss.
+/// Converts scores to and from text without loss, for transfer between processes.
 std::string scores_text(const MapScores& scores);
 MapScores parse_scores(const std::string& text);
 

@@ -21,7 +21,7 @@ std::string point(const Eigen::Vector3d& p) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x(), p.y(), p.z());
 }
 
-/// Names with commas, at most ten of them.
+/// Joins at most ten names with commas.
 std::string first_of(std::vector<std::string> names) {
   constexpr std::size_t kShown = 10;
   const bool more = names.size() > kShown;
@@ -29,7 +29,7 @@ std::string first_of(std::vector<std::string> names) {
   return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
 }
 
-/// What a run would use of a lidar.
+/// Configuration that a run would use for a lidar.
 sim::LidarConfig config_of(const sim::RobotModel& robot, const sim::LidarMount& lidar) {
   sim::RobotModel alone = robot;
   alone.lidar = lidar;
@@ -55,14 +55,14 @@ void add_body(const sim::RobotModel& robot, Lines out) {
                  robot.visuals.size());
 }
 
-/// What is simulated, and in place of what.
+/// Drive model that is simulated, and the described one that it replaces.
 std::string drive_of(const sim::RobotModel& robot) {
   const char* here = robot.wheels.size() > 2 ? "skid steer" : "differential";
   return robot.other_drive.empty() ? here
                                    : fmt::format("{} in place of {}", here, robot.other_drive);
 }
 
-/// By the limits of the wheels' joints; 0: they have none. [m/s]
+/// Top speed [m/s] by the limits of the wheels' joints; 0 if they have none.
 double top_speed(const sim::RobotModel& robot) {
   double speed = 0.0;
   for (const sim::DriveWheel& wheel : robot.wheels) {

@@ -1,4 +1,4 @@
-/// What was understood of a robot, as text and as JSON.
+/// Report on a loaded robot, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace castaway::testbed {
 
-/// Lines for a reader.
+/// Report as lines of text.
 std::string robot_text(const sim::RobotModel& robot);
 
-/// The same figures by name; SI units.
+/// The same data as JSON, in SI units.
 nlohmann::ordered_json robot_json(const sim::RobotModel& robot);
 
 }  // namespace castaway::testbed

@@ -17,12 +17,12 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kCircle = 48;
-constexpr float kMostTiles = 60.0F;  // From the middle.
+constexpr float kMostTiles = 60.0F;  // From the centre.
 const Vector3f kWheelColor = scene_color(0x0072B2);
 const Vector3f kCasterColor = scene_color(0xE69F00);
 const Vector3f kScanColor{0.85F, 0.10F, 0.15F};
 
-/// Segments from point to point.
+/// Adds segments that connect consecutive points.
 void add_path(const std::vector<Vector3f>& points, sim::SceneLines& lines) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     lines.points.push_back(points[i - 1]);
@@ -30,7 +30,7 @@ void add_path(const std::vector<Vector3f>& points, sim::SceneLines& lines) {
   }
 }
 
-/// A circle about a centre, spanned by two unit vectors.
+/// A circle around a centre, spanned by two unit vectors.
 std::vector<Vector3f> circle(const Vector3f& center, float radius, const Vector3f& u,
                              const Vector3f& v) {
   std::vector<Vector3f> points;
@@ -41,7 +41,7 @@ std::vector<Vector3f> circle(const Vector3f& center, float radius, const Vector3
   return points;
 }
 
-/// A chequered floor about the robot.
+/// Adds a chequered floor around the robot.
 void add_floor(float reach, sim::Scene& scene) {
   const float edge = reach > 3.0F ? 1.0F : 0.1F;
   const int half = static_cast<int>(std::ceil(std::min(reach / edge, kMostTiles)));
@@ -83,7 +83,7 @@ void add_supports(const sim::RobotModel& robot, sim::Scene& scene) {
   scene.lines.push_back(std::move(casters));
 }
 
-/// The arc that a lidar sees, with its first and its last beam.
+/// Adds the arc of a lidar's field of view, with its first and last beam.
 void add_scan(const sim::LidarConfig& lidar, float reach, sim::Scene& scene) {
   const Eigen::Isometry3f T_base_laser = lidar.T_base_laser.cast<float>();
   std::vector<Vector3f> arc{T_base_laser.translation()};

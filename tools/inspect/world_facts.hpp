@@ -1,4 +1,4 @@
-/// Figures of a world.
+/// Measurements of a world.
 #pragma once
 
 #include <string>
@@ -9,14 +9,13 @@
 
 namespace castaway::testbed {
 
-/// A route and its room.
+/// A route and its clearance.
 struct RouteFacts {
   std::string name;
-  double length = 0.0;     ///< [m] Closed.
-  double clearance = 0.0;  ///< [m] To the nearest obstacle up to 0.35 m high, to within 5 cm.
+  double length = 0.0;     ///< [m] Of the closed route.
+  double clearance = 0.0;  ///< [m] To the nearest obstacle up to 0.35 m high, within 5 cm.
 };
 
-/// Figures of a world.
 struct WorldFacts {
   double free_area = 0.0;  ///< [m^2] Of the map.
   std::vector<RouteFacts> routes;
@@ -25,7 +24,7 @@ struct WorldFacts {
   std::vector<std::string> warnings;
 };
 
-/// Casts and measures: some seconds for a building.
+/// Measures a world by casting rays; takes some seconds for a building.
 WorldFacts world_facts(const LoadedWorld& world, const sim::PlaceView& view);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// Where a robot can stand in a world, and how alike these places look.
+/// Places where a robot can stand in a world, and how similar they look.
 #pragma once
 
 #include "sim/map/ambiguity.hpp"
@@ -6,15 +6,15 @@
 
 namespace castaway::testbed {
 
-inline constexpr double kPlaceRadius = 0.25;  ///< [m] Of the disc that looks for places.
+inline constexpr double kPlaceRadius = 0.25;  ///< [m] Radius of the disc that must fit at a place.
 
-/// The map with all that a low robot could run into.
+/// The map with all obstacles that a low robot could hit.
 sim::Grid obstacle_grid(const LoadedWorld& world);
 
-/// Where it stands on the floor itself.
+/// Free space on the floor.
 sim::FreeSpace place_space(const LoadedWorld& world);
 
-/// Seconds for a building; the same world and view give the same figures.
+/// Deterministic for a world and a view; takes seconds for a building.
 sim::PlaceLikeness world_likeness(const LoadedWorld& world, const sim::PlaceView& view);
 
 }  // namespace castaway::testbed

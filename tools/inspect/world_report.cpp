@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Lines = std::back_insert_iterator<std::string>;
 
-/// How many of what.
+/// Numbers of objects by kind.
 struct Counts {
   std::map<std::string, int> kinds;
   std::set<std::string> furniture;

@@ -1,4 +1,4 @@
-/// What was understood of a world, as text and as JSON.
+/// Report on a loaded world, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace castaway::testbed {
 
-/// Lines for a reader.
+/// Report as lines of text.
 std::string world_text(const LoadedWorld& world, const WorldFacts& facts);
 
-/// The same figures by name; SI units.
+/// The same data as JSON, in SI units.
 nlohmann::ordered_json world_json(const LoadedWorld& world, const WorldFacts& facts);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// What was understood of a world, as scenes.
+/// A loaded world as scenes.
 #pragma once
 
 #include "sim/scene/scene.hpp"
@@ -6,11 +6,11 @@
 
 namespace castaway::testbed {
 
-/// The world from above its southern edge; routes in blue, slip zones in orange, the start as an
-/// arrow. @throws std::runtime_error if a mesh cannot be read.
+/// Shows the world from above its southern edge: routes in blue, slip zones in orange, the start as
+/// an arrow. Throws std::runtime_error if a mesh cannot be read.
 sim::Scene world_scene(const LoadedWorld& world);
 
-/// The map from straight above, with the same marks.
+/// Shows the map from straight above, with the same marks.
 sim::Scene world_map_scene(const LoadedWorld& world);
 
 }  // namespace castaway::testbed

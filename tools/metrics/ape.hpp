@@ -26,14 +26,15 @@ struct Ape {
   double std = 0.0;   ///< sqrt(sum (e_i - mean)^2 / n)
 };
 
-/// Indices (of `a`, of `b`) of poses that belong together: for every pose of the shorter trajectory
-/// (of `b` where both are as long) the one of the other nearest in time, the earlier of two, if it
-/// is no further than `max_apart`. Trajectories by time.
+/// Matches poses by time. For every pose of the shorter trajectory (of `b` if the lengths are
+/// equal), finds the pose of the other that is nearest in time (the earlier one of a tie), if it is
+/// within `max_apart`. Returns pairs of indices into `a` and `b`. Both trajectories must be sorted
+/// by time.
 std::vector<std::pair<std::size_t, std::size_t>> matched_by_time(
     const std::vector<StampedPose>& a, const std::vector<StampedPose>& b,
     std::chrono::nanoseconds max_apart = std::chrono::milliseconds(10));
 
-/// Nothing where no pose has a match.
+/// Returns nothing if no pose has a match.
 std::optional<Ape> absolute_pose_error(const std::vector<StampedPose>& truth,
                                        const std::vector<StampedPose>& estimate);
 

@@ -1,9 +1,9 @@
-/// Whether the stated probability of being right can be believed: how often outputs of which it is
-/// said are right.
+/// Calibration of the stated probability of being right: how often outputs with a given stated
+/// probability are right.
 ///
 /// G. W. Brier, "Verification of Forecasts Expressed in Terms of Probability", Monthly Weather
-/// Review 78 (1950), for two outcomes: the mean of (stated - (right ? 1 : 0))^2; 0 is perfect, 0.25
-/// is what always stating 0.5 gives.
+/// Review 78 (1950), for two outcomes: the mean of (stated - (right ? 1 : 0))^2. 0 is perfect;
+/// always stating 0.5 gives 0.25.
 #pragma once
 
 #include <array>
@@ -19,31 +19,31 @@ namespace castaway::testbed {
 struct CalibrationBin {
   std::int64_t scans = 0;
   std::int64_t right = 0;
-  double stated_sum = 0.0;  ///< Of their stated probabilities.
+  double stated_sum = 0.0;  ///< Sum of the stated probabilities.
 
-  /// Mean stated probability; nothing without scans.
+  /// Mean stated probability; nothing if there are no scans.
   [[nodiscard]] std::optional<double> stated() const;
-  /// Share that is right; nothing without scans.
+  /// Share of right outputs; nothing if there are no scans.
   [[nodiscard]] std::optional<double> observed() const;
-  /// Interval of that share (`wilson_interval`). Scans are not independent, so it is too narrow.
+  /// Wilson interval of that share. It is too narrow, since scans are not independent.
   [[nodiscard]] RateInterval interval() const;
 };
 
-/// The reliability diagram of a localizer, to be added up over runs.
+/// The reliability diagram of a localizer; diagrams of several runs can be added.
 struct Calibration {
   std::array<CalibrationBin, 10> bins;  ///< [0, 0.1), [0.1, 0.2) ... [0.9, 1].
   double squares = 0.0;                 ///< Sum of (stated - outcome)^2.
 
-  /// An output stated to be right with this probability (cut to [0, 1]), and whether it is.
+  /// Adds an output: the stated probability of being right (clamped to [0, 1]), and whether it is.
   void add(double probability, bool right);
-  /// All that another one holds.
+  /// Adds all outputs of another diagram.
   void add(const Calibration& other);
   [[nodiscard]] std::int64_t scans() const;
-  /// Brier score; nothing without scans.
+  /// Brier score; nothing if there are no scans.
   [[nodiscard]] std::optional<double> brier() const;
 };
 
-/// The rows with truth and estimate.
+/// Calibration over the rows that have truth and estimate.
 Calibration calibration_of(const std::vector<MetricRow>& rows, const RecoveryConfig& config);
 
 }  // namespace castaway::testbed

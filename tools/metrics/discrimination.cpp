@@ -6,14 +6,14 @@
 namespace castaway::testbed {
 namespace {
 
-/// How many of both kinds there are.
+/// Number of right and of wrong outputs.
 std::pair<std::int64_t, std::int64_t> right_and_wrong(const std::vector<ScoredOutput>& outputs) {
   const auto right = std::count_if(outputs.begin(), outputs.end(),
                                    [](const ScoredOutput& output) { return output.right; });
   return {right, static_cast<std::int64_t>(outputs.size()) - right};
 }
 
-/// Share of rows of one score that is the highest left.
+/// End of the run of equal scores that starts at `begin`.
 std::size_t end_of_ties(const std::vector<ScoredOutput>& descending, std::size_t begin) {
   std::size_t end = begin;
   while (end < descending.size() && descending[end].score == descending[begin].score) ++end;
@@ -39,7 +39,7 @@ std::vector<std::pair<double, double>> roc_curve(std::vector<ScoredOutput> outpu
   return curve;
 }
 
-/// The trapezoids under the curve: a tie is a slope, which counts its pairs half.
+/// Sums trapezoids under the curve. A tie is a diagonal segment, so its pairs count half.
 std::optional<double> roc_area(std::vector<ScoredOutput> outputs) {
   const auto curve = roc_curve(std::move(outputs));
   if (curve.empty()) return std::nullopt;

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = Condition::Kind;
 
-// Longer ones first: "<=" begins with "<".
+// Longer operators first, since "<=" begins with "<".
 constexpr std::array<std::pair<std::string_view, Kind>, 5> kOperators{{{"<=", Kind::kAtMost},
                                                                        {">=", Kind::kAtLeast},
                                                                        {"==", Kind::kEqual},
@@ -32,14 +32,14 @@ constexpr std::array<std::pair<std::string_view, SeedRule>, 6> kRules{
      {"max", SeedRule::kMax},
      {"p95", SeedRule::kP95}}};
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
 }
 
 std::optional<double> number(std::string_view text) {
-  const std::string_view digits = trimmed(text);
+  const std::string_view digits = trim(text);
   double value = 0.0;
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
@@ -47,7 +47,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-std::optional<Condition> parsed_range(std::string_view text) {
+std::optional<Condition> parse_range(std::string_view text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string_view::npos) return std::nullopt;
   const auto low = number(text.substr(0, dots));
@@ -56,7 +56,7 @@ std::optional<Condition> parsed_range(std::string_view text) {
   return Condition{Kind::kRange, *low, *high};
 }
 
-std::optional<Condition> parsed_comparison(std::string_view text) {
+std::optional<Condition> parse_comparison(std::string_view text) {
   for (const auto& [symbol, kind] : kOperators) {
     if (!text.starts_with(symbol)) continue;
     const auto value = number(text.substr(symbol.size()));
@@ -68,9 +68,9 @@ std::optional<Condition> parsed_comparison(std::string_view text) {
 }  // namespace
 
 Condition parse_condition(const std::string& text) {
-  const std::string_view body = trimmed(text);
-  if (const auto range = parsed_range(body)) return *range;
-  if (const auto comparison = parsed_comparison(body)) return *comparison;
+  const std::string_view body = trim(text);
+  if (const auto range = parse_range(body)) return *range;
+  if (const auto comparison = parse_comparison(body)) return *comparison;
   throw std::invalid_argument(fmt::format(
       "'{}' is no condition; give an operator (<, <=, >, >=, ==) and a number, \"< 5\", "
       "or a range, \"0..7\"",
@@ -133,7 +133,7 @@ double aggregate(SeedRule rule, std::vector<double> values) {
 }
 
 Expectation parse_expectation(const std::string& text) {
-  const std::string_view body = trimmed(text);
+  const std::string_view body = trim(text);
   const std::size_t space = body.find_first_of(" <>=");
   if (space == std::string_view::npos || space == 0) {
     throw std::invalid_argument(

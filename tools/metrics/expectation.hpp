@@ -1,4 +1,4 @@
-/// What a run is expected to show, and whether it does.
+/// Expectations of a run's metrics.
 #pragma once
 
 #include <cstdint>
@@ -8,49 +8,49 @@
 
 namespace castaway::testbed {
 
-/// A condition on a number. Both ends of a range belong to it.
+/// A condition on a number. Ranges include both ends.
 struct Condition {
   enum class Kind : std::uint8_t { kLess, kAtMost, kGreater, kAtLeast, kEqual, kRange };
 
   Kind kind = Kind::kAtLeast;
-  double low = 0.0;   ///< The number compared with; of a range its lower end.
-  double high = 0.0;  ///< Of a range its upper end.
+  double low = 0.0;   ///< The number compared with, or the lower end of a range.
+  double high = 0.0;  ///< Upper end of a range.
 };
 
-/// Reads "< 5", "<= 5", "> 5", ">= 5", "== 5" or "1..5". Throws std::invalid_argument with the text
-/// and what is accepted.
+/// Parses "< 5", "<= 5", "> 5", ">= 5", "== 5" or "1..5". Throws std::invalid_argument with the
+/// text and the accepted forms.
 Condition parse_condition(const std::string& text);
 
-/// As it is read: "< 5", "1..5".
+/// Formats a condition as `parse_condition` reads it.
 std::string to_string(const Condition& condition);
 
-/// Whether the value meets the condition; one that is not a number never does.
+/// Whether the value meets the condition; NaN never does.
 bool holds(const Condition& condition, double value);
 
-/// How far the value is from meeting the condition, in its unit; 0 where it holds or misses by the
-/// equality alone.
+/// Distance of the value from meeting the condition, in its unit; 0 if the condition holds or fails
+/// only because of a strict inequality.
 double missed_by(const Condition& condition, double value);
 
-/// What is judged where there are several seeds.
+/// How the values of several seeds are combined before they are compared.
 enum class SeedRule : std::uint8_t { kAllSeeds, kMean, kMedian, kMin, kMax, kP95 };
 
-/// Reads "all seeds", "mean", "median", "min", "max" or "p95". Throws std::invalid_argument.
+/// Parses "all seeds", "mean", "median", "min", "max" or "p95". Throws std::invalid_argument.
 SeedRule parse_seed_rule(const std::string& text);
 
-/// As it is read.
+/// Formats a rule as `parse_seed_rule` reads it.
 std::string to_string(SeedRule rule);
 
-/// The aggregate of a non-empty sample; of kAllSeeds the mean.
+/// Aggregates a non-empty sample; kAllSeeds gives the mean.
 double aggregate(SeedRule rule, std::vector<double> values);
 
-/// A metric and what is expected of it.
+/// A metric and the condition that it must meet.
 struct Expectation {
-  std::string metric;  ///< A path of summary.json, "mh_amcl.recovery.success".
+  std::string metric;  ///< A path in summary.json, such as "mh_amcl.recovery.success".
   Condition condition;
   SeedRule over = SeedRule::kAllSeeds;
 };
 
-/// Reads "mh_amcl.recovery.success >= 1". Throws std::invalid_argument.
+/// Parses "mh_amcl.recovery.success >= 1". Throws std::invalid_argument.
 Expectation parse_expectation(const std::string& text);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// How localizers fared while a sensor was at fault.
+/// Metrics of localizers during sensor faults.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,26 @@
 
 namespace castaway::testbed {
 
-/// When a fault lasted.
+/// Time interval of a fault.
 struct FaultWindow {
-  std::string fault;  ///< Its kind, and the lidar's name if it was one of several.
+  std::string fault;  ///< Kind of the fault, with the lidar's name if there are several.
   Stamp begin{};
-  Stamp end{};  ///< At most the end of the run; of a reset its begin.
+  Stamp end{};  ///< At most the end of the run. For a reset, equal to `begin`.
 };
 
-/// The faults among the events "fault on" and "fault off" of a run that ended at `end`.
+/// Extracts the faults from the "fault on" and "fault off" events of a run that ended at `end`.
 std::vector<FaultWindow> fault_windows(const std::vector<RunEvent>& events, Stamp end);
 
-/// One localizer during a fault and 5 s after it; nothing where no row was scored.
+/// Metrics of one localizer during a fault and the 5 s after it; nothing if no row was scored.
 struct FaultMetrics {
-  std::optional<double> mean_error_m;           ///< Position error of rows with an estimate.
-  std::optional<double> wrong_confident_share;  ///< Of those, the ones that are wrong (0.5 m or
-                                                ///< 0.35 rad and more) without an alarm.
-  bool alarm = false;                           ///< It raised the alarm at some time.
+  std::optional<double> mean_error_m;           ///< Mean position error of the rows with an
+                                                ///< estimate.
+  std::optional<double> wrong_confident_share;  ///< Share of those rows that are wrong (at least
+                                                ///< 0.5 m or 0.35 rad) without the alarm.
+  bool alarm = false;                           ///< The alarm was raised at some time.
 };
 
-/// Rows count by the time when their answer was there.
+/// Measures a fault. Rows are selected by the time of their answer.
 FaultMetrics measure_fault(const std::vector<MetricRow>& rows, const FaultWindow& window);
 
 }  // namespace castaway::testbed

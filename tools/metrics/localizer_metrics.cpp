@@ -12,9 +12,9 @@ bool is_tracking(const std::vector<RecoveryWindow>& windows, Stamp stamp) {
                       [&](const RecoveryWindow& window) { return window.is_lost_at(stamp); });
 }
 
-constexpr double kBlock = 5.0;  // [s] Of rows that resemble each other.
+constexpr double kBlock = 5.0;  // [s] Length of a bootstrap block; rows within it are correlated.
 
-/// Rows of 5 s, by the mean time between two.
+/// Number of rows in a block of 5 s, by the mean period of the rows.
 std::size_t block_of(const std::vector<MetricRow>& rows) {
   if (rows.size() < 2) return 1;
   const double period =
@@ -72,7 +72,7 @@ void measure_wrong_lock(const std::vector<MetricRow>& rows, const RecoveryConfig
   if (answered > 0) metrics.wrong_lock_share = static_cast<double>(wrong) / answered;
 }
 
-/// Each row stands for the time to the next one; the last to the end.
+/// Each row counts until the next one, the last one until the end.
 void measure_wrong_lock_time(const std::vector<MetricRow>& rows, Stamp end,
                              const RecoveryConfig& config, LocalizerMetrics& metrics) {
   double stretch = 0.0;
@@ -96,7 +96,7 @@ void measure_availability(const std::vector<MetricRow>& rows, LocalizerMetrics& 
   if (scored > 0) metrics.availability = static_cast<double>(available) / scored;
 }
 
-/// The trajectories as the TUM files hold them: a pose a stamp, the first one.
+/// Computes the APE of the trajectories in the TUM files: one pose per stamp, the first one.
 std::optional<Ape> ape_of(const std::vector<MetricRow>& rows) {
   std::vector<StampedPose> truth;
   std::vector<StampedPose> estimate;
@@ -123,8 +123,8 @@ void measure_detection(LocalizerMetrics& metrics) {
   metrics.detection_delay_s = statistics(std::move(delays));
 }
 
-/// Up to when an alarm answers the kidnap (or the unknown start) of a window.
-Stamp excused_until(const RecoveryWindow& window, const RecoveryConfig& config) {
+/// Up to this time an alarm is a correct response to the kidnap (or unknown start) of a window.
+Stamp alarm_grace_end(const RecoveryWindow& window, const RecoveryConfig& config) {
   const Stamp grace = std::min(window.begin + config.alarm_grace, window.end);
   return std::max(window.recovered.value_or(window.end), grace);
 }
@@ -134,7 +134,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
   if (rows.empty()) return;
   Stamp watched = end - rows.front().stamp;
   for (const RecoveryWindow& window : metrics.windows) {
-    watched -= excused_until(window, config) - window.taken;
+    watched -= alarm_grace_end(window, config) - window.taken;
   }
   if (watched <= Stamp::zero() || !metrics.tracking_error_m) return;
   bool was_lost = false;
@@ -142,7 +142,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
     const bool onset = row.lost && !was_lost;
     const bool excused = std::any_of(
         metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
-          return row.answered() >= window.taken && row.answered() < excused_until(window, config);
+          return row.answered() >= window.taken && row.answered() < alarm_grace_end(window, config);
         });
     if (onset && is_right(row, config) && !excused) ++metrics.false_alarms;
     was_lost = row.lost;
@@ -157,7 +157,7 @@ LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<Ru
                          bool known_start, Stamp end, const RecoveryConfig& config) {
   LocalizerMetrics metrics;
   const std::vector<RunEvent> kidnaps = kidnaps_of(events);
-  const std::vector<MetricRow> rows = with_torn_marked(all, kidnaps);
+  const std::vector<MetricRow> rows = mark_torn_rows(all, kidnaps);
   metrics.windows = recovery_windows(rows, kidnaps, known_start, end, config);
   measure_errors(rows, metrics);
   measure_recovery(metrics);

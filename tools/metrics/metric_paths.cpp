@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string joined(const std::string& path, std::string key) {
+std::string join_path(const std::string& path, std::string key) {
   std::replace(key.begin(), key.end(), ' ', '_');
   return path.empty() ? key : path + "." + key;
 }
@@ -20,16 +20,16 @@ std::string joined(const std::string& path, std::string key) {
 void add_figures(const Json& json, const std::string& path, MetricTable& table) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
-      add_figures(value, joined(path, key), table);
+      add_figures(value, join_path(path, key), table);
     } else if (value.is_number()) {
-      table[joined(path, key)] = value.get<double>();
+      table[join_path(path, key)] = value.get<double>();
     } else if (value.is_null()) {
-      table[joined(path, key)] = std::nullopt;
+      table[join_path(path, key)] = std::nullopt;
     }
   }
 }
 
-/// What a run can have besides its localizers' figures.
+/// A summary with every key of a run, apart from its localizers.
 Json empty_run() {
   Json run{{"duration_s", nullptr}, {"distance_m", nullptr}, {"collisions", nullptr}};
   for (const char* what : {"recoveries", "wait", "re-plan", "back up", "spin", "emergency stop"}) {

@@ -1,4 +1,4 @@
-/// Metrics as summary.json shows them.
+/// Metrics as JSON, for summary.json.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,17 +8,17 @@
 
 namespace castaway::testbed {
 
-/// A figure with nine digits after the point: far below what is measured, and the same text
-/// everywhere.
+/// Rounds a number to nine decimal places, which is far finer than any measurement and gives the
+/// same text on every platform.
 nlohmann::ordered_json json_figure(double value);
 
 /// Brier score and reliability diagram.
 nlohmann::ordered_json to_json(const Calibration& calibration);
 
-/// What a fault of a sensor did to a localizer.
+/// Metrics of a localizer during a sensor fault.
 nlohmann::ordered_json to_json(const FaultMetrics& metrics);
 
-/// The entry of one localizer; keys in the order of the documented format.
+/// The entry of one localizer; keys are in the order of the documented format.
 nlohmann::ordered_json to_json(const LocalizerMetrics& metrics);
 
 }  // namespace castaway::testbed

@@ -9,14 +9,14 @@ namespace {
 using localization::distance;
 using localization::yaw_distance;
 
-/// Where the answer would be if nothing but the robot had moved since the one before.
-SE2 expected(const MetricRow& before, const MetricRow& now) {
+/// The previous answer moved by odometry.
+SE2 predict_answer(const MetricRow& before, const MetricRow& now) {
   return *before.T_map_base_estimate * before.T_odom_base.inverse() * now.T_odom_base;
 }
 
 bool is_tracking(const std::vector<RecoveryWindow>& windows, const MetricRow& row) {
   return std::none_of(windows.begin(), windows.end(), [&](const RecoveryWindow& window) {
-    // The recovery itself ends the window: its row is still the answer to the kidnap.
+    // The row of the recovery itself still belongs to the window: it is the response to the kidnap.
     return row.answered() >= window.taken &&
            row.answered() <= window.recovered.value_or(window.end);
   });
@@ -32,7 +32,7 @@ OutputJumps jumps_of(const std::vector<MetricRow>& rows, const std::vector<Recov
     if (!row.T_map_base_estimate) continue;
     const MetricRow* last = std::exchange(before, &row);
     if (last == nullptr) continue;
-    const SE2 unmoved = expected(*last, row);
+    const SE2 unmoved = predict_answer(*last, row);
     const double leap = distance(unmoved, *row.T_map_base_estimate);
     jumps.largest_m = std::max(jumps.largest_m, leap);
     const bool jumped = leap > config.position_m ||

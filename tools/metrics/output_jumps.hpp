@@ -1,4 +1,4 @@
-/// How steady an output is: where it leaps.
+/// Jumps of a localizer's output.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace castaway::testbed {
 
-/// From when on a change of the output that odometry does not account for is a jump.
+/// A change of the output beyond odometry is a jump if it exceeds one of these thresholds.
 struct JumpConfig {
   double position_m = 0.2;  ///< [m]
   double yaw_rad = 0.2;     ///< [rad]
 };
 
-/// Jumps of the output from one answer to the next. A recovery is one: it must be.
+/// Jumps of the output between consecutive answers. A recovery necessarily counts as one.
 struct OutputJumps {
-  int count = 0;           ///< All of them...
-  int while_tracking = 0;  ///< ...and those outside of the times from a kidnap to its recovery.
-  double largest_m = 0.0;  ///< [m] Of all changes that odometry does not account for.
+  int count = 0;           ///< Number of all jumps.
+  int while_tracking = 0;  ///< Jumps outside the times from a kidnap to its recovery.
+  double largest_m = 0.0;  ///< [m] Largest change that odometry does not explain.
 };
 
-/// What is expected of the next answer is the answer before, moved as odometry moved meanwhile.
+/// Finds the jumps: deviations of an answer from the previous one moved by odometry.
 OutputJumps jumps_of(const std::vector<MetricRow>& rows, const std::vector<RecoveryWindow>& windows,
                      const JumpConfig& config = {});
 

@@ -5,7 +5,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kLeaves = 0.1;  // [m] Beyond a zone's border.
+constexpr double kLeaves = 0.1;  // [m] Hysteresis beyond a zone's border.
 
 }  // namespace
 

@@ -21,9 +21,9 @@ RowRange rows_in(const std::vector<MetricRow>& rows, const RecoveryWindow& windo
           static_cast<std::size_t>(last - rows.begin())};
 }
 
-/// Index of the first row of the right ones that last to the end of the range; nothing if the last
-/// scored row is wrong. Rows without truth say nothing.
-std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& rows, RowRange range,
+/// Index of the first row from which on all scored rows of the range are right; nothing if the last
+/// scored row is wrong. Rows without truth are skipped.
+std::optional<std::size_t> first_lasting_right(const std::vector<MetricRow>& rows, RowRange range,
                                                const RecoveryConfig& config) {
   std::optional<std::size_t> first;
   for (std::size_t i = range.last; i > range.first; --i) {
@@ -35,8 +35,9 @@ std::optional<std::size_t> first_of_last_right(const std::vector<MetricRow>& row
   return first;
 }
 
-/// When the localizer first raised the alarm or was right. A scan that began before the kidnap and
-/// ended after it may raise the alarm, too; one that ends after the next kidnap belongs to that.
+/// Time of the first answer that raises the alarm or is right. An alarm also counts if its scan
+/// began before the kidnap and ended after it. A scan that ends after the next kidnap belongs to
+/// that one.
 std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, RowRange range,
                                   const RecoveryWindow& window, const RecoveryConfig& config) {
   for (std::size_t i = 0; i < range.last; ++i) {
@@ -48,7 +49,7 @@ std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, RowRange r
   return std::nullopt;
 }
 
-/// Each row stands for the time to the next one, within the window.
+/// Each row counts until the next one, within the window.
 double wrong_lock(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
                   const RecoveryConfig& config) {
   double wrong_s = 0.0;
@@ -63,7 +64,7 @@ double wrong_lock(const std::vector<MetricRow>& rows, const RecoveryWindow& wind
 
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
            const RecoveryConfig& config, RecoveryWindow& window) {
-  const auto right = first_of_last_right(rows, range, config);
+  const auto right = first_lasting_right(rows, range, config);
   if (window.scored && right && window.end - rows[*right].answered() >= config.min_left) {
     window.recovered = rows[*right].answered();
     window.distance_m = driven[*right] - driven[range.first];

@@ -8,13 +8,13 @@ namespace {
 
 using localization::distance;
 
-/// Distance from row to row; every kidnap between them ends one piece of the way and begins
-/// another. A robot that is held does not drive.
+/// Distance between two rows. Every kidnap between them ends one piece of the path and begins
+/// another; the robot does not drive while it is carried.
 double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEvent>& kidnaps) {
   const double by_odometry = distance(from.T_odom_base, to.T_odom_base);
   if (!from.T_map_base_true || !to.T_map_base_true) return by_odometry;
   double driven = 0.0;
-  std::optional<SE2> T_map_base = from.T_map_base_true;  // Nothing while it is held.
+  std::optional<SE2> T_map_base = from.T_map_base_true;  // Nothing while the robot is carried.
   for (const RunEvent& kidnap : kidnaps) {
     if (kidnap.stamp <= from.stamp || kidnap.begun() > to.stamp) continue;
     if (!kidnap.T_map_from || !kidnap.T_map_to) return by_odometry;
@@ -40,8 +40,8 @@ std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   return kidnaps;
 }
 
-std::vector<MetricRow> with_torn_marked(std::vector<MetricRow> rows,
-                                        const std::vector<RunEvent>& kidnaps) {
+std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
+                                      const std::vector<RunEvent>& kidnaps) {
   for (MetricRow& row : rows) {
     row.torn = std::any_of(kidnaps.begin(), kidnaps.end(), [&](const RunEvent& kidnap) {
       const auto within = [&](Stamp stamp) { return stamp > row.stamp && stamp < row.answered(); };

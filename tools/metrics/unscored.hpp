@@ -7,9 +7,9 @@
 
 namespace castaway::testbed {
 
-/// What a page says of the events of a localizer's `recovery` in `summary.json` that are not scored
-/// because the next kidnap or the end of the run followed too soon: "1 kidnap is not scored: ...".
-/// Empty if all are.
+/// The sentence on a page about events in a localizer's `recovery` in `summary.json` that are not
+/// scored because the next kidnap or the end of the run followed too soon: "1 kidnap is not scored:
+/// ...". Empty if all are scored.
 std::string unscored_sentence(const nlohmann::ordered_json& recovery);
 
 }  // namespace castaway::testbed

@@ -20,7 +20,7 @@ Check check_of(const Expectation& expectation, const JudgedRun& run) {
   return check;
 }
 
-/// How far a run is off; one without a figure is furthest.
+/// How far a run is off; infinite if it has no value.
 double distance(const Expectation& expectation, const JudgedRun& run) {
   const auto value = value_of(run, expectation.metric);
   return value ? missed_by(expectation.condition, *value) : std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-/// Expectations held against runs.
+/// Checks runs against expectations.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,28 @@
 
 namespace castaway::testbed {
 
-/// A finished run to be judged.
+/// A finished run to be checked.
 struct JudgedRun {
   std::uint64_t seed = 0;
   std::filesystem::path folder;
   MetricTable metrics;
-  double wall_s = 0.0;  ///< [s] That it took, for those who list times.
+  double wall_s = 0.0;  ///< [s] Wall time of the run, for reports.
 };
 
-/// One expectation held against one run, or against all of them put together.
+/// One expectation checked against one run, or against the aggregate of several.
 struct Check {
   Expectation expectation;
-  std::optional<std::uint64_t> seed;  ///< Of the run; nothing: of several put together.
-  std::optional<double> value;        ///< Nothing: there was nothing to measure, which is not met.
+  std::optional<std::uint64_t> seed;  ///< Seed of the run; nothing for an aggregate.
+  std::optional<double> value;        ///< Nothing if there was nothing to measure; the expectation
+                                      ///< is then not met.
   bool met = false;
-  std::filesystem::path folder;  ///< The run to look at: of several the one furthest off.
-  double wall_s = 0.0;           ///< [s] Of the run, or of all.
+  std::filesystem::path folder;  ///< The run to look at; for an aggregate, the run that is farthest
+                                 ///< off.
+  double wall_s = 0.0;           ///< [s] Wall time of the run, or the sum over all runs.
 };
 
-/// Every expectation, for each seed or put together as it says. Runs that have nothing to measure
-/// take no part in an aggregate.
+/// Checks every expectation, for each seed or for the aggregate, as its rule says. Runs without a
+/// value are excluded from an aggregate.
 std::vector<Check> judge(const std::vector<Expectation>& expectations,
                          const std::vector<JudgedRun>& runs);
 

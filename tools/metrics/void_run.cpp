@@ -25,7 +25,7 @@ std::string describe(const VoidRun& run) {
            "sticks out";
   }
   if (run.reason == kNeverMoved) {
-    return "the robot never got going, though it was to drive";
+    return "the robot never moved, although it had to drive";
   }
   return fmt::format("the robot was stuck from {:.1f} s on", run.at_s);
 }

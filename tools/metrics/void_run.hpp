@@ -1,4 +1,4 @@
-/// Runs that say nothing about localizers: the robot got nowhere.
+/// Void runs: the robot got nowhere, so they carry no information about localizers.
 #pragma once
 
 #include <filesystem>
@@ -19,23 +19,23 @@ inline constexpr const char* kStuck = "stuck";
 
 /// Why a run is void.
 struct VoidRun {
-  std::string reason;  ///< One of those above.
-  double at_s = 0.0;   ///< [s] Since when.
+  std::string reason;  ///< One of the constants above.
+  double at_s = 0.0;   ///< [s] Start of the condition.
 };
 
-/// Of a run's events; nothing: it counts.
+/// Why the run with these events is void; nothing if it is valid.
 std::optional<VoidRun> void_run(const std::vector<RunEvent>& events);
 
 /// The reason as a sentence.
 std::string describe(const VoidRun& run);
 
-/// `summary.json`'s value of "void": null, or reason, sentence and at_s.
+/// Value of "void" in `summary.json`: null, or reason, sentence and at_s.
 nlohmann::ordered_json void_json(const std::optional<VoidRun>& run);
 
-/// The sentence in a summary; nothing: the run counts, or is older than this rule.
+/// The sentence from a summary; nothing if the run is valid or older than this rule.
 std::optional<std::string> void_sentence(const nlohmann::ordered_json& summary);
 
-/// The same of a run folder's summary.json. @throws std::runtime_error if there is none.
+/// Reads the sentence from a run folder's summary.json. Throws std::runtime_error if there is none.
 std::optional<std::string> void_sentence_of(const std::filesystem::path& run_folder);
 
 }  // namespace castaway::testbed

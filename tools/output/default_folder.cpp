@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if the folder is free or was made by the same subcommand from the same settings.
+/// True if the folder is free or was made by the same subcommand with the same settings.
 bool is_same_or_free(const fs::path& folder, const std::string& made_by,
                      const std::string& settings) {
   try {
@@ -38,9 +38,9 @@ fs::path with_suffix(const OutputRequest& request) {
   return folder;
 }
 
-fs::path tell(const OutputRequest& request, const fs::path& folder) {
+fs::path report_choice(const OutputRequest& request, const fs::path& folder) {
   if (folder != request.target) {
-    fmt::print(stderr, "castaway: {} holds something else; this goes to {}\n",
+    fmt::print(stderr, "castaway: {} holds something else; writing to {}\n",
                request.target.string(), folder.string());
   }
   return folder;
@@ -54,14 +54,14 @@ fs::path free_folder(const OutputRequest& request) {
 }
 
 fs::path told_free_folder(const OutputRequest& request) {
-  return tell(request, free_folder(request));
+  return report_choice(request, free_folder(request));
 }
 
 fs::path told_free_runs_folder(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
   const bool free = std::all_of(runs.begin(), runs.end(), [&](const PlannedRun& run) {
     return is_same_or_free(request.target / run.folder, "run", run.settings);
   });
-  return tell(request, free ? free_folder(request) : with_suffix(request));
+  return report_choice(request, free ? free_folder(request) : with_suffix(request));
 }
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// Where a command writes that is not told where.
+/// Chooses the output folder of a command when the user names none.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,16 @@
 
 namespace castaway::testbed {
 
-/// `request.target` while it is free, or holds what the same subcommand made from the same settings
-/// and no input; else `<target>-<first digits of the settings' hash>`, so that runs with other
-/// settings do not replace each other.
+/// Returns `request.target` if it is free, or if it holds what the same subcommand made with the
+/// same settings and no input of the command. Otherwise `<target>-<first digits of the settings'
+/// hash>`, so that runs with different settings do not replace each other.
 std::filesystem::path free_folder(const OutputRequest& request);
 
-/// The same, and a line on stderr where it is not `request.target`.
+/// As `free_folder`; prints a line on stderr if the result is not `request.target`.
 std::filesystem::path told_free_folder(const OutputRequest& request);
 
-/// The same for a folder of runs: none of them may have been made from other settings.
+/// As `told_free_folder` for a folder of runs, none of which may have been made with other
+/// settings.
 std::filesystem::path told_free_runs_folder(const OutputRequest& request,
                                             const std::vector<PlannedRun>& runs);
 

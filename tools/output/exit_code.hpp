@@ -3,7 +3,6 @@
 
 namespace castaway::testbed {
 
-/// What the program tells its caller.
 enum ExitCode : int {
   kDone = 0,
   kRunFailed = 1,

@@ -14,7 +14,7 @@ bool is_allowed(char c) {
 
 }  // namespace
 
-std::string trouble_with_file_name(std::string_view name) {
+std::string file_name_error(std::string_view name) {
   if (name.empty()) return "must not be empty";
   if (name.size() > kMaxBytes) return "must not be longer than 100 bytes";
   if (name.front() == '.' || name.front() == '-') {

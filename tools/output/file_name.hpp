@@ -1,4 +1,4 @@
-/// Names from files (of scenarios, localizers, lidars, worlds) that become parts of paths.
+/// Makes path components from names in files (of scenarios, localizers, lidars, worlds).
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace castaway::testbed {
 
-/// Why a text cannot name a file or a folder, as the end of a sentence ("must not hold '/'"); empty
+/// Why a text cannot name a file or a folder, as the end of a sentence ("must not hold '/'"). Empty
 /// if it can: 1 to 100 bytes, no slash, backslash or control character, no leading '.' or '-', no
 /// blank at either end.
-std::string trouble_with_file_name(std::string_view name);
+std::string file_name_error(std::string_view name);
 
-/// The text as a file's name: what cannot stand in one becomes '_'; "unnamed" if nothing is left.
+/// Converts a text to a file name: invalid characters become '_'; "unnamed" if nothing is left.
 std::string file_name_of(std::string_view text);
 
 }  // namespace castaway::testbed

@@ -53,7 +53,7 @@ FileRecord from_json(const Json& root) {
   return record;
 }
 
-/// Entries of a folder by name.
+/// Entries of a folder, sorted by name.
 std::vector<fs::path> sorted_entries(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code none;
@@ -76,7 +76,8 @@ bool is_unchanged(const fs::path& file, const std::string& hash) {
   return hash.empty() || sha256_of_file(file) == hash;
 }
 
-/// "summary.json" of "summary.json.part-123", the name of a file while it is written; else nothing.
+/// Returns "summary.json" for "summary.json.part-123", the name of a file while it is written;
+/// otherwise nothing.
 std::optional<std::string> name_of_part(const std::string& path) {
   constexpr std::string_view kMark = ".part-";
   const std::size_t mark = path.rfind(kMark);

@@ -1,5 +1,5 @@
-/// What castaway wrote into a folder: a list that stands in the folder itself, so that no command
-/// replaces or removes anything else.
+/// The list of files that castaway wrote into a folder. It is stored in the folder itself, so that
+/// no command replaces or removes anything else.
 #pragma once
 
 #include <filesystem>
@@ -10,54 +10,56 @@
 
 namespace castaway::testbed {
 
-inline constexpr const char* kRecordName = ".castaway.json";         ///< The list.
-inline constexpr const char* kStagingName = ".castaway-unfinished";  ///< Of a run under way.
+inline constexpr const char* kRecordName = ".castaway.json";         ///< File name of the list.
+inline constexpr const char* kStagingName = ".castaway-unfinished";  ///< Folder of an unfinished
+                                                                     ///< run.
 
-/// SHA-256 by path, relative to the folder, with slashes. Empty: a file that holds clock readings,
-/// whose content is not compared, so that the list is the same in every repetition.
+/// SHA-256 by path, relative to the folder, with slashes. The hash is empty for files that hold
+/// clock readings; their content is not compared, so that the list is the same in every repetition.
 using FileHashes = std::map<std::string, std::string>;
 
-/// The list. The same settings give the same bytes.
+/// The list of a folder. Equal settings give equal bytes.
 struct FileRecord {
-  std::string made_by;              ///< Subcommand that made the folder; empty: none did.
-  std::string settings;             ///< Hash of what the folder was made from.
-  bool finished = true;             ///< False while a command writes, and after it was killed.
-  std::string program;              ///< Hash of the program, while unfinished.
-  FileHashes files;                 ///< Replaced and removed together, by the next run.
-  FileHashes single_files{};        ///< Written one at a time (`--junit`, `castaway map`).
-  std::vector<std::string> runs{};  ///< Folders in it that were made together with it.
+  std::string made_by;              ///< Subcommand that made the folder; empty if none did.
+  std::string settings;             ///< Hash of the inputs of the folder.
+  bool finished = true;             ///< False while a command writes and after it was killed.
+  std::string program;              ///< Hash of the program; only while unfinished.
+  FileHashes files;                 ///< Files that the next run replaces and removes together.
+  FileHashes single_files{};        ///< Files written one at a time (`--junit`, `castaway map`).
+  std::vector<std::string> runs{};  ///< Subfolders that were made together with it.
 };
 
-/// The list of a folder; nothing if it has none. Throws std::runtime_error naming the file if it
-/// is not a list.
+/// Loads the list of a folder; nothing if it has none. Throws std::runtime_error naming the file if
+/// it is malformed.
 std::optional<FileRecord> load_record(const std::filesystem::path& folder);
 
-/// Writes the list, at once.
+/// Writes the list atomically.
 void save_record(const std::filesystem::path& folder, const FileRecord& record);
 
-/// Hashes of all files under `folder`, the list and staging aside. Clock readings have no hash.
+/// Hashes of all files under `folder` except for the list and staging. Files of clock readings have
+/// no hash.
 FileHashes hash_files(const std::filesystem::path& folder);
 
-/// Hash of one file under `folder`, as a list holds it.
+/// Hash of one file under `folder`, as stored in a list.
 std::string hash_file(const std::filesystem::path& folder, const std::string& path);
 
-/// How a folder's content differs from its list.
+/// A file that differs from the list of its folder.
 struct ForeignFile {
   std::string path;      ///< Relative to the folder.
-  bool changed = false;  ///< castaway wrote it, somebody else has changed it since.
+  bool changed = false;  ///< True if castaway wrote the file but its content has changed since.
 };
 
-/// The first file, by name, that castaway did not write or that was changed since. Folders with a
-/// list of their own and empty folders do not count; links do.
+/// The first file, by name, that castaway did not write or that was changed since. Folders with
+/// their own list and empty folders are ignored; links are not.
 std::optional<ForeignFile> find_foreign(const std::filesystem::path& folder,
                                         const std::optional<FileRecord>& record);
 
-/// Removes what a killed process left half-written beside the files of the list, and of the list
+/// Removes temporary files that a killed process left for files of the list and for the list
 /// itself.
 void clear_leftovers(const std::filesystem::path& folder, const std::optional<FileRecord>& record);
 
-/// True if `path` may be replaced: nothing is there, or the file that `record` lists, unchanged.
-/// No folder on the way may be a link.
+/// True if `path` may be replaced: nothing is there, or it is a file that `record` lists and is
+/// unchanged. No folder on the path may be a link.
 bool is_replaceable(const std::filesystem::path& folder, const std::string& path,
                     const std::optional<FileRecord>& record);
 

@@ -23,13 +23,13 @@ FolderLock::FolderLock(const std::filesystem::path& folder, double patience_s) {
   constexpr double kPause = 0.1;  // [s]
   for (double waited = 0.0;; waited += kPause) {
     if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) return;
-    if (errno != EWOULDBLOCK) return;  // A file system without locks: nothing to wait for.
+    if (errno != EWOULDBLOCK) return;  // The file system does not support locks.
     if (waited >= patience_s) break;
     std::this_thread::sleep_for(std::chrono::duration<double>(kPause));
   }
   ::close(handle_);
   throw std::runtime_error(folder.string() +
-                           ": another castaway is at work in it; wait for its end or choose "
+                           ": another castaway process is using it; wait until it ends or choose "
                            "another folder with --out");
 }
 

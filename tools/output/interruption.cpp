@@ -15,24 +15,24 @@ std::atomic<int> pending{0};
 std::atomic<int> guards{0};
 std::atomic<bool> silent{false};
 
-void say(std::string_view text) {
+void write_stderr(std::string_view text) {
   if (silent) return;
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-/// Only what a signal handler may call.
+/// Calls only async-signal-safe functions.
 extern "C" void interrupt(int signal) {
   if (pending != 0 && silent) return;
   if (pending != 0) _exit(128 + signal);
   pending = signal;
   if (guards > 0) return;
-  say("castaway: interrupted; nothing was written\n");
+  write_stderr("castaway: interrupted; nothing was written\n");
   _exit(128 + signal);
 }
 
 }  // namespace
 
-/// Without SA_RESTART: whoever waits for a process or a file is woken.
+/// Without SA_RESTART, so that blocking waits return.
 void watch_for_interruption() {
   struct sigaction action {};
   action.sa_handler = interrupt;

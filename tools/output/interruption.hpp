@@ -1,22 +1,23 @@
-/// Ctrl-C and SIGTERM.
+/// Handling of Ctrl-C and SIGTERM.
 #pragma once
 
 #include <string>
 
 namespace castaway::testbed {
 
-/// Thrown where a command notices that it was interrupted, so that what it holds is put in order
-/// on the way out. Not a std::exception: nobody takes it for trouble with the work.
+/// Thrown when a command notices that it was interrupted, so that destructors clean up. It is not a
+/// std::exception, so that it is never mistaken for a failure of the work.
 struct Interrupted {
   int signal = 0;
-  std::string kept;  ///< What is left of the work, in words.
+  std::string kept;  ///< The part of the work that is kept, as a sentence.
 };
 
-/// From here on, SIGINT and SIGTERM interrupt. Where no `Interruptible` lives there is nothing to
-/// put in order: the program says so in one line and ends at once. A second signal always ends it.
+/// From here on, SIGINT and SIGTERM interrupt the program. While no `Interruptible` exists there is
+/// nothing to clean up, so the program prints one line and exits at once. A second signal always
+/// ends it.
 void watch_for_interruption();
 
-/// Lives while there is something to put in order.
+/// Exists while an interruption requires clean-up.
 class Interruptible {
  public:
   Interruptible();
@@ -25,17 +26,18 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 };
 
-/// The signal that came; 0: none.
+/// The signal that was received; 0 if none.
 int interruption();
 
-/// Throws Interrupted if a signal came.
+/// Throws Interrupted if a signal was received.
 void throw_if_interrupted();
 
-/// For a worker process, right after the fork: it holds nothing of its parent's, says nothing when
-/// it is interrupted, and takes a second signal (the terminal's and the parent's) for one.
+/// Call it in a worker process directly after the fork. The worker inherits no clean-up from its
+/// parent, prints nothing when interrupted, and treats the signals of the terminal and of the
+/// parent as one.
 void begin_as_worker();
 
-/// The line that a user reads, and the exit code (128 + the signal's number).
+/// The line for the user, and the exit code (128 + the signal's number).
 std::string describe(const Interrupted& interrupted);
 int exit_code_of(const Interrupted& interrupted);
 

@@ -26,7 +26,7 @@ constexpr const char* kElsewhere = "choose another folder with --out";
 constexpr const char* kElsewhereOrForce =
     "choose another folder with --out, or --force to replace only what castaway wrote";
 
-/// The topmost folder that is missing on the way to `target`; empty if `target` is there.
+/// The topmost missing folder on the path to `target`; empty if `target` exists.
 fs::path topmost_missing(const fs::path& target) {
   fs::path missing;
   std::error_code none;
@@ -37,14 +37,15 @@ fs::path topmost_missing(const fs::path& target) {
   return missing;
 }
 
-/// Nothing where a killed run had written nothing yet.
+/// The record of an earlier run; nothing if that run was killed before it wrote anything.
 std::optional<FileRecord> earlier_record(const fs::path& target) {
   std::optional<FileRecord> record = load_record(target);
   const bool empty = record && record->files.empty() && record->single_files.empty();
   return empty && !record->finished ? std::nullopt : record;
 }
 
-/// The files of both; where both have one, either content is castaway's.
+/// Merges two lists. A file whose hashes differ gets an empty hash, so that either content counts
+/// as castaway's.
 FileHashes unite(FileHashes one, const FileHashes& other) {
   for (const auto& [path, hash] : other) {
     const auto [place, is_new] = one.emplace(path, hash);
@@ -60,7 +61,7 @@ void remove_empty_folders(fs::path from, const fs::path& to) {
   }
 }
 
-/// The files of a list, and the folders that are empty then.
+/// Removes the files of a list and the folders that become empty.
 void remove_listed(const fs::path& folder, const FileRecord& record) {
   for (const auto& [path, hash] : record.files) {
     if (!is_replaceable(folder, path, record)) continue;

@@ -1,4 +1,4 @@
-/// A folder that appears when it is complete, and takes the place of nothing but castaway's own.
+/// An output folder that appears only when it is complete and replaces only castaway's own files.
 #pragma once
 
 #include <filesystem>
@@ -12,40 +12,40 @@
 
 namespace castaway::testbed {
 
-/// What goes where.
+/// Parameters of an output folder.
 struct OutputRequest {
   std::filesystem::path target;
   std::string made_by;                          ///< Subcommand.
-  std::string settings;                         ///< Hash of what it is made from.
+  std::string settings;                         ///< Hash of the inputs.
   std::vector<std::filesystem::path> inputs{};  ///< Files that the command reads.
-  bool force = false;                           ///< Other files may stand beside castaway's.
+  bool force = false;                           ///< Other files may exist beside castaway's.
   bool keep_list = true;  ///< False for a folder that becomes part of another one.
 };
 
-/// Throws std::runtime_error in one line if the folder holds files that castaway did not write or
-/// that were changed since (unless `force`), or an input of the command.
+/// Throws std::runtime_error with one line if the folder holds an input of the command or (unless
+/// `force`) files that castaway did not write or that were changed since.
 void check_output(const OutputRequest& request);
 
-/// Removes what castaway wrote into the folder and nobody changed since; the folder, too, if it is
-/// empty then.
+/// Removes the files of the folder that castaway wrote and that are unchanged, and the folder if it
+/// becomes empty.
 void remove_output(const std::filesystem::path& folder);
 
-/// A folder, being made. Everything is written into a hidden folder in the target, and moved into
-/// the target by `commit`, which removes the files of an earlier run. Files that castaway did not
-/// write stay, whatever is asked for. What a killed run left is cleared.
+/// A folder that is being made. Everything is written into a hidden folder inside the target and
+/// moved by `commit`, which removes the files of an earlier run. Files that castaway did not write
+/// are always kept. The remains of a killed run are removed.
 class OutputFolder {
  public:
-  /// Throws as `check_output` does, as FolderLock does, and FileError if the folder cannot be made.
+  /// Throws as `check_output` and FolderLock do, and FileError if the folder cannot be created.
   explicit OutputFolder(OutputRequest request);
-  /// Removes what was written unless `commit` was called.
+  /// Removes everything that was written unless `commit` was called.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write.
+  /// The folder to write into.
   [[nodiscard]] const std::filesystem::path& folder() const { return staging_; }
-  /// Moves all of it into the target. Throws FileError, before anything is touched, if a file would
-  /// take the place of one that castaway did not write.
+  /// Moves all files into the target. Throws FileError, before any change, if a file would replace
+  /// one that castaway did not write.
   void commit();
 
  private:
@@ -54,7 +54,7 @@ class OutputFolder {
 
   Interruptible interruptible_;
   OutputRequest request_;
-  std::filesystem::path made_;  ///< The topmost folder that had to be made; empty: none.
+  std::filesystem::path made_;  ///< The topmost folder that had to be created; empty if none.
   std::filesystem::path staging_;
   std::optional<FolderLock> lock_;
   std::optional<FileRecord> record_;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPatience = 10.0;  // [s] Another process notes a file in an instant.
+constexpr double kLockWait = 10.0;  // [s] Other processes hold the lock only briefly.
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -22,9 +22,9 @@ void require_own(const fs::path& file, const std::optional<FileRecord>& record) 
     throw std::runtime_error(file.string() + ": names a folder; give a file's name");
   }
   if (is_replaceable(folder_of(file), file.filename().string(), record)) return;
-  throw std::runtime_error(
-      file.string() +
-      ": exists, and castaway did not write it as it is; move it away or give another name");
+  throw std::runtime_error(file.string() +
+                           ": exists, and castaway did not write it or it was changed since; move "
+                           "it away or give another name");
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ void require_own_file(const fs::path& file) { require_own(file, load_record(fold
 void put_own_file(const fs::path& file, const std::function<void()>& put) {
   const fs::path folder = folder_of(file);
   std::error_code error;
-  fs::create_directories(folder, error);  // Where that fails, the lock says so.
-  const FolderLock lock(folder, kPatience);
+  fs::create_directories(folder, error);  // If this fails, the lock reports the error.
+  const FolderLock lock(folder, kLockWait);
   const std::optional<FileRecord> known = load_record(folder);
   require_own(file, known);
   put();

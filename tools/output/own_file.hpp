@@ -1,4 +1,4 @@
-/// Single files that a user names (`--junit`, `castaway map --out`): they replace nothing but what
+/// Single files named by the user (`--junit`, `castaway map --out`). They replace only what
 /// castaway wrote there before.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace castaway::testbed {
 
-/// Throws std::runtime_error in one line if something stands at `file` that castaway did not write
-/// or that was changed since. For a check before long work.
+/// Throws std::runtime_error with one line if `file` exists and castaway did not write it, or it
+/// was changed since. Use it as a check before long work.
 void require_own_file(const std::filesystem::path& file);
 
-/// Writes the whole file and notes it in its folder's list. Throws as `require_own_file` does, and
+/// Writes the whole file and adds it to its folder's list. Throws as `require_own_file` does, and
 /// FileError.
 void write_own_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// The same for a file that `put` brings to its place.
+/// As `write_own_file`, for a file that `put` writes.
 void put_own_file(const std::filesystem::path& file, const std::function<void()>& put);
 
 }  // namespace castaway::testbed

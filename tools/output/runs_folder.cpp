@@ -77,7 +77,7 @@ void RunsFolder::put_by(const std::string& name,
     throw FileError((request_.target / name).string() +
                     ": castaway did not write what is there; move it away or choose another --out");
   }
-  record_.files[name].clear();  // Its content is not known while it is written.
+  record_.files[name].clear();  // Its content is unknown while it is written.
   save_record(request_.target, record_);
   write(request_.target / name);
   record_.files[name] = hash_file(request_.target, name);

@@ -1,4 +1,4 @@
-/// A folder of runs and what they amount to, which a later call goes on with.
+/// A folder of runs and their summary, which a later call can resume.
 #pragma once
 
 #include <filesystem>
@@ -12,30 +12,29 @@
 
 namespace castaway::testbed {
 
-/// A run to be made.
+/// A run to make.
 struct PlannedRun {
-  std::string folder;    ///< Relative to the folder of all.
-  std::string settings;  ///< Hash of what it is made from.
+  std::string folder;    ///< Relative to the folder of all runs.
+  std::string settings;  ///< Hash of the run's inputs.
 };
 
-/// Holds a folder for each run, each with a list of its files, and files of its own.
+/// Holds a folder for each run, each with its own list of files, and common files.
 class RunsFolder {
  public:
-  /// Throws as `check_output` does, also for the folders of the runs, as FolderLock does, and
-  /// FileError.
+  /// Throws as `check_output` (also for the folders of the runs) and FolderLock do, and FileError.
   RunsFolder(OutputRequest request, std::vector<PlannedRun> runs);
 
   [[nodiscard]] const std::filesystem::path& path() const { return request_.target; }
-  /// True if an earlier call with the same settings and the same program, which was stopped,
-  /// finished this run.
+  /// True if an earlier, stopped call with the same settings and the same program finished this
+  /// run.
   [[nodiscard]] bool has_run(std::size_t index) const;
-  /// Writes a file of its own.
+  /// Writes a common file.
   void put(const std::string& name, std::string_view bytes);
-  /// The same by `write`, which is given the file's place.
+  /// As `put`; `write` is called with the path of the file.
   void put_by(const std::string& name,
               const std::function<void(const std::filesystem::path& file)>& write);
-  /// All is done: removes the files and runs of an earlier call that this one did not make, and
-  /// lets go of the folder.
+  /// Call it when all is done. Removes the files and runs of an earlier call that this one did not
+  /// make, and releases the folder.
   void finish();
 
  private:
@@ -48,7 +47,7 @@ class RunsFolder {
   bool goes_on_ = false;
 };
 
-/// Hash of the program that runs, so that what another build began is not mixed with its own.
+/// Hash of the running program, so that the work of two builds is never mixed.
 std::string program_hash();
 
 }  // namespace castaway::testbed

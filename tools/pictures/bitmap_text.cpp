@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Five columns a sign from ' ' to '~'; the lowest bit is the upper dot.
+/// Five columns per character from ' ' to '~'; the lowest bit is the top dot.
 using Glyph = std::array<std::uint8_t, kGlyphWidth>;
 constexpr std::array<Glyph, 95> kGlyphs{{
     {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00},
@@ -44,12 +44,12 @@ constexpr std::array<Glyph, 95> kGlyphs{{
     {0x00, 0x41, 0x36, 0x08, 0x00}, {0x08, 0x04, 0x08, 0x10, 0x08},
 }};
 
-/// Printable ASCII, '?' for every other sign.
+/// Replaces every character that is not printable ASCII by '?'.
 std::string printable(std::string_view text) {
   std::string signs;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) == 0x80U) continue;  // A further byte of a sign of UTF-8.
+    if ((byte & 0xC0U) == 0x80U) continue;  // Continuation byte of a UTF-8 sequence.
     signs += byte >= ' ' && byte <= '~' ? c : '?';
   }
   return signs;

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-CameraConfig checked(const CameraConfig& config) {
+CameraConfig require_valid(const CameraConfig& config) {
   validate(config);
   return config;
 }
@@ -49,7 +49,7 @@ sim::DeepImage in_millimetres(const sim::LabelledView& view) {
   return image;
 }
 
-Json described(const Eigen::Isometry3d& T) {
+Json pose_json(const Eigen::Isometry3d& T) {
   const Eigen::Quaterniond q(T.linear());
   const Eigen::Vector3d p = T.translation();
   return {{"translation_m", {p.x(), p.y(), p.z()}},
@@ -105,7 +105,7 @@ Eigen::Isometry3d T_base_optical(const CameraConfig& config) {
 CameraSink::CameraSink(const std::filesystem::path& run_folder, const CameraConfig& config,
                        PictureWorld world, std::map<int, std::string> names)
     : folder_(run_folder / "camera"),
-      config_(checked(config)),
+      config_(require_valid(config)),
       world_(std::move(world)),
       names_(std::move(names)),
       renderer_(config.width, config.height),
@@ -172,7 +172,7 @@ void CameraSink::write_camera() const {
                   {"cy", k.cy},
                   {"distortion", Json::array()},
                   {"rate_hz", config_.rate_hz},
-                  {"T_base_optical", described(T_base_optical(config_))},
+                  {"T_base_optical", pose_json(T_base_optical(config_))},
                   {"optical_frame", "z ahead, x to the right, y down (REP-103)"},
                   {"depth", "uint16, mm along z, 0: nothing"},
                   {"instances", "uint16, instances.json says what; 0: nothing"}};

@@ -1,4 +1,4 @@
-/// What a camera on the robot sees: colour, depth, and what every pixel belongs to.
+/// Images of a camera on the robot: colour, depth and instances.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace castaway::testbed {
 
-/// Throws std::invalid_argument, naming the value, for a camera that cannot be.
+/// Throws std::invalid_argument, naming the value, for an invalid camera.
 void validate(const CameraConfig& config);
 
-/// Focal length and optical centre. [px] Pixel (0, 0) has its middle at (0, 0).
+/// Focal length and optical centre [px]. The centre of pixel (0, 0) is at (0, 0).
 struct Intrinsics {
   double f = 1.0;
   double cx = 0.0;
@@ -27,10 +27,10 @@ struct Intrinsics {
 };
 Intrinsics intrinsics(const CameraConfig& config);
 
-/// The camera's optical frame in base, by REP-103: z ahead, x to the right, y down.
+/// Pose of the camera's optical frame in base, by REP-103: z forward, x right, y down.
 Eigen::Isometry3d T_base_optical(const CameraConfig& config);
 
-/// Takes a picture at the first odometry reading of every period:
+/// Takes an image at the first odometry reading of every period:
 ///
 ///     camera/rgb/000000.png        8 bits a channel
 ///     camera/depth/000000.png      16 bits: mm along the optical axis, 0: nothing (or 65.535 m on)
@@ -41,8 +41,8 @@ Eigen::Isometry3d T_base_optical(const CameraConfig& config);
 ///     camera/coco.json             people: boxes and masks
 class CameraSink final : public RunSink {
  public:
-  /// `names`: of instances; floor, robot and people have theirs. Throws std::runtime_error where
-  /// there is no EGL, std::invalid_argument for a camera that cannot be.
+  /// `names`: names of instances, besides floor, robot and people. Throws std::runtime_error if EGL
+  /// is not available, std::invalid_argument for an invalid camera.
   CameraSink(const std::filesystem::path& run_folder, const CameraConfig& config,
              PictureWorld world, std::map<int, std::string> names);
 

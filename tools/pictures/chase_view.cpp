@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Behind (negative x), beside, above the robot, in base. [m]
+/// Candidate camera positions [m] in base: behind (negative x), beside, above.
 constexpr std::array<std::array<float, 3>, 10> kPlaces{{{-1.9F, 0.0F, 1.7F},
                                                         {-1.4F, 0.0F, 2.0F},
                                                         {-1.4F, 0.9F, 1.9F},
@@ -20,8 +20,8 @@ constexpr std::array<std::array<float, 3>, 10> kPlaces{{{-1.9F, 0.0F, 1.7F},
                                                         {1.8F, 0.0F, 1.8F},
                                                         {-0.5F, 0.0F, 2.8F}}};
 
-/// Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997: a hit strictly
-/// between the ends.
+/// Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997. A hit counts only
+/// strictly between the ends.
 bool cuts(const std::array<Vector3f, 3>& corner, const Vector3f& from, const Vector3f& way) {
   const Vector3f edge1 = corner[1] - corner[0];
   const Vector3f edge2 = corner[2] - corner[0];
@@ -52,10 +52,10 @@ bool hides(const sim::SceneItem& item, const Vector3f& from, const Vector3f& to)
   return false;
 }
 
-constexpr float kHeight = 0.25F;  // [m] At which the robot must be seen.
-constexpr float kSide = 0.2F;     // [m] So far from its middle, too.
+constexpr float kHeight = 0.25F;  // [m] Height at which the robot must be visible.
+constexpr float kSide = 0.2F;     // [m] Distance from the centre at which it must be visible, too.
 
-/// Where the robot stands.
+/// Pose of the robot on the ground.
 struct Stand {
   localization::SE2 T_map_base;
   float height;  ///< [m]
@@ -77,7 +77,7 @@ bool is_hidden(const std::vector<sim::SceneItem>& items, const Vector3f& from, c
 
 namespace {
 
-/// The robot's middle and its sides.
+/// Whether the robot's centre and both sides are visible.
 bool is_in_sight(const std::vector<sim::SceneItem>& world, const Stand& robot,
                  const Vector3f& eye) {
   for (const float y : {0.0F, kSide, -kSide}) {

@@ -1,4 +1,4 @@
-/// Where the chase camera stands, so that nothing hides the robot.
+/// Chooses a position of the chase camera from which the robot is visible.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace castaway::testbed {
 
-/// A camera's place and what it looks at, in map. [m]
+/// A camera's position and target in map [m].
 struct ChaseView {
   Eigen::Vector3f eye;
   Eigen::Vector3f target;
 };
 
-/// True if a triangle of `items` lies between two points of the map.
+/// True if a triangle of `items` lies between two points in map.
 bool is_hidden(const std::vector<sim::SceneItem>& items, const Eigen::Vector3f& from,
                const Eigen::Vector3f& to);
 
-/// Behind and above the robot; where that is behind a wall or in a cupboard, nearer, higher or
-/// beside it: the first place from which the robot and the ground before it are seen; straight from
-/// above if there is none. `height` [m]: of what the robot stands on.
+/// Chooses a view from behind and above the robot. If a wall or a cupboard is in the way, the
+/// camera moves nearer, higher or to the side: it takes the first position from which the robot and
+/// the ground in front of it are visible, or straight above if there is none. `height` [m]: height
+/// of the ground under the robot.
 ChaseView clear_view(const std::vector<sim::SceneItem>& world, const localization::SE2& T_map_base,
                      float height = 0.0F);
 

@@ -22,7 +22,7 @@ Json annotation(const InstanceMask& mask, int height, int width) {
           {"segmentation", {{"size", {height, width}}, {"counts", mask.counts}}}};
 }
 
-/// The people in a picture, in order of their numbers.
+/// Ids of the people in an image, ascending.
 std::set<std::uint16_t> people_in(const std::vector<std::uint16_t>& instances) {
   std::set<std::uint16_t> people;
   for (const std::uint16_t instance : instances) {

@@ -1,4 +1,4 @@
-/// Instances of people in pictures, as COCO has them.
+/// Masks of people in images, in COCO format.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace castaway::testbed {
 
-/// Which pixels of a picture belong to one thing.
+/// Pixels of an image that belong to one instance.
 struct InstanceMask {
-  int left = 0;    ///< [px] Of the tight box around them...
+  int left = 0;    ///< [px] Left edge of the tight bounding box.
   int top = 0;     ///< [px]
   int width = 0;   ///< [px]
   int height = 0;  ///< [px]
-  int area = 0;    ///< [px] How many they are.
-  /// Lengths of runs that do not and do belong to it in turn, down the columns of the whole
-  /// picture: COCO's run lengths, not compressed.
+  int area = 0;    ///< [px] Number of pixels.
+  /// Uncompressed COCO run lengths: alternating lengths of runs outside and inside the mask, column
+  /// by column over the whole image.
   std::vector<int> counts;
 };
 
-/// The mask of `instance` in a picture of `width` columns, rows from the top; nothing where it is
-/// not seen.
+/// Mask of `instance` in an image of `width` columns, rows from the top; nothing if it is not
+/// visible.
 std::optional<InstanceMask> mask_of(const std::vector<std::uint16_t>& instances, int width,
                                     std::uint16_t instance);
 
-/// Collects pictures and the people in them. https://cocodataset.org/#format-data
+/// Collects images and the people in them. https://cocodataset.org/#format-data
 class CocoFile {
  public:
   CocoFile();
 
-  /// A picture taken at `stamp_s`; `instances` as of `mask_of`.
+  /// Adds an image taken at `stamp_s`; `instances` as for `mask_of`.
   void add(const std::string& file_name, double stamp_s,
            const std::vector<std::uint16_t>& instances, int width);
-  /// All of it as JSON text.
+  /// The whole file as JSON text.
   [[nodiscard]] std::string text() const;
 
  private:

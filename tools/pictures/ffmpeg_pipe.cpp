@@ -14,7 +14,7 @@
 
 #include "tools/output/own_file.hpp"
 
-extern char** environ;  // POSIX declares it nowhere.
+extern char** environ;  // No POSIX header declares it.
 
 namespace castaway::testbed {
 namespace {
@@ -49,7 +49,7 @@ std::vector<std::string> command(const FilmFormat& format, const std::string& ou
   return words;
 }
 
-/// Starts a program with these files as standard input and standard error; -1 if it cannot be.
+/// Starts a program with these files as standard input and standard error; -1 on failure.
 pid_t spawn(std::vector<std::string> words, int input, int errors) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -91,7 +91,8 @@ FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_
   const std::filesystem::path folder = format_.file.parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   words_ = std::tmpfile();
-  if (words_ == nullptr) throw std::runtime_error("no temporary file for what ffmpeg says");
+  if (words_ == nullptr)
+    throw std::runtime_error("cannot create a temporary file for ffmpeg's messages");
   try {
     start();
   } catch (...) {
@@ -100,11 +101,12 @@ FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_
   }
 }
 
-/// A socket rather than a pipe: writing to a program that is gone then is an error, not a signal.
+/// Uses a socket rather than a pipe: writing to a program that has ended is then an error, not a
+/// signal.
 void FfmpegPipe::start() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw std::runtime_error("no socket to ffmpeg");
+    throw std::runtime_error("cannot create a socket to ffmpeg");
   }
   ffmpeg_ = spawn(command(format_, partial_.string()), ends[1], fileno(words_));
   ::close(ends[1]);
@@ -123,7 +125,7 @@ FfmpegPipe::~FfmpegPipe() {
   std::filesystem::remove(partial_, ignored);
 }
 
-/// No more pictures come. ffmpeg's exit status.
+/// Closes the input and returns ffmpeg's exit status.
 int FfmpegPipe::wait() {
   ::close(socket_);
   int status = 0;

@@ -1,4 +1,4 @@
-/// Pictures on their way into a film, through the program ffmpeg.
+/// Encodes images to a video with the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -12,24 +12,24 @@
 
 namespace castaway::testbed {
 
-/// Throws std::invalid_argument naming the file or key that does not do.
+/// Throws std::invalid_argument naming the invalid file or key.
 void validate(const FilmFormat& format);
 
-/// A film that appears under its name when it is complete, and never otherwise.
+/// A video file that appears only when it is complete.
 class FfmpegPipe {
  public:
-  /// Starts ffmpeg. Throws std::invalid_argument for a format that does not do,
-  /// std::runtime_error where ffmpeg is not installed or the folder cannot be made.
+  /// Starts ffmpeg. Throws std::invalid_argument for an invalid format, std::runtime_error if
+  /// ffmpeg is not installed or the folder cannot be created.
   explicit FfmpegPipe(FilmFormat format);
-  /// Ends ffmpeg and removes what it wrote unless `commit` was called.
+  /// Ends ffmpeg and removes its output unless `commit` was called.
   ~FfmpegPipe();
   FfmpegPipe(const FfmpegPipe&) = delete;
   FfmpegPipe& operator=(const FfmpegPipe&) = delete;
 
-  /// The next picture, of the format's size. Throws std::runtime_error with ffmpeg's own words if
-  /// it gave up.
+  /// Adds the next image, of the format's size. Throws std::runtime_error with ffmpeg's own message
+  /// if it has failed.
   void add(const sim::Image& image);
-  /// Waits for ffmpeg and puts the film in its place. Throws as `add` does.
+  /// Waits for ffmpeg and renames the file into place. Throws as `add` does.
   void commit();
 
  private:
@@ -39,7 +39,7 @@ class FfmpegPipe {
 
   FilmFormat format_;
   std::filesystem::path partial_;
-  std::FILE* words_ = nullptr;  ///< What ffmpeg says; has no name on disk.
+  std::FILE* words_ = nullptr;  ///< Error output of ffmpeg, an unnamed file.
   int socket_ = -1;             ///< To ffmpeg's standard input.
   pid_t ffmpeg_ = -1;
 };

@@ -13,16 +13,16 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kInsetShare = 0.36;  // Of the film's width, and of its height.
+constexpr double kInsetShare = 0.36;  // Maximum share of the film's width and of its height.
 constexpr int kBorder = 2;            // [px]
 constexpr int kMargin = 12;           // [px]
 
-/// Width over height of the map's own box.
+/// Aspect ratio of the map, limited.
 double aspect_of(const RosMap& map) {
   return std::clamp(static_cast<double>(map.width) / std::max(1, map.height), 0.4, 2.5);
 }
 
-/// The inset's sides for a map of this aspect. [px]
+/// Width and height [px] of the inset for a map of this aspect ratio.
 std::pair<int, int> inset_size(const FilmFormat& format, double aspect) {
   const double most_wide = kInsetShare * format.width;
   const double most_high = kInsetShare * format.height;

@@ -1,4 +1,4 @@
-/// A film of a run.
+/// A video of a run.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,18 @@
 
 namespace castaway::testbed {
 
-/// Throws std::invalid_argument on a format that does not do, another view, a speed not above 0.
+/// Throws std::invalid_argument for an invalid format, an unknown view or a speed that is not above
+/// 0.
 void validate(const FilmConfig& config);
 
-/// `inset` put into the upper right corner of `image`, with a border.
+/// Copies `inset` with a border into the upper right corner of `image`.
 void put_into_corner(const sim::Image& inset, sim::Image& image);
 
-/// Takes a picture at the first odometry reading of every stretch of `speed` / fps seconds. It
-/// needs the truth; without any, no film appears.
+/// Takes an image at the first odometry reading of every period of `speed` / fps seconds. It needs
+/// the truth; if it is never known, no film appears.
 class FilmSink final : public RunSink {
  public:
-  /// Throws std::exception for a configuration that does not do, where ffmpeg or EGL is missing.
+  /// Throws std::exception for an invalid configuration or if ffmpeg or EGL is missing.
   FilmSink(const FilmConfig& config, PictureWorld world);
 
   void on_event(const RunEvent&) override {}

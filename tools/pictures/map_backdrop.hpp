@@ -1,4 +1,4 @@
-/// The map behind a plot's paths.
+/// The map as background of a plot.
 #pragma once
 
 #include "sim/scene/image.hpp"
@@ -6,11 +6,11 @@
 
 namespace castaway::testbed {
 
-/// Pixels of a backdrop's longer side, at most: a page shows no more.
+/// Maximum length [px] of a backdrop's longer side, since a page shows no more.
 inline constexpr int kMostBackdropPixels = 2000;
 
-/// The map in greys, row 0 its upper edge. A pixel of a larger map stands for n x n cells, n as
-/// small as fits, and shows the darkest of them, so that no wall is lost.
+/// Draws the map in grey, row 0 at its upper edge. A pixel of a large map covers n x n cells, with
+/// the smallest n that fits, and shows the darkest of them so that walls remain visible.
 sim::Image map_backdrop(const RosMap& map);
 
 }  // namespace castaway::testbed

@@ -12,20 +12,20 @@ namespace {
 
 constexpr std::uint32_t kGround = 0xFFFFFF;
 constexpr std::uint32_t kInk = 0x1D2328;
-constexpr double kMostBar = 0.2;  // Of the picture's width.
+constexpr double kMostBar = 0.2;  // Of the image's width.
 constexpr int kMark = 9;          // [dots] Side of an entry's mark.
-constexpr int kGap = 4;           // [dots] From a mark to its name.
+constexpr int kGap = 4;           // [dots] Between a mark and its name.
 constexpr int kApart = 12;        // [dots] Between entries.
 constexpr int kLine = 13;         // [dots]
 constexpr int kRim = 4;           // [dots]
 
 int scale_of(int height) { return std::max(1, (height + 120) / 320); }
 
-/// The scale bar, at the right of the first line. [px]
+/// The scale bar at the right of the first line [px].
 struct ScaleBar {
   std::string label;
   int length = 0;
-  int width = 0;  ///< With its label.
+  int width = 0;  ///< Including its label.
 };
 
 ScaleBar scale_bar(double pixels_per_m, int width, int scale) {
@@ -37,7 +37,7 @@ ScaleBar scale_bar(double pixels_per_m, int width, int scale) {
   return bar;
 }
 
-/// Where an entry stands: x in pixels, y in lines.
+/// Position of an entry [px].
 struct Placed {
   PixelPlace at;
   std::size_t entry = 0;
@@ -53,7 +53,7 @@ int entry_width(const std::string& name, int scale) {
   return (kMark + kGap) * scale + text_width(name, scale);
 }
 
-/// Entries from left to right in lines, as in a text; the first line leaves the bar its room.
+/// Arranges entries from left to right in lines, leaving room for the scale bar in the first line.
 Layout lay_out(const MapCaption& caption, int width, int height) {
   const int scale = scale_of(height);
   const int most = std::max(1, (height / 3 / scale - kRim) / kLine);
@@ -96,7 +96,7 @@ void draw_entry(const LegendEntry& entry, PixelPlace at, int scale, sim::Image& 
   draw_text(image, {at.x + (kMark + kGap) * scale, at.y + scale}, entry.name, scale, kInk);
 }
 
-/// At the right of a line.
+/// Draws the number of omitted entries at the right of a line.
 void draw_more(std::size_t count, int top, int scale, sim::Image& image) {
   const std::string more = fmt::format("+ {} more", count);
   const int width = text_width(more, scale) + 2 * kRim * scale;

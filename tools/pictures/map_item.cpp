@@ -8,7 +8,7 @@ Eigen::Vector3f cell_color(std::int8_t cell) {
   return Eigen::Vector3f::Constant(gray);
 }
 
-/// Cells [begin, end) of a row as one rectangle.
+/// Adds cells [begin, end) of a row as one rectangle.
 void add_run(const RosMap& map, int row, int begin, int end, sim::TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const auto& [column, above] : {std::pair{begin, 0}, {end, 0}, {end, 1}, {begin, 1}}) {

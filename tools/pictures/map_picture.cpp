@@ -25,8 +25,8 @@ sim::Image map_picture(sim::Renderer& renderer, const PictureWorld& world,
   const int height = renderer.height();
   MapCaption caption = caption_of(record);
   MapView view{static_cast<double>(width) / height, 0.0};
-  // The scale bar's width changes with the scale, which changes with the caption's lines: settled
-  // after two rounds at the latest.
+  // The scale bar's width depends on the scale, which depends on the number of caption lines. This
+  // converges after two rounds at most.
   for (int round = 0; round < 3; ++round) {
     view.below = static_cast<double>(caption_height(caption, width, height)) / height;
     caption.pixels_per_m = height / map_height(*world.map, view);

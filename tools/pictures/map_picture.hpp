@@ -1,4 +1,4 @@
-/// A picture of the map with its caption.
+/// An image of the map with its caption.
 #pragma once
 
 #include "sim/render/renderer.hpp"
@@ -7,11 +7,11 @@
 
 namespace castaway::testbed {
 
-/// Clock and legend of a scan; the scale is still to be set.
+/// Clock and legend of a scan; the caller sets the scale.
 MapCaption caption_of(const ScanRecord& record);
 
-/// `map_scene` in the upper part of a picture of the renderer's size, beneath it clock, legend and
-/// scale bar. `world.map` must be there.
+/// Renders `map_scene` in the upper part of an image of the renderer's size, with the caption
+/// below. Precondition: `world.map` is set.
 sim::Image map_picture(sim::Renderer& renderer, const PictureWorld& world,
                        const sim::SceneItem& map_item, const ScanRecord& record);
 

@@ -1,4 +1,4 @@
-/// Colours that colour-blind readers tell apart.
+/// Colours that colour-blind readers can distinguish.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace castaway::testbed {
 
-/// Localizers, in their order. M. Okabe, K. Ito, "Color Universal Design", 2008.
+/// Colours of localizers, in their order. M. Okabe, K. Ito, "Color Universal Design", 2008.
 inline constexpr std::array<std::uint32_t, 6> kLocalizerColors{0x0072B2, 0xD55E00, 0x009E73,
                                                                0xCC79A7, 0xE69F00, 0x56B4E9};
 
-/// Populations, by id: far from every localizer's colour (CIELAB distance above 25).
+/// Colours of populations, by id, distinct from all localizers' colours (CIELAB distance above 25).
 inline constexpr std::array<std::uint32_t, 6> kPopulationColors{0x7A1FA2, 0x999900, 0xE8007D,
                                                                 0x7F3B08, 0xA6D854, 0x6A5ACD};
 
-/// People on the map, as the player draws them: far from both.
+/// Colour of people on the map, as in the player; distinct from both palettes.
 inline constexpr std::uint32_t kPeopleColor = 0x5B6670;
 
-/// Colour `index` of a palette, from its beginning again behind its end.
+/// Colour `index` of a palette, cyclic.
 template <std::size_t N>
 constexpr std::uint32_t palette_color(const std::array<std::uint32_t, N>& palette,
                                       std::size_t index) {

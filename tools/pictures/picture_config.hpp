@@ -1,4 +1,4 @@
-/// What pictures of a run are taken.
+/// Configuration of the pictures of a run.
 #pragma once
 
 #include <filesystem>
@@ -8,37 +8,38 @@
 
 namespace castaway::testbed {
 
-/// Pictures of moments.
+/// Pictures at moments of a run.
 struct PictureConfig {
-  double every_s = 0.0;   ///< [s] Between two pictures; 0: none by time.
+  double every_s = 0.0;   ///< [s] Period of pictures; 0: no periodic pictures.
   bool on_events = true;  ///< At each kidnap and each recovery of the first localizer.
   int width = 960;        ///< [px]
   int height = 720;       ///< [px]
 };
 
-/// A film's file.
+/// A video file.
 struct FilmFormat {
   std::filesystem::path file;  ///< Ends in .mp4 (H.264) or .webm (VP9).
   int width = 1280;            ///< [px] Even.
   int height = 720;            ///< [px] Even.
-  int fps = 20;                ///< [1/s] Pictures a second of film.
+  int fps = 20;                ///< [1/s] Frame rate.
 };
 
-/// What a film shows, and how fast.
+/// Content and speed of a film.
 struct FilmConfig {
   FilmFormat format;
   std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
-  double speed = 1.0;          ///< Seconds of the run in a second of film.
+  double speed = 1.0;          ///< Seconds of the run per second of film.
 };
 
 /// A camera on the robot.
 struct CameraConfig {
-  double rate_hz = 2.0;                           ///< [Hz] Pictures.
+  double rate_hz = 2.0;                           ///< [Hz] Image rate.
   int width = 640;                                ///< [px]
   int height = 480;                               ///< [px]
-  double fov_deg = 70.0;                          ///< [deg] From left to right.
-  Eigen::Vector3d p_base{0.1, 0.0, 0.4};          ///< [m] Of its optical centre, in base.
-  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< [rad] Roll, pitch, yaw of where it looks.
+  double fov_deg = 70.0;                          ///< [deg] Horizontal field of view.
+  Eigen::Vector3d p_base{0.1, 0.0, 0.4};          ///< [m] Position of the optical centre in base.
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< [rad] Roll, pitch, yaw of the viewing
+                                                  ///< direction.
   bool depth = true;                              ///< camera/depth
   bool instances = true;                          ///< camera/instances
 };

@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector3f;
 
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
-constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest picture that overviews fit into.
+constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest image for which overviews are framed.
 
-Vector3f lifted(const Eigen::Vector2d& p, double z) {
+Vector3f raise_point(const Eigen::Vector2d& p, double z) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
 }
 
-/// A person on the map: the ellipse of its body with its nose.
+/// Adds a person on the map: an ellipse for the body, with a nose.
 void add_person(const PersonTruth& person, sim::Scene& scene) {
   constexpr int kSides = 20;
   constexpr double kDepth = 0.16;   // [m]
@@ -31,20 +31,20 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
     for (const int end : {side, side + 1}) {
       const double angle = 2.0 * std::numbers::pi * end / kSides;
       const Eigen::Vector2d p(kDepth * std::cos(angle), kWidth * std::sin(angle));
-      outline.points.push_back(lifted(person.T_map_person * p, 0.15));
+      outline.points.push_back(raise_point(person.T_map_person * p, 0.15));
     }
   }
   for (const double x : {0.0, 1.6 * kDepth}) {
-    outline.points.push_back(lifted(person.T_map_person * Eigen::Vector2d(x, 0.0), 0.15));
+    outline.points.push_back(raise_point(person.T_map_person * Eigen::Vector2d(x, 0.0), 0.15));
   }
   scene.lines.push_back(std::move(outline));
 }
 
-/// Where each localizer believes the robot to be: a ring and an arrow on the floor; near the robot
-/// on what carries that.
+/// Adds each localizer's estimate as a ring and an arrow on the floor, or near the robot on the
+/// ground that carries it.
 void add_ghosts(const PictureWorld& world, const ScanRecord& record, double height,
                 sim::Scene& scene) {
-  constexpr double kFloor = 0.02;  // [m] Above it.
+  constexpr double kFloor = 0.02;  // [m] Above the floor.
   constexpr double kNear = 1.0;    // [m]
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
@@ -56,7 +56,7 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
   }
 }
 
-/// What stands and what moves, but the robot.
+/// The static and the moving objects, without the robot.
 std::vector<sim::SceneItem> surroundings(const PictureWorld& world,
                                          std::vector<sim::SceneItem> items) {
   if (world.moving) {
@@ -65,7 +65,7 @@ std::vector<sim::SceneItem> surroundings(const PictureWorld& world,
   return items;
 }
 
-/// `items`, robot at its true pose, and lidar hits.
+/// `items`, the robot at its true pose, and lidar hits.
 sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> items,
                       const ScanRecord& record, const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
@@ -89,7 +89,7 @@ void add_particles(const localization::PopulationView& population, sim::Scene& s
       scene_color(palette_color(kPopulationColors, static_cast<std::size_t>(population.id)));
   points.size_px = population.selected ? 3.0F : 2.0F;
   for (const SE2& particle : population.particles) {
-    points.points.push_back(lifted(particle.translation(), 0.1));
+    points.points.push_back(raise_point(particle.translation(), 0.1));
   }
   scene.points.push_back(std::move(points));
 }
@@ -102,14 +102,14 @@ Eigen::AlignedBox2d box_of(const RosMap& map) {
   return bounds;
 }
 
-/// Looks straight down on the map, as large as the picture allows.
+/// A camera that looks straight down on the map, as large as the image allows.
 sim::Camera camera_above(const RosMap& map, const MapView& view) {
   const double height = map_height(map, view);
   const Eigen::Vector2d middle =
       box_of(map).center() - Eigen::Vector2d(0.0, 0.5 * view.below * height);
   sim::Camera camera;
-  camera.target = lifted(middle, 0.0);
-  camera.eye = lifted(middle, 50.0);
+  camera.target = raise_point(middle, 0.0);
+  camera.eye = raise_point(middle, 50.0);
   camera.up = Vector3f::UnitY();
   camera.ortho_height = static_cast<float>(height);
   return camera;
@@ -154,11 +154,12 @@ sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
   sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();
-  scene.camera.target = lifted(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
-  scene.camera.eye = lifted(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
+  scene.camera.target = raise_point(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
+  scene.camera.eye = raise_point(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
   scene.camera.fov_y_deg = 45.0F;
   scene.camera = sim::step_back(
-      scene.camera, {lifted(world.min_corner, 0.0), lifted(world.max_corner, world.top)}, kAspect);
+      scene.camera, {raise_point(world.min_corner, 0.0), raise_point(world.max_corner, world.top)},
+      kAspect);
   return scene;
 }
 
@@ -174,7 +175,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
   scene.camera = camera_above(*world.map, view);
   scene.items.push_back(map_item);
   const double radius = std::max(world.robot_radius, 0.012 * scene.camera.ortho_height);
-  double z = 0.2;  // Later outlines lie over earlier ones.
+  double z = 0.2;  // Later outlines are drawn above earlier ones.
   for (const LocalizerRecord& localizer : record.localizers) {
     for (const auto& population : localizer.diagnostics.populations) {
       add_particles(population, scene);

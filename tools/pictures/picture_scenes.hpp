@@ -1,4 +1,4 @@
-/// What the pictures of a run show, as scenes.
+/// Scenes for the pictures of a run.
 #pragma once
 
 #include <functional>
@@ -11,45 +11,47 @@
 
 namespace castaway::testbed {
 
-/// What is there to be seen beside what a run tells. Anything may be missing.
+/// Scene data besides the run's own. Any member may be empty.
 struct PictureWorld {
-  std::vector<sim::SceneItem> world;         ///< In map; none: no 3-D pictures (a recorded log).
-  std::vector<sim::SceneItem> from_above{};  ///< The same without roofs; empty: there is none.
+  std::vector<sim::SceneItem> world;         ///< In map; if empty, no 3-D pictures are possible (a
+                                             ///< recorded log).
+  std::vector<sim::SceneItem> from_above{};  ///< The world without roofs; empty if it has none.
   std::vector<sim::SceneItem> robot;  ///< In base: `T_map_mesh` is the pose of the mesh in base.
-  /// What moves, now, in map: people, doors.
+  /// Current moving objects in map: people, doors.
   std::function<std::vector<sim::SceneItem>()> moving;
-  /// Height, roll and pitch of base, now: on ramps, or as it is carried. None: flat on the floor.
+  /// Current height, roll and pitch of base: on ramps, or while it is carried. Null: flat on the
+  /// floor.
   std::function<Eigen::Isometry3d()> T_footprint_base{};
   Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the world.
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
-  double top = 0.0;                      ///< [m] Of what stands in it, roofs left out.
-  double robot_radius = 0.2;             ///< [m] Of the outlines on the map.
-  std::optional<RosMap> map;             ///< None: no pictures from above.
+  double top = 0.0;                      ///< [m] Top of the world's objects, roofs excluded.
+  double robot_radius = 0.2;             ///< [m] Radius of the outlines on the map.
+  std::optional<RosMap> map;             ///< Nothing: no pictures from above.
 };
 
-/// Where base is in space, now, if this is its planar pose.
+/// Current pose of base in space for this planar pose.
 Eigen::Isometry3d pose_in_space(const PictureWorld& world, const SE2& T_map_footprint);
 
-/// The robot at a pose (nothing: where it was at the scan) and the scan's hits, from behind the
+/// The robot at a pose (nothing: its pose at the scan) and the scan's hits, seen from behind the
 /// robot. Needs the truth.
 sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_base = std::nullopt);
 
-/// The whole world with the same robot and hits, from the south.
+/// The whole world with the robot and the hits, seen from the south.
 sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
                           const std::optional<SE2>& T_map_base = std::nullopt);
 
-/// How a map fills a picture.
+/// Placement of a map in an image.
 struct MapView {
-  double aspect = 1.0;  ///< Width / height of the picture.
-  double below = 0.0;   ///< Share of its height, at the bottom, that is left to a caption.
+  double aspect = 1.0;  ///< Width / height of the image.
+  double below = 0.0;   ///< Share of the height that is reserved at the bottom for a caption.
 };
 
-/// What the picture's height shows of a map that fills it as far as it can. [m]
+/// Length [m] that the image's height covers if the map fills it as far as possible.
 double map_height(const RosMap& map, const MapView& view);
 
-/// The map (`map_item` of `world.map`) from above: particles in one colour a population, an arrow
-/// and outline for each localizer in its colour, the truth in black, people as ellipses with a
+/// The map (`map_item` of `world.map`) from above: particles in one colour per population, an arrow
+/// and an outline for each localizer in its colour, the truth in black, people as ellipses with a
 /// nose.
 sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
                      const ScanRecord& record, const MapView& view);
@@ -57,7 +59,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
 /// A map as coloured rectangles: white free, black occupied, grey unknown.
 sim::SceneItem map_item(const RosMap& map);
 
-/// Ends of the beams that hit something, in map. [m]
+/// End points [m] in map of the beams that hit something.
 std::vector<Eigen::Vector3f> lidar_hits(const LaserScan& scan, const Eigen::Isometry3d& T_map_base);
 
 }  // namespace castaway::testbed

@@ -14,13 +14,13 @@
 
 namespace castaway::testbed {
 
-/// Throws std::invalid_argument on a negative time and a size outside 16 to 8192 px.
+/// Throws std::invalid_argument for a negative time or a size outside 16 to 8192 px.
 void validate(const PictureConfig& config);
 
 /// Takes up to three pictures at a time: `t0032.100-kidnap-1-chase.png`, `-overview.png`,
-/// `-map.png`; what: `kidnap-K`, `recovery-K` (of the first localizer, when its output has been
-/// right for a second; K = 0: from an unknown start) or `time`. A machine without EGL costs the
-/// pictures, not the run: `snapshots/none.txt` then says why.
+/// `-map.png`. The occasion is `kidnap-K`, `recovery-K` (of the first localizer, once its output
+/// has been right for a second; K = 0: from an unknown start) or `time`. Without EGL there are no
+/// pictures, but the run continues; `snapshots/none.txt` then states the reason.
 class PictureSink final : public RunSink {
  public:
   PictureSink(const std::filesystem::path& run_folder, const RunInfo& info, PictureWorld world,

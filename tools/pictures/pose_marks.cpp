@@ -13,7 +13,7 @@ using localization::SE2;
 
 const Vector3f kTruthColor{0.0F, 0.0F, 0.0F};
 
-/// An outline on the map.
+/// Adds a circular outline on the map.
 void add_circle(const SE2& T_map_base, double radius, double z, sim::SceneLines outline,
                 sim::Scene& scene) {
   constexpr int kSides = 32;
@@ -29,7 +29,7 @@ void add_circle(const SE2& T_map_base, double radius, double z, sim::SceneLines 
   scene.lines.push_back(std::move(outline));
 }
 
-/// An arrow on the map, from the middle.
+/// Adds an arrow on the map, starting at the centre of the pose.
 void add_arrow(const SE2& T_map_base, double radius, const Vector3f& color, double z,
                sim::Scene& scene) {
   sim::SceneItem arrow;

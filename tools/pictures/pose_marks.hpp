@@ -8,11 +8,12 @@
 
 namespace castaway::testbed {
 
-/// A circle with an arrow in it, at the height `z`. [m]
+/// Adds a circle with an arrow in it at the height `z` [m].
 void add_pose(const localization::SE2& T_map_base, double radius, const Eigen::Vector3f& color,
               double z, sim::Scene& scene);
 
-/// The truth: a wide black ring and arrow on white ones, around poses of the same `radius`.
+/// Adds the true pose: a wide black ring and arrow with white rims, around poses of the same
+/// `radius`.
 void add_truth(const localization::SE2& T_map_base, double radius, sim::Scene& scene);
 
 }  // namespace castaway::testbed

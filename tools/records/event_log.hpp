@@ -1,4 +1,4 @@
-/// The events of a run, those found afterwards included.
+/// The events of a run, including those derived after the run.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace castaway::testbed {
 
-/// A line of events.csv.
+/// A row of events.csv.
 struct LoggedEvent {
   RunEvent event;
-  std::string localizer;               ///< Empty: it happened to the robot.
-  std::optional<double> time_s{};      ///< Of a recovery: since the kidnap or the start.
-  std::optional<double> distance_m{};  ///< Of a recovery: driven meanwhile.
+  std::string localizer;               ///< Empty for an event of the robot.
+  std::optional<double> time_s{};      ///< [s] For a recovery: time since the kidnap or the start.
+  std::optional<double> distance_m{};  ///< [m] For a recovery: distance driven meanwhile.
 };
 
-/// Events of the run, alarms and recoveries, by time; at one time in this order. `metrics`: of each
-/// localizer of `history`.
+/// Collects the events of the run, alarms and recoveries, sorted by time and in this order at equal
+/// times. `metrics`: of each localizer of `history`.
 std::vector<LoggedEvent> log_events(const RunHistory& history,
                                     const std::vector<LocalizerMetrics>& metrics);
 

@@ -1,4 +1,4 @@
-/// What beams met, in classes for learning.
+/// Beam labels: the objects that beams hit, in classes for learning.
 #pragma once
 
 #include <cstdint>
@@ -8,44 +8,44 @@
 
 namespace castaway::testbed {
 
-/// What a beam met. The numbers stand in files: they never change.
+/// Class of the object that a beam hit. The numbers are stored in files and must never change.
 enum class BeamClass : std::uint8_t {
   kNone = 0,      ///< Nothing within range.
   kStatic = 1,    ///< Something that is on the map.
-  kUnmapped = 2,  ///< Something that is not on the map...
-  kMoved = 3,     ///< ...or elsewhere on it: furniture that was moved...
-  kDoor = 4,      ///< ...or a door that stands otherwise.
+  kUnmapped = 2,  ///< Not on the map.
+  kMoved = 3,     ///< Furniture that has been moved since mapping.
+  kDoor = 4,      ///< A door in another position than on the map.
   kPerson = 5,
   kGlass = 6,
   kFloor = 7,
   kDust = 8,
-  kCover = 9,  ///< What blocks the lidar itself.
+  kCover = 9,  ///< A cover that blocks the lidar itself.
 };
 
-/// How many classes there are.
 inline constexpr int kBeamClasses = 10;
 
 /// "static", "person"...
 const char* class_name(BeamClass of);
 
-/// True for what stands in the way of what the map shows: people, dust, a cover, and whatever is
-/// not on the map or elsewhere on it.
+/// True for classes that hide mapped structure: people, dust, a cover, and whatever is not on the
+/// map or has been moved.
 bool hides_map(BeamClass of);
 
-/// What the labels of a run's beams mean (`ScanTruth::labels`).
+/// Meaning of the labels of a run's beams (`ScanTruth::labels`).
 struct HitLegend {
-  /// What a label stands for.
+  /// Meaning of one label.
   struct Entry {
     BeamClass of = BeamClass::kStatic;
-    std::string name;  ///< Of the object.
+    std::string name;  ///< Name of the object.
   };
 
-  std::map<int, Entry> entries;                        ///< By label; people and nothing have none.
+  std::map<int, Entry> entries;                        ///< By label; people and misses have no
+                                                       ///< entry.
   int first_person = std::numeric_limits<int>::max();  ///< Label of person 0.
 
-  /// The class of a label; nothing for those that have no entry.
+  /// Class of a label, also for misses and people.
   [[nodiscard]] BeamClass class_of(int label) const;
-  /// A person's number, an object's label; -1 for all else.
+  /// Id of a person, label of an object; -1 for anything else.
   [[nodiscard]] int id_of(int label) const;
 };
 

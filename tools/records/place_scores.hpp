@@ -1,4 +1,4 @@
-/// A figure at places all over a map.
+/// Scores at places all over a map.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace castaway::testbed {
 
-/// Places and what was found there.
+/// Places and their scores.
 struct PlaceScores {
   std::vector<Eigen::Vector2d> places;  ///< [m] In map.
-  std::vector<double> scores;           ///< One for each place.
+  std::vector<double> scores;           ///< One per place.
 
-  /// The score of the nearest place, the first of equally near ones; nothing without places.
+  /// Score of the nearest place, the first of several at equal distance; nothing without places.
   [[nodiscard]] std::optional<double> at(const Eigen::Vector2d& p_map) const;
 };
 

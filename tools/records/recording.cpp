@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostSide = 32768;  // As pictures of maps.
+constexpr int kMostSide = 32768;  // Same limit as for pictures of maps.
 constexpr int kMostCells = 1 << 29;
 constexpr std::string_view kFirstLine = "castaway recording 1\n";
 
@@ -22,11 +22,11 @@ constexpr std::string_view kFirstLine = "castaway recording 1\n";
   throw std::runtime_error("not a recording of this version: " + why + "; run it again");
 }
 
-/// The header's text; `at` is left behind it.
+/// Parses the header; `at` becomes the offset behind it.
 Json parse_header(std::string_view bytes, std::size_t& at) {
-  if (!bytes.starts_with(kFirstLine)) refuse("its first line is another");
+  if (!bytes.starts_with(kFirstLine)) refuse("its first line is different");
   const std::size_t end = bytes.find('\n', kFirstLine.size());
-  if (end == std::string_view::npos) refuse("it ends in its header");
+  if (end == std::string_view::npos) refuse("it ends within its header");
   at = end + 1;
   const std::string_view text = bytes.substr(kFirstLine.size(), end - kFirstLine.size());
   if (nests_too_deep(text)) refuse("its header is broken");
@@ -44,7 +44,7 @@ std::string pack_recording(Json header, const std::vector<RecordingSection>& sec
     header["sections"].push_back({{"name", section.name}, {"bytes", section.bytes.size()}});
     body += section.bytes;
   }
-  const auto replace = Json::error_handler_t::replace;  // A name need not be UTF-8.
+  const auto replace = Json::error_handler_t::replace;  // A name need not be valid UTF-8.
   return gzip(std::string(kFirstLine) + header.dump(-1, ' ', false, replace) + "\n" + body);
 }
 
@@ -54,7 +54,7 @@ Recording unpack_recording(std::string_view file) {
   Recording recording{parse_header(bytes, at), {}};
   for (const Json& section : recording.header["sections"]) {
     const auto size = whole<std::size_t>(section.at("bytes"));
-    if (size > bytes.size() - at) refuse("it ends in section " + section.at("name").dump());
+    if (size > bytes.size() - at) refuse("it ends within section " + section.at("name").dump());
     recording.sections[section.at("name").get<std::string>()] = bytes.substr(at, size);
     at += size;
   }

@@ -1,4 +1,4 @@
-/// The file of a run's recording: what a player shows of it along time.
+/// File format of a run's recording, which the player shows over time.
 #pragma once
 
 #include <map>
@@ -12,40 +12,41 @@
 
 namespace castaway::testbed {
 
-/// Length of a step in which a recording counts.
+/// Quantization steps of a recording.
 inline constexpr double kRecordingPose = 1e-4;    ///< [m], [rad] Poses of robot and estimates.
 inline constexpr double kRecordingPoint = 0.01;   ///< [m] Particles, beams, people.
-inline constexpr double kRecordingAngle = 0.01;   ///< [rad] Of populations and people.
-inline constexpr double kRecordingShare = 0.001;  ///< Of 1: probabilities, qualities.
+inline constexpr double kRecordingAngle = 0.01;   ///< [rad] Populations and people.
+inline constexpr double kRecordingShare = 0.001;  ///< Probabilities and qualities.
 inline constexpr double kRecordingTime = 1e-4;    ///< [s]
 
-/// Named bytes. The names and what is in them: `recording_sink.hpp`.
+/// A named block of bytes. `recording_sink.hpp` documents names and contents.
 struct RecordingSection {
   std::string name;
   std::string bytes;
 };
 
-/// A recording, taken apart.
+/// A parsed recording.
 struct Recording {
   nlohmann::ordered_json header;
   std::map<std::string, std::string> sections;
 };
 
-/// The file's bytes, gzipped: the line "castaway recording 1", a line of JSON (`header`, with the
-/// names and lengths of the sections added), the sections one after another.
+/// Builds the gzipped file: the line "castaway recording 1", a line of JSON (`header`, with the
+/// names and lengths of the sections added), and the sections one after another.
 std::string pack_recording(nlohmann::ordered_json header,
                            const std::vector<RecordingSection>& sections);
 
-/// Takes the file's bytes apart. Throws std::runtime_error saying what is wrong with them.
+/// Parses the file. Throws std::runtime_error naming what is wrong with it.
 Recording unpack_recording(std::string_view file);
 
-/// Cells of a map as pairs: value + 1, how many cells have it; from the lower left corner in rows.
+/// Run-length encodes the cells of a map as pairs (value + 1, number of cells), row by row from the
+/// lower left corner.
 std::string pack_cells(const RosMap& map);
 
-/// What the header says of a map.
+/// Header entry of a map.
 nlohmann::ordered_json map_header(const RosMap& map);
 
-/// The map of a recording. Throws std::runtime_error if it is not whole.
+/// Reads the map of a recording. Throws std::runtime_error if it is incomplete.
 RosMap map_of(const Recording& recording);
 
 }  // namespace castaway::testbed

@@ -13,21 +13,21 @@ namespace {
 using localization::PopulationView;
 
 void append_pose(std::string& block, const SE2& pose) {
-  append_signed(block, quantized(pose.x, kRecordingPoint));
-  append_signed(block, quantized(pose.y, kRecordingPoint));
-  append_signed(block, quantized(pose.yaw, kRecordingAngle));
+  append_signed(block, quantize(pose.x, kRecordingPoint));
+  append_signed(block, quantize(pose.y, kRecordingPoint));
+  append_signed(block, quantize(pose.yaw, kRecordingAngle));
 }
 
-/// Some `most` of the particles at even steps, relative to `center`, by x and y: their order means
-/// nothing, and sorted they take less room.
+/// About `most` of the particles at a regular stride, relative to `center`. They are sorted by x
+/// and y, since their order has no meaning and sorted differences are smaller.
 std::vector<std::pair<std::int64_t, std::int64_t>> points_about(const SE2& center,
                                                                 const std::vector<SE2>& particles,
                                                                 std::size_t most) {
   std::vector<std::pair<std::int64_t, std::int64_t>> points;
   const std::size_t stride = beam_stride(particles.size(), most);
   for (std::size_t i = 0; i < particles.size(); i += stride) {
-    points.emplace_back(quantized(particles[i].x - center.x, kRecordingPoint),
-                        quantized(particles[i].y - center.y, kRecordingPoint));
+    points.emplace_back(quantize(particles[i].x - center.x, kRecordingPoint),
+                        quantize(particles[i].y - center.y, kRecordingPoint));
   }
   std::sort(points.begin(), points.end());
   return points;
@@ -36,8 +36,8 @@ std::vector<std::pair<std::int64_t, std::int64_t>> points_about(const SE2& cente
 void append_population(std::string& block, const PopulationView& population, std::size_t most) {
   append_signed(block, population.id);
   append_varint(block, population.selected ? 1U : 0U);
-  append_signed(block, quantized(population.share, kRecordingShare));
-  append_signed(block, quantized(population.quality, kRecordingShare));
+  append_signed(block, quantize(population.share, kRecordingShare));
+  append_signed(block, quantize(population.quality, kRecordingShare));
   append_pose(block, population.T_map_base);
   const auto points = points_about(population.T_map_base, population.particles, most);
   append_varint(block, points.size());
@@ -62,7 +62,7 @@ std::string pack_beams(std::size_t lidar, const LaserScan& scan, std::size_t str
   for (std::size_t i = 0; i < scan.ranges.size(); i += stride) {
     const double range = scan.ranges[i];
     const bool hit = std::isfinite(range) && range >= 0.0;
-    const std::int64_t value = hit ? quantized(range, kRecordingPoint) + 1 : 0;
+    const std::int64_t value = hit ? quantize(range, kRecordingPoint) + 1 : 0;
     append_signed(block, value - last);
     last = value;
   }

@@ -1,4 +1,4 @@
-/// Pieces of a recording that are read one scan at a time: beams, particles, people.
+/// Blocks of a recording that are read one scan at a time: beams, particles, people.
 #pragma once
 
 #include <string>
@@ -8,20 +8,21 @@
 
 namespace castaway::testbed {
 
-/// Every so many beams one is kept, so that at most `most` are.
+/// Smallest stride such that at most `most` of `beams` beams are kept.
 std::size_t beam_stride(std::size_t beams, std::size_t most);
 
-/// Index of the lidar, then every `stride`-th beam as the difference to the one before: 0 where
-/// nothing came back, else the range in steps of `kRecordingPoint`, plus 1.
+/// Packs the index of the lidar, then every `stride`-th beam as the difference to the previous one.
+/// The value of a beam is 0 for no return, else 1 + the range in steps of `kRecordingPoint`.
 std::string pack_beams(std::size_t lidar, const LaserScan& scan, std::size_t stride);
 
-/// How many populations; of each: id; 1 if it is the output; share and quality; mean x, y and yaw;
-/// how many particles, and these by x, y relative to the mean: x as difference to the one before,
-/// y as it is. Of all particles at most some `most` are kept, at least 8 a population.
+/// Packs the number of populations and for each: id; 1 if it is the output; share and quality; mean
+/// x, y and yaw; number of particles, and the particles sorted by x and y relative to the mean: x
+/// as the difference to the previous one, y as it is. About `most` particles in total are kept, but
+/// at least 8 per population.
 std::string pack_populations(const std::vector<localization::PopulationView>& populations,
                              std::size_t most);
 
-/// How many people; of each: id, x, y, yaw.
+/// Packs the number of people and for each: id, x, y, yaw.
 std::string pack_people(const std::vector<PersonTruth>& people);
 
 }  // namespace castaway::testbed

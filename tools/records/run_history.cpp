@@ -40,7 +40,7 @@ void RunHistory::add(const ScanRecord& record) {
       row.quality = estimate->quality;
       row.sigma_m = std::sqrt(0.5 * (estimate->covariance(0, 0) + estimate->covariance(1, 1)));
     }
-    // Scans of several lidars are delivered out of the order of their first beams.
+    // Scans of several lidars may be delivered out of the order of their first beams.
     const auto after =
         std::upper_bound(rows[i].begin(), rows[i].end(), row.stamp,
                          [](Stamp stamp, const MetricRow& other) { return stamp < other.stamp; });

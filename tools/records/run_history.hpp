@@ -1,4 +1,4 @@
-/// What sinks remember of a run until it ends.
+/// Data of a run that sinks keep until it ends.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,22 @@
 
 namespace castaway::testbed {
 
-/// Events and, a localizer, the rows that its metrics are made of.
+/// Events, and for each localizer the rows from which its metrics are computed.
 struct RunHistory {
   RunInfo info;
   std::vector<RunEvent> events;
-  /// By localizer, as in `info`; by stamp. Of a run of more than `most_rows` scans every second one
-  /// is kept, then every fourth, and so on: memory does not grow with a run's length.
+  /// By localizer in the order of `info`, then by stamp. If a run has more than `most_rows` scans,
+  /// every second one is kept, then every fourth, and so on, so memory does not grow with the
+  /// length of a run.
   std::vector<std::vector<MetricRow>> rows;
-  std::vector<MetricRow> path;       ///< True poses by stamp, kept where no localizer rides along.
-  Stamp first_stamp = Stamp::max();  ///< Of all that was delivered; max: nothing was.
+  std::vector<MetricRow> path;       ///< True poses by stamp; filled only if the run has no
+                                     ///< localizers.
+  Stamp first_stamp = Stamp::max();  ///< Earliest stamp of any delivered data; max if there was
+                                     ///< none.
 
-  std::size_t scans = 0;   ///< That were delivered...
-  std::size_t stride = 1;  ///< ...of which one in so many is kept.
-  std::size_t most_rows;   ///< That are kept of a localizer.
+  std::size_t scans = 0;   ///< Number of delivered scans.
+  std::size_t stride = 1;  ///< One of this many scans is kept.
+  std::size_t most_rows;   ///< Maximum number of rows per localizer.
 
   static constexpr std::size_t kMostRows = 250000;  ///< Seven hours at 10 Hz.
 
@@ -30,7 +33,7 @@ struct RunHistory {
   void add(const RunEvent& event);
   void add(const OdometryFrame& frame);
   void add(const ScanRecord& record);
-  /// Leaves out every second row if there are more than `most`.
+  /// Drops every second row if there are more than `most`.
   void thin(std::size_t most);
 
   /// Metrics of localizer `index` of a run that ended at `end`.

@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Labels of the beams, and the share that `hides_map`.
+/// Fills in the classes and hits of the beams, and the share that hides the map.
 void label_beams(const HitLegend& legend, const std::vector<int>& labels, ScanRow& row) {
   std::size_t hidden = 0;
   for (const int label : labels) {

@@ -1,4 +1,4 @@
-/// A scan with everything that there is to learn from it.
+/// A scan with its labels, for learning.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,27 @@ namespace castaway::testbed {
 /// Labels of a scan.
 struct ScanRow {
   double stamp_s = 0.0;
-  std::optional<SE2> T_map_base;         ///< True pose at the stamp.
-  SE2 T_odom_base;                       ///< Newest odometry when the scan is delivered.
-  std::optional<double> since_kidnap_s;  ///< Since the last kidnap was over; nothing before one.
-  bool held = false;                     ///< The robot is in somebody's hands.
-  bool torn = false;                     ///< A kidnap falls between the first beam and the last.
-  double occluded = 0.0;                 ///< Share of the beams that end on what `hides_map`.
-  std::optional<double> ambiguity;       ///< Likeness of the place most like this one, [0, 1].
-  std::vector<std::uint8_t> lost;        ///< By localizer: 1 if it is off or has no estimate.
+  std::optional<SE2> T_map_base;         ///< True pose of base at the stamp.
+  SE2 T_odom_base;                       ///< Newest odometry when the scan was delivered.
+  std::optional<double> since_kidnap_s;  ///< Since the end of the last kidnap; nothing before the
+                                         ///< first one.
+  bool held = false;                     ///< The robot is being carried.
+  bool torn = false;                     ///< A kidnap happened between the first and the last beam.
+  double occluded = 0.0;                 ///< Share of beams that end on a class for which
+                                         ///< `hides_map` is true.
+  std::optional<double> ambiguity;       ///< [0, 1] Similarity of the most similar other place.
+  std::vector<std::uint8_t> lost;        ///< By localizer: 1 if `is_off`.
   std::vector<std::uint8_t> classes;     ///< By beam: `BeamClass`.
   std::vector<std::int32_t> hits;        ///< By beam: `HitLegend::id_of`.
 };
 
-/// What labels are made with.
+/// Inputs of the labels.
 struct LabelContext {
   HitLegend legend;
-  PlaceScores ambiguity;  ///< Of the map; empty: nobody knows.
+  PlaceScores ambiguity;  ///< Scores of the map; empty if unknown.
 };
 
-/// Labels scans in the order in which a run delivers events and scans.
+/// Labels scans. Events and scans must be added in the order of their delivery.
 class ScanLabeller {
  public:
   explicit ScanLabeller(std::shared_ptr<const LabelContext> context)
@@ -45,13 +47,13 @@ class ScanLabeller {
  private:
   std::shared_ptr<const LabelContext> context_;
   std::vector<RunEvent> kidnaps_;
-  std::optional<Stamp> picked_up_;  ///< Nothing while it stands.
+  std::optional<Stamp> picked_up_;  ///< Nothing while the robot stands on the floor.
 };
 
-/// Roll, pitch and yaw of a rotation R_z(yaw) R_y(pitch) R_x(roll). [rad]
+/// Roll, pitch and yaw [rad] of a rotation R_z(yaw) R_y(pitch) R_x(roll).
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
 
-/// A localizer is off from here on: 0.5 m or 0.35 rad from the truth, or without an estimate.
+/// True if a localizer has no estimate or is at least 0.5 m or 0.35 rad from the true pose.
 bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true);
 
 }  // namespace castaway::testbed

@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Stamp and view of a picture's name, without its ending.
+/// Parses stamp and view from a picture's file name without extension.
 std::optional<Snapshot> parse_name(const std::string& stem) {
   const std::size_t dash = stem.rfind('-');
   if (stem.empty() || stem[0] != 't' || dash == std::string::npos) return std::nullopt;
@@ -21,7 +21,7 @@ std::optional<Snapshot> parse_name(const std::string& stem) {
 
 }  // namespace
 
-std::vector<Snapshot> SnapshotFeed::fresh() {
+std::vector<Snapshot> SnapshotFeed::take_new() {
   std::set<std::string> names;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, missing)) {

@@ -1,4 +1,4 @@
-/// The pictures of a run as they appear in its folder.
+/// Finds the snapshots of a run as they appear in its folder.
 #pragma once
 
 #include <filesystem>
@@ -10,21 +10,21 @@
 
 namespace castaway::testbed {
 
-/// A picture: snapshots/t<stamp>-<occasion>-<view>.png
+/// A picture from snapshots/t<stamp>-<occasion>-<view>.png.
 struct Snapshot {
   Stamp stamp{};
   std::string view;  ///< "chase", "overview" or "map".
   std::string png;
 };
 
-/// Looks for new pictures.
+/// Polls the folder for new pictures.
 class SnapshotFeed {
  public:
   explicit SnapshotFeed(const std::filesystem::path& run_folder)
       : folder_(run_folder / "snapshots") {}
 
-  /// Those that were not there at the call before, by name. Other files are passed over.
-  std::vector<Snapshot> fresh();
+  /// Pictures that are new since the last call, sorted by name. Other files are ignored.
+  std::vector<Snapshot> take_new();
 
  private:
   std::filesystem::path folder_;

@@ -1,4 +1,4 @@
-/// A sample that grows no further than it must, however long a run is.
+/// A sample of bounded size, for runs of any length.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace castaway::testbed {
 
-/// Gathers numbers. Once there are more than `most`, every second one is left out, and so are those
-/// that follow; how many there were, their sum and the largest are exact.
+/// Accumulates numbers. Once there are more than `most`, every second one is dropped, and later
+/// numbers are thinned to the same density. Count, mean and maximum remain exact.
 class ThinnedSample {
  public:
   explicit ThinnedSample(std::size_t most = 100000) : most_(most) {}
@@ -16,7 +16,7 @@ class ThinnedSample {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] double mean() const { return sum_ / static_cast<double>(count_); }
   [[nodiscard]] double max() const { return max_; }
-  /// What is left, in the order that it came in.
+  /// The values kept, in their original order.
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
  private:

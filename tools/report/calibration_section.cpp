@@ -15,13 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The bins of a localizer; an empty list where there are none.
+/// The calibration bins of a localizer; an empty list if it has none.
 Json bins_of(const Json& figures) {
   const Json::json_pointer path("/calibration/bins");
   return figures.contains(path) ? figures.at(path) : Json::array();
 }
 
-/// The observed share at each stated probability, with its confidence interval.
+/// The observed share of right outputs at each stated probability, with its confidence interval.
 Json observed_series(const std::string& name, const Json& bins) {
   Json series{{"name", name}, {"style", "marked"}};
   for (const char* key : {"x", "y", "low", "high"}) series[key] = Json::array();
@@ -35,7 +35,7 @@ Json observed_series(const std::string& name, const Json& bins) {
   return series;
 }
 
-/// Steps over the bins: the share of the localizer's scans in each.
+/// A step series: the share of the localizer's scans in each bin.
 Json share_series(const std::string& name, const Json& bins) {
   double all = 0.0;
   for (const Json& bin : bins) all += bin.at("scans").get<double>();
@@ -85,7 +85,8 @@ std::string table_row(const Json& localizers, std::size_t index) {
   return fmt::format("<tr><td>{}</td>{}</tr>", label, cells);
 }
 
-/// Brier scores and, for each tenth of the probability, how many outputs were right.
+/// Table of Brier scores and, for each tenth of the stated probability, the number of right
+/// outputs.
 std::string counts_table(const Json& localizers) {
   std::string head = "<th>stated</th>";
   std::string brier = "<tr><td>Brier score</td>";

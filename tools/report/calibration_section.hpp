@@ -1,4 +1,4 @@
-/// The calibration of the stated probabilities on a report.
+/// Calibration of the stated probabilities in a report.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace castaway::testbed {
 
-/// Diagram and table of every localizer's calibration, as HTML; empty where the summary has none.
+/// Diagram and table of every localizer's calibration, as HTML; empty if the summary has none.
 std::string calibration_html(const RunFolder& run);
 
 }  // namespace castaway::testbed

@@ -17,7 +17,7 @@ constexpr double kRow = 24.0;
 constexpr double kLeft = 330.0;
 constexpr double kRight = 34.0;
 constexpr double kTop = 10.0;
-constexpr double kMost = 100.0;  // [%] Larger differences are drawn at the border.
+constexpr double kMost = 100.0;  // [%] Larger differences are clipped at the border.
 
 std::string verdict_of(const MetricComparison& row) {
   if (row.clock) return "clock, not judged";
@@ -32,7 +32,7 @@ double x_of(double percent) {
   return kLeft + (clipped + kMost) / (2.0 * kMost) * (kWidth - kLeft - kRight);
 }
 
-/// The difference and its interval in percent of the baseline.
+/// Draws the difference and its interval in percent of the baseline.
 std::string bar(const MetricComparison& row, double y) {
   const double scale = 100.0 / std::abs(row.baseline);
   const int verdict = row.verdict();
@@ -51,7 +51,7 @@ std::string bar(const MetricComparison& row, double y) {
                    color, x_of(scale * row.difference), y);
 }
 
-/// Metrics whose baseline is not zero.
+/// Draws the differences of all metrics whose baseline is not zero.
 std::string differences(const Comparison& comparison) {
   std::string bars;
   double y = kTop + 0.5 * kRow;

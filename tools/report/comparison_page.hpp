@@ -1,4 +1,4 @@
-/// The page of a comparison, and its table.
+/// Page and table of a comparison.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace castaway::testbed {
 
-/// A row for each metric: means, difference with its interval, better or worse.
+/// A row per metric: means, difference with its interval, better or worse.
 TextTable comparison_table(const Comparison& comparison);
 
-/// One self-contained HTML page: for each comparison the table and a picture of the differences
+/// One self-contained HTML page with, for each comparison, the table and a chart of the differences
 /// relative to the baseline.
 std::string render_comparison(const std::vector<Comparison>& comparisons);
 

@@ -23,7 +23,7 @@ std::vector<double> stamps_of(const ReportCurve& curve) {
   return stamps;
 }
 
-/// One figure of all localizers, times `unit`.
+/// Series of one value of all localizers, multiplied by `unit`.
 Json series_of(const RunFolder& run, Figure figure, double unit, const Json& times) {
   Json series = Json::array();
   for (const ReportCurve& curve : run.curves) {

@@ -1,4 +1,4 @@
-/// The curves of a run that left no recording, and the legend of its map.
+/// Curves of a run without a recording, and the legend of its map.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace castaway::testbed {
 
-/// Lines of the truth and of each localizer, as the map draws them.
+/// Legend with the line styles of the truth and of each localizer.
 std::string map_legend(const RunFolder& run);
 
-/// Position error, yaw error and quality over time. Empty if the build has no script to draw them.
+/// Plots of position error, yaw error and quality over time. Empty if the build has no script to
+/// draw them.
 std::string curves_section(const RunFolder& run);
 
 }  // namespace castaway::testbed

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using FigureOf = double (*)(const ErrorRow&);
 
-constexpr std::size_t kMostDots = 2500;  // Of a localizer.
+constexpr std::size_t kMostDots = 2500;  // Per localizer.
 constexpr std::size_t kMostOfRoc = 400;
 
 double error_of(const ErrorRow& row) { return *row.error_m; }
@@ -31,7 +31,7 @@ std::vector<double> stamps_of(const std::vector<ErrorRow>& rows) {
   return stamps;
 }
 
-/// One figure of all localizers in the example run, where they have an answer.
+/// Plot of one value of all localizers over the example run, where they have an output.
 Json over_time(const ExperimentPage& page, const char* title, const char* unit, Json y_axis,
                FigureOf figure, const Json& times) {
   Json series = Json::array();
@@ -67,7 +67,7 @@ std::string curves(const ExperimentPage& page) {
           plots_html({{"x", times}, {"plots", plots}}, PlotLayout::kWide));
 }
 
-/// A figure of every output against its error, all runs.
+/// Scatter plot of one value against the error, over all runs.
 Json scatter(const ExperimentPage& page, const char* title, Json y_axis, FigureOf figure) {
   Json series = Json::array();
   for (const PooledRows& rows : page.rows) {
@@ -86,7 +86,7 @@ Json scatter(const ExperimentPage& page, const char* title, Json y_axis, FigureO
           {"nothing", "No outputs."}};
 }
 
-/// Outputs of one localizer, told apart by three of its figures.
+/// ROC curves of one localizer for its three scores.
 Json roc(const PooledRows& rows) {
   std::array<std::vector<ScoredOutput>, 3> scores;
   for (const std::vector<ErrorRow>& run : rows.runs) {

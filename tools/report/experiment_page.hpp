@@ -1,4 +1,4 @@
-/// The page of an experiment: the paper's table and figures, made from this run.
+/// Page of an experiment: the paper's table and figures with the results of this run.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace castaway::testbed {
 
-/// What the page is made of.
+/// Input of the page.
 struct ExperimentPage {
   Experiment experiment;
   TextTable table;
   nlohmann::ordered_json summary;
   std::vector<PooledRows> rows;
-  std::size_t example = 0;  ///< Index of the run that the curves over time show.
-  std::string command;      ///< That makes the page anew.
+  std::size_t example = 0;  ///< Index of the run shown in the curves over time.
+  std::string command;      ///< Command that reproduces the page.
 };
 
-/// Index of the run in which some localizer took longest to recover; 0 where there was nothing to
-/// recover from. It shows best what quality and uncertainty do meanwhile.
+/// Index of the run with the slowest recovery of any localizer, which shows best how quality and
+/// uncertainty behave meanwhile. 0 if there was no recovery.
 std::size_t example_run(const std::vector<ExperimentOutcome>& outcomes);
 
 /// One self-contained HTML page.

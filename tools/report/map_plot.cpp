@@ -16,11 +16,11 @@ namespace {
 using localization::SE2;
 
 constexpr double kJump = 1.0;       // [m]
-constexpr double kMapMargin = 1.0;  // [m] Around paths without a map.
+constexpr double kMapMargin = 1.0;  // [m] Around the paths if there is no map.
 
 using PoseOfRow = std::optional<SE2> ReportRow::*;
 
-/// The grid alone, around all poses.
+/// An empty grid around all poses.
 RosMap bounding_grid(const RunFolder& run) {
   Eigen::AlignedBox2d bounds;
   for (const ReportCurve& curve : run.curves) {
@@ -40,7 +40,7 @@ RosMap bounding_grid(const RunFolder& run) {
   return grid;
 }
 
-/// Pixels of the picture, x right, y down.
+/// Position in the image [px], x right, y down.
 Eigen::Vector2d on_picture(const RosMap& map, const SE2& T_map_base) {
   const Eigen::Vector2d from_origin =
       T_map_base.translation() - Eigen::Vector2d(map.origin_x, map.origin_y);
@@ -68,7 +68,7 @@ std::string path_element(const std::string& name, const std::string& style, cons
                      style, stroke, data, escape_html(name));
 }
 
-/// A round number of metres beneath the map, at its right.
+/// Draws a scale bar of a round length below the map, at its right.
 std::string scale_bar(const RosMap& grid, double stroke) {
   const double metres = round_length(0.2 * grid.width * grid.resolution);
   const double length = metres / grid.resolution;
@@ -81,7 +81,7 @@ std::string scale_bar(const RosMap& grid, double stroke) {
       grid.width - length - 4.0 * stroke, y, 8.0 * stroke, metres);
 }
 
-/// Black with a white rim, to be seen on walls and on free ground.
+/// Draws the truth in black with a white rim, visible on walls and on free space.
 std::string truth_element(const std::string& data, double stroke) {
   return fmt::format("<path class=\"path rim\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 4.5 * stroke,
                      data) +

@@ -9,8 +9,8 @@
 
 namespace castaway::testbed {
 
-/// An `<svg>` of the map with the true path and each localizer's; jumps of more than 1 m are not
-/// joined. Beneath it a scale bar. Without a map, the paths alone.
+/// Draws the map with the true path, each localizer's path and a scale bar below it as an `<svg>`.
+/// Jumps of more than 1 m are not connected. Without a map, only the paths are drawn.
 std::string render_map_plot(const RunFolder& run, const std::optional<RosMap>& map);
 
 }  // namespace castaway::testbed

@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::size_t kMaxPictures = 60;  // A page of some 5 MB.
+constexpr std::size_t kMaxPictures = 60;  // Keeps the page at about 5 MB.
 
 bool is_by_time(const ReportPicture& picture) {
   return picture.name.find("-time-") != std::string::npos;

@@ -1,4 +1,4 @@
-/// The pictures of a run on its page.
+/// Pictures of a run in its report.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace castaway::testbed {
 
-/// The pictures with captions, or why there are none. Of many, those of kidnaps and recoveries.
+/// The pictures with captions, or the reason why there are none. If there are too many, those of
+/// kidnaps and recoveries are preferred.
 std::string pictures_section(const RunFolder& run);
 
 }  // namespace castaway::testbed

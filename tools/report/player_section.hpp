@@ -1,4 +1,4 @@
-/// The player of a run on its page, and its data.
+/// Player of a run in its report, with its data.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace castaway::testbed {
 
-/// True if the page has a player: the build bundled it and the run left a recording.
+/// True if the page has a player: the build bundles it and the run has a recording.
 bool has_player(const RunFolder& run);
 
-/// The elements of player and curves, hidden until the script has started; without a player, a line
-/// that says why.
+/// Elements of player and curves, hidden until the script has started. Without a player, a sentence
+/// that explains why.
 std::string player_section(const RunFolder& run);
 
-/// The recording and the events; empty without a player.
+/// Recording and events for the player; empty if there is no player.
 std::string player_data(const RunFolder& run);
 
 }  // namespace castaway::testbed

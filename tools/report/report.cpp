@@ -50,7 +50,7 @@ std::string timing_section(const RunFolder& run) {
                      html_section("Timing", body));
 }
 
-/// The script hides this once the player, which shows the same, has started.
+/// Wraps content that the script hides once the player, which shows the same, has started.
 std::string hidden_by_player(const std::string& html) {
   return "<div class=\"still\">\n" + html + "</div>\n";
 }

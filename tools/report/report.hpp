@@ -1,4 +1,4 @@
-/// report.html: a run on one page that needs nothing but itself.
+/// report.html: a run on one self-contained page.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace castaway::testbed {
 
-/// The page. All but the section between the comments "timing: begin" and "timing: end" is the same
-/// for the same run.
+/// Renders the page. Except for the section between the comments "timing: begin" and "timing: end",
+/// it is deterministic for a run.
 std::string render_report(const RunFolder& run, const std::optional<RosMap>& map);
 
-/// Reads a run's folder and writes `report.html` into it. Without a map, the recording's is shown,
-/// if there is one. Call it after all sinks have finished.
+/// Reads a run folder and writes `report.html` into it. If `map` is empty, the recording's map is
+/// shown, if there is one. Call it after all sinks have finished.
 void write_report(const std::filesystem::path& run_folder, const std::optional<RosMap>& map);
 
 }  // namespace castaway::testbed

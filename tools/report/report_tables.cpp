@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kToDegrees = 180.0 / std::numbers::pi;
 
-/// A line of the table of metrics; without a pointer, a heading. A count is a whole number, with
-/// `of` a count of that count.
+/// A row of the metrics table; without a pointer, a heading. A count is an integer; `of` is the
+/// pointer of its total.
 struct MetricLine {
   const char* label;
   const char* pointer = "";

@@ -7,13 +7,13 @@
 
 namespace castaway::testbed {
 
-/// The figures of summary.json, a column a localizer.
+/// Metrics from summary.json, one column per localizer.
 std::string metric_table(const RunFolder& run);
 
-/// What happened to the robot and each localizer's recoveries, by time.
+/// Events of the robot and each localizer's recoveries, sorted by time.
 std::string event_table(const RunFolder& run);
 
-/// The figures of timing.json.
+/// CPU times from timing.json.
 std::string timing_tables(const RunFolder& run);
 
 }  // namespace castaway::testbed

@@ -19,7 +19,7 @@ std::string plural(std::int64_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// How many; 0 where there is no such figure.
+/// The integer at a pointer; 0 if it is missing.
 int whole_at(const Json& json, const char* pointer) {
   const Json::json_pointer path(pointer);
   return json.contains(path) ? whole<int>(json.at(path)) : 0;
@@ -30,7 +30,7 @@ std::int64_t count_events(const RunFolder& run, EventKind kind) {
                        [&](const ReportEvent& event) { return event.kind == kind; });
 }
 
-/// A sentence after the others; empty if every kidnap is scored.
+/// An additional sentence about unscored kidnaps; empty if every kidnap is scored.
 std::string unscored_words(const Json& figures) {
   const auto recovery = figures.find("recovery");
   if (recovery == figures.end()) return "";

@@ -16,9 +16,9 @@ namespace castaway::testbed {
 namespace {
 
 using localization::SE2;
-constexpr std::size_t kMostRows = 40000;  // Of a localizer; over an hour at 10 Hz.
+constexpr std::size_t kMostRows = 40000;  // Per localizer; over an hour at 10 Hz.
 
-/// Cells of a row, addressed by the names of their columns.
+/// Cells of a row, addressed by column name.
 class Row {
  public:
   Row(const std::filesystem::path& path, const std::map<std::string, std::size_t>& columns,

@@ -1,4 +1,4 @@
-/// A run's folder, read back for its report.
+/// Reads a run folder for its report.
 #pragma once
 
 #include <filesystem>
@@ -30,11 +30,11 @@ struct ReportEvent {
   std::string detail;
   std::string localizer;
   std::optional<double> time_s;
-  std::optional<localization::SE2> T_map_from;  ///< Of a kidnap.
+  std::optional<localization::SE2> T_map_from;  ///< For a kidnap: pose before it.
   std::optional<localization::SE2> T_map_to;
 };
 
-/// One localizer's rows.
+/// Rows of one localizer.
 struct ReportCurve {
   std::string localizer;
   std::vector<ReportRow> rows;
@@ -46,19 +46,20 @@ struct ReportPicture {
   std::string png;
 };
 
-/// All that a report shows.
+/// Content of a report.
 struct RunFolder {
   nlohmann::ordered_json summary;
   nlohmann::ordered_json timing;  ///< null if there is no timing.json.
   std::vector<ReportCurve> curves;
   std::vector<ReportEvent> events;
-  std::vector<ReportPicture> pictures;          ///< By name.
-  std::optional<std::string> pictures_missing;  ///< Why there are none, if that is known.
-  std::string recording;                        ///< The bytes of recording.gz; empty: none.
+  std::vector<ReportPicture> pictures;          ///< Sorted by name.
+  std::optional<std::string> pictures_missing;  ///< Why there are none, if known.
+  std::string recording;                        ///< Bytes of recording.gz; empty if it does not
+                                                ///< exist.
 };
 
-/// Reads summary.json, errors.csv and events.csv, which must be there, timing.json, the
-/// recording and the pictures, which may. Throws std::runtime_error naming the file.
+/// Reads summary.json, errors.csv and events.csv, which must exist, and timing.json, the recording
+/// and the pictures, which are optional. Throws std::runtime_error naming the file.
 RunFolder load_run_folder(const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

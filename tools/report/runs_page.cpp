@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The address of a file relative to a page, percent-encoded.
+/// Percent-encoded path of a file relative to a page.
 std::string address(const fs::path& file, const fs::path& page) {
   const fs::path folder = fs::absolute(page).parent_path();
   std::string encoded;
@@ -32,7 +32,7 @@ std::string address(const fs::path& file, const fs::path& page) {
 
 std::string runs_cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
-/// One row for each localizer; the first also has the run's own cells.
+/// One row per localizer; the first one also has the cells of the run.
 std::string rows_of(const fs::path& folder, const fs::path& page) {
   const RunFolder run = load_run_folder(folder);
   const auto& localizers = run.summary["localizers"];

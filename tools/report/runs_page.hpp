@@ -1,4 +1,4 @@
-/// An index page of several runs.
+/// Index page of several runs.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace castaway::testbed {
 
-/// Writes the page: one row for each run and localizer with a summary and the main figures, each
-/// run linked to its report.html by a relative path. Throws std::runtime_error naming the file of a
-/// run that cannot be read.
+/// Writes the page: one row for each run and localizer with a summary and the main metrics. Each
+/// run is linked to its report.html by a relative path. Throws std::runtime_error naming the file
+/// of a run that cannot be read.
 void write_runs_page(const std::vector<std::filesystem::path>& folders,
                      const std::filesystem::path& page);
 

@@ -5,8 +5,9 @@
 namespace castaway::testbed {
 namespace {
 
-/// The one that shows more: a row without an error is a gap, which shows that there was no answer.
-const ReportRow& more_telling(const ReportRow& a, const ReportRow& b) {
+/// The more informative row: a row without an error (the localizer had no output), else the larger
+/// error.
+const ReportRow& more_informative(const ReportRow& a, const ReportRow& b) {
   if (!a.position_error_m || !b.position_error_m) return a.position_error_m ? b : a;
   return *b.position_error_m > *a.position_error_m ? b : a;
 }
@@ -20,7 +21,7 @@ void ThinnedCurve::add(const ReportRow& row) {
     open_ = 1;
     return;
   }
-  rows_.back() = ReportRow(more_telling(rows_.back(), row));
+  rows_.back() = ReportRow(more_informative(rows_.back(), row));
   ++open_;
 }
 
@@ -28,7 +29,7 @@ void ThinnedCurve::halve() {
   std::vector<ReportRow> half;
   half.reserve(most_);
   for (std::size_t i = 0; i + 1 < rows_.size(); i += 2) {
-    half.push_back(more_telling(rows_[i], rows_[i + 1]));
+    half.push_back(more_informative(rows_[i], rows_[i + 1]));
   }
   if (rows_.size() % 2 != 0) half.push_back(rows_.back());
   rows_ = std::move(half);

@@ -1,4 +1,5 @@
-/// Rows of a curve, thinned out while they are read: a day's run fills no more than an hour's.
+/// A curve that is thinned while it is read, so that a day's run needs no more memory than an
+/// hour's.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +9,22 @@
 
 namespace castaway::testbed {
 
-/// Gathers rows. Once there are more than `most`, every two become one: the one of the larger
-/// position error, so that peaks stay; all rows that follow are gathered as coarsely.
+/// Collects rows. Once there are more than `most`, adjacent pairs are merged into the row with the
+/// larger position error, so that peaks are kept. Later rows are merged to the same density.
 class ThinnedCurve {
  public:
   explicit ThinnedCurve(std::size_t most) : most_(most) {}
 
   void add(const ReportRow& row);
-  /// What is left of all rows, in their order.
+  /// The rows kept, in their original order.
   [[nodiscard]] std::vector<ReportRow> take();
 
  private:
   void halve();
 
   std::size_t most_;
-  std::size_t stride_ = 1;  ///< Rows that one stands for.
-  std::size_t open_ = 0;    ///< Rows that the last one stands for so far.
+  std::size_t stride_ = 1;  ///< Number of input rows per kept row.
+  std::size_t open_ = 0;    ///< Number of input rows in the last kept row so far.
   std::vector<ReportRow> rows_;
 };
 

@@ -1,4 +1,4 @@
-/// What drives a robot, as messages.
+/// The drive of a robot as ROS messages.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,19 @@
 
 namespace castaway::testbed {
 
-/// A robot's command and its wheels at a moment.
+/// Command and wheel angles of a robot at one moment.
 struct DriveNow {
-  double v = 0.0;                                      ///< [m/s] Commanded, forward.
-  double w = 0.0;                                      ///< [rad/s] Commanded, counter-clockwise.
-  std::vector<std::pair<std::string, double>> joints;  ///< Names and angles of the wheels. [rad]
+  double v = 0.0;                                      ///< [m/s] Commanded forward speed.
+  double w = 0.0;                                      ///< [rad/s] Commanded turn rate,
+                                                       ///< counter-clockwise.
+  std::vector<std::pair<std::string, double>> joints;  ///< [rad] Names and angles of the wheel
+                                                       ///< joints.
 };
 
-/// The command, in the frame of base.
+/// The command, in the base frame.
 ros::TwistStamped command_message(Stamp stamp, const DriveNow& now);
 
-/// Angles of the wheels; velocities from those of `dt_s` [s] before, 0 without any.
+/// Angles of the wheels, with velocities from the angles `dt_s` [s] earlier; 0 if there are none.
 ros::JointState joints_message(Stamp stamp, const DriveNow& now,
                                const std::optional<DriveNow>& before, double dt_s);
 

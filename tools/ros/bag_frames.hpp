@@ -1,4 +1,4 @@
-/// The fixed frames of a robot as /tf_static tells them.
+/// The fixed frames of a robot, as in /tf_static.
 #pragma once
 
 #include <map>
@@ -12,28 +12,27 @@
 
 namespace castaway::testbed {
 
-/// Frame of base: on the floor below the robot's root link.
+/// The base frame: on the floor below the robot's root link.
 inline constexpr const char* kBaseFrame = "base_footprint";
 
-/// A lidar and where it sits.
+/// A lidar and its mount.
 struct BagLidar {
   std::string name;
   std::string frame;
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
 };
 
-/// base_footprint -> base_link (where there is such a link) -> all other frames. A lidar's frame is
-/// where the localizers are told that it is; two lidars never share one.
+/// Tree base_footprint -> base_link (if the robot has it) -> all other frames. A lidar's frame is
+/// at its nominal mount; every lidar has its own frame.
 class BagFrames {
  public:
-  /// `links`: T_base_link of each.
+  /// `links`: T_base_link of each link.
   BagFrames(std::map<std::string, Eigen::Isometry3d> links, const std::vector<BagLidar>& lidars);
 
-  /// The frame of a lidar's scans.
+  /// Frame of a lidar's scans.
   [[nodiscard]] std::string frame_of(const std::string& lidar) const;
-  /// Moves a lidar's frame to a mount. True if it was elsewhere, or unknown.
+  /// Moves a lidar's frame to a mount. Returns true if this changes it.
   bool set_mount(const std::string& lidar, const Eigen::Isometry3d& T_base_laser);
-  /// All edges.
   [[nodiscard]] ros::TFMessage message(Stamp stamp) const;
 
  private:

@@ -15,13 +15,13 @@ using Json = nlohmann::ordered_json;
 using ToJson = Json (*)(std::string_view);
 
 template <typename Message>
-Json decoded(std::string_view data) {
+Json decode_to_json(std::string_view data) {
   return RosJson::of(CdrReader::decode<Message>(data));
 }
 
 template <typename... Messages>
 std::map<std::string, ToJson> table() {
-  return {{Messages::kType, &decoded<Messages>}...};
+  return {{Messages::kType, &decode_to_json<Messages>}...};
 }
 
 }  // namespace

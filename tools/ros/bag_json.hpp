@@ -1,4 +1,4 @@
-/// Messages of a bag as JSON, for those types that our own bags hold.
+/// Converts messages of a bag to JSON, for the types in castaway's own bags.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace castaway::testbed {
 
-/// The fields of a CDR message; nothing of a type that is not known. Throws std::runtime_error
-/// where the message is broken.
+/// Fields of a CDR message; nothing for an unknown type. Throws std::runtime_error if the message
+/// is malformed.
 std::optional<nlohmann::ordered_json> message_json(const std::string& type, std::string_view data);
 
 }  // namespace castaway::testbed

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::int32_t kArrow = 0;
 constexpr std::int32_t kCylinder = 3;
-constexpr std::int32_t kDeleteAll = 3;  // An action.
+constexpr std::int32_t kDeleteAll = 3;  // A marker action.
 constexpr double kPersonDiameter = 0.5;
 constexpr double kPersonHeight = 1.7;
 
-/// Colours that are told apart, also by those who see few (Okabe and Ito, 2008).
+/// Colours that colour-blind readers can distinguish (Okabe and Ito, 2008).
 constexpr std::array<std::array<float, 3>, 7> kColours{{{0.00F, 0.45F, 0.70F},
                                                         {0.84F, 0.37F, 0.00F},
                                                         {0.00F, 0.62F, 0.45F},

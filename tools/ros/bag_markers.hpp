@@ -6,11 +6,11 @@
 
 namespace castaway::testbed {
 
-/// A cylinder for each person, namespace "people", id the person's.
+/// A cylinder for each person; namespace "people", id of the person.
 ros::MarkerArray people_markers(Stamp stamp, const std::vector<PersonTruth>& people);
 
-/// Empties the picture, then an arrow for each population: id the population's, colour by id,
-/// more opaque the larger its share; the selected one is larger.
+/// Clears all markers, then adds an arrow for each population: id of the population, colour by id,
+/// opacity by its share, larger for the selected one.
 ros::MarkerArray hypothesis_markers(Stamp stamp,
                                     const std::vector<localization::PopulationView>& populations);
 

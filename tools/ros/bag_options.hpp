@@ -1,15 +1,15 @@
-/// What a bag of a run holds besides the usual.
+/// Optional content of a run's bag.
 #pragma once
 
 #include "tools/ros/mcap/mcap_records.hpp"
 
 namespace castaway::testbed {
 
-/// Choices about a bag.
+/// Options of a bag.
 struct BagOptions {
   McapCompression compression = McapCompression::kZstd;
-  bool particles = false;  ///< All particles of all localizers.
-  bool snapshots = false;  ///< The run's pictures, if it takes any.
+  bool particles = false;  ///< Write all particles of all localizers.
+  bool snapshots = false;  ///< Write the run's pictures, if it takes any.
 };
 
 }  // namespace castaway::testbed

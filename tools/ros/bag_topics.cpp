@@ -58,42 +58,43 @@ const BagTopicInfo& topic_named(const BagInventory& bag, const std::string& name
   const auto found = std::find_if(bag.topics.begin(), bag.topics.end(),
                                   [&](const BagTopicInfo& topic) { return topic.name == name; });
   if (found == bag.topics.end()) {
-    throw std::runtime_error(fmt::format("{}: {} {}: there is no such topic; there are: {}",
+    throw std::runtime_error(fmt::format("{}: {} {}: there is no such topic; available are: {}",
                                          bag.name, option, name, list_of(bag)));
   }
   return *found;
 }
 
-/// The topic of an option, of one of `types`.
-std::string required(const BagInventory& bag, const std::string& name, const char* option,
-                     const Names& types) {
+/// The topic named by an option; its type must be one of `types`.
+std::string require_topic(const BagInventory& bag, const std::string& name, const char* option,
+                          const Names& types) {
   const BagTopicInfo& topic = topic_named(bag, name, option);
   if (std::find(types.begin(), types.end(), topic.type) == types.end()) {
-    throw std::runtime_error(fmt::format("{}: {} {}: its type is {}; {} is taken", bag.name, option,
+    throw std::runtime_error(fmt::format("{}: {} {}: its type is {}; expected {}", bag.name, option,
                                          name, topic.type, fmt::join(types, " or ")));
   }
   return name;
 }
 
-/// The only one, or that of the usual name; an error where several remain; empty of none.
+/// The only candidate, or the one with the usual name. Empty if there are none; throws if several
+/// remain.
 std::string only_one(const BagInventory& bag, const Names& names, const std::string& usual,
                      const char* option) {
   if (names.empty()) return "";
   if (names.size() == 1) return names.front();
   if (std::find(names.begin(), names.end(), usual) != names.end()) return usual;
-  throw std::runtime_error(fmt::format("{}: {} topics could be meant; say which by {}: {}",
+  throw std::runtime_error(fmt::format("{}: {} topics are possible; choose one with {}: {}",
                                        bag.name, names.size(), option, fmt::join(names, ", ")));
 }
 
-/// True if the scans are ours: then all lidars are taken.
-bool tells_lidar(const BagInventory& bag, const std::string& name) {
+/// True for scans of castaway's own bags, of which all lidars are used.
+bool has_lidar_name(const BagInventory& bag, const std::string& name) {
   return topic_named(bag, name, "").metadata.contains("castaway.lidar");
 }
 
 Names choose_scans(const BagInventory& bag, const BagTopicOptions& options) {
   if (!options.scans.empty()) {
     for (const std::string& name : options.scans) {
-      required(bag, name, "--scan-topic", {ros::LaserScan::kType});
+      require_topic(bag, name, "--scan-topic", {ros::LaserScan::kType});
     }
     return options.scans;
   }
@@ -103,15 +104,15 @@ Names choose_scans(const BagInventory& bag, const BagTopicOptions& options) {
                                          ros::LaserScan::kType, list_of(bag)));
   }
   const bool ours = std::all_of(names.begin(), names.end(),
-                                [&](const std::string& name) { return tells_lidar(bag, name); });
+                                [&](const std::string& name) { return has_lidar_name(bag, name); });
   if (ours) return names;
   return {only_one(bag, names, "/scan", "--scan-topic")};
 }
 
 std::string choose_odometry(const BagInventory& bag, const BagTopicOptions& options) {
   if (!options.odometry.empty()) {
-    const std::string name = required(bag, options.odometry, "--odom-topic",
-                                      {ros::Odometry::kType, ros::TFMessage::kType});
+    const std::string name = require_topic(bag, options.odometry, "--odom-topic",
+                                           {ros::Odometry::kType, ros::TFMessage::kType});
     return topic_named(bag, name, "").type == ros::Odometry::kType ? name : "";
   }
   Names names = topics_of_type(bag, ros::Odometry::kType);
@@ -158,7 +159,7 @@ BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& opt
   choice.scans = choose_scans(bag, options);
   choice.odometry = choose_odometry(bag, options);
   if (!options.truth.empty()) {
-    choice.truth = required(
+    choice.truth = require_topic(
         bag, options.truth, "--truth-topic",
         {ros::Odometry::kType, ros::PoseStamped::kType, ros::PoseWithCovarianceStamped::kType});
   } else {

@@ -1,4 +1,4 @@
-/// What a bag holds, and which of its topics a run takes.
+/// Topics of a bag, and the choice of those that a run uses.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,10 @@ namespace castaway::testbed {
 /// A topic of a bag.
 struct BagTopicInfo {
   std::string name;
-  std::string type;                             ///< "sensor_msgs/msg/LaserScan"; empty: none given.
-  std::string encoding;                         ///< "cdr" of ROS 2.
-  std::map<std::string, std::string> metadata;  ///< Of its channel.
+  std::string type;                             ///< Such as "sensor_msgs/msg/LaserScan"; empty if
+                                                ///< not stated.
+  std::string encoding;                         ///< "cdr" for ROS 2.
+  std::map<std::string, std::string> metadata;  ///< Metadata of its channel.
   std::uint64_t messages = 0;
 };
 
@@ -25,36 +26,36 @@ struct BagTopicInfo {
 struct BagInventory {
   std::string name;  ///< Path, for errors.
   std::vector<std::filesystem::path> files;
-  std::vector<BagTopicInfo> topics;  ///< By name.
+  std::vector<BagTopicInfo> topics;  ///< Sorted by name.
   std::map<std::string, std::map<std::string, std::string>> metadata;
   std::vector<McapAttachmentInfo> attachments;
-  std::vector<std::string> warnings;  ///< Files that are not whole.
+  std::vector<std::string> warnings;  ///< About incomplete files.
   std::uint64_t messages = 0;
-  std::int64_t start_ns = 0;  ///< Log time of the first message...
-  std::int64_t end_ns = 0;    ///< ...and of the last.
+  std::int64_t start_ns = 0;  ///< Log time of the first message.
+  std::int64_t end_ns = 0;    ///< Log time of the last message.
 };
 
-/// Reads all of it once. Throws std::runtime_error as `McapReader` does.
+/// Reads the whole bag once. Throws std::runtime_error as `McapReader` does.
 BagInventory take_inventory(const std::string& name, std::vector<std::filesystem::path> files);
 
-/// Topics by name, instead of those that are found by type.
+/// Names of topics that override the search by type.
 struct BagTopicOptions {
   std::vector<std::string> scans;
   std::string odometry;
   std::string truth;
 };
 
-/// The topics that a run takes.
+/// The topics that a run uses.
 struct BagTopicChoice {
   std::vector<std::string> scans;  ///< LaserScan.
-  std::string odometry;            ///< Odometry; empty: it is taken from /tf.
-  std::string truth;       ///< Odometry, PoseStamped or PoseWithCovarianceStamped; empty: none.
-  std::string scan_truth;  ///< PoseStamped at the stamps of scans; empty: none.
-  std::string map;         ///< OccupancyGrid; empty: none.
+  std::string odometry;            ///< Odometry; empty: use /tf.
+  std::string truth;       ///< Odometry, PoseStamped or PoseWithCovarianceStamped; empty for none.
+  std::string scan_truth;  ///< PoseStamped at the stamps of scans; empty for none.
+  std::string map;         ///< OccupancyGrid; empty for none.
 };
 
-/// Chooses by type; of several of a type the one of the usual name. Throws std::runtime_error that
-/// lists what there is where nothing fits, or several do.
+/// Chooses topics by type, and among several of a type the one with the usual name. Throws
+/// std::runtime_error that lists the candidates if none or several fit.
 BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& options);
 
 }  // namespace castaway::testbed

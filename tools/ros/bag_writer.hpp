@@ -14,23 +14,24 @@
 
 namespace castaway::testbed {
 
-/// `name` as a part of a topic: letters, digits and underscores, no digit first.
+/// Converts `name` to a part of a topic: letters, digits and underscores, not starting with a
+/// digit.
 std::string topic_part(const std::string& name);
 
-/// Writes messages of a run. The same calls give the same bytes.
+/// Writes the messages of a run. The same calls give the same bytes.
 class BagWriter {
  public:
-  /// Makes `folder` and `<name>.mcap` in it. Throws std::runtime_error if that is not possible.
+  /// Creates `folder` and `<name>.mcap` in it. Throws std::runtime_error on failure.
   BagWriter(std::filesystem::path folder, const std::string& name, McapCompression compression);
 
-  /// Adds a topic of messages of a type; `metadata` goes to its channel. Returns its number.
+  /// Adds a topic with a message type and returns its id; `metadata` is stored with its channel.
   template <typename Message>
   std::uint16_t add_topic(const std::string& name, Durability durability = Durability::kVolatile,
                           std::map<std::string, std::string> metadata = {}) {
     return add_topic({name, Message::kType, durability, 0}, Message::kDefinition,
                      std::move(metadata));
   }
-  /// Logs a message at `delivered`, time of the run; never before one logged already.
+  /// Logs a message at the run time `delivered`, which must not be earlier than the last message's.
   template <typename Message>
   void publish(std::uint16_t topic, Stamp delivered, const Message& message) {
     write(topic, delivered, CdrWriter::encode(message));
@@ -39,7 +40,7 @@ class BagWriter {
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
     mcap_.add_metadata(name, texts);
   }
-  /// Completes both files. Throws std::runtime_error if they could not be written whole.
+  /// Completes both files. Throws std::runtime_error if they could not be written completely.
   void finish();
 
  private:

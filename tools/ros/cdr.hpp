@@ -1,8 +1,8 @@
-/// CDR as ROS 2 writes it (XCDR1, OMG DDSI-RTPS 10.2): messages to bytes and back.
+/// CDR as used by ROS 2 (XCDR1, OMG DDSI-RTPS 10.2): serialises and parses messages.
 ///
-/// A message is a struct with `static constexpr const char* kType` and a template
-/// `visit(self, visitor)` that calls `visitor("field", self.field)` for each field in order; the
-/// build makes them from msg/*.msg. Alignment counts from behind the header of four bytes.
+/// A message is a struct with `static constexpr const char* kType` and a template `visit(self,
+/// visitor)` that calls `visitor("field", self.field)` for each field in order. The build generates
+/// the structs from msg/*.msg. Alignment is relative to the end of the header of four bytes.
 #pragma once
 
 #include <array>
@@ -62,7 +62,7 @@ class CdrWriter {
   template <typename T>
   void put_all(const T* values, std::size_t count) {
     if constexpr (std::is_arithmetic_v<T>) {
-      if (count == 0) return;  // Nothing follows, so nothing is aligned.
+      if (count == 0) return;  // Without elements, CDR writes no padding.
       align(sizeof(T));
       bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));
     } else {
@@ -77,11 +77,11 @@ class CdrWriter {
   std::string bytes_{'\0', '\1', '\0', '\0'};
 };
 
-/// Reads the fields of a message from bytes that are not trusted.
+/// Parses a message from untrusted bytes.
 class CdrReader {
  public:
-  /// Throws std::runtime_error if the bytes end too early or have another encoding. Bytes
-  /// behind the message are padding.
+  /// Throws std::runtime_error if the bytes are truncated or have another encoding. Bytes after the
+  /// message are padding.
   template <typename Message>
   static Message decode(std::string_view bytes) {
     CdrReader reader(bytes);
@@ -96,7 +96,7 @@ class CdrReader {
   }
 
  private:
-  /// Reads the header.
+  /// Parses the header.
   explicit CdrReader(std::string_view bytes);
 
   template <typename T>
@@ -127,7 +127,7 @@ class CdrReader {
   void get(std::array<T, N>& values) {
     for (T& value : values) get(value);
   }
-  /// Copies numbers; swaps their bytes if they are big-endian.
+  /// Copies numbers and swaps the bytes of big-endian ones.
   template <typename T>
   void copy(T* values, std::size_t count) {
     need(count * sizeof(T));
@@ -135,13 +135,13 @@ class CdrReader {
     at_ += count * sizeof(T);
     if (big_endian_ && sizeof(T) > 1) swap_bytes(reinterpret_cast<char*>(values), sizeof(T), count);
   }
-  /// Length of a sequence; there cannot be more elements than bytes.
+  /// Length of a sequence, at most the number of remaining bytes.
   std::uint32_t count_of();
   void align(std::size_t size);
   void need(std::uint64_t size) const;
   static void swap_bytes(char* bytes, std::size_t size, std::size_t count);
 
-  std::string_view bytes_;  // Behind the header.
+  std::string_view bytes_;  // Without the header.
   std::size_t at_ = 0;
   bool big_endian_ = false;
 };

@@ -19,7 +19,7 @@ std::optional<SE2> pose_of(const Json& json, const char* key) {
   return SE2{pose.at(0).get<double>(), pose.at(1).get<double>(), pose.at(2).get<double>()};
 }
 
-/// Nothing of a time that no run reaches.
+/// Parses a time; nothing if it is unreasonably large.
 std::optional<Stamp> stamp_of(const Json& json) {
   constexpr double kLongest = 1e9;
   const auto time_s = json.get<double>();

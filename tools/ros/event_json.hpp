@@ -1,4 +1,4 @@
-/// Events of a run as JSON, as bags hold them.
+/// Events of a run as JSON, as stored in bags.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace castaway::testbed {
 
-/// {"kind", "detail", "stamp_s", "since_s", "from": [x, y, yaw], "to": [x, y, yaw]}: what is not
-/// known is left out. Times of the run at nanoseconds, poses at full length.
+/// {"kind", "detail", "stamp_s", "since_s", "from": [x, y, yaw], "to": [x, y, yaw]} without the
+/// unknown fields. Times of the run in nanosecond precision, poses in full precision.
 std::string event_json(const RunEvent& event);
 
-/// Nothing if the text is no such event.
+/// Parses an event; nothing if the text is not one.
 std::optional<RunEvent> event_of_json(const std::string& text);
 
 }  // namespace castaway::testbed

@@ -13,8 +13,8 @@ namespace castaway::testbed {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr double kLongestRosSweep = 10.0;  // [s] A driver that says more does not know.
-constexpr double kFastest = 20.0;          // [m/s] Faster is no drive but a kidnap.
+constexpr double kLongestRosSweep = 10.0;  // [s] Longer sweeps are driver errors and ignored.
+constexpr double kFastest = 20.0;          // [m/s] Faster motion is a kidnap.
 
 std::optional<double> number_in(const std::map<std::string, std::string>& texts,
                                 const std::string& key) {
@@ -26,15 +26,15 @@ std::optional<double> number_in(const std::map<std::string, std::string>& texts,
   return result.ec == std::errc{} && result.ptr == end ? std::optional(value) : std::nullopt;
 }
 
-/// The exact number behind a rounded one, if it rounds to that.
+/// The exact number of a rounded one, if it is known and consistent.
 double exact_number(float rounded, const std::map<std::string, std::string>& exact,
                     const std::string& key) {
   const auto value = number_in(exact, key);
   return value && static_cast<float>(*value) == rounded ? *value : static_cast<double>(rounded);
 }
 
-constexpr float kLongestRange = 1e6F;  // [m] Some drivers give the largest float there is.
-constexpr double kFarthest = 1e7;      // [m] UTM coordinates stay below.
+constexpr float kLongestRange = 1e6F;  // [m] Some drivers state the largest float.
+constexpr double kFarthest = 1e7;      // [m] UTM coordinates are smaller.
 
 void require_numbers(std::initializer_list<double> values, const char* what) {
   for (const double value : values) {
@@ -54,20 +54,20 @@ double yaw_of(const ros::Quaternion& q) {
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
-/// A double so many steps away.
-double stepped(double value, int steps) {
+/// The double that is this many representable values away.
+double offset_by_ulps(double value, int steps) {
   for (; steps > 0; --steps) value = std::nextafter(value, 2.0);
   for (; steps < 0; ++steps) value = std::nextafter(value, -2.0);
   return value;
 }
 
-/// A quaternion that `yaw_of` turns into this yaw to the bit, if one is near; else the nearest.
+/// The quaternion near a yaw that `yaw_of` converts back exactly; the nearest one if there is none.
 ros::Quaternion planar_quaternion(double yaw) {
   const ros::Quaternion nearest{0.0, 0.0, std::sin(0.5 * yaw), std::cos(0.5 * yaw)};
   constexpr std::array<int, 7> kSteps{0, 1, -1, 2, -2, 3, -3};
   for (const int z : kSteps) {
     for (const int w : kSteps) {
-      const ros::Quaternion q{0.0, 0.0, stepped(nearest.z, z), stepped(nearest.w, w)};
+      const ros::Quaternion q{0.0, 0.0, offset_by_ulps(nearest.z, z), offset_by_ulps(nearest.w, w)};
       if (yaw_of(q) == yaw) return q;
     }
   }
@@ -116,7 +116,7 @@ Eigen::Isometry3d from_ros_transform(const ros::Transform& transform) {
 }
 
 std::array<double, 36> to_ros_covariance(const Eigen::Matrix3d& covariance) {
-  constexpr std::array<std::size_t, 3> kAt{0, 1, 5};  // x, y, rotation about z
+  constexpr std::array<std::size_t, 3> kAt{0, 1, 5};  // x, y, rotation about z.
   std::array<double, 36> all{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -185,7 +185,7 @@ std::optional<Eigen::Isometry3d> exact_mount(const std::map<std::string, std::st
 LaserScan from_ros_scan(const ros::LaserScan& message,
                         const std::map<std::string, std::string>& exact) {
   const float range_max = std::min(message.range_max, kLongestRange);
-  const bool timed = std::isfinite(message.time_increment);  // Of any size: see below.
+  const bool timed = std::isfinite(message.time_increment);  // An infinite value is ignored below.
   require_numbers({message.angle_min, message.angle_increment, message.range_min, range_max,
                    timed ? 0.0 : static_cast<double>(message.time_increment)},
                   "LaserScan");

@@ -1,4 +1,5 @@
-/// Any message struct of `ros_*.hpp` as JSON. The build makes these headers from msg/*.msg.
+/// Converts any message struct of `ros_*.hpp` to JSON. The build generates these headers from
+/// msg/*.msg.
 #pragma once
 
 #include <array>

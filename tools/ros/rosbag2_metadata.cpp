@@ -7,8 +7,8 @@ namespace {
 
 constexpr const char* kForEver = "    sec: 9223372036\n    nsec: 854775807\n";
 
-/// A text of several lines as one quoted YAML line.
-std::string quoted(const std::string& text) {
+/// Quotes a multi-line text as one line of YAML.
+std::string quote_line(const std::string& text) {
   std::string line = "\"";
   for (const char c : text) {
     if (c == '\n') {
@@ -26,14 +26,15 @@ std::string topic_text(const BagTopic& topic) {
       "    - topic_metadata:\n        name: {}\n        type: {}\n        serialization_format: "
       "cdr\n"
       "        offered_qos_profiles: {}\n      message_count: {}\n",
-      topic.name, topic.type, quoted(qos_text(topic.durability)), topic.messages);
+      topic.name, topic.type, quote_line(qos_text(topic.durability)), topic.messages);
 }
 
 }  // namespace
 
 std::string qos_text(Durability durability) {
   const bool latched = durability == Durability::kTransientLocal;
-  // Numbers of rmw: keep last = 1, reliable = 1, transient local = 1, volatile = 2, automatic = 1.
+  // Enumerators of rmw: keep last = 1, reliable = 1, transient local = 1, volatile = 2, automatic =
+  // 1.
   return fmt::format(
       "- history: 1\n  depth: {}\n  reliability: 1\n  durability: {}\n  deadline:\n{}  "
       "lifespan:\n{}"
@@ -52,7 +53,7 @@ std::string rosbag2_metadata(const BagContents& bag) {
       "  compression_format: \"\"\n  compression_mode: \"\"\n  relative_file_paths:\n    - {0}\n"
       "  files:\n    - path: {0}\n      starting_time:\n        nanoseconds_since_epoch: {1}\n"
       "      duration:\n        nanoseconds: {2}\n      message_count: {3}\n",
-      quoted(bag.file), bag.start_ns, bag.length_ns, bag.messages);
+      quote_line(bag.file), bag.start_ns, bag.length_ns, bag.messages);
   return text;
 }
 

@@ -1,4 +1,4 @@
-/// metadata.yaml of a rosbag2 folder, version 5: ROS 2 from Humble to Rolling reads it.
+/// metadata.yaml of a rosbag2 folder, version 5, readable by ROS 2 from Humble to Rolling.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,18 @@
 
 namespace castaway::testbed {
 
-/// What a late subscriber of a topic is given.
+/// Durability of a topic: kTransientLocal delivers earlier messages to late subscribers.
 enum class Durability : std::uint8_t { kVolatile, kTransientLocal };
 
 /// A topic of a bag.
 struct BagTopic {
   std::string name;
-  std::string type;  ///< "sensor_msgs/msg/LaserScan"
+  std::string type;  ///< Such as "sensor_msgs/msg/LaserScan".
   Durability durability = Durability::kVolatile;
   std::uint64_t messages = 0;
 };
 
-/// A bag of one file.
+/// A bag with one file.
 struct BagContents {
   std::string file;            ///< Name of the MCAP file in the folder.
   std::int64_t start_ns = 0;   ///< Log time of the first message.
@@ -27,10 +27,10 @@ struct BagContents {
   std::vector<BagTopic> topics;
 };
 
-/// The quality of service that a topic was offered with, as YAML with enumerators as numbers.
+/// Offered quality of service as YAML, with enumerators as numbers.
 std::string qos_text(Durability durability);
 
-/// The file's text.
+/// Text of the file.
 std::string rosbag2_metadata(const BagContents& bag);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The fixed part of a recorded tree of frames.
+/// The fixed part of a recorded frame tree.
 #pragma once
 
 #include <map>
@@ -9,16 +9,16 @@
 
 namespace castaway::testbed {
 
-/// Edges by child.
 class TfTree {
  public:
-  /// A fixed edge; it takes the place of an older one. True if anything changed.
+  /// Sets a fixed edge, replacing an older one. Returns true if this changes anything.
   bool set_fixed(const std::string& parent, const std::string& child,
                  const Eigen::Isometry3d& T_parent_child);
-  /// An edge that may move: kept as it first was, where none is known.
+  /// Adds an edge that may move. Only its first value is kept, and only if the child has no edge
+  /// yet.
   void add_moving(const std::string& parent, const std::string& child,
                   const Eigen::Isometry3d& T_parent_child);
-  /// T_a_b by way of a common ancestor; nothing if there is none.
+  /// T_a_b via a common ancestor; nothing if there is none.
   [[nodiscard]] std::optional<Eigen::Isometry3d> between(const std::string& a,
                                                          const std::string& b) const;
 
@@ -28,7 +28,7 @@ class TfTree {
     Eigen::Isometry3d T_parent_child;
     bool fixed = false;
   };
-  /// T_ancestor_frame of the frame and all its ancestors; ends in loops, too.
+  /// T_ancestor_frame of the frame and all its ancestors; stops at loops.
   [[nodiscard]] std::map<std::string, Eigen::Isometry3d> up_from(const std::string& frame) const;
 
   std::map<std::string, Edge> edges_;

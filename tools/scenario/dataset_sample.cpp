@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// In one line.
+/// YAML of a value on one line.
 std::string brief(const YamlNode& value) {
   std::string text = emit_yaml(value);
   for (char& c : text) c = c == '\n' ? ' ' : c;
@@ -15,8 +15,8 @@ std::string brief(const YamlNode& value) {
   return text;
 }
 
-/// Drawn values whose keys an error is about, or else all of them.
-std::string suspects(const SampledSequence& sequence, const std::string& error) {
+/// The drawn values whose keys an error mentions, or else all of them.
+std::string suspect_values(const SampledSequence& sequence, const std::string& error) {
   std::string named;
   std::string all;
   for (const auto& [key, value] : sequence.drawn) {
@@ -35,11 +35,11 @@ std::string suspects(const SampledSequence& sequence, const std::string& error) 
 
 std::string sequence_name(int index) { return fmt::format("{:06d}", index); }
 
-std::string sequence_trouble(const DatasetSpec& spec, const SampledSequence& sequence,
-                             const std::string& what) {
+std::string sequence_error(const DatasetSpec& spec, const SampledSequence& sequence,
+                           const std::string& what) {
   const std::string name = fmt::format("sequence {}:", sequence.index);
   if (what.find(name) != std::string::npos) return what;
-  const std::string drawn = suspects(sequence, what);
+  const std::string drawn = suspect_values(sequence, what);
   return fmt::format("{}: {} {}{}", spec.file, name, what,
                      drawn.empty() ? "" : " (drawn: " + drawn + ")");
 }
@@ -53,7 +53,7 @@ SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
   try {
     for (const VariedKey& key : spec.vary) {
       localization::Rng rng = localization::substream(spec.seed, stream + "/" + key.path);
-      YamlNode value = drawn(key.draw, rng);
+      YamlNode value = draw_value(key.draw, rng);
       const std::string text = brief(value);
       sequence.drawn.emplace_back(key.path, text);
       put_value(scenario, key.path, std::move(value),
@@ -63,7 +63,7 @@ SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
     put_value(scenario, "name", write_yaml(spec.name + "-" + sequence_name(index)), "");
     sequence.loaded = read_scenario(YamlDocument(std::move(scenario)), spec.base, spec.name);
   } catch (const std::exception& error) {
-    throw std::runtime_error(sequence_trouble(spec, sequence, error.what()));
+    throw std::runtime_error(sequence_error(spec, sequence, error.what()));
   }
   return sequence;
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys of a scenario that a data set sees to itself.
+/// Keys of a scenario that a data set sets itself.
 const std::vector<std::string> kOwn{"seed", "name", "outputs", "expect"};
 
 fs::path base_scenario(const YamlReader& value, const fs::path& folder) {
@@ -38,8 +38,8 @@ YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) 
   return document.root().raw();
 }
 
-/// What runs need and a data set does not, and the reverse.
-void fit(YamlNode& scenario, const YamlNode& outputs) {
+/// Adapts a scenario to a data set: removes its own keys, and sets localizers and outputs.
+void adapt_scenario(YamlNode& scenario, const YamlNode& outputs) {
   for (const std::string& key : kOwn) drop(scenario, key);
   if (scenario.find("localizers") == nullptr) {
     put_value(scenario, "localizers", parse_yaml("[]", ""), "");
@@ -63,7 +63,7 @@ std::vector<VariedKey> read_vary(YamlReader& root) {
   for (auto& [path, value] : root.child("vary").entries()) {
     const std::string head = path.substr(0, path.find('.'));
     if (std::find(kOwn.begin(), kOwn.end(), head) != kOwn.end()) {
-      value.fail(fmt::format("'{}' cannot vary: a data set sees to it itself", head));
+      value.fail(fmt::format("'{}' cannot vary: a data set sets it itself", head));
     }
     const std::string where = value.raw().where;
     vary.push_back({path, read_draw(value), where});
@@ -85,7 +85,7 @@ SplitSpec read_splits(YamlReader& root) {
   return splits;
 }
 
-/// The text with the scenario within, whatever file it came from.
+/// YAML of the specification with the base scenario included.
 std::string effective_text(YamlReader& root, const DatasetSpec& spec, const YamlNode& outputs) {
   YamlNode tree = root.raw();
   YamlNode scenario = spec.scenario;
@@ -116,7 +116,7 @@ DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& over
   for (const std::string& assignment : overrides.scenario) {
     apply_override(spec.scenario, assignment);
   }
-  fit(spec.scenario, outputs);
+  adapt_scenario(spec.scenario, outputs);
   spec.effective = effective_text(root, spec, outputs);
   return spec;
 }

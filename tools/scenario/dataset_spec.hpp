@@ -1,4 +1,4 @@
-/// What a data set is made of, as YAML.
+/// Specification of a data set, as YAML.
 #pragma once
 
 #include <cstdint>
@@ -11,39 +11,39 @@
 
 namespace castaway::testbed {
 
-/// A key of the scenario that differs from sequence to sequence.
+/// A scenario key whose value is drawn for each sequence.
 struct VariedKey {
-  std::string path;  ///< As of `--set`: "people.count", "events.0.kidnap.at_s".
+  std::string path;  ///< As for `--set`: "people.count", "events.0.kidnap.at_s".
   Draw draw;
   std::string where;  ///< "file:line"
 };
 
-/// Shares of a data set for learning.
+/// Shares of the training, validation and test splits.
 struct SplitSpec {
   double train = 0.8;
   double val = 0.1;
   double test = 0.1;
-  bool by_sequence = false;  ///< False: all sequences of a world are in one part.
+  bool by_sequence = false;  ///< If false, all sequences of a world are in the same split.
 };
 
-/// What sequences are drawn from.
+/// A data set specification.
 struct DatasetSpec {
-  std::string file;  ///< Names it in errors.
+  std::string file;  ///< For errors.
   std::string name;
   std::string description;
-  std::string license;          ///< Of the data; empty: none is stated.
+  std::string license;          ///< License of the data; empty if none is stated.
   std::uint64_t seed = 1;       ///< Root of all draws.
   std::filesystem::path base;   ///< Folder that relative paths of the scenario start from.
-  YamlNode scenario;            ///< What all sequences share.
-  std::vector<VariedKey> vary;  ///< In order of the file; later ones go over earlier ones.
+  YamlNode scenario;            ///< Base scenario of all sequences.
+  std::vector<VariedKey> vary;  ///< In the order of the file; later entries override earlier ones.
   SplitSpec splits;
-  std::string effective;  ///< YAML that gives the same data set, its scenario within.
+  std::string effective;  ///< YAML that reproduces the data set, with the scenario included.
 };
 
-/// What the command line says besides.
+/// Values from the command line.
 struct DatasetOverrides {
-  std::optional<std::uint64_t> seed;  ///< Instead of the file's.
-  std::vector<std::string> scenario;  ///< key=value, of the scenario.
+  std::optional<std::uint64_t> seed;  ///< Overrides the file's seed.
+  std::vector<std::string> scenario;  ///< Overrides of the scenario, as key=value.
 };
 
 /// Reads a specification:
@@ -58,9 +58,8 @@ struct DatasetOverrides {
 ///     outputs: {bag: true, tables: hdf5}   # instead of those of the scenario
 ///     splits: {train: 0.8, val: 0.1, test: 0.1, by: world}
 ///
-/// Without `outputs` a sequence has a bag and tables; without `localizers` in the scenario none
-/// rides along. Throws std::runtime_error or std::invalid_argument naming file, line, key, value
-/// and remedy.
+/// By default, a sequence has a bag and tables as outputs and no localizers. Throws
+/// std::runtime_error or std::invalid_argument naming file, line, key, value and remedy.
 DatasetSpec load_dataset_spec(const std::filesystem::path& file,
                               const DatasetOverrides& overrides = {});
 

@@ -66,23 +66,23 @@ Draw read_integer(YamlReader& map) {
   return draw;
 }
 
-/// The one key that says how it is drawn.
+/// The key that names the distribution; there must be exactly one.
 std::string kind_of(YamlReader& map) {
   std::string kind;
   for (auto& [key, value] : map.entries()) {
     if (key == "weights") continue;
     if (std::find(kKinds.begin(), kKinds.end(), key) == kKinds.end()) {
-      value.fail(fmt::format("'{}' is no way to draw a value; {}", key, suggestion(key, kKinds)));
+      value.fail(fmt::format("'{}' is not a known distribution; {}", key, suggestion(key, kKinds)));
     }
     if (!kind.empty()) map.fail(fmt::format("'{}' and '{}': give one of them", kind, key));
     kind = key;
   }
-  if (kind.empty()) map.fail("says not how it is drawn: give choice, uniform, integer...");
+  if (kind.empty()) map.fail("does not state a distribution: give choice, uniform, integer...");
   if (kind != "choice" && map.has("weights")) map.fail("'weights' go with 'choice' only");
   return kind;
 }
 
-/// With six digits, as a reader would write it.
+/// Rounds to six significant digits.
 YamlNode number(double value, double low, double high) {
   const std::string text = fmt::format("{:.6g}", value);
   double rounded = value;
@@ -98,7 +98,7 @@ YamlNode value_of(const ChoiceDraw& draw, Rng& rng) {
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < draw.weights.size(); ++i) {
     if (draw.weights[i] <= 0.0) continue;
-    chosen = i;  // The last one that has a weight, should rounding leave some.
+    chosen = i;  // If rounding leaves a rest, the last option with a positive weight is chosen.
     if (left < draw.weights[i]) break;
     left -= draw.weights[i];
   }
@@ -140,7 +140,7 @@ Draw read_draw(YamlReader value) {
   return FixedDraw{fixed ? fixed->raw() : YamlNode{}};
 }
 
-YamlNode drawn(const Draw& draw, Rng& rng) {
+YamlNode draw_value(const Draw& draw, Rng& rng) {
   return std::visit([&rng](const auto& of) { return value_of(of, rng); }, draw);
 }
 

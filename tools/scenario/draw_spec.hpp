@@ -1,4 +1,4 @@
-/// How a value of a data set is drawn, as YAML.
+/// Distributions of the values of a data set, as YAML.
 #pragma once
 
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace castaway::testbed {
 
-/// Always the same.
+/// A constant.
 struct FixedDraw {
   YamlNode value;
 };
 
-/// One of several, by weight.
+/// One of several options, by weight.
 struct ChoiceDraw {
   std::vector<YamlNode> options;  ///< At least one.
-  std::vector<double> weights;    ///< As many, positive in sum.
+  std::vector<double> weights;    ///< One per option; their sum is positive.
 };
 
-/// Evenly between two numbers, or evenly between their logarithms.
+/// Uniform between two numbers or, if `logarithmic`, between their logarithms.
 struct UniformDraw {
   double low = 0.0;
   double high = 1.0;
-  bool logarithmic = false;  ///< Then `low` is positive.
+  bool logarithmic = false;  ///< Requires a positive `low`.
 };
 
-/// Normal; drawn again where it falls outside of the limits.
+/// Normal, truncated by rejection.
 struct NormalDraw {
   double mean = 0.0;
   double sd = 1.0;  ///< Positive.
@@ -36,7 +36,7 @@ struct NormalDraw {
   double max = 0.0;
 };
 
-/// A whole number, both ends included.
+/// A uniform integer, both ends included.
 struct IntegerDraw {
   int low = 0;
   int high = 1;
@@ -44,7 +44,7 @@ struct IntegerDraw {
 
 using Draw = std::variant<FixedDraw, ChoiceDraw, UniformDraw, NormalDraw, IntegerDraw>;
 
-/// Reads one:
+/// Parses a distribution:
 ///
 ///     12.5, office, [1, 2, 3]                         # fixed
 ///     {value: {count: 3}}                             # fixed, a map
@@ -57,8 +57,8 @@ using Draw = std::variant<FixedDraw, ChoiceDraw, UniformDraw, NormalDraw, Intege
 /// Throws std::runtime_error naming file, line, key and remedy.
 Draw read_draw(YamlReader value);
 
-/// Draws a value; numbers that are not whole with six digits. A normal value that falls outside of
-/// its limits a thousand times is set to the nearer one.
-YamlNode drawn(const Draw& draw, localization::Rng& rng);
+/// Draws a value. Numbers that are not integers are rounded to six digits. After a thousand
+/// rejections, a normal value is clamped to its limits.
+YamlNode draw_value(const Draw& draw, localization::Rng& rng);
 
 }  // namespace castaway::testbed

@@ -20,20 +20,20 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever they last.
+constexpr double kKinematicHz = 100.0;  // Steps are exact, whatever their length.
 
 void run_fields(Settings settings, Scenario& scenario) {
   settings.field({"seed", "", "Root of all random streams.", {0.0, 1.9e19}}, scenario.seed);
   settings.field({"duration_s", "s", "Simulated time.", {1e-3, 1e7}}, scenario.duration_s);
   settings.field(
-      {"stop_after_m", "m", "The run ends once so much is driven; 0: it does not.", {0.0, 1e7}},
+      {"stop_after_m", "m", "Driven distance at which the run ends; 0: no limit.", {0.0, 1e7}},
       scenario.stop_after_m);
   settings.choice({"physics", "", "kinematic: the robot moves exactly as commanded."},
                   scenario.kinematic, {{"bullet", false}, {"kinematic", true}});
   if (scenario.kinematic) scenario.physics_hz = kKinematicHz;
-  settings.field({"physics_hz", "Hz", "Steps of the simulation; kinematic: 100.", {10.0, 1e4}},
+  settings.field({"physics_hz", "Hz", "Rate of the simulation steps; kinematic: 100.", {10.0, 1e4}},
                  scenario.physics_hz);
-  settings.field({"wall_height", "m", "Of a world made from a map.", {0.01, 100.0}},
+  settings.field({"wall_height", "m", "Wall height of a world made from a map.", {0.01, 100.0}},
                  scenario.wall_height);
 }
 
@@ -77,7 +77,7 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
 EventSpecs read_events(YamlReader& root) {
   EventSpecs events;
   for (YamlReader event : root.list("events")) {
-    auto [kind, body] = event.named();
+    auto [kind, body] = event.name_and_body();
     if (kind == "kidnap") {
       read_kidnap(body, events);
     } else if (kind == "fault") {
@@ -95,19 +95,20 @@ std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers) 
   return names;
 }
 
-/// Whoever is watched must ride along; by default the first one is.
+/// Sets the localizer that kidnaps wait for, by default the first one, and checks that the run has
+/// it.
 void choose_watched(const YamlReader& root, Scenario& scenario) {
   std::string& watched = scenario.events.watched;
   if (!waits_for_localizer(scenario.events)) return;
   const std::vector<std::string> names = names_of(scenario.localizers);
-  if (names.empty()) root.fail("a kidnap waits for a localizer to be localized: give one");
+  if (names.empty()) root.fail("a kidnap waits until a localizer is localized: add a localizer");
   if (watched.empty()) watched = names.front();
   if (std::find(names.begin(), names.end(), watched) == names.end()) {
     root.fail("a kidnap waits for localizer '" + watched + "'; " + suggestion(watched, names));
   }
 }
 
-/// Who drives is the truth or a localizer of the run.
+/// Checks that the driver is "truth" or a localizer of the run.
 void check_driver(YamlReader& root, const Scenario& scenario) {
   std::vector<std::string> drivers = names_of(scenario.localizers);
   drivers.emplace_back("truth");
@@ -125,7 +126,7 @@ std::vector<SettingText> scenario_settings() {
   const auto under = [&](const std::string& prefix) { return Settings::describing(texts, prefix); };
   Scenario scenario;
   Settings root = under("");
-  root.form({"name", "", "Names the run folder."}, "the file's");
+  root.form({"name", "", "Name of the run folder."}, "the file's");
   root.form({"world", "", "A world's name or file, or a map {name, search_paths, differences}."},
             "lab");
   root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},
@@ -155,8 +156,8 @@ LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides) {
   YamlDocument document = YamlDocument::load(file);
   for (const std::string& assignment : overrides) {
-    if (assignment.starts_with("robot.")) document.write_out("robot", "file");
-    if (assignment.starts_with("world.")) document.write_out("world", "name");
+    if (assignment.starts_with("robot.")) document.expand_short_form("robot", "file");
+    if (assignment.starts_with("world.")) document.expand_short_form("world", "name");
     document.set(assignment);
   }
   return read_scenario(std::move(document), file.parent_path(), file.stem().string());

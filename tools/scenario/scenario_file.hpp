@@ -1,4 +1,4 @@
-/// Scenarios as YAML.
+/// Reads scenarios from YAML.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,24 @@
 
 namespace castaway::testbed {
 
-/// A scenario and the text that reproduces it.
+/// A scenario with the text that reproduces it.
 struct LoadedScenario {
   Scenario scenario;
-  std::string effective;  ///< YAML with every default filled in.
+  std::string effective;  ///< YAML with all defaults filled in.
 };
 
-/// Reads a scenario file, with `key=value` overrides applied first. Throws std::runtime_error or
-/// std::invalid_argument naming file, line, key, value and remedy; a key that is not known is an
-/// error that names the nearest known one.
+/// Reads a scenario file after applying `key=value` overrides. Throws std::runtime_error or
+/// std::invalid_argument naming file, line, key, value and remedy. An unknown key is an error that
+/// names the nearest known one.
 LoadedScenario load_scenario(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides);
 
-/// Reads a scenario from a document; `folder`: where its relative paths start; `name`: its name
-/// unless it says one. Throws as `load_scenario` does.
+/// Reads a scenario from a document. `folder`: where its relative paths start. `name`: its name if
+/// it states none. Throws as `load_scenario` does.
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
                              const std::string& name);
 
-/// Every setting of a scenario, in the order of the docs.
+/// Every setting of a scenario, in the order of the documentation.
 std::vector<SettingText> scenario_settings();
 
 }  // namespace castaway::testbed

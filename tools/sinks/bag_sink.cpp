@@ -41,7 +41,7 @@ ros::PoseArray particles_message(Stamp stamp,
   return message;
 }
 
-/// "/front" of several lidars, "" of the only one.
+/// "/front" if there are several lidars, "" if there is only one.
 std::string prefix_of(const LaserScan& scan, const BagConfig& config) {
   return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
 }
@@ -177,7 +177,7 @@ void BagSink::write_truth(const ScanRecord& record) {
   bag_.publish(people_, record.delivered, people_markers(record.stamp, record.people.people));
 }
 
-/// map -> odom of the first localizer, once it has an answer.
+/// Writes map -> odom of the first localizer, once it has an estimate.
 void BagSink::write_map_frame(const ScanRecord& record) {
   if (record.localizers.empty() || !record.localizers.front().estimate) return;
   const localization::Estimate& estimate = *record.localizers.front().estimate;
@@ -204,10 +204,10 @@ void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
   bag_.publish(topics.particles, record.delivered, particles_message(record.stamp, populations));
 }
 
-/// Pictures are taken after this sink has seen a scan: they are logged with the next one.
+/// Pictures are taken after this sink has handled a scan, so they are logged with the next one.
 void BagSink::write_snapshots(Stamp delivered) {
   if (!config_.options.snapshots) return;
-  for (Snapshot& snapshot : snapshots_.fresh()) {
+  for (Snapshot& snapshot : snapshots_.take_new()) {
     const auto [topic, first] = views_.try_emplace(snapshot.view);
     if (first) {
       topic->second =

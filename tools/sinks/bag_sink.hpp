@@ -1,4 +1,4 @@
-/// bag/: a run as ROS 2 would have recorded it, for `ros2 bag` and Foxglove; see docs/formats.md.
+/// bag/: a run as ROS 2 would record it, for `ros2 bag` and Foxglove; see docs/formats.md.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,21 @@
 
 namespace castaway::testbed {
 
-/// What a bag tells besides what happens.
+/// Contents of a bag besides the data of the run.
 struct BagConfig {
   BagOptions options;
   std::map<std::string, Eigen::Isometry3d> links;  ///< T_base_link of the robot's links.
   std::vector<BagLidar> lidars;
-  std::filesystem::path robot_file;              ///< Attached; empty: none.
-  std::string scenario_yaml;                     ///< Attached.
-  std::optional<SE2> start;                      ///< That the localizers are told.
-  std::function<std::string(int)> label_name{};  ///< What beams hit; empty: nobody knows.
-  std::function<DriveNow()> drive{};             ///< Command and wheels; empty: nobody knows.
+  std::filesystem::path robot_file;              ///< Attached to the bag; empty for none.
+  std::string scenario_yaml;                     ///< Attached to the bag.
+  std::optional<SE2> start;                      ///< Start pose given to the localizers.
+  std::function<std::string(int)> label_name{};  ///< Name of what beams hit, by label; empty if
+                                                 ///< unknown.
+  std::function<DriveNow()> drive{};             ///< Command and wheel states; empty if unknown.
 };
 
-/// Writes the messages of a run as they come. Memory does not grow with the run, but for an index
-/// of some 100 bytes a MiB.
+/// Writes the messages of a run as they arrive. Memory does not grow with the run, except for an
+/// index of about 100 bytes per MiB.
 class BagSink final : public RunSink {
  public:
   BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
@@ -45,13 +46,13 @@ class BagSink final : public RunSink {
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
-  /// Numbers of a localizer's topics.
+  /// Channel ids of a localizer's topics.
   struct LocalizerTopics {
     std::uint16_t pose = 0;
     std::uint16_t hypotheses = 0;
     std::uint16_t particles = 0;
   };
-  /// Numbers of a lidar's topics.
+  /// Channel ids of a lidar's topics.
   struct LidarTopics {
     std::uint16_t scan = 0;
     std::uint16_t labels = 0;
@@ -83,7 +84,7 @@ class BagSink final : public RunSink {
   localization::TransformBuffer T_odom_base_;
   std::optional<OdometryFrame> last_;
   SnapshotFeed snapshots_;
-  std::map<std::string, std::uint16_t> views_;  ///< Topics of pictures.
+  std::map<std::string, std::uint16_t> views_;  ///< Channel ids of the pictures' topics, by view.
   std::set<int> labels_;
   std::uint16_t command_ = 0;
   std::uint16_t joints_ = 0;

@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// So much later than its first beam a scan comes at most.
+/// Upper bound on the delay between the first beam of a scan and its delivery.
 constexpr Stamp kLongestSweep = std::chrono::seconds(2);
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 namespace castaway::testbed {
 
-/// The scan laid down into base's plane: mount as x, y, yaw; beams of an upside-down lidar turned
-/// round. Tilt is left out.
+/// The scan projected into the plane of base: the mount as x, y, yaw, with the beams of an
+/// upside-down lidar reversed. Tilt is ignored.
 struct PlanarScan {
   SE2 T_base_laser;
   double angle_min = 0.0;  ///< [rad]
@@ -21,9 +21,9 @@ struct PlanarScan {
 };
 PlanarScan planar_view(const LaserScan& scan);
 
-/// ODOM for odometry; for scans ROBOTLASER1, 2... by lidar, each with TRUEPOS behind it; PARAM with
-/// the longest range of the first. Lines are in order of their stamps. What such a log cannot tell:
-/// the time of each beam, heights, events.
+/// Writes ODOM for odometry; for scans ROBOTLASER1, 2... by lidar, each followed by TRUEPOS; and
+/// PARAM with the maximum range of the first lidar. Lines are sorted by their stamps. The format
+/// cannot hold the time of each beam, heights and events.
 class CarmenSink final : public RunSink {
  public:
   explicit CarmenSink(const std::filesystem::path& run_folder) : file_(run_folder / "log.carmen") {}

@@ -1,4 +1,4 @@
-/// errors.csv: a row for every scan and localizer.
+/// errors.csv: a row per scan and localizer.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 namespace castaway::testbed {
 
 /// Columns: stamp_s; localizer; true_x_m, true_y_m, true_yaw_rad; x_m, y_m, yaw_rad (estimate);
-/// position_error_m; yaw_error_rad; quality; sigma_m (root of the mean variance of x and y:
-/// sqrt((var_x + var_y) / 2)); sigma_yaw_rad; probability; lost (0, 1); populations; particles (of
-/// all populations); selected (id of the population that is the output). Empty where unknown.
+/// position_error_m; yaw_error_rad; quality; sigma_m (sqrt((var_x + var_y) / 2)); sigma_yaw_rad;
+/// probability; lost (0, 1); populations; particles (of all populations); selected (id of the
+/// population that is the output). Unknown values are empty.
 class ErrorsSink final : public RunSink {
  public:
   explicit ErrorsSink(const std::filesystem::path& run_folder);

@@ -1,4 +1,4 @@
-/// The formats of other tools that a run is asked to leave behind.
+/// Exports of a run in the formats of other tools.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 
 namespace castaway::testbed {
 
-/// What is asked for.
+/// The requested exports.
 struct ExportConfig {
-  std::optional<BagConfig> bag;  ///< bag/; nothing: none.
+  std::optional<BagConfig> bag;  ///< bag/; nothing if it is not requested.
   bool carmen = false;           ///< log.carmen
   bool kitti = false;            ///< kitti/
   bool map = false;              ///< map/map.yaml and map/map.pgm: the localizers' map.
 };
 
-/// Writes the map, if asked to, and returns the sinks that write the rest.
+/// Writes the map if it is requested, and returns the sinks that write the other formats.
 std::vector<std::unique_ptr<RunSink>> export_sinks(const std::filesystem::path& run_folder,
                                                    const RunInfo& info, const RosMap& map,
                                                    const ExportConfig& config);

@@ -1,4 +1,4 @@
-/// kitti/: true poses as the KITTI odometry benchmark writes them.
+/// kitti/: true poses in the format of the KITTI odometry benchmark.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace castaway::testbed {
 
-/// A pose of base in map as the 12 numbers of its 3 x 4 matrix, row by row, and a newline. Axes are
-/// REP-103's (x forward, y left, z up), not those of KITTI's camera (z forward, x right, y down).
+/// A pose of base in map as the 12 numbers of its 3 x 4 matrix, row by row, and a newline. Axes
+/// follow REP-103 (x forward, y left, z up), not KITTI's camera frame (z forward, x right, y down).
 std::string kitti_line(const SE2& T_map_base);
 
-/// poses.txt: a row for each scan whose truth is known; times.txt: the stamps of the same scans.
-/// [s]
+/// poses.txt: a row for each scan whose true pose is known. times.txt: the stamps [s] of the same
+/// scans.
 class KittiSink final : public RunSink {
  public:
   explicit KittiSink(const std::filesystem::path& run_folder)

@@ -1,4 +1,4 @@
-/// people.csv: where people were.
+/// people.csv: poses of people over time.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace castaway::testbed {
 
-/// A row for every person at the first scan in every `every_s` seconds: stamp_s; id; x_m, y_m,
-/// yaw_rad (where it faces); vx_mps, vy_mps; gap_m (from the robot's outline to the body).
+/// Writes a row for every person at the first scan of every period of `every_s` seconds: stamp_s;
+/// id; x_m, y_m, yaw_rad (heading); vx_mps, vy_mps; gap_m (from the robot's outline to the body).
 class PeopleSink final : public RunSink {
  public:
   /// `every_s` [s]: above 0.

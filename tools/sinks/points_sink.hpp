@@ -1,4 +1,4 @@
-/// PLY files: what lidars measured in space.
+/// PLY files: point clouds of the lidars.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,9 @@
 
 namespace castaway::testbed {
 
-/// points/<lidar>-<stamp in ms>.ply for the first scan of each lidar in every `every_s` seconds:
-/// the returns of all layers in base as ASCII PLY with x, y, z [m], intensity and label.
+/// Writes points/<lidar>-<stamp in ms>.ply for the first scan of each lidar in every period of
+/// `every_s` seconds: the returns of all layers in base as ASCII PLY with x, y, z [m], intensity
+/// and label.
 class PointsSink final : public RunSink {
  public:
   /// `every_s` [s]: above 0.

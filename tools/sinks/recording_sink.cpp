@@ -22,7 +22,7 @@ constexpr std::array<const char*, 4> kBelief{"/quality", "/probability", "/sigma
 
 std::string of_localizer(std::size_t index) { return std::to_string(index); }
 
-/// Rotation and translation, row by row.
+/// Upper three rows of the matrix, row by row.
 Json matrix(const Eigen::Isometry3d& T) {
   Json rows = Json::array();
   for (int row = 0; row < 3; ++row) {
@@ -88,7 +88,7 @@ bool RecordingSink::is_torn(const ScanRecord& record) const {
   });
 }
 
-/// Whether it is time for another scan of a lidar, and when it is for the one after.
+/// Returns whether a scan of a lidar is due, and advances its next due time if so.
 bool RecordingSink::is_due(const ScanRecord& record, double every_s,
                            std::map<std::string, Stamp>& next) {
   if (every_s <= 0.0) return true;
@@ -98,7 +98,7 @@ bool RecordingSink::is_due(const ScanRecord& record, double every_s,
   return true;
 }
 
-/// Index of the scan's lidar among those of the header, where it is put at its first scan.
+/// Index of the scan's lidar in the header; it is added at its first scan.
 std::size_t RecordingSink::lidar_of(const LaserScan& scan, std::size_t stride) {
   const Json lidar = lidar_header(scan, stride);
   Json& lidars = header_["lidars"];
@@ -109,9 +109,9 @@ std::size_t RecordingSink::lidar_of(const LaserScan& scan, std::size_t stride) {
 }
 
 void RecordingSink::add_pose(const std::string& prefix, const SE2& pose) {
-  columns_[prefix + "/x"].add(quantized(pose.x, kRecordingPose));
-  columns_[prefix + "/y"].add(quantized(pose.y, kRecordingPose));
-  columns_[prefix + "/yaw"].add(quantized(pose.yaw, kRecordingPose));
+  columns_[prefix + "/x"].add(quantize(pose.x, kRecordingPose));
+  columns_[prefix + "/y"].add(quantize(pose.y, kRecordingPose));
+  columns_[prefix + "/yaw"].add(quantize(pose.yaw, kRecordingPose));
 }
 
 void RecordingSink::repeat_pose(const std::string& prefix) {
@@ -121,10 +121,10 @@ void RecordingSink::repeat_pose(const std::string& prefix) {
 void RecordingSink::add_belief(const std::string& prefix, const Estimate& estimate) {
   const Eigen::Matrix3d& covariance = estimate.covariance;
   const double sigma = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
-  columns_[prefix + "/quality"].add(quantized(estimate.quality, kRecordingShare));
-  columns_[prefix + "/probability"].add(quantized(estimate.probability, kRecordingShare));
-  columns_[prefix + "/sigma"].add(quantized(sigma, kRecordingPose));
-  columns_[prefix + "/sigma_yaw"].add(quantized(std::sqrt(covariance(2, 2)), kRecordingPose));
+  columns_[prefix + "/quality"].add(quantize(estimate.quality, kRecordingShare));
+  columns_[prefix + "/probability"].add(quantize(estimate.probability, kRecordingShare));
+  columns_[prefix + "/sigma"].add(quantize(sigma, kRecordingPose));
+  columns_[prefix + "/sigma_yaw"].add(quantize(std::sqrt(covariance(2, 2)), kRecordingPose));
 }
 
 void RecordingSink::add_localizer(std::size_t index, const LocalizerRecord& localizer) {
@@ -164,7 +164,7 @@ void RecordingSink::add_detail(const ScanRecord& record) {
 void RecordingSink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == header_["localizers"].size());
   if (!is_due(record, config_.scan_every_s, next_scan_)) return;
-  columns_["time"].add(quantized(seconds(record.stamp), kRecordingTime));
+  columns_["time"].add(quantize(seconds(record.stamp), kRecordingTime));
   columns_["flags"].add((record.T_map_base_true ? 1 : 0) + (is_torn(record) ? 2 : 0));
   if (record.T_map_base_true) {
     add_pose("truth", *record.T_map_base_true);

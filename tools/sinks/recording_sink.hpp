@@ -1,4 +1,4 @@
-/// recording.gz: what a player shows of a run along time.
+/// recording.gz: the data that the player shows of a run over time.
 #pragma once
 
 #include <filesystem>
@@ -13,36 +13,37 @@
 
 namespace castaway::testbed {
 
-/// How much a recording keeps.
+/// Amount of data in a recording.
 struct RecordingConfig {
-  double robot_radius_m = 0.2;    ///< [m] Of the outlines that stand for robot and estimates.
-  double scan_every_s = 0.0;      ///< [s] Scans are kept this often; 0: all of them.
-  double detail_every_s = 0.0;    ///< [s] Beams, particles and people this often; 0: at all scans.
-  std::size_t most_beams = 360;   ///< Of a scan.
-  std::size_t most_points = 300;  ///< Particles of a localizer at a scan.
+  double robot_radius_m = 0.2;    ///< [m] Radius of the outlines of robot and estimates.
+  double scan_every_s = 0.0;      ///< [s] Period at which scans are kept; 0 keeps all.
+  double detail_every_s = 0.0;    ///< [s] Period at which beams, particles and people are kept; 0:
+                                  ///< at all scans.
+  std::size_t most_beams = 360;   ///< Maximum per scan.
+  std::size_t most_points = 300;  ///< Maximum number of particles per localizer and scan.
 };
 
-/// Seconds between details so that a run of `duration_s` has some 6000 of them at most: a page of a
-/// long run stays as small as that of ten minutes. [s]
+/// Period [s] of details that gives at most about 6000 of them in a run of `duration_s`, so that
+/// the page of a long run is no larger than that of ten minutes.
 double detail_period(double duration_s);
 
-/// Likewise for scans, some 60 000 of a lidar. [s]
+/// Period [s] of scans that gives at most about 60 000 per lidar.
 double scan_period(double duration_s);
 
 /// Writes the recording: poses, beliefs and flags at all scans; beams, particles and people at
-/// those that are details. Sections, all columns of numbers (`IntColumn`) with one entry a scan in
-/// order of delivery unless said otherwise:
+/// scans that are details. Sections are columns of numbers (`IntColumn`) with one entry per scan in
+/// order of delivery, unless noted otherwise:
 ///   map                      `pack_cells`
-///   time                     the scan's stamp
+///   time                     stamp of the scan
 ///   flags                    1: the truth is known; 2: a kidnap tore the scan
-///   truth/x /y /yaw          the last known where it is not
+///   truth/x /y /yaw          if unknown, the last known values
 ///   K/flags                  of localizer K = 0, 1...: 1: it has an answer; 2: it says it is lost
-///   K/x /y /yaw /quality /probability   the last ones where it has none
+///   K/x /y /yaw /quality /probability   if it has no answer, the last values
 ///   K/sigma /sigma_yaw       sqrt((var_x + var_y) / 2), sqrt(var_yaw)
-///   K/populations /particles how many there are
-///   detail                   one entry a detail: which scan
-///   beams people K/points    blocks of `recording_blocks.hpp`, one a detail
-///   beams/sizes ...          one entry a detail: bytes of its block
+///   K/populations /particles their numbers
+///   detail                   one entry per detail: index of its scan
+///   beams people K/points    blocks of `recording_blocks.hpp`, one per detail
+///   beams/sizes ...          one entry per detail: size of its block in bytes
 class RecordingSink final : public RunSink {
  public:
   RecordingSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
@@ -67,7 +68,7 @@ class RecordingSink final : public RunSink {
   AtomicFile file_;
   RecordingConfig config_;
   nlohmann::ordered_json header_;
-  std::vector<RecordingSection> fixed_;       ///< The map.
+  std::vector<RecordingSection> fixed_;       ///< Sections that do not grow: the map.
   std::map<std::string, IntColumn> columns_;  ///< By name.
   std::map<std::string, std::string> blocks_;
   std::vector<RunEvent> kidnaps_;

@@ -7,9 +7,9 @@
 namespace castaway::testbed {
 namespace {
 
-/// Numbers with spaces between, in `format`.
+/// Joins numbers formatted as `format` with spaces.
 template <typename T>
-std::string joined(const std::vector<T>& values, fmt::format_string<const T&> format) {
+std::string join_numbers(const std::vector<T>& values, fmt::format_string<const T&> format) {
   std::string text;
   for (const T& value : values) {
     if (!text.empty()) text += ' ';
@@ -32,8 +32,9 @@ void ScansSink::on_scan(const ScanRecord& record) {
   scans_.number(seconds(record.stamp)).text(scan.lidar).text(record.truth.frame);
   scans_.number(scan.angle_min, 9).number(scan.angle_increment, 9);
   scans_.number(seconds(scan.time_increment), 9).pose(record.T_map_base_true);
-  scans_.text(joined(scan.ranges, "{:.4f}")).text(joined(record.truth.intensities, "{:.4g}"));
-  scans_.text(joined(record.truth.labels, "{}")).end_row();
+  scans_.text(join_numbers(scan.ranges, "{:.4f}"))
+      .text(join_numbers(record.truth.intensities, "{:.4g}"));
+  scans_.text(join_numbers(record.truth.labels, "{}")).end_row();
   labels_.insert(record.truth.labels.begin(), record.truth.labels.end());
 }
 

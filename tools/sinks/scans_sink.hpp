@@ -11,15 +11,15 @@
 
 namespace castaway::testbed {
 
-/// scans.csv: a row for every scan in order of delivery: stamp_s (of the first beam, as told);
-/// lidar; frame; angle_min_rad; angle_increment_rad; time_increment_s; x_m, y_m, yaw_rad (true pose
-/// of base when it was taken); ranges_m, intensities, labels: as many numbers as there are beams,
-/// with spaces between. Ranges: inf no return, -inf too close.
+/// scans.csv: a row for every scan in order of delivery: stamp_s (of the first beam, as the robot
+/// sees it); lidar; frame; angle_min_rad; angle_increment_rad; time_increment_s; x_m, y_m, yaw_rad
+/// (true pose of base at the time of the scan); ranges_m, intensities, labels: one number per beam,
+/// separated by spaces. Ranges: inf is no return, -inf too close.
 ///
-/// labels.csv: label, name of all labels that occur.
+/// labels.csv: columns label and name, for all labels that occur.
 class ScansSink final : public RunSink {
  public:
-  /// `name`: what a label means.
+  /// `name` returns the meaning of a label.
   ScansSink(const std::filesystem::path& run_folder, std::function<std::string(int)> name);
 
   void on_event(const RunEvent&) override {}

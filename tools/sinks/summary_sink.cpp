@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whole run; nothing if there was no scan.
+/// Distance driven in the whole run; nothing if there was no scan.
 std::optional<double> total_distance(const RunHistory& history) {
   const std::vector<MetricRow>& rows = history.rows.empty() ? history.path : history.rows.front();
   if (rows.empty()) return std::nullopt;
@@ -28,7 +28,7 @@ std::int64_t collisions(const RunHistory& history) {
                        [](const RunEvent& event) { return event.kind == EventKind::kCollision; });
 }
 
-/// How often the robot recovered from not getting on, by behaviour, and stopped short.
+/// Counts the recovery behaviours of the driver, by kind, and its emergency stops.
 Json driving_figures(const RunHistory& history) {
   Json counts{{"recoveries", 0}, {"wait", 0}, {"re-plan", 0},
               {"back up", 0},    {"spin", 0}, {"emergency stop", 0}};
@@ -43,7 +43,7 @@ Json driving_figures(const RunHistory& history) {
   return counts;
 }
 
-/// Of the collisions, those with people.
+/// Number of collisions with people.
 std::int64_t people_hit(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
     return event.kind == EventKind::kCollision && event.detail.starts_with("person ");

@@ -1,4 +1,4 @@
-/// summary.json and events.csv: what a run amounts to.
+/// summary.json and events.csv: metrics and events of a run.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,11 @@
 
 namespace castaway::testbed {
 
-/// summary.json: as docs/formats.md says; what its figures mean is in
-/// metrics/localizer_metrics.hpp.
+/// summary.json: docs/formats.md describes the format, metrics/localizer_metrics.hpp the metrics.
 ///
 /// events.csv: stamp_s, kind, detail, localizer, from_x_m, from_y_m, from_yaw_rad, to_x_m, to_y_m,
-/// to_yaw_rad, time_s, distance_m, in order of time. Kinds: what happened to the robot ("kidnap",
-/// "collision"...: from and to are true poses), "alarm on" and "alarm off" of a localizer, and its
+/// to_yaw_rad, time_s, distance_m, sorted by time. Kinds: events of the robot ("kidnap",
+/// "collision"...; from and to are true poses), "alarm on" and "alarm off" of a localizer, and its
 /// "recovery", with time and distance since the kidnap or the start.
 class SummarySink final : public RunSink {
  public:

@@ -8,9 +8,9 @@
 namespace castaway::testbed {
 namespace {
 
-/// Numbers with spaces between, in `format`.
+/// Joins numbers formatted as `format` with spaces.
 template <typename T>
-std::string joined_cells(const std::vector<T>& values, fmt::format_string<const T&> format) {
+std::string join_cells(const std::vector<T>& values, fmt::format_string<const T&> format) {
   std::string text;
   for (const T& value : values) {
     if (!text.empty()) text += ' ';
@@ -83,8 +83,8 @@ void TablesCsvSink::on_scan(const ScanRecord& record) {
   for (std::size_t i = 0; i < localizers_; ++i) {
     i < row.lost.size() ? scans_.count(row.lost[i]) : scans_.empty();
   }
-  scans_.text(joined_cells(record.scan.ranges, "{:.4f}")).text(joined_cells(row.classes, "{}"));
-  scans_.text(joined_cells(row.hits, "{}")).end_row();
+  scans_.text(join_cells(record.scan.ranges, "{:.4f}")).text(join_cells(row.classes, "{}"));
+  scans_.text(join_cells(row.hits, "{}")).end_row();
 }
 
 void TablesCsvSink::finish(Stamp, const RunTiming&) {

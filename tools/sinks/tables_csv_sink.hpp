@@ -12,16 +12,16 @@ namespace castaway::testbed {
 
 /// tables/scans.csv: a row for every scan in order of delivery: stamp_s; lidar; x_m, y_m, yaw_rad
 /// (true pose of base in map); odom_x_m, odom_y_m, odom_yaw_rad (odometry); since_kidnap_s; held,
-/// torn (0, 1); occluded, ambiguity [0, 1]; lost_<localizer> (0, 1) for each; ranges_m (inf: no
-/// return, -inf: too close), classes, hits: as many numbers as there are beams, with spaces
-/// between. What the labels mean: `ScanRow`, `BeamClass`.
+/// torn (0, 1); occluded, ambiguity [0, 1]; lost_<localizer> (0, 1) for each localizer; ranges_m
+/// (inf: no return, -inf: too close), classes, hits: one number per beam, separated by spaces.
+/// `ScanRow` and `BeamClass` define the labels.
 ///
-/// tables/lidars.csv: where a lidar's beams go, as its first scan says. tables/odometry.csv: every
-/// reading and the true pose. tables/people.csv: every person at every scan. tables/objects.csv:
-/// id, class and name of what beams can hit, for `hits`.
+/// tables/lidars.csv: beam geometry of each lidar, from its first scan. tables/odometry.csv: every
+/// odometry reading with the true pose. tables/people.csv: every person at every scan.
+/// tables/objects.csv: id, class and name of the objects that `hits` refers to.
 class TablesCsvSink final : public RunSink {
  public:
-  /// `localizers`: of the run, in its order.
+  /// `localizers`: names in the order of the run.
   TablesCsvSink(const std::filesystem::path& run_folder, const std::vector<std::string>& localizers,
                 std::shared_ptr<const LabelContext> context);
 

@@ -22,7 +22,7 @@ std::vector<double> number(const std::optional<double>& value) {
   return {value.value_or(kUnknown)};
 }
 
-/// A name that can be a group's.
+/// Group path of a lidar; slashes in its name are replaced.
 std::string group_of(std::string lidar) {
   if (lidar.empty()) return "/lidars/lidar";
   std::replace(lidar.begin(), lidar.end(), '/', '_');

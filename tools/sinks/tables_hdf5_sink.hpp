@@ -11,13 +11,13 @@
 
 namespace castaway::testbed {
 
-/// One HDF5 file with the columns of `TablesCsvSink`, numbers as numbers: a group
-/// /lidars/<name> with a row for every scan (`ranges`, `classes` and `hits` are tables of scans by
-/// beams), /odometry, /people, /events, /objects, and the lists /classes and /localizers. What is
-/// not known is NaN. Every table says its unit and its meaning in attributes.
+/// One HDF5 file with the columns of `TablesCsvSink` as numbers: a group /lidars/<name> with a row
+/// for every scan (`ranges`, `classes` and `hits` have a column per beam), /odometry, /people,
+/// /events, /objects, and the lists /classes and /localizers. Unknown values are NaN. Attributes of
+/// every table state its unit and meaning.
 class TablesHdf5Sink final : public RunSink {
  public:
-  /// `localizers`: of the run, in its order.
+  /// `localizers`: names in the order of the run.
   TablesHdf5Sink(const std::filesystem::path& run_folder, std::vector<std::string> localizers,
                  std::shared_ptr<const LabelContext> context);
 
@@ -27,7 +27,7 @@ class TablesHdf5Sink final : public RunSink {
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
-  /// Tables of a lidar by number.
+  /// Table ids of a lidar.
   struct LidarTables {
     int stamp = 0;
     int pose = 0;
@@ -41,7 +41,7 @@ class TablesHdf5Sink final : public RunSink {
     int ranges = 0;
     int classes = 0;
     int hits = 0;
-    int intensities = -1;  ///< The lidar tells none.
+    int intensities = -1;  ///< -1 if the lidar measures no intensities.
   };
 
   LidarTables add_lidar(const ScanRecord& record);

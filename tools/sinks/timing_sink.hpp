@@ -1,5 +1,5 @@
-/// timing.csv and timing.json: all that a clock measured. The only files of a run that differ from
-/// one repetition to the next.
+/// timing.csv and timing.json: all clock readings. They are the only files that differ between
+/// repetitions of a run.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace castaway::testbed {
 
-/// timing.csv: stamp_s, localizer, stage ("update": the whole CPU time of a scan and the odometry
-/// before it; otherwise one of the localizer's stages), cpu_ms. timing.json: as docs/formats.md
-/// says; beside `update_ms` the same of every stage, over the scans at which it ran (`scans`);
-/// `memory_mb.peak`: the largest resident set of the process so far.
+/// timing.csv: stamp_s, localizer, stage ("update": the CPU time of a scan and the odometry before
+/// it; otherwise one of the localizer's stages), cpu_ms. timing.json: see docs/formats.md. Beside
+/// `update_ms` it holds the same statistics of every stage over the scans at which the stage ran
+/// (`scans`). `memory_mb.peak` is the peak resident set of the process so far.
 class TimingSink final : public RunSink {
  public:
   TimingSink(std::filesystem::path run_folder, RunInfo info);
@@ -32,7 +32,7 @@ class TimingSink final : public RunSink {
   void note(Stamp stamp) { first_stamp_ = std::min(first_stamp_, stamp); }
 
   RunInfo info_;
-  Stamp first_stamp_ = Stamp::max();  // Of all that was delivered.
+  Stamp first_stamp_ = Stamp::max();  // Earliest stamp of any delivered data.
   CsvWriter csv_;
   std::vector<ThinnedSample> update_ms_;                        // By localizer.
   std::vector<std::map<std::string, ThinnedSample>> stage_ms_;  // By localizer and stage.

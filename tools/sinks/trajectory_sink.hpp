@@ -9,9 +9,9 @@
 
 namespace castaway::testbed {
 
-/// Writes one trajectory for the truth and one a localizer; scans without a pose leave no line,
-/// nor do those whose stamp is not after all before (of a second lidar, of a clock set back).
-/// A slash in a localizer's name becomes an underscore in its file's.
+/// Writes one trajectory for the truth and one per localizer. Scans without a pose are skipped, and
+/// so are scans whose stamp is not later than all before (of a second lidar, or after a clock was
+/// set back). A slash in a localizer's name becomes an underscore in the file name.
 class TrajectorySink final : public RunSink {
  public:
   TrajectorySink(const std::filesystem::path& run_folder, const RunInfo& info);

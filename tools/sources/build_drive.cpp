@@ -15,8 +15,8 @@ namespace castaway::testbed {
 namespace {
 
 constexpr int kRandomWaypoints = 30;
-constexpr int kCandidates = 2000;      // Of places to explore...
-constexpr std::size_t kExplored = 60;  // ...and those chosen.
+constexpr int kCandidates = 2000;      // Candidate places for "explore".
+constexpr std::size_t kExplored = 60;  // Places chosen from the candidates.
 constexpr double kRouteMargin = 0.1;   // [m] around the footprint
 
 using Route = std::vector<Eigen::Vector2d>;
@@ -75,8 +75,8 @@ Route route_of(const Scenario& scenario, const RouteWorld& world, const sim::Rob
                                        name, suggestion(name, known)));
 }
 
-/// As given, else relative to `base`.
-std::filesystem::path found_file(const std::string& text, const std::filesystem::path& base) {
+/// The path as given, or else relative to `base`.
+std::filesystem::path resolve_file(const std::string& text, const std::filesystem::path& base) {
   return std::filesystem::exists(text) ? std::filesystem::path(text) : base / text;
 }
 
@@ -92,7 +92,7 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);
   } else {
-    for (const TwistLine& line : read_twist_log(found_file(spec.twist_log, base))) {
+    for (const TwistLine& line : read_twist_log(resolve_file(spec.twist_log, base))) {
       drive.log.push_back({line.t_s, {line.v, line.w}});
     }
   }

@@ -1,4 +1,4 @@
-/// What a simulated robot drives, from a scenario.
+/// Builds the drive of a simulated robot from a scenario.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@
 
 namespace castaway::testbed {
 
-/// What routes a world has and where there is room; pointers must outlive the call.
+/// Routes and free space of a world; the pointers must outlive the call.
 struct RouteWorld {
   const std::map<std::string, std::vector<Eigen::Vector2d>>* routes;
   const sim::Grid* grid;
-  std::string name;  ///< For errors.
+  std::string name;  ///< Name of the world, for errors.
 };
 
-/// Route or recorded commands, and limits. "random": thirty places drawn by the seed; "explore":
-/// places all over the free space, each as far as can be from all before it. `base`: folder that a
-/// log's path starts from, besides the current one. Throws std::runtime_error if there is no such
-/// route or log, or nowhere to drive.
+/// Builds the route or recorded commands, and the limits. "random": thirty places drawn from the
+/// seed. "explore": places all over the free space, each as far as possible from all before it.
+/// `base`: folder that a log's path may start from, besides the current one. Throws
+/// std::runtime_error if there is no such route or log, or no space to drive.
 sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::path& base,
                              const RouteWorld& world, const sim::RobotModel& robot);
 

@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Makes the localizer of each kind of settings.
+/// Visitor that builds the localizer of each settings type.
 struct Maker {
   std::unique_ptr<localization::Localizer> operator()(const localization::MhAmclConfig& c) const {
     return std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);

@@ -1,4 +1,4 @@
-/// Localizers and the loop from a scenario.
+/// Builds localizers and the loop's configuration from a scenario.
 #pragma once
 
 #include "tools/run/loop.hpp"
@@ -6,13 +6,13 @@
 
 namespace castaway::testbed {
 
-/// One localizer for each specification, on one map, each with its own stream of the seed and with
-/// a clock for its stages. Throws std::invalid_argument where a map or a setting cannot be used.
+/// Builds one localizer per specification on one map. Each has its own random substream of the seed
+/// and a clock for its stages. Throws std::invalid_argument if a map or a setting is unusable.
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
                                              const localization::OccupancyGrid& map,
                                              std::uint64_t seed);
 
-/// How a run of the scenario goes that starts at `start`, as far as the loop is concerned.
+/// Configuration of the loop for a run of the scenario that starts at `start`.
 LoopConfig loop_config(const Scenario& scenario, const SE2& start);
 
 }  // namespace castaway::testbed

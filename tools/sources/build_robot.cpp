@@ -31,7 +31,7 @@ Value to_value(const YamlNode& node) {
   return {dict};
 }
 
-/// Tags (`!degrees`) would be lost, and the figure be wrong.
+/// Rejects tags such as `!degrees`: they would be dropped, and the values would be wrong.
 Value read_robot_yaml(const std::string& path) {
   const std::string text = read_file(path);
   const bool tagged = std::regex_search(text, std::regex(R"(:\s+!\w)"));

@@ -1,4 +1,4 @@
-/// A robot from what a scenario or a command line says of it.
+/// Builds a robot from a scenario or a command line.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace castaway::testbed {
 
-/// What the simulator reads a robot with: the specification's arguments and search paths (relative
-/// ones from `base`, or from the current folder where they are not there), and a reader of YAML.
+/// Options for loading a robot: the specification's arguments, its search paths and a YAML reader.
+/// Relative search paths start from `base`, or from the current folder if they do not exist there.
 sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::path& base);
 
 /// Finds and loads a robot. Throws std::runtime_error naming what is wrong.

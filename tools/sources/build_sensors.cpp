@@ -12,8 +12,8 @@
 namespace castaway::testbed {
 namespace {
 
-/// What a specification starts from.
-sim::LidarConfig described(const LidarSpec& spec, const sim::RobotModel& robot) {
+/// The robot's lidar that a specification modifies.
+sim::LidarConfig described_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
   const std::vector<sim::LidarConfig> lidars = sim::lidars_of(robot);
   for (const sim::LidarConfig& lidar : lidars) {
     if (lidar.name == spec.name || (!spec.name.empty() && lidar.frame == spec.name)) return lidar;
@@ -23,7 +23,7 @@ sim::LidarConfig described(const LidarSpec& spec, const sim::RobotModel& robot) 
   return lidar;
 }
 
-/// The same changes for every lidar of the description.
+/// Applies one specification to every lidar of the description.
 std::vector<LidarSpec> for_each_lidar(const LidarSpec& all, const sim::RobotModel& robot) {
   std::vector<LidarSpec> specs;
   for (const sim::LidarConfig& lidar : sim::lidars_of(robot)) {
@@ -44,7 +44,7 @@ std::vector<LidarSpec> for_each_lidar(const LidarSpec& all, const sim::RobotMode
 
 sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
   sim::LidarConfig lidar =
-      changed(with_profile(described(spec, robot), spec.profile), spec.changes);
+      apply_changes(with_profile(described_lidar(spec, robot), spec.profile), spec.changes);
   if (!spec.name.empty()) lidar.name = spec.name;
   sim::validate(lidar);
   return lidar;

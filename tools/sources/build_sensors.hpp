@@ -1,4 +1,4 @@
-/// The sensors of a simulation from a scenario.
+/// Builds the sensors of a simulation from a scenario.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace castaway::testbed {
 
-/// A lidar of the robot with a profile and a scenario's changes. A lidar that is named like one of
-/// the robot's sits where that one does; without a name, it is the first. Throws
-/// std::invalid_argument where a figure is out of its range, std::runtime_error for an unknown
-/// profile.
+/// Builds a lidar of the robot with a profile and a scenario's changes. A lidar with the name of
+/// one of the robot's lidars has that one's mount; without a name, it is the first. Throws
+/// std::invalid_argument if a value is out of range, std::runtime_error for an unknown profile.
 sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot);
 
-/// All lidars of a run: those that the scenario lists, or all that the robot has.
+/// Builds all lidars of a run: those that the scenario lists, or all that the robot has.
 std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot);
 
-/// Throws std::invalid_argument if a fault means a lidar that there is not, naming the nearest.
+/// Throws std::invalid_argument, naming the nearest lidar, if a fault refers to a lidar that does
+/// not exist.
 void check_faults(const std::vector<sim::FaultSpec>& faults,
                   const std::vector<sim::LidarConfig>& lidars);
 

@@ -16,8 +16,8 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kWorthTelling =
-    0.5;  // Of the speed asked for; the robot's own is expected to be less.
+constexpr double kSlowShare =
+    0.5;  // Share of the requested speed below which a robot is reported as slow.
 
 void place_start(const StartSpec& start, const LoadedWorld& world, sim::SimulationConfig& config) {
   config.start = world.file.start;
@@ -28,7 +28,6 @@ void place_start(const StartSpec& start, const LoadedWorld& world, sim::Simulati
                         (start.place == StartSpec::Place::kWorld && !world.has_start);
 }
 
-/// A robot and its lidars.
 struct LoadedRobot {
   sim::RobotModel robot;
   std::vector<sim::LidarConfig> lidars;
@@ -52,7 +51,7 @@ SurveyOptions survey_options(const Scenario& scenario, const LoadedRobot& robot)
   return options;
 }
 
-/// What stands where it was not mapped, and how much a lidar sees of that.
+/// Difference between world and map, and the share of a lidar's beams that it affects.
 std::optional<MapDifference> difference_of(const LoadedWorld& world,
                                            const sim::LidarConfig& lidar) {
   if (!differs_from_map(world.file.spec)) return std::nullopt;
@@ -63,30 +62,30 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
                        layer.opened, layer.closed, layer.added};
 }
 
-/// Wheels that turn slower than the scenario drives.
+/// Warns if the wheels limit the robot to much less than the requested speed.
 void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const sim::TwistLimits limits = sim::limits_of(config.drive, config.robot);
-  if (limits.max_speed > kWorthTelling * config.drive.limits.max_speed) return;
+  if (limits.max_speed > kSlowShare * config.drive.limits.max_speed) return;
   warnings.push_back(
       fmt::format("<limit velocity> of the wheels' joints slows the robot down to {:.2f} m/s; "
                   "drive.max_speed is {:.2f} m/s",
                   limits.max_speed, config.drive.limits.max_speed));
 }
 
-/// A robot that is wider than its route.
+/// Warns if the robot does not fit through its route.
 void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const auto& waypoints = config.drive.waypoints;
   const sim::FreeSpace space(config.map, config.robot.footprint_radius);
   const auto tight = std::count_if(waypoints.begin(), waypoints.end(),
                                    [&](const auto& p) { return !space.contains(p); });
   if (tight == 0) return;
-  warnings.push_back(fmt::format(
-      "the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: free places "
-      "beside them stand for them; `robot: {{joints: ...}}` folds an arm",
-      config.robot.footprint_radius, tight, waypoints.size()));
+  warnings.push_back(
+      fmt::format("the robot, {:.2f} m in radius, has no room at {} of {} waypoints of its route: "
+                  "free places beside them are used instead; `robot: {{joints: ...}}` folds an arm",
+                  config.robot.footprint_radius, tight, waypoints.size()));
 }
 
-/// A lidar that the robot's file knows nothing of.
+/// Warns if the robot's file describes no lidar.
 void warn_of_default_lidar(const sim::SimulationConfig& config,
                            std::vector<std::string>& warnings) {
   if (!config.robot.lidars.empty()) return;
@@ -101,8 +100,8 @@ void warn_of_default_lidar(const sim::SimulationConfig& config,
                   free ? "free of the body" : "not free of the body: its beams pass through it"));
 }
 
-PreparedSimulation put_together(const Scenario& scenario, const std::filesystem::path& base,
-                                LoadedRobot robot, LoadedWorld world) {
+PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::path& base,
+                            LoadedRobot robot, LoadedWorld world) {
   PreparedSimulation prepared;
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
@@ -136,14 +135,14 @@ PreparedSimulation put_together(const Scenario& scenario, const std::filesystem:
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot robot = load_any_robot(scenario, base);
   const SurveyOptions options = survey_options(scenario, robot);
-  return put_together(scenario, base, std::move(robot), build_world(scenario.world, base, options));
+  return assemble(scenario, base, std::move(robot), build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map) {
   LoadedRobot robot = load_any_robot(scenario, base);
   const SurveyOptions options = survey_options(scenario, robot);
-  return put_together(scenario, base, std::move(robot), world_of_map(std::move(map), options));
+  return assemble(scenario, base, std::move(robot), world_of_map(std::move(map), options));
 }
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// A simulation from a scenario.
+/// Builds a simulation from a scenario.
 #pragma once
 
 #include <filesystem>
@@ -12,23 +12,22 @@
 
 namespace castaway::testbed {
 
-/// A simulation ready to start, and what pictures and localizers need to know of it.
+/// A simulation ready to start, with the data that pictures and localizers need.
 struct PreparedSimulation {
   sim::SimulationConfig config;
-  RosMap map;  ///< What the localizers are given.
+  RosMap map;  ///< Map given to the localizers.
   std::string world_name;
-  std::vector<std::string> warnings;        ///< Of the robot's description and of the world.
-  std::optional<MapDifference> difference;  ///< Nothing: the map shows the world as it is.
+  std::vector<std::string> warnings;        ///< About the robot's description and the world.
+  std::optional<MapDifference> difference;  ///< Nothing if the map shows the world as it is.
 };
 
-/// Loads world and robot and puts everything together. `base` is the folder that relative paths of
-/// the scenario start from, besides the current one. A world made of objects is surveyed at the
-/// first lidar's height; a ROS map is extruded and handed to the localizers as it is. Throws
+/// Loads world and robot and builds the simulation. `base` is the folder that relative paths of the
+/// scenario start from, besides the current one. A world made of objects is surveyed at the first
+/// lidar's height. A ROS map is extruded, and the localizers get it unchanged. Throws
 /// std::runtime_error or std::invalid_argument naming what is wrong.
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base);
 
-/// The same in a world that is `map`, pulled up; what the scenario says of its world is not looked
-/// at.
+/// Builds the simulation in a world extruded from `map`; the scenario's own world is ignored.
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
                                     RosMap map);
 

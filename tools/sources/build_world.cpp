@@ -24,17 +24,17 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kMapResolution = 0.05;  // [m]
-constexpr double kMostCells = 28e6;      // Of a survey; a run with people needs 70 bytes a cell.
-constexpr double kNoRoom = 1.0;          // [m^2] Less free space than this is none.
-constexpr double kTold = 0.001;          // [m] A floor this far from 0 is worth a line.
-constexpr double kPlatform = 0.3;        // [m] What is higher at the start is an obstacle.
+constexpr double kMapResolution = 0.05;   // [m]
+constexpr double kMostCells = 28e6;       // Of a survey; a run with people needs 70 bytes per cell.
+constexpr double kNoRoom = 1.0;           // [m^2] Less free space counts as none.
+constexpr double kReportedFloor = 0.001;  // [m] Greater floor heights are reported.
+constexpr double kPlatform = 0.3;         // [m] At the start, higher objects are obstacles.
 
 bool is_ros_map(const std::filesystem::path& path) {
   return YamlDocument::load(path).root().has("image");
 }
 
-/// Names that changes can go by: bodies, pieces, doors, groups, without their parts.
+/// Names that changes can refer to: bodies, pieces, doors and groups, but not their parts.
 std::vector<std::string> names_in(const sim::WorldSpec& world, bool doors) {
   std::set<std::string> names;
   if (doors) {
@@ -84,9 +84,9 @@ bool is_sdf(std::filesystem::path path) {
   return path.extension() == ".sdf" || path.extension() == ".world";
 }
 
-/// Search paths from the scenario's folder, or from the current one where they are not there.
-std::vector<std::string> found_from(const std::vector<std::string>& paths,
-                                    const std::filesystem::path& base) {
+/// Resolves search paths relative to the scenario's folder, or else to the current one.
+std::vector<std::string> resolve_search_paths(const std::vector<std::string>& paths,
+                                              const std::filesystem::path& base) {
   std::vector<std::string> result;
   for (const std::string& path : paths) {
     const bool from_base = std::filesystem::is_directory(base / path);
@@ -95,14 +95,14 @@ std::vector<std::string> found_from(const std::vector<std::string>& paths,
   return result;
 }
 
-/// Names the part of the free space that the run is about, and makes the others unknown.
+/// Restricts the free space to the region of the run: the others become unknown.
 void choose_space(const std::optional<Eigen::Vector2d>& start, double radius, LoadedWorld& world) {
   sim::FreeChoice choice = sim::choose_free(world.grid, radius, start);
   world.grid = std::move(choice.grid);
   if (const auto text = sim::describe(choice)) world.warnings.push_back(*text);
 }
 
-/// Edge of a cell with which the map of a world has no more than `kMostCells`. [m]
+/// Cell size [m] at which the map of a world has at most `kMostCells` cells.
 double survey_resolution(const sim::WorldSpec& spec) {
   const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
   double resolution = kMapResolution;
@@ -110,8 +110,8 @@ double survey_resolution(const sim::WorldSpec& spec) {
   return resolution;
 }
 
-/// Edge of the map's cells: as fine as memory allows. [m]
-double told_resolution(LoadedWorld& world) {
+/// Cell size [m] of the map; adds a warning if the world is too large for the usual one.
+double map_resolution(LoadedWorld& world) {
   const double resolution = survey_resolution(world.file.spec);
   if (resolution > kMapResolution) {
     world.warnings.push_back(fmt::format("a large world: its map has cells of {} m instead of {} m",
@@ -139,7 +139,7 @@ LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::
     if (line) world.warnings.push_back(*line);
     world.grid = options.inside ? cut() : sim::near_obstacles(cut());
   }
-  (void)told_resolution(world);
+  (void)map_resolution(world);
   choose_space(options.inside, options.robot_radius, world);
   world.grid = options.inside ? sim::component_at(world.grid, *options.inside)
                               : sim::largest_component(world.grid);
@@ -152,12 +152,12 @@ LoadedWorld yaml_world(const std::filesystem::path& path, const SurveyOptions& o
   sim::WorldSpec& spec = world.file.spec;
   const sim::Ground ground{0.0, {spec.min_corner, spec.max_corner}};
   const double floor = sim::floor_height(spec, ground, world.file.start.position());
-  if (floor > kTold && floor <= kPlatform) {
+  if (floor > kReportedFloor && floor <= kPlatform) {
     sim::settle(spec, floor);
     world.warnings.push_back(fmt::format(
-        "what carries the robot at the start lies at z = {:.3f} m: heights count from it", floor));
+        "the floor under the start is at z = {:.3f} m: heights are relative to it", floor));
   }
-  world.grid = sim::rasterise(spec, options.lidar_height, told_resolution(world));
+  world.grid = sim::rasterise(spec, options.lidar_height, map_resolution(world));
   return world;
 }
 
@@ -166,8 +166,9 @@ LoadedWorld load_undisturbed(const WorldChoice& choice, const std::filesystem::p
   const std::filesystem::path path = find_world(choice.file, base);
   refuse_picture(path);
   if (!is_sdf(path) && is_ros_map(path)) return world_of_map(load_ros_map(path), options);
-  LoadedWorld world = is_sdf(path) ? sdf_world(path, found_from(choice.search_paths, base), options)
-                                   : yaml_world(path, options);
+  LoadedWorld world =
+      is_sdf(path) ? sdf_world(path, resolve_search_paths(choice.search_paths, base), options)
+                   : yaml_world(path, options);
   world.map = to_ros_map(world.grid, world.file.spec.name);
   return world;
 }

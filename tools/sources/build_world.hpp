@@ -1,4 +1,4 @@
-/// A world from what a scenario or a command line says of it.
+/// Builds a world from a scenario or a command line.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace castaway::testbed {
 
-/// What the difference layer did.
+/// Changes made by the difference layer.
 struct WorldDifference {
   int moved = 0;    ///< Pieces of furniture.
   int removed = 0;  ///< Pieces of furniture.
@@ -22,37 +22,39 @@ struct WorldDifference {
   int added = 0;    ///< Objects.
 };
 
-/// A world with its survey, routes and start, whatever it was made from.
+/// A world with its survey, routes and start, in a common form for all sources.
 struct LoadedWorld {
-  WorldFile file;  ///< As the world is now.
-  sim::Grid grid;  ///< As it was when the map was made.
-  RosMap map;      ///< The same for the localizers.
+  WorldFile file;  ///< The world as it is now.
+  sim::Grid grid;  ///< The world as it was when the map was made.
+  RosMap map;      ///< The same as a map for the localizers.
   bool has_start = true;
-  std::optional<WorldDifference> difference;  ///< Nothing: the layer is empty.
+  std::optional<WorldDifference> difference;  ///< Nothing if the layer is empty.
   std::vector<std::string> warnings;
 };
 
-/// How a world is made into a run's.
+/// Options for building a world.
 struct SurveyOptions {
-  double lidar_height = 0.15;  ///< [m] A world made of objects is surveyed at this height.
-  double wall_height = 2.0;    ///< [m] Of a world made from a map.
-  /// [m] Where the robot starts, for worlds without a start of their own.
+  double lidar_height = 0.15;  ///< [m] Height at which a world made of objects is surveyed.
+  double wall_height = 2.0;    ///< [m] For a world made from a map.
+  /// [m] Start of the robot, for worlds without a start of their own.
   std::optional<Eigen::Vector2d> inside = {};
-  double robot_radius = 0.2;  ///< [m] Free space that it does not pass through is no part of a run.
-  bool strict = false;        ///< A piece of a world that cannot be read is an error.
-  std::uint64_t seed = 1;     ///< Of the run; the layer draws from its substream "differences".
+  double robot_radius = 0.2;  ///< [m] Free space that the robot cannot reach is excluded.
+  bool strict = false;        ///< An unreadable part of a world is an error.
+  std::uint64_t seed = 1;     ///< Seed of the run; the layer draws from its substream
+                              ///< "differences".
 };
 
-/// Finds a world (`world.yaml`, `.sdf`, `.world`, ROS map), surveys it, then changes it as its
-/// file, or else the scenario, says. Throws std::runtime_error naming what is wrong.
+/// Finds a world (`world.yaml`, `.sdf`, `.world`, ROS map), surveys it, then applies the
+/// differences of the scenario or else of the world's file. Throws std::runtime_error naming what
+/// is wrong.
 LoadedWorld build_world(const WorldChoice& choice, const std::filesystem::path& base,
                         const SurveyOptions& options);
 
-/// A world that is `map`, pulled up. Free space other than the part that the run is about (see
-/// `sim::choose_free`) is unknown in its grid, while the localizers are given the map as it is.
+/// Builds a world by extruding `map`. Free space outside the region chosen by `sim::choose_free` is
+/// unknown in its grid; the localizers get the map unchanged.
 LoadedWorld world_of_map(RosMap map, const SurveyOptions& options);
 
-/// True if the world holds what is not on its map, or the reverse.
+/// True if an object of the world is missing on the map, or the reverse.
 bool differs_from_map(const sim::WorldSpec& world);
 
 }  // namespace castaway::testbed

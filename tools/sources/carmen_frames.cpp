@@ -16,7 +16,7 @@ struct Angles {
   double increment;
 };
 
-/// See the header of carmen_source.hpp.
+/// See carmen_source.hpp.
 Angles flaser_angles(double fov_deg, double resolution_deg, std::size_t beams) {
   const double steps = beams > 1 ? static_cast<double>(beams - 1) : 1.0;
   const double start_deg = fov_deg > 180.0 ? 0.5 * fov_deg : 90.0;
@@ -32,7 +32,7 @@ Angles device_angles(const CarmenLaser::Device& device, std::size_t beams) {
   return {device.angle_min, given ? device.angle_increment : device.field_of_view / steps};
 }
 
-/// REP-117 from CARMEN's maximum range for a miss.
+/// Converts CARMEN's maximum range for a miss to REP-117.
 float to_range(float range, double range_max) {
   if (range >= static_cast<float>(range_max)) return std::numeric_limits<float>::infinity();
   return range > 0.0F ? range : std::numeric_limits<float>::quiet_NaN();
@@ -49,7 +49,7 @@ SE2 mount(const CarmenLaser& laser, double offset) {
 
 void CarmenFrames::add(const CarmenMessage& message) {
   if (all_played() && !std::holds_alternative<CarmenTruth>(message)) {
-    frames_of_last_scan_ = 0;  // No truth can follow any more.
+    frames_of_last_scan_ = 0;  // No truth can follow.
     return;
   }
   if (const auto* param = std::get_if<CarmenParam>(&message)) {

@@ -1,4 +1,4 @@
-/// From messages of a CARMEN log to frames.
+/// Converts messages of a CARMEN log to frames.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace castaway::testbed {
 
-/// Takes the messages of a log in order and keeps the frames that are to be played.
+/// Takes the messages of a log in order and keeps the frames to play.
 class CarmenFrames {
  public:
   explicit CarmenFrames(const CarmenSourceConfig& config) : config_(config) {}
 
   void add(const CarmenMessage& message);
-  /// True once all scans asked for are there, with their truth.
+  /// True once all requested scans have been read, with their truth.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] std::vector<Frame> take() { return std::move(frames_); }
   [[nodiscard]] std::int64_t repaired_stamps() const { return repaired_stamps_; }
@@ -39,7 +39,8 @@ class CarmenFrames {
   Stamp last_stamp_{};
   std::int64_t scans_seen_ = 0;
   std::int64_t scans_played_ = 0;
-  std::size_t frames_of_last_scan_ = 0;  // At the end of `frames_`; 0: the newest message was none.
+  std::size_t frames_of_last_scan_ = 0;  // At the end of `frames_`; 0 if the newest message was not
+                                         // a scan.
   std::int64_t repaired_stamps_ = 0;
 };
 

@@ -1,13 +1,14 @@
 /// A recorded CARMEN log as a source of sensor data.
 ///
-/// ODOM becomes odometry; a scan becomes odometry at its odometry pose and, at the same stamp, the
-/// scan; a TRUEPOS right behind a scan is the truth of both.
+/// ODOM becomes odometry. A scan becomes odometry at its odometry pose followed by the scan at the
+/// same stamp. A TRUEPOS directly after a scan is the truth of both.
 ///
-/// Mount of the lidar: laser pose against robot pose of the line where they differ, otherwise
-/// forward by PARAM robot_frontlaser_offset. Angles of FLASER: from -90 deg (half the PARAM
-/// laser_front_laser_fov where that is above 180) in steps of PARAM laser_front_laser_resolution
-/// where the number of beams fits it, in steps of 180 / (n - 1) deg otherwise: 180 beams of 1 deg
-/// end at +89 deg. Ranges from PARAM robot_front_laser_max (ROBOTLASER1: its own maximum) on are no
+/// Mount of the lidar: laser pose relative to the robot pose of the same line if they differ,
+/// otherwise forward by PARAM robot_frontlaser_offset. Angles of FLASER: from -90 deg (half the
+/// PARAM laser_front_laser_fov if that is above 180), in steps of PARAM
+/// laser_front_laser_resolution if the number of beams matches it, otherwise in steps of 180 / (n -
+/// 1) deg: 180 beams of 1 deg end at +89 deg. Ranges of at least PARAM robot_front_laser_max
+/// (ROBOTLASER1: its own maximum) are no returns; ranges of 0 are invalid.
 /// returns; ranges of 0 are invalid.
 #pragma once
 
@@ -19,21 +20,23 @@
 
 namespace castaway::testbed {
 
-/// Which part of a log is played.
+/// The part of a log to play.
 struct CarmenSourceConfig {
   enum class Scans { kAll, kEven, kOdd };
 
-  std::int64_t from_scan = 0;           ///< Index in the log of the first scan played.
-  std::optional<std::int64_t> scans{};  ///< How many scans are played; nothing: all.
-  Scans selection = Scans::kAll;        ///< By index in the log; of the others, odometry only.
-  double fallback_range_max = 80.0;     ///< [m] Where the log has no PARAM robot_front_laser_max.
+  std::int64_t from_scan = 0;           ///< Index in the log of the first scan to play.
+  std::optional<std::int64_t> scans{};  ///< Number of scans to play; nothing for all.
+  Scans selection = Scans::kAll;        ///< By index in the log; only the odometry of the others is
+                                        ///< played.
+  double fallback_range_max = 80.0;     ///< [m] Used if the log has no PARAM robot_front_laser_max.
 };
 
-/// Plays a log that it holds in memory. Nothing before the first scan played is delivered, so that
-/// `start_pose` is the pose at the first frame.
+/// Plays a log that it holds in memory. Nothing before the first scan is delivered, so `start_pose`
+/// is the pose at the first frame.
 class CarmenSource final : public SensorSource {
  public:
-  /// Throws std::runtime_error "file:line: ..." on a broken line, or if there is no scan to play.
+  /// Throws std::runtime_error "file:line: ..." on a malformed line, or if there is no scan to
+  /// play.
   explicit CarmenSource(const std::filesystem::path& path, const CarmenSourceConfig& config = {});
 
   std::optional<Frame> next() override;
@@ -46,9 +49,8 @@ class CarmenSource final : public SensorSource {
   }
   [[nodiscard]] std::vector<std::string> warnings() const override { return {}; }
 
-  /// Stamps that ran backwards and were set to the one before.
+  /// Number of stamps that ran backwards and were set to the previous one.
   [[nodiscard]] std::int64_t repaired_stamps() const { return repaired_stamps_; }
-  /// Scans that are played, and how many of them have a truth.
 
  private:
   std::vector<Frame> frames_;

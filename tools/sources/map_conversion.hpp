@@ -1,4 +1,4 @@
-/// ROS maps as the localizers read them.
+/// Converts ROS maps to the localizers' grids.
 #pragma once
 
 #include "localization/map/occupancy_grid.hpp"
@@ -6,8 +6,8 @@
 
 namespace castaway::testbed {
 
-/// Occupied from 65 % on, free up to 19.6 %, as Nav2 takes the trinary map; unknown between and
-/// where the map says so.
+/// Cells are occupied from 65 % on and free up to 19.6 %, as in Nav2's trinary mode, and unknown in
+/// between or if the map says so.
 localization::OccupancyGrid to_occupancy_grid(const RosMap& map);
 
 }  // namespace castaway::testbed

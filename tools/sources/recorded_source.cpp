@@ -17,7 +17,7 @@ const OdometryFrame& odometry_at(const Frames& frames, std::size_t position) {
   return std::get<OdometryFrame>(frames[position].data);
 }
 
-/// Moves a frame in time and its odometry by `T_new_old`.
+/// Shifts a frame in time and transforms its odometry by `T_new_old`.
 void move_frame(Frame& frame, Stamp shift, const SE2& T_new_old) {
   frame.stamp += shift;
   if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
@@ -30,7 +30,7 @@ void move_frame(Frame& frame, Stamp shift, const SE2& T_new_old) {
   }
 }
 
-/// Time from a scan to the next one; a tenth of a second at the end of the log.
+/// Time from a scan to the next one; 0.1 s at the end of the log.
 Stamp gap_after(const Frames& frames, const std::vector<std::size_t>& positions, std::size_t scan) {
   if (scan + 1 >= positions.size()) return std::chrono::milliseconds(100);
   const Stamp gap = frames[positions[scan + 1]].stamp - frames[positions[scan]].stamp;

@@ -1,4 +1,4 @@
-/// Recorded frames as a source: a stretch of a log, or two stretches spliced into a kidnap.
+/// Plays recorded frames: a part of a log, or two parts spliced into a kidnap.
 #pragma once
 
 #include <memory>
@@ -11,29 +11,29 @@ namespace castaway::testbed {
 /// The frames of a log, shared by the runs over it.
 using Frames = std::vector<Frame>;
 
-/// Index in `frames` of the odometry that comes with each scan, in order of the scans.
+/// Index in `frames` of the odometry that belongs to each scan, in the order of the scans.
 std::vector<std::size_t> scan_positions(const Frames& frames);
 
-/// A stretch from scan `first` (its odometry included) for `window`, at most to the end of the log.
-/// Throws std::out_of_range unless there is such a scan.
+/// Frames from scan `first` (with its odometry) on for `window`, or to the end of the log. Throws
+/// std::out_of_range if there is no such scan.
 Frames stretch(const Frames& frames, std::size_t first, Stamp window);
 
-/// The frames up to the `count`-th scan.
+/// Frames up to and including the `count`-th scan.
 Frames first_scans(const Frames& frames, std::size_t count);
 
-/// A kidnap in recorded data: the stretch from scan `from_first` up to scan `from`, then the log
-/// goes on at scan `to` for `window`, while odometry runs on smoothly and time goes on by as much
-/// as it did after scan `from`. A kidnap event stands between. Throws std::out_of_range unless
-/// there are such scans, std::invalid_argument if from_first > from.
+/// Makes a kidnap from recorded data. The frames from scan `from_first` to scan `from` are followed
+/// by those from scan `to` on for `window`, with a kidnap event between them. Odometry continues
+/// without a jump, and the time of the gap is the one recorded after scan `from`. Throws
+/// std::out_of_range if there are no such scans, std::invalid_argument if from_first > from.
 struct Splice {
   std::size_t from_first = 0;   ///< Index of the first scan played.
   std::size_t from = 0;         ///< Index of the last scan before the jump.
-  std::size_t to = 0;           ///< Index of the first scan after it.
-  Stamp window = Stamp::max();  ///< How long the log goes on after the jump.
+  std::size_t to = 0;           ///< Index of the first scan after the jump.
+  Stamp window = Stamp::max();  ///< Duration after the jump.
 };
 Frames splice(const Frames& frames, const Splice& at);
 
-/// Plays frames that it holds.
+/// Plays frames that it owns.
 class RecordedSource final : public SensorSource {
  public:
   explicit RecordedSource(Frames frames) : frames_(std::move(frames)) {}
@@ -41,7 +41,7 @@ class RecordedSource final : public SensorSource {
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>&) override {}
   void set_watched_pose(const std::optional<SE2>&) override {}
-  /// True pose at the first frame that knows it.
+  /// True pose at the first frame for which it is known.
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   /// Time from the first frame to the last.
   [[nodiscard]] Stamp duration() const override;

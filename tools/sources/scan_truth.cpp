@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The values of a layer.
+/// Extracts the values of a layer.
 template <typename T>
 std::vector<T> layer_of(const std::vector<T>& values, std::size_t layer, std::size_t beams) {
   if (values.empty()) return {};

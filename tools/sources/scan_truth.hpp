@@ -1,4 +1,4 @@
-/// A simulated scan as the localizers see it, and what they do not.
+/// Converts simulated scans to those of the localizers, with their ground truth.
 #pragma once
 
 #include "sim/sensor/lidar_config.hpp"
@@ -9,15 +9,15 @@
 
 namespace castaway::testbed {
 
-/// The planar scan of a reading: of a 3-D lidar the layer `sim::level_layer`, its ranges laid down
-/// into the lidar's plane. The mount is the one that the localizers are told.
+/// Planar scan of a reading, with the nominal mount. For a 3-D lidar it is the layer
+/// `sim::level_layer` with ranges projected into the lidar's plane.
 LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar);
 
-/// Intensities and labels of that layer; with `cloud`, the returns of all layers in base, as if
-/// taken at the stamp.
+/// Intensities and labels of that layer. If `cloud`, also the returns of all layers in base at the
+/// stamp.
 ScanTruth scan_truth(const sim::LidarReading& reading, const sim::LidarConfig& lidar, bool cloud);
 
-/// What the labels of a world's beams mean.
+/// Meaning of the labels of a world's beams.
 HitLegend hit_legend(const sim::WorldSpec& world);
 
 }  // namespace castaway::testbed

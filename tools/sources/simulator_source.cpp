@@ -36,8 +36,8 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
   return truth;
 }
 
-/// When what is delivered began: a scan with its first beam.
-Stamp begun(const Frame& frame) {
+/// Start of a frame's measurement: for a scan, the stamp of its first beam.
+Stamp begin_stamp(const Frame& frame) {
   const auto* scan = std::get_if<ScanFrame>(&frame.data);
   return scan != nullptr ? scan->scan.stamp : frame.stamp;
 }
@@ -98,7 +98,7 @@ SimulatorSource::SimulatorSource(sim::Simulation simulation, std::vector<sim::Li
 
 std::optional<Frame> SimulatorSource::next() {
   std::optional<Frame> frame = next_of_all();
-  while (frame && begun(*frame) < begin_) frame = next_of_all();
+  while (frame && begin_stamp(*frame) < begin_) frame = next_of_all();
   return frame;
 }
 
@@ -110,7 +110,7 @@ std::optional<Frame> SimulatorSource::next_of_all() {
   return frame;
 }
 
-/// With what is to be told before it.
+/// Queues the next frame, preceded by its events.
 void SimulatorSource::take_next() {
   if (over_) return;
   const std::optional<sim::SimFrame> frame = simulation_.next();
@@ -122,14 +122,14 @@ void SimulatorSource::take_next() {
   newest_ = frame->stamp;
   if (simulation_.collisions() != collisions_) {
     collisions_ = simulation_.collisions();
-    tell(EventKind::kCollision, "", simulation_.true_pose());
+    add_event(EventKind::kCollision, "", simulation_.true_pose());
   }
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame->data)) note(*kidnap);
   pending_.push_back(convert(*frame));
 }
 
-void SimulatorSource::tell(EventKind kind, const std::string& detail, const sim::Pose2& pose,
-                           std::optional<Stamp> since) {
+void SimulatorSource::add_event(EventKind kind, const std::string& detail, const sim::Pose2& pose,
+                                std::optional<Stamp> since) {
   const SE2 T_map_base = to_se2(pose);
   pending_.push_back({newest_, RunEvent{newest_, kind, detail, T_map_base, T_map_base, since}});
 }
@@ -138,16 +138,16 @@ void SimulatorSource::finish() {
   over_ = true;
   const std::optional<sim::VoidRecord> found = simulation_.void_record();
   if (found)
-    tell(EventKind::kVoid, reason_of(found->reason), simulation_.true_pose(), found->since);
+    add_event(EventKind::kVoid, reason_of(found->reason), simulation_.true_pose(), found->since);
 }
 
 void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
   if (!kidnap.too_near) return;
   warnings_.push_back(fmt::format(
-      "kidnap at {:.2f} s: no free place as far away as its min_distance_m asks for; it goes to "
-      "the farthest, {:.2f} m away",
+      "kidnap at {:.2f} s: no free place at its min_distance_m or farther; it goes to the "
+      "farthest, {:.2f} m away",
       seconds(kidnap.since), (kidnap.T_map_to.position() - kidnap.T_map_from.position()).norm()));
-  tell(EventKind::kWarning, warnings_.back(), kidnap.T_map_from);
+  add_event(EventKind::kWarning, warnings_.back(), kidnap.T_map_from);
 }
 
 Frame SimulatorSource::convert(const sim::SimFrame& frame) const {

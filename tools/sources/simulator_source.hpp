@@ -1,5 +1,5 @@
-/// The simulator as a source of sensor data. The one place where poses, scans and maps of `sim` and
-/// `localization` are turned into each other.
+/// The simulator as a source of sensor data. Only this file converts poses, scans and maps between
+/// `sim` and `localization`.
 #pragma once
 
 #include <deque>
@@ -16,18 +16,18 @@
 
 namespace castaway::testbed {
 
-/// Planar pose of the simulator as a transform of the localizers, and back.
+/// Converts between the simulator's planar pose and the localizers' transform.
 SE2 to_se2(const sim::Pose2& pose);
 sim::Pose2 to_pose2(const SE2& pose);
 
-/// A grid of the simulator as a ROS map, and back.
+/// Converts between the simulator's grid and a ROS map.
 RosMap to_ros_map(const sim::Grid& grid, const std::string& name);
 sim::Grid to_sim_grid(const RosMap& map);
 
-/// The streams of a simulation, each by its own name.
+/// Random streams of a simulation, each derived by its own name.
 sim::SimulationStreams simulation_streams(std::uint64_t seed);
 
-/// Plays a simulation. Collisions become events; a run that is void ends with a "void" event.
+/// Plays a simulation. Collisions become events; a void run ends with a "void" event.
 class SimulatorSource final : public SensorSource {
  public:
   /// `lidars` are those that the simulation was configured with (`SimulationConfig::lidars`).
@@ -40,26 +40,26 @@ class SimulatorSource final : public SensorSource {
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;
   [[nodiscard]] std::vector<std::string> warnings() const override { return warnings_; }
-  /// The run begins then: what is delivered before, or began before, is left out.
+  /// Sets the beginning of the run; earlier data is discarded, and so are scans that began earlier.
   void begin_at(Stamp stamp) { begin_ = stamp; }
-  /// The run ends once so much is driven, kidnaps aside; 0: it does not. [m]
+  /// Ends the run after this driven distance [m], kidnaps excluded; 0: no limit.
   void stop_after(double metres) { stop_after_ = metres; }
-  /// From now on scans bring their points in space.
+  /// From now on, scans include their point clouds.
   void keep_clouds() { clouds_ = true; }
-  /// Command and wheels as they are now: up to a step of physics after the newest frame.
+  /// Current command and wheel states, up to one physics step after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
-  /// Height, roll and pitch of base as they are now, for pictures.
+  /// Current height, roll and pitch of base, for pictures.
   [[nodiscard]] Eigen::Isometry3d T_footprint_base() const {
     return simulation_.T_footprint_base();
   }
-  /// The people as they are now, for pictures.
+  /// Current people, for pictures.
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
 
  private:
   std::optional<Frame> next_of_all();
   void take_next();
-  void tell(EventKind kind, const std::string& detail, const sim::Pose2& pose,
-            std::optional<Stamp> since = {});
+  void add_event(EventKind kind, const std::string& detail, const sim::Pose2& pose,
+                 std::optional<Stamp> since = {});
   void note(const sim::KidnapRecord& kidnap);
   void finish();
   [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;
@@ -74,8 +74,8 @@ class SimulatorSource final : public SensorSource {
   std::int64_t collisions_ = 0;
   std::deque<Frame> pending_;
   std::vector<std::string> warnings_;
-  Stamp newest_{};     ///< Of the last frame.
-  bool over_ = false;  ///< All frames are out.
+  Stamp newest_{};     ///< Stamp of the last frame.
+  bool over_ = false;  ///< All frames were delivered.
 };
 
 }  // namespace castaway::testbed

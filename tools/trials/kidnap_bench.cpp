@@ -11,18 +11,18 @@
 namespace castaway::testbed {
 namespace {
 
-/// A trial as played.
+/// Data recorded from a trial.
 struct PlayedTrial {
   RunHistory history;
   localization::TransformBuffer T_odom_base;
-  std::optional<localization::ScanPoints> points;  ///< Of the first whole scan after the kidnap...
-  SE2 T_map_base_true;                             ///< ...and where it was taken.
+  std::optional<localization::ScanPoints> points;  ///< First whole scan after the kidnap.
+  SE2 T_map_base_true;                             ///< True pose at which `points` was taken.
   Stamp end{};
 
   explicit PlayedTrial(RunInfo info) : history(std::move(info)) {}
 };
 
-/// Writes into a trial that outlives it.
+/// Writes into a trial that must outlive the sink.
 class TrialSink final : public RunSink {
  public:
   explicit TrialSink(PlayedTrial& played) : played_(played) {}
@@ -45,7 +45,7 @@ class TrialSink final : public RunSink {
   PlayedTrial& played_;
 };
 
-/// One map, searched and localized on.
+/// The map, with its search.
 struct Stage {
   localization::OccupancyGrid map;
   PlaceFinder finder;
@@ -72,12 +72,12 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<Locali
   return played;
 }
 
-/// Searches for a scan that was taken at a known pose.
+/// Searches the map for a scan taken at a known pose.
 SearchOutcome search(const PlaceFinder& finder, const localization::ScanPoints& points,
                      const SE2& T_map_base_true) {
   SearchOutcome outcome;
   outcome.blocked_share = finder.blocked_share(points, T_map_base_true);
-  outcome.right = finder.refined(points, T_map_base_true).log_likelihood;
+  outcome.right = finder.refine(points, T_map_base_true).log_likelihood;
   const std::vector<FoundPlace> places = finder.find(points);
   if (!places.empty()) {
     outcome.fifth = places[std::min<std::size_t>(4, places.size() - 1)].log_likelihood;

@@ -1,4 +1,4 @@
-/// Plays random kidnaps and judges localizers on them.
+/// Plays random kidnaps and evaluates localizers on them.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace castaway::testbed {
 
-/// Plays trials 0 to `kidnaps` - 1 with so many people about; all localizers ride the same runs.
-/// `on_trial` is called after each. Same trials, same specifications: same reports.
+/// Plays trials 0 to `kidnaps` - 1 with `obstacles` people; all localizers see the same runs.
+/// `on_trial` is called after each trial. The reports are deterministic.
 std::vector<KidnapReport> play_kidnaps(
     const KidnapTrials& trials, const std::vector<LocalizerSpec>& localizers, int kidnaps,
     int obstacles, const std::function<void(const KidnapReport&)>& on_trial = [](const auto&) {});

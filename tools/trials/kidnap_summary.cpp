@@ -27,7 +27,7 @@ void keep(const std::optional<double>& time, std::vector<double>& times) {
   if (time) times.push_back(*time);
 }
 
-/// Sums the errors of the scans on which a localizer is held to track.
+/// Sums the errors of the scans on which a localizer is expected to track.
 struct TrackingSum {
   PoseError total;
   std::size_t scans = 0;

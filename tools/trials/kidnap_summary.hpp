@@ -1,4 +1,4 @@
-/// What kidnaps amount to: one trial's outcome, and a batch of them in one row.
+/// Outcomes of kidnap trials, and the summary of a batch.
 #pragma once
 
 #include <optional>
@@ -10,65 +10,69 @@
 
 namespace castaway::testbed {
 
-/// One localizer in one trial. Times are from the kidnap to the answer (`MetricRow::answered`).
+/// Outcome of one localizer in one trial. Times are from the kidnap to the answer
+/// (`MetricRow::answered`).
 struct KidnapOutcome {
-  std::optional<double> recovered_s;  ///< [s] From then on it is right to the end of the trial.
-  std::optional<double> confident_s;  ///< [s] First right while it does not call itself lost.
-  std::optional<double> alarm_s;      ///< [s] First calls itself lost.
-  std::optional<double> noticed_s;    ///< [s] First calls itself lost or is right.
-  std::vector<PoseError> tracking;    ///< Of the scans before the kidnap and after the recovery.
-  int scans = 0;                      ///< After the kidnap, with truth.
-  int wrong = 0;                      ///< Of those: wrong while it does not call itself lost.
+  std::optional<double> recovered_s;  ///< [s] First answer from which on it is right until the end
+                                      ///< of the trial.
+  std::optional<double> confident_s;  ///< [s] First answer that is right and without the alarm.
+  std::optional<double> alarm_s;      ///< [s] First alarm.
+  std::optional<double> noticed_s;    ///< [s] First answer that is right or raises the alarm.
+  std::vector<PoseError> tracking;    ///< Errors of the scans before the kidnap and after the
+                                      ///< recovery.
+  int scans = 0;                      ///< Scans after the kidnap whose truth is known.
+  int wrong = 0;                      ///< Scans of these that are wrong without the alarm.
 };
 
-/// Judges the rows of one localizer in a trial from a known start with one kidnap, which ended at
-/// `end`. Right is an error below 0.5 m and 0.35 rad.
+/// Evaluates the rows of one localizer in a trial that has a known start and one kidnap and ends at
+/// `end`. An output is right if its error is below 0.5 m and 0.35 rad.
 KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
                              const std::vector<RunEvent>& events, Stamp end);
 
-/// What the search of the whole map makes of the first whole scan after the kidnap.
+/// Result of the global search for the first whole scan after the kidnap.
 struct SearchOutcome {
-  std::optional<std::size_t> rank;  ///< Of the right pose, 0 the best; nothing: it is not listed.
-  double blocked_share = 0.0;       ///< In [0, 1]: of the beams, by people.
-  double right = 0.0;               ///< Log-likelihood of the right place, listed or not...
-  double fifth = 0.0;               ///< ...and of the fifth place listed, or of the last.
+  std::optional<std::size_t> rank;  ///< Rank of the right pose, 0 for the best; nothing if it is
+                                    ///< not listed.
+  double blocked_share = 0.0;       ///< In [0, 1]: share of the beams blocked by people.
+  double right = 0.0;               ///< Log-likelihood of the right place, whether listed or not.
+  double fifth = 0.0;               ///< Log-likelihood of the fifth place listed, or of the last.
 };
 
-/// One trial.
 struct KidnapReport {
   int index = 0;
   int obstacles = 0;
-  SE2 T_map_from;  ///< True pose of base before the kidnap...
-  SE2 T_map_to;    ///< ...and after it.
+  SE2 T_map_from;  ///< True pose of base before the kidnap.
+  SE2 T_map_to;    ///< True pose of base after the kidnap.
   SearchOutcome search;
   std::vector<KidnapOutcome> outcomes;  ///< By localizer.
-  std::optional<VoidRun> void_run{};    ///< The robot got nowhere: the trial does not count.
+  std::optional<VoidRun> void_run{};    ///< The robot got nowhere, so the trial does not count.
 };
 
-/// Counts of one localizer over trials.
+/// Results of one localizer over several trials.
 struct KidnapRow {
   std::string localizer;
-  int recovered = 0;                  ///< Within the time asked for.
+  int recovered = 0;                  ///< Number of recoveries within the requested time.
   std::vector<double> recovered_s;    ///< [s] All recoveries, ascending.
   std::vector<double> confident_s;    ///< [s] Ascending.
   std::vector<double> alarm_s;        ///< [s] Ascending.
   std::vector<double> noticed_s;      ///< [s] Ascending.
   std::optional<PoseError> tracking;  ///< Mean over all trials' scans.
-  double wrong_share = 0.0;           ///< In [0, 1]: of the scans after the kidnaps.
+  double wrong_share = 0.0;           ///< In [0, 1]: share of the scans after the kidnaps that are
+                                      ///< wrong without the alarm.
 };
 
-/// Trials with one number of obstacles, put together.
+/// Summary of the trials with one number of obstacles.
 struct KidnapBatch {
   int obstacles = 0;
-  int kidnaps = 0;             ///< That count.
-  int voids = 0;               ///< Trials that do not.
-  int top1 = 0;                ///< Right pose is the best place found...
-  int top5 = 0;                ///< ...or among the best five.
+  int kidnaps = 0;             ///< Trials that count.
+  int voids = 0;               ///< Void trials, which do not count.
+  int top1 = 0;                ///< Trials in which the right pose is the best place found.
+  int top5 = 0;                ///< Trials in which the right pose is among the best five.
   double blocked_share = 0.0;  ///< Mean over the trials.
   std::vector<KidnapRow> rows;
 };
 
-/// Puts the trials of a batch together; `within_s` [s]: recoveries that count.
+/// Summarises a batch of trials; `within_s` [s]: later recoveries do not count.
 KidnapBatch summarise(std::vector<KidnapReport> reports, const std::vector<std::string>& localizers,
                       double within_s);
 

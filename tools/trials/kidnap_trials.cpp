@@ -19,11 +19,12 @@ namespace {
 
 constexpr double kPersonRadius = 0.25;  // [m]
 constexpr double kPersonHeight = 1.8;   // [m]
-constexpr double kRobotMargin = 0.1;    // [m] Around the footprint, where the robot is put.
+constexpr double kRobotMargin = 0.1;    // [m] Free space around the footprint where the robot is
+                                        // placed.
 constexpr double kLeadSpread = 0.5;     // [s]
 constexpr int kWaypoints = 4;
-constexpr int kTries = 200;  // For one place...
-constexpr int kCrowds = 10;  // ...and for a crowd around it.
+constexpr int kTries = 200;  // Attempts to draw one place.
+constexpr int kCrowds = 10;  // Attempts to draw people around a place.
 
 double uniform_between(double low, double high, sim::Rng& rng) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
@@ -39,7 +40,7 @@ PreparedSimulation prepare(const KidnapTrialConfig& config) {
                                   : build_simulation(scenario, ".");
 }
 
-sim::Pose2 sampled(const std::optional<sim::Pose2>& pose) {
+sim::Pose2 sample_pose(const std::optional<sim::Pose2>& pose) {
   if (pose) return *pose;
   throw std::runtime_error("the world has no room for a kidnap; choose a larger one");
 }
@@ -53,7 +54,7 @@ sim::WorldObject person(const Eigen::Vector2d& p_map, std::size_t number) {
   return object;
 }
 
-/// Whether the robot can stand at its start and at the kidnap's target, and drive off.
+/// Whether the robot can stand at its start and at the kidnap's target, and drive away from both.
 bool can_drive(const sim::SimulationConfig& config) {
   const sim::KidnapSpec& kidnap = config.kidnaps.front();
   const sim::FreeSpace free(sim::drive_grid(config),
@@ -86,7 +87,8 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
   sim::KidnapSpec kidnap;
   kidnap.kind = sim::KidnapKind::kTeleportTo;
   kidnap.when.value = config_.lead_s + uniform_between(-kLeadSpread, kLeadSpread, rng);
-  kidnap.target = sampled(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
+  kidnap.target =
+      sample_pose(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
 }
 
@@ -129,10 +131,10 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   sim::Rng people = localization::substream(config_.seed, fmt::format("people/{}", index));
   KidnapTrial trial{prepared_.config, rng()};
   sim::SimulationConfig& config = trial.simulation;
-  config.start = sampled(robot_space_.sample(rng));
+  config.start = sample_pose(robot_space_.sample(rng));
   config.random_start = false;
   for (int i = 0; i < kWaypoints; ++i) {
-    config.drive.waypoints.push_back(sampled(robot_space_.sample(rng)).position());
+    config.drive.waypoints.push_back(sample_pose(robot_space_.sample(rng)).position());
   }
   for (int tries = 0; tries < kTries; ++tries) {
     config.kidnaps = {draw_kidnap(rng, config.start)};

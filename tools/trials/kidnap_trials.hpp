@@ -1,4 +1,4 @@
-/// Random kidnaps in one world: each a short simulation, drawn by its number.
+/// Draws random kidnap trials in one world; each trial is a short simulation.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,41 @@
 
 namespace castaway::testbed {
 
-/// What a trial is made of.
+/// Parameters of the trials.
 struct KidnapTrialConfig {
   std::string world = "lab";    ///< A world's name or path, a ROS map's .yaml, or "office".
-  double lead_s = 2.5;          ///< [s] Driven before the kidnap, give or take half a second.
-  double window_s = 15.0;       ///< [s] Driven on after it.
-  double min_distance_m = 3.0;  ///< [m] From where the robot was.
-  double near_m = 0.6;          ///< [m] Obstacles stand so far from where it comes to, at least...
-  double far_m = 4.0;           ///< [m] ...and at most.
+  double lead_s = 2.5;          ///< [s] Driving time before the kidnap, plus or minus half a
+                                ///< second.
+  double window_s = 15.0;       ///< [s] Driving time after the kidnap.
+  double min_distance_m = 3.0;  ///< [m] Least distance of the kidnap.
+  double near_m = 0.6;          ///< [m] Least distance of the obstacles from the kidnap's target.
+  double far_m = 4.0;           ///< [m] Greatest distance of the obstacles from the kidnap's
+                                ///< target.
   std::uint64_t seed = 1;
 };
 
-/// Throws std::invalid_argument where a figure is out of its range.
+/// Throws std::invalid_argument if a value is out of range.
 void validate(const KidnapTrialConfig& config);
 
-/// One kidnap, ready to be played.
+/// One kidnap, ready to be simulated.
 struct KidnapTrial {
   sim::SimulationConfig simulation;
-  std::uint64_t seed = 0;  ///< Of the simulation and the localizers.
+  std::uint64_t seed = 0;  ///< Seed of the simulation and of the localizers.
 };
 
-/// Draws trials. A trial depends on the seed, its number and its obstacles only; with other
-/// obstacles it has the same start, noise and, unless there is no room for them, target.
+/// Draws trials. A trial depends only on the seed, its index and the number of obstacles. Trials
+/// that differ only in the number of obstacles have the same start and noise, and the same target
+/// unless there is no room for the obstacles around it.
 class KidnapTrials {
  public:
   /// Loads world and robot (TurtleBot3 Waffle with a lidar of 12 m and 10 Hz). Throws
   /// std::runtime_error or std::invalid_argument naming what is wrong.
   explicit KidnapTrials(const KidnapTrialConfig& config);
 
-  /// Trial `index` with so many people about: cylinders of 0.25 m radius and 1.8 m height that are
-  /// on no map. Throws std::runtime_error if there is no place with room for them.
+  /// Draws trial `index` with `obstacles` people: cylinders of 0.25 m radius and 1.8 m height that
+  /// are on no map. Throws std::runtime_error if there is no place with room for them.
   [[nodiscard]] KidnapTrial draw(int index, int obstacles) const;
-  /// What the localizers are given.
+  /// Map that is given to the localizers.
   [[nodiscard]] const RosMap& map() const { return prepared_.map; }
 
  private:

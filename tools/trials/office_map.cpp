@@ -13,16 +13,17 @@ namespace {
 
 constexpr double kWall = 0.15;       // [m] Thickness.
 constexpr double kCorridor = 2.0;    // [m] Width.
-constexpr double kBand = 10.0;       // [m] About: a corridor and the rooms on both sides.
-constexpr double kRoom = 4.8;        // [m] About: width of a room with one wall.
-constexpr double kFirstLink = 14.0;  // [m] x of the first corridor along y.
-constexpr double kLinks = 40.0;      // [m] From one to the next.
+constexpr double kBand = 10.0;       // [m] Approximate height of a band: a corridor and the rooms
+                                     // on both sides.
+constexpr double kRoom = 4.8;        // [m] Approximate width of a room including one wall.
+constexpr double kFirstLink = 14.0;  // [m] x of the first cross corridor.
+constexpr double kLinks = 40.0;      // [m] Distance between cross corridors.
 constexpr double kDoor = 0.9;        // [m]
 
 constexpr std::int8_t kFree = 0;
 constexpr std::int8_t kOccupied = 100;
 
-/// A rectangle. [m]
+/// A rectangle [m].
 struct Box {
   double x0 = 0.0;
   double y0 = 0.0;
@@ -30,10 +31,10 @@ struct Box {
   double y1 = 0.0;
 };
 
-/// Draws corridors, rooms and furniture into a map that begins as one block of wall.
-class Draughtsman {
+/// Draws corridors, rooms and furniture into a map that is initially all wall.
+class OfficeBuilder {
  public:
-  explicit Draughtsman(const OfficeSpec& spec)
+  explicit OfficeBuilder(const OfficeSpec& spec)
       : spec_(spec), rng_(localization::substream(spec.seed, "office")) {
     map_.name = "office";
     map_.resolution = spec.resolution;
@@ -57,7 +58,7 @@ class Draughtsman {
   }
 
  private:
-  /// A corridor around y = `middle` and its rooms from `bottom` to `top`.
+  /// Draws a corridor around y = `middle` and its rooms from `bottom` to `top`.
   void draw_band(double bottom, double middle, double top) {
     const double low = middle - 0.5 * kCorridor;
     const double high = middle + 0.5 * kCorridor;
@@ -81,7 +82,7 @@ class Draughtsman {
     return link < spec_.width - kRoom ? link : spec_.width;
   }
 
-  /// A room; its door and its cabinet are on the corridor's side.
+  /// Draws a room; its door and its cabinet are on the corridor's side.
   void draw_room(const Box& room, bool door_above) {
     const double wall = door_above ? room.y1 : room.y0 - kWall;
     fill(room, kFree);
@@ -94,7 +95,7 @@ class Draughtsman {
     fill({x, y, x + between(0.5, 1.2), y + 0.4}, kOccupied);
   }
 
-  /// Desks by the far wall and a cupboard at the right one.
+  /// Places desks by the far wall and a cupboard at the right wall.
   void furnish(const Box& room, bool door_above) {
     const auto place = [&](double x, double from_far, double width, double depth) {
       const double y = door_above ? room.y0 + from_far : room.y1 - from_far - depth;
@@ -105,7 +106,7 @@ class Draughtsman {
     place(room.x1 - between(0.35, 0.5), between(1.6, 2.2), 0.5, between(0.8, 1.2));
   }
 
-  /// Fills the cells whose centres lie in a rectangle; what reaches beyond the map is left out.
+  /// Fills the cells whose centres lie in a rectangle; the part outside the map is ignored.
   void fill(const Box& box, std::int8_t value) {
     const auto first = [&](double v) {
       return std::max(0, static_cast<int>(std::ceil(v / spec_.resolution - 0.5)));
@@ -136,7 +137,7 @@ RosMap draw_office(const OfficeSpec& spec) {
   if (!(spec.resolution > 0.0) || spec.resolution > 0.1) {
     throw std::invalid_argument("an office's resolution must be in (0, 0.1] m");
   }
-  return Draughtsman(spec).draw();
+  return OfficeBuilder(spec).draw();
 }
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// An office drawn by program: many rooms that are nearly alike, which is what makes global
+/// A generated office with many nearly identical rooms: perceptual aliasing makes global
 /// localization hard.
 #pragma once
 
@@ -8,19 +8,19 @@
 
 namespace castaway::testbed {
 
-/// The floor to draw.
+/// Parameters of the generated floor.
 struct OfficeSpec {
   double width = 40.0;       ///< [m] At least 10.
   double height = 30.0;      ///< [m] At least 10.
   double resolution = 0.05;  ///< [m]
-  std::uint64_t seed = 1;    ///< Of doors and furniture.
+  std::uint64_t seed = 1;    ///< Seed of doors and furniture.
 };
 
-/// Corridors of 2 m along x, 10 m apart, with a row of rooms on either side; others along y link
-/// them, 40 m apart. Rooms are about 4.8 x 3.8 m, each with a door to its corridor and a desk, a
-/// cupboard and sometimes a second desk at nearly the same places; cabinets stand in the corridors.
-/// Every cell is free or occupied; the origin is the lower left corner. Throws
-/// std::invalid_argument where a figure is out of its range.
+/// Draws the floor. Corridors 2 m wide run along x, 10 m apart, with a row of rooms on either side;
+/// cross corridors along y are 40 m apart. Rooms are about 4.8 x 3.8 m. Each has a door to its
+/// corridor and a desk, a cupboard and sometimes a second desk at nearly the same places. Cabinets
+/// stand in the corridors. Every cell is free or occupied; the origin is the lower left corner.
+/// Throws std::invalid_argument if a value is out of range.
 RosMap draw_office(const OfficeSpec& spec = {});
 
 }  // namespace castaway::testbed

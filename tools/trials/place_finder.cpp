@@ -32,8 +32,8 @@ std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points
   return found;
 }
 
-FoundPlace PlaceFinder::refined(const localization::ScanPoints& points,
-                                const SE2& T_map_base) const {
+FoundPlace PlaceFinder::refine(const localization::ScanPoints& points,
+                               const SE2& T_map_base) const {
   const SE2 pose = refine_pose(endpoint_, points, T_map_base, std::nullopt, config_.create.refine);
   return {pose, evidence_.evaluate(points, pose).log_likelihood};
 }

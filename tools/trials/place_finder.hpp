@@ -1,4 +1,4 @@
-/// Where on a map a single scan could have been taken: the global search of `mh_amcl` on its own.
+/// Finds where on a map a single scan could have been taken, with the global search of `mh_amcl`.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,18 @@ struct FoundPlace {
   double log_likelihood = 0.0;  ///< Evidence of the scan, 0 at best (`Evidence`).
 };
 
-/// Searches one map as mode `improved` does, without a past: matcher, refinement, evidence by end
-/// points and rays. The map must outlive it.
+/// Searches one map as mode `improved` does, without earlier scans: matcher, refinement, evidence
+/// by end points and rays. The map must outlive it.
 class PlaceFinder {
  public:
   PlaceFinder(const localization::MhAmclConfig& config, const localization::OccupancyGrid& map);
 
-  /// Places, refined, the best by evidence first; none for a scan without points.
+  /// Refined places, best evidence first; empty for a scan without points.
   [[nodiscard]] std::vector<FoundPlace> find(const localization::ScanPoints& points) const;
-  /// The place that refinement finds from a pose: what a search that looked there would list.
-  [[nodiscard]] FoundPlace refined(const localization::ScanPoints& points,
-                                   const localization::SE2& T_map_base) const;
-  /// Share of the beams that end 0.3 m or more before the map has a wall.
+  /// The place to which refinement converges from a pose: what a search started there would list.
+  [[nodiscard]] FoundPlace refine(const localization::ScanPoints& points,
+                                  const localization::SE2& T_map_base) const;
+  /// Share of the beams that end at least 0.3 m before the first wall on the map.
   [[nodiscard]] double blocked_share(const localization::ScanPoints& points,
                                      const localization::SE2& T_map_base) const;
 

@@ -23,7 +23,7 @@ class ScoreSink final : public RunSink {
   void on_event(const RunEvent& event) override { history_.add(event); }
   void on_odometry(const OdometryFrame&) override {}
   void on_scan(const ScanRecord& record) override { history_.add(record); }
-  /// @throws std::runtime_error if the run is void: it scores nobody.
+  /// Throws std::runtime_error if the run is void, since a void run must not be scored.
   void finish(Stamp end, const RunTiming&) override {
     if (const auto found = void_run(history_.events)) {
       throw std::runtime_error("a run is void: " + describe(*found));
@@ -41,7 +41,7 @@ std::vector<NamedLocalizer> build(const std::vector<PublishedVariant>& variants,
   const localization::OccupancyGrid grid = to_occupancy_grid(map);
   std::vector<NamedLocalizer> localizers;
   for (const PublishedVariant& variant : variants) {
-    // One name for all: the stream of random numbers depends on it.
+    // One name for all variants, since the stream of random numbers depends on it.
     std::vector<NamedLocalizer> one = build_localizers({{"variant", variant.config}}, grid, seed);
     one.front().name = variant.name;
     localizers.push_back(std::move(one.front()));

@@ -9,10 +9,10 @@
 
 namespace castaway::testbed {
 
-/// Scores in the order of the variants, over `seeds` runs with the scenario's seed and those after
-/// it. The scenario's own localizers do not ride; the truth drives. All variants draw the same
-/// random numbers, so that one whose defect changes nothing is `paper` to the bit. `base`: as in
-/// `build_simulation`. `on_run` is called after each run.
+/// Returns the scores in the order of the variants, over `seeds` runs whose seeds start at the
+/// scenario's. The scenario's own localizers are not used; the true pose drives the robot. All
+/// variants draw the same random numbers, so a variant whose defect has no effect equals `paper`
+/// bit by bit. `base`: as in `build_simulation`. `on_run` is called after each run.
 std::vector<VariantScore> play_variants(
     Scenario scenario, const std::filesystem::path& base,
     const std::vector<PublishedVariant>& variants, int seeds,

@@ -9,22 +9,22 @@
 
 namespace castaway::testbed {
 
-/// A localizer of the comparison.
+/// A localizer configuration to compare.
 struct PublishedVariant {
   std::string name;
   localization::PublishedMhAmclConfig config;
 };
 
-/// `paper`; `+ <defect>` for each; `+ its figures` (the published code's parameters, no defect);
-/// `published`.
+/// Returns `paper`; `+ <defect>` for each defect; `+ its figures` (the published code's parameters
+/// without its defects); and `published`.
 std::vector<PublishedVariant> published_variants();
 
-/// What several runs of one variant amount to.
+/// Results of several runs of one variant.
 struct VariantScore {
   std::string name;
   int events = 0;  ///< Kidnaps and unknown starts.
   int recovered = 0;
-  std::vector<double> time_s;      ///< [s] Of every recovery.
+  std::vector<double> time_s;      ///< [s] Times of all recoveries.
   std::vector<double> tracking_m;  ///< [m] Mean tracking error of every run that has one.
   std::vector<double> wrong;       ///< Wrong-lock share of every run that has one.
 

@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostBytes = 512U << 20U;  // Of an answer.
+constexpr std::size_t kMostBytes = 512U << 20U;  // Maximum size of an answer.
 
 void limit(int resource, rlim_t value) {
   rlimit limits{};
@@ -37,14 +37,14 @@ void limit(int resource, rlim_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
 }
 
-/// Address space of this process. [bytes]
+/// Current address space [bytes] of this process.
 std::size_t address_space() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Signals as the system handles them: those of the parent would speak in its name.
+/// Restores the default signal handlers; those of the parent would print in its name.
 void forget_handlers() {
   for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGINT, SIGTERM}) {
     std::signal(number, SIG_DFL);
@@ -77,7 +77,7 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
   }
 }
 
-/// The child's whole life.
+/// Body of the child process.
 [[noreturn]] void answer(int to, pid_t parent, const std::string& path, const sim::MeshReader& read,
                          const MeshLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -93,7 +93,7 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
   _exit(0);
 }
 
-/// A child and the pipe that it answers through; gone with this object.
+/// A child process and the pipe of its answer; the destructor ends it.
 class Child {
  public:
   Child(const std::string& path, const sim::MeshReader& read, const MeshLimits& limits) {
@@ -120,7 +120,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// All that it says; nothing if it is not done in time.
+  /// Reads the whole answer; nothing if the deadline passes.
   std::optional<std::string> listen(Clock::time_point deadline) {
     std::string said;
     std::array<char, 65536> block{};
@@ -139,13 +139,13 @@ class Child {
     return said;
   }
 
-  /// Ends it, if it has not ended by itself.
+  /// Kills the child if it is still running.
   void stop() {
     kill(process_, SIGKILL);
     (void)wait();
   }
 
-  /// Its exit status, once it has said all.
+  /// Waits for the child and returns its exit status.
   int wait() {
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {

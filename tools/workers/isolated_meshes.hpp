@@ -1,4 +1,4 @@
-/// Mesh files, read in a process of their own.
+/// Reads mesh files in a separate process.
 #pragma once
 
 #include <chrono>
@@ -9,23 +9,24 @@
 
 namespace castaway::testbed {
 
-/// What reading a mesh may take.
+/// Resource limits of reading a mesh.
 struct MeshLimits {
-  std::chrono::milliseconds time{10000};  ///< Of the CPU; of the wall's clock half as much more.
-  std::size_t bytes = std::size_t{1} << 30U;  ///< Of memory, over what this process has now.
+  std::chrono::milliseconds time{10000};      ///< CPU time; the limit of wall time is 1.5 times as
+                                              ///< long.
+  std::size_t bytes = std::size_t{1} << 30U;  ///< Memory beyond the current use of this process.
 };
 
-/// What `read(path)` gives, run in a child process: whatever happens there (a crash, a hang, too
-/// much memory) is a std::runtime_error "path: cannot read this mesh (...)" here. Exceptions of
-/// `read` come through, std::length_error as such. The child is gone when this returns.
+/// Runs `read(path)` in a child process. A crash, a hang or excessive memory use there becomes a
+/// std::runtime_error "path: cannot read this mesh (...)" here. Exceptions of `read` are passed on,
+/// std::length_error with its type. The child has ended when this returns.
 ///
-/// The limit of memory is one of address space beyond what is taken now, so that it also holds
-/// under a sanitizer that has reserved terabytes for its own; there it bounds what the allocator
-/// maps anew, and the limit of time the rest.
+/// The memory limit applies to the address space beyond the current one, so it also works under a
+/// sanitizer that has reserved terabytes; there it bounds only new mappings, and the time limit
+/// bounds the rest.
 sim::TriangleMesh read_isolated(const std::string& path, const sim::MeshReader& read,
                                 const MeshLimits& limits = {});
 
-/// From now on this program reads all meshes so.
+/// From now on this program reads all meshes with `read_isolated`.
 void isolate_meshes(const MeshLimits& limits = {});
 
 }  // namespace castaway::testbed

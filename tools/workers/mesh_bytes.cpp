@@ -18,7 +18,7 @@ void append(const std::vector<Value>& values, std::string& out) {
   out.append(reinterpret_cast<const char*>(values.data()), count * sizeof(Value));
 }
 
-/// Takes a list off the front; false if it is cut short.
+/// Takes a list off the front; false if it is truncated.
 template <typename Value>
 bool take(std::string_view& bytes, std::vector<Value>& values) {
   std::uint64_t count = 0;
@@ -27,7 +27,7 @@ bool take(std::string_view& bytes, std::vector<Value>& values) {
   bytes.remove_prefix(sizeof count);
   if (count > bytes.size() / sizeof(Value)) return false;
   values.resize(count);
-  if (count == 0) return true;  // memcpy takes no null pointer.
+  if (count == 0) return true;  // memcpy requires non-null pointers.
   std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(Value));
   bytes.remove_prefix(count * sizeof(Value));
   return true;

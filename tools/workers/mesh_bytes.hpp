@@ -1,4 +1,4 @@
-/// A mesh, or why there is none, as bytes between two processes of this program.
+/// Serialises a mesh, or the reason why there is none, for transfer between two processes.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace castaway::testbed {
 /// Why a mesh could not be read.
 struct MeshFailure {
   std::string text;
-  bool too_large = false;  ///< std::length_error
+  bool too_large = false;  ///< The exception was a std::length_error.
 };
 
 using MeshAnswer = std::variant<sim::TriangleMesh, MeshFailure>;
 
 std::string to_bytes(const MeshAnswer& answer);
-/// Nothing if the bytes are no whole answer.
+/// Returns nothing if the bytes are incomplete.
 std::optional<MeshAnswer> mesh_answer(std::string_view bytes);
 
 }  // namespace castaway::testbed

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMostSeeds = 100'000;
 
-std::optional<std::uint64_t> whole(std::string_view text) {
+std::optional<std::uint64_t> parse_integer(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -28,12 +28,12 @@ std::optional<std::uint64_t> whole(std::string_view text) {
 SeedRange parse_seeds(const std::string& text, std::uint64_t base) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) {
-    const auto count = whole(text);
+    const auto count = parse_integer(text);
     if (!count || *count < 1 || *count > kMostSeeds) refuse(text);
     return {base, static_cast<int>(*count)};
   }
-  const auto first = whole(std::string_view(text).substr(0, dots));
-  const auto last = whole(std::string_view(text).substr(dots + 2));
+  const auto first = parse_integer(std::string_view(text).substr(0, dots));
+  const auto last = parse_integer(std::string_view(text).substr(dots + 2));
   if (!first || !last || *last < *first || *last - *first >= kMostSeeds) refuse(text);
   return {*first, static_cast<int>(*last - *first + 1)};
 }

@@ -12,8 +12,8 @@ struct SeedRange {
   int count = 1;
 };
 
-/// Reads "20" (so many from `base` on) or "5..24" (both included). Throws std::invalid_argument; at
-/// most 100000 seeds.
+/// Parses "20" (so many seeds from `base` on) or "5..24" (both included). Throws
+/// std::invalid_argument, also for more than 100000 seeds.
 SeedRange parse_seeds(const std::string& text, std::uint64_t base);
 
 }  // namespace castaway::testbed

@@ -26,7 +26,7 @@ WorkerNotes::~WorkerNotes() {
 }
 
 void WorkerNotes::leave(const std::string& line) const {
-  constexpr std::size_t kLongest = 4000;  // What a pipe takes in one piece is 4096 bytes.
+  constexpr std::size_t kLongest = 4000;  // Writes to a pipe are atomic up to 4096 bytes.
   std::string text = line.substr(0, kLongest);
   for (char& c : text) c = c == '\n' ? ' ' : c;
   text += '\n';

@@ -1,4 +1,4 @@
-/// What workers have to say to the process that started them.
+/// Messages from workers to the process that started them.
 #pragma once
 
 #include <string>
@@ -6,18 +6,19 @@
 
 namespace castaway::testbed {
 
-/// A pipe of lines. It is made before the workers are, who inherit it.
+/// A pipe of lines. Create it before the workers, which inherit it.
 class WorkerNotes {
  public:
-  /// Throws std::runtime_error if no pipe is to be had.
+  /// Throws std::runtime_error if no pipe can be created.
   WorkerNotes();
   ~WorkerNotes();
   WorkerNotes(const WorkerNotes&) = delete;
   WorkerNotes& operator=(const WorkerNotes&) = delete;
 
-  /// Leaves a line, cut to 4000 bytes, line feeds as spaces. Lines of several workers do not mix.
+  /// Sends a line, cut to 4000 bytes, with line feeds replaced by spaces. Lines of several workers
+  /// never interleave.
   void leave(const std::string& line) const;
-  /// The lines left since the last call, without waiting for more.
+  /// Lines that arrived since the last call; does not wait for more.
   [[nodiscard]] std::vector<std::string> take();
 
  private:

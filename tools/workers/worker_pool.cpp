@@ -30,8 +30,8 @@ int done_by(const Job& job, int index) {
   }
 }
 
-pid_t started(const Job& job, int index) {
-  std::fflush(nullptr);  // What is buffered would be written twice.
+pid_t start_job(const Job& job, int index) {
+  std::fflush(nullptr);  // Buffered output would be written twice.
   const pid_t parent = getpid();
   const pid_t process = fork();
   if (process < 0) {
@@ -41,13 +41,13 @@ pid_t started(const Job& job, int index) {
   if (process > 0) return process;
   begin_as_worker();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // It died before it could be asked to take this one along.
+  if (getppid() != parent) _exit(1);  // The parent ended before PR_SET_PDEATHSIG took effect.
   const int code = done_by(job, index);
   std::fflush(nullptr);
   _exit(code);
 }
 
-/// Asks all to stop and waits until they have put their things in order.
+/// Sends SIGTERM to all workers and waits until they have cleaned up and ended.
 void stop_all(const std::map<pid_t, int>& running) {
   for (const auto& [process, index] : running) kill(process, SIGTERM);
   for (const auto& [process, index] : running) {
@@ -68,7 +68,7 @@ void run_jobs(int count, int workers, const Job& job,
   while (next < count || !running.empty()) {
     if (stopped && stopped()) count = next;
     while (next < count && static_cast<int>(running.size()) < workers) {
-      running.emplace(started(job, next), next);
+      running.emplace(start_job(job, next), next);
       ++next;
     }
     if (running.empty()) return;

@@ -11,7 +11,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Likes poses far to the right.
+/// Prefers poses far to the right.
 struct Rightwards {
   double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {
     return T_map_base.x * static_cast<double>(points.size());
@@ -27,7 +27,7 @@ TEST(Correct, AddsTheLogLikelihoodOfEveryParticle) {
   EXPECT_DOUBLE_EQ(particles.log_weights[1], -7.0);
 }
 
-/// A map that is not planar: nothing but a beam under the ceiling, above x = 4 m, from 2 m up.
+/// A map that is not planar: only a beam under the ceiling, above x = 4 m, from 2 m up.
 struct CeilingBeam {
   double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {
     const Eigen::Isometry3d T = to_se3(T_map_base);
@@ -41,8 +41,8 @@ struct CeilingBeam {
 };
 
 TEST(Correct, WeighsByAMapThatIsNotPlanar) {
-  // A lidar 0.5 m above base that looks up by 45 degrees meets the beam at its edge when base is
-  // 1.5 m before it: 1.5 m ahead, 1.5 m up.
+  // A lidar 0.5 m above base that looks up by 45 degrees hits the beam's edge if base is 1.5 m in
+  // front of it: 1.5 m ahead, 1.5 m up.
   LaserScan scan;
   scan.angle_min = 0.0;
   scan.angle_increment = 0.1;

@@ -44,7 +44,7 @@ TEST(KldResample, NeverDrawsWhatHasNoWeight) {
 TEST(KldResample, StopsWhenThereAreMoreThanTheBinsNeed) {
   Rng rng = substream(3, "kld_resample");
   // Two bins: b = 2 / 9, n = 1 / 0.1 * (1 - 0.2222 + 0.4714 * 0.99)^3 = 10 * 1.2445^3 = 19.3; AMCL
-  // stops at the first count beyond.
+  // stops at the first count above.
   const KldConfig config{.min_particles = 1, .max_particles = 2000};
   EXPECT_EQ(kld_resample(two_places(0.0, 0.0), config, kAnywhere, 0.0, rng).size(), 21U);
   EXPECT_EQ(kld_resample(two_places(0.0, 0.0), {}, kAnywhere, 0.0, rng).size(), 501U);

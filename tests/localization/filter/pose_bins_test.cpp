@@ -26,7 +26,7 @@ TEST(KldLimit, StaysWithinItsBounds) {
 
 TEST(HeaviestCluster, JoinsBinsThatTouchAndWeighsThem) {
   ParticleSet particles;
-  // Two bins that touch at a corner, and a lonely, lighter one with more particles.
+  // Two bins that share a corner, and an isolated, lighter one with more particles.
   particles.poses = {
       {0.4, 0.4, 0.05}, {0.6, 0.6, 0.05}, {5, 5, 0.05}, {5.1, 5, 0.05}, {5, 5.1, 0.05}};
   particles.log_weights = {std::log(3.0), std::log(3.0), std::log(1.0), std::log(1.0),

@@ -27,7 +27,7 @@ TEST(Reseed, KeepsTheWinnersAndDropsTheLosers) {
 
 TEST(Reseed, DrawsTheRestAroundTheWinner) {
   ParticleSet particles = line(4);
-  particles.log_weights = {-100.0, 0.0, 0.0, -100.0};  // half of them carry the weight
+  particles.log_weights = {-100.0, 0.0, 0.0, -100.0};  // half of them have all the weight
   Rng rng = substream(1, "reseed");
   const PoseGaussian winner({7.0, 0.0, 0.0}, Eigen::Matrix3d::Zero());
   const ParticleSet next = reseed(particles, 10, winner, rng);

@@ -17,7 +17,7 @@ class CreateTest : public testing::Test {
   CreateContext context() const {
     return {config_, merge_, posterior_, noise_, endpoint_, evidence_};
   }
-  /// Five scans 0.3 m apart along `heading`, the newest at `last`, nothing listed before.
+  /// Five scans 0.3 m apart along `heading`, the newest at `last`; no places were listed before.
   ScanHistory drive_to(const SE2& last) const {
     ScanHistory history;
     for (int k = 0; k < 5; ++k) {
@@ -55,14 +55,14 @@ TEST_F(CreateTest, CountsTheWholeHistoryOfARightPlace) {
   const SE2 last{4.5, 3.0, 0.0};
   const ScanHistory history = drive_to(last);
   WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
-  // All five scans fit: listed since the first one, whose unlisted mass was 0.
+  // All five scans fit, so it counts as listed since the first one, whose unlisted mass was 0.
   const double weight = weigh_backwards(context(), history, place);
   EXPECT_GT(weight, posterior_.place + 5 * -1.5);
   EXPECT_LE(weight, posterior_.place);
 }
 
 TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
-  // The first three scans come from elsewhere: what was unlisted before the fourth counts.
+  // The first three scans were taken elsewhere, so the unlisted mass before the fourth one counts.
   ScanHistory history = drive_to({4.5, 3.0, 0.0});
   for (std::size_t k = 0; k < 3; ++k) history[k].points = scan_from({8.0, 6.5, 2.0});
   const SE2 last{4.5, 3.0, 0.0};
@@ -76,7 +76,7 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
   ScanHistory history = drive_to({4.5, 3.0, 0.0});
   const SE2 last{4.5, 3.0, 0.0};
   const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
-  // All mass was listed elsewhere.
+  // All mass was listed, in other places.
   for (ScanMemory& scan : history) {
     scan.listed_before = 0.0;
     scan.unlisted_before = -50.0;
@@ -126,16 +126,16 @@ TEST_F(CreateTest, ListsNewPlacesUnlessTheyAreKnownOrFarBehind) {
     return new_places(context(), history, all, 14.0, {right, wrong});
   };
   const auto none_before = listed({});
-  ASSERT_EQ(none_before.size(), 1U);  // the wrong one is far behind the right one
+  ASSERT_EQ(none_before.size(), 1U);  // the wrong place is far behind the right one
   EXPECT_EQ(none_before[0].T_map_base, last);
   EXPECT_EQ(none_before[0].log_weight, weigh_backwards(context(), history, right));
   Hypothesis there;
   there.belief.mean = last * SE2{0.1, 0.0, 0.0};
   there.log_likelihood = newest.log_likelihood - 0.5;
   there.log_weight = -20.0;
-  EXPECT_TRUE(listed({there}).empty());  // known; the wrong one is behind it
+  EXPECT_TRUE(listed({there}).empty());  // already known; the wrong place is behind it
   there.log_likelihood = newest.log_likelihood - 1.5;
-  EXPECT_EQ(listed({there}).size(), 1U);  // the place fits better than its population
+  EXPECT_EQ(listed({there}).size(), 1U);  // the place fits better than the population there
   there.log_weight = 10.0;
   EXPECT_TRUE(listed({there}).empty());
 }

@@ -47,7 +47,7 @@ TEST(LostAndFound, LetsAJumpThatNoKidnapExplainsProveItself) {
   EXPECT_TRUE(alarm.is_lost());
   alarm.take({true, true, 1.0}, kNoCue, SE2{5.9, 0.0, 0.0});
   EXPECT_TRUE(alarm.is_lost());
-  alarm.take({true, true, 1.0}, kNoCue, SE2{6.0, 0.0, 0.0});  // 5 m on
+  alarm.take({true, true, 1.0}, kNoCue, SE2{6.0, 0.0, 0.0});  // 5 m later
   EXPECT_FALSE(alarm.is_lost());
 }
 
@@ -69,7 +69,7 @@ TEST(LostAndFound, ForgetsAJumpWithItsMotionOrItsExplanation) {
   alarm.take({true, true, 1.0}, kNoCue, SE2{});
   EXPECT_FALSE(alarm.is_lost());
   alarm.take({false, true, 1.0}, kNoCue, SE2{});
-  alarm.take({false, true, 1.0}, kCue, SE2{});  // carried off after that
+  alarm.take({false, true, 1.0}, kCue, SE2{});  // kidnapped after that
   EXPECT_FALSE(alarm.is_lost());
 }
 

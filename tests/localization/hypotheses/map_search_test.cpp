@@ -54,7 +54,7 @@ TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
   expected.merge(poses(matcher_.match(farthest(points_, create_.far_share))));
   const auto candidates = found(points_, SearchDepth::kUsual);
   EXPECT_EQ(poses(candidates), expected);
-  EXPECT_EQ(candidates.size(), expected.size());  // each of them once
+  EXPECT_EQ(candidates.size(), expected.size());  // without duplicates
 }
 
 TEST_F(MapSearchTest, FindsByFarPointsWhatPeopleHide) {
@@ -118,7 +118,7 @@ TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingFits) {
   EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
 }
 
-/// Scans without people and the usual number of candidates.
+/// Scans without people, and the default number of candidates.
 class PlaceSearchTest : public MapSearchTest {
  protected:
   PlaceSearchTest() {
@@ -148,7 +148,7 @@ TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
 }
 
 TEST_F(PlaceSearchTest, LooksDeeperOnceWhereNothingFits) {
-  create_.deep_below = 1.0;  // nothing fits so well
+  create_.deep_below = 1.0;  // no score reaches it
   PlaceSearch search(matcher_, 1 << 30);
   ASSERT_TRUE(search.step(context(), points_, {}));
   EXPECT_TRUE(search.is_pending());

@@ -9,7 +9,7 @@ MatchOccasion at(double time_s, const SE2& T_odom_base = {}) {
   return {from_seconds(time_s), T_odom_base, 0, false, false};
 }
 
-/// A schedule that has searched twice since the alarm, last at 1 s and the origin of odometry.
+/// A schedule that has searched twice since the alarm, last at 1 s and at the origin of odometry.
 MatchSchedule after_two(bool changed) {
   MatchSchedule schedule{MatchScheduleConfig{}};
   for (const double time_s : {0.9, 1.0}) {
@@ -79,7 +79,7 @@ TEST(MatchSchedule, RestsWhileConfidentUnlessTheOutputWasRescued) {
   sure.output_id = 2;
   EXPECT_FALSE(schedule.is_due(sure));
   sure.output_id = 3;
-  schedule.begin(from_seconds(1.0), {}, true);  // then it has been looked for
+  schedule.begin(from_seconds(1.0), {}, true);  // the search has been done
   EXPECT_FALSE(schedule.is_due(sure));
 }
 
@@ -96,7 +96,7 @@ TEST(MatchSchedule, SearchesAtOnceAfterAnAlarmAClockSetBackOrAStart) {
   EXPECT_TRUE(started.is_due(at(0.1)));
   MatchOccasion sure = at(0.1);
   sure.confident = true;
-  EXPECT_FALSE(started.is_due(sure));  // the rescue is forgotten
+  EXPECT_FALSE(started.is_due(sure));  // the rescue was discarded
 }
 
 }  // namespace

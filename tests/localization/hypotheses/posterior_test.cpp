@@ -64,7 +64,7 @@ TEST_F(PosteriorTest, RemembersTheMassesBeforeTheScan) {
 
 TEST_F(PosteriorTest, StartsWithTheUserMostlyRight) {
   const std::vector<Hypothesis> one = {at(0, here_, 0.0)};
-  EXPECT_NEAR(posterior_.shares(one)[0], 0.5, 1e-12);  // as likely as anywhere else
+  EXPECT_NEAR(posterior_.shares(one)[0], 0.5, 1e-12);  // as likely as any other place
   posterior_.start(true);
   EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + std::exp(-6.0)), 1e-12);
 }

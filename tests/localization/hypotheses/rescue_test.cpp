@@ -42,8 +42,8 @@ TEST_F(RescueTest, FindsWhereTheRobotSlippedTo) {
   const auto place = find(slipped_, -1.0);
   ASSERT_TRUE(place);
   EXPECT_LT(distance(place->T_map_base, truth_), 0.05);
-  EXPECT_EQ(place->log_weight, -16.0);            // the output's less 14
-  EXPECT_EQ(place->newest.log_likelihood, -4.0);  // the output's of the scan before
+  EXPECT_EQ(place->log_weight, -16.0);            // that of the output minus 14
+  EXPECT_EQ(place->newest.log_likelihood, -4.0);  // that of the output at the previous scan
   EXPECT_EQ(place->newest.quality, 0.7);
 }
 

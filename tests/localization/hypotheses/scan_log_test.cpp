@@ -36,7 +36,7 @@ TEST_F(ScanLogTest, SaysHowMuchOfAScanIsNew) {
 
 TEST_F(ScanLogTest, LetsTheCueOfAKidnapFadeByANatPerNewScan) {
   EXPECT_EQ(log_.add(here_, {}, 0.0, 0.0).kidnap_cue, 0.0);
-  const double cue = log_.add(elsewhere_, {}, 0.0, 0.0).kidnap_cue;  // carried off
+  const double cue = log_.add(elsewhere_, {}, 0.0, 0.0).kidnap_cue;  // kidnapped
   ASSERT_GT(cue, 0.5);
   EXPECT_EQ(log_.recent_cue(), cue);
   ASSERT_LT(log_.add(elsewhere_, {}, 0.0, 0.0).kidnap_cue, 0.0);

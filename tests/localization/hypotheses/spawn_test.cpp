@@ -18,8 +18,8 @@ TEST(Spawner, AddsTheLeastSpreadAndTakesWhatItIsTold) {
   EXPECT_EQ(h.log_weight, -7.0);
   EXPECT_EQ(h.log_likelihood, -3.0);
   EXPECT_EQ(h.quality, 0.6);
-  ASSERT_EQ(h.particles.size(), 200U);  // spread by more than `wide_spread`
-  // sigma / sqrt(n), four of them
+  ASSERT_EQ(h.particles.size(), 200U);  // spread exceeds `wide_spread`
+  // 4 sigma / sqrt(n)
   EXPECT_NEAR(moments(h.particles).mean.x, 1.0, 4.0 * 0.5 / std::sqrt(200.0));
   EXPECT_NEAR(moments(h.particles).mean.y, 2.0, 4.0 * 0.3 / std::sqrt(200.0));
 }

@@ -69,7 +69,7 @@ TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {
   Unlisted unlisted{0.0, -3.0, 2.0};
   learn_usual({}, -1.0, 0.5, unlisted);
   EXPECT_DOUBLE_EQ(unlisted.usual, -2.9);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // It was two nats off.
+  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // Because the output was off by two nats.
   learn_usual({}, -2.9, 0.5, unlisted);
   EXPECT_DOUBLE_EQ(unlisted.spread, 1.9);
 }
@@ -78,7 +78,7 @@ TEST(LearnUsual, LetsOneOddScanCountForLittleOfTheSpread) {
   Unlisted unlisted{0.0, -1.0, 1.0};
   learn_usual({}, -21.0, 1.0, unlisted);
   EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if it had been 2.5 nats off.
+  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if the output had been off by 2.5 nats.
 }
 
 TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
@@ -87,7 +87,7 @@ TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
   EXPECT_DOUBLE_EQ(unlisted.log_weight, -20.0);
   doubt_output({}, -24.1, -1.0, unlisted);
   EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
-  doubt_output({}, -25.0, -3.0, unlisted);  // It never speaks for the output.
+  doubt_output({}, -25.0, -3.0, unlisted);  // It never supports the output.
   EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
 }
 
@@ -104,7 +104,7 @@ TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
   Unlisted unlisted{0.0, -2.0};
   bound_unlisted({}, -2.0, -15.0, unlisted);
   EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
-  // Less than that already: nothing changes.
+  // Already smaller: nothing changes.
   bound_unlisted({}, -20.0, -15.0, unlisted);
   EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
 }

@@ -22,7 +22,7 @@ TEST(GridFrame, FloorsToCellsAlsoBelowZero) {
 }
 
 TEST(OccupancyGrid, HonoursTheYawOfItsOrigin) {
-  // Turned by +90 deg about (10, 20): the grid's columns run along map's +y.
+  // Rotated by +90 deg about (10, 20): the grid's columns run along map's +y.
   const OccupancyGrid grid =
       test::string_map({"..#", "#.."}, 1.0, {10.0, 20.0, std::numbers::pi / 2});
   EXPECT_EQ(grid.at({9.5, 20.5}), CellState::kOccupied);  // column 0, row 0

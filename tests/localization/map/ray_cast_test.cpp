@@ -28,9 +28,9 @@ TEST(CastRay, EndsAtTheBorderOfTheFirstWall) {
 }
 
 TEST(CastRay, CrossesCellsAtTheirBorders) {
-  // From (1.5, 0.25) along (2, 3): x = 3 is reached at y = 2.5, which is in the wall's side.
+  // From (1.5, 0.25) along (2, 3): x = 3 is reached at y = 2.5, in the side of the wall.
   EXPECT_NEAR(cast_ray(kRoom, {1.5, 0.25}, towards(2.0, 3.0), 10.0), std::hypot(1.5, 2.25), 1e-12);
-  // Steeper, it comes to y = 3 at x = 2.6 and passes.
+  // A steeper ray reaches y = 3 at x = 2.6 and passes.
   EXPECT_NEAR(cast_ray(kRoom, {1.5, 0.25}, towards(1.1, 2.75), 10.0), std::hypot(1.5, 3.75), 1e-12);
 }
 

@@ -15,8 +15,8 @@ TEST(BestPlaces, KeepsTheBestOfEveryBin) {
   BestPlaces best = nothing(10);
   best.offer({0, 0, 0, 5});
   best.offer({3, 3, 2, 7});  // same bin
-  best.offer({4, 3, 2, 6});  // the next one in x
-  best.offer({3, 3, 3, 4});  // the next one in yaw
+  best.offer({4, 3, 2, 6});  // next bin in x
+  best.offer({3, 3, 3, 4});  // next bin in yaw
   const std::vector<Place> expected{{3, 3, 2, 7}, {4, 3, 2, 6}, {3, 3, 3, 4}};
   EXPECT_EQ(best.list(), expected);
 }

@@ -14,7 +14,7 @@ struct Lists {
   std::vector<Place> exhaustive, bounded;
 };
 
-/// Both searches of one scan for the best `count` places.
+/// Searches for the best `count` places of one scan with both algorithms.
 Lists search(const test::SearchedMap& map, const ScanPoints& points, int count,
              const std::optional<MatchWindow>& window = {}) {
   const SearchSpace space = map.space(window);
@@ -73,7 +73,7 @@ TEST(BranchAndBound, ListsTheSameWhereEverythingTies) {
   EXPECT_EQ(lists.exhaustive, lists.bounded);
 }
 
-/// Highest score of the free cells that a node covers.
+/// Highest score of the free cells in a node.
 int best_below(const test::SearchedMap& map, const std::vector<CellOffset>& scan, int column,
                int row, int edge) {
   int best = 0;

@@ -13,7 +13,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Best score of all places, one look-up at a time.
+/// Best score of all places, by naive lookups.
 double naive_best(const OccupancyGrid& grid, const DistanceField& distances,
                   const MatcherConfig& config, const ScanPoints& points) {
   const ByteField field(grid, distances, config.field);

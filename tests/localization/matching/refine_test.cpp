@@ -20,7 +20,8 @@ TEST_F(RefineTest, ClimbsToTheTruePose) {
   const SE2 truth{3.02, 3.04, 0.4};
   const SE2 start{3.12, 2.94, 0.43};
   const SE2 found = refine_pose(model_, scan_from(truth), start, std::nullopt, {});
-  EXPECT_LT(distance(found, truth), 0.05);  // walls lie half a cell before the centres
+  EXPECT_LT(distance(found, truth), 0.05);  // the surface of a wall is half a cell in front of its
+                                            // cells' centres
   EXPECT_LT(yaw_distance(found, truth), 0.01);
 }
 
@@ -47,7 +48,7 @@ TEST_F(RefineTest, KeepsTheStartWhereTheScoreIsFlat) {
 }
 
 TEST(ScanInformation, KnowsNothingAlongAWall) {
-  // A wall along x: the scan fixes y and yaw, but not x.
+  // A wall along x: the scan determines y and yaw, but not x.
   std::vector<std::string> rows(60, std::string(200, '.'));
   rows[20] = std::string(200, '#');
   const OccupancyGrid grid = test::string_map(rows, 0.05);

@@ -7,7 +7,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Every free place of a space, one look-up at a time.
+/// Scores every free place of a search space by naive lookups.
 BestPlaces naive_search(const test::SearchedMap& map, const SearchSpace& space,
                         const std::vector<std::vector<CellOffset>>& scans, int count) {
   BestPlaces best = map.best_places(count);

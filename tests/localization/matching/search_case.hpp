@@ -1,4 +1,4 @@
-/// Random maps and scans for tests of searches, small enough to be searched by naive loops.
+/// Random maps and scans for tests of searches, small enough for naive loops.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace castaway::test {
 
 using namespace localization;  // test support of one library
 
-/// A number in [low, high), in steps of a thousandth of the span.
+/// A number in [low, high), a multiple of a thousandth of the span.
 inline double uniform(double low, double high, Rng& rng) {
   return low + (high - low) * static_cast<double>(rng() % 1000) / 1000.0;
 }
@@ -33,14 +33,14 @@ inline OccupancyGrid random_room(Rng& rng) {
   return grid;
 }
 
-/// What a room is seen like from a pose, in base coordinates.
+/// A scan in base coordinates, taken in a room at a pose.
 inline ScanPoints scan_from(const OccupancyGrid& grid, const SE2& pose, int beams) {
   TransformBuffer buffer;
   buffer.add(Stamp(0), {});
   return *project_scan(scan_at(grid, pose, Stamp(0), beams), buffer, Stamp(0), {});
 }
 
-/// One map conditioned for searching.
+/// A map prepared for searching.
 struct SearchedMap {
   static constexpr int kYaws = 40;
   static constexpr int kPoints = 24;
@@ -69,12 +69,12 @@ struct SearchedMap {
   Pyramid pyramid;
 };
 
-/// The byte under a cell, off the map 0.
+/// Value of a cell; 0 outside the map.
 inline int byte_at(const ByteField& field, int column, int row) {
   return field.frame().contains({column, row}) ? *field.cell(column, row) : 0;
 }
 
-/// Score of a place, one look-up at a time.
+/// Score of a place, by naive lookups.
 inline int naive_score(const ByteField& field, const std::vector<CellOffset>& scan, int column,
                        int row) {
   int sum = 0;

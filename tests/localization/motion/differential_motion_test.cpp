@@ -40,7 +40,7 @@ TEST(DifferentialMotion, HasVariancesOfBothTurnsAndTheWay) {
 }
 
 TEST(DifferentialMotion, CountsTheTurnAloneOfABackwardCurve) {
-  // rot1 = pi and rot2 = 0.2 - pi; for the noise they count as 0 and 0.2.
+  // rot1 = pi and rot2 = 0.2 - pi; in the noise model they count as 0 and 0.2.
   const DifferentialMotion motion({-1.0, 0.0, 0.2}, {0.1, 0.2, 0.3, 0.4});
   const auto& parts = motion.parts();
   EXPECT_NEAR(parts.rot2, 0.2 - kPi, 1e-12);

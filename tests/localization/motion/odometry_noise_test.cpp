@@ -37,7 +37,7 @@ TEST(OdometryMotion, HasTheCovarianceOfItsConfiguration) {
 }
 
 TEST(OdometryMotion, NoiseOfAPathDoesNotDependOnTheRate) {
-  // 1 m straight in 1 and in 50 steps, position noise only: the same spread.
+  // 1 m straight in 1 and in 50 steps with position noise only gives the same spread.
   const OdometryNoiseConfig noise{0.1, 0.0, 0.0, 0.0};
   constexpr int kCount = 4000;
   for (const int steps : {1, 50}) {

@@ -9,7 +9,7 @@
 namespace castaway::localization {
 namespace {
 
-// A wall half a metre ahead of the first particle; the second stands one cell farther on.
+// A wall 0.5 m ahead of the first particle; the second particle is one cell further ahead.
 const OccupancyGrid kGrid = test::string_map({"..........#........."}, 0.05);
 const ScanPoints kPoints{{0.5F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.5F}};
 

@@ -27,7 +27,7 @@ TEST(PaperMhAmcl, TracksFromAKnownStart) {
 
 TEST(PaperMhAmcl, FindsItselfWhereTheCascadesOrientationsAllow) {
   PaperMhAmcl localizer({}, test::office(), 1);
-  test::GridDrive drive(test::office(), kStart);  // yaw 0 is one of them
+  test::GridDrive drive(test::office(), kStart);  // its yaw of 0 is one of the headings
   drive.step(localizer, {});
   ASSERT_TRUE(localizer.estimate());
   EXPECT_LT(distance(localizer.estimate()->T_map_base, drive.truth()), 0.3);

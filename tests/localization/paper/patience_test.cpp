@@ -8,7 +8,7 @@ namespace {
 TEST(Patience, WaitsUntilAnotherHasBeenPreferredLongEnough) {
   Patience patience(0.5);
   EXPECT_EQ(patience.settle(1, 2, from_seconds(1.0)), 1);
-  EXPECT_EQ(patience.settle(1, 3, from_seconds(1.4)), 1);  // whichever it is
+  EXPECT_EQ(patience.settle(1, 3, from_seconds(1.4)), 1);  // independent of the id
   EXPECT_EQ(patience.settle(1, 2, from_seconds(1.5)), 2);
 }
 

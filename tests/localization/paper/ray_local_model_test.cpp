@@ -42,7 +42,7 @@ TEST(RayLocalModel, LooksNoFartherThanThreeSigma) {
 }
 
 TEST(RayLocalModel, FollowsTheRayNotTheNearestWall) {
-  // The wall runs beside the beam, one cell to its left: the ray never meets it.
+  // The wall runs along the beam, one cell to its left: the ray never hits it.
   const OccupancyGrid grid = test::string_map({"##########", "..........", ".........."}, 0.05);
   const RayLocalScore beside =
       RayLocalModel({0.05}, grid).evaluate(forward(0.3F), {0.025, 0.075, 0.0});
@@ -74,7 +74,7 @@ TEST(RayLocalModel, ClampsHitsOfAHigherPeak) {
   EXPECT_DOUBLE_EQ(hits(0.05, 0.60F), 1.0);  // two sigma: 1.08
   EXPECT_NEAR(hits(0.05, 0.35F), 0.0886, 1e-4);
   EXPECT_DOUBLE_EQ(hits(0.05, 0.30F), 0.0);
-  EXPECT_NEAR(hits(0.5, 0.5F), 0.7979, 1e-4);  // below 1 even on the wall
+  EXPECT_NEAR(hits(0.5, 0.5F), 0.7979, 1e-4);  // below 1 even at the wall
 }
 
 TEST(RayLocalModel, RefusesASigmaOfZero) {

@@ -9,7 +9,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Particles one metre apart, the later the heavier.
+/// Particles one metre apart with ascending weights.
 ParticleSet particles_in_line(int count) {
   ParticleSet particles;
   for (int i = 0; i < count; ++i) {
@@ -73,7 +73,7 @@ TEST(ReseedLosers, TakesWhatARuleSays) {
     return std::min<std::size_t>(loser + 1, 9);  // Ten particles.
   };
   const ParticleSet next = reseed_losers(config, particles_in_line(10), {wide, loser_itself}, rng);
-  ASSERT_EQ(next.size(), 13U);  // wide: more particles, though these are in a line
+  ASSERT_EQ(next.size(), 13U);  // spread wide: more particles, although these are on a line
   EXPECT_EQ(next.poses[1].x, 8.0);
   EXPECT_EQ(next.poses[2].x, 8.0);  // loser 0 from rank 1
   EXPECT_EQ(next.poses[3].x, 7.0);

@@ -20,14 +20,14 @@ double weight(const BeamScan& scan, double range_max) {
 
 TEST(BeamModel, AddsUpItsFourParts) {
   const BeamModel model({}, kMap);
-  // Right on the wall: hit 0.5 * exp(0) = 0.5, rand 0.5 / 10 = 0.05; not short of it.
+  // At the wall: hit 0.5 * exp(0) = 0.5, rand 0.5 / 10 = 0.05; not short.
   EXPECT_NEAR(model.return_probability(1.75, 1.75, 10.0), 0.55, 1e-12);
   // 0.4 m = 2 sigma before it: hit 0.5 * exp(-2) = 0.067668, short 0.05 * 0.1 * exp(-0.1 * 1.35) =
   // 0.004369, rand 0.05.
   EXPECT_NEAR(model.return_probability(1.35, 1.75, 10.0), 0.067668 + 0.004369 + 0.05, 1e-6);
   // As far behind it: the same without short.
   EXPECT_NEAR(model.return_probability(2.15, 1.75, 10.0), 0.067668 + 0.05, 1e-6);
-  // Nothing came back: max 0.05; hit is 0 with 8.25 m between, and 0.5 with the wall at the longest
+  // A miss: max is 0.05; hit is 0 if 8.25 m lie between, and 0.5 with the wall at the maximum
   // range.
   EXPECT_NEAR(model.miss_probability(1.75, 10.0), 0.05, 1e-12);
   EXPECT_NEAR(model.miss_probability(10.0, 10.0), 0.55, 1e-12);
@@ -41,13 +41,13 @@ TEST(BeamModel, WeighsByTheSumOfCubes) {
 }
 
 TEST(BeamModel, ExpectsTheLongestRangeWhereTheWallIsBeyondIt) {
-  // The lidar sees 1.5 m: nothing came back, as expected; hit 0.5 and max 0.05.
+  // The lidar's maximum range is 1.5 m: a miss, as expected; hit 0.5 and max 0.05.
   EXPECT_NEAR(weight({{}, test::forward_beams({1.5F})}, 1.5), 1.166375, 1e-6);
 }
 
 TEST(BeamModel, CastsFromTheLidarNotFromBase) {
   ScanPoints points = test::forward_beams({1.75F});
-  points.origin_x[0] = 0.5F;  // 1.25 m before the wall, where the beam ends
+  points.origin_x[0] = 0.5F;  // 1.25 m in front of the wall, where the beam ends
   points.range[0] = 1.25F;
   EXPECT_NEAR(weight({points, {}}, 10.0), 1.166375, 1e-6);
 }

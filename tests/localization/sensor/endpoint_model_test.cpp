@@ -11,7 +11,7 @@
 namespace castaway::localization {
 namespace {
 
-/// One wall cell, its centre at (0.35, 0.05).
+/// One wall cell with its centre at (0.35, 0.05).
 OccupancyGrid one_wall() { return test::string_map({"...#...."}, 0.1); }
 
 TEST(EndpointLogLikelihood, IsZeroOnAWallAndTheFloorFarAway) {
@@ -26,7 +26,7 @@ TEST(EndpointModel, AveragesBeamsAndCountsThemAsIndependent) {
   const EndpointConfig config{0.1, 0.05, 10.0};
   const EndpointModel model(config, DistanceField(one_wall(), 5.0));
   const SE2 pose{0.05, 0.05, 0.0};
-  const double near = std::log((std::exp(-0.5) + 0.05) / 1.05);  // 0.1 m short of the wall
+  const double near = std::log((std::exp(-0.5) + 0.05) / 1.05);  // 0.1 m in front of the wall
   EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F}), pose), 0.0, 1e-5);
   EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F, 0.2F}), pose), 10.0 * near / 2.0,
               1e-5);

@@ -76,7 +76,7 @@ TEST_F(EvidenceModelTest, ForgivesPeopleButNotBeamsThroughWalls) {
 TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
   const EvidenceConfig config;
   ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F},
-                 {0.0F}, {0.0F}, {0.0F}};  // an end point where base stands
+                 {0.0F}, {0.0F}, {0.0F}};  // an end point at the origin of base
   const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
   EXPECT_NEAR(on_wall, -12.0 * config.off_free_penalty, 1e-5);
 }

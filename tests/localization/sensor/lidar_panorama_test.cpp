@@ -31,7 +31,7 @@ TEST(LidarPanorama, IsTheScanItselfForOneLidar) {
 TEST(LidarPanorama, MovesPointsOfOtherLidarsToWhereBaseIsNow) {
   LidarPanorama panorama(milliseconds(250));
   panorama.add("rear", one_point(-3.0F, 0.0F, -0.2F), milliseconds(0), {});
-  // Base went 1 m ahead and turned left by a quarter.
+  // Base moved 1 m forward and turned left by 90 degrees.
   const SE2 now{1.0, 0.0, std::numbers::pi / 2.0};
   const ScanPoints all = panorama.add("front", one_point(2.0F, 0.0F, 0.2F), milliseconds(50), now);
   ASSERT_EQ(all.size(), 2U);

@@ -15,8 +15,8 @@ LikelihoodField wall_field() { return {{}, test::string_map({".....#...."}, 0.1)
 
 TEST(LikelihoodField, WeighsByTheSumOfCubes) {
   const SE2 pose{0.05, 0.05, 0.0};
-  // On the wall: pz = 0.5 + 0.5 / 10 = 0.55, cubed 0.166375. Two cells before it, d = 0.2 = sigma:
-  // pz = 0.5 * exp(-0.5) + 0.05 = 0.353265, cubed 0.044086.
+  // At the wall: pz = 0.5 + 0.5 / 10 = 0.55, cubed 0.166375. Two cells in front of it, d = 0.2 =
+  // sigma: pz = 0.5 * exp(-0.5) + 0.05 = 0.353265, cubed 0.044086.
   EXPECT_NEAR(wall_field().beam_probability(0.0, 10.0), 0.55, 1e-12);
   EXPECT_NEAR(wall_field().beam_probability(0.2, 10.0), 0.353265, 1e-6);
   EXPECT_NEAR(wall_field().weight(test::forward_beams({0.5F}), pose, 10.0), 1.166375, 1e-6);

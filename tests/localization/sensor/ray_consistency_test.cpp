@@ -38,7 +38,7 @@ TEST(RayConsistency, AllowsBeamsThatEndAtTheWallOrBefore) {
 }
 
 TEST(RayConsistency, AllowsAMarginBehindTheWall) {
-  EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.7F));  // 0.25 m behind its front
+  EXPECT_FALSE(through(corridor(), {0.55, 0.15, 0.0}, 1.7F));  // 0.25 m behind the wall's surface
   EXPECT_TRUE(through(corridor(), {0.55, 0.15, 0.0}, 1.9F));   // 0.45 m
 }
 

@@ -30,7 +30,7 @@ TEST_F(ScanAgreementTest, IsLowAfterAKidnap) {
 }
 
 TEST_F(ScanAgreementTest, DoesNotCountWhatOneScanHidesFromTheOther) {
-  // Somebody stands close in front of the second scan: its other beams agree as before.
+  // A person stands close in front of the second scan; its other beams agree as before.
   ScanPoints crowded = scan_from(pose_);
   for (std::size_t i = 0; i < crowded.size() / 4; ++i) {
     const float scale = 0.5F / crowded.range[i];
@@ -39,7 +39,8 @@ TEST_F(ScanAgreementTest, DoesNotCountWhatOneScanHidesFromTheOther) {
     crowded.range[i] = 0.5F;
   }
   const double share = scan_agreement({}, scan_from(pose_), crowded, {}).value();
-  // The near points are seen through (a quarter of one scan); what they hide counts for nothing.
+  // The rays pass the near points (a quarter of one scan); the points that they hide are not
+  // counted.
   EXPECT_NEAR(share, 1.5 / 1.75, 0.03);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Beams to the front and to the left, 2 m and 3 m long.
+/// Two beams, forward and to the left, of 2 m and 3 m.
 LaserScan two_beams() {
   LaserScan scan;
   scan.stamp = Stamp(0);
@@ -92,8 +92,8 @@ TEST(ProjectScan, SpreadsASelectionEvenly) {
 }
 
 TEST(ProjectScan, UndoesTheMotionDuringTheSweep) {
-  // Base moves 1 m forward and turns by 90 deg between the two beams; both see the point (2, 3) of
-  // odom.
+  // Base moves 1 m forward and rotates by 90 deg between the two beams; both hit the point (2, 3)
+  // in odom.
   TransformBuffer buffer;
   buffer.add(Stamp(0), {0.0, 3.0, 0.0});
   buffer.add(Stamp(100), {1.0, 3.0, kPi / 2});
@@ -106,7 +106,7 @@ TEST(ProjectScan, UndoesTheMotionDuringTheSweep) {
   expect_point(*points, 0, 0.0, -1.0);
   expect_point(*points, 1, 0.0, -1.0);
   EXPECT_NEAR(points->origin_y[0], 1.0,
-              1e-6);  // where base was at the first beam, seen from its last pose
+              1e-6);  // pose of base at the first beam, relative to the last pose
 }
 
 TEST(ProjectScan, GivesNothingWithoutOdometry) {

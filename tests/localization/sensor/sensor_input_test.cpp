@@ -22,7 +22,7 @@ LaserScan beam(Stamp stamp) {
 
 TEST(SensorInput, StepsFromTurnToTurn) {
   SensorInput input(config());
-  EXPECT_FALSE(input.take(Odometry{milliseconds(100), {1.0, 2.0, 0.5}}).step);  // nothing before it
+  EXPECT_FALSE(input.take(Odometry{milliseconds(100), {1.0, 2.0, 0.5}}).step);  // the first reading
   const SE2 u{0.3, 0.1, 0.2};
   const SE2 next = SE2{1.0, 2.0, 0.5} * u;
   EXPECT_FALSE(input.take(Odometry{milliseconds(150), {1.5, 2.0, 0.5}}).step);  // not due
@@ -52,11 +52,11 @@ TEST(SensorInput, BringsAScanToTheNewestOdometry) {
   EXPECT_EQ(turn->T_odom_base, (SE2{0.5, 0.0, 0.0}));
   EXPECT_TRUE(turn->counts);
   ASSERT_EQ(turn->points.size(), 1U);
-  EXPECT_NEAR(turn->points.x[0], 1.5, 1e-6);  // the robot has come 0.5 m nearer since
+  EXPECT_NEAR(turn->points.x[0], 1.5, 1e-6);  // the robot has moved 0.5 m forward since
   ASSERT_TRUE(turn->step);
   EXPECT_NEAR(turn->step->x, 0.5, 1e-12);
-  EXPECT_NEAR(input.T_now_base(milliseconds(100)).x, -0.5, 1e-12);  // base was behind
-  EXPECT_EQ(input.T_now_base(milliseconds(1)), SE2{});              // not known
+  EXPECT_NEAR(input.T_now_base(milliseconds(100)).x, -0.5, 1e-12);  // base was further back
+  EXPECT_EQ(input.T_now_base(milliseconds(1)), SE2{});              // unknown
 }
 
 TEST(SensorInput, CountsScansAtTheirRateIfTheySeeAnything) {
@@ -66,7 +66,8 @@ TEST(SensorInput, CountsScansAtTheirRateIfTheySeeAnything) {
   blind.ranges = {std::numeric_limits<float>::infinity()};
   EXPECT_FALSE(input.take(blind)->counts);
   input.take(Odometry{milliseconds(110), {}});
-  EXPECT_TRUE(input.take(beam(milliseconds(110)))->counts);  // the blind one took no turn
+  EXPECT_TRUE(input.take(beam(milliseconds(110)))->counts);  // the scan without returns took no
+                                                             // turn
   input.take(Odometry{milliseconds(200), {}});
   EXPECT_FALSE(input.take(beam(milliseconds(200)))->counts);
   input.take(Odometry{milliseconds(300), {}});
@@ -76,9 +77,9 @@ TEST(SensorInput, CountsScansAtTheirRateIfTheySeeAnything) {
 TEST(SensorInput, ReseedsWithScansThatCount) {
   SensorInput input(config());
   input.take(Odometry{milliseconds(1750), {}});
-  EXPECT_FALSE(input.take(beam(milliseconds(1750)))->reseeds);  // 1.8 s: a tenth early
+  EXPECT_FALSE(input.take(beam(milliseconds(1750)))->reseeds);  // 1.8 s, a tenth early
   input.take(Odometry{milliseconds(1850), {}});
-  EXPECT_FALSE(input.take(beam(milliseconds(1850)))->reseeds);  // it does not count
+  EXPECT_FALSE(input.take(beam(milliseconds(1850)))->reseeds);  // it is not counted
   input.take(Odometry{milliseconds(1950), {}});
   EXPECT_TRUE(input.take(beam(milliseconds(1950)))->reseeds);
   input.take(Odometry{milliseconds(2150), {}});
@@ -91,9 +92,10 @@ TEST(SensorInput, BeginsAnewWhereTheClockIsSetBack) {
   EXPECT_TRUE(input.take(beam(std::chrono::seconds(100)))->counts);
   const OdometryTurn turn = input.take(Odometry{milliseconds(100), {7.0, 0.0, 0.0}});
   EXPECT_TRUE(turn.restarted);
-  EXPECT_FALSE(turn.step);  // no step from the old motion to the new one
+  EXPECT_FALSE(turn.step);  // no step between the motions before and after the restart
   EXPECT_TRUE(input.take(beam(milliseconds(100)))->counts);
-  EXPECT_FALSE(input.take(Odometry{milliseconds(50), {}}).restarted);  // late, not set back
+  EXPECT_FALSE(input.take(Odometry{milliseconds(50), {}}).restarted);  // late, but the clock was
+                                                                       // not set back
 }
 
 }  // namespace

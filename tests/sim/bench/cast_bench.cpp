@@ -1,5 +1,5 @@
-// Rays a second: scans of 360 beams from random places in a hall of turned boxes with people, by
-// the scenes and by a loop over all shapes. cast_bench --benchmark_filter=Scan
+// Ray casts per second: scans of 360 beams from random places in a hall of rotated boxes and
+// people, by the scenes and by a loop over all shapes. Usage: cast_bench --benchmark_filter=Scan
 #include <cmath>
 #include <numbers>
 

@@ -1,6 +1,6 @@
-// Holds the casts against plain ones (support/plain_cast.hpp): random beams in a map's or a world's
-// stead from all over a hall of boxes, cylinders, balls, capsules and triangles with people.
-// cast_check [millions of beams]; exit code 1 if one is off by more than 0.1 mm.
+// Compares ray casts with plain ones (support/plain_cast.hpp): random beams in a hall of boxes,
+// cylinders, spheres, capsules, triangles and people. Usage: cast_check [millions of beams]; exit
+// code 1 if a range differs by more than 0.1 mm.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace castaway::sim;
 
-/// Boxes, and every other shape here and there.
+/// Boxes with some other shapes among them.
 std::vector<RayPrimitive> clutter(Rng& rng) {
   std::vector<RayPrimitive> primitives = ray_primitives(hall(40));
   for (int i = 0; i < 20; ++i) {

@@ -1,4 +1,4 @@
-/// Prints how fast the simulator is: rays a second, and simulated over real time. Not a test.
+/// Measures the simulator: rays per second, and simulated time over real time. Not a test.
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -81,7 +81,7 @@ void time_run(const char* name, SimulationConfig config) {
               static_cast<long>(simulation.collisions()));
 }
 
-/// A map of 60 m x 60 m at 5 cm, as noisy as real ones: rooms, and specks.
+/// A map of 60 m x 60 m at 5 cm with rooms and the specks of a real map.
 Grid big_map() {
   Rng rng(3);
   Grid grid = make_grid(1200, 1200, 0.05, {-30.0, -30.0}, Cell::kFree);

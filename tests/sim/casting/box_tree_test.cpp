@@ -22,7 +22,7 @@ Boxes random_boxes(int count, double reach, Rng& rng) {
   return boxes;
 }
 
-/// Where a ray enters a box, in double precision; infinity if it does not.
+/// Distance at which a ray enters a box, in double precision; infinity if it misses.
 double entry(const Eigen::AlignedBox3d& box, const Ray& ray) {
   double enter = 0.0;
   double leave = std::numeric_limits<double>::infinity();
@@ -44,7 +44,8 @@ std::set<std::uint32_t> visited(const BoxTree& tree, const Ray& ray, double near
   return result;
 }
 
-/// The first box that is met within `nearest` but not visited; -1: none.
+/// The first box within `nearest` that the ray meets but the tree does not visit; -1 if there is
+/// none.
 int missed(const Boxes& boxes, const BoxTree& tree, const Ray& ray, double nearest) {
   const std::set<std::uint32_t> seen = visited(tree, ray, nearest);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {

@@ -58,7 +58,7 @@ TEST(RayNormals, CosineOfIncidenceOnAPersonsLeg) {
   body.count = 1;
   const MovingScene scene({body});
   EXPECT_NEAR(incidence_cosine(scene, 77, {{0.0, 0.0, 0.5}, Vector3d::UnitX()}), 1.0, 1e-12);
-  // Off the middle by half the radius: sine 0.5.
+  // Half the radius off the axis: the sine of the incidence is 0.5.
   EXPECT_NEAR(incidence_cosine(scene, 77, {{0.0, 0.05, 0.5}, Vector3d::UnitX()}), std::sqrt(0.75),
               1e-9);
   EXPECT_EQ(incidence_cosine(scene, 78, {{0.0, 0.0, 0.5}, Vector3d::UnitX()}), 1.0);

@@ -15,7 +15,7 @@ RayScene wall_at_three() {
   return RayScene(ray_primitives(world));
 }
 
-/// Somebody at x = 2.
+/// A person at x = 2.
 MovingScene somebody() {
   MovingBody body;
   body.object = kHitPerson + 5;

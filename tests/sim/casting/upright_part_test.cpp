@@ -36,7 +36,7 @@ TEST(UprightPart, FromInsideTheDistanceIsZero) {
   EXPECT_EQ(intersect(leg, {{1.0, 1.05, 0.2}, {0.6, 0.8, 0.0}}), 0.0);
 }
 
-/// Distance to the nearest of many planks around an ellipse: a polygon, seen from above.
+/// Distance to a polygon of many planks that approximates the ellipse, seen from above.
 double polygon_distance(const UprightPart& part, const Ray& ray, int sides) {
   const Eigen::Vector2d axis_y(-part.axis_x.y(), part.axis_x.x());
   const auto corner = [&](int i) {
@@ -87,7 +87,7 @@ TEST(UprightPart, EqualsThePlainFormulaInThreeDimensions) {
                              uniform(0.2, 1.8, rng));
     const double expected = plain_distance(part, towards(from, to));
     const double distance = intersect(part, towards(from, to));
-    if (std::isinf(expected) != std::isinf(distance)) continue;  // Grazes within rounding.
+    if (std::isinf(expected) != std::isinf(distance)) continue;  // Grazing within rounding errors.
     if (std::isinf(expected)) continue;
     ++hits;
     ASSERT_NEAR(distance, expected, 1e-6);

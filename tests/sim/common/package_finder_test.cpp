@@ -27,7 +27,8 @@ TEST_F(PackageFinderTest, FindsAncestorsNeighboursAndSearchPaths) {
   EXPECT_EQ(finder.find("near"), at("ws/near"));
   EXPECT_EQ(finder.find("deep_pkg"), at("far/repo/deep"));
   EXPECT_EQ(finder.find("plain"), at("far/plain"));
-  EXPECT_FALSE(finder.find("bare").has_value());  // A folder beside is no package by its name.
+  EXPECT_FALSE(finder.find("bare").has_value());  // A folder beside is not a package because of its
+                                                  // name.
   for (const char* name : {"", ".", "..", "../far", "etc", "/"}) {
     EXPECT_FALSE(finder.find(name).has_value()) << name;
   }

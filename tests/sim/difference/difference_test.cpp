@@ -15,7 +15,7 @@
 namespace castaway::sim {
 namespace {
 
-/// The test room with its table and shelf movable, a lamp on the table, and ten stools.
+/// The test room with movable table and shelf, a lamp on the table, and ten stools.
 WorldSpec furnished_room() {
   WorldSpec world = test_room();
   for (WorldObject& object : world.objects) {
@@ -167,8 +167,8 @@ TEST(Difference, DoorsCloseButNotAcrossARoute) {
   EXPECT_EQ(result.notes.size(), 1U);
 }
 
-/// A wall of a square room that stands 1 m further in than on the map: every beam that met it is
-/// shorter now, and no other one.
+/// A wall of a square room stands 1 m further inside than on the map: exactly the beams that hit it
+/// are shorter.
 TEST(ChangedBeams, CountsTheBeamsOnAWallThatMoved) {
   WorldSpec world;
   world.min_corner = {-5.1, -5.1};
@@ -182,11 +182,11 @@ TEST(ChangedBeams, CountsTheBeamsOnAWallThatMoved) {
   const Grid map = rasterise(world, 0.2, 0.05);
   const BeamChange change = changed_beams(world, map, {0.2, 20.0, 360});
   EXPECT_GT(change.places, 250);
-  // From a place the screen's angle is that of the wall behind it seen through a frame: a quarter
-  // on average over the square, less over the part that is left; between a fifth and a third.
+  // Seen from a place, the angle of the screen is that of the wall behind it through a frame: on
+  // average a quarter over the square, less in the remaining part, so between a fifth and a third.
   EXPECT_GT(change.share, 0.2);
   EXPECT_LT(change.share, 0.34);
-  EXPECT_NEAR(change.share, change.share_fine, 0.005);  // Grazing beams aside.
+  EXPECT_NEAR(change.share, change.share_fine, 0.005);  // Except for grazing beams.
 }
 
 }  // namespace

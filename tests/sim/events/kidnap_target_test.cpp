@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 using std::numbers::pi;
 
-/// 10 m x 5 m.
+/// A hall of 10 m x 5 m.
 const FreeSpace& hall() {
   static const FreeSpace space(make_grid(200, 100, 0.05, {0.0, 0.0}, Cell::kFree), 0.3);
   return space;
@@ -132,7 +132,7 @@ TEST(KidnapTarget, StaysWhereItSpins) {
   EXPECT_EQ(kidnap_target({.kind = KidnapKind::kSpin}, scene_at(from), rng)->T_map_base, from);
 }
 
-/// From (5, 2.5) the corners of the hall are farthest.
+/// The corners of the hall are the farthest places from (5, 2.5).
 TEST(KidnapTarget, TakesTheFarthestPlaceWhereNoneIsFarEnough) {
   for (const KidnapKind kind : {KidnapKind::kTeleportRandom, KidnapKind::kCarry}) {
     Rng rng(1);

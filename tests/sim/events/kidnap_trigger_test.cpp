@@ -11,8 +11,8 @@ namespace {
 
 using On = KidnapTrigger::On;
 
-/// Times at which a clock that is asked every 0.1 s up to `end` lets something happen; the robot
-/// drives 0.5 m/s.
+/// Times up to `end` at which a clock that is polled every 0.1 s triggers; the robot drives at 0.5
+/// m/s.
 std::vector<double> times_of(KidnapClock clock, double end) {
   std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(std::lround(end * 10.0)); ++i) {
@@ -50,7 +50,7 @@ TEST(KidnapClock, StaysDueUntilItHappens) {
 TEST(KidnapClock, PoissonGapsAreExponential) {
   const auto times = times_of({{On::kPoisson, 5.0, 0}, Rng(1)}, 50000.0);
   const auto count = static_cast<double>(times.size());
-  EXPECT_NEAR(count, 10000.0, 4.0 * std::sqrt(10000.0) + 0.02 * count);  // asked every 0.1 s
+  EXPECT_NEAR(count, 10000.0, 4.0 * std::sqrt(10000.0) + 0.02 * count);  // polled every 0.1 s
   double longer = 0.0;
   for (std::size_t i = 1; i < times.size(); ++i)
     longer += times[i] - times[i - 1] > 5.0 ? 1.0 : 0.0;

@@ -12,7 +12,7 @@ using std::chrono::milliseconds;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Eight beams, one every 45 degrees from -180.
+/// A lidar with eight beams, one every 45 degrees from -180 on.
 LidarConfig eight_beams(const std::string& name = "lidar") {
   LidarConfig config;
   config.name = name;
@@ -21,7 +21,7 @@ LidarConfig eight_beams(const std::string& name = "lidar") {
   return config;
 }
 
-/// A scan of one range.
+/// A scan whose ranges are all equal.
 Sweep sweep(int ms, float range) {
   Sweep result;
   result.reading.stamp = milliseconds(ms);
@@ -90,7 +90,7 @@ TEST(LidarFaults, ACoverAcrossTheBackWrapsRound) {
   FaultSpec spec = fault(FaultKind::kLidarBlocked);
   spec.from_deg = 130.0;
   spec.to_deg = -170.0;
-  spec.distance = 0.05;  // Nearer than the lidar sees.
+  spec.distance = 0.05;  // Below the lidar's minimum range.
   const auto passed = LidarFaults({spec}, eight_beams()).deliver(sweep(1500, 3.0F));
   EXPECT_EQ(passed->reading.ranges,
             (std::vector<float>{-kInfinity, 3.0F, 3.0F, 3.0F, 3.0F, 3.0F, 3.0F, -kInfinity}));

@@ -30,7 +30,7 @@ TEST(Lift, FollowsThePathAtItsHeightAndTurnsTheShortWay) {
   EXPECT_NEAR(half.translation().x(), 4.5, 1e-9);  // 3.5 of 7 m
   EXPECT_NEAR(half.translation().y(), 1.0, 1e-9);
   EXPECT_NEAR(half.translation().z(), 0.5, 1e-9);
-  EXPECT_NEAR(std::abs(to_planar(half).yaw), 3.14159265, 1e-6);  // from 3 on to -3 by way of pi
+  EXPECT_NEAR(std::abs(to_planar(half).yaw), 3.14159265, 1e-6);  // from 3 to -3 through pi
 }
 
 TEST(Lift, MovesWithoutJumps) {

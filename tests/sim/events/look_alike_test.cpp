@@ -76,7 +76,7 @@ TEST_F(LookAlikesTest, KeepTheirDistance) {
   }
 }
 
-/// The oracle: every free place on a grid of 0.25 m, every heading of 5 degrees.
+/// The oracle searches all free places on a grid of 0.25 m at headings every 5 degrees.
 TEST_F(LookAlikesTest, AreNoWorseThanTheBestOfAllPlaces) {
   LidarConfig lidar = level_lidar();
   lidar.T_base_laser.translation() = Eigen::Vector3d(0.1, -0.05, 0.2);  // off centre
@@ -101,7 +101,7 @@ TEST_F(LookAlikesTest, CompareOnlyWhatTheLidarLooksAt) {
   ahead.angle_increment = pi / 180.0;
   const LookAlikes narrow(scene_, free_, ahead);
   const LookAlikes wide(scene_, free_, level_lidar());
-  // Both look at the middle of the corridor's long wall; behind one is a door.
+  // Both face the middle of the corridor's long wall; behind one of them is a door.
   const Pose2 a{2.0, -0.6, -0.5 * pi};
   const Pose2 b{4.1, -0.6, -0.5 * pi};
   EXPECT_LT(narrow.unlikeness(a, b), 0.01);

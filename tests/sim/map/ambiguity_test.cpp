@@ -43,7 +43,7 @@ WorldSpec symmetric() {
 TEST(Ambiguity, IsHighWhereAWorldIsSymmetric) {
   const Ambiguity result = of_world(symmetric());
   EXPECT_GT(result.places, 25);
-  EXPECT_GT(result.twins, 0.85);  // In the very middle the twins are less than 2 m apart.
+  EXPECT_GT(result.twins, 0.85);  // At the centre, the twins are less than 2 m apart.
   EXPECT_GT(result.p90, 0.98);
 }
 
@@ -72,7 +72,7 @@ TEST(Ambiguity, FindsEqualRoomsInARow) {
         box_on_floor("d" + std::to_string(i), {1.2, 0.6, 1.0}, {x + 2.3, -2.2}));
   }
   const Ambiguity rooms = of_world(world);
-  EXPECT_GT(rooms.twins, 0.4);  // In the rooms, not in the corridor along them.
+  EXPECT_GT(rooms.twins, 0.4);  // In the rooms, but not in the corridor along them.
   EXPECT_GT(rooms.p90, 0.95);
 }
 
@@ -114,7 +114,8 @@ TEST(Places, AreSeenFrom) {
   EXPECT_NEAR(ranges[2], 2.5, 1e-6);
 }
 
-/// Above, below and across the beams: a table's top, a step, a ball, a ramp, a turned cylinder.
+/// Objects above, below and across the beams: a table top, a step, a sphere, a ramp, a rotated
+/// cylinder.
 TEST(LevelScene, ShowsWhatTheWholeWorldShows) {
   WorldSpec world = test_room();
   WorldObject top = box_on_floor("top", {1.0, 1.0, 0.1}, {-1.0, -1.0});

@@ -12,7 +12,7 @@
 namespace castaway::sim {
 namespace {
 
-/// The obvious way: cell by cell from the first of each component.
+/// Reference: flood fill from the first cell of each component.
 std::vector<int> flooded(const Grid& grid) {
   std::vector<int> labels(grid.cells.size(), -1);
   int next = 0;
@@ -48,7 +48,7 @@ TEST(Components, AreThoseOfAFlood) {
   }
 }
 
-/// Two arms that meet last, and a spiral.
+/// Two arms that join in the last row, and a spiral.
 TEST(Components, MeetLate) {
   EXPECT_EQ(Components(grid_from_art({".......",  //
                                       ".#####.",  //

@@ -10,7 +10,7 @@ namespace {
 
 using Reason = FreeChoice::Reason;
 
-/// White all round a house of two rooms.
+/// A house of two rooms surrounded by free space.
 const std::vector<std::string> kHouse{"....................",  //
                                       "....................",  //
                                       "..###############...",  //
@@ -55,7 +55,7 @@ TEST(ChooseFree, TakesTheNearestPartOfAStartBesideAWall) {
   EXPECT_EQ(choice.grid.at(13, 4), Cell::kFree);
 }
 
-/// Walls that a robot does not fit through hold it back, and so do gaps.
+/// The robot's size decides: gaps and openings that are too narrow for it separate regions.
 TEST(ChooseFree, GoesByWhatTheRobotFitsThrough) {
   std::vector<std::string> leaky = kHouse;
   for (std::size_t row = 3; row < 7; ++row) leaky[row].replace(12, 4, "####");
@@ -64,7 +64,7 @@ TEST(ChooseFree, GoesByWhatTheRobotFitsThrough) {
   EXPECT_TRUE(choose_free(grid_from_art(leaky), 0.1, std::nullopt).at_edge);
 }
 
-/// A corridor that the picture cuts off is not the outside.
+/// A corridor that the image cuts off is not the outside.
 TEST(ChooseFree, LeavesAMapThatIsCutOffAsItIs) {
   const Grid grid = grid_from_art({"##########",  //
                                    "..........",  //

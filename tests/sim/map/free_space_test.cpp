@@ -20,8 +20,8 @@ const std::vector<std::string> kTwoRooms{"############",  //
 TEST(FreeSpace, IsWhereADiscFitsInTheLargestRoom) {
   const FreeSpace free(grid_from_art(kTwoRooms), 0.6);
   EXPECT_TRUE(free.contains({3.5, 3.5}));
-  EXPECT_FALSE(free.contains({1.5, 3.5}));  // Too near to the wall.
-  EXPECT_FALSE(free.contains({9.5, 3.5}));  // The other room.
+  EXPECT_FALSE(free.contains({1.5, 3.5}));  // Too close to the wall.
+  EXPECT_FALSE(free.contains({9.5, 3.5}));  // In the other room.
   EXPECT_FALSE(free.contains({-5.0, 3.5}));
 }
 
@@ -30,7 +30,7 @@ TEST(FreeSpace, LeavesOutRoundObstacles) {
   const RoundObstacle pillar{{4.5, 4.5}, 1.0};
   const FreeSpace around = free.with_discs({&pillar, 1});
   EXPECT_FALSE(around.contains({4.5, 4.5}));
-  EXPECT_FALSE(around.contains({4.5, 2.5}));  // A cell's half edge of caution.
+  EXPECT_FALSE(around.contains({4.5, 2.5}));  // The margin includes half a cell edge.
   EXPECT_TRUE(around.contains({4.5, 1.5}));
   EXPECT_NEAR(around.clearance_at({4.5, 2.5}), 1.0, 1e-6);
   EXPECT_NEAR(around.clearance_at({1.5, 1.5}), free.clearance_at({1.5, 1.5}), 1e-6);

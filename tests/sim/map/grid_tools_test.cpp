@@ -32,7 +32,7 @@ TEST(GridTools, MeasuresDistancesByHand) {
   EXPECT_FLOAT_EQ(distance[flat_index(grid, {3, 2})], 0.0F);
   EXPECT_FLOAT_EQ(distance[flat_index(grid, {4, 3})], std::sqrt(2.0F));
   EXPECT_FLOAT_EQ(distance[flat_index(grid, {5, 2})], 2.0F);
-  EXPECT_FLOAT_EQ(distance[flat_index(grid, {0, 0})], 1.0F);  // The border is nearer.
+  EXPECT_FLOAT_EQ(distance[flat_index(grid, {0, 0})], 1.0F);  // The border is closer.
 }
 
 TEST(GridTools, DistancesEqualThoseOfADoubleLoop) {

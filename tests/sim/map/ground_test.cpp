@@ -20,7 +20,7 @@ WorldObject ramp(const std::string& name, double x, double yaw) {
   return object;
 }
 
-/// Up, over a deck of 3 m x 2 m, down again, along y = 3 from x = 3 to x = 10.
+/// A ramp up, a deck of 3 m x 2 m, and a ramp down, along y = 3 from x = 3 to x = 10.
 WorldSpec bridge() {
   WorldSpec world;
   world.name = "bridge";
@@ -45,7 +45,7 @@ TEST(Ground, IsAsHighAsItsSurfaces) {
   EXPECT_TRUE(ground_heights(test_room(), grid).empty());
 }
 
-/// A ramp is a way, its sides are none, and nobody is put down on it.
+/// A ramp can be driven along but not across its sides, and nobody is put down on it.
 TEST(Ground, LeadsUpTheRampAndNotOverItsEdges) {
   SimulationConfig config;
   config.world = bridge();

@@ -6,7 +6,7 @@
 namespace castaway::sim {
 namespace {
 
-/// What stands there: 1 m x 4 m about (30, 0).
+/// A wall of 1 m x 4 m centred at (30, 0).
 WorldSpec wall() {
   WorldSpec world;
   world.min_corner = {29.5, -2.0};
@@ -45,7 +45,7 @@ TEST(OpenGround, IsFifteenMetresAroundWithoutASize) {
 TEST(NearObstacles, AreThePlacesWithinFiveMetres) {
   Grid grid{300, 200, 0.1, {0.0, 0.0}, 0.0, {}};
   grid.cells.assign(300 * 200, Cell::kFree);
-  EXPECT_EQ(near_obstacles(grid).cells, grid.cells);  // Nothing stands there.
+  EXPECT_EQ(near_obstacles(grid).cells, grid.cells);  // The grid has no obstacles.
   grid.cells[100 * 300 + 150] = Cell::kOccupied;
   const Grid near = near_obstacles(grid);
   EXPECT_EQ(near.at(150, 100), Cell::kOccupied);

@@ -41,7 +41,8 @@ TEST(Rasterise, MarksCellsThatAreCutInPart) {
 }
 
 TEST(Rasterise, CutsATurnedBoxToADiamond) {
-  // A square of 2 m on its corner about (2.5, 2): half diagonal 1.414 m. It cuts off the right.
+  // A square of 2 m standing on its corner at (2.5, 2); half its diagonal is 1.414 m. It separates
+  // the right side.
   const WorldSpec world =
       world_with(box_on_floor("box", {2.0, 2.0, 0.5}, {2.5, 2.0}, 0.7853981633974483));
   EXPECT_EQ(art_of(rasterise(world, 0.2, 1.0)), (std::vector<std::string>{"..#??",  //

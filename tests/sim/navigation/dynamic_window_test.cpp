@@ -11,7 +11,7 @@ namespace {
 const DynamicWindowConfig kConfig{};
 const Twist2 kRolling{0.4, 0.0};
 
-/// A wall of points from `a` to `b`, 2 cm apart.
+/// Points from `a` to `b` every 2 cm.
 std::vector<Eigen::Vector2d> wall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   std::vector<Eigen::Vector2d> points;
   const int count = static_cast<int>((b - a).norm() / 0.02) + 1;
@@ -19,7 +19,7 @@ std::vector<Eigen::Vector2d> wall(const Eigen::Vector2d& a, const Eigen::Vector2
   return points;
 }
 
-/// The least distance between the disc of the robot and a point on 1.6 s of a velocity, finely.
+/// Least distance between the robot's disc and a point along 1.6 s at a velocity, in fine steps.
 double room_of(const Twist2& twist, const std::vector<Eigen::Vector2d>& points) {
   double room = 100.0;
   for (double t = 0.0; t <= kConfig.horizon; t += 0.01) {
@@ -71,21 +71,21 @@ TEST(DynamicWindow, StandsBeforeAWallThatFillsTheWay) {
 }
 
 TEST(DynamicWindow, ComesOffWhatIsTooNear) {
-  const auto points = wall({-0.26, -0.5}, {-0.26, 0.5});  // behind, within the margin
+  const auto points = wall({-0.26, -0.5}, {-0.26, 0.5});  // behind the robot, within the margin
   const auto twist = best_twist(kConfig, {}, {1.0, 0.0}, points);
   ASSERT_TRUE(twist);
   EXPECT_GT(twist->v, 0.0);
 }
 
 TEST(DynamicWindow, MeetsWhoMovesWhereTheyWillBe) {
-  const Mover crossing{{0.9, -1.2}, {0.0, 1.2}};  // in the way a second from now
+  const Mover crossing{{0.9, -1.2}, {0.0, 1.2}};  // blocks the way in a second
   const auto twist = best_twist(kConfig, kRolling, {2.0, 0.0}, {}, {crossing});
   ASSERT_TRUE(twist);
   for (double t = 0.0; t <= kConfig.horizon; t += 0.2) {
     const Eigen::Vector2d p = arc(twist->v * t, twist->w * t).position();
     EXPECT_GT((crossing.p + t * crossing.velocity - p).norm(), kConfig.radius + kMoverRadius) << t;
   }
-  const Mover leaving{{0.9, 0.0}, {0.0, 1.2}};  // in the way now, not then
+  const Mover leaving{{0.9, 0.0}, {0.0, 1.2}};  // blocks the way now, but not later
   const auto straight = best_twist(kConfig, kRolling, {2.0, 0.0}, {}, {leaving});
   EXPECT_NEAR(straight->v, 0.5, 1e-9);
 }

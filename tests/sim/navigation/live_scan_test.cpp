@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Four beams: ahead, left, behind, right of a laser in base.
+/// A lidar in base with four beams: forward, left, backward, right.
 LidarConfig cross() {
   LidarConfig lidar;
   lidar.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.2) * Eigen::Isometry3d::Identity();
@@ -51,7 +51,7 @@ TEST(LiveScan, LeavesOutWhatIsNoObstacle) {
   LidarConfig tilted = cross();
   tilted.T_base_laser.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
   live.on_scan(scan_at(milliseconds(0), {2.0F, 1.0F, 1.0F, 1.0F}), tilted);
-  EXPECT_EQ(live.p_base().size(), 3U);  // the one ahead ends at the floor
+  EXPECT_EQ(live.p_base().size(), 3U);  // the forward beam hits the floor
 }
 
 TEST(LiveScan, RemembersTheNewestScanOfEachLidar) {
@@ -65,7 +65,7 @@ TEST(LiveScan, RemembersTheNewestScanOfEachLidar) {
   EXPECT_EQ(live.p_base().size(), 2U);
 }
 
-/// A beam 60 degrees up ends half its range ahead.
+/// A beam 60 degrees up is projected to half its range.
 TEST(LiveScan, LaysTheBeamsOfLayersDown) {
   LidarConfig lidar = cross();
   lidar.beams = 1;
@@ -79,7 +79,7 @@ TEST(LiveScan, LaysTheBeamsOfLayersDown) {
   EXPECT_NEAR(points[1].x(), 0.5, 1e-6);
 }
 
-/// Each beam is taken from where the robot was when it was sent out.
+/// Each beam starts where the robot was when the beam was emitted.
 TEST(LiveScan, TakesEachBeamFromItsOwnPlace) {
   LiveScan live;
   for (int i = 0; i <= 4; ++i) {

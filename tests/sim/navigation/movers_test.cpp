@@ -16,8 +16,8 @@ using std::chrono::nanoseconds;
 
 constexpr milliseconds kScan(100);
 
-/// Two legs of somebody who walks with `v` and a metre a stride: one is planted while the other
-/// swings past it at twice the speed.
+/// Points of two legs of a person who walks with velocity `v` and a stride of a metre: one leg is
+/// planted while the other passes it at twice the speed.
 std::vector<SeenPoint> legs(const Eigen::Vector2d& middle, const Eigen::Vector2d& v,
                             nanoseconds stamp) {
   const double t = std::chrono::duration<double>(stamp).count();
@@ -43,7 +43,7 @@ TEST(Movers, HaveTheVelocityOfWhoWalks) {
   const auto seen = movers.extrapolate(stamp);
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_LT((seen[0].velocity - v).norm(), 0.15);
-  EXPECT_LT((seen[0].p - p).norm(), 0.1);  // Where they are now, a scan later.
+  EXPECT_LT((seen[0].p - p).norm(), 0.1);  // Their current position, one scan later.
 }
 
 TEST(Movers, KeepUpWithWhoSetsOffQuickly) {
@@ -85,7 +85,7 @@ TEST(Movers, AreToldApart) {
   EXPECT_NEAR(seen[1].velocity.x(), 1.0, 0.15);
 }
 
-/// Two abreast are two, however near their legs come to each other.
+/// Two people walking abreast are two movers, however close their legs come.
 TEST(Movers, WalkSideBySide) {
   Movers movers;
   nanoseconds stamp{};
@@ -111,7 +111,7 @@ TEST(Movers, AreCarriedOnWhileHiddenAndThenForgotten) {
   EXPECT_TRUE(movers.extrapolate(stamp + milliseconds(700)).empty());
 }
 
-/// Whatever is seen, there are no more people than points.
+/// There are never more people than points.
 TEST(Movers, AreNeverMoreThanWhatIsSeen) {
   Rng rng(5);
   Movers movers;

@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// The room, driven by the true pose in the place of an estimate; what was counted.
+/// Drives in the room with the true pose as estimate, and counts events.
 struct Drive {
   std::vector<std::string> events;
   double way = 0.0;
@@ -83,7 +83,7 @@ TEST(Navigator, StandsStillWithoutAPose) {
   EXPECT_EQ(navigator.command(std::nullopt).v, 0.0);
 }
 
-/// Something springs up right ahead of a robot at full speed.
+/// An obstacle appears directly in front of a robot at full speed.
 TEST(Navigator, StopsShortAndCountsIt) {
   const auto config = test_simulation();
   Navigator navigator(navigator_of(config.drive, config.robot), config.map);

@@ -11,7 +11,7 @@ namespace {
 
 const Lane kLane{{0.0, 0.0}, {1.5, 0.0}};
 
-/// A corridor along x with its middle at y = 0.
+/// A corridor along x, centred at y = 0.
 FreeSpace corridor(double half_width) {
   Grid grid;
   grid.resolution = 0.05;
@@ -68,8 +68,8 @@ TEST(PassingPace, IsFullWithNobodyAbout) {
   EXPECT_EQ(pace({coming(9.0, 0.0)}), 0.9);
 }
 
-/// Whoever walks straight at the robot finds it standing: braking from the pace takes v / a, and
-/// somebody at 1.3 m/s has not come as far by then.
+/// A robot that a person walks towards at 1.3 m/s has stopped before the person arrives: braking
+/// takes v / a.
 TEST(PassingPace, LetsTheRobotStandByTheTimeThatSomebodyIsThere) {
   for (const double gap : {1.5, 2.0, 3.0, 4.0}) {
     const double v = pace({coming(gap, 0.0)});
@@ -84,7 +84,7 @@ TEST(PassingPace, LetsTheRobotStandByTheTimeThatSomebodyIsThere) {
 TEST(PassingPace, FallsAsWhoIsBesideTheWayComesNearer) {
   EXPECT_NEAR(pace({coming(3.0, 1.0)}), 0.525, 1e-9);
   EXPECT_NEAR(pace({coming(1.0, 1.0)}), 0.2, 1e-9);
-  EXPECT_NEAR(pace({coming(3.0, 0.4)}, -0.5), 0.525, 1e-9);  // By where the robot drives.
+  EXPECT_NEAR(pace({coming(3.0, 0.4)}, -0.5), 0.525, 1e-9);  // By the robot's course.
   EXPECT_EQ(pace({coming(3.0, 1.4)}), 0.9);
   EXPECT_EQ(pace({coming(-1.0, 0.0)}), 0.9);
 }
@@ -102,7 +102,7 @@ TEST(PassingPace, LetsWhoOvertakesCutIn) {
 
 TEST(PassingPace, FollowsAtADistanceThatIsEnoughToStopIn) {
   EXPECT_EQ(pace({{{5.5, 0.0}, {1.4, 0.0}}}), 0.9);
-  EXPECT_LT(pace({{{3.0, 0.0}, {0.6, 0.0}}}), 0.7);  // They may turn and come.
+  EXPECT_LT(pace({{{3.0, 0.0}, {0.6, 0.0}}}), 0.7);  // They may turn towards the robot.
   EXPECT_NEAR(pace({{{1.5, 0.0}, {0.6, 0.0}}}), 0.3, 1e-9);
   EXPECT_EQ(pace({{{0.7, 0.0}, {0.6, 0.0}}}), 0.0);
 }

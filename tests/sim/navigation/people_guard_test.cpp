@@ -16,7 +16,7 @@ TEST(PeopleGuard, LetsPassWhereNobodyIsAhead) {
 
 TEST(PeopleGuard, BrakesAlongTheSameCurve) {
   PeopleGuard guard(kGuard, 0.2);
-  // 0.7 m to the middle, less 0.45 m and 0.1 m: sqrt(2 * 0.3 * 0.15) = 0.3 m/s.
+  // 0.7 m between the centres, less 0.45 m and 0.1 m: sqrt(2 * 0.3 * 0.15) = 0.3 m/s.
   const Twist2 twist = guard.limit({0.6, 0.2}, {{0.7, 0.0}});
   EXPECT_NEAR(twist.v, 0.3, 1e-12);
   EXPECT_NEAR(twist.w, 0.1, 1e-12);

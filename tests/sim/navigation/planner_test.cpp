@@ -20,7 +20,7 @@ double length(const std::vector<Eigen::Vector2d>& path) {
   return sum;
 }
 
-/// Bellman and Ford over the same moves: a naive oracle.
+/// Naive oracle: Bellman-Ford over the same moves.
 std::vector<double> all_distances(const Grid& grid, CellIndex goal) {
   std::vector<double> d(grid.cells.size(), std::numeric_limits<double>::infinity());
   d[flat_index(grid, goal)] = 0.0;
@@ -56,7 +56,7 @@ TEST(Planner, GoesThroughTheDoor) {
                        0.1);
   const auto path = plan_path(free, {1.5, 0.5}, {5.5, 0.5}, kShortest);
   ASSERT_TRUE(path.has_value());
-  // Three up and one aside diagonally, two across the door, the same down again.
+  // Three cells up and one diagonally, two through the door, and the same down again.
   EXPECT_NEAR(length(*path), 2.0 * (3.0 + std::sqrt(2.0)) + 2.0, 1e-6);
   EXPECT_TRUE(path->front().isApprox(Eigen::Vector2d(1.5, 0.5)));
   EXPECT_TRUE(path->back().isApprox(Eigen::Vector2d(5.5, 0.5)));

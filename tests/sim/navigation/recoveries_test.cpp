@@ -11,7 +11,7 @@ constexpr double kPeriod = 0.05;  // [s]
 
 Recoveries fresh() { return {RecoveryTimes{}, 0.3, kPeriod}; }
 
-/// Watches a robot that stands still until something begins.
+/// Watches a stationary robot until a behaviour begins.
 std::optional<Recovery> wait_for(Recoveries& recoveries, const Pose2& T_odom_base) {
   for (int i = 0; i < 300; ++i) {
     if (const auto begun = recoveries.watch(T_odom_base)) return begun;
@@ -19,7 +19,8 @@ std::optional<Recovery> wait_for(Recoveries& recoveries, const Pose2& T_odom_bas
   return std::nullopt;
 }
 
-/// Plays the behaviour under way with a robot that obeys; returns where it ends.
+/// Executes the current behaviour with a robot that follows commands exactly; returns its final
+/// pose.
 Pose2 play(Recoveries& recoveries, Pose2 T_odom_base,
            const std::vector<Eigen::Vector2d>& p_base = {}) {
   for (int i = 0; i < 1000; ++i) {

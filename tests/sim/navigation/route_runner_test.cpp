@@ -21,7 +21,7 @@ RouteConfig route(std::vector<Eigen::Vector2d> waypoints, bool loop) {
   return config;
 }
 
-/// An exact unicycle.
+/// Exact unicycle motion.
 Pose2 moved(const Pose2& pose, const Twist2& twist) {
   const double yaw = pose.yaw + 0.5 * twist.w * kControlPeriod;
   return {pose.x + twist.v * kControlPeriod * std::cos(yaw),
@@ -44,7 +44,7 @@ TEST(RouteRunner, ReachesItsWaypointsAndStops) {
   EXPECT_TRUE(runner.path().empty());
 }
 
-/// Waypoints outside of the room: the nearest free places stand for them.
+/// Waypoints outside the room are replaced by the nearest free places.
 TEST(RouteRunner, PassesNoWaypointFarFromWhichItStays) {
   RouteRunner runner(route({{2.5, -1.5}, {-3.0, 20.0}, {-3.0, 30.0}}, false), room());
   Pose2 pose{-3.0, -2.0, 1.0};
@@ -101,7 +101,7 @@ TEST(RouteRunner, DrivesUpToAPlaceThatIsAStepAway) {
   Pose2 pose{-0.25, -1.8, 0.0};
   runner.command(pose);
   const RoundObstacle around_it{{-0.25, -1.8},
-                                0.1};  // Its own place is taken: a path of one point.
+                                0.1};  // Its own place is occupied: the path has one point.
   runner.detour(pose, runner.free().with_discs({&around_it, 1}));
   for (int i = 0; i < 1500; ++i) pose = moved(pose, runner.command(pose));
   EXPECT_LT((pose.position() - Eigen::Vector2d(2.5, -1.5)).norm(), 0.15);

@@ -7,7 +7,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Share of beams on people, over the second half of a minute about a robot at rest.
+/// Share of beams on people in the second half of a minute, around a stationary robot.
 double reached(double wanted, int people, double lidar_height) {
   const TestHall hall(12.0);
   LidarConfig lidar;

@@ -14,7 +14,7 @@ constexpr double kGaitStep = 0.05;  // [s]
 
 class GaitTest : public ::testing::Test {
  protected:
-  /// States of somebody who walks along x at a speed.
+  /// States of a person who walks along x at `speed`.
   std::vector<PersonState> walked(double speed, double seconds) const {
     PersonState state;
     state.position = {-9.0, 0.0};

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-/// A hall in two, with a door of 1 m in the far north.
+/// A hall divided in two, with a door of 1 m at its northern end.
 TestHall divided() {
   TestHall hall(8.0);
   hall.world.objects.push_back(box_on_floor("screen", {0.1, 7.0, 2.0}, {0.0, -0.5}));

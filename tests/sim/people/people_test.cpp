@@ -49,7 +49,7 @@ TEST(People, RepeatToTheBit) {
   EXPECT_NE(run(4), run(5));
 }
 
-/// Of people far from each other, the course does not depend on how many there are.
+/// The path of people who are far apart does not depend on their number.
 TEST(People, OneMoreFarAwayChangesNobodysCourse) {
   const TestHall hall(60.0);
   PeopleConfig config;
@@ -138,7 +138,7 @@ TEST(People, ARobotThatRunsIntoSomebodyIsCountedOnce) {
   People people(config, hall.world, hall.map, {}, robot, named_streams(1));
   people.step(robot);
   EXPECT_TRUE(people.hits().empty());
-  robot.T_map_base.x = 0.75;  // The front at 0.95 m, the body from 0.8 m on.
+  robot.T_map_base.x = 0.75;  // The robot's front is at 0.95 m, the person's body begins at 0.8 m.
   people.step(robot);
   EXPECT_EQ(people.hits(), std::vector<int>{0});
   people.step(robot);
@@ -177,7 +177,7 @@ TEST(People, ScaredPeopleEndUpFurtherAwayThanCuriousOnes) {
   EXPECT_LT(mean_distance(Behaviour::kCurious), mean_distance(Behaviour::kRegular));
 }
 
-/// What lidars meet faces as the people do, between two steps as well.
+/// Bodies seen by lidars have the orientation of the people, also between two steps.
 TEST(People, ScenesFaceAsStatesDo) {
   const TestHall hall(8.0);
   People people(walkers(6), hall.world, hall.map, {}, kFarRobot, named_streams(3));

@@ -7,7 +7,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Somebody at the origin who sees the robot.
+/// A person at the origin who has seen the robot.
 Agent watcher(Behaviour behaviour) {
   Agent agent = agent_at({0.0, 0.0});
   agent.behaviour = behaviour;
@@ -54,7 +54,7 @@ TEST(Reaction, CuriousPeopleComeNearAndStop) {
   const auto near = react(agent, robot_at(0.85), 1.0);
   ASSERT_TRUE(near);
   EXPECT_EQ(near->velocity.norm(), 0.0);
-  EXPECT_FALSE(react(agent, robot_at(0.85), 12.1));  // Bored.
+  EXPECT_FALSE(react(agent, robot_at(0.85), 12.1));  // The person has lost interest.
 }
 
 TEST(Reaction, ScaredPeopleWalkOffUntilTheyAreSafe) {
@@ -70,7 +70,7 @@ TEST(Reaction, ScaredPeopleWalkOffUntilTheyAreSafe) {
 
 TEST(Reaction, ThreateningPeopleGetInTheWay) {
   Agent agent = watcher(Behaviour::kThreatening);
-  // The robot at (3, 3) drives along -x: 0.8 m before it is (2.2, 3).
+  // The robot at (3, 3) drives along -x: the point 0.8 m in front of it is (2.2, 3).
   const RobotBody robot = square_robot({3.0, 3.0 - 1.0, 3.14159265358979});
   const auto reaction = react(agent, robot, 0.0);
   ASSERT_TRUE(reaction);

@@ -37,7 +37,7 @@ TEST(SocialForce, OfTwoWhoMeetIsTheFormulaByHand) {
   EXPECT_GT(theta, 0.0);
   EXPECT_NEAR(force.dot(t), -slow, 1e-12);
   EXPECT_NEAR(force.dot(Eigen::Vector2d(-t.y(), t.x())), -turn, 1e-12);
-  EXPECT_LT(force.y(), 0.0);  // Off to the right.
+  EXPECT_LT(force.y(), 0.0);  // To the right.
 }
 
 TEST(SocialForce, IsMirroredLeftAndRight) {

@@ -48,8 +48,8 @@ TEST(WalkSpace, SeesThroughTheOpenAndNotThroughWalls) {
   EXPECT_TRUE(space.sees({-1.0, 1.5}, {1.0, 1.5}));
 }
 
-/// The promise that nobody passes a wall rests on: two clear points a step apart have nothing solid
-/// between them.
+/// The guarantee that nobody passes a wall is based on this: between two clear points within a step
+/// there is nothing solid.
 TEST(WalkSpace, HasNothingSolidWithinAStep) {
   WorldSpec world = test_room();
   const WalkSpace space(body_grid(world, test_simulation().map));

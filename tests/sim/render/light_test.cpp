@@ -1,4 +1,4 @@
-// Shadows and ambient occlusion, pixel by pixel.
+// Tests shadows and ambient occlusion by pixels.
 #include <cmath>
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 128;
 constexpr int kHeight = 96;
 
-/// A grey floor of 8 x 6 m with its middle at the origin.
+/// A grey floor of 8 x 6 m centred at the origin.
 SceneItem floor_item() {
   SceneItem item;
   item.mesh = ground_mesh({-4.0F, -3.0F}, {4.0F, 3.0F});
@@ -28,7 +28,7 @@ SceneItem lit_box_at(const Eigen::Vector3f& center) {
   return item;
 }
 
-/// Looks down on x in [-2, 2], y in [-1.5, 1.5]; 32 px a metre.
+/// Looks down on x in [-2, 2], y in [-1.5, 1.5] at 32 px/m.
 Scene floor_from_above() {
   Scene scene;
   scene.camera.eye = {0.0F, 0.0F, 10.0F};
@@ -38,7 +38,7 @@ Scene floor_from_above() {
   return scene;
 }
 
-/// Skips where the machine has no EGL.
+/// Skipped if EGL is not available.
 class LightTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,7 +49,7 @@ class LightTest : public testing::Test {
     }
   }
 
-  /// Green of the pixel that shows (x, y) of the floor from above.
+  /// Green value of the floor at (x, y), seen from above.
   int seen(const Scene& scene, double x, double y) {
     const Image image = renderer_->render(scene);
     const int column = static_cast<int>(std::floor((x + 2.0) * 32.0));
@@ -57,7 +57,7 @@ class LightTest : public testing::Test {
     return image.pixels[static_cast<std::size_t>(3 * (row * kWidth + column) + 1)];
   }
 
-  /// Green of a pixel of the middle row.
+  /// Green value of a pixel in the middle row.
   int middle(const Scene& scene, int column = kWidth / 2) {
     const Image image = renderer_->render(scene);
     return image.pixels[static_cast<std::size_t>(3 * (kHeight / 2 * kWidth + column) + 1)];
@@ -72,7 +72,7 @@ TEST_F(LightTest, LeavesAnOpenFloorItsColour) {
   EXPECT_NEAR(seen(floor_from_above(), 0.1, 0.2), expected, 2.0);
 }
 
-/// Rays towards (-0.45, -0.6, 1.2).
+/// The direction towards the sun is (-0.45, -0.6, 1.2).
 TEST_F(LightTest, CastsTheShadowOfABoxAwayFromTheSun) {
   Scene scene = floor_from_above();
   const int open = seen(scene, -1.5, -1.0);
@@ -87,7 +87,7 @@ TEST_F(LightTest, LetsThingsStandOnTheFloor) {
   Scene scene = floor_from_above();
   const int open = seen(scene, -1.5, -1.0);
   scene.items.push_back(lit_box_at({0.0F, 0.0F, 0.5F}));
-  EXPECT_LT(seen(scene, 0.52, 0.0), 0.8 * open);  // No gap of light along its edges.
+  EXPECT_LT(seen(scene, 0.52, 0.0), 0.8 * open);  // No light leaks along its edges.
   EXPECT_LT(seen(scene, 0.0, 0.52), 0.8 * open);
 }
 
@@ -125,7 +125,7 @@ TEST_F(LightTest, CastsNoShadowOfWhatLetsLightPass) {
   EXPECT_LT(seen(scene, 0.75, 1.0), 0.8 * open);
 }
 
-/// Neither a shadow of a face on itself nor bands: a flat face has one colour.
+/// A flat face has one colour: no self-shadowing and no bands.
 TEST_F(LightTest, LeavesFacesEven) {
   for (const float yaw : {0.0F, 0.3F, 1.2F, 2.4F, 4.0F, 5.5F}) {
     for (const Eigen::Vector3f& side : {Eigen::Vector3f(1.0F, 0.0F, 0.0F), {0.6F, 0.0F, 0.8F}}) {
@@ -135,7 +135,7 @@ TEST_F(LightTest, LeavesFacesEven) {
       scene.items.back().mesh = box_mesh({3.0F, 3.0F, 3.0F});
       scene.items.back().T_map_mesh.linear() =
           (turn * Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitX(), side)).matrix();
-      scene.items.push_back(lit_box_at({30.0F, 0.0F, -5.0F}));  // Makes the map coarse.
+      scene.items.push_back(lit_box_at({30.0F, 0.0F, -5.0F}));  // Makes the shadow map coarse.
       scene.camera.eye = 6.0F * (turn * side);
       scene.camera.ortho_height = 1.8F;
       const Image image = renderer_->render(scene);

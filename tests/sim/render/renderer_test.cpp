@@ -12,7 +12,7 @@ namespace {
 
 using Pixel = std::array<int, 3>;
 
-/// Skips where the machine has no EGL.
+/// Skipped if EGL is not available.
 class RendererTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class RendererTest : public testing::Test {
   std::optional<Renderer> renderer_;
 };
 
-/// Looks down on x in [-2, 2], y in [-1.5, 1.5]; 16 px a metre.
+/// Looks down on x in [-2, 2], y in [-1.5, 1.5] at 16 px/m.
 Scene from_above() {
   Scene scene;
   scene.camera.eye = {0.0F, 0.0F, 10.0F};
@@ -119,7 +119,7 @@ TEST_F(RendererTest, RefusesAnImpossibleSize) {
   EXPECT_THROW(Renderer(1'000'000, 10), std::runtime_error);
 }
 
-/// A box of 1 m with its face 3 m before a camera that looks along x.
+/// A box of 1 m with its face 3 m in front of a camera that looks along x.
 Scene from_before() {
   Scene scene;
   scene.camera.eye = {0.0F, 0.0F, 0.0F};
@@ -135,14 +135,15 @@ TEST_F(RendererTest, CapturesDepthAlongTheAxisAndInstances) {
   const auto at = [](int column, int row) { return static_cast<std::size_t>(row * 64 + column); };
   ASSERT_EQ(view.depth_m.size(), 64U * 48U);
   EXPECT_NEAR(view.depth_m[at(32, 24)], 3.0, 1e-3);
-  EXPECT_NEAR(view.depth_m[at(37, 29)], 3.0, 1e-3);  // The whole face, not the distance to the eye.
+  EXPECT_NEAR(view.depth_m[at(37, 29)], 3.0, 1e-3);  // Depth of the whole face, not distance to the
+                                                     // eye.
   EXPECT_EQ(view.instances[at(32, 24)], 60123);
   EXPECT_EQ(view.depth_m[at(2, 2)], 0.0F);
   EXPECT_EQ(view.instances[at(2, 2)], 0);
   EXPECT_EQ(view.color.pixels, renderer_->render(from_before()).pixels);
 }
 
-/// Rows come from the top, and what is nearer hides what is behind it.
+/// Rows start at the top, and nearer objects hide those behind them.
 TEST_F(RendererTest, CapturesWhatIsInFrontTheRightWayUp) {
   Scene scene = from_before();
   scene.items.push_back(plain_box({2.5F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}));  // Nearer and higher.

@@ -20,7 +20,7 @@ TEST(LidarVisuals, AreATurretOnAMast) {
   const auto items = lidar_visuals(robot, lidar_of(robot));
   ASSERT_EQ(items.size(), 2U);
   const Eigen::AlignedBox3f box = extent(items);
-  EXPECT_NEAR(box.max().z(), 0.225F, 1e-5F);  // About the laser's plane, 0.2 m up.
+  EXPECT_NEAR(box.max().z(), 0.225F, 1e-5F);  // Around the laser's plane, 0.2 m up.
   EXPECT_LT(box.min().z(), 0.1F);             // Down to the body.
   EXPECT_LT(box.sizes().x(), 0.1F);
 }

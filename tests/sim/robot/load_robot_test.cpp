@@ -95,7 +95,7 @@ TEST(LoadRobot, ReadsTheLidarsTag) {
   EXPECT_EQ(lidar.range_max, 30.0);
   EXPECT_EQ(lidar.rate_hz, 12.5);
   EXPECT_EQ(lidar.noise.sigma, 0.005);
-  // Upside down, and the sensor's own pose pushes it up.
+  // Upside down, and moved up by the sensor's own pose.
   EXPECT_NEAR(lidar.T_base_laser.linear()(2, 2), -1.0, 1e-9);
   EXPECT_NEAR(lidar.T_base_laser.translation().z(), 0.28 + 0.02 + 0.0065, 1e-9);
 }

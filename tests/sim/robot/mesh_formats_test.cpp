@@ -1,4 +1,4 @@
-// Robots whose meshes come in every format that is common.
+// Robots with meshes in all common formats.
 #include <filesystem>
 
 #include <gmock/gmock.h>

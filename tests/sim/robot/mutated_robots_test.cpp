@@ -1,4 +1,4 @@
-// Robots with random damage: loaded or refused, never a crash, and never for long.
+// Randomly damaged robots are loaded or rejected, without a crash and within a short time.
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -21,7 +21,7 @@ std::string text_of(const std::string& path) {
 
 std::size_t draw(std::size_t below, Rng& rng) { return static_cast<std::size_t>(rng() % below); }
 
-/// The value of one attribute replaced, so that the XML stays whole.
+/// Replaces the value of one attribute, so that the XML remains well-formed.
 void replace_value(std::string& text, Rng& rng) {
   constexpr std::array<const char*, 18> kValues{
       "",           "0",           "-1",        "nan",   "1e9",        "1 2",
@@ -34,7 +34,7 @@ void replace_value(std::string& text, Rng& rng) {
   text.replace(equals + 2, end - equals - 2, kValues.at(draw(kValues.size(), rng)));
 }
 
-/// A byte changed, a stretch cut out or doubled.
+/// Changes a byte, or removes or duplicates a part.
 void damage(std::string& text, Rng& rng) {
   const std::size_t at = draw(text.size(), rng);
   const std::size_t length = draw(std::min<std::size_t>(60, text.size() - at), rng);

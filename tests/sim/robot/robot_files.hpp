@@ -1,4 +1,4 @@
-/// A folder of robot files that a test makes.
+/// A temporary folder of robot files.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace castaway::sim {
 
-/// Gone with the test. Its path holds the test's name.
+/// Removed after the test. Its path contains the test's name.
 class RobotFiles : public testing::Test {
  protected:
   RobotFiles() { std::filesystem::remove_all(root_); }
@@ -35,7 +35,7 @@ class RobotFiles : public testing::Test {
                                 ("castaway_" + test_name());
 };
 
-/// What a call throws, "" if nothing.
+/// Text of the exception that a call throws; "" if it throws none.
 template <typename Call>
 std::string error_text(Call call) {
   try {

@@ -1,5 +1,5 @@
-// Every robot of robots/: understood without a warning, and odometry by its figures stays near the
-// truth when it drives straight, turns on the spot, drives arcs and stands.
+// Every robot of robots/ loads without a warning, and odometry by its parameters stays close to the
+// truth while it drives straight, turns on the spot, drives arcs and stands.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 constexpr int kStepsPerSecond = 500;
 
-/// What README.md of a robot says, and how far odometry may err.
+/// Values from the robot's README.md, and tolerances of odometry.
 struct Expected {
   const char* file;
   std::size_t wheels;
@@ -25,7 +25,7 @@ struct Expected {
   double separation;  ///< [m]
   std::size_t casters;
   std::size_t lidars;
-  double way_error;     ///< [m] After 20 m straight on.
+  double way_error;     ///< [m] After 20 m straight ahead.
   double turn_error;    ///< [rad] After two turns on the spot, and after the course.
   double course_error;  ///< [m] After 6 m with eight turns.
 };
@@ -36,7 +36,7 @@ RobotModel load(const Expected& expected) {
   return load_robot(std::string(CASTAWAY_ROBOTS "/") + expected.file);
 }
 
-/// A robot on a bare floor with ideal odometry.
+/// A robot on an empty floor with ideal odometry.
 class Drive {
  public:
   explicit Drive(const RobotModel& robot)

@@ -26,7 +26,7 @@ inline std::string wheel_urdf(const std::string& name, double x, double y, doubl
                      name, x, y, radius, parent);
 }
 
-/// A robot of these pieces.
+/// A robot made of these parts.
 inline std::string robot_urdf(const std::string& inside) {
   return "<robot name=\"test\">" + inside + "</robot>";
 }

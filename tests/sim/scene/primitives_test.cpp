@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Volume by the divergence theorem: positive for triangles counter-clockwise from outside.
+/// Volume by the divergence theorem: positive if triangles are counter-clockwise seen from outside.
 double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

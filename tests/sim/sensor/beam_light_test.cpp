@@ -25,7 +25,7 @@ WorldSpec wall_world() {
   return world;
 }
 
-/// The same behind a pane of 2 cm at x = 2.
+/// The same wall behind a glass pane of 2 cm at x = 2.
 WorldSpec glass_world(double yaw = 0.0) {
   WorldSpec world = wall_world();
   world.objects.push_back(box_on_floor("pane", {0.02, 4.0, 1.0}, {2.01, 0.0}, yaw));
@@ -33,7 +33,7 @@ WorldSpec glass_world(double yaw = 0.0) {
   return world;
 }
 
-/// Echoes of many equal beams ahead.
+/// Echoes of many equal beams.
 std::vector<Echo> echoes(const WorldSpec& world, const LightEffects& effects, int count = kBeams,
                          const Ray& ray = kAhead) {
   const RayScene scene(ray_primitives(world));
@@ -124,9 +124,9 @@ TEST(BeamLight, DarkThingsAreSeenOnlyNearby) {
   LightEffects effects;
   effects.dark_range = 10.0;
   WorldSpec world = wall_world();
-  world.objects[0].surface.reflectivity = 0.026;  // Seen up to 5.1 m.
+  world.objects[0].surface.reflectivity = 0.026;  // Detectable up to 5.1 m.
   EXPECT_EQ(echoes(world, effects, 1)[0].object, 0);
-  world.objects[0].surface.reflectivity = 0.024;  // Up to 4.9 m.
+  world.objects[0].surface.reflectivity = 0.024;  // Detectable up to 4.9 m.
   EXPECT_EQ(echoes(world, effects, 1)[0].object, kHitNothing);
 }
 
@@ -142,12 +142,12 @@ TEST(BeamLight, DustShortensTheShareThatMeetsAGrain) {
   }
 }
 
-/// The box's edge is 2 mm off the beam's middle at 2 m: half the beam misses it.
+/// At 2 m, the box's edge is 2 mm off the beam's centre: half of the beam misses it.
 TEST(BeamLight, AtAnEdgeRangesLieAnywhereBetweenTheTwo) {
   WorldSpec world = wall_world();
   world.objects.push_back(box_on_floor("near", {0.2, 1.0, 1.0}, {4.8, 0.502}));
   LightEffects effects;
-  effects.divergence_deg = 0.5;  // 2 cm wide at 4.7 m.
+  effects.divergence_deg = 0.5;  // The beam is 2 cm wide at 4.7 m.
   const auto seen = echoes(world, effects);
   double sum = 0.0;
   for (const Echo& echo : seen) {
@@ -156,7 +156,7 @@ TEST(BeamLight, AtAnEdgeRangesLieAnywhereBetweenTheTwo) {
     sum += echo.range;
   }
   EXPECT_NEAR(sum / kBeams, 4.85, 4.0 * 0.3 / std::sqrt(12.0 * kBeams));
-  effects.mixed_reach = 0.2;  // The step of 0.3 m is told apart.
+  effects.mixed_reach = 0.2;  // The step of 0.3 m is resolved.
   EXPECT_NEAR(echoes(world, effects, 1)[0].range, 5.0, 1e-4);
 }
 

@@ -14,7 +14,7 @@ constexpr int kGyros = 2000;
 
 GyroConfig exact() { return {0.0, 0.0, 0.0, 0.0}; }
 
-/// Standard deviation over many gyros of the angle after 100 readings in 10 s at rest. [deg]
+/// Standard deviation [deg] over many gyros of the angle after 100 readings in 10 s at rest.
 double drift(const GyroConfig& config) {
   double squares = 0.0;
   for (unsigned seed = 0; seed < kGyros; ++seed) {

@@ -24,7 +24,7 @@ WorldSpec one_wall() {
   return world;
 }
 
-/// One beam ahead at 0.5 m above the floor, and one 60 degrees to the left of it.
+/// One forward beam at 0.5 m above the floor, and one 60 degrees to its left.
 LidarConfig two_beams() {
   LidarConfig config;
   config.T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.5);
@@ -154,7 +154,7 @@ TEST(LidarLayers, AScanHoldsThemOneAfterTheOther) {
   const LidarReading& reading = scans[0].reading;
   EXPECT_EQ(reading.layers, 2);
   ASSERT_EQ(reading.ranges.size(), 4U);
-  EXPECT_NEAR(reading.ranges[0], 1.0, 1e-6);  // The floor, before the wall.
+  EXPECT_NEAR(reading.ranges[0], 1.0, 1e-6);  // The floor in front of the wall.
   EXPECT_NEAR(reading.ranges[2], 2.0, 1e-6);
   EXPECT_NEAR(reading.ranges[3], 4.0, 1e-5);
   EXPECT_EQ(scans[0].last_beam, reading.time_increment);

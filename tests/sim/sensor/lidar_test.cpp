@@ -122,7 +122,7 @@ TEST(Lidar, NoiseHasItsSigma) {
 TEST(LidarSweeper, CastsEachBeamAtItsOwnTime) {
   LidarSweeper sweeper(four_beams());  // 10 Hz: a beam every 25 ms.
   const RayScene scene = two_walls();
-  // At 4 m/s along x, the beam ahead of the next scan comes 0.1 s later.
+  // At 4 m/s along x, the forward beam of the next scan is taken 0.1 s later.
   const Motion motion{nanoseconds(0), milliseconds(200), to_isometry({-1.0, 0.0, 0.0}),
                       to_isometry({-0.2, 0.0, 0.0})};
   const auto scans = sweeper.advance(scene, motion);
@@ -138,7 +138,7 @@ TEST(LidarSweeper, CastsEachBeamAtItsOwnTime) {
 TEST(LidarSweeper, ATurningRobotSkewsTheScan) {
   LidarConfig config = four_beams();
   const RayScene scene = two_walls();
-  // Turning back as fast as the beam turns, every beam looks ahead.
+  // If the robot turns backwards as fast as the beam turns, every beam points forward.
   const Motion motion{nanoseconds(0), milliseconds(100), to_isometry({}),
                       to_isometry({0.0, 0.0, -pi * 0.999999})};
   config.rate_hz = 20.0;

@@ -20,7 +20,7 @@ SlipConfig even() {
   return config;
 }
 
-/// Way that both wheels count [m] while the robot drives along x, in steps of 1 mm.
+/// Distance [m] measured by each wheel while the robot drives along x in steps of 1 mm.
 WheelAngles drive(WheelSlip slip, double from, double to, std::int64_t collisions = 0) {
   WheelAngles sum;
   const double step = 0.001;
@@ -57,7 +57,7 @@ TEST(WheelSlip, EventsComeAsOftenAndLastAsLongAsTheySay) {
   config.rate = 2.0;
   config.length = 0.05;
   config.share = 0.3;
-  // 2000 m: 4000 events per wheel of 0.05 m, less what overlaps; shares uniform in 0 to 0.6.
+  // 2000 m: 4000 events per wheel of 0.05 m, minus overlaps; shares are uniform in 0 to 0.6.
   const double metres = 2000.0;
   const WheelAngles way = drive(WheelSlip(config, kSlippingDrive, {}, Rng(1)), 0.0, metres);
   const double slipping = 1.0 - std::exp(-config.rate * config.length);

@@ -116,8 +116,8 @@ TEST_F(KidnapStageTest, RefusesWhatCanNeverBe) {
   EXPECT_THROW(KidnapStage(config_, grid_, scene_, {}), std::invalid_argument);
 }
 
-/// Thousands of kidnaps of every kind, one from where the one before ended: never into an obstacle,
-/// never out of the room.
+/// Thousands of kidnaps of every kind, each starting where the last one ended, never end in an
+/// obstacle or outside the room.
 TEST_F(KidnapStageTest, NeverPutsTheRobotIntoAnythingOrOutside) {
   const std::vector<KidnapKind> kinds{KidnapKind::kTeleportRandom, KidnapKind::kNudge,
                                       KidnapKind::kTurn, KidnapKind::kLookAlike};

@@ -18,7 +18,7 @@ SimulationStreams streams() {
   return result;
 }
 
-/// Straight on at 1 m/s with exact wheels; the state after `ms`.
+/// State after `ms` of driving straight ahead at 1 m/s with exact wheels.
 DriveState ahead(const SimulationConfig& config, int ms) {
   const double angle = 0.001 * ms / config.robot.wheel_radius;
   return {milliseconds(ms), {angle, angle}, 0.0, {0.001 * ms, 0.0, 0.0}, 0};
@@ -54,7 +54,7 @@ TEST(OdometrySensor, WithoutErrorsTellsTheWay) {
 TEST(OdometrySensor, AFreezeLosesItsWay) {
   const auto readings = drive_measured(with_fault(FaultKind::kOdometryFrozen));
   ASSERT_EQ(readings.size(), 301U);
-  EXPECT_NEAR(readings[150].T_odom_base.x, 0.99, 1e-9);  // Stuck since the reading before.
+  EXPECT_NEAR(readings[150].T_odom_base.x, 0.99, 1e-9);  // Blocked since the previous reading.
   EXPECT_NEAR(readings.back().T_odom_base.x, 2.0, 1e-9);
 }
 
@@ -99,7 +99,7 @@ TEST(OdometrySensor, AGyroTellsTheTurnAndWheelsTheWay) {
   OdometrySensor sensor(config, streams());
   (void)sensor.read(ahead(config, 0));
   DriveState state = ahead(config, 10);
-  state.turned = 0.5;  // The wheels say: none.
+  state.turned = 0.5;  // The wheels report no rotation.
   EXPECT_NEAR(sensor.read(state)->T_odom_base.yaw, 0.5, 1e-12);
 }
 

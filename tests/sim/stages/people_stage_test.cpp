@@ -26,7 +26,7 @@ SimulationStreams streams(std::uint64_t seed) {
   return result;
 }
 
-/// What a run delivers of a kind.
+/// All readings of a type that a run delivers.
 template <typename Reading>
 std::vector<Reading> run(const SimulationConfig& config) {
   Simulation simulation(config, streams(5));
@@ -84,13 +84,13 @@ TEST(SimulationWithPeople, BeamsEndOnThem) {
   ASSERT_FALSE(scans.empty());
   const auto& last = scans.back();
   const auto on_person = std::count(last.hit_object.begin(), last.hit_object.end(), kHitPerson);
-  EXPECT_GE(on_person, 10);  // Two legs of 0.14 m at 0.8 m: 20 degrees.
+  EXPECT_GE(on_person, 10);  // Two legs of 0.14 m at 0.8 m cover 20 degrees.
   EXPECT_LE(on_person, 30);
   ASSERT_EQ(last.people.size(), 1U);
   EXPECT_NEAR(last.people[0].gap, 0.8 - 0.153 - 0.2, 0.08);
 }
 
-/// The truth does not depend on people where the robot does not mind them.
+/// If the robot ignores people, its true path does not depend on them.
 TEST(SimulationWithPeople, DoNotChangeTheCourseOfARobotThatDoesNotYield) {
   SimulationConfig config = with_walkers(12);
   config.people.robot_yields = false;

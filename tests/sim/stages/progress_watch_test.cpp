@@ -10,7 +10,7 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// What a robot does at a time [s].
+/// Input of the watch by time [s].
 using Story = std::function<ProgressInput(double)>;
 
 constexpr double kStep = 0.05;  // [s]
@@ -52,7 +52,7 @@ TEST(ProgressWatch, PassesARobotThatTurnsInPlace) {
     return ProgressInput{{}, {0.0, 0.0, wrap_angle(0.3 * t)}, false, true};
   };
   EXPECT_FALSE(verdict_of(60.0, turning, config).has_value());
-  EXPECT_TRUE(verdict_of(60.0, turning).has_value());  // On a route it leads nowhere.
+  EXPECT_TRUE(verdict_of(60.0, turning).has_value());  // On a route, turning makes no progress.
 }
 
 TEST(ProgressWatch, PassesARobotOnASmallRoute) {
@@ -64,7 +64,7 @@ TEST(ProgressWatch, PassesARobotOnASmallRoute) {
   EXPECT_FALSE(verdict_of(90.0, round).has_value());
 }
 
-/// All waypoints of a robot that does not fit may stand for the place where it is.
+/// All waypoints of a robot without room may be replaced by its current place.
 TEST(ProgressWatch, CountsNoWaypointsThatARobotPassesWithoutMoving) {
   const auto record = verdict_of(40.0, [](double t) {
     ProgressInput input = driving(std::min(t, 4.0));
@@ -102,7 +102,7 @@ TEST(ProgressWatch, CountsRockingForNoProgress) {
   EXPECT_EQ(record->reason, VoidReason::kStuck);
 }
 
-/// People stood in its way for half a minute, then it went on.
+/// People blocked the robot for half a minute, then it continued.
 TEST(ProgressWatch, PassesAWaitThatIsOver) {
   EXPECT_FALSE(verdict_of(90.0, [](double t) {
                  ProgressInput input = driving(t < 30.0 ? t : std::max(30.0, t - 30.0));
@@ -124,7 +124,7 @@ TEST(ProgressWatch, FindsOneThatIsStuckForMostOfTheRun) {
   });
   ASSERT_TRUE(record.has_value());
   EXPECT_EQ(record->reason, VoidReason::kStuck);
-  EXPECT_NEAR(seconds_of(*record), 10.0, 3.4);  // A metre before.
+  EXPECT_NEAR(seconds_of(*record), 10.0, 3.4);  // One metre earlier.
 }
 
 TEST(ProgressWatch, StartsAnewAfterATeleport) {

@@ -16,7 +16,7 @@ using std::chrono::nanoseconds;
 using testing::Each;
 using testing::Not;
 
-/// The robot of the tests at its start, for a time.
+/// The test robot at rest at its start, for a period.
 Motion at_rest(const SimulationConfig& config, nanoseconds begin, nanoseconds end) {
   const Eigen::Isometry3d T_map_base = to_isometry(config.start);
   return {begin, end, T_map_base, T_map_base};

@@ -1,4 +1,4 @@
-/// Scenes with people for tests and benchmarks of the casts.
+/// Scenes with people for tests and benchmarks of ray casts.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace castaway::sim {
 /// Uniform in [low, high).
 double uniform(double low, double high, Rng& rng);
 
-/// Turned boxes in a hall of 20 m x 20 m about the origin.
+/// Rotated boxes in a hall of 20 m x 20 m centred at the origin.
 WorldSpec hall(int boxes);
 
-/// People in mid-step, anywhere in the hall.
+/// Walking people at random places in the hall.
 std::vector<MovingBody> strollers(int count, Rng& rng);
 
 }  // namespace castaway::sim

@@ -19,7 +19,7 @@ struct Line {
 
 constexpr Real kNever = std::numeric_limits<Real>::infinity();
 
-/// Smallest t >= 0 of the candidates at which `on` holds; 0 if the origin is inside.
+/// Smallest t >= 0 of the candidates for which `inside` holds; 0 if the origin is inside.
 template <typename Inside>
 Real first(const Line& line, const std::vector<Real>& candidates, Inside inside) {
   if (inside(line.o, 0)) return 0;

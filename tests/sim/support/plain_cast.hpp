@@ -1,5 +1,5 @@
-/// Ray casts the plain way: a loop over all shapes, each met by formulas of its own in long double.
-/// What the scenes are held against.
+/// Reference ray casts: a loop over all shapes with separate formulas in long double, as an oracle
+/// for the scenes.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace castaway::sim {
 
-/// Distance along the ray to a solid or triangle, 0 from inside a solid, kNoHit if it is not met:
-/// boxes by their six faces, round shapes by the quadratic formula, triangles by signed volumes.
+/// Distance along the ray to a solid or triangle, 0 from inside a solid, kNoHit for a miss: boxes
+/// by their six faces, round shapes by the quadratic formula, triangles by signed volumes.
 double plain_distance(const RayPrimitive& primitive, const Ray& ray);
 double plain_distance(const UprightPart& part, const Ray& ray);
 
-/// The nearest of all; kNoHit if there is none within `max_distance`.
+/// Distance to the nearest shape; kNoHit if there is none within `max_distance`.
 double plain_cast(const std::vector<RayPrimitive>& primitives,
                   const std::vector<MovingBody>& bodies, const Ray& ray, double max_distance);
 

@@ -1,4 +1,4 @@
-/// Points and directions drawn evenly, for tests of rays.
+/// Uniformly distributed points and directions for tests of ray casts.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace castaway::sim {
 
-/// A point in the cube from -reach to reach, [m], drawn evenly.
+/// A uniformly distributed point [m] in the cube from -reach to reach.
 inline Eigen::Vector3d random_point(double reach, Rng& rng) {
   boost::random::uniform_real_distribution<double> any(-reach, reach);
   const double x = any(rng);
@@ -17,7 +17,7 @@ inline Eigen::Vector3d random_point(double reach, Rng& rng) {
   return {x, y, any(rng)};
 }
 
-/// A unit vector, drawn evenly from the sphere.
+/// A unit vector, uniformly distributed on the sphere.
 inline Eigen::Vector3d random_direction(Rng& rng) {
   boost::random::normal_distribution<double> normal;
   const double x = normal(rng);

@@ -23,7 +23,7 @@ inline RobotBody square_robot(const Pose2& T_map_base) {
   return {{{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}}, 0.29, T_map_base, {0.0, 0.0}};
 }
 
-/// A hall of `edge` x `edge` m about the origin with walls of 0.1 m, and its map.
+/// A hall of `edge` x `edge` m centred at the origin with walls of 0.1 m, and its map.
 struct TestHall {
   explicit TestHall(double edge) {
     const double half = 0.5 * edge;
@@ -42,7 +42,7 @@ struct TestHall {
   Grid map;
 };
 
-/// An agent of the default body at a place.
+/// An agent with the default body at a place.
 inline Agent agent_at(const Eigen::Vector2d& p_map, double heading = 0.0) {
   Agent agent;
   agent.state.position = agent.anchor = agent.waypoint = p_map;

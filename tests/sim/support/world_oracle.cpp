@@ -19,7 +19,8 @@ using Vector = Eigen::Matrix<Real, 3, 1>;
 
 constexpr double kReach = 30.0;  // [m]
 
-/// A wedge as the common part of five half spaces; from inside, where the ray leaves it.
+/// Distance to a wedge as the intersection of five half spaces; from inside, the distance to the
+/// exit.
 double ramp_distance(const RampShape& ramp, const Eigen::Isometry3d& T_map_ramp, const Ray& ray) {
   const auto R = T_map_ramp.linear().cast<Real>();
   const Vector from = (ray.origin - T_map_ramp.translation()).cast<Real>();

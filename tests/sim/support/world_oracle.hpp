@@ -1,4 +1,4 @@
-/// Beams into a whole world the plain way: what its casts are held against.
+/// Reference ray casts into a whole world, as an oracle.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace castaway::sim {
 
-/// All objects that stand in a world, one after the other: boxes, cylinders and balls by the
-/// formulas of plain_cast.hpp, ramps by their five planes, meshes triangle by triangle, in long
-/// double. Only objects whose ball about their middle the ray passes are looked at.
+/// Loops over all objects of a world: boxes, cylinders and spheres by the formulas of
+/// plain_cast.hpp, ramps by their five planes, meshes triangle by triangle, in long double. Objects
+/// whose bounding sphere the ray misses are skipped.
 class WorldOracle {
  public:
-  /// @throws std::runtime_error if a mesh cannot be read.
+  /// Throws std::runtime_error if a mesh cannot be read.
   explicit WorldOracle(const WorldSpec& world);
 
   /// Distance to the nearest object; kNoHit if there is none within `max_distance`.
@@ -24,10 +24,10 @@ class WorldOracle {
  private:
   struct Item {
     Eigen::Vector3d center;  ///< [m] In map.
-    double radius;           ///< [m] Of a ball that holds it.
+    double radius;           ///< [m] Radius of the bounding sphere.
     ObjectShape shape;
     Eigen::Isometry3d T_map_object;
-    std::vector<RayPrimitive> triangles;  ///< Of a mesh.
+    std::vector<RayPrimitive> triangles;  ///< Triangles of a mesh.
   };
 
   static Item item_of(const WorldObject& object);
@@ -36,16 +36,16 @@ class WorldOracle {
   std::vector<Item> items_;
 };
 
-/// What came of a comparison.
+/// Result of a comparison.
 struct CastComparison {
   long beams = 0;
   long hits = 0;
-  long wrong = 0;      ///< Off by more than 0.1 mm.
+  long wrong = 0;      ///< Beams that differ by more than 0.1 mm.
   double worst = 0.0;  ///< [m]
 };
 
-/// Casts `beams` random beams of up to 30 m in a world, nearly level ones and some in all
-/// directions, and holds them against the oracle.
+/// Casts `beams` random beams of up to 30 m in a world, some nearly level and some in all
+/// directions, and compares them with the oracle.
 CastComparison compare_casts(const WorldSpec& world, long beams, unsigned seed);
 
 }  // namespace castaway::sim

@@ -9,9 +9,9 @@ namespace castaway::sim {
 namespace {
 
 const Eigen::Vector2d kMiddle(0.0, 0.0);
-const Ground kGround{};  // At 0, without end.
+const Ground kGround{};  // At height 0 and infinite.
 
-/// A slab of 8 m x 6 m whose top lies at `top`.
+/// A slab of 8 m x 6 m with its top at `top`.
 WorldSpec slab(double top, double thickness) {
   WorldSpec world;
   world.objects.push_back(box_on_floor("slab", {8.0, 6.0, thickness}, {0.0, 0.0}));
@@ -60,9 +60,9 @@ TEST(Floor, IsNotTheTopOfACupboard) {
 TEST(Floor, IsNotTheTopOfWhatFillsTheWorld) {
   WorldSpec world;
   world.objects.push_back(box_on_floor("block", {6.0, 6.0, 0.8}, {0.0, 0.0}));
-  EXPECT_EQ(floor_height(world, kGround, std::nullopt), 0.0);  // Nothing rises above it.
+  EXPECT_EQ(floor_height(world, kGround, std::nullopt), 0.0);  // No object rises above it.
   world.objects.push_back(box_on_floor("tower", {1.0, 1.0, 3.0}, {7.0, 0.0}));
-  EXPECT_EQ(floor_height(world, kGround, std::nullopt), 0.0);  // There is ground enough.
+  EXPECT_EQ(floor_height(world, kGround, std::nullopt), 0.0);  // There is enough ground.
 }
 
 TEST(Floor, IsWhereTheStartIsIfThereAreTwo) {

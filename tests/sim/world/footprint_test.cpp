@@ -36,7 +36,7 @@ TEST(Footprint, TellsOverlapsFromNeighbours) {
   };
   EXPECT_TRUE(overlap(at(0, 0, 0), at(0.99, 0, 0)));
   EXPECT_FALSE(overlap(at(0, 0, 0), at(1.01, 0, 0)));
-  // Corner to corner: bounds overlap, the squares do not.
+  // Corner to corner: the bounding boxes overlap, the squares do not.
   EXPECT_FALSE(overlap(at(0, 0, 0.5 * kQuarter), at(0.75, 0.75, 0.5 * kQuarter)));
   EXPECT_TRUE(overlap(at(0, 0, 0.5 * kQuarter), at(0.65, 0.65, 0.5 * kQuarter)));
 }

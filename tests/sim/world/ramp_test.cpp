@@ -35,7 +35,8 @@ WorldSpec ramp_world(double height) {
 }
 
 TEST(Ramp, IsAClosedSurfaceOfItsVolume) {
-  double volume = 0.0;  // Of the tetrahedra from the origin: right only if all faces look outwards.
+  double volume = 0.0;  // Of the tetrahedra from the origin; correct only if all faces point
+                        // outwards.
   for (const RampTriangle& t : ramp_triangles({{4.0, 2.0, 0.6}})) {
     volume += t[0].dot(t[1].cross(t[2])) / 6.0;
   }
@@ -82,8 +83,8 @@ TEST(Ramp, IsDrawnWithItsEightTriangles) {
 
 class Climb : public testing::TestWithParam<double> {};
 
-/// Up a slope of 4 m at constant speed: the base's height, pitch and speed along the slope are
-/// those of the plane.
+/// Driving up a slope of 4 m at constant speed, the base's height, pitch and speed along the slope
+/// are those of the plane.
 TEST_P(Climb, FollowsThePlane) {
   const double height = GetParam();
   const double slope = std::atan2(height, 4.0);
@@ -96,7 +97,7 @@ TEST_P(Climb, FollowsThePlane) {
   EXPECT_NEAR((T_map_base.translation() - from).norm(), 0.8, 0.008);
   const Eigen::Vector3d forward = T_map_base.linear().col(0);
   EXPECT_NEAR(std::asin(forward.z()), slope, 0.003);
-  // The base is on the floor between the wheels: on the plane, but for its own height above it.
+  // Base is on the floor between the wheels, so on the plane except for its own height.
   const double plane = (T_map_base.translation().x() - 1.0) * std::tan(slope);
   EXPECT_NEAR(T_map_base.translation().z(), plane, 0.003);
   EXPECT_NEAR(T_map_base.translation().y(), 0.0, 0.005);
@@ -134,7 +135,7 @@ TEST(Ramp, HoldsARobotThatStands) {
   EXPECT_LT((physics.state().T_map_base.translation() - stopped).norm(), 0.01);
 }
 
-/// A box let go on a slope of angle a slides with g (sin a - mu cos a), or stays if mu > tan a.
+/// A box released on a slope of angle a slides with g (sin a - mu cos a), or stays if mu > tan a.
 double slid(double height, double friction) {
   PhysicsWorld world(ramp_world(height), 0.002);
   const double slope = std::atan2(height, 4.0);
@@ -142,7 +143,7 @@ double slid(double height, double friction) {
   btVector3 inertia;
   shape.calculateLocalInertia(1.0, inertia);
   btRigidBody::btRigidBodyConstructionInfo info(1.0, nullptr, &shape, inertia);
-  info.m_friction = friction;  // Times 1 of the ground.
+  info.m_friction = friction;  // Multiplied by 1 for the ground.
   btRigidBody body(info);
   const btQuaternion turn(btVector3(0.0, 1.0, 0.0), -slope);
   const btVector3 normal = quatRotate(turn, btVector3(0.0, 0.0, 1.0));

@@ -29,7 +29,7 @@ TEST(PartRoofs, FindsASlabOverTheWorld) {
       split_roofs({box({6, 0.1F, 2.5F}, {0, 3, 1.25F}), box({6, 6, 0.2F}, {0, 0, 2.6F})}, 36.0F);
   ASSERT_EQ(items.size(), 2U);
   EXPECT_TRUE(items[0].casts_shadow);
-  EXPECT_FALSE(items[1].casts_shadow);  // With its sides.
+  EXPECT_FALSE(items[1].casts_shadow);  // Together with its sides.
   EXPECT_EQ(items[1].mesh.indices.size(), 36U);
 }
 
@@ -45,7 +45,7 @@ TEST(PartRoofs, FindsACeilingOfPanels) {
   EXPECT_EQ(roofs(split_roofs(panels, 16.0F)), 0U);
 }
 
-/// A closed room of one mesh keeps its walls and its floor.
+/// A closed room made of one mesh keeps its walls and its floor.
 TEST(PartRoofs, PartsTheRoofOfAMesh) {
   const auto items = split_roofs({box({6, 6, 2.5F}, {0, 0, 1.25F})}, 36.0F);
   ASSERT_EQ(items.size(), 2U);

@@ -15,10 +15,10 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Compares what a xacro expands to with what was expanded by hand.
+/// Compares expanded xacro with text expanded by hand.
 class Expand : public RobotFiles {
  protected:
-  /// The inside of `<robot>`, without indentation.
+  /// The content of `<robot>` without indentation.
   [[nodiscard]] std::string expanded(const std::string& inside,
                                      const RobotOptions& options = {}) const {
     const std::string path = write("pkg/urdf/robot.urdf.xacro", robot(inside));
@@ -187,7 +187,7 @@ TEST_F(Expand, IncludesFromTheFileAndFromPackages) {
             "<b /><a v=\"" + at("pkg") + "\" /><c v=\"5\" />");
 }
 
-/// As Kinova's arms: xacro takes what is below the root, whatever that is called.
+/// Like Kinova's arms: xacro includes the children of the root, whatever its name.
 TEST_F(Expand, IncludesFilesOfAnyRoot) {
   write("pkg/urdf/arm.xacro",
         "<root xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:property name=\"p\" "

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// a = 2, s = 'abc', d = {'x': {'y': 0.5}}, l = [1, 'two'], n.p = 7; f(x) gives its text.
+/// a = 2, s = 'abc', d = {'x': {'y': 0.5}}, l = [1, 'two'], n.p = 7; f(x) returns 'f of x'.
 Surroundings some_names() {
   Surroundings names;
   names.property = [](const std::string& name) -> std::optional<Value> {
@@ -38,7 +38,7 @@ std::string error_of(const std::string& expression) {
   return error_text([&] { return evaluate(expression, some_names()); });
 }
 
-/// An expression and what Python prints for it.
+/// An expression and the value that Python prints.
 struct Case {
   const char* expression;
   const char* text;

@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A straight drive of `metres` in steps of 0.5 m; odometry counts `scale` of it.
+/// A straight drive of `metres` in steps of 0.5 m; odometry reports `scale` times the distance.
 Frames straight(int metres, double scale) {
   Frames frames;
   for (int i = 0; i <= 2 * metres; ++i) {
@@ -24,7 +24,7 @@ Frames straight(int metres, double scale) {
 
 TEST(OdometryDrift, OfAWrongScaleIsItsError) {
   const auto segments = drift_segments(straight(20, 1.05), 10.0);
-  ASSERT_EQ(segments.size(), 11U);  // From every metre from 0 to 10.
+  ASSERT_EQ(segments.size(), 11U);  // One from every metre, 0 to 10.
   EXPECT_NEAR(mean_drift(segments)->percent, 5.0, 1e-9);
   EXPECT_NEAR(mean_drift(segments)->deg_per_m, 0.0, 1e-9);
 }

@@ -11,7 +11,7 @@ namespace {
 
 class PhysicsBench : public testing::TestWithParam<const char*> {};
 
-/// Millimetres and milliradians over metres and turns.
+/// Tolerances are millimetres and milliradians over metres and turns.
 TEST_P(PhysicsBench, AgreesWithMechanics) {
   RobotSpec spec;
   spec.file = GetParam();

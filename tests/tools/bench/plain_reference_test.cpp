@@ -1,4 +1,4 @@
-// The plain references are oracles: they agree with the fast parts wherever both do the same.
+// The plain references are oracles: they agree with the fast implementation.
 #include "tools/bench/plain_reference.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ BenchScene small_scene() {
 
 PlainParticle particle(const SE2& pose) { return {pose.x, pose.y, pose.yaw, 0.0}; }
 
-/// Poses about the scene's, farther and farther away.
+/// Poses at growing distances from the scene's pose.
 std::vector<SE2> poses_around(const SE2& pose) {
   std::vector<SE2> poses;
   for (int k = 0; k < 20; ++k) {
@@ -47,7 +47,8 @@ TEST(PlainReference, RatesRaysAsTheModelDoes) {
   for (const SE2& pose : poses_around(scene.T_map_base)) {
     const RayLocalScore fast = model.evaluate(scene.points, pose);
     const RayLocalScore plain = plain_rays({}, scene.grid, scan, particle(pose));
-    // A probe on a cell's edge may fall on either side in float and in double: two beams of 180.
+    // A probe on a cell's edge may fall on either side in float and in double: 2 of 180 beams may
+    // differ.
     EXPECT_NEAR(fast.hits, plain.hits, 2.0);
     EXPECT_NEAR(fast.log_likelihood, plain.log_likelihood, 9.0);
   }
@@ -92,7 +93,7 @@ TEST(PlainReference, FindsTheSameBestPlace) {
 TEST(PlainReference, ReseedsByWeight) {
   Rng rng = substream(2, "plain");
   std::vector<PlainParticle> particles(100);
-  particles[7] = {3.0, 4.0, 0.5, 50.0};  // all the weight
+  particles[7] = {3.0, 4.0, 0.5, 50.0};  // has all the weight
   for (const PlainParticle& p : plain_reseed(particles, 0.0, 0.0, rng)) {
     EXPECT_EQ(p.x, 3.0);
     EXPECT_EQ(p.log_weight, 0.0);

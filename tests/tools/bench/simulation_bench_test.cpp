@@ -5,7 +5,7 @@
 namespace castaway::testbed {
 namespace {
 
-// How fast is what the benchmark tells; here it only has to have measured something.
+// The benchmark itself measures the speed; this test only checks that it measured something.
 
 TEST(SimulationBench, TellsWhatEveryStageTakes) {
   const SimulationCost cost = time_simulation({3, 90, 0, 2.0, false});

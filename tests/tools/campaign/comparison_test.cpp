@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// What a run folder holds.
+/// Content of a run folder.
 struct Written {
   std::string scenario = "s";
   std::uint64_t seed = 1;
@@ -38,7 +38,7 @@ void write_run(const fs::path& folder, const Written& run) {
                                            "\nlocalizers: [" + run.localizer + "]\n");
 }
 
-/// Three seeds whose errors are `errors`.
+/// Writes runs of consecutive seeds with the given errors.
 void write_runs(const fs::path& folder, const std::vector<double>& errors) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     Written run;
@@ -78,11 +78,11 @@ TEST(Comparison, IsOfPairsOfScenarioAndSeed) {
   ASSERT_TRUE(error.interval);
   EXPECT_NEAR(error.interval->low, 0.2, 1e-9);
   EXPECT_NEAR(error.interval->high, 0.2, 1e-9);
-  EXPECT_EQ(error.verdict(), 0);  // Three pairs agree by chance once in four times.
+  EXPECT_EQ(error.verdict(), 0);  // Three pairs have the same sign by chance in one of four cases.
   EXPECT_EQ(metric(comparison, "collisions").verdict(), 0);
 }
 
-/// Errors of so many seeds, and those less a tenth.
+/// Compares `count` seeds with runs whose errors are smaller by a tenth.
 Comparison of_pairs(const fs::path& folder, int count) {
   std::vector<double> before;
   std::vector<double> after;
@@ -107,7 +107,8 @@ TEST(Comparison, IsCorrectedForTheNumberOfMetrics) {
   const MetricComparison error = metric(comparison, "a.position_error_m.mean");
   const auto judged = static_cast<double>(comparison.metrics.size());
   EXPECT_NEAR(error.p_value.value(), judged * 2.0 / 64.0, 1e-12);
-  EXPECT_EQ(error.verdict(), 0);  // By itself it would be better: 0.03.
+  EXPECT_EQ(error.verdict(), 0);  // Without the correction its p-value of 0.03 would be
+                                  // significant.
 }
 
 TEST(Comparison, NeverJudgesAClock) {

@@ -23,7 +23,7 @@ TEST(ExperimentSummary, PoolsErrorsAndBeliefsOfAllRuns) {
   EXPECT_EQ(a.at("/error_m/scans"_json_pointer), 4);
   EXPECT_EQ(a.at("/error_m/mean"_json_pointer), 2.1);
   EXPECT_NEAR(a.at("/error_m/sd"_json_pointer), 2.0, 1e-9);
-  EXPECT_EQ(a.at("/error_m/mean_interval"_json_pointer), Json({2.1, 2.1}));  // both runs the same
+  EXPECT_EQ(a.at("/error_m/mean_interval"_json_pointer), Json({2.1, 2.1}));  // equal in both runs
   EXPECT_EQ(a.at("/hypotheses/mean"_json_pointer), 2.0);
   EXPECT_EQ(a.at("/hypotheses/max"_json_pointer), 3.0);
   EXPECT_EQ(a.at("/discrimination/wrong"_json_pointer), 2);
@@ -31,7 +31,7 @@ TEST(ExperimentSummary, PoolsErrorsAndBeliefsOfAllRuns) {
   EXPECT_EQ(a.at("/discrimination/probability_auc"_json_pointer), 0.5);
   EXPECT_EQ(a.at("/discrimination/covariance_auc"_json_pointer), 0.5);
   EXPECT_NEAR(a.at("/correlation/quality_error"_json_pointer), -1.0, 1e-9);
-  EXPECT_TRUE(a.at("/correlation/sigma_error"_json_pointer).is_null());  // it never varies
+  EXPECT_TRUE(a.at("/correlation/sigma_error"_json_pointer).is_null());  // it is constant
   EXPECT_EQ(a.at("/recovery/time_s/mean"_json_pointer), 2.0);
   EXPECT_FALSE(summary.contains("driving"));
 }

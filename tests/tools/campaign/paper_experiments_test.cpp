@@ -29,7 +29,7 @@ TEST(PaperExperiments, NeverRepeatARun) {
           << run.scenario;
     }
     if (number == 2) {
-      EXPECT_EQ(seeds.size(), runs.size());  // every start is another one
+      EXPECT_EQ(seeds.size(), runs.size());  // all starts differ
     }
   }
 }

@@ -33,7 +33,7 @@ TEST(CoveragePicture, PutsHeatOverTheMap) {
   };
   EXPECT_EQ(at(0, 0), (std::vector<int>{255, 255, 255}));
   EXPECT_EQ(at(0, 1), (std::vector<int>{204, 204, 204}));
-  EXPECT_EQ(at(1, 0), (std::vector<int>{153, 0, 25}));  // Most of all scans: dark red.
+  EXPECT_EQ(at(1, 0), (std::vector<int>{153, 0, 25}));  // Most scans: dark red.
   EXPECT_EQ(at(1, 1), (std::vector<int>{0, 0, 0}));
 }
 

@@ -18,9 +18,9 @@ TEST(DatasetCard, SaysWhatTheDataSetHolds) {
   EXPECT_TRUE(contains(card, "castaway dataset dataset.yaml -n 3 --out DIR"));
   EXPECT_TRUE(contains(card, "| flat | 1 | 1.0 | 0 | 0 | test |"));
   EXPECT_TRUE(contains(card, "| office | 2 | 2.0 | 30 | 2 | train |"));
-  EXPECT_TRUE(contains(card, "2 worlds for 3 parts: val is empty"));
-  EXPECT_TRUE(contains(card, "| odometry: error a metre [m] | 0.01 | 0.015 | 0.02 |"));
-  EXPECT_TRUE(contains(card, "| odometry: error of yaw a metre [rad] | | | |"));
+  EXPECT_TRUE(contains(card, "2 worlds for 3 splits: val is empty"));
+  EXPECT_TRUE(contains(card, "| odometry: error per metre [m] | 0.01 | 0.015 | 0.02 |"));
+  EXPECT_TRUE(contains(card, "| odometry: yaw error per metre [rad] | | | |"));
   EXPECT_TRUE(contains(card, "| people.count | 0 to 4 |"));
   EXPECT_TRUE(contains(card, "| robot | `waffle` 3 times |"));
   EXPECT_TRUE(contains(card, "[plots/index.html](plots/index.html) plots them."));

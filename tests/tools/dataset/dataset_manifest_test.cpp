@@ -66,14 +66,14 @@ TEST(DatasetManifest, HoldsTheSumsAgainstItself) {
 TEST(DatasetManifest, RefusesWhatIsNone) {
   const TemporaryFolder folder;
   const auto verify = [&] { verify_dataset(folder.path()); };
-  EXPECT_TRUE(contains(error_of(verify), "no manifest.json: no data set, or one that is not"));
+  EXPECT_TRUE(contains(error_of(verify), "no manifest.json: not a data set, or an unfinished"));
   folder.put("manifest.json", "{\"files\": 3}");
   EXPECT_TRUE(contains(error_of(verify), "manifest.json: no manifest of a data set"));
   folder.put("manifest.json", "{\"files\": [");
   EXPECT_TRUE(contains(error_of(verify), "manifest.json: no manifest of a data set"));
   folder.put("manifest.json",
              "{\"files\": [{\"path\": \"../x\", \"bytes\": 1, \"sha256\": \"\"}]}");
-  EXPECT_TRUE(contains(error_of(verify), "'../x' is no path within the data set"));
+  EXPECT_TRUE(contains(error_of(verify), "'../x' is not a path within the data set"));
 }
 
 // Its script depends on the build.

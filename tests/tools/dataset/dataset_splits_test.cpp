@@ -13,7 +13,7 @@ namespace {
 
 using Worlds = std::vector<std::string>;
 
-/// `each` sequences in every one of so many worlds, in turn.
+/// `count` worlds with `each` sequences, interleaved.
 Worlds worlds_of(int count, int each) {
   Worlds worlds;
   for (int i = 0; i < count * each; ++i) worlds.push_back("world-" + std::to_string(i % count));
@@ -53,11 +53,11 @@ TEST(DatasetSplits, TooFewWorldsAreSaid) {
   const DatasetSplits one = split_dataset(worlds_of(1, 4), {}, 1);
   EXPECT_EQ(sizes(one), (std::map<int, int>{{0, 4}}));
   EXPECT_EQ(one.remark,
-            "1 world for 3 parts: test and val are empty; add worlds, or say splits: {by: "
+            "1 world for 3 splits: test and val are empty; add worlds, or set splits: {by: "
             "sequence}");
   const DatasetSplits two = split_dataset(worlds_of(2, 4), {}, 1);
   EXPECT_EQ(sizes(two), (std::map<int, int>{{0, 4}, {2, 4}}));
-  EXPECT_TRUE(contains(two.remark, "2 worlds for 3 parts: val is empty"));
+  EXPECT_TRUE(contains(two.remark, "2 worlds for 3 splits: val is empty"));
   SplitSpec no_val;
   no_val.val = 0.0;
   EXPECT_EQ(split_dataset(worlds_of(2, 4), no_val, 1).remark, "");

@@ -55,7 +55,7 @@ TEST(SequenceStatistics, CountWhatGoesBy) {
   EXPECT_TRUE(json.at("difficulty").at("odometry_error_per_m").is_null());
   const auto& counted = json.at("statistics");
   EXPECT_EQ(counted.at("ranges")[3], 2);  // 1.5 m
-  EXPECT_EQ(counted.at("ranges")[1], 2);  // 0.75 m; what does not return is in no bin.
+  EXPECT_EQ(counted.at("ranges")[1], 2);  // 0.75 m; misses are in no bin.
   EXPECT_EQ(counted.at("classes").at("person"), 2);
   EXPECT_EQ(counted.at("classes").at("none"), 2);
   EXPECT_EQ(counted.at("occluded")[6], 2);

@@ -1,4 +1,4 @@
-// Every specification in datasets/ gives scenarios that can be.
+// Every specification in datasets/ gives valid scenarios.
 #include <gtest/gtest.h>
 
 #include "tools/scenario/dataset_sample.hpp"

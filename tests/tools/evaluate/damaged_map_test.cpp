@@ -27,13 +27,13 @@ RosMap room() {
 
 RosMap damaged_room(const StressConfig& config, std::uint64_t seed = 1) {
   Rng rng(seed);
-  return damaged(room(), config, rng);
+  return damage_map(room(), config, rng);
 }
 
 TEST(DamagedMap, IsTheMapByDefault) {
   Rng rng(1);
-  EXPECT_EQ(damaged(room(), {}, rng).cells, room().cells);
-  EXPECT_EQ(rng, Rng(1));  // nor does it draw
+  EXPECT_EQ(damage_map(room(), {}, rng).cells, room().cells);
+  EXPECT_EQ(rng, Rng(1));  // and draws nothing
 }
 
 TEST(DamagedMap, LosesItsWalls) {
@@ -54,7 +54,7 @@ TEST(DamagedMap, LosesItsWalls) {
 }
 
 TEST(DamagedMap, GetsBoxesInItsFreeSpace) {
-  const RosMap map = damaged_room({.boxes_per_m2 = 0.1});  // 54 m^2: 5 boxes of 25 cells
+  const RosMap map = damaged_room({.boxes_per_m2 = 0.1});  // 54 m^2: 5 boxes of 25 cells each
   std::ptrdiff_t added = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     EXPECT_GE(map.cells[i], room().cells[i]);
@@ -77,7 +77,7 @@ TEST(DamagedMap, MayBeSmallerThanABox) {
   map.resolution = 0.1;
   map.cells.assign(600, 0);
   Rng rng(1);
-  const RosMap boxed = damaged(map, {.boxes_per_m2 = 1.0}, rng);  // 6 boxes, 3 cells wide
+  const RosMap boxed = damage_map(map, {.boxes_per_m2 = 1.0}, rng);  // 6 boxes, 3 cells wide
   const auto occupied = std::count(boxed.cells.begin(), boxed.cells.end(), std::int8_t{100});
   EXPECT_GT(occupied, 0);
   EXPECT_LE(occupied, 6 * 5 * 3);
@@ -87,7 +87,7 @@ TEST(DamagedMap, DoesWithoutBoxesThatFindNoPlace) {
   RosMap map = room();  // free along its upper edge only, where no box begins
   for (int i = 0; i < 6000; ++i) map.cells[static_cast<std::size_t>(i)] = i < 5600 ? 100 : 0;
   Rng rng(1);
-  EXPECT_EQ(damaged(map, {.boxes_per_m2 = 1.0}, rng).cells, map.cells);
+  EXPECT_EQ(damage_map(map, {.boxes_per_m2 = 1.0}, rng).cells, map.cells);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ EvaluationConfig few() {
   return config;
 }
 
-/// Moves the truth, not the robot.
+/// Moves the true poses but not the robot.
 void falsify(Frames& frames, const SE2& by) {
   for (Frame& frame : frames) {
     if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
@@ -53,9 +53,9 @@ TEST(Evaluation, OfMhAmclInAnOfficeIsThatItFindsItself) {
   EXPECT_EQ(row.scans, 3 * 41);          // 0 to 8 s, from the kidnap on
   EXPECT_LT(row.wrong_scans, row.scans / 2);
   EXPECT_EQ(row.detection_delay_s.size(), 1U);
-  EXPECT_GT(row.calibration.scans(), row.scans / 2);  // not where it has no answer yet
+  EXPECT_GT(row.calibration.scans(), row.scans / 2);  // it has no answer at first
   EXPECT_LE(row.calibration.scans(), row.scans);
-  EXPECT_LT(*row.calibration.brier(), 0.25);  // better than a coin
+  EXPECT_LT(*row.calibration.brier(), 0.25);  // better than guessing
   EXPECT_GT(row.watched_s, 15.0);
   EXPECT_GE(*false_alarms_per_h(row), 0.0);
   EXPECT_GT(row.cpu_mean_ms, 0.0);
@@ -70,7 +70,7 @@ TEST(Evaluation, CountsAnswersThatAreWrong) {
   EXPECT_EQ(row.starts.recovered, 0);
   EXPECT_TRUE(row.starts.time_s.empty());
   EXPECT_EQ(row.scans, 3 * 41);
-  EXPECT_GT(row.wrong_scans, row.scans / 2);  // it found itself, and says so
+  EXPECT_GT(row.wrong_scans, row.scans / 2);  // it found itself and raises no alarm
   EXPECT_GT(row.longest_wrong_s, 4.0);
   EXPECT_LE(row.longest_wrong_s, 8.0);
 }
@@ -103,7 +103,7 @@ TEST(Evaluation, OfTheSameSeedIsTheSame) {
   const EvaluationRow two = evaluate(place, parse_localizer("mh_amcl"), config);
   EXPECT_EQ(one.starts.time_s, two.starts.time_s);
   EXPECT_EQ(one.wrong_scans, two.wrong_scans);
-  EXPECT_EQ(one.scans, 8);  // of 16 in 3 s
+  EXPECT_EQ(one.scans, 8);  // half of the 16 scans in 3 s
 }
 
 TEST(Evaluation, RefusesWhatIsOutOfRange) {

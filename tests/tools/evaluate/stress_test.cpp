@@ -16,7 +16,7 @@ using localization::Rng;
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-/// `scans` scans of 180 beams over half a turn, all of `range`.
+/// `scans` scans of 180 beams over half a turn with the same `range`.
 Frames frames_with(float range, int scans = 4) {
   Frames frames = straight_log(scans);
   for (Frame& frame : frames) {
@@ -41,16 +41,16 @@ std::vector<LaserScan> scans_of(const Frames& frames) {
 std::vector<LaserScan> stressed_scans(const Frames& frames, const StressConfig& config,
                                       std::uint64_t seed = 1) {
   Rng rng(seed);
-  return scans_of(stressed(frames, config, rng));
+  return scans_of(apply_stress(frames, config, rng));
 }
 
 TEST(Stress, ChangesNothingByDefault) {
   const Frames frames = frames_with(5.0F);
   Rng rng(1);
-  const Frames same = stressed(frames, {}, rng);
+  const Frames same = apply_stress(frames, {}, rng);
   ASSERT_EQ(same.size(), frames.size());
   EXPECT_EQ(scans_of(same)[2].ranges, scans_of(frames)[2].ranges);
-  EXPECT_EQ(rng, Rng(1));  // nor does it draw
+  EXPECT_EQ(rng, Rng(1));  // and draws nothing
 }
 
 TEST(Stress, PeopleBlockTheShareAndOnlyShorten) {
@@ -60,7 +60,8 @@ TEST(Stress, PeopleBlockTheShareAndOnlyShorten) {
       const auto blocked =
           std::count_if(scan.ranges.begin(), scan.ranges.end(), [](float r) { return r < 8.0F; });
       EXPECT_GE(static_cast<double>(blocked), 180.0 * share);
-      EXPECT_LE(static_cast<double>(blocked), 180.0 * share + 50.0);  // one person at 0.6 m
+      EXPECT_LE(static_cast<double>(blocked), 180.0 * share + 50.0);  // at most one person at 0.6 m
+                                                                      // too many
       for (const float r : scan.ranges) {
         EXPECT_TRUE(r == 8.0F || (r >= 0.349F && r < 2.51F)) << r;
       }
@@ -100,7 +101,7 @@ TEST(Stress, DependsOnTheGeneratorOnly) {
 TEST(Stress, LeavesOutScansOfEvenIndexButNoOdometry) {
   const Frames frames = frames_with(8.0F, 5);
   Rng rng(1);
-  const Frames odd = stressed(frames, {.odd_scans_only = true}, rng);
+  const Frames odd = apply_stress(frames, {.odd_scans_only = true}, rng);
   EXPECT_EQ(odd.size(), frames.size() - 3);
   ASSERT_EQ(scans_of(odd).size(), 2U);
   EXPECT_EQ(scans_of(odd)[0].stamp, scans_of(frames)[1].stamp);

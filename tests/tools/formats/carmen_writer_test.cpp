@@ -41,7 +41,7 @@ TEST(CarmenWriter, IsReadBackToTheBit) {
   written.angle_min = -3.141592653589793;
   written.T_odom_base = {1.0 / 3.0, 2.0 / 7.0, -0.1};
   std::string line = carmen_scan_line(milliseconds(100), written);
-  line.pop_back();  // Readers take lines without their end.
+  line.pop_back();  // Readers take lines without the newline.
   const auto message = parse_carmen_line(line);
   ASSERT_TRUE(message);
   const auto& laser = std::get<CarmenLaser>(*message);

@@ -34,7 +34,7 @@ void expect_attributes(const Element& element, const std::set<std::string_view>&
   }
 }
 
-/// What the readers' common schema (Jenkins' junit-10.xsd) allows of a case.
+/// Checks a case against the readers' common schema (Jenkins' junit-10.xsd).
 void expect_case(const Element& test) {
   EXPECT_STREQ(test.Value(), "testcase");
   expect_attributes(test, {"name", "classname", "time"});

@@ -34,7 +34,7 @@ TEST(RosMap, TakesUnknownForFreeWhereTheThresholdSaysSo) {
   EXPECT_EQ(cells_of({205}, header), (Cells{0}));
 }
 
-/// A picture of ten cells of which two are grey 205.
+/// An image of ten cells, two of which are grey 205.
 GrayImage partly_unknown() {
   return {10, 1, 255, {205, 205, 0, 254, 254, 254, 254, 254, 254, 254}};
 }

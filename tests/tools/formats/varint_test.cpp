@@ -51,11 +51,11 @@ TEST(Varint, RefusesWhatEndsWithinANumberOrNever) {
 }
 
 TEST(Quantized, RoundsAndKeepsClearOfWhatIsNoNumber) {
-  EXPECT_EQ(quantized(1.26, 0.1), 13);
-  EXPECT_EQ(quantized(-1.26, 0.1), -13);
-  EXPECT_EQ(quantized(std::nan(""), 0.1), 0);
-  EXPECT_EQ(quantized(std::numeric_limits<double>::infinity(), 0.1), std::int64_t{1} << 50U);
-  EXPECT_EQ(quantized(-1e300, 0.1), -(std::int64_t{1} << 50U));
+  EXPECT_EQ(quantize(1.26, 0.1), 13);
+  EXPECT_EQ(quantize(-1.26, 0.1), -13);
+  EXPECT_EQ(quantize(std::nan(""), 0.1), 0);
+  EXPECT_EQ(quantize(std::numeric_limits<double>::infinity(), 0.1), std::int64_t{1} << 50U);
+  EXPECT_EQ(quantize(-1e300, 0.1), -(std::int64_t{1} << 50U));
 }
 
 TEST(IntColumn, KeepsDifferences) {

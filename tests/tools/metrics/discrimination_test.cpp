@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The definition, pair by pair.
+/// Computes the area by its definition, over all pairs.
 double naive_area(const std::vector<ScoredOutput>& outputs) {
   double wins = 0.0;
   double pairs = 0.0;

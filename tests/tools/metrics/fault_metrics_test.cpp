@@ -13,7 +13,7 @@ RunEvent event(double t, EventKind kind, const std::string& detail) {
   return {from_seconds(t), kind, detail, {}, {}};
 }
 
-/// A row at `t` [s] whose estimate is off by `error_m`.
+/// A row at `t` [s] with a position error of `error_m`.
 MetricRow row(double t, double error_m, bool lost = false) {
   MetricRow result;
   result.stamp = result.delivered = from_seconds(t);

@@ -39,10 +39,10 @@ TEST(LocalizerMetrics, TrackingLeavesOutTheTimeFromAKidnapToItsRecovery) {
 
 TEST(LocalizerMetrics, CountEveryScoredEvent) {
   std::vector<double> errors(30, 0.0);
-  errors[19] = 3.0;  // the second kidnap is not recovered
+  errors[19] = 3.0;  // no recovery from the second kidnap
   const LocalizerMetrics metrics =
       measured(rows_with(errors), {kidnap_at(5.0), kidnap_at(12.0), kidnap_at(20.0),
-                                   kidnap_at(28.0)});  // the last one leaves 2 s only
+                                   kidnap_at(28.0)});  // the last one leaves only 2 s
   EXPECT_EQ(metrics.events, 3);
   EXPECT_EQ(metrics.recovered, 2);
   EXPECT_DOUBLE_EQ(*metrics.success, 2.0 / 3.0);
@@ -139,10 +139,10 @@ TEST(LocalizerMetrics, ErrorsHaveIntervalsOnceThereAreTwoBlocksOfFiveSeconds) {
 
 TEST(FalseAlarms, AreOnsetsWhileTheOutputIsRight) {
   std::vector<MetricRow> rows = right_rows(36);
-  rows[3].lost = rows[4].lost = true;  // one alarm of two rows
+  rows[3].lost = rows[4].lost = true;  // one alarm over two rows
   rows[10].lost = true;
   rows[20] = row_at(20.0, 3.0);
-  rows[20].lost = true;  // wrong: a true alarm
+  rows[20].lost = true;  // output is wrong: a true alarm
   EXPECT_DOUBLE_EQ(*measured(rows, {}).false_alarms_per_h, 2.0 * 3600.0 / 36.0);
   EXPECT_EQ(measured(rows, {}).false_alarms, 2);
   EXPECT_DOUBLE_EQ(measured(rows, {}).watched_s, 36.0);
@@ -150,7 +150,7 @@ TEST(FalseAlarms, AreOnsetsWhileTheOutputIsRight) {
 
 TEST(FalseAlarms, WithinFiveSecondsOfAKidnapAreItsAnswer) {
   std::vector<MetricRow> rows = right_rows(41);
-  rows[14].lost = true;  // 4 s after the kidnap, though the output is right already
+  rows[14].lost = true;  // 4 s after the kidnap, although the output is already right
   const double watched_s = 41.0 - 5.0;
   EXPECT_EQ(measured(rows, {kidnap_at(10.0)}).false_alarms_per_h, 0.0);
   rows[16].lost = true;
@@ -161,11 +161,11 @@ TEST(FalseAlarms, AreTimedByDelivery) {
   std::vector<MetricRow> rows = right_rows(41);
   rows[9].lost = true;
   EXPECT_GT(*measured(rows, {kidnap_at(9.5)}).false_alarms_per_h, 0.0);
-  rows[9].delivered = from_seconds(9.75);  // its last beams have seen the kidnap
+  rows[9].delivered = from_seconds(9.75);  // its last beams were taken after the kidnap
   EXPECT_EQ(measured(rows, {kidnap_at(9.5)}).false_alarms_per_h, 0.0);
   rows[9].lost = false;
   rows[14].lost = true;
-  rows[14].delivered = from_seconds(14.75);  // its first beam within, its answer after 5 s
+  rows[14].delivered = from_seconds(14.75);  // its first beam is within 5 s, its answer is not
   EXPECT_GT(*measured(rows, {kidnap_at(9.5)}).false_alarms_per_h, 0.0);
 }
 
@@ -173,7 +173,7 @@ TEST(FalseAlarms, DoNotCountBeforeTheRecovery) {
   std::vector<double> errors(40, 0.0);
   errors[18] = 3.0;
   std::vector<MetricRow> rows = rows_with(errors);
-  rows[16].lost = true;  // right by chance, 8 s before the recovery is sure
+  rows[16].lost = true;  // right by chance, 8 s before the recovery is stable
   EXPECT_EQ(measured(rows, {kidnap_at(10.0)}).false_alarms_per_h, 0.0);
 }
 

@@ -33,7 +33,7 @@ TEST(MetricTable, HasTheTimingUnderItsName) {
   EXPECT_EQ(table, (MetricTable{{"timing.localizers.a.update_ms.max", 2.0}}));
 }
 
-/// What a run writes is known before it is made.
+/// The metrics of a run are known before it is made.
 TEST(KnownMetrics, AreThoseThatARunHas) {
   const TemporaryFolder folder;
   RunInfo info = run_of({"mh_amcl", "amcl"});
@@ -54,7 +54,7 @@ TEST(KnownMetrics, AreThoseThatARunHas) {
     EXPECT_TRUE(std::find(known.begin(), known.end(), name) != known.end()) << name;
   }
   for (const std::string& name : known) {
-    if (name.starts_with("timing.cpu_s")) continue;  // parts of the program that did run
+    if (name.starts_with("timing.cpu_s")) continue;  // only for stages that ran
     EXPECT_TRUE(table.contains(name)) << name;
   }
 }

@@ -36,7 +36,7 @@ TEST(OutputJumps, OfARecoveryAreNotWhileTracking) {
   window.end = from_seconds(10.0);
   const OutputJumps jumps = jumps_of(rows_with({0.0, 4.0, 0.0, 0.0, 1.0}), {window});
   EXPECT_EQ(jumps.count, 3);
-  EXPECT_EQ(jumps.while_tracking, 1);  // the one at 4 s
+  EXPECT_EQ(jumps.while_tracking, 1);  // the jump at 4 s
   EXPECT_NEAR(jumps.largest_m, 4.0, 1e-12);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kWrong = 2.0;  // [m]
 
-/// Rows at 0 to 19 s, wrong where `wrong` says so.
+/// Rows at 0 to 19 s that are wrong at the indices `wrong`.
 std::vector<MetricRow> twenty_rows(const std::vector<std::size_t>& wrong) {
   std::vector<MetricRow> rows = right_rows(20);
   for (const std::size_t i : wrong) rows[i] = row_at(static_cast<double>(i), kWrong);
@@ -39,7 +39,7 @@ TEST(Recovery, IsTheFirstRowFromWhichAllAreRight) {
   EXPECT_EQ(windows[0].end, from_seconds(20.0));
   EXPECT_TRUE(windows[0].scored);
   EXPECT_EQ(windows[0].recovered, from_seconds(10.0));
-  EXPECT_NEAR(windows[0].distance_m, 0.6, 1e-12);  // 0.1 m a second
+  EXPECT_NEAR(windows[0].distance_m, 0.6, 1e-12);  // 0.1 m per second
 }
 
 TEST(Recovery, OfACarriedRobotIsTimedFromWhereItWasPutDown) {
@@ -73,7 +73,7 @@ TEST(Recovery, CountsTheTimeThatIsWrongWithoutAlarm) {
   auto rows = twenty_rows({2, 4, 5, 6, 9});
   rows[5].lost = true;
   const auto windows = windows_of(rows, {kidnap_at(4.5), kidnap_at(9.5)});
-  EXPECT_EQ(windows[0].wrong_lock_s, 0.5 + 1.0 + 0.5);  // rows 4 and 6, and 9 up to the next kidnap
+  EXPECT_EQ(windows[0].wrong_lock_s, 0.5 + 1.0 + 0.5);  // rows 4 and 6, and 9 until the next kidnap
   EXPECT_EQ(windows[1].wrong_lock_s, 0.5);
 }
 
@@ -163,7 +163,8 @@ TEST(Notice, MayComeFromAScanThatBeganBeforeTheKidnap) {
   auto rows = twenty_rows({5, 6, 7});
   rows[4].delivered = from_seconds(4.9);
   const auto kidnap = kidnap_at(4.5);
-  EXPECT_EQ(windows_of(rows, {kidnap})[0].noticed, from_seconds(8.0));  // right, but of before
+  EXPECT_EQ(windows_of(rows, {kidnap})[0].noticed,
+            from_seconds(8.0));  // row 4 is right, but of before the kidnap
   rows[4].lost = true;
   EXPECT_EQ(windows_of(rows, {kidnap})[0].noticed, from_seconds(4.9));
   rows[4].delivered = from_seconds(4.4);

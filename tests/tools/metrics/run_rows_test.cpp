@@ -55,7 +55,7 @@ TEST(TornRows, AreThoseThatAKidnapFallsInto) {
   for (MetricRow& row : rows) row.delivered = row.stamp + from_seconds(0.9);
   RunEvent carry = kidnap_at(6.5);
   carry.since = from_seconds(4.5);
-  rows = with_torn_marked(std::move(rows), {kidnap_at(1.5), kidnap_at(3.0), carry});
+  rows = mark_torn_rows(std::move(rows), {kidnap_at(1.5), kidnap_at(3.0), carry});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool torn = i == 1 || i == 4 || i == 6;
     EXPECT_EQ(rows[i].torn, torn) << i;
@@ -88,20 +88,20 @@ TEST(DrivenDistance, FollowsOdometryWhereThereIsNoTruth) {
   rows[2].T_map_base_true.reset();
   const auto driven = driven_distance(rows, {});
   EXPECT_DOUBLE_EQ(driven[1], 2.0);
-  EXPECT_NEAR(driven[2], 2.1, 1e-12);  // 0.1 m a second by odometry
+  EXPECT_NEAR(driven[2], 2.1, 1e-12);  // 0.1 m per second by odometry
   EXPECT_NEAR(driven[3], 2.2, 1e-12);
 }
 
 TEST(DrivenDistance, LeavesOutTheJumpOfAKidnap) {
   const std::vector<MetricRow> rows{true_row(0.0, {}), true_row(1.0, {51.0, 0.0, 0.0})};
   RunEvent kidnap = kidnap_at(0.5);
-  EXPECT_NEAR(driven_distance(rows, {kidnap})[1], 0.1, 1e-12);  // poses unknown: odometry
+  EXPECT_NEAR(driven_distance(rows, {kidnap})[1], 0.1, 1e-12);  // poses unknown: by odometry
   kidnap.T_map_from = SE2{0.25, 0.0, 0.0};
   kidnap.T_map_to = SE2{50.0, 0.0, 0.0};
   EXPECT_DOUBLE_EQ(driven_distance(rows, {kidnap})[1], 1.25);
-  kidnap.stamp = from_seconds(1.0);  // at the stamp of the later row: it is displaced already
+  kidnap.stamp = from_seconds(1.0);  // at the stamp of the later row, which is already displaced
   EXPECT_DOUBLE_EQ(driven_distance(rows, {kidnap})[1], 1.25);
-  kidnap.stamp = from_seconds(0.0);  // at the stamp of the earlier row, which has seen it
+  kidnap.stamp = from_seconds(0.0);  // at the stamp of the earlier row, which is after the kidnap
   EXPECT_DOUBLE_EQ(driven_distance(rows, {kidnap})[1], 51.0);
 }
 

@@ -35,7 +35,7 @@ TEST(VoidRun, IsNullInTheSummaryOfARunThatCounts) {
   const Json json = void_json(VoidRun{kNeverMoved, 0.0});
   EXPECT_EQ(json.at("reason"), "never_moved");
   EXPECT_EQ(json.at("at_s"), 0.0);
-  EXPECT_TRUE(contains(json.at("sentence"), "never got going"));
+  EXPECT_TRUE(contains(json.at("sentence"), "never moved"));
 }
 
 TEST(VoidRun, IsReadFromASummary) {

@@ -7,7 +7,7 @@ namespace {
 
 TEST(FileName, TakesNames) {
   for (const char* name : {"lab-kidnap", "a b", "x.y", "Büro", "mh_amcl:paper", "1"}) {
-    EXPECT_EQ(trouble_with_file_name(name), "") << name;
+    EXPECT_EQ(file_name_error(name), "") << name;
     EXPECT_EQ(file_name_of(name), name);
   }
 }
@@ -18,13 +18,13 @@ TEST(FileName, RefusesPathsAndOddNames) {
         std::string("a\\b"), std::string("."), std::string(".."), std::string(".hidden"),
         std::string("-rf"), std::string(" a"), std::string("a "), std::string("a\nb"),
         std::string("a\0b", 3), std::string("\x7f"), std::string(101, 'a')}) {
-    EXPECT_NE(trouble_with_file_name(name), "") << name;
-    EXPECT_EQ(trouble_with_file_name(file_name_of(name)), "") << name;
+    EXPECT_NE(file_name_error(name), "") << name;
+    EXPECT_EQ(file_name_error(file_name_of(name)), "") << name;
   }
 }
 
 TEST(FileName, SaysThatANameIsNoPath) {
-  EXPECT_EQ(trouble_with_file_name("a/b"), "must not hold '/'; it names files, it is not a path");
+  EXPECT_EQ(file_name_error("a/b"), "must not hold '/'; it names files, it is not a path");
   EXPECT_EQ(file_name_of("a/b"), "a_b");
   EXPECT_EQ(file_name_of("../../evil"), "_._.._evil");
 }

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with two files that castaway wrote.
+/// Writes a folder with two files of castaway.
 FileRecord write_two(const TemporaryFolder& folder) {
   folder.put("a.csv", "1,2\n");
   folder.put("bag/b.mcap", "bag");

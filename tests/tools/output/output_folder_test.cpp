@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 OutputRequest request_for(const fs::path& target) { return {target, "run", "5e77"}; }
 
-/// A complete run with these files.
+/// Writes a complete run with these files.
 void write_run(const fs::path& target, const std::vector<std::string>& files) {
   OutputFolder output(request_for(target));
   for (const std::string& file : files) write_file(output.folder() / file, file);
@@ -176,7 +176,7 @@ TEST(OutputFolder, ClearsWhatAKilledRunLeft) {
   if (child == 0) {
     OutputFolder output(request_for(target));
     write_file(output.folder() / "half", "h");
-    _exit(0);  // As if it was killed: nobody cleans up.
+    _exit(0);  // Simulates a kill: nothing is cleaned up.
   }
   waitpid(child, nullptr, 0);
   ASSERT_TRUE(fs::exists(target / kStagingName / "half"));
@@ -188,8 +188,8 @@ TEST(OutputFolder, ClearsWhatAKilledRunLeft) {
 TEST(OutputFolder, RefusesASecondProcess) {
   const TemporaryFolder folder;
   const OutputFolder output(request_for(folder.path() / "run"));
-  EXPECT_TRUE(
-      contains(refusal(request_for(folder.path() / "run")), "another castaway is at work in it"));
+  EXPECT_TRUE(contains(refusal(request_for(folder.path() / "run")),
+                       "another castaway process is using it"));
 }
 
 TEST(OutputFolder, RefusesAFile) {

@@ -12,7 +12,7 @@ sim::Image black(int width, int height) {
   return {width, height, std::vector<std::uint8_t>(values, 0)};
 }
 
-/// '#' where a pixel's red is set, rows joined by '/'.
+/// '#' for pixels with red set, rows separated by '/'.
 std::string drawn(const sim::Image& image) {
   std::string text;
   for (int y = 0; y < image.height; ++y) {
@@ -41,14 +41,14 @@ TEST(BitmapText, ScalesDots) {
   sim::Image image = black(10, 14);
   draw_text(image, {0, 0}, "-", 2, 0xFF0000);
   EXPECT_EQ(drawn(image).substr(6 * 11, 22), "##########/##########/");
-  EXPECT_EQ(image.pixels[3 * 60 + 1], 0);  // Its green.
+  EXPECT_EQ(image.pixels[3 * 60 + 1], 0);  // The green channel.
 }
 
 TEST(BitmapText, IsAsWideAsItIsDrawn) {
   EXPECT_EQ(text_width("", 1), 0);
   EXPECT_EQ(text_width("m", 1), 5);
   EXPECT_EQ(text_width("mm", 3), 33);
-  EXPECT_EQ(text_width("\xC3\xA4", 1), 5);  // One sign of UTF-8.
+  EXPECT_EQ(text_width("\xC3\xA4", 1), 5);  // One UTF-8 character.
 }
 
 TEST(BitmapText, StaysInThePicture) {

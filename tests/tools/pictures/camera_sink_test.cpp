@@ -40,8 +40,8 @@ CameraConfig camera() {
   return config;
 }
 
-/// A box of 1 m whose face is 2 m before the camera of a robot at the origin, and a person at its
-/// left who comes with `moving`.
+/// A box of 1 m whose face is 2 m in front of the camera of a robot at the origin, and a person to
+/// its left that comes from `moving`.
 PictureWorld world() {
   const auto box = [](const Eigen::Vector3f& center, std::uint16_t instance) {
     sim::SceneItem item;
@@ -90,7 +90,7 @@ TEST_F(CameraSinkTest, MeasuresDepthAlongTheAxis) {
     return depth.pixels[static_cast<std::size_t>(row * 65 + column)];
   };
   EXPECT_NEAR(pixel(32, 24), 2000, 2);
-  EXPECT_NEAR(pixel(36, 28), 2000, 2);  // The face is flat: not the distance to the eye.
+  EXPECT_NEAR(pixel(36, 28), 2000, 2);  // The face is flat: depth, not distance.
   EXPECT_EQ(pixel(64, 0), 0);
 }
 
@@ -98,7 +98,7 @@ TEST_F(CameraSinkTest, TellsWhatEachPixelShows) {
   run(camera());
   const sim::DeepImage labels = read_deep(at("instances/000000.png"));
   EXPECT_EQ(labels.pixels[24 * 65 + 32], sim::kFirstObjectInstance);
-  // The person's middle is 3 m ahead and 2 m to the left: u = cx - f * 2 / 3 at its face.
+  // The person's centre is 3 m ahead and 2 m to the left: u = cx - f * 2 / 3 at its face.
   const Intrinsics k = intrinsics(camera());
   const auto column = static_cast<std::size_t>(std::lround(k.cx - k.f * 2.0 / 3.0));
   EXPECT_EQ(labels.pixels[24 * 65 + column], sim::kFirstPersonInstance + 1);

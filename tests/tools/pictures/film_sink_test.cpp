@@ -30,7 +30,7 @@ OdometryFrame odometry_at(double t) {
   return {{localization::from_seconds(t), {0.1 * t, 0.0, 0.0}}, SE2{0.1 * t, 0.0, 0.0}};
 }
 
-/// Size of a film of two seconds of a run; 0: there is none.
+/// File size of a film of two seconds of a run; 0 if there is none.
 std::uintmax_t film_of(const FilmConfig& config, bool with_truth = true) {
   PictureWorld world;
   world.map = small_map();
@@ -46,7 +46,7 @@ std::uintmax_t film_of(const FilmConfig& config, bool with_truth = true) {
   return there ? std::filesystem::file_size(config.format.file) : 0;
 }
 
-/// Pictures in a film, as ffprobe counts them.
+/// Number of frames in a film, counted by ffprobe.
 int pictures_in(const std::filesystem::path& file) {
   const std::string out = file.string() + ".txt";
   const std::string command =

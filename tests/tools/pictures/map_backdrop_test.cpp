@@ -5,7 +5,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Free cells.
+/// A map of free cells.
 RosMap free_map(int width, int height) {
   RosMap map;
   map.width = width;
@@ -14,7 +14,7 @@ RosMap free_map(int width, int height) {
   return map;
 }
 
-/// Grey of a pixel.
+/// Grey value of a pixel.
 int gray_at(const sim::Image& image, int column, int row) {
   return image.pixels.at(3 * static_cast<std::size_t>(row * image.width + column));
 }
@@ -31,7 +31,7 @@ TEST(MapBackdrop, ShowsASmallMapCellByCell) {
 }
 
 TEST(MapBackdrop, KeepsEveryWallOfALargeMap) {
-  RosMap map = free_map(4003, 11);  // Three cells a pixel, the last column and row cut.
+  RosMap map = free_map(4003, 11);  // Three cells per pixel; the last column and row are partial.
   map.cells[4 * 4003 + 1000] = 100;
   map.cells[4002] = 100;
   const sim::Image image = map_backdrop(map);

@@ -67,7 +67,7 @@ TEST(MapCaption, ShowsEveryColour) {
   EXPECT_GT(count(image, 0x000000), 50);
 }
 
-/// The longest black run of the ink is the bar: 3 m of 60 px would be 180 px; 2 m are 120 px.
+/// The longest black run is the bar: 3 m at 60 px/m would be 180 px, 2 m are 120 px.
 TEST(MapCaption, DrawsARoundNumberOfMetres) {
   const sim::Image image = with_caption(caption(0));
   int longest = 0;

@@ -46,7 +46,7 @@ TEST(MapView, LeavesTheCaptionItsShare) {
   EXPECT_NEAR(map_height(map, {0.5, 0.2}), 20.4, 1e-9);
 }
 
-/// The whole map is to be seen above the caption.
+/// The whole map is visible above the caption.
 TEST(MapPicture, HidesNothingOfTheMap) {
   try {
     sim::Renderer renderer(kPictureWidth, kPictureHeight);
@@ -54,7 +54,7 @@ TEST(MapPicture, HidesNothingOfTheMap) {
       const PictureWorld world = map_of(width, height);
       ScanRecord record = record_at(1.0, {"a", "b"});
       const int strip = caption_height(caption_of(record), kPictureWidth, kPictureHeight);
-      record.T_map_base_true = SE2{-90.0, 0.0, 0.0};  // Out of sight.
+      record.T_map_base_true = SE2{-90.0, 0.0, 0.0};  // Outside the image.
       for (auto& localizer : record.localizers) localizer.estimate.reset();
       const sim::Image image = map_picture(renderer, world, map_item(*world.map), record);
       const double scale =

@@ -22,7 +22,7 @@ sim::SceneItem wall_behind() {
 
 TEST(ChaseScene, SeesTheRobotBesideWhatMoves) {
   PictureWorld world;
-  const ScanRecord record = record_at(0.0, {});  // The robot stands in the origin.
+  const ScanRecord record = record_at(0.0, {});  // The robot is at the origin.
   EXPECT_LT(chase_scene(world, record, std::nullopt).camera.eye.x(), -0.6F);
   world.moving = [] { return std::vector{wall_behind()}; };
   const sim::Scene scene = chase_scene(world, record, std::nullopt);

@@ -27,7 +27,8 @@ PictureWorld map_only() {
   return world;
 }
 
-/// Names of the pictures of a run of 8 s with a kidnap at 2.5 s; right again from 4 s on.
+/// Names of the pictures of a run of 8 s with a kidnap at 2.5 s; the output is right again from 4 s
+/// on.
 std::vector<std::string> pictures_of(PictureWorld world, const PictureConfig& config,
                                      bool known_start = true) {
   const TemporaryFolder folder;
@@ -62,7 +63,7 @@ class PictureSinkTest : public testing::Test {
 TEST_F(PictureSinkTest, ShowsKidnapsAndRecoveries) {
   EXPECT_EQ(pictures_of(map_only(), kSmall),
             (std::vector<std::string>{"t0003.000-kidnap-1-map.png",
-                                      "t0005.000-recovery-1-map.png"}));  // right for a second
+                                      "t0005.000-recovery-1-map.png"}));  // right for one second
 }
 
 TEST_F(PictureSinkTest, ShowsTheRecoveryFromAnUnknownStart) {
@@ -87,7 +88,7 @@ TEST_F(PictureSinkTest, ShowsTheRunByTime) {
                                       "t0006.000-time-map.png"}));
 }
 
-/// A sink on a machine without EGL takes no picture and says why.
+/// Checks that a sink without EGL takes no picture and says why.
 bool says_why_there_are_none() {
   ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
   const TemporaryFolder folder;
@@ -100,7 +101,8 @@ bool says_why_there_are_none() {
 }
 
 TEST(PictureSinkDeathTest, WithoutEglSaysWhy) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a new process, whose EGL is not loaded
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a new process, which has not loaded EGL
+                                                         // yet
   EXPECT_EXIT(std::exit(says_why_there_are_none() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3f;
 using localization::SE2;
 
-/// How far a mark's arrow reaches from a pose.
+/// Greatest distance of a mark's arrow from a pose.
 double reach(const sim::SceneItem& arrow, const Vector3f& from) {
   double most = 0.0;
   for (const Vector3f& vertex : arrow.mesh.vertices) {
@@ -33,7 +33,7 @@ TEST(AddPose, DrawsARingAndAnArrowAhead) {
   EXPECT_FALSE(scene.items[0].shaded);
 }
 
-/// Black on white, and larger than what covers it.
+/// It is black on white and larger than the marks that may cover it.
 TEST(AddTruth, StandsOutFromPosesAtTheSamePlace) {
   sim::Scene scene;
   add_truth(SE2{}, 0.2, scene);

@@ -11,7 +11,7 @@ namespace {
 
 using localization::PopulationView;
 
-/// The signed numbers of a block, which holds no other.
+/// The numbers of a block that holds only signed ones.
 std::vector<std::int64_t> signed_numbers(std::string_view block) {
   std::vector<std::int64_t> numbers;
   for (VarintReader reader(block); !reader.done();) numbers.push_back(reader.next_signed());
@@ -40,7 +40,8 @@ TEST(PackBeams, CountsHundredthsAndTellsWhatDidNotComeBack) {
   LaserScan scan;
   const float none = std::numeric_limits<float>::infinity();
   scan.ranges = {1.0F, 1.02F, none, -none, std::nanf(""), 0.0F};
-  // 1.00 m is 101, 1.02 m 103, nothing 0, 0 m 1; the lidar's 3 is no signed number: -2 reads as 3
+  // 1.00 m is 101, 1.02 m is 103, a miss is 0, 0 m is 1. The lidar's index 3 is unsigned; read as
+  // signed it is -2.
   EXPECT_EQ(signed_numbers(pack_beams(3, scan, 1)),
             (std::vector<std::int64_t>{-2, 101, 2, -103, 0, 0, 1}));
 }
@@ -64,9 +65,9 @@ TEST(PackPopulations, TellsMeanAndParticlesAboutIt) {
   EXPECT_EQ(reader.next_signed(), 200);  // y
   EXPECT_EQ(reader.next_signed(), 50);   // yaw
   EXPECT_EQ(reader.next(), 2U);          // particles
-  EXPECT_EQ(reader.next_signed(), -10);  // x of the left one
-  EXPECT_EQ(reader.next_signed(), -3);   // and its y
-  EXPECT_EQ(reader.next_signed(), 20);   // 0.2 m right of that
+  EXPECT_EQ(reader.next_signed(), -10);  // x of the left particle
+  EXPECT_EQ(reader.next_signed(), -3);   // y of the left particle
+  EXPECT_EQ(reader.next_signed(), 20);   // the next one is 0.2 m to the right
   EXPECT_EQ(reader.next_signed(), 0);
   EXPECT_TRUE(reader.done());
 }
@@ -78,14 +79,14 @@ TEST(PackPopulations, SharesTheRoomAmongPopulations) {
   };
   const std::size_t head = size(1, 100) - 200;  // a particle takes two bytes
   EXPECT_EQ(size(2, 100) - 1, 2 * (head - 1 + 100));
-  EXPECT_EQ(size(50, 100) - 1, 50 * (head - 1 + 16));  // never less than 8
+  EXPECT_EQ(size(50, 100) - 1, 50 * (head - 1 + 16));  // never fewer than 8 particles
 }
 
 TEST(PackPeople, TellsWhoIsWhere) {
   PersonTruth person;
   person.id = 7;
   person.T_map_person = {-1.0, 2.5, 1.0};
-  // one person; the count is no signed number: -1 reads as 1
+  // One person; the count is unsigned: read as signed it is -1.
   EXPECT_EQ(signed_numbers(pack_people({person})),
             (std::vector<std::int64_t>{-1, 7, -100, 250, 100}));
 }

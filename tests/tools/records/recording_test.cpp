@@ -52,7 +52,7 @@ TEST(Recording, RefusesWhatIsNone) {
     return error_of([&] { unpack_recording(gzip(bytes)); });
   };
   EXPECT_TRUE(contains(error("castaway recording 2\n{}\n"), "first line"));
-  EXPECT_TRUE(contains(error("castaway recording 1\n{}"), "ends in its header"));
+  EXPECT_TRUE(contains(error("castaway recording 1\n{}"), "ends within its header"));
   EXPECT_TRUE(contains(error("castaway recording 1\n{\n"), "header is broken"));
   EXPECT_TRUE(contains(error("castaway recording 1\n{\"sections\": [{\"name\": \"a\", \"bytes\": "
                              "9}]}\n12345678"),

@@ -24,7 +24,7 @@ TEST(RunHistory, LeavesOutEverySecondRowWhereThereAreTooMany) {
   history.thin(8);
   ASSERT_EQ(history.rows[0].size(), 5U);
   EXPECT_EQ(history.rows[0][1].stamp, record_at(0.2, {"a"}).stamp);
-  history.add(record_at(0.9, {"a"}));  // One that is left out, too.
+  history.add(record_at(0.9, {"a"}));  // This one is dropped, too.
   history.add(record_at(1.0, {"a"}));
   ASSERT_EQ(history.rows[0].size(), 6U);
   EXPECT_EQ(history.rows[0][5].stamp, record_at(1.0, {"a"}).stamp);

@@ -82,7 +82,7 @@ TEST(RollPitchYaw, ComesBack) {
 }
 
 TEST(ScanRow, ALocalizerIsLostFromHalfAMetreOn) {
-  ScanRecord record = record_at(0.0, {"a", "b", "c"});  // 0.2 m and 0.1 rad off
+  ScanRecord record = record_at(0.0, {"a", "b", "c"});  // errors of 0.2 m and 0.1 rad
   record.localizers[1].estimate->T_map_base = {0.3, 0.4, 0.0};
   record.localizers[2].estimate.reset();
   EXPECT_EQ(ScanLabeller(context()).row_of(record).lost, (std::vector<std::uint8_t>{0, 1, 1}));

@@ -9,7 +9,7 @@ namespace {
 
 TEST(SnapshotFeed, IsEmptyWithoutPictures) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(SnapshotFeed(folder.path()).fresh().empty());
+  EXPECT_TRUE(SnapshotFeed(folder.path()).take_new().empty());
 }
 
 TEST(SnapshotFeed, GivesEachPictureOnceByName) {
@@ -19,14 +19,14 @@ TEST(SnapshotFeed, GivesEachPictureOnceByName) {
   folder.put("snapshots/t0012.500-kidnap-1-chase.png", "a");
   folder.put("snapshots/none.txt", "why");
   folder.put("snapshots/other.png", "c");
-  const auto first = feed.fresh();
+  const auto first = feed.take_new();
   ASSERT_EQ(first.size(), 2U);
   EXPECT_EQ(first[0].view, "chase");
   EXPECT_EQ(first[0].png, "a");
   EXPECT_EQ(first[1].view, "map");
   EXPECT_EQ(first[1].stamp, std::chrono::milliseconds(12'500));
   folder.put("snapshots/t0020.000-recovery-1-map.png", "d");
-  const auto second = feed.fresh();
+  const auto second = feed.take_new();
   ASSERT_EQ(second.size(), 1U);
   EXPECT_EQ(second[0].png, "d");
 }

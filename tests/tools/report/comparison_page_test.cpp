@@ -33,10 +33,10 @@ TEST(ComparisonPage, ShowsTableAndDifferences) {
   EXPECT_TRUE(contains(html, "20 pairs"));
   EXPECT_TRUE(contains(html, "a.&lt;odd&gt;"));
   EXPECT_TRUE(contains(html, "-50 %"));
-  EXPECT_FALSE(contains(html, "nan"));  // a baseline of zero has no percent
+  EXPECT_FALSE(contains(html, "nan"));  // a baseline of zero has no percentage
 }
 
-// Intervals and their middles would lose their dots to the dashes of a localizer's colour.
+// With the dashes of a localizer's colour, intervals and their centres would lose their dots.
 TEST(ComparisonPage, DrawsIntervalsWithoutDashes) {
   const std::string html = render_comparison({made_up()});
   EXPECT_TRUE(contains(html, "<line class=\"bar c2\""));
@@ -45,7 +45,7 @@ TEST(ComparisonPage, DrawsIntervalsWithoutDashes) {
   EXPECT_FALSE(contains(html, "<circle class=\"limit\""));
 }
 
-// On a telephone a row is a block, each of its cells behind its column's name.
+// On a phone, each row is a block in which every cell follows its column's name.
 TEST(ComparisonPage, NamesTheColumnOfEachCell) {
   const std::string html = render_comparison({made_up()});
   EXPECT_TRUE(contains(html, "<td>a.error</td><td data-head=\"pairs\">20</td>"));

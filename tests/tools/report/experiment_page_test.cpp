@@ -30,7 +30,7 @@ TEST(ExperimentPage, ShowsTheTable) {
     EXPECT_TRUE(contains(html, part)) << part;
   }
   EXPECT_FALSE(contains(html, "ROC curves"));
-  EXPECT_FALSE(contains(html, "://"));  // nothing from elsewhere
+  EXPECT_FALSE(contains(html, "://"));  // no external resources
   EXPECT_EQ(contains(html, "This page has no plots"), !plots_bundle());
 }
 
@@ -56,7 +56,8 @@ TEST(ExperimentPage, OfRecoveriesShowsWhatTellsRightFromWrong) {
             R"([{"name":"a","style":"dots","x":[0.1,4.1,0.1,4.1],"y":[0.9,0.3,0.9,0.3]}])");
   EXPECT_EQ(plots[6].at("title"), "a");
   EXPECT_EQ(plots[6].at("y").at("label"), "right outputs passed, share");
-  // Every right output has more quality than every wrong one: up first, then right.
+  // Every right output has a higher quality than every wrong one: the curve goes up first, then
+  // right.
   EXPECT_EQ(plots[6].at("series")[0].dump(), R"({"name":"quality","x":[0,0,1],"y":[0,1,1]})");
 }
 

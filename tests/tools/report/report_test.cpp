@@ -16,7 +16,7 @@ namespace {
 
 const std::vector<std::string> kReported{"a", "<b>x</b>"};
 
-/// 3 x 2 cells of 1 m.
+/// A map of 3 x 2 cells of 1 m.
 RosMap reported_map() {
   RosMap map;
   map.width = 3;
@@ -26,7 +26,7 @@ RosMap reported_map() {
   return map;
 }
 
-/// A record a second, with a kidnap at 4.5 s that moves truth and estimates 4 m.
+/// One record per second, with a kidnap at 4.5 s that moves truth and estimates by 4 m.
 std::vector<ScanRecord> records(int count) {
   std::vector<ScanRecord> all;
   for (int t = 0; t < count; ++t) {
@@ -38,7 +38,7 @@ std::vector<ScanRecord> records(int count) {
   return all;
 }
 
-/// The report of a run of these records, written and read back.
+/// Writes a run of these records and returns its report.
 std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kReported),
                       double wall_s = 1.0, const std::optional<RosMap>& map = reported_map(),
                       double end_s = 20.0) {
@@ -57,7 +57,7 @@ std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(
   return read_file(folder.path() / "report.html");
 }
 
-/// A row of the table of figures.
+/// A row of the metrics table.
 std::string row(const std::string& label, const std::string& a, const std::string& b) {
   return "<tr><td>" + label + "</td><td>" + a + "</td><td>" + b + "</td></tr>";
 }
@@ -70,7 +70,7 @@ std::string without_timing(const std::string& html) {
   return html.substr(0, begin) + html.substr(end);
 }
 
-/// Every value of an attribute in the page.
+/// All values of an attribute in the page.
 std::vector<std::string> values_of(const std::string& attribute, const std::string& html) {
   std::vector<std::string> values;
   const std::string start = " " + attribute + "=\"";
@@ -81,7 +81,7 @@ std::vector<std::string> values_of(const std::string& attribute, const std::stri
   return values;
 }
 
-/// A whole page without what a broken number leaves behind.
+/// Checks that the page is complete and shows no malformed numbers.
 void expect_sound(const std::string& html) {
   EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(html.ends_with("</body></html>\n"));
@@ -110,7 +110,7 @@ TEST(Report, DescribesTheCurvesOfARunWithoutARecording) {
   std::vector<ScanRecord> all = records(6);
   all[1].localizers[1].estimate.reset();
   const auto plots = plots_in(report_of(all));
-  ASSERT_EQ(plots.size(), 5U);  // and two of the stated probability
+  ASSERT_EQ(plots.size(), 5U);  // besides two of the stated probability
   EXPECT_EQ(plots[0].dump(),
             R"({"title":"Position error","unit":"m","y":{"log":[0.001,100]},"series":[)"
             R"({"name":"a","y":[0.2,0.2,0.2,0.2,0.2,0.2]},)"
@@ -143,7 +143,8 @@ TEST(Report, ShowsTheFiguresOfTheSummary) {
   EXPECT_TRUE(contains(html, row("mean", "0.200 m", "0.200 m")));
   EXPECT_TRUE(contains(html, row("95 % below", "5.73 °", "5.73 °")));
   EXPECT_TRUE(contains(html, row("time, largest", "0.600 s", "–")));
-  EXPECT_TRUE(contains(html, row("Brier score", "0.250", "0.250")));  // 0.5 is always stated
+  EXPECT_TRUE(contains(html, row("Brier score", "0.250", "0.250")));  // the stated probability is
+                                                                      // always 0.5
   EXPECT_TRUE(contains(html, "<strong>a</strong> recovered from 1 of 1 kidnap, after 0.600 s."));
   EXPECT_TRUE(contains(html, "1.90 m driven in 20.0 s, 1 kidnap, no collision."));
 }
@@ -208,7 +209,7 @@ TEST(Report, DrawsPathsWithoutMapAsLargeAsTheyAre) {
   std::vector<ScanRecord> all{record_at(0.0, kReported)};
   all[0].T_map_base_true->x = 1000.0;
   for (auto& localizer : all[0].localizers) localizer.estimate->T_map_base = {1000.0, 0.0, 0.0};
-  // the path is a point: 1 m around it, in cells of 5 cm
+  // The path is a point: the plot shows 1 m around it, in cells of 5 cm.
   EXPECT_TRUE(contains(report_of(all, run_of(kReported), 1.0, std::nullopt),
                        "<svg class=\"map\" viewBox=\"0 0 40 41.1\""));
 }

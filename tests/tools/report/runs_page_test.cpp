@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The folder of a run of these localizers, three scans long.
+/// Writes a run of three scans with these localizers and returns its folder.
 std::filesystem::path run_in(const std::filesystem::path& folder,
                              const std::vector<std::string>& localizers) {
   ErrorsSink errors(folder);

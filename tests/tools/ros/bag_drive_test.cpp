@@ -12,7 +12,7 @@ const DriveNow kNow{0.4, -0.2, {{"wheel_left", 3.0}, {"wheel_right", 2.5}}};
 TEST(BagDrive, CommandsAreTwistsOfBase) {
   const ros::TwistStamped message = command_message(seconds(2), kNow);
   EXPECT_EQ(message.header.frame_id, "base_footprint");
-  EXPECT_EQ(message.header.stamp.sec, 3);  // A bag's time begins at 1 s.
+  EXPECT_EQ(message.header.stamp.sec, 3);  // Time 0 of a run is 1 s in its bag.
   EXPECT_EQ(message.twist.linear.x, 0.4);
   EXPECT_EQ(message.twist.angular.z, -0.2);
 }

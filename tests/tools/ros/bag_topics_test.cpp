@@ -72,7 +72,7 @@ TEST(BagTopics, PreferTheUsualNameOfSeveral) {
 TEST(BagTopics, AreListedWhereSeveralCouldBeMeant) {
   const auto bag = bag_of({{"/a/scan", kScan}, {"/b/scan", kScan}, {"/odom", kOdometry}});
   EXPECT_TRUE(contains(refusal(bag),
-                       "2 topics could be meant; say which by --scan-topic: /a/scan, /b/scan"));
+                       "2 topics are possible; choose one with --scan-topic: /a/scan, /b/scan"));
   BagTopicOptions options;
   options.scans = {"/b/scan"};
   EXPECT_EQ(choose_topics(bag, options).scans, Names{"/b/scan"});

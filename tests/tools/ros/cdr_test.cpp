@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// One of everything that is aligned.
+/// A message with fields of all alignments.
 struct Mixed {
   static constexpr const char* kType = "test/msg/Mixed";
   std::uint8_t byte = 0;

@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Plays a list of frames and remembers what it is told.
+/// Plays a list of frames and records what it is told.
 class ListSource final : public SensorSource {
  public:
   explicit ListSource(std::vector<Frame> frames) : frames_(std::move(frames)) {}
@@ -33,7 +33,7 @@ class ListSource final : public SensorSource {
   std::size_t next_ = 0;
 };
 
-/// Writes down the order of calls.
+/// Records the order of calls.
 class ListSink final : public RunSink {
  public:
   void on_event(const RunEvent& event) override {
@@ -106,7 +106,7 @@ TEST_F(LoopTest, LeavesAnUnknownStartToTheLocalizer) {
   EXPECT_FALSE(sink_->records[0].localizers[0].estimate);
 }
 
-/// Answers every scan and says that it is lost.
+/// Answers every scan and always raises the alarm.
 class AlwaysLost final : public localization::Localizer {
  public:
   void initialize(const std::optional<localization::PoseWithCovariance>&) override {}
@@ -125,7 +125,7 @@ class AlwaysLost final : public localization::Localizer {
   std::optional<localization::Estimate> estimate_;
 };
 
-/// Answers the first scan and drops all others.
+/// Answers the first scan and ignores all others.
 class FirstScanOnly final : public localization::Localizer {
  public:
   void initialize(const std::optional<localization::PoseWithCovariance>&) override {}
@@ -162,7 +162,7 @@ TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
   ASSERT_EQ(sink_->records.size(), 2U);
   EXPECT_TRUE(sink_->records[0].localizers[1].estimate);
   EXPECT_TRUE(sink_->records[1].localizers[0].estimate);
-  EXPECT_FALSE(sink_->records[1].localizers[1].estimate);  // dead reckoning knows no pose anew
+  EXPECT_FALSE(sink_->records[1].localizers[1].estimate);  // dead reckoning cannot relocalize
 }
 
 TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {

@@ -1,5 +1,5 @@
-// Holds the casts in all shipped worlds against a plain loop over their objects:
-// world_cast_check [millions of beams]; exit code 1 if one is off by more than 0.1 mm.
+// Compares ray casts in all shipped worlds with a plain loop over their objects. Usage:
+// world_cast_check [millions of beams]; exit code 1 if a range differs by more than 0.1 mm.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

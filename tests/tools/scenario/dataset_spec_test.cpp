@@ -70,7 +70,7 @@ TEST(DatasetSpec, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(contains(refusal("vary: {seed: 3}\n"), "'seed' cannot vary"));
   EXPECT_TRUE(contains(refusal("vary:\n  outputs.bag: true\n"), "'outputs' cannot vary"));
   EXPECT_TRUE(contains(refusal("splits: {train: -1}\n"), "none negative"));
-  EXPECT_TRUE(contains(refusal("splits: {by: frame}\n"), "'frame' is no choice here"));
+  EXPECT_TRUE(contains(refusal("splits: {by: frame}\n"), "'frame' is not allowed here"));
   EXPECT_TRUE(contains(refusal("outputs: bag\n"), "expected a map"));
 }
 

@@ -23,12 +23,12 @@ std::string draw_refusal(const std::string& text) {
   return error_of([&] { draw_of(text); });
 }
 
-/// `count` draws as numbers.
+/// Makes `count` draws and returns them as numbers.
 std::vector<double> numbers(const std::string& text, int count) {
   const Draw draw = draw_of(text);
   localization::Rng rng = substream(1, "draws");
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(drawn(draw, rng), "x"));
+  for (int i = 0; i < count; ++i) values.push_back(read_yaml<double>(draw_value(draw, rng), "x"));
   return values;
 }
 
@@ -40,9 +40,9 @@ double mean_of(const std::vector<double>& values) {
 
 TEST(Draw, AFixedValueIsItself) {
   localization::Rng rng = substream(1, "draws");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("office"), rng)), "office\n");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("[1, 2]"), rng)), "[1, 2]\n");
-  EXPECT_EQ(emit_yaml(drawn(draw_of("{value: {count: 3}}"), rng)), "count: 3\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("office"), rng)), "office\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("[1, 2]"), rng)), "[1, 2]\n");
+  EXPECT_EQ(emit_yaml(draw_value(draw_of("{value: {count: 3}}"), rng)), "count: 3\n");
 }
 
 TEST(Draw, ChoicesComeByTheirWeights) {
@@ -50,7 +50,7 @@ TEST(Draw, ChoicesComeByTheirWeights) {
   localization::Rng rng = substream(1, "draws");
   std::map<std::string, int> counts;
   constexpr int kDraws = 4000;
-  for (int i = 0; i < kDraws; ++i) ++counts[emit_yaml(drawn(draw, rng))];
+  for (int i = 0; i < kDraws; ++i) ++counts[emit_yaml(draw_value(draw, rng))];
   EXPECT_EQ(counts.count("b\n"), 0U);
   // Five sigma of a binomial count.
   EXPECT_NEAR(counts["a\n"], 0.75 * kDraws, 5.0 * std::sqrt(kDraws * 0.75 * 0.25));
@@ -90,9 +90,9 @@ TEST(Draw, NumbersAreWrittenShort) {
 }
 
 TEST(Draw, RefusesWhatCannotBeDrawn) {
-  EXPECT_TRUE(contains(draw_refusal("{unifrom: [0, 1]}"),
-                       "d.yaml:1: x.unifrom: 'unifrom' is no way to draw a value; did you mean "
-                       "'uniform'?"));
+  EXPECT_TRUE(contains(
+      draw_refusal("{unifrom: [0, 1]}"),
+      "d.yaml:1: x.unifrom: 'unifrom' is not a known distribution; did you mean 'uniform'?"));
   EXPECT_TRUE(contains(draw_refusal("{uniform: [2, 1]}"), "the lower end comes first"));
   EXPECT_TRUE(contains(draw_refusal("{log_uniform: [0, 1]}"), "needs positive ends"));
   EXPECT_TRUE(contains(draw_refusal("{integer: [1]}"), "takes two whole numbers"));
@@ -106,7 +106,7 @@ TEST(Draw, RefusesWhatCannotBeDrawn) {
   EXPECT_TRUE(contains(draw_refusal("{uniform: [0, 1], integer: [0, 1]}"), "give one of them"));
   EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 0, min: 0, max: 1}}"), "'sd' must be"));
   EXPECT_TRUE(contains(draw_refusal("{normal: {mean: 1, sd: 1, min: 0}}"), "needs the key 'max'"));
-  EXPECT_TRUE(contains(draw_refusal("{}"), "says not how it is drawn"));
+  EXPECT_TRUE(contains(draw_refusal("{}"), "does not state a distribution"));
 }
 
 }  // namespace

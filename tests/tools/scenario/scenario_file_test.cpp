@@ -14,7 +14,7 @@ class ScenarioFileTest : public testing::Test {
   LoadedScenario load(const std::string& text, const std::vector<std::string>& overrides = {}) {
     return load_scenario(folder_.put("trial.yaml", text), overrides);
   }
-  /// The error's text, empty if there is none.
+  /// Text of the error; empty if there is none.
   std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
     try {
       (void)load(text, overrides);
@@ -157,7 +157,7 @@ TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
   EXPECT_EQ(second.scenario.outputs.points_every_s, 2.0);
 }
 
-/// With a list of lidars, nobody would read the one for the robot's own.
+/// With a list of lidars, `lidar` would be ignored.
 TEST_F(ScenarioFileTest, TakesOneLidarOrAList) {
   EXPECT_THROW((void)load("lidar: {rate_hz: 5}\nlidars: [front]\nlocalizers: [amcl]"),
                std::runtime_error);

@@ -42,7 +42,7 @@ ScanRecord scan_at(double t) {
   return record;
 }
 
-/// A run of a second, with a kidnap.
+/// Plays one second with a kidnap.
 void play(BagSink& sink) {
   for (int i = 0; i <= 10; ++i) {
     const double t = 0.1 * i;
@@ -53,7 +53,7 @@ void play(BagSink& sink) {
   sink.finish({}, {});
 }
 
-/// All messages of a topic, decoded; and how many messages each topic has.
+/// All decoded messages of a topic, and the number of messages per topic.
 template <typename Message>
 std::vector<Message> messages_of(const std::filesystem::path& folder, const std::string& topic) {
   McapReader reader(folder / "bag" / "a_scenario.mcap");
@@ -68,7 +68,7 @@ std::vector<Message> messages_of(const std::filesystem::path& folder, const std:
 
 class BagSinkTest : public testing::Test {
  protected:
-  /// The bag of the run above, written to `folder()`.
+  /// Writes a bag of the run above to `folder()`.
   void write(BagConfig with) {
     BagSink sink(folder_.path(), run_of({"mh_amcl", "amcl-2"}), map(), std::move(with));
     play(sink);
@@ -152,7 +152,7 @@ TEST_F(BagSinkTest, TellsFixedFramesAndTheirChanges) {
   told.lidars[0].T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);
   write(told);
   const auto frames = messages_of<ros::TFMessage>(folder(), "/tf_static");
-  ASSERT_EQ(frames.size(), 2U);  // At the start, and at the first scan, whose mount is another.
+  ASSERT_EQ(frames.size(), 2U);  // At the start, and at the first scan, whose mount differs.
   ASSERT_EQ(frames[1].transforms.size(), 2U);
   EXPECT_EQ(frames[1].transforms[0].header.frame_id, "base_footprint");
   EXPECT_EQ(frames[1].transforms[0].child_frame_id, "base_link");

@@ -16,7 +16,7 @@ OdometryFrame carmen_odometry(double t) {
   return {{localization::from_seconds(t), {0.5 * t, 0.0, 0.0}}, std::nullopt};
 }
 
-/// A scan with its first beam at `t`.
+/// A scan whose first beam is at `t`.
 ScanRecord carmen_scan(double t) {
   ScanRecord record = record_at(t, {});
   record.scan.stamp = record.stamp;

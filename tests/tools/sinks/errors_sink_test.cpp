@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The rows of errors.csv, as text, without its header.
+/// Text of errors.csv without its header.
 std::string rows_of(const std::vector<ScanRecord>& records) {
   const TemporaryFolder folder;
   ErrorsSink sink(folder.path());

@@ -32,7 +32,7 @@ TEST(ExportSinks, LeaveWhatIsAskedFor) {
   }
 }
 
-/// As map_server reads them: P5 behind a YAML with the thresholds of trinary maps.
+/// In map_server's format: a PGM (P5) and a YAML file with the thresholds of trinary maps.
 TEST(ExportSinks, WriteAMapByTheRulesOfMapServer) {
   const TemporaryFolder folder;
   ExportConfig config;

@@ -1,5 +1,5 @@
-// The recording that the tests of the player read (tests/data/recording/small.bin) is what the sink
-// writes: both sides are held to the same bytes.
+// The sink writes the recording that the tests of the player read (tests/data/recording/small.bin),
+// so both sides are tested against the same bytes.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> kNames{"a", "</script>\"b\""};
 
-/// 3 x 2 cells of 0.5 m about (-1, 2), turned by 0.25.
+/// 3 x 2 cells of 0.5 m with origin (-1, 2), rotated by 0.25.
 RosMap fixture_map() {
   RosMap map;
   map.name = "small";
@@ -39,7 +39,8 @@ localization::PopulationView population() {
   return view;
 }
 
-/// Scans at 1, 0 and 2 s in this order of delivery; beams at 0, 90 and 180 degrees, one empty.
+/// Scans at 1, 0 and 2 s in this order of delivery, with beams at 0, 90 and 180 degrees, one of
+/// them a miss.
 std::vector<ScanRecord> fixture_records() {
   std::vector<ScanRecord> records;
   for (const double t : {1.0, 0.0, 2.0}) {

@@ -22,7 +22,7 @@ RosMap one_cell() {
   return map;
 }
 
-/// The file that a run of these records and a kidnap at 1.05 s leaves.
+/// Returns the recording of a run of these records and a kidnap at 1.05 s.
 std::string file_of(const std::vector<ScanRecord>& records, const RecordingConfig& config = {}) {
   const TemporaryFolder folder;
   RecordingSink sink(folder.path(), run_of(kRecorded), one_cell(), config);
@@ -78,7 +78,7 @@ TEST(RecordingSink, TellsEachLidarOnce) {
   ASSERT_EQ(lidars.size(), 2U);
   EXPECT_EQ(lidars.at(1).at("name"), "rear");
   EXPECT_EQ(lidars.at(1).at("T_base_laser").at(3), -0.5);
-  // a byte for the lidar, two for 2.01 m, one for each of the other beams
+  // one byte for the lidar, two for 2.01 m, one for each other beam
   EXPECT_EQ(column(recording, "beams/sizes"), (Values{336, 336, 336}));
 }
 

@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using localization::from_seconds;
 
-/// 20 s of one localizer with a kidnap at 4.5 s: the alarm at 5 s and 6 s, right again from 7 s on.
+/// Plays 20 s of one localizer with a kidnap at 4.5 s: alarm at 5 s and 6 s, right again from 7 s
+/// on.
 void play(SummarySink& sink) {
   for (int t = 0; t < 20; ++t) {
     if (t == 5) sink.on_event(kidnap_to(4.5));
@@ -56,7 +57,7 @@ TEST(SummarySink, SaysWhatTheRunAmountsTo) {
   EXPECT_EQ(summary.at("robot"), "a-robot");
   EXPECT_EQ(summary.at("seed"), 7);
   EXPECT_EQ(summary.at("duration_s"), 20.0);
-  EXPECT_EQ(summary.at("distance_m"), 1.9);  // without the jump
+  EXPECT_EQ(summary.at("distance_m"), 1.9);  // without the kidnap's jump
   EXPECT_EQ(summary.at("collisions"), 0);
   const Json& recovery = summary.at("/localizers/a/recovery"_json_pointer);
   EXPECT_EQ(recovery.at("recovered"), 1);

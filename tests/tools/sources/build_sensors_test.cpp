@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A robot with a lidar in front and one behind.
+/// A robot with a lidar in front and one at the back.
 sim::RobotModel two_eyed() {
   sim::RobotModel robot;
   for (const std::string name : {"front", "rear"}) {

@@ -66,7 +66,7 @@ TEST(BuildSimulation, PullsUpAMapThatItIsHanded) {
   EXPECT_TRUE(prepared.config.random_start);
 }
 
-/// The waffle, with wheels of which its joints turn at most so fast.
+/// Warnings for the waffle with wheel joints limited to this speed.
 std::vector<std::string> warnings_with_wheels_of(const std::string& rad_per_s) {
   std::string urdf = read_file(find_robot("waffle", "."));
   const std::string shipped = "velocity=\"8.06\"";
@@ -92,7 +92,7 @@ TEST(BuildSimulation, WarnsOfWheelsThatAreMuchSlowerThanTheDrive) {
   }));
 }
 
-/// As joint_controller of gz-sim: a world as small as the one thing that stands in it.
+/// Like joint_controller of gz-sim: the world is as small as its only object.
 TEST(BuildSimulation, SaysThatTheRobotFitsNowhere) {
   const TemporaryFolder folder;
   folder.put("small.sdf",
@@ -120,7 +120,7 @@ TEST(BuildSimulation, WarnsOfARobotThatIsWiderThanItsRoute) {
   EXPECT_EQ(tight("waffle"), 0);
 }
 
-/// Warnings of a run with a robot whose file has no lidar.
+/// Warnings for a robot whose file describes no lidar.
 std::string warnings_without_lidar(const std::optional<Eigen::Vector3d>& mount) {
   const TemporaryFolder folder;
   Scenario scenario;

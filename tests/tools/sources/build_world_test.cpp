@@ -83,7 +83,7 @@ TEST(BuildWorld, SurveysTheSpaceAroundAGivenPointOfAnSdfWorld) {
   EXPECT_EQ(sim::cell_at(outside.grid, {10.0, 0.0}), sim::Cell::kFree);
 }
 
-/// A world of one wall of 1 m x 4 m and what else is given.
+/// A world with one wall of 1 m x 4 m and further elements.
 std::string wall_and(const std::string& more) {
   return "<sdf version='1.6'><world name='w'><model name='m'><static>1</static><pose>0 0 0.5 0 0 0"
          "</pose><link name='l'><collision name='c'><geometry><box><size>1 4 1</size></box>"
@@ -127,7 +127,7 @@ TEST(BuildWorld, KeepsTheRobotInSightOfSomethingOnAPlain) {
   EXPECT_EQ(cell({}, 4.0, 0.0), sim::Cell::kFree);
   EXPECT_EQ(cell({}, 30.0, 30.0), sim::Cell::kUnknown);
   SurveyOptions started;
-  started.inside = Eigen::Vector2d(30.0, 30.0);  // A start there is what the user wants.
+  started.inside = Eigen::Vector2d(30.0, 30.0);  // A start there selects this region.
   EXPECT_EQ(cell(started, 30.0, 30.0), sim::Cell::kFree);
 }
 

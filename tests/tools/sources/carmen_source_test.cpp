@@ -16,7 +16,7 @@ std::string odom(double x, double t) {
   return "ODOM " + std::to_string(x) + " 0 0 0 0 0 0 h " + std::to_string(t) + "\n";
 }
 
-/// A scan of `beams` beams of 5 m, robot and lidar at (x, 0, 0).
+/// A scan of `beams` beams of 5 m, with robot and lidar at (x, 0, 0).
 std::string flaser(double x, double t, int beams = 4) {
   std::string line = "FLASER " + std::to_string(beams);
   for (int i = 0; i < beams; ++i) line += " 5";
@@ -26,7 +26,8 @@ std::string flaser(double x, double t, int beams = 4) {
 
 std::string truepos(double x) { return "TRUEPOS " + std::to_string(x) + " 2 0.5 0 0 0 0 h 0\n"; }
 
-/// "o1.5 s1.5 ...": kind and stamp of every frame, '*' where its truth is known.
+/// Plays a log and lists its frames as "o1.5 s1.5 ...": kind and stamp, with '*' if the truth is
+/// known.
 std::string played(const std::string& log, const CarmenSourceConfig& config = {}) {
   const TemporaryFolder folder;
   CarmenSource source(folder.put("a.log", log), config);
@@ -84,7 +85,7 @@ TEST(CarmenSource, NeedsAScan) {
 
 TEST(CarmenSource, KnowsItsStartItsLengthAndItsRepairs) {
   const TemporaryFolder folder;
-  const std::string late = odom(0.7, 100.2);  // goes back by 0.4 s
+  const std::string late = odom(0.7, 100.2);  // runs backwards by 0.4 s
   CarmenSource source(folder.put("a.log", kLog + late));
   EXPECT_EQ(source.start_pose(), (SE2{1.0, 2.0, 0.5}));
   EXPECT_NEAR(localization::seconds(source.duration()), 0.5, 1e-9);

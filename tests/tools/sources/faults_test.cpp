@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Keeps events and scans.
+/// Records events and scans.
 class Keeper final : public RunSink {
  public:
   void on_event(const RunEvent& event) override { events.push_back(event); }
@@ -23,7 +23,7 @@ class Keeper final : public RunSink {
   std::vector<ScanRecord> records;
 };
 
-/// 5 s in the lab with a fault from 1.5 to 2.5 s, before MH-AMCL and AMCL.
+/// Runs MH-AMCL and AMCL for 5 s in the lab with a fault from 1.5 to 2.5 s.
 Keeper run_with(sim::FaultKind kind) {
   Scenario scenario;
   scenario.duration_s = 5.0;
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, EveryFault,
                            return name;
                          });
 
-/// True if anything carries a stamp from within the fault, the margins of a scan aside.
+/// True if a stamp lies within the fault, excluding the duration of a scan at both ends.
 template <typename Records, typename StampOf>
 bool any_within(const Records& records, StampOf stamp_of) {
   return std::any_of(records.begin(), records.end(), [&](const auto& record) {

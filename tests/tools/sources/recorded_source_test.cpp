@@ -31,7 +31,8 @@ TEST(Stretch, IsTheLogFromAScanOnForATime) {
   const Frames frames = straight_log(10);
   EXPECT_EQ(scan_positions(frames), (std::vector<std::size_t>{0, 3, 6, 9, 12, 15, 18, 21, 24, 27}));
   const Frames part = stretch(frames, 4, milliseconds(400));
-  ASSERT_EQ(part.size(), 8U);  // scans 4, 5 and 6 with their odometry, two odometries between
+  ASSERT_EQ(part.size(), 8U);  // scans 4, 5 and 6 with their odometry, and two odometry readings
+                               // between
   EXPECT_EQ(part.front().stamp, seconds(10) + milliseconds(800));
   ASSERT_NE(odometry_in(part.front()), nullptr);
   EXPECT_DOUBLE_EQ(odometry_in(part.front())->odometry.T_odom_base.x, 0.4);
@@ -61,7 +62,7 @@ TEST(FirstScans, EndsWithTheLastScanWanted) {
 TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
   const Frames part = splice(straight_log(50), {5, 8, 30, seconds(60)});
   const std::size_t at = event_position(part);
-  ASSERT_EQ(at, 3U * 3 + 2);  // scans 5, 6 and 7 with what follows, scan 8
+  ASSERT_EQ(at, 3U * 3 + 2);  // scans 5, 6 and 7 with their odometry, then scan 8
   ASSERT_NE(scan_in(part[at - 1]), nullptr);
   const auto& event = std::get<RunEvent>(part[at].data);
   EXPECT_EQ(event.kind, EventKind::kKidnap);
@@ -88,12 +89,12 @@ TEST(Splice, TurnsTheOdometryThatFollows) {
   before.T_odom_base.yaw = 0.5 * 3.14159265358979;
   const Frames part = splice(frames, {1, 1, 2, seconds(60)});
   const auto& after = odometry_in(part[event_position(part) + 3])->odometry;
-  EXPECT_NEAR(after.T_odom_base.x, 0.1, 1e-12);  // 5 cm ahead, now along y
+  EXPECT_NEAR(after.T_odom_base.x, 0.1, 1e-12);  // 5 cm forward, now along y
   EXPECT_NEAR(after.T_odom_base.y, 0.05, 1e-12);
 }
 
 TEST(Splice, TimeGoesOnByItsOldSteps) {
-  for (const std::size_t to : {30U, 2U}) {  // forth and back in the log
+  for (const std::size_t to : {30U, 2U}) {  // forwards and backwards in the log
     const Frames part = splice(straight_log(50), {5, 8, to, seconds(1)});
     std::vector<Stamp> scans;
     for (std::size_t i = 0; i < part.size(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Two layers of two beams, ahead and to the left.
+/// A lidar with two layers of two beams, forward and to the left.
 sim::LidarConfig two_layers() {
   sim::LidarConfig lidar;
   lidar.name = "top";

@@ -1,5 +1,5 @@
-/// The worlds as shipped: their maps are what they look like, their routes are free, also after the
-/// changes of their scenarios; all scenarios load.
+/// Tests of the shipped worlds: their maps are up to date, their routes are free even after the
+/// changes of their scenarios, and all scenarios load.
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRobotHeight = 0.35;  // [m] Whatever begins higher is driven under.
+constexpr double kRobotHeight = 0.35;  // [m] The robot passes under higher objects.
 constexpr double kWorldRoom = 0.42;    // [m] On either side of a route.
 
 std::vector<std::string> shipped_worlds() {
@@ -68,8 +68,8 @@ std::vector<Eigen::Vector2d> sampled(const std::vector<Eigen::Vector2d>& route) 
   return points;
 }
 
-/// No body that a robot could meet comes nearer to a route than `room`. Seen from above, so on the
-/// safe side.
+/// Checks that no body in the robot's way is closer to a route than `room`. Bodies are projected
+/// onto the floor, which is conservative.
 void expect_free_routes(const WorldFile& world, double room) {
   for (const auto& [name, route] : world.routes) {
     const auto points = sampled(route);
@@ -106,7 +106,7 @@ TEST_P(ShippedWorld, LiesWithinItsExtent) {
   }
 }
 
-/// After a change: castaway map NAME --out worlds/NAME/map.yaml
+/// To update the map: castaway map NAME --out worlds/NAME/map.yaml
 TEST_P(ShippedWorld, LooksLikeItsMap) {
   SurveyOptions options;
   options.lidar_height = waffle_height();
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedWorld, testing::ValuesIn(shipped_worlds()),
 
 class ShippedScenario : public testing::TestWithParam<std::string> {};
 
-/// With seeds other than its own, too: whatever the difference layer draws, routes stay free.
+/// Whatever the difference layer draws, with any seed, routes stay free.
 TEST_P(ShippedScenario, LoadsAndKeepsItsRoutesFree) {
   const fs::path file = data_root() / "worlds" / GetParam();
   const Scenario scenario = load_scenario(file, {}).scenario;

@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The lab, a few seconds, one kidnap.
+/// A few seconds in the lab with one kidnap.
 SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
   Scenario scenario;
   scenario.duration_s = 3.0;
@@ -59,7 +59,7 @@ TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
     }
   }
   EXPECT_GE(odometry, 299);
-  EXPECT_GE(scans, 14);  // the waffle's lidar turns five times a second
+  EXPECT_GE(scans, 14);  // the waffle's lidar has 5 Hz
   EXPECT_EQ(kidnaps, 1);
 }
 
@@ -73,7 +73,7 @@ TEST(SimulatorSource, OdometryDoesNotNoticeTheKidnap) {
     if (before) longest = std::max(longest, distance(*before, odometry->odometry.T_odom_base));
     before = odometry->odometry.T_odom_base;
   }
-  EXPECT_LT(longest, 0.02);  // 0.26 m/s, 100 readings a second
+  EXPECT_LT(longest, 0.02);  // 0.26 m/s, 100 readings per second
 }
 
 TEST(BuildLidar, HonoursTheMountOfTheScenario) {

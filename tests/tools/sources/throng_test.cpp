@@ -1,4 +1,4 @@
-/// A robot that the truth drives among people who keep to their ways.
+/// A robot driven by the truth among people who do not yield.
 
 #include <algorithm>
 

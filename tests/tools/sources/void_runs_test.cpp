@@ -1,4 +1,4 @@
-// Runs from a world's file to the verdict: what drives counts, what cannot is void.
+// Runs from a world's file to the verdict: a robot that drives counts, one that cannot is void.
 #include <gtest/gtest.h>
 
 #include "localization/geometry/stamp.hpp"
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What a run comes to.
+/// Result of a run.
 struct Played {
   std::vector<RunEvent> events;
   double distance = 0.0;  ///< [m]
@@ -60,7 +60,7 @@ std::string box(const std::string& name, const std::string& pose, const std::str
          "</size></box></geometry></collision></link></model>";
 }
 
-/// A room of 8 m x 6 m on a slab.
+/// SDF of a room of 8 m x 6 m on a slab.
 std::string room_on_slab(double top) {
   const std::string z = std::to_string(top + 0.5);
   return "<sdf version='1.6'><world name='slab'>" +
@@ -77,14 +77,14 @@ TEST_P(Slab, CarriesTheRobotWhateverItsHeight) {
   folder.put("w.sdf", room_on_slab(GetParam()));
   const Played played = play(scenario_in("w.sdf"), folder.path());
   EXPECT_TRUE(voids_of(played).empty());
-  EXPECT_TRUE(played.events.empty());  // No collision either.
+  EXPECT_TRUE(played.events.empty());  // And no collision.
   EXPECT_GT(played.distance, 4.0);
   EXPECT_LT(played.error, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heights, Slab, testing::Values(0.0099, 0.011, 0.02, 0.034, 0.1, 0.5));
 
-/// Bars at the height of the chassis, too thin for the planner to see.
+/// The bars are at the height of the chassis and too thin for the planner to see.
 TEST(VoidRuns, AreThoseOfARobotThatIsFencedIn) {
   const TemporaryFolder folder;
   std::string fence;
@@ -103,8 +103,8 @@ TEST(VoidRuns, AreThoseOfARobotThatIsFencedIn) {
   EXPECT_EQ(voids_of(play(scenario, folder.path())).size(), 1U);
 }
 
-/// As TIAGo and Fetch: free places stand for the waypoints that it has no room at, and it rocks
-/// between two of them. A kidnap in between frees it for a while only.
+/// Like TIAGo and Fetch: the waypoints where it has no room are replaced by free places, and it
+/// moves back and forth between two of them. A kidnap in between frees it only for a while.
 TEST(VoidRuns, AreThoseOfARobotWhoseArmSticksOut) {
   const TemporaryFolder folder;
   Scenario scenario = scenario_in("lab");

@@ -1,4 +1,4 @@
-/// Beams in all shipped worlds, meshes included, against an independent loop over all objects.
+/// Ray casts in all shipped worlds, meshes included, against an independent loop over all objects.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr long kBeams = 35000;  // In each world; world_cast_check casts millions.
+constexpr long kBeams = 35000;  // Per world; world_cast_check casts millions.
 
 TEST(WorldCasting, AgreesWithAPlainLoopInAllShippedWorlds) {
   int worlds = 0;
@@ -25,7 +25,7 @@ TEST(WorldCasting, AgreesWithAPlainLoopInAllShippedWorlds) {
   EXPECT_GE(worlds, 6);
 }
 
-/// The oracle notices: a body moved by a millimetre is an error on every beam that meets it.
+/// The oracle is sensitive: moving a body by a millimetre is an error on every beam that meets it.
 TEST(WorldCasting, WouldSeeAMillimetre) {
   sim::WorldSpec world;
   world.max_corner = {4.0, 4.0};

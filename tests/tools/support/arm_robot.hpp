@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// The URDF of a waffle with a bar of 2.2 m along it, 0.3 m above its base.
+/// URDF of a waffle with a bar of 2.2 m along it, 0.3 m above its base.
 inline std::string waffle_with_arm() {
   std::string urdf = read_file(find_robot("waffle", "."));
   urdf.replace(

@@ -1,4 +1,4 @@
-// Reads what IntColumn writes.
+// Reads the output of IntColumn.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace castaway::testbed {
 
-/// The numbers of a column.
+/// Numbers of a column.
 inline std::vector<std::int64_t> column_values(std::string_view bytes) {
   std::vector<std::int64_t> values;
   std::int64_t last = 0;

@@ -1,4 +1,4 @@
-/// Finished runs of an experiment for tests: figures made up, errors in memory.
+/// Finished runs of an experiment for tests, with made-up values.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// A run of the first part with localizer `a`, which recovered after `time_s`.
+/// A run of the first part in which localizer `a` recovered after `time_s`.
 inline ExperimentOutcome outcome_with(const Experiment& experiment, std::uint64_t seed,
                                       double time_s) {
   nlohmann::ordered_json summary{{"distance_m", 10.0}, {"duration_s", 3600.0}, {"collisions", 1}};
@@ -26,7 +26,7 @@ inline ExperimentOutcome outcome_with(const Experiment& experiment, std::uint64_
   return outcome;
 }
 
-/// Two runs of two scans: right with quality 0.9 and wrong with quality 0.3 in each.
+/// Two runs of two scans each: one right with quality 0.9, one wrong with quality 0.3.
 inline std::vector<PooledRows> two_runs_of_rows() {
   const ErrorRow right{1.0, 0.1, 0.9, 0.01, 0.8, 1.0};
   const ErrorRow wrong{2.0, 4.1, 0.3, 0.01, 0.8, 3.0};

@@ -1,4 +1,4 @@
-/// Whether films can be made here.
+/// Availability of ffmpeg.
 #pragma once
 
 #include <cstdlib>

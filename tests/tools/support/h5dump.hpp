@@ -1,4 +1,4 @@
-/// The HDF5 group's own reader, where it is installed.
+/// The HDF5 group's own reader, if it is installed.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace castaway::testbed {
 
 inline bool h5dump_works() { return std::system("h5dump --version >/dev/null 2>&1") == 0; }
 
-/// What `h5dump <arguments> <file>` prints.
+/// Output of `h5dump <arguments> <file>`.
 inline std::string h5dump(const std::filesystem::path& file, const std::string& arguments) {
   const std::string command = "h5dump " + arguments + " '" + file.string() + "' 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");

@@ -10,7 +10,7 @@
 
 namespace castaway::testbed {
 
-/// Two channels of texts, `count` messages each, one at every millisecond from 1 s on.
+/// Writes two channels of texts with `count` messages each, one per millisecond, starting at 1 s.
 inline void write_texts(const std::filesystem::path& path, const McapOptions& options, int count) {
   McapWriter writer(path, options);
   const auto schema = writer.add_schema({"std_msgs/msg/String", "ros2msg", "string data\n"});
@@ -26,7 +26,7 @@ inline void write_texts(const std::filesystem::path& path, const McapOptions& op
   writer.finish();
 }
 
-/// Topic, time and the first letters of all messages.
+/// Topic, time and first letters of all messages.
 inline std::vector<std::string> texts_of(McapReader& reader) {
   std::vector<std::string> texts;
   while (const auto message = reader.next()) {

@@ -1,4 +1,4 @@
-/// Rows for tests of metrics: a robot on the x axis, one row a second.
+/// Rows for tests of metrics: a robot on the x axis, one row per second.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace castaway::testbed {
 
 using localization::from_seconds;
 
-/// A row at `t` [s] at x = `t` / 10 m whose estimate is `error` metres off and `yaw_error` turned.
+/// A row at `t` [s] at x = `t` / 10 m with these errors of position [m] and yaw [rad].
 inline MetricRow row_at(double t, double error = 0.0, double yaw_error = 0.0) {
   MetricRow row;
   row.stamp = from_seconds(t);
@@ -20,7 +20,7 @@ inline MetricRow row_at(double t, double error = 0.0, double yaw_error = 0.0) {
   return row;
 }
 
-/// Rows at 0, 1, 2... s with these position errors. [m]
+/// Rows at 0, 1, 2... s with these position errors [m].
 inline std::vector<MetricRow> rows_with(const std::vector<double>& errors) {
   std::vector<MetricRow> rows;
   for (const double error : errors) rows.push_back(row_at(static_cast<double>(rows.size()), error));
@@ -32,7 +32,7 @@ inline std::vector<MetricRow> right_rows(std::size_t count) {
   return rows_with(std::vector<double>(count, 0.0));
 }
 
-/// A kidnap of which only the time is known.
+/// A kidnap of which only the time is set.
 inline RunEvent kidnap_at(double t) {
   return {from_seconds(t), EventKind::kKidnap, "teleport", {}, {}};
 }

@@ -1,4 +1,4 @@
-/// The plots that a page describes, for tests of the page.
+/// Parses the plots of a page, for tests.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace castaway::testbed {
 
-/// Every plot of the page, with the x that its group shares as "times".
+/// Every plot of the page; "times" is the x shared by its group.
 inline nlohmann::ordered_json plots_in(const std::string& html) {
   const std::string start = "</div><script type=\"application/json\">";
   auto plots = nlohmann::ordered_json::array();
@@ -23,7 +23,7 @@ inline nlohmann::ordered_json plots_in(const std::string& html) {
   return plots;
 }
 
-/// The page without what stands in its script elements.
+/// The page without its script elements.
 inline std::string without_scripts(const std::string& html) {
   std::string text;
   std::size_t end = 0;

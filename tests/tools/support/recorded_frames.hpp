@@ -5,8 +5,9 @@
 
 namespace castaway::testbed {
 
-/// `scans` scans 0.2 s apart from 10 s on, each behind its odometry at the same stamp, with an
-/// odometry of its own between. Odometry: 0.1 m a scan; truth: the same, 20 m further.
+/// A log of `scans` scans every 0.2 s from 10 s on, each preceded by odometry at the same stamp,
+/// with another odometry reading in between. Odometry moves 0.1 m per scan; the truth is the same
+/// plus 20 m.
 inline Frames straight_log(int scans) {
   Frames frames;
   const auto add_odometry = [&frames](Stamp stamp, double x) {

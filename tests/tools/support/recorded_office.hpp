@@ -1,4 +1,4 @@
-/// A recorded log without a recording: a robot going round in the office of grid_world.hpp.
+/// A synthetic log: a robot driving in a circle in the office of grid_world.hpp.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +28,8 @@ inline RosMap office_map() {
   return map;
 }
 
-/// A scan every 0.2 s, its odometry before it, on a circle of 1.5 m radius at 0.5 m/s. Odometry is
-/// exact, from an origin of its own.
+/// A scan every 0.2 s, preceded by its odometry, on a circle of 1.5 m radius at 0.5 m/s. Odometry
+/// is exact but has another origin.
 inline RecordedPlace recorded_office(int scans) {
   const localization::OccupancyGrid grid = test::office();
   const SE2 T_odom_map = SE2{7.0, -3.0, 1.0};

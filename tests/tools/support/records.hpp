@@ -20,8 +20,8 @@ inline RunInfo run_of(const std::vector<std::string>& localizers) {
   return info;
 }
 
-/// A scan at `t` [s], delivered 0.1 s later: the truth at x = `t` / 10 m, every localizer 0.2 m
-/// left of it and turned by 0.1.
+/// A scan at `t` [s], delivered 0.1 s later: the truth is at x = `t` / 10 m, every estimate 0.2 m
+/// to the left of it and rotated by 0.1.
 inline ScanRecord record_at(double t, const std::vector<std::string>& localizers) {
   ScanRecord record;
   record.stamp = localization::from_seconds(t);

@@ -1,4 +1,4 @@
-/// Bags of any robot for tests, message by message.
+/// Builds bags of other robots for tests, message by message.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace castaway::testbed {
 
-/// Writes messages of a recorder that is not ours.
+/// Writes messages as another recorder does.
 class ForeignBag {
  public:
   explicit ForeignBag(const std::filesystem::path& path) : writer_(path) {}

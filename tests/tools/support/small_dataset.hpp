@@ -1,4 +1,4 @@
-/// A data set of three sequences in two worlds, for tests of what is made of it.
+/// A data set of three sequences in two worlds, for tests.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace castaway::testbed {
 
-/// What a sequence.json says; `number` counts from 0.
+/// Content of a sequence.json; `number` starts at 0.
 inline nlohmann::ordered_json small_sequence(int number, const std::string& world) {
   using Json = nlohmann::ordered_json;
   Json kidnaps = Json::array();

@@ -17,8 +17,8 @@ inline std::shared_ptr<const LabelContext> table_context() {
   return made;
 }
 
-/// A kidnap at 1.5 s, an odometry reading at 1 s, scans at 1 s and 2 s: of three beams, on the
-/// wall, on person 2, on nothing.
+/// Plays a kidnap at 1.5 s, an odometry reading at 1 s, and scans at 1 s and 2 s with three beams:
+/// on the wall, on person 2, a miss.
 inline void play_two_scans(RunSink& sink) {
   OdometryFrame odometry;
   odometry.odometry = {localization::from_seconds(1.0), {0.5, 0.0, 0.25}};

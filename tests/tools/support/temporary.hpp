@@ -1,4 +1,4 @@
-/// A folder for a test's files, and the texts of errors.
+/// Temporary folders and error texts for tests.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace castaway::testbed {
 
-/// An empty folder that goes away with it.
+/// An empty folder that is removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The text of the exception that `action` throws; "" and a failure if it throws none.
+/// Text of the exception that `action` throws; "" and a test failure if it throws none.
 template <typename Action>
 std::string error_of(Action action) {
   try {

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Ten rows, a kidnap at 2.5 s: wrong at 3, 4 and 5 s, right from 6 s on.
+/// Ten rows with a kidnap at 2.5 s: wrong at 3, 4 and 5 s, right from 6 s on.
 std::vector<MetricRow> kidnapped() {
   return rows_with({0.1, 0.1, 0.1, 5.0, 5.0, 5.0, 0.2, 0.2, 0.2, 0.2});
 }
@@ -25,7 +25,7 @@ TEST(KidnapOutcome, TimesTheWayBack) {
   EXPECT_DOUBLE_EQ(*outcome.recovered_s, 3.5);
   EXPECT_DOUBLE_EQ(*outcome.confident_s, 4.5);
   EXPECT_EQ(outcome.scans, 7);
-  EXPECT_EQ(outcome.wrong, 1);  // at 3 s; then it says so
+  EXPECT_EQ(outcome.wrong, 1);  // at 3 s; from then on it raises the alarm
 }
 
 TEST(KidnapOutcome, CountsTheTimeUpToTheAnswer) {

@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Free cells that can be reached from the first free one.
+/// Number of free cells that are reachable from the first one.
 std::size_t reachable(const RosMap& map) {
   const auto first = std::find(map.cells.begin(), map.cells.end(), 0);
   std::vector<bool> seen(map.cells.size());
@@ -21,7 +21,7 @@ std::size_t reachable(const RosMap& map) {
     open.pop_back();
     ++count;
     for (const int next : {cell - 1, cell + 1, cell - map.width, cell + map.width}) {
-      const auto i = static_cast<std::size_t>(next);  // walls all around: never outside
+      const auto i = static_cast<std::size_t>(next);  // the outer walls keep it inside
       if (map.cells[i] != 0 || seen[i]) continue;
       seen[i] = true;
       open.push_back(next);

@@ -15,7 +15,7 @@ TEST(PlaceFinder, FindsWhereAScanWasTaken) {
   ASSERT_FALSE(places.empty());
   EXPECT_LT(distance(places[0].T_map_base, pose), 0.05);
   EXPECT_LT(yaw_distance(places[0].T_map_base, pose), 0.02);
-  const FoundPlace there = finder.refined(test::points_from(office, pose), pose);
+  const FoundPlace there = finder.refine(test::points_from(office, pose), pose);
   EXPECT_NEAR(there.log_likelihood, places[0].log_likelihood, 0.5);
 }
 

@@ -11,7 +11,7 @@ TEST(PlayVariants, ScoresAllVariantsOnTheSameRuns) {
   scenario.drive.route = "none";
   scenario.events.kidnaps.emplace_back().when.value = 1.0;
   std::vector<PublishedVariant> variants = published_variants();
-  // How the yaw is wrapped in the covariance changes no pose.
+  // The wrapping of yaw in the covariance changes no pose.
   variants = {variants.front(), variants.back(), variants.front()};
   variants[2].name = "+ unwrapped_yaw";
   variants[2].config.defects.unwrapped_yaw = true;

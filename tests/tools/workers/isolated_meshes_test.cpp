@@ -29,7 +29,7 @@ using testing::HasSubstr;
 
 const MeshLimits kShort{milliseconds(1500), std::size_t{256} << 20U};
 
-/// What is said of a mesh that a reader fails at.
+/// Error text for a mesh whose reader fails.
 std::string said_of(const sim::MeshReader& read, const std::string& path = "a.stl") {
   try {
     (void)read_isolated(path, read, kShort);
@@ -39,7 +39,7 @@ std::string said_of(const sim::MeshReader& read, const std::string& path = "a.st
   return "nothing";
 }
 
-/// No child is left, neither running nor waited for.
+/// Checks that no child process is left.
 void expect_no_children() {
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
   EXPECT_EQ(errno, ECHILD);
@@ -97,14 +97,14 @@ TEST(IsolatedMeshes, RefuseOneThatNeedsTooMuchMemory) {
   expect_no_children();
 }
 
-/// Files that have crashed assimp, or kept it busy, before it was isolated.
+/// Files that crashed assimp or kept it busy before it was isolated.
 class HardMesh : public testing::Test {
  protected:
   HardMesh() : folder_(fs::path(testing::TempDir()) / "castaway-hard-meshes") {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
-  /// Read or refused, in time: both is right. Crashing or hanging is not.
+  /// A file may be read or rejected, but in time and without a crash.
   void try_file(const std::string& name, const std::string& text) {
     const std::string path = (folder_ / name).string();
     std::ofstream(path, std::ios::binary) << text;

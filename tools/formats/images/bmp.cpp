@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kNoCompression = 0;
 constexpr std::uint32_t kBitFields = 3;
 
-/// A bitmap of Windows: a header, a palette, rows from the bottom.
+/// Reads a Windows bitmap: a header, a palette, and rows from the bottom.
 class BmpReader {
  public:
   BmpReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
@@ -55,15 +55,15 @@ class BmpReader {
   void read_header() {
     data_ = number(10, 4);
     const std::uint32_t header = number(14, 4);
-    if (header < 40) fail("its header is older than Windows 3; save it anew as PNG");
+    if (header < 40) fail("its header is older than Windows 3; save it as PNG");
     width_ = static_cast<int>(number(18, 4));
     height_ = static_cast<int>(number(22, 4));
     bits_ = number(28, 2);
     const std::uint32_t compression = number(30, 4);
     const bool plain = compression == kNoCompression || (compression == kBitFields && bits_ == 32);
-    if (!plain) fail("it is compressed; save it anew as PNG");
+    if (!plain) fail("it is compressed; save it as PNG");
     if (bits_ != 1 && bits_ != 4 && bits_ != 8 && bits_ != 24 && bits_ != 32) {
-      fail(fmt::format("{} bits a pixel are not read; save it anew as PNG", bits_));
+      fail(fmt::format("{} bits per pixel are not supported; save it as PNG", bits_));
     }
     if (width_ <= 0 || height_ == 0 || height_ == INT32_MIN) fail("it has no pixels");
     if (bits_ > 8) return;
@@ -72,7 +72,7 @@ class BmpReader {
     for (std::uint32_t i = 0; i < colors; ++i) palette_.push_back(mean(14 + header + 4 * i));
   }
 
-  /// Of blue, green and red.
+  /// Mean of blue, green and red.
   [[nodiscard]] std::uint16_t mean(std::size_t at) const {
     const std::uint32_t sum = number(at, 1) + number(at + 1, 1) + number(at + 2, 1);
     return static_cast<std::uint16_t>((sum + 1) / 3);

@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// A JPEG being read. Errors and warnings (a file cut short is one) jump out.
+/// State of the decoder. Errors and warnings, such as truncation, leave by longjmp.
 struct JpegState {
   JpegState() {
     jpeg.err = jpeg_std_error(&errors);
@@ -39,7 +39,7 @@ struct JpegState {
   std::vector<std::uint8_t> row;
 };
 
-/// False where libjpeg jumped out; only what lives outside this frame changes after the setjmp.
+/// Returns false after a longjmp. Only state outside this frame changes after the setjmp.
 bool read_header(JpegState& state, std::string_view bytes) {
   if (setjmp(state.jump) != 0) return false;  // NOLINT: libjpeg's way of errors.
   jpeg_mem_src(&state.jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());

@@ -13,7 +13,7 @@ constexpr int kMaxSide = 32768;  // 1.6 km at 5 cm.
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Takes tokens off the front of a PGM.
+/// Consumes the tokens of a PGM from the front.
 class PgmReader {
  public:
   PgmReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
@@ -68,7 +68,7 @@ class PgmReader {
   }
 
   void read_binary(std::size_t count, GrayImage& image) {
-    ++at_;  // One white space after the largest value.
+    ++at_;  // One white space follows the maximum value.
     const std::size_t width = image.max_value > 255 ? 2 : 1;
     const std::size_t pixel = width * static_cast<std::size_t>(channels_);
     if (at_ > bytes_.size() || (bytes_.size() - at_) / pixel < count) {
@@ -86,7 +86,7 @@ class PgmReader {
     while (image.pixels.size() < count) image.pixels.push_back(mean_of(next));
   }
 
-  /// Of a pixel's values.
+  /// Mean of a pixel's channels.
   template <typename Next>
   [[nodiscard]] std::uint16_t mean_of(Next next) const {
     int sum = 0;

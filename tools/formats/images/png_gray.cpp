@@ -16,7 +16,7 @@ constexpr png_uint_32 kMaxPngSide = 32768;
   throw std::runtime_error(fmt::format("{}: broken PNG: {}; copy the file again", name, what));
 }
 
-/// Rows of `channels` values of 8 or 16 bits, the last channel being alpha if `alpha`.
+/// Grey values of rows of `channels` values of 8 or 16 bits; if `alpha`, the last channel is alpha.
 template <typename Value>
 std::vector<std::uint16_t> mean_of_channels(const std::vector<Value>& values, std::size_t channels,
                                             bool alpha) {
@@ -31,7 +31,7 @@ std::vector<std::uint16_t> mean_of_channels(const std::vector<Value>& values, st
   return pixels;
 }
 
-/// By pixel of rows as above: whether its last channel is below the largest value. Empty: none is.
+/// By pixel: true if the last channel is below the maximum. Empty if all pixels are opaque.
 template <typename Value>
 std::vector<bool> transparent_pixels(const std::vector<Value>& values, std::size_t channels) {
   std::vector<bool> result;
@@ -44,7 +44,7 @@ std::vector<bool> transparent_pixels(const std::vector<Value>& values, std::size
   return any ? result : std::vector<bool>{};
 }
 
-/// A PNG being read by libpng's row interface, which hands out the file's values as they are.
+/// A PNG that is read with libpng's row interface, which returns the file's unmodified values.
 struct PngState {
   explicit PngState(std::string_view data)
       : bytes(data),
@@ -69,7 +69,7 @@ struct PngState {
     state.bytes.remove_prefix(length);
   }
 
-  std::string_view bytes;  // What has not been read yet.
+  std::string_view bytes;  // Bytes not yet read.
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::string error;
@@ -77,7 +77,7 @@ struct PngState {
   std::vector<png_bytep> rows;
 };
 
-/// False where libpng jumped out; only what lives outside this frame changes after the setjmp.
+/// Returns false after a longjmp. Only state outside this frame changes after the setjmp.
 bool read_size(PngState& state) {
   if (setjmp(png_jmpbuf(state.png)) != 0) return false;  // NOLINT: libpng's way of errors.
   png_read_info(state.png, state.info);

@@ -10,11 +10,12 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;  // Of every bootstrap: intervals are no part of a run's chance.
+constexpr std::uint64_t kSeed = 1;  // Seed of every bootstrap; fixed, so that intervals do not
+                                    // depend on the run.
 
 using Draw = boost::random::uniform_int_distribution<std::size_t>;
 
-/// Fills `drawn` with blocks of the sample, which closes to a circle.
+/// Fills `drawn` with random blocks of the sample, which wraps around at its end.
 void draw(const std::vector<double>& sample, std::size_t block, localization::Rng& rng,
           std::vector<double>& drawn) {
   Draw first(0, sample.size() - 1);

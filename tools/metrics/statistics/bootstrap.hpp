@@ -2,9 +2,9 @@
 ///
 /// B. Efron, R. J. Tibshirani, "An Introduction to the Bootstrap", 1993, ch. 13 (percentile
 /// intervals); H. R. Kuensch, "The Jackknife and the Bootstrap for General Stationary
-/// Observations", Annals of Statistics 17, 1989, for blocks, which we take circular: errors of
-/// neighbouring scans resemble each other, and an interval that took them for independent would be
-/// too narrow.
+/// Observations", Annals of Statistics 17, 1989, for blocks. Our blocks are circular. Blocks are
+/// needed because errors of neighbouring scans are correlated; an interval that assumed
+/// independence would be too narrow.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,12 @@
 
 namespace castaway::testbed {
 
-/// How a sample is drawn anew.
+/// Parameters of the resampling.
 struct BootstrapConfig {
-  std::string stream;     ///< Names the substream of random numbers; its seed is fixed.
-  std::size_t block = 1;  ///< Neighbours that are drawn together; 1: the sample is independent.
-  int resamples = 1000;   ///< Samples drawn; the interval is their 2.5 % and 97.5 % quantiles.
+  std::string stream;     ///< Name of the substream of random numbers; its seed is fixed.
+  std::size_t block = 1;  ///< Length of a block; 1 for an independent sample.
+  int resamples = 1000;   ///< Number of resamples; the interval is their 2.5 % and 97.5 %
+                          ///< quantiles.
 };
 
 /// 95 % intervals of a sample's mean and median, in the sample's unit.
@@ -29,12 +30,12 @@ struct BootstrapIntervals {
   Interval median;
 };
 
-/// Nothing of fewer than two elements, nor of fewer than two blocks. Same sample, same
-/// configuration: same intervals.
+/// Deterministic for a sample and a configuration. Nothing for fewer than two elements or fewer
+/// than two blocks.
 std::optional<BootstrapIntervals> bootstrap(const std::vector<double>& sample,
                                             const BootstrapConfig& config);
 
-/// Figures of a sample with their intervals; nothing for an empty sample.
+/// Statistics of a sample with their intervals; nothing for an empty sample.
 std::optional<Statistics> statistics_with_intervals(std::vector<double> sample,
                                                     const BootstrapConfig& config);
 

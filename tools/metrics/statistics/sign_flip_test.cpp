@@ -10,11 +10,11 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::uint64_t kFlipSeed = 1;  // As of every bootstrap.
+constexpr std::uint64_t kFlipSeed = 1;  // The same as of the bootstrap.
 constexpr std::size_t kMostExact = 16;
 constexpr int kFlips = 20000;
 
-/// Sums that differ by rounding are equal.
+/// Tolerance for sums that differ only by rounding.
 double threshold_of(const std::vector<double>& differences) {
   const double sum = std::accumulate(differences.begin(), differences.end(), 0.0);
   double size = 0.0;
@@ -36,7 +36,7 @@ double exact(const std::vector<double>& differences) {
   return static_cast<double>(as_far) / static_cast<double>(all);
 }
 
-double sampled(const std::vector<double>& differences, localization::Rng rng) {
+double sample_p_value(const std::vector<double>& differences, localization::Rng rng) {
   const double threshold = threshold_of(differences);
   int as_far = 1;
   for (int k = 0; k < kFlips; ++k) {
@@ -56,7 +56,7 @@ double sampled(const std::vector<double>& differences, localization::Rng rng) {
 double sign_flip_p_value(const std::vector<double>& differences, const std::string& stream) {
   if (differences.empty()) return 1.0;
   if (differences.size() <= kMostExact) return exact(differences);
-  return sampled(differences, localization::substream(kFlipSeed, "sign-flips/" + stream));
+  return sample_p_value(differences, localization::substream(kFlipSeed, "sign-flips/" + stream));
 }
 
 std::vector<double> holm(const std::vector<double>& p_values) {

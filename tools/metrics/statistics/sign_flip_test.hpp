@@ -1,8 +1,9 @@
-/// Is a mean difference over pairs more than chance?
+/// Significance test of a mean difference over pairs.
 ///
-/// R. A. Fisher, "The Design of Experiments", 1935, section 21: if nothing differs, each pair's
-/// difference is as likely of either sign. S. Holm, "A Simple Sequentially Rejective Multiple Test
-/// Procedure", Scandinavian Journal of Statistics 6, 1979, for many such questions at once.
+/// R. A. Fisher, "The Design of Experiments", 1935, section 21: under the null hypothesis, the
+/// difference of each pair has either sign with equal probability. S. Holm, "A Simple Sequentially
+/// Rejective Multiple Test Procedure", Scandinavian Journal of Statistics 6, 1979, for several
+/// tests at once.
 #pragma once
 
 #include <string>
@@ -10,13 +11,15 @@
 
 namespace castaway::testbed {
 
-/// Two-sided p-value of the mean of `differences`: the share of all flips of their signs that leave
-/// a mean as far from zero. Exact up to 16 pairs; beyond, of 20000 flips drawn from the substream
-/// named `stream`, those as drawn included, so that it is never 0. 1 for no pairs.
+/// Two-sided p-value of the mean of `differences`: the share of all sign flips whose mean is at
+/// least as far from zero. Exact for up to 16 pairs. For more, it is estimated from 20000 flips
+/// drawn from the substream `stream`; the observed signs count as one of them, so the result is
+/// never 0. 1 if there are no pairs.
 double sign_flip_p_value(const std::vector<double>& differences, const std::string& stream);
 
-/// Holm's correction, in the order given: where it is below 0.05 for some, the probability that
-/// any of these is chance is below 0.05.
+/// Holm's correction, in the given order. It bounds the probability of any false positive:
+/// rejecting the null hypotheses with a corrected p-value below 0.05 makes that probability at most
+/// 0.05.
 std::vector<double> holm(const std::vector<double>& p_values);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// Pieces of HTML: escaped text, numbers for readers, embedded bytes.
+/// HTML helpers: escaped text, readable numbers, embedded bytes.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ std::string base64(std::string_view bytes);
 /// `data:` URI of a PNG's bytes.
 std::string png_data_uri(std::string_view png);
 
-/// Three significant digits without an exponent, and the unit: "0.0342 m", "12.3 s", "1230 m"; a
-/// dash for a missing value.
+/// Formats three significant digits without an exponent, and the unit: "0.0342 m", "12.3 s", "1230
+/// m". A missing value gives a dash.
 std::string readable(const std::optional<double>& value, std::string_view unit = "");
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The frame of every page: self-contained, in the report's style.
+/// The common frame of all pages: self-contained, in the report's style.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,20 @@
 
 namespace castaway::testbed {
 
-/// What a page is made of.
+/// Content of a page.
 struct HtmlPage {
   std::string title{};  ///< Plain text.
-  std::string body{};   ///< HTML, scripts' data included.
+  std::string body{};   ///< HTML, including data for scripts.
   std::string body_class{};
-  std::string style{};                ///< Besides the report's.
-  std::optional<WebBundle> bundle{};  ///< Runs at the end of the body.
+  std::string style{};                ///< In addition to the report's style.
+  std::optional<WebBundle> bundle{};  ///< Embedded at the end of the body.
 };
 
-/// The page; its policy lets nothing be loaded from anywhere, whatever its texts hold.
+/// Renders the page. Its content security policy forbids loading anything, whatever its texts
+/// contain.
 std::string html_page(const HtmlPage& page);
 
-/// A titled part of a page. `title`: plain text.
+/// Renders a section with a heading. `title` is plain text.
 std::string html_section(const std::string& title, const std::string& body);
 
 }  // namespace castaway::testbed

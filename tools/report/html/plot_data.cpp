@@ -15,14 +15,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOfLine = 2400;
-constexpr int kTimeDigits = 7;  // 0.1 ms of a thousand seconds, 10 ms of a day.
+constexpr int kTimeDigits = 7;  // 0.1 ms in a thousand seconds, 10 ms in a day.
 
 Json plot_number(const std::optional<double>& value, int digits) {
   if (!value || !std::isfinite(*value)) return nullptr;
   const std::string text = fmt::format("{:.{}g}", *value, digits);
   const double rounded = std::strtod(text.c_str(), nullptr);
   const bool whole = std::abs(rounded) < 1e15 && rounded == std::floor(rounded);
-  return whole ? Json(static_cast<std::int64_t>(rounded)) : Json(rounded);  // 2, not 2.0.
+  return whole ? Json(static_cast<std::int64_t>(rounded))
+               : Json(rounded);  // Writes 2 rather than 2.0.
 }
 
 template <typename T>
@@ -112,7 +113,7 @@ std::string plots_notice() {
            "tables and pictures are not.</p></noscript>\n";
   }
   return "<p class=\"soft\">This page has no plots: castaway was built without Node.js. Install "
-         "nodejs and npm, configure and build again, and make the page anew.</p>\n";
+         "nodejs and npm, configure and build again, and make the page again.</p>\n";
 }
 
 }  // namespace castaway::testbed

@@ -1,11 +1,11 @@
-/// The style sheet of all pages: light or dark as the system, or as `data-theme` of the
-/// page's root.
+/// Style sheet of all pages: light or dark as set by the system, or by `data-theme` of the page's
+/// root.
 #pragma once
 
 namespace castaway::testbed {
 
-/// For the inside of a `<style>` element. Colours of localizers (c0 to c5) and of populations (p0
-/// to p5) are those of palette.hpp, brighter on dark ground.
+/// Content of a `<style>` element. Colours of localizers (c0 to c5) and of populations (p0 to p5)
+/// are those of palette.hpp, brighter on dark ground.
 inline constexpr const char* kReportStyle = R"(
 :root { color-scheme: light; --page: #fbfbfa; --ink: #1d2328; --soft: #59636d; --line: #d9dde0; --card: #ffffff;
   --mark: #8a3ffc; --link: #0b5c8f; --good: #00724f; --bad: #c1272d; --warn: #b36b00; --warn-text: #8f5500;

@@ -1,4 +1,4 @@
-/// Scripts and styles of pages as the build bundled them from web/.
+/// Scripts and styles of pages, bundled from web/ by the build.
 #pragma once
 
 #include <optional>
@@ -6,16 +6,16 @@
 
 namespace castaway::testbed {
 
-/// What a page embeds. Neither text holds the end of its own tag.
+/// Embedded content of a page. Neither text contains its own closing tag.
 struct WebBundle {
   std::string_view script;
   std::string_view style;
 };
 
-/// The report's player, and all plots. Nothing where the program was built without Node.js.
+/// The report's player and all plots. Nothing if the program was built without Node.js.
 std::optional<WebBundle> player_bundle();
 
-/// The plots alone, for pages without a player. Nothing without Node.js.
+/// Only the plots, for pages without a player. Nothing if the program was built without Node.js.
 std::optional<WebBundle> plots_bundle();
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-// Built instead of the bundles where there is no Node.js.
+// Built instead of the bundles if Node.js is missing.
 #include "tools/report/html/web_bundle.hpp"
 
 namespace castaway::testbed {

@@ -1,4 +1,4 @@
-/// Takes little-endian numbers and texts off the front of bytes that nobody vouches for.
+/// Parses little-endian numbers and texts from the front of untrusted bytes.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace castaway::testbed {
 
-/// Reads bytes that outlive it. Each call throws std::runtime_error where the bytes end too early;
-/// nothing is allocated by a length that is only claimed.
+/// Reads bytes that must outlive it. Each call throws std::runtime_error if the bytes are
+/// truncated; memory is never allocated according to an unchecked length.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -31,9 +31,9 @@ class ByteReader {
     at_ += part.size();
     return part;
   }
-  /// A text with its length before it (32 bits).
+  /// The next text, which is preceded by its length (32 bits).
   std::string text() { return std::string(take(number<std::uint32_t>())); }
-  /// Keys and values with their bytes counted before them (32 bits).
+  /// The next map of texts, which is preceded by its size in bytes (32 bits).
   std::map<std::string, std::string> texts() {
     std::map<std::string, std::string> texts;
     for (ByteReader body(take(number<std::uint32_t>())); body.rest() > 0;) {
@@ -42,9 +42,9 @@ class ByteReader {
     }
     return texts;
   }
-  /// How many bytes are left.
+  /// Number of remaining bytes.
   [[nodiscard]] std::size_t rest() const { return bytes_.size() - at_; }
-  /// How many were taken.
+  /// Number of bytes read.
   [[nodiscard]] std::size_t position() const { return at_; }
 
  private:

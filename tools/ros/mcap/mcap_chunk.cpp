@@ -23,7 +23,7 @@ std::uint32_t checksum(std::string_view bytes) {
 
 std::string open_chunk(std::string_view content, bool whole) {
   ByteReader record(content);
-  record.take(2 * sizeof(std::uint64_t));  // Its times.
+  record.take(2 * sizeof(std::uint64_t));  // Start and end time.
   const auto size = record.number<std::uint64_t>();
   const auto crc = record.number<std::uint32_t>();
   const std::string compression = record.text();

@@ -1,4 +1,4 @@
-/// The chunks of MCAP files, opened.
+/// Unpacks the chunks of MCAP files.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace castaway::testbed {
 
-/// The records in a chunk, from the content of its record. `whole`: false if the file ends in it;
-/// what is there is unpacked then, and no checksum held against it. Throws std::runtime_error where
-/// it is damaged, or claims more than 256 MiB.
+/// Returns the records in a chunk, given the content of the chunk's record. `whole` is false if the
+/// file ends within the record; the available part is then unpacked without checking the checksum.
+/// Throws std::runtime_error if the chunk is damaged or claims more than 256 MiB.
 std::string open_chunk(std::string_view content, bool whole);
 
 }  // namespace castaway::testbed

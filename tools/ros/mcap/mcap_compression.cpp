@@ -11,8 +11,8 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kZstdLevel = 1;  // Fast; a bag of scans is a few per cent larger than at 3.
-constexpr std::size_t kStep = 256 << 10;  // Output grows by so many bytes at a time.
+constexpr int kZstdLevel = 1;  // Fast; bags of scans are a few per cent larger than at level 3.
+constexpr std::size_t kStep = 256 << 10;  // Growth of the output buffer.
 
 [[noreturn]] void refuse(const char* compression, const char* why) {
   throw std::runtime_error(fmt::format("its {} frame is damaged ({})", compression, why));
@@ -36,7 +36,7 @@ std::string pack_lz4(std::string_view bytes) {
   return packed;
 }
 
-/// Room for the next bytes of output, at most up to one byte more than `most`.
+/// Grows the output buffer, to at most one byte more than `most`.
 std::size_t grow(std::string& bytes, std::uint64_t most) {
   const std::size_t used = bytes.size();
   if (used > most) {

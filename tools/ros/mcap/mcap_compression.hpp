@@ -1,4 +1,4 @@
-/// Packing and unpacking the chunks of MCAP files.
+/// Compresses and decompresses the chunks of MCAP files.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace castaway::testbed {
 
-/// The name of a compression in a file: "zstd", "lz4", "" for none.
+/// Name of a compression in a file: "zstd", "lz4", "" for none.
 std::string mcap_name_of(McapCompression compression);
 
-/// The bytes as one frame of zstd (level 1) or lz4, or as they are. The same bytes and the same
-/// library give the same frame.
+/// Compresses to one frame of zstd (level 1) or lz4, or copies. Deterministic for a version of the
+/// library.
 std::string pack_chunk(std::string_view bytes, McapCompression compression);
 
-/// What came out of a packed chunk.
+/// Result of unpacking a chunk.
 struct UnpackedChunk {
   std::string bytes;
-  bool whole = true;  ///< False: the packed bytes end too early; `bytes` is what they hold.
+  bool whole = true;  ///< False if the packed bytes are truncated; `bytes` then holds the part
+                      ///< before.
 };
 
-/// Unpacks zstd or lz4 frames, or copies. Never makes more than `most` bytes, whatever the packed
-/// ones claim. Throws std::runtime_error on damage, on more than `most` bytes and on a compression
-/// that is not known.
+/// Unpacks zstd or lz4 frames, or copies. Never produces more than `most` bytes, whatever the
+/// packed data claim. Throws std::runtime_error on damage, on more than `most` bytes and on an
+/// unknown compression.
 UnpackedChunk unpack_chunk(std::string_view packed, const std::string& compression,
                            std::uint64_t most);
 

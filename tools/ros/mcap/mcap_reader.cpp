@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kMostOfNames = 1 << 16;
 constexpr std::uint64_t kLargestRecord = std::uint64_t{256} << 20U;
 
-/// Kinds that are looked into; all others are passed over.
+/// Whether records of a kind are parsed; others are skipped.
 bool is_read(McapOpcode opcode) {
   return opcode == McapOpcode::kSchema || opcode == McapOpcode::kChannel ||
          opcode == McapOpcode::kMessage || opcode == McapOpcode::kChunk ||
@@ -50,7 +50,7 @@ void McapReader::open() {
   }
   position_ = 0;
   if (size_ < magic || read_bytes(magic) != kMcapMagic) {
-    throw std::runtime_error(name_ + ": is no MCAP file: its first bytes are others");
+    throw std::runtime_error(name_ + ": is not an MCAP file: its first bytes differ");
   }
 }
 
@@ -61,7 +61,7 @@ void McapReader::fail(const std::string& why) const {
                   name_, record_, why));
 }
 
-/// The bytes at the current position, which must be there.
+/// Reads bytes at the current position; they must exist.
 std::string McapReader::read_bytes(std::uint64_t size) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream_->seekg(static_cast<std::streamoff>(position_));
@@ -78,7 +78,7 @@ void McapReader::note_end(const std::string& why) {
   }
 }
 
-/// Kind and length of the next record; nothing at the end.
+/// Reads kind and length of the next record; nothing at the end.
 std::optional<McapReader::Head> McapReader::read_head() {
   record_ = position_;
   if (size_ - position_ < kMcapRecordHead) {
@@ -95,7 +95,7 @@ std::optional<McapReader::Head> McapReader::read_head() {
   return head;
 }
 
-/// Takes what there is of a record that goes beyond the end of the file.
+/// Reads the available part of a record that extends beyond the end of the file.
 bool McapReader::cut_short(const Head& head) {
   if (closed_) {
     fail(fmt::format("the record claims {} bytes, more than the file has left", head.length));
@@ -105,7 +105,7 @@ bool McapReader::cut_short(const Head& head) {
   try {
     take_chunk(read_bytes(size_ - position_), false);
   } catch (const std::runtime_error&) {
-    chunk_.clear();  // The fields before the messages are not all there.
+    chunk_.clear();  // The fields before the messages are incomplete.
   }
   return true;
 }
@@ -169,7 +169,7 @@ void McapReader::take_channel(ByteReader& record) {
   channel.metadata = record.texts();
   if (channel.schema != 0 && !schemas_.contains(channel.schema)) {
     throw std::runtime_error(
-        fmt::format("channel {} has schema {}, which is not there", id, channel.schema));
+        fmt::format("channel {} has schema {}, which does not exist", id, channel.schema));
   }
   channels_.try_emplace(id, std::move(channel));
 }
@@ -180,7 +180,7 @@ void McapReader::take_chunk(std::string_view content, bool whole) {
   chunk_whole_ = whole;
 }
 
-/// Keeps what an attachment is called; its data are passed over.
+/// Records the name of an attachment and skips its data.
 void McapReader::take_attachment(std::uint64_t length) {
   const std::uint64_t end = position_ + length;
   const std::string head = read_bytes(std::min(length, kMostOfNames));
@@ -207,14 +207,15 @@ McapMessage McapReader::message_of(std::string_view content) const {
   record.take(sizeof(std::uint64_t));
   const auto found = channels_.find(channel);
   if (found == channels_.end()) {
-    throw std::runtime_error(fmt::format("a message has channel {}, which is not there", channel));
+    throw std::runtime_error(
+        fmt::format("a message has channel {}, which does not exist", channel));
   }
   message.channel = &found->second;
   message.data = record.take(record.rest());
   return message;
 }
 
-/// The next message of the open chunk.
+/// The next message of the current chunk.
 std::optional<McapMessage> McapReader::next_of_chunk() {
   while (chunk_at_ < chunk_.size()) {
     ByteReader reader(std::string_view(chunk_).substr(chunk_at_));

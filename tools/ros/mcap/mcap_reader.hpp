@@ -1,7 +1,7 @@
-/// Reads MCAP files from front to back: in chunks or not, with a summary or not, cut short or not.
+/// Reads MCAP files from front to back: with or without chunks and summary, also if truncated.
 ///
-/// Nothing that the file says of sizes is believed: memory grows with what is really there, up to
-/// 256 MiB a chunk.
+/// Sizes stated in the file are not trusted: memory grows with the actual data, up to 256 MiB per
+/// chunk.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@
 
 namespace castaway::testbed {
 
-/// A message; it lives until the next one is read.
+/// A message; valid until the next one is read.
 struct McapMessage {
-  const McapChannel* channel = nullptr;  ///< Lives as long as the reader.
+  const McapChannel* channel = nullptr;  ///< Valid as long as the reader.
   std::int64_t log_time_ns = 0;
   std::string_view data;
 };
@@ -33,36 +33,36 @@ struct McapAttachmentInfo {
   std::uint64_t size = 0;
 };
 
-/// A file being read. Errors are std::runtime_error "file: byte N: what; remedy", N being where the
-/// broken record begins (of a broken record in a chunk: where the chunk does).
+/// A file being read. Errors are std::runtime_error "file: byte N: what; remedy". N is the offset
+/// of the damaged record, or of its chunk.
 class McapReader {
  public:
-  /// Throws if the file cannot be opened or does not begin as MCAP does.
+  /// Throws if the file cannot be opened or does not begin like MCAP.
   explicit McapReader(const std::filesystem::path& path);
-  /// Reads any stream that can seek; `name` stands for it in errors.
+  /// Reads from any seekable stream; `name` is its name in errors.
   McapReader(std::unique_ptr<std::istream> stream, std::string name);
 
-  /// The next message, in the order of the file; nothing at its end. Throws where it is damaged; a
-  /// file that just ends is read as far as it goes, see `warning`.
+  /// The next message in the order of the file; nothing at its end. Throws if the file is damaged.
+  /// A truncated file is read as far as possible, see `warning`.
   std::optional<McapMessage> next();
 
-  /// By id, as far as the file was read.
+  /// By id, for the part that was read.
   [[nodiscard]] const std::map<std::uint16_t, McapChannel>& channels() const { return channels_; }
-  /// Of a channel; nothing if it has none.
+  /// Schema of a channel; nothing if it has none.
   [[nodiscard]] const McapSchema* schema_of(const McapChannel& channel) const;
-  /// As far as the file was read.
+  /// Attachments of the part that was read.
   [[nodiscard]] const std::vector<McapAttachmentInfo>& attachments() const { return attachments_; }
-  /// Records of metadata by name, as far as the file was read.
+  /// Metadata records by name, for the part that was read.
   [[nodiscard]] const std::map<std::string, std::map<std::string, std::string>>& metadata() const {
     return metadata_;
   }
-  /// At the end: why the file is not whole; nothing if it is.
+  /// After the end: why the file is incomplete; nothing if it is complete.
   [[nodiscard]] const std::optional<std::string>& warning() const { return warning_; }
 
  private:
   struct Head {
     McapOpcode opcode{};
-    std::uint64_t length = 0;  ///< Of the content, as claimed.
+    std::uint64_t length = 0;  ///< Claimed length of the content.
   };
   void open();
   bool read_record();
@@ -83,13 +83,13 @@ class McapReader {
   std::string name_;
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
-  std::uint64_t record_ = 0;  // Where the record being read begins.
-  bool closed_ = false;       // The file ends as a finished one does.
+  std::uint64_t record_ = 0;  // Offset of the current record.
+  bool closed_ = false;       // The file ends with the magic bytes.
   bool done_ = false;
   std::string chunk_;
   std::size_t chunk_at_ = 0;
   bool chunk_whole_ = true;
-  std::string message_;  // One that stands outside of chunks.
+  std::string message_;  // The current message, if it is outside of chunks.
   bool has_message_ = false;
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;

@@ -1,4 +1,4 @@
-/// What MCAP files are made of (specification: mcap.dev/spec, version 0).
+/// Records of MCAP files (specification: mcap.dev/spec, version 0).
 #pragma once
 
 #include <cstdint>
@@ -32,28 +32,28 @@ enum class McapOpcode : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
-/// Bytes of a record before its content: kind and length.
+/// Size in bytes of a record's kind and length, which precede its content.
 inline constexpr std::uint64_t kMcapRecordHead = 9;
 
-/// How the chunks of a file are packed.
+/// Compression of the chunks of a file.
 enum class McapCompression : std::uint8_t { kNone, kZstd, kLz4 };
 
 /// The type of a channel's messages.
 struct McapSchema {
-  std::string name;      ///< "sensor_msgs/msg/LaserScan"
-  std::string encoding;  ///< "ros2msg"
-  std::string data;      ///< The definition.
+  std::string name;      ///< Such as "sensor_msgs/msg/LaserScan".
+  std::string encoding;  ///< Such as "ros2msg".
+  std::string data;      ///< The message definition.
 };
 
 /// A topic.
 struct McapChannel {
-  std::uint16_t schema = 0;  ///< Id of its schema; 0: none.
+  std::uint16_t schema = 0;  ///< Id of its schema; 0 for none.
   std::string topic;
-  std::string encoding;                         ///< Of its messages: "cdr".
-  std::map<std::string, std::string> metadata;  ///< "offered_qos_profiles" and the like.
+  std::string encoding;                         ///< Encoding of its messages, such as "cdr".
+  std::map<std::string, std::string> metadata;  ///< Such as "offered_qos_profiles".
 };
 
-/// A file within the file.
+/// A file stored within the file.
 struct McapAttachment {
   std::int64_t log_time_ns = 0;
   std::string name;
@@ -61,7 +61,7 @@ struct McapAttachment {
   std::string data;
 };
 
-/// Begins a record; its length is filled in by `end_record`. Returns where it begins.
+/// Begins a record and returns its offset; `end_record` fills in its length.
 inline std::size_t begin_record(std::string& bytes, McapOpcode opcode) {
   const std::size_t begin = bytes.size();
   append_number(bytes, static_cast<std::uint8_t>(opcode));
@@ -69,7 +69,7 @@ inline std::size_t begin_record(std::string& bytes, McapOpcode opcode) {
   return begin;
 }
 
-/// Fills in the length of the record that began at `begin` and goes to the end of `bytes`.
+/// Fills in the length of the record that extends from `begin` to the end of `bytes`.
 inline void end_record(std::string& bytes, std::size_t begin) {
   std::string length;
   append_number(length, static_cast<std::uint64_t>(bytes.size() - begin - kMcapRecordHead));

@@ -7,12 +7,12 @@
 namespace castaway::testbed {
 namespace {
 
-/// Puts the groups of a summary one after the other and notes where they lie.
+/// Concatenates the groups of a summary and records their offsets.
 class Groups {
  public:
   explicit Groups(std::uint64_t start) : start_(start) {}
 
-  /// A group of `count` records, each appended by `append(bytes, index)`.
+  /// Adds a group of `count` records, each appended by `append(bytes, index)`.
   template <typename Append>
   void add(McapOpcode opcode, std::size_t count, Append&& append) {
     if (count == 0) return;
@@ -47,7 +47,8 @@ std::string Groups::finish() {
   append_number(bytes_, offsets_start);
   append_number(bytes_, std::uint32_t{0});
   end_record(bytes_, footer);
-  bytes_.resize(bytes_.size() - sizeof(std::uint32_t));  // The checksum covers all before it.
+  bytes_.resize(bytes_.size() - sizeof(std::uint32_t));  // The checksum covers everything before
+                                                         // it.
   const auto* data = reinterpret_cast<const Bytef*>(bytes_.data());
   append_number(bytes_, static_cast<std::uint32_t>(crc32_z(0, data, bytes_.size())));
   return std::move(bytes_.append(kMcapMagic));
@@ -96,7 +97,7 @@ void append_attachment_place(std::string& bytes, const McapPlace& place) {
   append_number(bytes, place.offset);
   append_number(bytes, place.length);
   append_number(bytes, place.log_time);
-  append_number(bytes, place.log_time);  // Created then, too.
+  append_number(bytes, place.log_time);  // Creation time.
   append_number(bytes, place.data_size);
   append_text(bytes, place.name);
   append_text(bytes, place.media_type);

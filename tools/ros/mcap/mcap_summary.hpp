@@ -1,4 +1,4 @@
-/// The end of an MCAP file: what it holds and where.
+/// The summary section of an MCAP file, which lists its contents and their offsets.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace castaway::testbed {
 
-/// First and last time of messages. [ns]
+/// First and last time of messages [ns].
 struct McapTimes {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
@@ -24,50 +24,50 @@ struct McapTimes {
   }
 };
 
-/// Counts of a file.
+/// Statistics of a file.
 struct McapStatistics {
   std::uint64_t messages = 0;
   McapTimes times;
-  std::map<std::uint16_t, std::uint64_t> messages_of;  ///< By id of the channel.
+  std::map<std::uint16_t, std::uint64_t> messages_of;  ///< By channel id.
 };
 
-/// Where a chunk lies.
+/// Index entry of a chunk.
 struct McapChunkPlace {
   McapTimes times;
-  std::uint64_t offset = 0;                           ///< Of its record in the file.
-  std::uint64_t length = 0;                           ///< Of its record.
+  std::uint64_t offset = 0;                           ///< Offset of its record in the file.
+  std::uint64_t length = 0;                           ///< Length of its record.
   std::map<std::uint16_t, std::uint64_t> index_of{};  ///< Offset of each channel's message index.
-  std::uint64_t index_length = 0;                     ///< Of all message indexes.
+  std::uint64_t index_length = 0;                     ///< Total length of its message indexes.
   std::string compression;
   std::uint64_t packed_size = 0;
   std::uint64_t size = 0;
 };
 
-/// Where an attachment or a metadata record lies.
+/// Index entry of an attachment or a metadata record.
 struct McapPlace {
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
-  std::uint64_t log_time = 0;   ///< Of an attachment. [ns]
-  std::uint64_t data_size = 0;  ///< Of an attachment.
+  std::uint64_t log_time = 0;   ///< [ns] Attachments only.
+  std::uint64_t data_size = 0;  ///< Attachments only.
   std::string name;
-  std::string media_type;  ///< Of an attachment.
+  std::string media_type;  ///< Attachments only.
 };
 
-/// All that stands in the summary.
+/// Content of the summary.
 struct McapSummary {
-  std::vector<McapSchema> schemas;    ///< Id: index + 1.
-  std::vector<McapChannel> channels;  ///< Id: index.
+  std::vector<McapSchema> schemas;    ///< The id is index + 1.
+  std::vector<McapChannel> channels;  ///< The id is the index.
   McapStatistics statistics;
   std::vector<McapChunkPlace> chunks;
   std::vector<McapPlace> attachments;
   std::vector<McapPlace> metadata;
 };
 
-/// Appends the record of a schema or of a channel.
+/// Append the record of a schema or of a channel.
 void append_schema(std::string& bytes, std::uint16_t id, const McapSchema& schema);
 void append_channel(std::string& bytes, std::uint16_t id, const McapChannel& channel);
 
-/// Summary section, offsets, footer and closing magic of a file whose data end at `start`.
+/// Summary section, offsets, footer and closing magic of a file whose data section ends at `start`.
 std::string summary_bytes(const McapSummary& summary, std::uint64_t start);
 
 }  // namespace castaway::testbed

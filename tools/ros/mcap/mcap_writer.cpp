@@ -77,7 +77,7 @@ std::uint16_t McapWriter::add_channel(McapChannel channel) {
   return id;
 }
 
-/// Writes a channel and its schema before their first message.
+/// Writes a channel and its schema before the channel's first message.
 void McapWriter::introduce(std::uint16_t channel) {
   if (channel_written_[channel]) return;
   channel_written_[channel] = true;

@@ -1,5 +1,4 @@
-/// Writes MCAP files that `ros2 bag` and Foxglove open: in chunks, indexed, with a summary and all
-/// checksums.
+/// Writes MCAP files for `ros2 bag` and Foxglove: chunked, indexed, with a summary and checksums.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +15,11 @@
 
 namespace castaway::testbed {
 
-/// How a file is written.
+/// Options of a file.
 struct McapOptions {
   McapCompression compression = McapCompression::kZstd;
   std::size_t chunk_bytes =
-      1 << 20;  ///< A chunk is at most so large, unless one message is larger.
+      1 << 20;  ///< Maximum size of a chunk, unless a single message is larger.
   std::string profile = "ros2";
   std::string library = "castaway";
 };
@@ -28,27 +27,27 @@ struct McapOptions {
 /// Log time [ns] and offset in the chunk of each message of a channel.
 using McapMessageIndex = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
-/// Streams to disk; holds one chunk and the index. The same calls give the same bytes. The file
-/// appears under its name with `finish`.
+/// Streams to disk; holds one chunk and the index in memory. The same calls give the same bytes.
+/// The file appears when `finish` is called.
 class McapWriter {
  public:
-  /// Throws std::runtime_error if the file cannot be made.
+  /// Throws std::runtime_error if the file cannot be created.
   explicit McapWriter(const std::filesystem::path& path, McapOptions options = {});
 
-  /// Returns its id, from 1.
+  /// Returns the schema's id, starting at 1.
   std::uint16_t add_schema(McapSchema schema);
-  /// Returns its id, from 0. Throws std::invalid_argument for a schema that was not added.
+  /// Returns the channel's id, starting at 0. Throws std::invalid_argument for an unknown schema.
   std::uint16_t add_channel(McapChannel channel);
-  /// Adds a message that was there, and sent, at `log_time_ns`. Throws std::invalid_argument for a
-  /// channel that was not added.
+  /// Adds a message with `log_time_ns` as log and publish time. Throws std::invalid_argument for an
+  /// unknown channel.
   void write(std::uint16_t channel, std::int64_t log_time_ns, std::string_view message);
   void attach(const McapAttachment& attachment);
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& texts);
-  /// Writes the summary and puts the file in its place. Throws std::runtime_error if it could not
-  /// be written whole.
+  /// Writes the summary and renames the file into place. Throws std::runtime_error if it could not
+  /// be written completely.
   void finish();
 
-  /// What was written so far.
+  /// Statistics so far.
   [[nodiscard]] const McapStatistics& statistics() const { return summary_.statistics; }
 
  private:

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
                   path.string()));
 }
 
-/// A file that can be read, or an error.
-fs::path checked(const fs::path& file) {
+/// Returns a readable MCAP file; throws for other formats.
+fs::path require_mcap(const fs::path& file) {
   if (file.extension() == ".db3") refuse_sqlite(file);
   if (file.extension() == ".bag") refuse_ros1(file);
   if (file.extension() == ".zstd" || file.extension() == ".zst") {
@@ -51,7 +51,7 @@ std::vector<fs::path> files_of_metadata(const fs::path& folder) {
   if (bag.get("storage_identifier", "mcap") == "sqlite3") refuse_sqlite(folder);
   std::vector<fs::path> files;
   for (const auto& name : bag.require<std::vector<std::string>>("relative_file_paths")) {
-    files.push_back(checked(folder / name));
+    files.push_back(require_mcap(folder / name));
   }
   return files;
 }
@@ -75,8 +75,8 @@ bool is_bag(const fs::path& path) {
 }
 
 std::vector<fs::path> bag_files(const fs::path& path) {
-  if (!fs::is_directory(path)) return {checked(path)};
-  // A run folder holds its bag in a folder of its own.
+  if (!fs::is_directory(path)) return {require_mcap(path)};
+  // A run folder holds its bag in a subfolder.
   const bool run = !fs::exists(path / "metadata.yaml") && fs::is_directory(path / "bag");
   const fs::path folder = run ? path / "bag" : path;
   const bool described = fs::exists(folder / "metadata.yaml");

@@ -1,4 +1,4 @@
-/// The MCAP files of a bag.
+/// Finds the MCAP files of a bag.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,13 @@
 
 namespace castaway::testbed {
 
-/// True if a path is a bag rather than a log: a folder, an .mcap, .db3 or .bag file.
+/// True if a path is a bag rather than a CARMEN log: a folder, an .mcap, .db3 or .bag file.
 bool is_bag(const std::filesystem::path& path);
 
-/// The files of a bag in order: an .mcap file itself, those that a folder's metadata.yaml names, or
-/// all *.mcap of a folder without one, by name. Throws std::runtime_error naming the remedy where
-/// there is none, where they are of another kind (sqlite3, ROS 1), or compressed as whole files.
+/// The files of a bag in order: the .mcap file itself, the files named in the folder's
+/// metadata.yaml, or without that file all *.mcap of the folder, sorted by name. Throws
+/// std::runtime_error naming the remedy if there are none, if they are of another format (sqlite3,
+/// ROS 1), or if they are compressed as whole files.
 std::vector<std::filesystem::path> bag_files(const std::filesystem::path& path);
 
 }  // namespace castaway::testbed

@@ -25,8 +25,8 @@ std::vector<std::string> folders_in(const fs::path& path) {
   return names;
 }
 
-/// The folder of data that lies by the program: `share/castaway` beside its folder, as installed,
-/// or in it, where a build tree has links to the source tree's.
+/// The data folder of the program: `share/castaway` next to its folder when installed, or inside it
+/// in a build tree, which links to the source tree's data.
 fs::path beside_program() {
   std::error_code none;
   const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -37,7 +37,7 @@ fs::path beside_program() {
   return folder.parent_path() / "share/castaway";
 }
 
-/// What to look for: `<data>/<kind>s/<text>/<one of files>`.
+/// Finds `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
               const std::vector<std::string>& files) {
   const fs::path shipped = data_root() / (kind + "s");
@@ -74,7 +74,7 @@ fs::path find_world(const std::string& text, const fs::path& base) {
 }
 
 fs::path find_scenario(const std::string& text, const fs::path& base) {
-  const fs::path named(text);
+  const fs::path name_and_body(text);
   const fs::path shipped =
       shipped_scenarios(named.parent_path()) / (named.filename().string() + ".yaml");
   for (const fs::path& candidate : {named, base / named, shipped}) {
@@ -89,9 +89,9 @@ fs::path find_scenario(const std::string& text, const fs::path& base) {
   const bool close = near && edit_distance(text, *near) <= 3;
   throw std::runtime_error(fmt::format(
       "{}: no such scenario; {}", text,
-      close ? fmt::format("did you mean '{}'?", *near)
-            : "give a file's path, or <world>/<name>; `castaway scenarios` lists those that come "
-              "along"));
+      close
+          ? fmt::format("did you mean '{}'?", *near)
+          : "give a file's path, or <world>/<name>; `castaway scenarios` lists the shipped ones"));
 }
 
 std::vector<std::string> world_names() { return folders_in(data_root() / "worlds"); }

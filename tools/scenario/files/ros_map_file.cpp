@@ -27,7 +27,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// `negate` is written as 0 or 1, or as a truth value.
+/// `negate` is 0 or 1, or a boolean.
 bool read_negate(YamlReader& root) {
   const auto negate = root.find("negate");
   if (!negate) return false;
@@ -38,14 +38,14 @@ bool read_negate(YamlReader& root) {
   return text == "1" || text == "true";
 }
 
-/// In any letter case, as map_server reads it.
+/// Case-insensitive, as in map_server.
 MapMode read_mode(YamlReader& root) {
   const std::string text = root.get<std::string>("mode", "trinary");
   const std::string mode = lower(text);
   if (mode == "trinary") return MapMode::kTrinary;
   if (mode == "scale") return MapMode::kScale;
   if (mode == "raw") return MapMode::kRaw;
-  root.find("mode")->fail(fmt::format("'{}' is no choice here; {}", text,
+  root.find("mode")->fail(fmt::format("'{}' is not allowed here; {}", text,
                                       suggestion(mode, {"trinary", "scale", "raw"})));
 }
 

@@ -28,26 +28,28 @@ void sensor_fields(Settings& settings, AmclConfig& config) {
   settings.field({"z_max", "", "beam: weight of beams without a return.", kWeight}, beam.z_max);
   settings.field({"lambda_short", "1/m", "beam: decay of short returns.", {1e-6, 1e3}},
                  beam.lambda_short);
-  settings.field({"laser_likelihood_max_dist", "m", "Cap of the distance field.", {0.01, 1000.0}},
-                 field.max_distance);
-  settings.field({"max_beams", "", "Beams used of a scan.", {1.0, 1e5}}, config.max_beams);
+  settings.field(
+      {"laser_likelihood_max_dist", "m", "Upper bound of the distance field.", {0.01, 1000.0}},
+      field.max_distance);
+  settings.field({"max_beams", "", "Maximum number of beams used per scan.", {1.0, 1e5}},
+                 config.max_beams);
   settings.field({"laser_max_range", "m", "Longer returns are ignored.", {0.01, 1e4}},
                  config.max_range);
 }
 
 void motion_fields(Settings& settings, localization::DifferentialMotionConfig& motion) {
   constexpr NumberRange kAlpha{0.0, 100.0};
-  settings.field({"alpha1", "", "Turn noise from turning.", kAlpha}, motion.alpha1);
-  settings.field({"alpha2", "", "Turn noise from driving.", kAlpha}, motion.alpha2);
-  settings.field({"alpha3", "", "Drive noise from driving.", kAlpha}, motion.alpha3);
-  settings.field({"alpha4", "", "Drive noise from turning.", kAlpha}, motion.alpha4);
+  settings.field({"alpha1", "", "Noise of rotation from rotation.", kAlpha}, motion.alpha1);
+  settings.field({"alpha2", "", "Noise of rotation from translation.", kAlpha}, motion.alpha2);
+  settings.field({"alpha3", "", "Noise of translation from translation.", kAlpha}, motion.alpha3);
+  settings.field({"alpha4", "", "Noise of translation from rotation.", kAlpha}, motion.alpha4);
 }
 
 void filter_fields(Settings& settings, AmclConfig& config) {
   localization::KldConfig& kld = config.kld;
-  settings.field({"min_particles", "", "Least particles.", {1.0, kMostParticles}},
+  settings.field({"min_particles", "", "Minimum number of particles.", {1.0, kMostParticles}},
                  kld.min_particles);
-  settings.field({"max_particles", "", "Most particles.", {1.0, kMostParticles}},
+  settings.field({"max_particles", "", "Maximum number of particles.", {1.0, kMostParticles}},
                  kld.max_particles);
   settings.field({"pf_err", "", "Bound of the Kullback-Leibler distance.", {1e-4, 1.0}}, kld.error);
   settings.field({"pf_z", "", "Quantile of the normal distribution.", {0.0, 100.0}}, kld.z);
@@ -57,24 +59,31 @@ void filter_fields(Settings& settings, AmclConfig& config) {
                  config.recovery.alpha_slow);
   settings.field({"recovery_alpha_fast", "", "Rate of the fast average.", kWeight},
                  config.recovery.alpha_fast);
-  settings.field({"initial_sigma_m", "m", "Spread of a start whose covariance is 0.", {0.0, 100.0}},
+  settings.field({"initial_sigma_m",
+                  "m",
+                  "Standard deviation of a start whose covariance is 0.",
+                  {0.0, 100.0}},
                  config.initial.sigma_m);
-  settings.field({"initial_sigma_yaw", "rad", "Its spread in yaw.", {0.0, 100.0}},
-                 config.initial.sigma_yaw);
+  settings.field(
+      {"initial_sigma_yaw", "rad", "Standard deviation of the yaw of such a start.", {0.0, 100.0}},
+      config.initial.sigma_yaw);
 }
 
 void beam_skip_fields(Settings& settings, localization::BeamSkipConfig& skip) {
-  settings.field({"do_beamskip", "", "likelihood_field_prob: skips beams nobody explains."},
-                 skip.enabled);
   settings.field(
-      {"beam_skip_distance", "m", "A beam that ends so near a wall is explained.", {0.0, 1000.0}},
-      skip.distance);
-  settings.field(
-      {"beam_skip_threshold", "", "A beam explained by fewer particles is skipped.", kWeight},
-      skip.threshold);
-  settings.field(
-      {"beam_skip_error_threshold", "", "No beam is skipped where more would be.", kWeight},
-      skip.error_threshold);
+      {"do_beamskip", "", "likelihood_field_prob: skips beams that few particles explain."},
+      skip.enabled);
+  settings.field({"beam_skip_distance",
+                  "m",
+                  "A beam that ends within this distance of a wall is explained.",
+                  {0.0, 1000.0}},
+                 skip.distance);
+  settings.field({"beam_skip_threshold", "",
+                  "A beam explained by a smaller share of the particles is skipped.", kWeight},
+                 skip.threshold);
+  settings.field({"beam_skip_error_threshold", "",
+                  "If a larger share of the beams would be skipped, none is.", kWeight},
+                 skip.error_threshold);
 }
 
 }  // namespace
@@ -84,13 +93,14 @@ void fields(Settings settings, AmclConfig& config) {
   sensor_fields(settings, config);
   filter_fields(settings, config);
   beam_skip_fields(settings, config.beam_skip);
-  settings.field({"update_min_d", "m", "Way along x or y between two updates.", {0.0, 1000.0}},
-                 config.update_min_d);
-  settings.field({"update_min_a", "rad", "Turn between two updates.", {0.0, 100.0}},
+  settings.field(
+      {"update_min_d", "m", "Minimum motion along x or y between two updates.", {0.0, 1000.0}},
+      config.update_min_d);
+  settings.field({"update_min_a", "rad", "Minimum rotation between two updates.", {0.0, 100.0}},
                  config.update_min_a);
-  settings.field({"update_at_rest", "", "Updates at every scan, moved or not."},
+  settings.field({"update_at_rest", "", "Updates at every scan, even without motion."},
                  config.update_at_rest);
-  settings.field({"half_cell_shift", "", "Nav2's grid convention: half a cell off."},
+  settings.field({"half_cell_shift", "", "Shifts the map by half a cell, as Nav2 does."},
                  config.half_cell_shift);
 }
 

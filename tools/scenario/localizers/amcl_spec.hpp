@@ -1,4 +1,4 @@
-/// Settings of AMCL as YAML, by Nav2's names.
+/// Settings of AMCL as YAML, with Nav2's names.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace castaway::testbed {
 
-/// `amcl` (Nav2's defaults), `amcl-recovery` (its documentation's recovery alphas), `amcl-global`
-/// (told to localize globally at every kidnap), `amcl-prob` (product weights with beam skipping).
+/// `amcl` (Nav2's defaults), `amcl-recovery` (recovery alphas as suggested in Nav2's
+/// documentation), `amcl-global` (relocalizes globally at every kidnap, of which it is notified),
+/// `amcl-prob` (product weights with beam skipping).
 const std::vector<std::string>& amcl_presets();
 
-/// The settings of a preset; that `amcl-global` is told stands in its `LocalizerSpec`.
+/// Settings of a preset. That `amcl-global` is notified of kidnaps is part of its `LocalizerSpec`.
 localization::AmclConfig amcl_preset(const std::string& preset);
 
-/// The settings of AMCL.
 void fields(Settings settings, localization::AmclConfig& config);
 
-/// Reads a localizer's body; what it does not say is as in the preset.
+/// Reads the settings of a localizer; missing ones are those of the preset.
 localization::AmclConfig read_amcl(YamlReader& body, const std::string& preset);
 
 }  // namespace castaway::testbed

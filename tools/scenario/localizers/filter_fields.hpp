@@ -1,4 +1,4 @@
-/// Settings that the MH-AMCLs share, and the ranges of their numbers.
+/// Settings shared by the MH-AMCLs, and their ranges.
 #pragma once
 
 #include "localization/mh_amcl_config.hpp"
@@ -19,13 +19,13 @@ void fields(Settings settings, localization::RefineConfig& refine);
 void fields(Settings settings, localization::SpawnConfig& spawn);
 void fields(Settings settings, localization::MergeConfig& merge);
 
-/// How many particles a population has.
+/// Number of particles per population.
 void reseed_fields(Settings& settings, localization::ReseedConfig& reseed);
 
 void beam_fields(Settings& settings, localization::BeamSelection& beams);
 void motion_fields(Settings& settings, localization::OdometryNoiseConfig& motion);
 
-/// Rates, beams and motion of either localizer.
+/// Rates, beams and motion.
 template <typename Config>
 void rate_fields(Settings& settings, Config& config) {
   settings.field({"predict_rate_hz", "Hz", "Rate of the prediction.", {0.01, 1e4}},

@@ -16,7 +16,7 @@ const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl"};
 const char* const kToldPreset = "amcl-global";
 
 LocalizerSpec read_localizer(YamlReader item) {
-  auto [kind, body] = item.named();
+  auto [kind, body] = item.name_and_body();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
     const std::string mode = body.choice("mode", "improved", mh_amcl_modes());
@@ -53,7 +53,8 @@ void describe_localizers(std::vector<SettingText>& texts) {
   const auto under = [&](const std::string& kind) {
     Settings settings = Settings::describing(texts, "localizers[]." + kind + ".");
     settings.form({"name", "", "Names its files."}, "the kind's");
-    settings.form({"global_localization_at_kidnap", "", "It is told of kidnaps and starts anew."},
+    settings.form({"global_localization_at_kidnap", "",
+                   "The localizer is notified of kidnaps and relocalizes globally."},
                   "false");
     return settings;
   };

@@ -1,4 +1,4 @@
-/// Localizers as YAML and as words of a command line.
+/// Reads localizers from YAML and from the command line.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace castaway::testbed {
 void describe_localizers(std::vector<SettingText>& texts);
 
 /// Reads the list of localizers under `key`: names, or maps of one name to its settings. `[]` means
-/// none; no list at all is an error.
+/// none; a missing list is an error.
 std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key);
 
-/// The localizer of a command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
+/// Parses a localizer from the command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
 LocalizerSpec parse_localizer(const std::string& text);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The settings of the MH-AMCLs, by their keys in YAML.
+/// Settings of the MH-AMCLs by their YAML keys.
 #pragma once
 
 #include "localization/mh_amcl_config.hpp"
@@ -7,13 +7,12 @@
 
 namespace castaway::testbed {
 
-/// All settings of `mh_amcl`.
 void fields(Settings settings, localization::MhAmclConfig& config);
 
-/// All settings of `mh_amcl: {mode: paper}`.
+/// Settings of `mh_amcl: {mode: paper}`.
 void fields(Settings settings, localization::PaperMhAmclConfig& config);
 
-/// What the published code knows besides; its `defects` are read by `read_mh_amcl`.
+/// Additional settings of the published code; `read_mh_amcl` reads its `defects`.
 void fields(Settings settings, localization::PublishedMhAmclConfig& config);
 
 }  // namespace castaway::testbed

@@ -14,7 +14,7 @@ using localization::PaperMhAmclConfig;
 using localization::PublishedDefects;
 using localization::PublishedMhAmclConfig;
 
-/// The defects of a list.
+/// Reads a list of defect names.
 PublishedDefects read_defects(const YamlReader& list) {
   std::vector<std::string> known;
   for (const NamedDefect& defect : localization::named_defects()) known.emplace_back(defect.name);
@@ -30,7 +30,7 @@ PublishedDefects read_defects(const YamlReader& list) {
   return defects;
 }
 
-/// A map by its table.
+/// Reads a map by its settings table.
 template <typename Config>
 Config read(YamlReader& body, Config config) {
   fields(Settings::reading(body), config);

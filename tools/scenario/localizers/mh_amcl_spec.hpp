@@ -11,21 +11,19 @@
 
 namespace castaway::testbed {
 
-/// `improved`, `paper`, `published` (the paper with all defects of the published code).
+/// `improved`, `paper`, `published` (the paper's method with all defects of the published code).
 const std::vector<std::string>& mh_amcl_modes();
 
-/// The settings of one of the MH-AMCLs.
 using MhAmclSettings = std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
                                     localization::PublishedMhAmclConfig>;
 
-/// The settings of a mode.
 MhAmclSettings mh_amcl_mode(const std::string& mode);
 
-/// What a localizer of a mode is called unless it is given a name.
+/// Default name of a localizer of a mode.
 std::string mh_amcl_name(const std::string& mode);
 
-/// Reads a localizer's body; what it does not say is as in the mode. `defects` lists switches of
-/// `PublishedDefects` by name, in modes `paper` and `published` only.
+/// Reads the settings of a localizer; missing ones are those of the mode. `defects` lists switches
+/// of `PublishedDefects` by name, in modes `paper` and `published` only.
 MhAmclSettings read_mh_amcl(YamlReader& body, const std::string& mode);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-// The settings of the paper's MH-AMCL and of the published code.
+// Settings of the paper's MH-AMCL and of the published code.
 #include "tools/scenario/localizers/filter_fields.hpp"
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 
@@ -17,45 +17,58 @@ void fields(Settings settings, LoserReseedConfig& reseed) {
                  reseed.losers);
   settings.field({"winners", "", "Share of the particles that are copied.", kShare},
                  reseed.winners);
-  settings.field({"spread_m", "m", "Spread of a copy about its winner.", kLength}, reseed.spread_m);
-  settings.field({"spread_rad", "rad", "Spread of its yaw.", kAngle}, reseed.spread_rad);
-  settings.field({"min_particles", "", "Least particles.", kCount}, reseed.min_particles);
-  settings.field({"max_particles", "", "Most particles.", kCount}, reseed.max_particles);
-  settings.field({"step", "", "Particles that come or go at a time.", kCount}, reseed.step);
-  settings.field({"high_spread_m", "m", "More particles above this spread.", kLength},
+  settings.field({"spread_m", "m", "Standard deviation of a copy around its winner.", kLength},
+                 reseed.spread_m);
+  settings.field({"spread_rad", "rad", "Standard deviation of a copy's yaw.", kAngle},
+                 reseed.spread_rad);
+  settings.field({"min_particles", "", "Minimum number of particles.", kCount},
+                 reseed.min_particles);
+  settings.field({"max_particles", "", "Maximum number of particles.", kCount},
+                 reseed.max_particles);
+  settings.field({"step", "", "Number of particles added or removed at a time.", kCount},
+                 reseed.step);
+  settings.field({"high_spread_m", "m", "Particles are added above this spread.", kLength},
                  reseed.high_spread_m);
-  settings.field({"low_spread_m", "m", "Fewer particles below this spread.", kLength},
+  settings.field({"low_spread_m", "m", "Particles are removed below this spread.", kLength},
                  reseed.low_spread_m);
 }
 
 void fields(Settings settings, PaperCascadeConfig& cascade) {
-  settings.field({"levels", "", "Each doubles the cells of the one below.", {1.0, 12.0}},
+  settings.field({"levels", "", "Number of levels; each doubles the cell size.", {1.0, 12.0}},
                  cascade.levels);
-  settings.field({"finest_level", "", "Where the search ends; 0: the map's cells.", {0.0, 12.0}},
-                 cascade.finest_level);
+  settings.field(
+      {"finest_level", "", "Level at which the search ends; 0: the map's cells.", {0.0, 12.0}},
+      cascade.finest_level);
   settings.field({"yaw_step", "rad", "Step of the yaw.", {0.01, 3.2}}, cascade.yaw_step);
-  settings.field({"threshold", "", "Least quality of a candidate at any level.", kShare},
+  settings.field({"threshold", "", "Minimum quality of a candidate at any level.", kShare},
                  cascade.threshold);
-  settings.field({"apart_m", "m", "Least distance of two candidates.", kLength}, cascade.apart_m);
-  settings.field({"max_per_level", "", "Candidates that go on to the next level.", kCount},
-                 cascade.max_per_level);
+  settings.field({"apart_m", "m", "Minimum distance between two candidates.", kLength},
+                 cascade.apart_m);
+  settings.field(
+      {"max_per_level", "", "Maximum number of candidates passed to the next level.", kCount},
+      cascade.max_per_level);
 }
 
 void fields(Settings settings, QualityRules& rules) {
   fields(settings.group("merge"), rules.merge);
-  settings.field({"destroy_below", "", "Populations of less quality go.", kShare},
+  settings.field({"destroy_below", "", "Populations of lower quality are removed.", kShare},
                  rules.destroy_below);
   settings.field(
-      {"candidate_from", "", "Quality from which a candidate becomes a population.", kShare},
+      {"candidate_from", "", "Minimum quality at which a candidate becomes a population.", kShare},
       rules.candidate_from);
-  settings.field({"apart_m", "m", "It must be so far from all others...", kLength}, rules.apart_m);
-  settings.field({"apart_rad", "rad", "...or turned so far.", kAngle}, rules.apart_rad);
-  settings.field({"select_margin", "", "Another population must be better by so much...", kShare},
+  settings.field({"apart_m", "m", "Minimum distance of a new population from all others.", kLength},
+                 rules.apart_m);
+  settings.field({"apart_rad", "rad", "Alternatively, minimum difference in yaw.", kAngle},
+                 rules.apart_rad);
+  settings.field({"select_margin", "",
+                  "To become the output, a population must be better by this margin.", kShare},
                  rules.select_margin);
-  settings.field({"select_s", "s", "...for so long to become the output.", kTime}, rules.select_s);
-  settings.field({"right_from", "", "Quality from which the output is not lost.", kShare},
+  settings.field(
+      {"select_s", "s", "To become the output, a population must be better for this long.", kTime},
+      rules.select_s);
+  settings.field({"right_from", "", "Minimum quality of an output that is not lost.", kShare},
                  rules.right_from);
-  settings.field({"most", "", "Populations.", {1.0, 1000.0}}, rules.most);
+  settings.field({"most", "", "Maximum number of populations.", {1.0, 1000.0}}, rules.most);
 }
 
 }  // namespace
@@ -65,9 +78,9 @@ void fields(Settings settings, PaperMhAmclConfig& config) {
   reseed_fields(settings, config.size);
   settings.field({"match_period_s", "s", "Time between two matches.", {1e-3, 1e6}},
                  config.match_period_s);
-  settings.field({"candidate_sigma", "m", "Spread of a candidate.", kLength},
+  settings.field({"candidate_sigma", "m", "Standard deviation of a candidate.", kLength},
                  config.candidate_sigma);
-  settings.field({"candidate_sigma_yaw", "rad", "Spread of its yaw.", kAngle},
+  settings.field({"candidate_sigma_yaw", "rad", "Standard deviation of a candidate's yaw.", kAngle},
                  config.candidate_sigma_yaw);
   settings.group("sensor").field({"sigma", "m", "Accuracy of the sensor.", {1e-6, 100.0}},
                                  config.sensor.sigma);

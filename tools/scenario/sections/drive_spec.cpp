@@ -12,7 +12,7 @@ void place_fields(Settings& settings, StartSpec& start) {
     start.pose = *pose;
   }
   bool random = false;
-  settings.field({"random", "", "Starts at a random place instead of the world's."}, random);
+  settings.field({"random", "", "Starts at a random place instead of the world's start."}, random);
   if (!random) return;
   if (start.place == StartSpec::Place::kPose) settings.fail("give 'pose' or 'random', not both");
   start.place = StartSpec::Place::kRandom;
@@ -22,20 +22,22 @@ void place_fields(Settings& settings, StartSpec& start) {
 
 void fields(Settings settings, StartSpec& start) {
   place_fields(settings, start);
-  settings.field({"known", "", "The localizers are told the start."}, start.known);
-  settings.field(
-      {"sigma_m", "m", "Standard deviation that a known start is told with.", {1e-6, 1e4}},
-      start.sigma_m);
-  settings.field({"sigma_yaw", "rad", "Standard deviation of its yaw.", {1e-6, 100.0}},
+  settings.field({"known", "", "The localizers are given the start pose."}, start.known);
+  settings.field({"sigma_m", "m", "Stated standard deviation of a known start.", {1e-6, 1e4}},
+                 start.sigma_m);
+  settings.field({"sigma_yaw", "rad", "Stated standard deviation of its yaw.", {1e-6, 100.0}},
                  start.sigma_yaw);
+  settings.field({"wrong_by",
+                  "m, rad",
+                  "Error of the start pose given to the localizers, in base: x, y, yaw.",
+                  {-1e4, 1e4}},
+                 start.wrong_by);
   settings.field(
-      {"wrong_by", "m, rad", "Error of the start told, in base: x, y, yaw.", {-1e4, 1e4}},
-      start.wrong_by);
-  settings.field({"switch_on_s",
-                  "s",
-                  "The localizers are switched on then, on the move; for an unknown start.",
-                  {0.0, kLongest}},
-                 start.switch_on_s);
+      {"switch_on_s",
+       "s",
+       "Time at which the localizers are switched on while the robot moves; for an unknown start.",
+       {0.0, kLongest}},
+      start.switch_on_s);
 }
 
 StartSpec read_start(YamlReader& root) {
@@ -55,7 +57,7 @@ StartSpec read_start(YamlReader& root) {
     map.fail("'wrong_by' needs a start that is known");
   }
   if (start.known && start.switch_on_s > 0.0) {
-    map.fail("'switch_on_s' needs 'known: false': nobody could tell where the robot is by then");
+    map.fail("'switch_on_s' needs 'known: false': the start pose is outdated by then");
   }
   return start;
 }
@@ -65,21 +67,24 @@ void fields(Settings settings, DriveSpec& drive) {
                   "A route of the world, random, explore or none; empty: the world's first, else "
                   "random."},
                  drive.route);
-  settings.field({"by", "", "Whose pose the robot is driven by: truth, or a localizer of the run."},
+  settings.field({"by", "", "Pose that drives the robot: truth, or a localizer of the run."},
                  drive.by);
-  settings.field({"twist_log", "", "File of recorded commands to drive by instead."},
+  settings.field({"twist_log", "", "File of recorded commands that replace the route."},
                  drive.twist_log);
   settings.field(
-      {"max_speed", "m/s", "Highest speed; the wheels' own limit applies too.", {1e-3, 100.0}},
+      {"max_speed", "m/s", "Maximum speed; the wheels' own limit also applies.", {1e-3, 100.0}},
       drive.limits.max_speed);
-  settings.field({"max_turn_rate", "rad/s", "Highest turn rate.", {1e-3, 100.0}},
+  settings.field({"max_turn_rate", "rad/s", "Maximum turn rate.", {1e-3, 100.0}},
                  drive.limits.max_turn_rate);
-  settings.field({"max_acceleration", "m/s^2", "Speeding up and braking.", {1e-3, 1000.0}},
-                 drive.limits.max_acceleration);
-  settings.field({"max_turn_acceleration", "rad/s^2", "Of the turn rate.", {1e-3, 1000.0}},
-                 drive.limits.max_turn_acceleration);
-  settings.field({"wait_s", "s", "The robot stands still at first.", {0.0, kLongest}},
-                 drive.wait_s);
+  settings.field(
+      {"max_acceleration", "m/s^2", "Maximum acceleration and deceleration.", {1e-3, 1000.0}},
+      drive.limits.max_acceleration);
+  settings.field(
+      {"max_turn_acceleration", "rad/s^2", "Maximum change of the turn rate.", {1e-3, 1000.0}},
+      drive.limits.max_turn_acceleration);
+  settings.field(
+      {"wait_s", "s", "Time that the robot stands still at the beginning.", {0.0, kLongest}},
+      drive.wait_s);
 }
 
 DriveSpec read_drive(YamlReader& root) {

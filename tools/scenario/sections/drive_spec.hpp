@@ -1,4 +1,4 @@
-/// Where a robot starts and where it drives, as YAML.
+/// Start and drive of a robot, as YAML.
 #pragma once
 
 #include "tools/scenario/sections/scenario.hpp"
@@ -10,10 +10,9 @@ namespace castaway::testbed {
 void fields(Settings settings, StartSpec& start);
 void fields(Settings settings, DriveSpec& drive);
 
-/// Reads `start`: `unknown`, or a map.
+/// Reads `start`: `unknown` or a map.
 StartSpec read_start(YamlReader& root);
 
-/// Reads `drive`.
 DriveSpec read_drive(YamlReader& root);
 
 }  // namespace castaway::testbed

@@ -9,8 +9,8 @@
 
 namespace castaway::testbed {
 
-/// Reads the map under `expect`: a metric and its condition, `"< 5"`, or `{is: "< 5", for: mean}`.
-/// A metric that a run with these localizers cannot have is an error that names the nearest one.
+/// Reads the map under `expect`: a metric with a condition `"< 5"` or `{is: "< 5", for: mean}`. A
+/// metric that a run with these localizers cannot have is an error that names the nearest one.
 std::vector<Expectation> read_expectations(YamlReader& root,
                                            const std::vector<std::string>& localizers);
 

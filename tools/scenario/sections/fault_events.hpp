@@ -1,4 +1,4 @@
-/// Faults of sensors among the events of a scenario.
+/// Sensor faults among the events of a scenario, as YAML.
 #pragma once
 
 #include "sim/events/fault.hpp"
@@ -6,10 +6,10 @@
 
 namespace castaway::testbed {
 
-/// The settings of a fault, those of its kind.
+/// Settings of a fault of its kind.
 void fields(Settings settings, sim::FaultSpec& fault);
 
-/// Reads the body of `- fault: {...}`. Without `lidar`, faults of lidars mean all of them. Faults
+/// Reads the body of `- fault: {...}`. Without `lidar`, a lidar fault affects all lidars. Faults
 /// may overlap.
 sim::FaultSpec read_fault(YamlReader body);
 

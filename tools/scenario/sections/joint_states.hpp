@@ -1,4 +1,4 @@
-/// Positions of a robot's joints in YAML.
+/// Joint positions of a robot, as YAML.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 namespace castaway::testbed {
 
 /// Reads the key `joints` of a robot: a map `{arm_lift: 0.1, elbow: -1.2}` in radians or metres, or
-/// the name of a file beside the scenario, as `ros2 topic echo --once /joint_states` prints it:
-/// lists `name` and `position` of one length.
+/// the name of a file relative to the scenario, as printed by `ros2 topic echo --once
+/// /joint_states`: lists `name` and `position` of equal length.
 std::map<std::string, double> read_joints(YamlReader& robot, const std::filesystem::path& folder);
 
-/// The positions in such a file. Throws std::runtime_error naming it and the line.
+/// Reads such a file. Throws std::runtime_error naming it and the line.
 std::map<std::string, double> read_joint_states(const std::filesystem::path& file);
 
 }  // namespace castaway::testbed

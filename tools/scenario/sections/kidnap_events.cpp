@@ -21,16 +21,16 @@ const std::vector<std::pair<std::string, KidnapKind>> kKinds{
     {"carry", KidnapKind::kCarry},
     {"spin", KidnapKind::kSpin}};
 
-/// One of the four keys that say when.
+/// The four keys for the trigger of a kidnap, of which one is given.
 void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
   const std::vector<std::pair<Setting, KidnapTrigger::On>> keys{
       {{"at_s", "s", "Simulated time.", {0.0, kLongest}}, KidnapTrigger::On::kTime},
-      {{"at_m", "m", "Way driven.", {0.0, kFarthest}}, KidnapTrigger::On::kDistance},
-      {{"poisson_s", "s", "At random, so far apart on average.", {0.1, kLongest}},
+      {{"at_m", "m", "Distance driven.", {0.0, kFarthest}}, KidnapTrigger::On::kDistance},
+      {{"poisson_s", "s", "Mean interval of random kidnaps.", {0.1, kLongest}},
        KidnapTrigger::On::kPoisson},
       {{"when_localized_s",
         "s",
-        "The watched localizer has been right for so long.",
+        "The watched localizer has been right for this long.",
         {0.0, kLongest}},
        KidnapTrigger::On::kLocalized}};
   std::vector<KidnapTrigger> found;
@@ -43,7 +43,8 @@ void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
   }
   if (!found.empty()) trigger = found.front();
   trigger.times = trigger.on == KidnapTrigger::On::kPoisson ? 0 : 1;
-  settings.field({"times", "", "How often; 0: until the run ends.", {0.0, 1e6}}, trigger.times);
+  settings.field({"times", "", "Number of kidnaps; 0: until the run ends.", {0.0, 1e6}},
+                 trigger.times);
 }
 
 void bounds_field(Settings& settings, const Setting& about, sim::Bounds& bounds) {
@@ -54,26 +55,27 @@ void bounds_field(Settings& settings, const Setting& about, sim::Bounds& bounds)
 
 void lift_fields(Settings& settings, KidnapKind kind, sim::LiftConfig& lift) {
   if (kind == KidnapKind::kSpin) lift.height = 0.05;
-  settings.field({"lift_m", "m", "Height that the robot is lifted to.", {0.0, 100.0}}, lift.height);
+  settings.field({"lift_m", "m", "Height to which the robot is lifted.", {0.0, 100.0}},
+                 lift.height);
   settings.field({"lift_s", "s", "Time to lift it, and to put it down.", {1e-3, 1e4}},
                  lift.seconds);
   if (kind == KidnapKind::kCarry || settings.describes()) {
-    settings.field({"speed", "m/s", "At which it is carried.", {1e-3, 100.0}}, lift.speed);
+    settings.field({"speed", "m/s", "Speed at which it is carried.", {1e-3, 100.0}}, lift.speed);
   }
-  settings.choice({"wheels", "", "In the air."}, lift.wheels,
+  settings.choice({"wheels", "", "State of the wheels in the air."}, lift.wheels,
                   {{"driven", HeldWheels::kDriven},
                    {"free", HeldWheels::kFree},
                    {"locked", HeldWheels::kLocked}});
-  settings.field({"covered", "", "Whoever carries it covers the lidars."}, lift.covered);
+  settings.field({"covered", "", "The person who carries it covers the lidars."}, lift.covered);
 }
 
-/// Where it goes, for the kinds that go far.
+/// Target of a kidnap, for the kinds that move the robot far.
 void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
   if (kidnap.kind != KidnapKind::kLookAlike) {
     std::optional<Eigen::Vector3d> pose;
     settings.optional({"pose",
                        "m, rad",
-                       "Where it is put: x, y, yaw in map; else at random.",
+                       "Target pose: x, y, yaw in map; random if missing.",
                        {-kFarthest, kFarthest}},
                       pose);
     if (pose) kidnap.target = sim::Pose2{pose->x(), pose->y(), pose->z()};
@@ -82,7 +84,7 @@ void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
     settings.fail("give 'pose' or 'min_distance_m', not both");
   }
   if (!kidnap.target) {
-    settings.field({"min_distance_m", "m", "Least distance of a random place.", {0.0, 1e5}},
+    settings.field({"min_distance_m", "m", "Minimum distance of a random target.", {0.0, 1e5}},
                    kidnap.min_distance_m);
   } else if (kidnap.kind == KidnapKind::kTeleportRandom) {
     kidnap.kind = KidnapKind::kTeleportTo;
@@ -91,7 +93,8 @@ void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
 
 void turn_field(Settings& settings, sim::KidnapSpec& kidnap) {
   sim::Bounds degrees{45.0, 180.0};
-  bounds_field(settings, {"angle_deg", "deg", "Of a turn: least and most.", {1e-6, 360.0}},
+  bounds_field(settings,
+               {"angle_deg", "deg", "Minimum and maximum angle of a turn.", {1e-6, 360.0}},
                degrees);
   kidnap.turn = {degrees.min * kDegree, degrees.max * kDegree};
 }
@@ -106,7 +109,8 @@ void fields(Settings settings, sim::KidnapSpec& kidnap) {
   const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin;
   const bool stays = kind == KidnapKind::kNudge || kind == KidnapKind::kTurn;
   if (all || kind == KidnapKind::kNudge) {
-    bounds_field(settings, {"distance_m", "m", "Of a nudge: least and most.", {1e-6, 1e5}},
+    bounds_field(settings,
+                 {"distance_m", "m", "Minimum and maximum distance of a nudge.", {1e-6, 1e5}},
                  kidnap.nudge);
   }
   if (all || kind == KidnapKind::kTurn) turn_field(settings, kidnap);
@@ -116,7 +120,7 @@ void fields(Settings settings, sim::KidnapSpec& kidnap) {
                   "Sensors are off from pick-up to put-down, then odometry "
                   "starts from zero."},
                  kidnap.power_cycle);
-  settings.form({"localizer", "", "Which `when_localized_s` watches."}, "the first");
+  settings.form({"localizer", "", "Localizer that `when_localized_s` watches."}, "the first");
 }
 
 void read_kidnap(YamlReader& body, EventSpecs& events) {

@@ -1,4 +1,4 @@
-/// Kidnaps in a scenario.
+/// Kidnaps of a scenario, as YAML.
 #pragma once
 
 #include "tools/scenario/sections/scenario.hpp"
@@ -6,14 +6,14 @@
 
 namespace castaway::testbed {
 
-/// The settings of a kidnap, those of its kind.
+/// Settings of a kidnap of its kind.
 void fields(Settings settings, sim::KidnapSpec& kidnap);
 
-/// Reads the body of `- kidnap: {...}` and adds it to `events`. Throws std::runtime_error at a
-/// value that cannot be.
+/// Reads the body of `- kidnap: {...}` and adds it to `events`. Throws std::runtime_error for an
+/// invalid value.
 void read_kidnap(YamlReader& body, EventSpecs& events);
 
-/// True where a kidnap waits for a localizer to be right and sure.
+/// True if a kidnap waits until a localizer is right and confident.
 bool waits_for_localizer(const EventSpecs& events);
 
 }  // namespace castaway::testbed

@@ -47,7 +47,7 @@ sim::LidarConfig with_profile(const sim::LidarConfig& lidar, const std::string& 
   if (profile == "ideal") return result;
   result.elevations = {0.0};
   result.planar_layer.reset();
-  return changed(result, load_lidar_profile(profile).changes);
+  return apply_changes(result, load_lidar_profile(profile).changes);
 }
 
 }  // namespace castaway::testbed

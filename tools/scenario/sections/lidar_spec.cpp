@@ -18,14 +18,15 @@ LidarSpec read_named_lidar(const std::string& name, YamlReader body) {
   return lidar;
 }
 
-/// Another number of beams over the same field of view.
+/// Changes the number of beams over the same field of view.
 void resample(int beams, sim::LidarConfig& lidar) {
   lidar.angle_increment *= static_cast<double>(lidar.beams) / beams;
   lidar.beams = beams;
 }
 
-/// The beams over a field of view ahead; the last beam of a full circle does not repeat the first.
-void spread(double fov_deg, sim::LidarConfig& lidar) {
+/// Spreads the beams over a field of view centred ahead; the last beam of a full circle does not
+/// repeat the first.
+void spread_beams(double fov_deg, sim::LidarConfig& lidar) {
   const int gaps = fov_deg >= 360.0 ? lidar.beams : std::max(lidar.beams - 1, 1);
   lidar.angle_increment = fov_deg * kRadians / gaps;
   lidar.angle_min = -0.5 * fov_deg * kRadians;
@@ -44,26 +45,28 @@ void angle_fields(Settings& settings, sim::LidarConfig& lidar) {
   double angle_min_deg = lidar.angle_min / kRadians;
   std::vector<double> elevations_deg;
   for (const double elevation : lidar.elevations) elevations_deg.push_back(elevation / kRadians);
-  if (settings.field({"beams", "", "Beams of a layer.", {1.0, 1e5}}, beams)) resample(beams, lidar);
+  if (settings.field({"beams", "", "Number of beams per layer.", {1.0, 1e5}}, beams))
+    resample(beams, lidar);
   if (settings.field({"fov_deg",
                       "deg",
                       "Field of view ahead, from the first beam to the last.",
                       {1e-3, 720.0}},
                      fov_deg)) {
-    spread(fov_deg, lidar);
+    spread_beams(fov_deg, lidar);
   }
   if (settings.field({"angle_min_deg", "deg", "Direction of the first beam.", {-720.0, 720.0}},
                      angle_min_deg)) {
     lidar.angle_min = angle_min_deg * kRadians;
   }
-  if (settings.field({"elevations_deg", "deg", "Of the layers of a 3-D lidar.", {-90.0, 90.0}},
-                     elevations_deg)) {
+  if (settings.field(
+          {"elevations_deg", "deg", "Elevations of the layers of a 3-D lidar.", {-90.0, 90.0}},
+          elevations_deg)) {
     lidar.elevations.clear();
     for (const double degrees : elevations_deg) lidar.elevations.push_back(degrees * kRadians);
   }
   settings.optional({"localize_layer",
                      "",
-                     "Layer that the localizers get; without one the most level layer.",
+                     "Layer for the localizers; by default, the most level one.",
                      {0.0, 1e4}},
                     lidar.planar_layer);
 }
@@ -75,8 +78,9 @@ void fields(Settings settings, sim::RangeNoise& noise) {
     settings.field({key, unit, what, kNoiseRange}, value);
   };
   field("sigma_m", "m", "Standard deviation of a range at range 0.", noise.sigma);
-  field("sigma_relative", "m/m", "Added to it for every metre of range.", noise.sigma_relative);
-  field("bias_m", "m", "Added to every range.", noise.bias);
+  field("sigma_relative", "m/m", "Increase of this standard deviation per metre of range.",
+        noise.sigma_relative);
+  field("bias_m", "m", "Bias of every range.", noise.bias);
   field("beam_bias_sigma_m", "m", "Standard deviation of an offset that each beam keeps.",
         noise.beam_bias_sigma);
   field("resolution_m", "m", "Ranges are rounded to multiples of it; 0: they are not.",
@@ -130,14 +134,14 @@ void fields(Settings settings, sim::LidarConfig& lidar) {
                  lidar.range_min);
   settings.field({"range_max", "m", "Longer returns are reported as +inf.", {1e-3, 1e4}},
                  lidar.range_max);
-  settings.field({"rate_hz", "Hz", "Turns a second.", {0.01, 1000.0}}, lidar.rate_hz);
+  settings.field({"rate_hz", "Hz", "Rotations per second.", {0.01, 1000.0}}, lidar.rate_hz);
   settings.field({"sweep", "", "Each beam at its own time; false: all at the scan's stamp."},
                  lidar.sweep);
-  settings.choice({"intensity", "", "What the intensities tell."}, lidar.intensity,
+  settings.choice({"intensity", "", "Quantity that the intensities represent."}, lidar.intensity,
                   {{"none", Intensity::kNone},
                    {"power", Intensity::kPower},
                    {"reflectivity", Intensity::kReflectivity}});
-  settings.field({"range_sigma", "m", "Short for noise.sigma_m.", {0.0, 1000.0}},
+  settings.field({"range_sigma", "m", "Short form of noise.sigma_m.", {0.0, 1000.0}},
                  lidar.noise.sigma);
   fields(settings.group("noise"), lidar.noise);
   fields(settings.group("noise"), lidar.light);
@@ -153,7 +157,7 @@ YamlNode read_lidar_changes(YamlReader& map) {
 std::vector<LidarSpec> read_lidars(YamlReader& root) {
   std::vector<LidarSpec> lidars;
   for (YamlReader item : root.list("lidars")) {
-    auto [name, body] = item.named();
+    auto [name, body] = item.name_and_body();
     require_name(item, "a lidar's name", name);
     for (const LidarSpec& other : lidars) {
       if (other.name == name) item.fail("two lidars are named '" + name + "': give other names");
@@ -164,7 +168,7 @@ std::vector<LidarSpec> read_lidars(YamlReader& root) {
   return lidars;
 }
 
-sim::LidarConfig changed(sim::LidarConfig lidar, const YamlNode& changes) {
+sim::LidarConfig apply_changes(sim::LidarConfig lidar, const YamlNode& changes) {
   YamlNode copy = changes;
   fields(Settings::changing({copy, "lidar"}), lidar);
   return lidar;

@@ -1,4 +1,4 @@
-/// Lidars in YAML: in scenarios and in the files of devices.
+/// Lidars in YAML: in scenarios and device profiles.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace castaway::testbed {
 
-/// What a scenario can change about a lidar.
+/// Settings of a lidar that a scenario can change.
 void fields(Settings settings, sim::LidarConfig& lidar);
 
-/// The settings of a lidar in this map, checked, as they are written. Other keys are left alone.
+/// Reads and checks the lidar settings of a map and returns them as written. Other keys are
+/// ignored.
 YamlNode read_lidar_changes(YamlReader& map);
 
-/// The lidars of a scenario: those under `lidars` (names of the robot's own, or names with their
-/// profile and settings), else what `lidar` changes about all that the robot has.
+/// Reads the lidars of a scenario: those under `lidars` (names of the robot's own lidars, or names
+/// with profile and settings), or else all lidars of the robot with the changes under `lidar`.
 std::vector<LidarSpec> read_lidars(YamlReader& root);
 
-/// A lidar with changes (`read_lidar_changes`). Throws as reading them does.
-sim::LidarConfig changed(sim::LidarConfig lidar, const YamlNode& changes);
+/// Applies changes (`read_lidar_changes`) to a lidar. Throws as reading them does.
+sim::LidarConfig apply_changes(sim::LidarConfig lidar, const YamlNode& changes);
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 
 void require_name(const YamlReader& reader, const std::string& key, const std::string& name) {
-  const std::string trouble = trouble_with_file_name(name);
+  const std::string trouble = file_name_error(name);
   if (!trouble.empty()) reader.fail(fmt::format("{} '{}' {}", key, name, trouble));
 }
 

@@ -1,4 +1,4 @@
-/// Names in YAML that become parts of paths: never a path themselves.
+/// Names in YAML that become path components and must not be paths themselves.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace castaway::testbed {
 
-/// Fails at `reader`, naming `key`, unless `name` can name a file.
+/// Fails at `reader`, naming `key`, unless `name` is a valid file name.
 void require_name(const YamlReader& reader, const std::string& key, const std::string& name);
 
-/// The value of `key`, or `fallback`; fails as `require_name` does.
+/// Reads the value of `key`, or `fallback`; fails as `require_name` does.
 std::string get_name(YamlReader& reader, const std::string& key, const std::string& fallback);
 
 }  // namespace castaway::testbed

@@ -8,17 +8,17 @@ namespace castaway::testbed {
 namespace {
 
 void fields(Settings settings, sim::SlipConfig& slip) {
-  settings.field({"rate_per_m", "1/m", "Slips in a metre that a wheel rolls.", {0.0, 1000.0}},
-                 slip.rate);
-  settings.field({"length_m", "m", "Way of the wheel that a slip lasts.", {0.0, 1000.0}},
-                 slip.length);
-  settings.field({"share", "", "Share of that way that is lost, on average.", {0.0, 1.0}},
+  settings.field(
+      {"rate_per_m", "1/m", "Number of slips per metre that a wheel rolls.", {0.0, 1000.0}},
+      slip.rate);
+  settings.field({"length_m", "m", "Rolled distance of one slip.", {0.0, 1000.0}}, slip.length);
+  settings.field({"share", "", "Mean share of that distance that is lost.", {0.0, 1.0}},
                  slip.share);
   settings.field(
-      {"collision_length_m", "m", "Way lost by both wheels in a collision.", {0.0, 1000.0}},
+      {"collision_length_m", "m", "Distance lost by both wheels in a collision.", {0.0, 1000.0}},
       slip.collision_length);
   settings.field({"zones", "", "Wheels slip in the world's slip zones."}, slip.zones);
-  settings.field({"zone_spread", "", "Slip of a zone varies by this share.", {0.0, 100.0}},
+  settings.field({"zone_spread", "", "Relative variation of the slip in a zone.", {0.0, 100.0}},
                  slip.zone_spread);
 }
 

@@ -6,11 +6,11 @@
 
 namespace castaway::testbed {
 
-/// The settings under `odometry`, besides its `profile`.
+/// Settings under `odometry`, except for `profile`.
 void fields(Settings settings, sim::OdometryConfig& odometry);
 
-/// Reads the map under `odometry`: a profile (`sim::odometry_profile_names`) and what differs from
-/// it. All settings of the profile are written into the document.
+/// Reads the map under `odometry`: a profile (`sim::odometry_profile_names`) and changes to it. All
+/// settings of the profile are written into the document.
 sim::OdometryConfig read_odometry(YamlReader& root);
 
 }  // namespace castaway::testbed

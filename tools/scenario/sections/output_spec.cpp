@@ -11,26 +11,27 @@ namespace {
 constexpr NumberRange kPixels{16.0, 4096.0};
 
 void fields(Settings settings, PictureConfig& pictures) {
-  settings.field({"every_s", "s", "Time between two pictures; 0: none by time.", {0.01, 1e7, true}},
-                 pictures.every_s);
+  settings.field(
+      {"every_s", "s", "Time between two pictures; 0: no periodic pictures.", {0.01, 1e7, true}},
+      pictures.every_s);
   settings.field({"on_events", "", "Pictures at kidnaps and recoveries."}, pictures.on_events);
-  settings.field({"width", "px", "Of each picture.", kPixels}, pictures.width);
-  settings.field({"height", "px", "Of each picture.", kPixels}, pictures.height);
+  settings.field({"width", "px", "Width of each picture.", kPixels}, pictures.width);
+  settings.field({"height", "px", "Height of each picture.", kPixels}, pictures.height);
 }
 
 void fields(Settings settings, FilmConfig& film) {
-  settings.field({"width", "px", "Even.", kPixels}, film.format.width);
-  settings.field({"height", "px", "Even.", kPixels}, film.format.height);
-  settings.field({"fps", "1/s", "Pictures a second of film.", {1.0, 120.0}}, film.format.fps);
-  settings.field({"speed", "", "Seconds of the run in a second of film.", {1e-3, 1e4}}, film.speed);
-  settings.choice({"view", "", "What the film shows."}, film.view, {"chase", "overview", "map"});
+  settings.field({"width", "px", "Width; must be even.", kPixels}, film.format.width);
+  settings.field({"height", "px", "Height; must be even.", kPixels}, film.format.height);
+  settings.field({"fps", "1/s", "Frame rate.", {1.0, 120.0}}, film.format.fps);
+  settings.field({"speed", "", "Seconds of the run per second of film.", {1e-3, 1e4}}, film.speed);
+  settings.choice({"view", "", "View of the film."}, film.view, {"chase", "overview", "map"});
   if (film.format.width % 2 != 0 || film.format.height % 2 != 0) {
     settings.fail("'width' and 'height' must be even");
   }
 }
 
 void fields(Settings settings, BagOptions& bag) {
-  settings.choice({"compression", "", "Of the bag's chunks."}, bag.compression,
+  settings.choice({"compression", "", "Compression of the bag's chunks."}, bag.compression,
                   {{"zstd", McapCompression::kZstd},
                    {"lz4", McapCompression::kLz4},
                    {"none", McapCompression::kNone}});
@@ -39,11 +40,10 @@ void fields(Settings settings, BagOptions& bag) {
 }
 
 void fields(Settings settings, CameraConfig& camera) {
-  settings.field({"rate_hz", "Hz", "Pictures a second.", {1e-3, 100.0}}, camera.rate_hz);
-  settings.field({"width", "px", "Of each picture.", kPixels}, camera.width);
-  settings.field({"height", "px", "Of each picture.", kPixels}, camera.height);
-  settings.field({"fov_deg", "deg", "Field of view, from left to right.", {5.0, 150.0}},
-                 camera.fov_deg);
+  settings.field({"rate_hz", "Hz", "Pictures per second.", {1e-3, 100.0}}, camera.rate_hz);
+  settings.field({"width", "px", "Width of each picture.", kPixels}, camera.width);
+  settings.field({"height", "px", "Height of each picture.", kPixels}, camera.height);
+  settings.field({"fov_deg", "deg", "Horizontal field of view.", {5.0, 150.0}}, camera.fov_deg);
   settings.field({"mount_xyz", "m", "Position of the optical centre in base.", {-100.0, 100.0}},
                  camera.p_base);
   settings.field({"mount_rpy", "rad", "Roll, pitch, yaw of the view in base.", {-100.0, 100.0}},
@@ -52,7 +52,7 @@ void fields(Settings settings, CameraConfig& camera) {
   settings.field({"instances", "", "Writes camera/instances."}, camera.instances);
 }
 
-/// `key: false`, `key: true`, or a map of what differs from the defaults.
+/// Reads `key: false`, `key: true`, or a map of changes to the defaults.
 template <typename Config>
 std::optional<Config> read_switch(YamlReader& map, const std::string& key) {
   const std::optional<YamlReader> given = map.find(key);
@@ -77,7 +77,7 @@ void read_tables(YamlReader& map, OutputSpec& outputs) {
   const auto take = [&](const YamlReader& value) {
     const auto kind = value.as<std::string>();
     if (kind != "none" && kind != "csv" && kind != "hdf5") {
-      value.fail("'" + kind + "' is no kind of table; " +
+      value.fail("'" + kind + "' is not a kind of table; " +
                  suggestion(kind, {"csv", "hdf5", "none"}));
     }
     outputs.tables_csv = outputs.tables_csv || kind == "csv";

@@ -1,4 +1,4 @@
-/// What a run leaves behind as YAML.
+/// Outputs of a run, as YAML.
 #pragma once
 
 #include "tools/scenario/sections/scenario.hpp"
@@ -6,7 +6,7 @@
 
 namespace castaway::testbed {
 
-/// Lists the settings under `outputs`.
+/// Describes the settings under `outputs`.
 void describe_outputs(Settings settings);
 
 /// Reads `outputs`; every key has a default.

@@ -6,7 +6,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kCrowdPerShare = 60.0;  // Walkers for all beams, where there is no count.
+constexpr double kCrowdPerShare = 60.0;  // Walkers per blocked share of 1, if no count is given.
 
 std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() {
   std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> names;
@@ -17,7 +17,7 @@ std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() 
   return names;
 }
 
-/// As many as such a crowd takes; more would block beams as they pass.
+/// Number of walkers that suffices for the share; more would block additional beams in passing.
 int crowd_count(double blocked_share) {
   return static_cast<int>(std::lround(kCrowdPerShare * blocked_share));
 }
@@ -31,7 +31,7 @@ std::vector<int> read_talking(YamlReader& map) {
   return sizes;
 }
 
-/// [x, y] or [x, y, yaw].
+/// Reads poses [x, y] or [x, y, yaw].
 std::vector<sim::Pose2> read_placed(YamlReader& map) {
   std::vector<sim::Pose2> poses;
   for (const YamlReader& item : map.list("at")) {
@@ -46,34 +46,37 @@ std::vector<sim::Pose2> read_placed(YamlReader& map) {
 constexpr NumberRange kCount{0.0, sim::kMaxPeople};
 
 void crowd_fields(Settings settings, sim::PeopleConfig& people) {
-  settings.field(
-      {"blocked", "", "Share of the lidar's beams that walkers about the robot block.", {0.0, 0.6}},
-      people.blocked_share);
+  settings.field({"blocked",
+                  "",
+                  "Share of the lidar's beams that walkers around the robot block.",
+                  {0.0, 0.6}},
+                 people.blocked_share);
 }
 
 }  // namespace
 
 void fields(Settings settings, PeopleSpec& people) {
   sim::PeopleConfig& config = people.config;
-  settings.field({"count", "",
-                  "People who walk from place to place; with a crowd, as many as it "
-                  "takes.",
-                  kCount},
-                 config.walking);
-  settings.choice({"behaviour", "", "What they do about the robot."}, config.behaviour,
+  settings.field(
+      {"count", "",
+       "Number of people who walk from place to place; with `blocked`, as many as necessary.",
+       kCount},
+      config.walking);
+  settings.choice({"behaviour", "", "Their reaction to the robot."}, config.behaviour,
                   behaviours());
-  settings.field({"groups", "", "Share of the walkers that go in groups of 2 to 4.", {0.0, 1.0}},
+  settings.field({"groups", "", "Share of the walkers in groups of 2 to 4.", {0.0, 1.0}},
                  config.in_groups);
-  settings.field({"standing", "", "People who stand somewhere.", kCount}, config.standing);
+  settings.field({"standing", "", "Number of people who stand at random places.", kCount},
+                 config.standing);
   settings.form({"talking", "", "Sizes of groups that stand and talk, 2 to 6 each.", {2.0, 6.0}},
                 "[]");
-  settings.form({"at", "m, rad", "People who stand here: a list of [x, y] or [x, y, yaw]."}, "[]");
-  settings.field({"robot_yields", "", "A robot driven by truth stops before people."},
+  settings.form({"at", "m, rad", "Standing people by pose: a list of [x, y] or [x, y, yaw]."},
+                "[]");
+  settings.field({"robot_yields", "", "A robot driven by the truth stops for people."},
                  config.robot_yields);
   settings.field({"log_every_s",
                   "s",
-                  "Time between two rows of a person in people.csv; 0: no such "
-                  "file.",
+                  "Time between two rows of a person in people.csv; 0: no file.",
                   {0.01, 1e7, true}},
                  people.log_every_s);
   if (settings.describes()) crowd_fields(settings.group("crowd"), config);

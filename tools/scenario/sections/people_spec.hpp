@@ -9,7 +9,7 @@ namespace castaway::testbed {
 /// The settings under `people`.
 void fields(Settings settings, PeopleSpec& people);
 
-/// Reads `people`; without the key there are none, and nothing is filled in.
+/// Reads `people`. Without the key there are none, and no defaults are filled in.
 PeopleSpec read_people(YamlReader& root);
 
 }  // namespace castaway::testbed

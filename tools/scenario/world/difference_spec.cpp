@@ -16,7 +16,7 @@ double share(YamlReader& map, const std::string& key) {
 
 sim::Change read_change(YamlReader& entry, const std::filesystem::path& folder) {
   const std::vector<std::string> kinds = {"move", "remove", "open", "close", "add"};
-  auto [kind, body] = entry.named();
+  auto [kind, body] = entry.name_and_body();
   sim::Change change;
   if (kind == "add") {
     change.kind = ChangeKind::kAdd;

@@ -23,8 +23,8 @@
 
 namespace castaway::testbed {
 
-/// Reads `differences` under `root`; empty where there are none. Meshes of added objects are looked
-/// for in `folder`.
+/// Reads `differences` under `root`; empty if there are none. Meshes of added objects are searched
+/// in `folder`.
 sim::DifferenceSpec read_differences(YamlReader& root, const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

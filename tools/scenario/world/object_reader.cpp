@@ -41,7 +41,7 @@ Eigen::Isometry3d floor_frame(YamlReader& reader) {
   return T;
 }
 
-Eigen::Isometry3d shifted(const Eigen::Isometry3d& T, const Eigen::Vector3d& by) {
+Eigen::Isometry3d translate(const Eigen::Isometry3d& T, const Eigen::Vector3d& by) {
   return T * Eigen::Translation3d(by);
 }
 
@@ -51,7 +51,7 @@ sim::WorldObject body(sim::ObjectShape shape, const Eigen::Isometry3d& T_map_obj
 
 sim::WorldObject box_at(const Eigen::Isometry3d& T, const Eigen::Vector3d& p,
                         const Eigen::Vector3d& size) {
-  return body(sim::BoxShape{size}, shifted(T, p + Eigen::Vector3d(0.0, 0.0, 0.5 * size.z())));
+  return body(sim::BoxShape{size}, translate(T, p + Eigen::Vector3d(0.0, 0.0, 0.5 * size.z())));
 }
 
 }  // namespace castaway::testbed

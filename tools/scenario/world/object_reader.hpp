@@ -1,4 +1,4 @@
-/// What the readers of world objects share.
+/// Helpers and readers of world objects.
 #pragma once
 
 #include <filesystem>
@@ -13,31 +13,31 @@
 
 namespace castaway::testbed {
 
-/// Bodies as yet without names, and the doors among them.
+/// Bodies that may not have names yet, and the doors among them.
 struct Bodies {
   std::vector<sim::WorldObject> bodies;
   std::vector<sim::Door> doors;
-  bool named = false;  ///< True: the bodies have names already.
+  bool named = false;  ///< True if the bodies already have names.
 };
 
-/// The value of `key` in metres, above 0 and at most 1 km.
+/// Value of `key` in metres, greater than 0 and at most 1 km.
 double positive(YamlReader& reader, const std::string& key, double fallback);
 double required_positive(YamlReader& reader, const std::string& key);
-/// Three edges `size`, each above 0 and at most 1 km.
+/// Three edges `size`, each greater than 0 and at most 1 km.
 Eigen::Vector3d size_of(YamlReader& reader);
 
-/// The frame of an object on the floor: x and y from `at`, turned by `yaw_deg`, z at its underside,
-/// `bottom`.
+/// Frame of an object on the floor: x and y from `at`, rotated by `yaw_deg`, with z of its
+/// underside from `bottom`.
 Eigen::Isometry3d floor_frame(YamlReader& reader);
-/// A frame moved by `by`, in its own coordinates.
-Eigen::Isometry3d shifted(const Eigen::Isometry3d& T, const Eigen::Vector3d& by);
-/// A body without a name.
+/// A frame translated by `by`, given in its own coordinates.
+Eigen::Isometry3d translate(const Eigen::Isometry3d& T, const Eigen::Vector3d& by);
+/// An unnamed body.
 sim::WorldObject body(sim::ObjectShape shape, const Eigen::Isometry3d& T_map_object);
-/// A box whose underside is centred on `p` of a frame.
+/// A box whose underside is centred at `p` of a frame.
 sim::WorldObject box_at(const Eigen::Isometry3d& T, const Eigen::Vector3d& p,
                         const Eigen::Vector3d& size);
 
-/// Readers by kind; `folder` is where meshes are looked for.
+/// Readers by kind; meshes are searched in `folder`.
 Bodies read_box(YamlReader& reader);
 Bodies read_step(YamlReader& reader);
 Bodies read_ramp(YamlReader& reader);

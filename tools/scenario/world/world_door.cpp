@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kGap = 0.005;  // [m] Between the leaf and the posts.
 
-/// `at` is the middle of the opening, x along the closed leaf; the leaf opens to the side of +y.
+/// `at` is the centre of the opening, x along the closed leaf; the leaf opens towards +y.
 sim::Door door_of(YamlReader& reader, const Eigen::Isometry3d& T_map_door, double width) {
   sim::Door door;
   const bool right = reader.choice("hinge", "left", {"left", "right"}) == "right";
@@ -22,12 +22,12 @@ sim::Door door_of(YamlReader& reader, const Eigen::Isometry3d& T_map_door, doubl
     reader.find("open_deg")->fail("must be from -180 to 180 (0: closed)");
   }
   door.turn = right ? -1.0 : 1.0;
-  door.T_map_hinge = shifted(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kGap), 0.0, 0.0});
+  door.T_map_hinge = translate(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kGap), 0.0, 0.0});
   if (right) door.T_map_hinge.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));
   return door;
 }
 
-/// The leaf as it is, and as the map has it where that is another place.
+/// Adds the actual leaf and, if it differs, the leaf as shown on the map.
 void add_leaf(YamlReader& reader, const sim::Door& door, Bodies& out) {
   constexpr double kOpenOnMap = 90.0;  // [deg]
   const std::string shown = reader.choice("in_map", "as_is", {"as_is", "open", "closed", "none"});

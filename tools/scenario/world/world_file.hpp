@@ -1,4 +1,4 @@
-/// World files: what stands where, and the routes through it.
+/// World files: objects and routes.
 ///
 ///     name: lab
 ///     extent: {min: [-2.1, -4.4], max: [8.4, 5.6]}   # [m] floor and rasterised map
@@ -12,7 +12,7 @@
 ///       - mesh: {at: [1, 1], file: meshes/chair.obj, scale: 1.0}
 ///     routes: {loop: [[0, 0], [3, 0], [3, 2]]}       # [m] closed: the last leads to the first
 ///
-/// docs/worlds.md has all kinds of objects and their keys.
+/// docs/worlds.md lists all kinds of objects and their keys.
 #pragma once
 
 #include <filesystem>
@@ -29,16 +29,17 @@
 
 namespace castaway::testbed {
 
-/// A world as its file says it.
+/// Content of a world file.
 struct WorldFile {
   sim::WorldSpec spec;
   std::map<std::string, std::vector<Eigen::Vector2d>> routes;  ///< [m] By name; points in map.
-  sim::Pose2 start;                                            ///< Of base in map.
-  std::optional<std::filesystem::path> map;  ///< YAML file of its map; it need not exist.
-  sim::DifferenceSpec differences;           ///< What changed since; a scenario may say otherwise.
+  sim::Pose2 start;                                            ///< Pose of base in map.
+  std::optional<std::filesystem::path> map;  ///< YAML file of its map; it may not exist yet.
+  sim::DifferenceSpec differences;           ///< Changes since mapping; a scenario may override
+                                             ///< them.
 };
 
-/// Reads a world; of a folder, its `world.yaml`. Throws std::runtime_error naming file, line, key
+/// Reads a world; for a folder, its `world.yaml`. Throws std::runtime_error naming file, line, key
 /// and remedy.
 WorldFile load_world(const std::filesystem::path& path);
 

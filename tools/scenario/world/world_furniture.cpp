@@ -1,4 +1,4 @@
-// Furniture of world files: of several boxes each.
+// Furniture of world files, built from several boxes.
 #include "tools/scenario/world/object_reader.hpp"
 
 namespace castaway::testbed {
@@ -8,7 +8,7 @@ constexpr double kTableTop = 0.03;    // [m] Thickness.
 constexpr double kSeatHeight = 0.45;  // [m]
 constexpr double kBoard = 0.03;       // [m] Thickness of a shelf's boards.
 
-/// Legs at the corners of a rectangle.
+/// Adds legs at the corners of a rectangle.
 void add_legs(const Eigen::Isometry3d& T, const Eigen::Vector3d& room, double leg, Bodies& out) {
   for (const double side_x : {-0.5, 0.5}) {
     for (const double side_y : {-0.5, 0.5}) {

@@ -10,7 +10,7 @@ namespace {
 
 Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder);
 
-/// What is taken for furniture where the file does not say.
+/// Whether a kind is furniture by default.
 bool is_furniture(const std::string& kind) {
   return kind == "box" || kind == "cylinder" || kind == "sphere" || kind == "table" ||
          kind == "chair" || kind == "shelf" || kind == "mesh";
@@ -23,7 +23,7 @@ const char* standard_color(const std::string& kind) {
   return "#b3b3b3";
 }
 
-/// "#rrggbb"
+/// Parses "#rrggbb".
 Eigen::Vector3f color_of(YamlReader& reader, const char* fallback) {
   const std::string text = reader.get("color", fallback);
   unsigned rgb = 0;
@@ -58,12 +58,12 @@ Bodies read_bodies(const std::string& kind, YamlReader& reader,
       "shelf, sphere, step, table, wall, window");
 }
 
-/// Where the object is to be found: in the world, on the map, or both.
+/// Reads whether the object is in the world, on the map, or both.
 void read_presence(YamlReader& reader, const std::string& kind, Bodies& bodies) {
   const bool in_world = reader.get("in_world", true);
   if (kind == "door") {
     if (!in_world) reader.find("in_world")->fail("a door is in the world; see `in_map`");
-    return;  // Its `in_map` is of its own.
+    return;  // Doors have an `in_map` of their own.
   }
   const bool in_map = reader.get("in_map", true);
   if (!in_world && !in_map) reader.fail("neither in the world nor on the map: leave it out");
@@ -79,7 +79,7 @@ double read_reflectivity(YamlReader& reader, double fallback) {
   return value;
 }
 
-/// Keys that every kind takes.
+/// Reads the keys that all kinds have.
 void read_common(YamlReader& reader, const std::string& kind, Bodies& bodies) {
   const Eigen::Vector3f color = color_of(reader, standard_color(kind));
   const double reflectivity = read_reflectivity(reader, sim::Surface{}.reflectivity);
@@ -108,7 +108,7 @@ void give_names(const std::string& name, bool furniture, Bodies& bodies) {
   for (sim::Door& door : bodies.doors) door.name = name;
 }
 
-/// One copy of a group: moved, and named after its place.
+/// Adds one copy of a group, moved and with a name prefix.
 void append_copy(const Bodies& group, const Eigen::Isometry3d& T, const std::string& prefix,
                  Bodies& out) {
   for (sim::WorldObject object : group.bodies) {
@@ -152,7 +152,7 @@ Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder) {
   for (int row = 0; row < static_cast<int>(count.y()); ++row) {
     for (int column = 0; column < static_cast<int>(count.x()); ++column) {
       const Eigen::Vector3d place(column * spacing.x(), row * spacing.y(), 0.0);
-      append_copy(group, shifted(T_map_group, place), fmt::format("{}-{}/", column, row), result);
+      append_copy(group, translate(T_map_group, place), fmt::format("{}-{}/", column, row), result);
     }
   }
   return result;
@@ -162,7 +162,7 @@ Bodies read_repeat(YamlReader& reader, const std::filesystem::path& folder) {
 
 Bodies read_world_object(YamlReader& entry, std::size_t index,
                          const std::filesystem::path& folder) {
-  auto [kind, reader] = entry.named();
+  auto [kind, reader] = entry.name_and_body();
   Bodies bodies = read_bodies(kind, reader, folder);
   const std::string name = reader.get("name", fmt::format("{}-{}", kind, index));
   if (kind == "repeat") {

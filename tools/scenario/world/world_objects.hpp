@@ -8,11 +8,11 @@
 
 namespace castaway::testbed {
 
-/// At most so many bodies in a world: what `repeat` may grow to.
+/// Maximum number of bodies in a world, also after `repeat`.
 inline constexpr std::size_t kMaxBodies = 20000;
 
-/// The bodies of one entry of `objects`, with names: a wall or a table has several, a `repeat` all
-/// of its copies. `index` names objects without a name; paths of meshes are relative to `folder`.
+/// Reads the named bodies of one entry of `objects`: a wall or a table has several, and `repeat`
+/// adds copies. `index` names unnamed objects; mesh paths are relative to `folder`.
 Bodies read_world_object(YamlReader& entry, std::size_t index, const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-// Single bodies of world files: boxes, balls, ramps, meshes.
+// Single bodies of world files: boxes, spheres, ramps, meshes.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if `path` lies in `folder`, links followed.
+/// True if `path` lies in `folder` after following links.
 bool within(const fs::path& path, const fs::path& folder) {
   const fs::path inner = fs::weakly_canonical(path);
   const fs::path outer = fs::weakly_canonical(folder);
@@ -32,7 +32,7 @@ Bodies read_step(YamlReader& reader) {
 
 Bodies read_ramp(YamlReader& reader) {
   const Eigen::Vector3d size = size_of(reader);
-  const Eigen::Isometry3d T = shifted(floor_frame(reader), {0.0, 0.0, 0.5 * size.z()});
+  const Eigen::Isometry3d T = translate(floor_frame(reader), {0.0, 0.0, 0.5 * size.z()});
   Bodies ramp{{body(sim::RampShape{size}, T)}, {}};
   ramp.bodies.front().drivable = true;
   return ramp;
@@ -41,12 +41,12 @@ Bodies read_ramp(YamlReader& reader) {
 Bodies read_cylinder(YamlReader& reader) {
   const sim::CylinderShape shape{required_positive(reader, "radius"),
                                  required_positive(reader, "height")};
-  return {{body(shape, shifted(floor_frame(reader), {0.0, 0.0, 0.5 * shape.height}))}, {}};
+  return {{body(shape, translate(floor_frame(reader), {0.0, 0.0, 0.5 * shape.height}))}, {}};
 }
 
 Bodies read_sphere(YamlReader& reader) {
   const double radius = required_positive(reader, "radius");
-  return {{body(sim::SphereShape{radius}, shifted(floor_frame(reader), {0.0, 0.0, radius}))}, {}};
+  return {{body(sim::SphereShape{radius}, translate(floor_frame(reader), {0.0, 0.0, radius}))}, {}};
 }
 
 Bodies read_mesh(YamlReader& reader, const fs::path& folder) {

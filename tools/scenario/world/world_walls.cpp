@@ -1,4 +1,4 @@
-// Walls, windows and panes of world files.
+// Walls, windows and glass panes of world files.
 #include <cmath>
 
 #include "tools/scenario/world/object_reader.hpp"
@@ -8,14 +8,14 @@ namespace {
 
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// How a wall's segments stand. [m]
+/// Cross-section of a wall's segments [m].
 struct WallProfile {
   double thickness;
   double height;
   double bottom;
 };
 
-/// A box along the segment, longer by half the thickness at each end that is a corner.
+/// A box along the segment, extended by half the thickness at each end that is a corner.
 sim::WorldObject wall_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                               bool corner_from, bool corner_to, const WallProfile& wall) {
   const Eigen::Vector2d along = (to - from).normalized();

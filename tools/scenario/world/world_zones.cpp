@@ -19,12 +19,12 @@ bool cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vect
   return turn(a, b, c) * turn(a, b, d) <= 0.0 && turn(c, d, a) * turn(c, d, b) <= 0.0;
 }
 
-/// True if two edges without a common corner meet.
+/// True if two edges without a common corner intersect.
 bool crosses_itself(const Polygon& polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j + 1 == n) continue;  // Neighbours across the first corner.
+      if (i == 0 && j + 1 == n) continue;  // These edges share the first corner.
       if (cross(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n])) return true;
     }
   }

@@ -8,8 +8,8 @@
 
 namespace castaway::testbed {
 
-/// `slip_zones`: polygons of the floor on which wheels turn further than the robot moves, each with
-/// `outline` and `slip`; an outline that crosses itself is an error.
+/// Reads `slip_zones`: polygons of the floor on which wheels turn further than the robot moves,
+/// each with `outline` and `slip`. A self-intersecting outline is an error.
 std::vector<sim::SlipZone> read_slip_zones(YamlReader& root);
 
 }  // namespace castaway::testbed

@@ -33,7 +33,7 @@ std::optional<std::string> nearest_name(std::string_view name,
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
   const std::optional<std::string> nearest = nearest_name(name, known);
-  if (!nearest) return "nothing is known here";
+  if (!nearest) return "no name is known here";
   if (edit_distance(name, *nearest) <= std::max<std::size_t>(2, name.size() / 3)) {
     return fmt::format("did you mean '{}'?", *nearest);
   }

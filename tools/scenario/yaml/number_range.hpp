@@ -1,4 +1,4 @@
-/// What a number in a YAML file may be.
+/// Ranges of numbers in YAML files.
 #pragma once
 
 #include <string>
@@ -7,19 +7,20 @@
 
 namespace castaway::testbed {
 
-/// Bounds keep nonsense out: what a robot, a sensor, a localizer of any size may have. What a part
-/// takes beyond that, it says itself.
+/// A range rejects values that are nonsensical for any robot, sensor or localizer. A component
+/// states its own tighter requirements itself.
 struct NumberRange {
-  double low = -1e9;      ///< Least value...
-  double high = 1e9;      ///< ...and greatest, both allowed.
-  bool zero_too = false;  ///< 0 is allowed besides, where it switches something off.
+  double low = -1e9;      ///< Minimum, included.
+  double high = 1e9;      ///< Maximum, included.
+  bool zero_too = false;  ///< 0 is also allowed, to switch something off.
 };
 
-/// "0.001 to 100"; empty where any number will do.
+/// Text such as "0.001 to 100"; empty if any number is allowed.
 std::string range_text(const NumberRange& range);
 
-/// Throws std::runtime_error "file:line: key: ..." for a number, or a number in a list, that is out
-/// of its range. Values that are no numbers are left to who reads them. `name`: the key's path.
+/// Throws std::runtime_error "file:line: key: ..." if a number, or a number of a list, is out of
+/// range. Values that are not numbers are ignored; their reader reports them. `name`: the key's
+/// path.
 void require_in(const YamlNode& node, const std::string& name, const NumberRange& range,
                 const std::string& unit);
 

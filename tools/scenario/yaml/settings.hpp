@@ -1,8 +1,8 @@
-/// Tables of settings: each setting is listed once, with its unit, its range and one sentence. From
-/// there it is read, checked, written into the effective scenario and documented.
+/// Tables of settings: each setting is listed once, with its unit, its range and one sentence. The
+/// table is used to read, check and document it, and to write it into the effective scenario.
 ///
-/// A table is a function `void fields(Settings settings, Config& config)`. The idea of a function
-/// that visits every field is that of Drake's `Serialize(Archive*)`.
+/// A table is a function `void fields(Settings settings, Config& config)`. A function that visits
+/// every field follows Drake's `Serialize(Archive*)`.
 #pragma once
 
 #include <optional>
@@ -14,39 +14,39 @@
 
 namespace castaway::testbed {
 
-/// What a table says of one setting.
+/// Entry of one setting in a table.
 struct Setting {
   const char* key;
-  const char* unit;     ///< "m", "rad/s"; empty: none.
+  const char* unit;     ///< Such as "m" or "rad/s"; empty for none.
   const char* what;     ///< One sentence.
-  NumberRange range{};  ///< Of a number, and of every number of a list.
+  NumberRange range{};  ///< Range of a number, and of every number of a list.
 };
 
-/// A setting as the docs show it.
+/// A setting as shown in the documentation.
 struct SettingText {
-  std::string path;   ///< "drive.max_speed"
+  std::string path;   ///< Such as "drive.max_speed".
   std::string value;  ///< Default.
-  std::string range;  ///< "0.001 to 100", "zstd, lz4, none"; empty: any.
+  std::string range;  ///< Such as "0.001 to 100" or "zstd, lz4, none"; empty: any value.
   std::string unit;
   std::string what;
 };
 
-/// Goes through a table: reads its settings from a map of a YAML document, or describes them.
+/// Visitor of a table: reads its settings from a map of a YAML document, or describes them.
 class Settings {
  public:
-  /// What is not given keeps its value and is written into the document.
+  /// Reads all settings; missing ones keep their values and are written into the document.
   static Settings reading(const YamlReader& map) { return {map, true}; }
-  /// Takes what is given and writes nothing: for values that differ from a robot's description.
+  /// Reads the settings that are present and writes nothing, for changes to a robot's description.
   static Settings changing(const YamlReader& map) { return {map, false}; }
-  /// Appends to `texts`, which must outlive it. `prefix`: "drive." or nothing.
+  /// Appends descriptions to `texts`, which must outlive the visitor. `prefix`: "drive." or empty.
   static Settings describing(std::vector<SettingText>& texts, const std::string& prefix) {
     return {texts, prefix};
   }
 
-  /// True if the table is being described: then every field is to be listed.
+  /// True while the table is being described; every field must then be listed.
   [[nodiscard]] bool describes() const { return texts_ != nullptr; }
 
-  /// A setting of any type that `read_yaml` knows. Returns true where it was given. Throws
+  /// A setting of any type that `read_yaml` supports. Returns true if it was present. Throws
   /// std::runtime_error naming place, key and range.
   template <typename T>
   bool field(const Setting& about, T& value) {
@@ -60,7 +60,7 @@ class Settings {
     return true;
   }
 
-  /// A setting that may be absent: nothing is written then.
+  /// An optional setting; a missing one is not written into the document.
   template <typename T>
   bool optional(const Setting& about, std::optional<T>& value) {
     if (texts_ != nullptr) return describe(about, {});
@@ -69,7 +69,7 @@ class Settings {
     return true;
   }
 
-  /// One of several names.
+  /// A setting with one of several names as its value.
   template <typename E>
   bool choice(const Setting& about, E& value, const std::vector<std::pair<std::string, E>>& names) {
     std::size_t index = 0;
@@ -84,14 +84,14 @@ class Settings {
   }
   bool choice(const Setting& about, std::string& value, const std::vector<std::string>& names);
 
-  /// A setting with forms of its own, which its reader takes care of: here it is described only.
+  /// A setting with a special syntax, which its own reader handles; it is only described here.
   void form(const Setting& about, const std::string& value);
 
-  /// The map under `key`.
+  /// Visitor of the map under `key`.
   [[nodiscard]] Settings group(const std::string& key);
-  /// True if the map has `key`, or is being described.
+  /// True if the map has `key`, or while describing.
   [[nodiscard]] bool has(const std::string& key);
-  /// What cannot be, at the place of this map.
+  /// Throws an error at the place of this map.
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
@@ -100,12 +100,12 @@ class Settings {
       : texts_(&texts), prefix_(std::move(prefix)) {}
   Settings() = default;
 
-  /// True where the setting is given and in its range.
+  /// True if the setting is present and in range.
   bool check(const Setting& about);
   bool describe(const Setting& about, const YamlNode& value);
   bool choose(const Setting& about, std::size_t& index, const std::vector<std::string>& allowed);
 
-  std::optional<YamlReader> map_;  ///< Nothing: a group that is not there, or describing.
+  std::optional<YamlReader> map_;  ///< Nothing for a missing group, or while describing.
   bool fills_ = false;
   std::vector<SettingText>* texts_ = nullptr;
   std::string prefix_;

@@ -7,7 +7,7 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-/// Text that every YAML reader takes as this very string when it stands bare.
+/// Whether every YAML reader takes the unquoted text as this string.
 bool is_plain(const std::string& text) {
   constexpr std::string_view kSafe =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
@@ -16,7 +16,7 @@ bool is_plain(const std::string& text) {
   return !text.empty() && !dash && text.find_first_not_of(kSafe) == std::string::npos;
 }
 
-std::string quoted(const std::string& text) {
+std::string quote_scalar(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -31,7 +31,9 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string scalar_text(const std::string& text) { return is_plain(text) ? text : quoted(text); }
+std::string scalar_text(const std::string& text) {
+  return is_plain(text) ? text : quote_scalar(text);
+}
 
 bool all_scalars(const YamlNode& list) {
   for (const YamlNode& item : list.items) {
@@ -40,7 +42,7 @@ bool all_scalars(const YamlNode& list) {
   return true;
 }
 
-/// The node on the line of its key, or nothing if it needs lines of its own.
+/// The node on the line of its key; empty if it needs lines of its own.
 std::string inline_text(const YamlNode& node) {
   if (node.kind == Kind::kNull) return "~";
   if (node.kind == Kind::kScalar) return scalar_text(node.scalar);

@@ -33,8 +33,8 @@ YamlNode& list_element(YamlNode& list, const std::string& part, const std::strin
   return *std::next(list.items.begin(), static_cast<std::ptrdiff_t>(index));
 }
 
-/// The child of `node` named `part`, made if there is none. A scalar gives way to a map; one that
-/// is `part` itself (`- amcl`) becomes that key. Nothing becomes a list where `part` is 0.
+/// The child of `node` named `part`, created if missing. A scalar is replaced by a map; a scalar
+/// equal to `part` (`- amcl`) becomes its key. A null value becomes a list if `part` is 0.
 YamlNode& child(YamlNode& node, const std::string& part, const std::string& where) {
   if (node.kind == Kind::kNull && part == "0") node.kind = Kind::kList;
   if (node.kind == Kind::kList) return list_element(node, part, where);
@@ -77,7 +77,7 @@ void put_value(YamlNode& root, const std::string& path, YamlNode value, const st
   *node = std::move(value);
 }
 
-void write_out(YamlNode& root, const std::string& key, const std::string& long_key) {
+void expand_short_form(YamlNode& root, const std::string& key, const std::string& long_key) {
   YamlNode* node = root.find(key);
   if (node == nullptr || node->kind != YamlNode::Kind::kScalar) return;
   YamlNode map;

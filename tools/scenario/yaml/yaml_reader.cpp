@@ -19,10 +19,10 @@ std::vector<std::string> keys_of(const YamlNode& map) {
   return keys;
 }
 
-void know_all(YamlNode& node) {
+void mark_known(YamlNode& node) {
   node.known = keys_of(node);
-  for (YamlEntry& entry : node.entries) know_all(entry.value);
-  for (YamlNode& item : node.items) know_all(item);
+  for (YamlEntry& entry : node.entries) mark_known(entry.value);
+  for (YamlNode& item : node.items) mark_known(item);
 }
 
 void forget_known(YamlNode& node) {
@@ -35,7 +35,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A list of scalars is a value; a map or a list of maps has keys to check.
+/// A list of scalars is a value; maps and lists of maps have keys to check.
 void reject_unknown(const YamlNode& node) {
   for (const YamlEntry& entry : node.entries) {
     if (!contains(node.known, entry.key)) {
@@ -85,7 +85,7 @@ std::vector<YamlReader> YamlReader::list(const std::string& key) {
 }
 
 YamlNode YamlReader::raw() const {
-  know_all(*node_);
+  mark_known(*node_);
   return copy();
 }
 
@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, YamlReader>> YamlReader::entries() {
   return result;
 }
 
-std::pair<std::string, YamlReader> YamlReader::named() {
+std::pair<std::string, YamlReader> YamlReader::name_and_body() {
   if (is_scalar()) {
     node_->entries.push_back({node_->scalar, {}});
     node_->entries.back().value.where = node_->where;
@@ -133,7 +133,7 @@ std::string YamlReader::choice(const std::string& key, const std::string& fallba
                                const std::vector<std::string>& allowed) {
   const std::string value = get(key, fallback);
   if (!contains(allowed, value)) {
-    find(key)->fail(fmt::format("'{}' is no choice here; {}", value, suggestion(value, allowed)));
+    find(key)->fail(fmt::format("'{}' is not allowed here; {}", value, suggestion(value, allowed)));
   }
   return value;
 }

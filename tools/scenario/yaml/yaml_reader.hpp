@@ -1,4 +1,4 @@
-/// Strict reading of YAML: typed, with defaults, with errors that say where and what.
+/// Strict, typed reading of YAML with defaults; errors state the place and the problem.
 ///
 ///     YamlDocument document = YamlDocument::load("scenario.yaml");
 ///     document.set("lidar.rate_hz=5");                        // --set
@@ -6,13 +6,13 @@
 ///     config.seed = root.get("seed", config.seed);            // typed, default
 ///     config.rate_hz = root.child("lidar").get("rate_hz", 10.0);
 ///     for (YamlReader event : root.list("events")) {          // - kidnap: {at_s: 30}
-///       auto [kind, body] = event.named();
+///       auto [kind, body] = event.name_and_body();
 ///       kidnap.at_s = body.require<double>("at_s");
 ///     }
 ///     document.reject_unknown_keys();                         // after all has been read
 ///     save(document.effective());                             // with every default filled in
 ///
-/// Every text of an error begins with "file:line: " (or "--set a.b=c: ").
+/// Every error begins with "file:line: " (or "--set a.b=c: ").
 #pragma once
 
 #include <cstdint>
@@ -31,12 +31,12 @@
 
 namespace castaway::testbed {
 
-/// The types that a value is read as: bool, int, std::uint64_t, double (at most 1e9 either way),
-/// std::string, std::vector<double>, std::vector<std::string>, Eigen::Vector2d, Eigen::Vector3d.
+/// Supported types: bool, int, std::uint64_t, double (at most 1e9 in magnitude), std::string,
+/// std::vector<double>, std::vector<std::string>, Eigen::Vector2d, Eigen::Vector3d.
 template <typename T>
 T read_yaml(const YamlNode& node, const std::string& path);
 
-/// The inverse of `read_yaml`; doubles in the shortest form that reads back as the same.
+/// The inverse of `read_yaml`; doubles are written in the shortest form that reads back exactly.
 YamlNode write_yaml(bool value);
 YamlNode write_yaml(int value);
 YamlNode write_yaml(std::uint64_t value);
@@ -48,7 +48,7 @@ YamlNode write_yaml(const Eigen::Vector2d& value);
 YamlNode write_yaml(const Eigen::Vector3d& value);
 
 /// A view of one value of a document, which must outlive it. Reading fills defaults into the
-/// document and notes which keys are known.
+/// document and records which keys are known.
 class YamlReader {
  public:
   YamlReader(YamlNode& node, std::string path) : node_(&node), path_(std::move(path)) {}
@@ -57,35 +57,35 @@ class YamlReader {
   [[nodiscard]] bool is_scalar() const { return node_->kind == YamlNode::Kind::kScalar; }
   [[nodiscard]] bool is_list() const { return node_->kind == YamlNode::Kind::kList; }
   [[nodiscard]] bool is_map() const { return node_->kind == YamlNode::Kind::kMap; }
-  /// Keys from the root, "events[0].kidnap".
+  /// Keys from the root, such as "events[0].kidnap".
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// This value as a T.
+  /// Converts this value to a T.
   template <typename T>
   [[nodiscard]] T as() const {
     return read_yaml<T>(*node_, path_);
   }
 
-  /// True if the map has `key` with a value; either way `key` is known from now on.
+  /// True if the map has `key` with a value. Marks `key` as known.
   [[nodiscard]] bool has(const std::string& key) { return find(key).has_value(); }
-  /// The value of `key`, or nothing (also for `key: ~`).
+  /// The value of `key`; nothing if it is missing or `~`.
   [[nodiscard]] std::optional<YamlReader> find(const std::string& key);
-  /// The map under `key`; an empty one is made where there is none.
+  /// The map under `key`; created empty if missing.
   [[nodiscard]] YamlReader child(const std::string& key);
-  /// The elements of the list under `key`; none where there is no such key.
+  /// The elements of the list under `key`; empty if missing.
   [[nodiscard]] std::vector<YamlReader> list(const std::string& key);
-  /// This value as it was written; all keys in it become known.
+  /// This value as written; marks all keys in it as known.
   [[nodiscard]] YamlNode raw() const;
-  /// This value as it was written; no key in it becomes known.
+  /// This value as written; marks no keys as known.
   [[nodiscard]] YamlNode copy() const;
   /// The elements of this list.
   [[nodiscard]] std::vector<YamlReader> items() const;
-  /// Keys and values of this map, for maps whose keys the user names: all become known.
+  /// Keys and values of a map whose keys are chosen by the user; marks all keys as known.
   [[nodiscard]] std::vector<std::pair<std::string, YamlReader>> entries();
   /// A name with an optional body: `amcl`, or a map of one key `amcl: {...}`.
-  [[nodiscard]] std::pair<std::string, YamlReader> named();
+  [[nodiscard]] std::pair<std::string, YamlReader> name_and_body();
 
-  /// The value of `key`, or `fallback`, which then stands in the effective document.
+  /// The value of `key`, or `fallback`, which is then written into the effective document.
   template <typename T>
   [[nodiscard]] T get(const std::string& key, const T& fallback) {
     if (const auto found = find(key)) return found->template as<T>();
@@ -95,12 +95,12 @@ class YamlReader {
   [[nodiscard]] std::string get(const std::string& key, const char* fallback) {
     return get(key, std::string(fallback));
   }
-  /// The value of `key`; an error where there is none.
+  /// The value of `key`; a missing one is an error.
   template <typename T>
   [[nodiscard]] T require(const std::string& key) {
     return required(key).template as<T>();
   }
-  /// The value of `key`, where it is there; nothing is filled in.
+  /// The value of `key` if present; no default is filled in.
   template <typename T>
   [[nodiscard]] std::optional<T> get_optional(const std::string& key) {
     const auto found = find(key);
@@ -111,7 +111,7 @@ class YamlReader {
                                    const std::vector<std::string>& allowed);
 
   /// Throws std::runtime_error naming place, key and range if this number, or one of this list, is
-  /// out of its range.
+  /// out of range.
   void require_in(const NumberRange& range, const std::string& unit) const {
     testbed::require_in(*node_, path_, range, unit);
   }
@@ -137,19 +137,20 @@ class YamlDocument {
   /// `name` stands for the file in errors.
   static YamlDocument parse(const std::string& text, const std::string& name);
 
-  /// A tree that was parsed before.
+  /// A tree that was parsed elsewhere.
   explicit YamlDocument(YamlNode root) : root_(std::make_unique<YamlNode>(std::move(root))) {}
 
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
-  /// Writes a key's short form out (see `castaway::testbed::write_out`); call it before reading.
-  void write_out(const std::string& key, const std::string& long_key) {
-    testbed::write_out(*root_, key, long_key);
+  /// Expands a key's short form (see `castaway::testbed::expand_short_form`); call it before
+  /// reading.
+  void expand_short_form(const std::string& key, const std::string& long_key) {
+    testbed::expand_short_form(*root_, key, long_key);
   }
   [[nodiscard]] YamlReader root() { return {*root_, ""}; }
-  /// Throws on the first key that no reader has asked for, naming the nearest one that was.
+  /// Throws on the first key that no reader has requested, naming the nearest requested one.
   void reject_unknown_keys() const;
-  /// YAML text of all values, defaults included; reading it gives the same configuration.
+  /// YAML text of all values, including defaults; reading it gives the same configuration.
   [[nodiscard]] std::string effective() const { return emit_yaml(*root_); }
 
  private:

@@ -10,9 +10,9 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr int kMaxDepth = 50;            // Aliases can make a tree endlessly deep...
-constexpr std::size_t kPerByte = 4;      // ...or exponentially large: without any, there are fewer
-constexpr std::size_t kAlways = 10'000;  // nodes than bytes.
+constexpr int kMaxDepth = 50;            // Aliases can make a tree endlessly deep.
+constexpr std::size_t kPerByte = 4;      // Aliases can make it exponentially large; without them
+constexpr std::size_t kAlways = 10'000;  // there are fewer nodes than bytes.
 
 class Converter {
  public:

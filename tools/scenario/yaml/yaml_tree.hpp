@@ -1,4 +1,4 @@
-/// YAML as a plain tree that remembers where every value was written.
+/// YAML as a plain tree that records where every value was written.
 #pragma once
 
 #include <list>
@@ -9,7 +9,7 @@ namespace castaway::testbed {
 
 struct YamlEntry;
 
-/// A value. The lists keep references to their elements valid when they grow.
+/// A value. Its lists keep references to elements valid when they grow.
 struct YamlNode {
   enum class Kind { kNull, kScalar, kList, kMap };
 
@@ -18,7 +18,7 @@ struct YamlNode {
   std::list<YamlNode> items;       ///< Elements of a list.
   std::list<YamlEntry> entries;    ///< Keys and values of a map, in order of the file.
   std::string where;               ///< "file:line" or "--set a.b=c"; empty for a default.
-  std::vector<std::string> known;  ///< Keys that a reader asked this map for.
+  std::vector<std::string> known;  ///< Keys that a reader requested from this map.
 
   /// The value of `key`, or nullptr.
   [[nodiscard]] YamlNode* find(const std::string& key);
@@ -38,19 +38,19 @@ YamlNode yaml_scalar(std::string text);
 /// std::runtime_error on malformed text and duplicate keys, naming file and line.
 YamlNode parse_yaml(const std::string& text, const std::string& name);
 
-/// Applies `path=value` (`events.0.kidnap.at_s=30`) to the tree. Keys that do not exist are made,
-/// so that a reader judges them like those of the file; a list takes indices up to its length.
-/// The value is YAML. Throws std::invalid_argument where the path does not fit.
+/// Applies `path=value` (`events.0.kidnap.at_s=30`) to the tree. Missing keys are created, so that
+/// readers check them like those of the file; a list accepts indices up to its length. The value is
+/// YAML. Throws std::invalid_argument if the path does not match the tree.
 void apply_override(YamlNode& root, const std::string& assignment);
 
-/// Puts `value` at `path` as `apply_override` does; `where` stands for its place in errors.
+/// Sets `value` at `path` as `apply_override` does; `where` is its place in errors.
 void put_value(YamlNode& root, const std::string& path, YamlNode value, const std::string& where);
 
-/// Writes the short form of a key out: `key: value`, a scalar, becomes `key: {long_key: value}`, so
-/// that other keys can stand beside it. Does nothing where it is none.
-void write_out(YamlNode& root, const std::string& key, const std::string& long_key);
+/// Expands the short form of a key: a scalar `key: value` becomes `key: {long_key: value}`, so that
+/// other keys can be added. Does nothing if the value is not a scalar.
+void expand_short_form(YamlNode& root, const std::string& key, const std::string& long_key);
 
-/// The tree as block-style YAML text; parsing it gives the same tree.
+/// Formats the tree as block-style YAML; parsing the text gives the same tree.
 std::string emit_yaml(const YamlNode& root);
 
 }  // namespace castaway::testbed

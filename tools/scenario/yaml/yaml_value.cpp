@@ -11,9 +11,9 @@ namespace {
 
 using Kind = YamlNode::Kind;
 
-constexpr double kLargest = 1e9;  // Of any length, time or rate.
+constexpr double kLargest = 1e9;  // Bound of any length, time or rate.
 
-std::string shown(const YamlNode& node) {
+std::string value_text(const YamlNode& node) {
   switch (node.kind) {
     case Kind::kNull:
       return "nothing";
@@ -30,7 +30,7 @@ std::string shown(const YamlNode& node) {
 [[noreturn]] void wrong_type(const YamlNode& node, const std::string& path,
                              const std::string& wanted) {
   throw std::runtime_error(
-      fmt::format("{}: {}: expected {}, found {}", node.where, path, wanted, shown(node)));
+      fmt::format("{}: {}: expected {}, found {}", node.where, path, wanted, value_text(node)));
 }
 
 template <typename T>

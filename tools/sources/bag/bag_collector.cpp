@@ -15,7 +15,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The stamp of a header; the log time where it is not set.
+/// Stamp of a header, or the log time if it is not set.
 Stamp stamp_of(const ros::Header& header, std::int64_t log_time_ns) {
   const Stamp stamp = from_ros_time(header.stamp);
   return stamp.count() != 0 ? stamp : Stamp(log_time_ns);
@@ -71,7 +71,7 @@ void BagCollector::take_scan(const McapMessage& message) {
   frame.truth.frame = scan.header.frame_id;
   frame.truth.intensities = scan.intensities;
   if (const auto exact = exact_mount(message.channel->metadata)) {
-    mounts_.tell(frame.scan.lidar, *exact);
+    mounts_.set_stated_mount(frame.scan.lidar, *exact);
   }
   recording_.frames.push_back({Stamp(message.log_time_ns), std::move(frame)});
   if (!mounts_.mount(scan_of(recording_.frames.back()), scan.header.frame_id)) {
@@ -133,16 +133,16 @@ void BagCollector::take_event(const McapMessage& message) {
   if (event) recording_.frames.push_back({Stamp(message.log_time_ns), *event});
 }
 
-void BagCollector::mount_the_rest() {
+void BagCollector::mount_remaining() {
   std::set<std::string> unknown;
   for (const auto& [frame, lidar_frame] : unmounted_) {
     if (!mounts_.mount(scan_of(recording_.frames[frame]), lidar_frame)) unknown.insert(lidar_frame);
   }
   for (const std::string& frame : unknown) {
-    recording_.warnings.push_back(fmt::format(
-        "{}: no transform from '{}' to '{}'; the lidar is taken to sit in the middle and to look "
-        "ahead. Record /tf_static to say where it sits",
-        bag_.name, mounts_.base_frame(), frame));
+    recording_.warnings.push_back(
+        fmt::format("{}: no transform from '{}' to '{}'; the lidar's mount is assumed to be the "
+                    "identity. Record /tf_static to provide it",
+                    bag_.name, mounts_.base_frame(), frame));
   }
 }
 
@@ -169,7 +169,7 @@ void BagCollector::add_truth() {
 
 BagRecording BagCollector::finish() {
   if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
-  mount_the_rest();
+  mount_remaining();
   tf_odometry_.insert_into(recording_.frames);
   require_scans_and_odometry();
   add_truth();

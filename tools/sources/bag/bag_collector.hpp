@@ -1,4 +1,4 @@
-/// Takes the messages of a bag one by one; see `bag_reading.hpp`.
+/// Collects the messages of a bag one by one; see `bag_reading.hpp`.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@
 
 namespace castaway::testbed {
 
-/// Collects frames whose `Frame::stamp` is the log time and whose stamps are as recorded.
+/// Collects frames. `Frame::stamp` is the log time; the stamps inside are as recorded.
 class BagCollector {
  public:
   BagCollector(const BagInventory& bag, BagTopicChoice topics);
 
-  /// Throws std::runtime_error where the message is broken.
+  /// Throws std::runtime_error if the message is malformed.
   void take(const McapMessage& message, const std::string& type);
-  /// Mounts, odometry from /tf, truth, times: what takes all messages. Throws std::runtime_error
-  /// where scans or odometry are missing.
+  /// Completes what depends on all messages: mounts, odometry from /tf, truth and times. Throws
+  /// std::runtime_error if scans or odometry are missing.
   BagRecording finish();
 
  private:
@@ -30,7 +30,7 @@ class BagCollector {
   void take_transforms(const McapMessage& message);
   void take_truth(const McapMessage& message, const std::string& type);
   void take_event(const McapMessage& message);
-  void mount_the_rest();
+  void mount_remaining();
   void require_scans_and_odometry() const;
   void add_truth();
 
@@ -40,7 +40,8 @@ class BagCollector {
   BagMounts mounts_;
   TfOdometry tf_odometry_;
   BagTruth truth_;
-  std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of a scan, its frame.
+  std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of each scan without a
+                                                                ///< mount, and its frame.
 };
 
 }  // namespace castaway::testbed

@@ -7,8 +7,8 @@ constexpr double kSameMount = 1e-9;
 
 }  // namespace
 
-void BagMounts::tell(const std::string& lidar, const Eigen::Isometry3d& T_base_laser) {
-  told_.insert_or_assign(lidar, T_base_laser);
+void BagMounts::set_stated_mount(const std::string& lidar, const Eigen::Isometry3d& T_base_laser) {
+  stated_.insert_or_assign(lidar, T_base_laser);
 }
 
 void BagMounts::set_base_frame(const std::string& frame) {
@@ -18,8 +18,8 @@ void BagMounts::set_base_frame(const std::string& frame) {
 bool BagMounts::mount(LaserScan& scan, const std::string& lidar_frame) const {
   const auto mount = base_frame_.empty() ? std::nullopt : tree_.between(base_frame_, lidar_frame);
   if (!mount) return false;
-  const auto told = told_.find(scan.lidar);
-  const bool same = told != told_.end() &&
+  const auto told = stated_.find(scan.lidar);
+  const bool same = told != stated_.end() &&
                     (told->second.matrix() - mount->matrix()).cwiseAbs().maxCoeff() < kSameMount;
   scan.T_base_laser = same ? told->second : *mount;
   return true;

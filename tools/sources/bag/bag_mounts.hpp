@@ -1,4 +1,4 @@
-/// Where the lidars of a bag sit.
+/// Mounts of the lidars of a bag.
 #pragma once
 
 #include <map>
@@ -10,24 +10,24 @@
 
 namespace castaway::testbed {
 
-/// Mounts from the transforms of a bag. The tree has the say; where a channel tells the same mount
-/// at full length, that one is taken.
+/// Mounts from the transforms of a bag. If a channel's metadata states the same mount at full
+/// precision, that one is used.
 class BagMounts {
  public:
   TfTree& tree() { return tree_; }
-  /// The mount that a scan's channel tells.
-  void tell(const std::string& lidar, const Eigen::Isometry3d& T_base_laser);
-  /// The frame that lidars are mounted on; the first one told stays.
+  /// Sets the mount stated by the metadata of a scan's channel.
+  void set_stated_mount(const std::string& lidar, const Eigen::Isometry3d& T_base_laser);
+  /// Sets the frame that lidars are mounted on; only the first call has an effect.
   void set_base_frame(const std::string& frame);
   [[nodiscard]] const std::string& base_frame() const { return base_frame_; }
 
-  /// Mounts the scan of a lidar whose frame is known; false where it is not connected to base.
+  /// Sets the mount of a scan; false if the lidar's frame is not connected to base.
   bool mount(LaserScan& scan, const std::string& lidar_frame) const;
 
  private:
   TfTree tree_;
   std::string base_frame_;
-  std::map<std::string, Eigen::Isometry3d> told_;  ///< By lidar.
+  std::map<std::string, Eigen::Isometry3d> stated_;  ///< Mounts from channel metadata, by lidar.
 };
 
 }  // namespace castaway::testbed

@@ -1,9 +1,9 @@
-/// From a bag of ROS 2 messages to frames of a run.
+/// Reads a bag of ROS 2 messages as the frames of a run.
 ///
-/// LaserScan becomes scans, mounted where /tf_static says (as identity, with a warning, where it
-/// does not); Odometry, or else the edge odom -> base of /tf, becomes odometry. Time 0 is the one
-/// that our own bags name, or the first stamp. Frames come in order of their log times; where log
-/// and stamps are of two clocks, the least difference is taken off.
+/// LaserScan becomes scans, with mounts from /tf_static (identity and a warning if it has none).
+/// Odometry, or else the edge odom -> base of /tf, becomes odometry. Time 0 is taken from the
+/// metadata of castaway's own bags, otherwise it is the first stamp. Frames are sorted by log time.
+/// If log times and stamps are from different clocks, the smallest difference is subtracted.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,15 @@
 
 namespace castaway::testbed {
 
-/// What a bag gives to a run.
+/// Contents of a bag, as needed by a run.
 struct BagRecording {
   Frames frames;
-  std::optional<SE2> start;   ///< That the localizers of our own run were told.
-  std::optional<RosMap> map;  ///< The newest of the map topic.
+  std::optional<SE2> start;   ///< Start pose given to the localizers, in castaway's own bags.
+  std::optional<RosMap> map;  ///< Newest message of the map topic.
   std::vector<std::string> warnings;
 };
 
-/// Reads the chosen topics; the frames are held in memory. Throws std::runtime_error naming file
+/// Reads the chosen topics and holds the frames in memory. Throws std::runtime_error naming file
 /// and topic, or what is missing.
 BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics);
 

@@ -6,9 +6,10 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr Stamp kOneClock = std::chrono::seconds(60);  // Log and stamps further apart are of two.
+constexpr Stamp kOneClock = std::chrono::seconds(60);  // Log times and stamps further apart are
+                                                       // from different clocks.
 
-/// The stamp that a frame was recorded with; nothing of an event.
+/// The recorded stamp of a frame; nothing for an event.
 std::optional<Stamp> recorded_stamp(const Frame& frame) {
   if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) return scan->scan.stamp;
   if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {

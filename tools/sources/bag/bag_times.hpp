@@ -8,15 +8,15 @@
 
 namespace castaway::testbed {
 
-/// Latest time that a bag may name. [ns] Sums of two times stay in range.
+/// [ns] Latest time that is accepted from a bag, so that the sum of two times does not overflow.
 inline constexpr std::int64_t kLatestBagTime = std::int64_t{1} << 62;
 
-/// Time 0 of the run that one of our own bags was recorded of; nothing of others.
+/// Time 0 of the run that one of castaway's own bags records; nothing for other bags.
 std::optional<Stamp> time_0_of(const BagInventory& bag);
 
-/// Sets the clock of frames, whose `Frame::stamp` is their log time, back to `time_0`, or to the
-/// first stamp, and sorts them. Where log and stamps are of two clocks, the least difference is
-/// taken off.
+/// Shifts the times of the frames, whose `Frame::stamp` is their log time, so that they start at
+/// `time_0`, or at the first stamp, and sorts the frames. If log times and stamps are from
+/// different clocks, the smallest difference is subtracted.
 void set_times(const std::optional<Stamp>& time_0, Frames& frames);
 
 }  // namespace castaway::testbed

@@ -5,8 +5,10 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr Stamp kTruthGap = std::chrono::milliseconds(500);  // Truth is interpolated within it.
-constexpr double kTruthJump = 0.5;                           // [m] And not over a kidnap.
+constexpr Stamp kTruthGap = std::chrono::milliseconds(500);  // Longest gap over which truth is
+                                                             // interpolated.
+constexpr double kTruthJump = 0.5;                           // [m] A longer step is a kidnap and is
+                                                             // not interpolated.
 
 }  // namespace
 

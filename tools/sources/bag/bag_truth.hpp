@@ -8,16 +8,16 @@
 
 namespace castaway::testbed {
 
-/// Poses of one topic, interpolated over at most half a second and never over a kidnap; another
-/// topic may tell the pose of each scan exactly.
+/// Poses of one topic, interpolated over at most half a second and never across a kidnap. Another
+/// topic may state the exact pose of each scan.
 class BagTruth {
  public:
   void add(Stamp stamp, const SE2& T_map_base) { poses_[stamp] = T_map_base; }
   void add_of_scan(Stamp stamp, const SE2& T_map_base) { of_scans_[stamp] = T_map_base; }
 
-  /// The true pose at a time; nothing where it is not known.
+  /// The true pose at a time; nothing if unknown.
   [[nodiscard]] std::optional<SE2> at(Stamp stamp) const;
-  /// The same for the scan of that stamp.
+  /// The true pose of the scan with this stamp; nothing if unknown.
   [[nodiscard]] std::optional<SE2> of_scan(Stamp stamp) const;
 
  private:

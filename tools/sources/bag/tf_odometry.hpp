@@ -1,4 +1,4 @@
-/// Odometry as an edge of /tf.
+/// Odometry from an edge of /tf.
 #pragma once
 
 #include <map>
@@ -10,25 +10,25 @@
 
 namespace castaway::testbed {
 
-/// Collects the edges that could be odometry, until one is chosen.
+/// Collects the edges that may be odometry, until one is chosen.
 class TfOdometry {
  public:
-  /// A transform from an odometry frame to another.
+  /// A transform from an odometry frame to its child.
   struct Reading {
     Stamp logged{};
     Stamp stamp{};
     SE2 T_odom_base;
-    std::size_t before = 0;  ///< Index of the frame that it came before.
+    std::size_t before = 0;  ///< Index of the frame that follows it in the bag.
   };
 
   void add(const std::string& parent, const std::string& child, const Reading& reading);
 
-  /// The child of the only edge. Throws std::runtime_error, naming the bag, where there is none or
-  /// more than one.
+  /// Child frame of the only edge. Throws std::runtime_error, naming the bag, unless there is
+  /// exactly one edge.
   [[nodiscard]] std::string base_frame(const std::string& bag) const;
 
-  /// Puts the readings of the only edge where they came among the other frames: at one log time,
-  /// too. Does nothing where there is no edge.
+  /// Inserts the readings of the only edge among the other frames in the order of the bag, also at
+  /// equal log times. Does nothing if there is no edge.
   void insert_into(Frames& frames) const;
 
  private:

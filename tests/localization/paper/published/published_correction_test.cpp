@@ -9,7 +9,7 @@
 namespace castaway::localization {
 namespace {
 
-// A wall half a metre ahead of the first particle; the second stands one cell farther on.
+// A wall 0.5 m ahead of the first particle; the second particle is one cell further ahead.
 const OccupancyGrid kGrid = test::string_map({"..........#........."}, 0.05);
 const ScanPoints kPoints{{0.5F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.5F}};
 
@@ -20,7 +20,7 @@ Hypothesis two(double log_weight) {
 }
 
 TEST(PublishedCorrection, AddsClampedDensitiesWhenAsked) {
-  // Both within 2 sigma: 1 is added to 0.5, and the error of one cell is forgotten.
+  // Both are within 2 sigma: 1 is added to 0.5, and the error of one cell is ignored.
   PublishedDefects defects;
   defects.summed_weights = true;
   const RayLocalModel model(published_sensor({0.05}, defects), kGrid);
@@ -28,7 +28,7 @@ TEST(PublishedCorrection, AddsClampedDensitiesWhenAsked) {
   published_correct(model, kPoints, defects, h);
   EXPECT_NEAR(h.particles.log_weights[0], std::log(1.5), 1e-12);
   EXPECT_EQ(h.particles.log_weights[0], h.particles.log_weights[1]);
-  // A particle that hits nothing keeps its share; the paper would have cost it 4.5 nats.
+  // A particle that hits nothing keeps its weight; by the paper it would lose 4.5 nats.
   h = two(0.0);
   h.particles.poses[1].x = -0.4;
   published_correct(model, kPoints, defects, h);
@@ -61,7 +61,7 @@ TEST(PublishedCorrection, CountsInvalidBeamsWhenAsked) {
   EXPECT_NEAR(h.quality, 0.5, 1e-12);
 }
 
-/// Particles one metre apart, the later the heavier.
+/// Particles one metre apart with ascending weights.
 ParticleSet particles_in_line(int count) {
   ParticleSet particles;
   for (int i = 0; i < count; ++i) {
@@ -85,7 +85,7 @@ TEST(PublishedReseed, CopiesParticleByParticleWithTheWinnerUnused) {
   PublishedDefects defects;
   defects.winner_unused = true;
   const ParticleSet next = published_reseed(exact(100), particles_in_line(100), defects, rng);
-  // Loser i is a copy of the i-th heaviest, even of those that are losers themselves.
+  // Loser i is a copy of the i-th heaviest particle, even if that is a loser itself.
   for (std::size_t i = 0; i < 80; ++i) {
     EXPECT_EQ(next.poses[20 + i].x, 99.0 - static_cast<double>(i));
   }
@@ -117,7 +117,7 @@ TEST(PublishedReseed, SpreadsCopiesByTheSquareOfTheirDeviation) {
 }
 
 TEST(PublishedReseed, CountsByTheUnweightedCovarianceWhenAsked) {
-  // Two thirds of the particles lie at one place with all the weight: sure, but spread.
+  // Two thirds of the particles are at one place with all the weight: confident but spread.
   ParticleSet particles = particles_in_line(90);
   for (std::size_t i = 0; i < 90; ++i) {
     particles.poses[i] = {i < 60 ? 0.0 : 1.0, 0.0, 0.0};

@@ -17,10 +17,10 @@ TEST(PublishedGates, SelectOnlyTheGoodByAMargin) {
     return output_by_gates({}, {of_quality(0, present), of_quality(1, other)}, 0);
   };
   EXPECT_EQ(output(0.1, 0.61), 1);
-  EXPECT_EQ(output(0.1, 0.55), 0);   // right among people: never selected
-  EXPECT_EQ(output(0.45, 0.64), 0);  // good, but not by the margin
+  EXPECT_EQ(output(0.1, 0.55), 0);   // right among people, but never selected
+  EXPECT_EQ(output(0.45, 0.64), 0);  // good, but not by the required margin
   EXPECT_EQ(output_by_gates({}, {of_quality(3, 0.1), of_quality(4, 0.2)}, 9),
-            3);  // the output is gone
+            3);  // the output was removed
 }
 
 TEST(PublishedGates, FailBelowATenthOrBelowAQuarterWhenFull) {
@@ -28,7 +28,7 @@ TEST(PublishedGates, FailBelowATenthOrBelowAQuarterWhenFull) {
   EXPECT_FALSE(fails_gates({}, of_quality(0, 0.11), 4, 5));
   EXPECT_TRUE(fails_gates({}, of_quality(0, 0.11), 5, 5));
   EXPECT_FALSE(fails_gates({}, of_quality(0, 0.26), 5, 5));
-  EXPECT_FALSE(fails_gates({}, of_quality(0, 0.0), 1, 5));  // the last one
+  EXPECT_FALSE(fails_gates({}, of_quality(0, 0.0), 1, 5));  // the last one is kept
 }
 
 }  // namespace

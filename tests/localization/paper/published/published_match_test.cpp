@@ -45,7 +45,7 @@ TEST(PublishedCascade, StaysAtCellsOfFourWithOneCoarseLevel) {
 }
 
 TEST(PublishedCascade, MissesWhatLiesBeyondTheOtherAxisWhenTransposed) {
-  // 10 x 4 m with its origin at (0, 0): x is searched below 4 m only.
+  // 10 x 4 m with its origin at (0, 0): x is searched only below 4 m.
   OccupancyGrid grid;
   grid.frame = {200, 80, 0.05, {}};
   grid.cells.assign(grid.frame.size(), CellState::kFree);
@@ -59,7 +59,7 @@ TEST(PublishedCascade, MissesWhatLiesBeyondTheOtherAxisWhenTransposed) {
   for (const Candidate& c : published_cascade({}, {0.05}, grid, transposed).match(points)) {
     EXPECT_LT(c.T_map_base.x, 4.0);
   }
-  // The same room 6 m up in map: the limit of x, the upper end in y, lies at 10 m.
+  // The same room 6 m up in map: the limit of x is the upper end in y, 10 m.
   grid.frame.T_map_grid = {0.0, 6.0, 0.0};
   const ScanPoints same = test::points_from(grid, {7.525, 8.025, 0.0});
   const auto found = published_cascade({}, {0.05}, grid, transposed).match(same);

@@ -46,7 +46,7 @@ TEST(PublishedMerge, IsThePapersWithoutDefects) {
 }
 
 TEST(PublishedMerge, ScalesThePositionByTheSumOfTheWeightsWhenUnnormalised) {
-  // Each population has one particle that carries 0.9 of its weight: the heavier half sums to 1.8.
+  // Each population has one particle with 0.9 of its weight, so the heavier half sums to 1.8.
   Populations all{{at(0, {1, 2, 0.5}, 0.4), at(1, {1, 2, 0.5}, 0.8)}};
   for (Hypothesis& h : all.all) h.particles.log_weights = {std::log(0.9), std::log(0.1)};
   const Populations merged = merge(all, rules_with(&PublishedDefects::unnormalised_merge));
@@ -66,10 +66,10 @@ TEST(PublishedMerge, ComparesTheFirstOnlyWhenAsked) {
 TEST(PublishedRemoval, TakesTheSuccessorOfTheRemovedForIt) {
   Populations all{{at(0, {}, 0.5), at(1, {5, 5, 0}, 0.1), at(2, {8, 8, 0}, 0.9)}, 2};
   const PublishedMhAmclConfig neighbour = rules_with(&PublishedDefects::neighbour_compared);
-  EXPECT_EQ(destroy(all, {}).output_id, 2);         // the good output stays the output
-  EXPECT_EQ(destroy(all, neighbour).output_id, 0);  // and here the first becomes it
+  EXPECT_EQ(destroy(all, {}).output_id, 2);         // the good output is kept
+  EXPECT_EQ(destroy(all, neighbour).output_id, 0);  // here the first one becomes the output
   all.output_id = 1;
-  EXPECT_EQ(destroy(all, neighbour).output_id, 1);  // the removed itself
+  EXPECT_EQ(destroy(all, neighbour).output_id, 1);  // the removed one itself
   const Populations merging{{at(0, {}, 0.5), at(1, {}, 0.4), at(2, {8, 8, 0}, 0.9)}, 2};
   EXPECT_EQ(merge(merging, neighbour).output_id, 0);
   EXPECT_EQ(merge(merging, {}).output_id, 2);
@@ -94,7 +94,7 @@ TEST(PublishedDestroy, GoesByTheGatesWhenAsked) {
   EXPECT_EQ(full.all[0].id, 1);
   const Populations bad = destroy({{at(0, {}, 0.09), at(1, {}, 0.01)}}, gates);
   ASSERT_EQ(bad.all.size(), 1U);
-  EXPECT_EQ(bad.all[0].id, 1);  // the last, not the best
+  EXPECT_EQ(bad.all[0].id, 1);  // the last one, not the best one
 }
 
 }  // namespace

@@ -71,14 +71,15 @@ TEST(PublishedStages, MoveParticlesByAShareOfTheStep) {
     const std::vector<SE2> poses = localizer.diagnostics().populations[0].particles;
     return pose_moments(poses, std::vector<double>(poses.size(), 1.0)).covariance(1, 1);
   };
-  // 1 m straight ahead: sqrt(0.1) m of spread sideways in the paper's model, nothing but what the
-  // start's yaw makes of it in the published code.
+  // After 1 m straight ahead, the lateral spread is sqrt(0.1) m in the paper's model; in the
+  // published code it comes only from the start's yaw.
   EXPECT_GT(spread({}), spread(stages_with(&PublishedDefects::noise_per_step)) + 0.005);
 }
 
 TEST(PublishedStages, SelectOnlyWhenTheMatcherRuns) {
-  // Kidnapped after 0.5 s; matches are at 0.1, 3.1, 6.1 and 9.1 s. At 3.1 s there are still as many
-  // populations as may be, at 6.1 s the right one is created, at 9.1 s it is selected.
+  // The kidnap is at 0.5 s; matches are at 0.1, 3.1, 6.1 and 9.1 s. At 3.1 s the number of
+  // populations is still at its maximum, at 6.1 s the right one is created, at 9.1 s it is
+  // selected.
   const SE2 elsewhere{7.5, 6.5, 0.0};
   const auto is_found_after = [&](const PublishedMhAmclConfig& config, int steps) {
     PaperMhAmcl localizer = localizer_of(config);

@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-/// Facing x, 2 m ahead of the lidar.
+/// A person facing x, 2 m in front of the lidar.
 MovingScene facing() {
   PersonState state;
   state.position = {2.0, 0.0};
@@ -24,7 +24,7 @@ TEST(PersonRays, AreTwoLegsAtShinHeight) {
   const MovingScene scene = facing();
   EXPECT_NEAR(level(scene, 0.1, 0.2)->distance, 2.0 - 0.07, 1e-12);
   EXPECT_NEAR(level(scene, -0.1, 0.2)->distance, 2.0 - 0.07, 1e-12);
-  EXPECT_FALSE(level(scene, 0.0, 0.2).has_value());  // Between them.
+  EXPECT_FALSE(level(scene, 0.0, 0.2).has_value());  // Between the legs.
   EXPECT_EQ(level(scene, 0.1, 0.2)->object, kHitPerson + 5);
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 using std::numbers::pi;
 constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(10);
-/// No ramp to speak of: the command holds from the first step on.
+/// Practically no acceleration limit: the command holds from the first step on.
 const TwistLimits kAtOnce{2.0, 2.0, 1e6, 1e6};
 
-/// 20 m x 20 m about the origin; a wall beyond x = 5.
+/// 20 m x 20 m centred at the origin, with a wall beyond x = 5.
 FreeSpace floor() {
   Grid grid = make_grid(400, 400, 0.05, {-10.0, -10.0}, Cell::kFree);
   for (int row = 0; row < 400; ++row) {

@@ -16,7 +16,7 @@ namespace {
 
 RobotModel mule() { return load_robot(CASTAWAY_ROBOTS "/mule/mule.urdf.xacro"); }
 
-/// How far base comes from where it began while the robot turns once on the spot. [m]
+/// Displacement [m] of base after one turn on the spot.
 double moved_by_a_turn(const RobotModel& robot) {
   WorldSpec floor;
   floor.min_corner = {-5.0, -5.0};
@@ -52,9 +52,10 @@ TEST(SkidSteer, TurnsBetweenItsWheelsWhereTheyCarryAlike) {
   EXPECT_EQ(mule().p_base_axle.y(), 0.0);
 }
 
-/// How far to the left of its middle a robot turns by dry friction alone, and its rate per that of
-/// its commands: where the forces along it and the moments vanish. `carried` [m]: how far to the
-/// left of the middle its weight is. Newton's method on the speed along and the rate.
+/// Turning by dry friction alone: the centre of rotation, as the distance to the left of the
+/// robot's centre, and the ratio of its rate to the commanded one, at which the longitudinal force
+/// and the moment vanish. `carried` [m]: distance of the centre of mass to the left. Newton's
+/// method on the longitudinal speed and the rate.
 Eigen::Vector2d friction_turn(const RobotModel& robot, double carried) {
   const auto missing = [&](const Eigen::Vector2d& v) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -80,7 +81,7 @@ Eigen::Vector2d friction_turn(const RobotModel& robot, double carried) {
 }
 
 TEST(SkidSteer, TurnsWhereDryFrictionSays) {
-  constexpr double kHeavyWheel = 3.0;  // [kg] Light ones get mass from the chassis.
+  constexpr double kHeavyWheel = 3.0;  // [kg] Light wheels get mass from the chassis.
   RobotModel robot = mule();
   for (DriveWheel& wheel : robot.wheels) wheel.mass = kHeavyWheel;
   for (const double p_y : {-0.03, -0.08, 0.06}) {

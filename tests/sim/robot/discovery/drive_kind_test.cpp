@@ -1,4 +1,4 @@
-// Robots that move otherwise than they are simulated, through `load_robot`.
+// Robots whose drive differs from the simulated one, through `load_robot`.
 #include <tuple>
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ class DriveKind : public RobotFiles {
     return wheel_urdf(name + "_fl", 0.1, 0.12) + wheel_urdf(name + "_fr", 0.1, -0.12) +
            wheel_urdf(name + "_bl", -0.1, 0.12) + wheel_urdf(name + "_br", -0.1, -0.12);
   }
-  /// A wheel below a joint that turns about the upright.
+  /// A wheel below a joint with a vertical axis.
   static std::string hung_wheel(const std::string& name, double x, double y,
                                 const std::string& swivel) {
     return "<link name=\"" + name + "_fork\"/><joint name=\"" + name + "_swivel\" " + swivel +
@@ -64,7 +64,7 @@ TEST_F(DriveKind, OfACarIsSaid) {
   EXPECT_THAT(car.warnings, Contains(HasSubstr("turns on the spot as the robot cannot")));
 }
 
-/// As AgileX's hunter_se: `fr_left_joint` below `fr_steer_left_joint`.
+/// Like AgileX's hunter_se: `fr_left_joint` below `fr_steer_left_joint`.
 TEST_F(DriveKind, OfACarIsSaidWhateverItsWheelsAreCalled) {
   const std::string limited =
       "type=\"revolute\"><limit lower=\"-0.5\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/>";

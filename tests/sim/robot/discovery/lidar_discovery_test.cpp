@@ -1,4 +1,4 @@
-// The lidars of a robot, through `load_robot`.
+// Discovery of lidars, through `load_robot`.
 #include <gtest/gtest.h>
 
 #include "sim/robot/load_robot.hpp"
@@ -52,7 +52,7 @@ TEST_F(LidarDiscovery, AllOfThemThePlanarOnesFirst) {
   ASSERT_EQ(robot.lidars.size(), 3U);
   EXPECT_EQ(robot.lidars[0].sensor, "front");
   EXPECT_EQ(robot.lidars[1].sensor, "back");
-  EXPECT_EQ(robot.lidars[1].link, "laser_mount");  // By the name of the joint that holds it.
+  EXPECT_EQ(robot.lidars[1].link, "laser_mount");  // By the name of its parent joint.
   EXPECT_EQ(robot.lidars[2].specs->layers, 16);
   EXPECT_DOUBLE_EQ(robot.lidars[2].specs->layer_max, 0.2);
   EXPECT_EQ(robot.lidar->sensor, "front");

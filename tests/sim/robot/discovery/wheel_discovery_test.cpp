@@ -1,4 +1,4 @@
-// The wheels of a robot by tags of every dialect and by kinematics, through `load_robot`.
+// Discovery of wheels by tags of all dialects and by kinematics, through `load_robot`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Two pairs of wheels, of which tags choose one.
+/// Two pairs of wheels, one of which is selected by tags.
 class WheelDiscovery : public RobotFiles {
  protected:
   [[nodiscard]] RobotModel load(const std::string& tags, const RobotOptions& options = {}) const {
@@ -37,7 +37,7 @@ TEST_F(WheelDiscovery, ByGazeboClassicTags) {
   EXPECT_EQ(robot.wheels_found_by, "gazebo-classic");
   EXPECT_THAT(joints(robot), ElementsAre("bl_joint", "br_joint"));
   EXPECT_TRUE(robot.warnings.empty());  // Separation and diameter agree.
-  EXPECT_EQ(robot.casters.size(), 2U);  // What is not driven glides.
+  EXPECT_EQ(robot.casters.size(), 2U);  // Wheels that are not driven slide.
 }
 
 TEST_F(WheelDiscovery, ByGazeboClassicSkidSteerTags) {

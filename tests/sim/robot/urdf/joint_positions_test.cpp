@@ -1,4 +1,4 @@
-// Joints set from outside, through `load_robot`.
+// Joint positions set by the caller, through `load_robot`.
 #include <cmath>
 #include <map>
 

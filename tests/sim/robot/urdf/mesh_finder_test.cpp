@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// src/my_repo/robots/a.urdf; package my_pkg in a folder of another name; other_pkg beside.
+/// src/my_repo/robots/a.urdf; package my_pkg in a folder of another name; other_pkg next to it.
 class MeshFinderTest : public RobotFiles {
  protected:
   MeshFinderTest() {

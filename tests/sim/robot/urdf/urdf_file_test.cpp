@@ -1,4 +1,4 @@
-// What is repaired before urdfdom reads a robot, and what is refused.
+// Repairs before urdfdom reads a robot, and rejected files.
 #include "sim/robot/urdf/urdf_file.hpp"
 
 #include <gmock/gmock.h>

@@ -74,7 +74,7 @@ TEST_F(SdfFiles, ChainsTheFramesOfModelLinkAndCollision) {
   EXPECT_TRUE(world.warnings.empty());
 }
 
-/// As turtlebot3_world: a ground plane and lights to be ignored, walls and pillars in one model.
+/// Like turtlebot3_world: ground plane and lights are ignored, walls and pillars are in one model.
 TEST_F(SdfFiles, ReadsAWorldOfPillars) {
   std::string pillars;
   for (int i = 0; i < 9; ++i) {
@@ -107,7 +107,7 @@ TEST_F(SdfFiles, ReadsAWorldOfPillars) {
   EXPECT_NEAR(static_cast<double>(free) * 0.0025, area, 0.07 * area);
 }
 
-/// As aws-robomaker-small-house: models with a model.config and meshes beside them.
+/// Like aws-robomaker-small-house: models with a model.config and meshes.
 TEST_F(SdfFiles, IncludesModelsWithMeshes) {
   put("models/chair/model.config",
       "<model><name>chair</name><sdf version='1.6'>chair.sdf</sdf></model>");
@@ -165,7 +165,7 @@ TEST_F(SdfFiles, SaysWhatItDoesNotTake) {
   EXPECT_THAT(world.warnings[1], testing::HasSubstr("not static, but treated as static: ball"));
 }
 
-/// Sun and ground are on the network in half of all worlds; masses are wrong in the other half.
+/// Many worlds include sun and ground from the network; many have wrong masses.
 TEST_F(SdfFiles, NeedsNeitherSunNorGroundNorMasses) {
   const SdfWorld world = load(
       "<include><uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground "
@@ -266,7 +266,8 @@ TEST_F(SdfFiles, ReadsHundredsOfModels) {
   EXPECT_EQ(load(models).spec.objects.size(), 230U);
 }
 
-/// As 3k_shapes of gz-sim: models over 1.5 km. What cannot be read would be another error.
+/// Like 3k_shapes of gz-sim: models spread over 1.5 km. Reading the models would give another
+/// error.
 TEST_F(SdfFiles, RefusesAWorldOfKilometresBeforeItsModelsAreRead) {
   const std::string model = "<model name='a'><pose>-750 0 0 0 0 0</pose>" + link(kBox) +
                             "</model><model name='hollow'></model>";

@@ -14,7 +14,7 @@ namespace {
 
 using Pixels = std::vector<std::uint16_t>;
 
-/// The bytes of a PNG in one of libpng's simple formats.
+/// A PNG in one of libpng's simple formats.
 std::string png_of(int width, int height, png_uint_32 format, const void* pixels) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
@@ -109,7 +109,7 @@ TEST(Ppm, TakesTheMeanOfTheColours) {
       contains(error_of([] { decode_pgm("P6 1 1 255\nab", "a.ppm"); }), "a.ppm: cut short"));
 }
 
-/// A bitmap of two rows, the lower one first; palette of four greys where `bits` is 8 or less.
+/// A bitmap of two rows, the lower one first; with a palette of four greys if `bits` is at most 8.
 std::string bmp_of(int bits, const std::string& rows, int height = 2) {
   const auto number = [](std::int64_t value, int size) {
     std::string text;
@@ -146,7 +146,7 @@ TEST(Bmp, RefusesWhatIsBroken) {
   EXPECT_TRUE(contains(error_of([&] { decode_bmp_gray(bmp_of(8, beyond), "a.bmp"); }), "palette"));
 }
 
-/// 8 x 8 of one grey.
+/// A JPEG of 8 x 8 pixels of one grey.
 std::string jpeg_of(std::uint8_t gray) {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr errors{};

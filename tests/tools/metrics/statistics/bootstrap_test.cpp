@@ -35,13 +35,14 @@ TEST(Bootstrap, OfALargeSampleIsTheNormalInterval) {
 }
 
 TEST(Bootstrap, BlocksMakeTheIntervalOfASlowSignalAsWideAsItIs) {
-  std::vector<double> slow;  // a hundred values, each ten times: a tenth of the information
+  std::vector<double> slow;  // a hundred values, each repeated ten times: a tenth of the
+                             // information
   for (int i = 0; i < 1000; ++i) slow.push_back((i / 10 * 37) % 100);
   const auto single = bootstrap(slow, {.stream = "test"});
   const auto blocks = bootstrap(slow, {.stream = "test", .block = 10});
   const double narrow = single->mean.high - single->mean.low;
   const double wide = blocks->mean.high - blocks->mean.low;
-  EXPECT_NEAR(wide / narrow, std::sqrt(10.0) * std::sqrt(0.7), 0.5);  // blocks begin anywhere
+  EXPECT_NEAR(wide / narrow, std::sqrt(10.0) * std::sqrt(0.7), 0.5);  // blocks start anywhere
 }
 
 TEST(Bootstrap, IsTheSameAgainAndDiffersByStream) {

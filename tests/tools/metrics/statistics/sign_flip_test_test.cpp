@@ -11,7 +11,7 @@ namespace castaway::testbed {
 namespace {
 
 TEST(SignFlipTest, CountsFlipsByHand) {
-  // Sums of +-1 +-2 +-3: 6, 0, 2, -4, 4, -2, 0, -6; two of eight are as far from 0 as 6.
+  // Sums of +-1 +-2 +-3: 6, 0, 2, -4, 4, -2, 0, -6. Two of eight are as far from 0 as 6.
   EXPECT_DOUBLE_EQ(sign_flip_p_value({1.0, 2.0, 3.0}, "a"), 2.0 / 8.0);
   EXPECT_DOUBLE_EQ(sign_flip_p_value({-1.0, 2.0, 3.0}, "a"), 4.0 / 8.0);
   EXPECT_DOUBLE_EQ(sign_flip_p_value({0.2, 0.2, 0.2, 0.2, 0.2}, "a"), 2.0 / 32.0);
@@ -34,7 +34,7 @@ TEST(SignFlipTest, SamplesWhatIsTooMuchToCount) {
   EXPECT_GT(sign_flip_p_value(std::vector<double>(1000, 1.0), "a"), 0.0);
 }
 
-// Where nothing differs, one in twenty is below 0.05.
+// Under the null hypothesis, one in twenty p-values is below 0.05.
 TEST(SignFlipTest, HoldsItsLevel) {
   localization::Rng rng = localization::substream(1, "differences");
   boost::random::normal_distribution<double> normal;
@@ -52,7 +52,7 @@ TEST(Holm, MultipliesByHowManyAreLeft) {
   const std::vector<double> corrected = holm({0.04, 0.01, 0.03, 0.5});
   EXPECT_DOUBLE_EQ(corrected[1], 0.04);
   EXPECT_DOUBLE_EQ(corrected[2], 0.09);
-  EXPECT_DOUBLE_EQ(corrected[0], 0.09);  // never below that of a smaller one
+  EXPECT_DOUBLE_EQ(corrected[0], 0.09);  // never below the corrected value of a smaller one
   EXPECT_DOUBLE_EQ(corrected[3], 0.5);
   EXPECT_DOUBLE_EQ(holm({0.9, 0.8})[0], 1.0);
   EXPECT_TRUE(holm({}).empty());

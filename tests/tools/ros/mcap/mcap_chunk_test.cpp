@@ -10,7 +10,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// The content of an unpacked chunk of "hello" that claims these.
+/// Content of an uncompressed chunk of "hello" that claims these values.
 std::string chunk(std::uint64_t size, std::uint32_t crc, std::uint64_t packed_size) {
   std::string bytes(16, '\0');
   append_number(bytes, size);

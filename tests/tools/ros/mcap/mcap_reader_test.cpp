@@ -73,7 +73,7 @@ TEST_P(McapReaderOf, ReadsEveryCutAsFarAsItGoes) {
   EXPECT_EQ(most, all.size());
 }
 
-/// A byte turned over is an error or changes what is read; it never crashes.
+/// An inverted byte is an error or changes what is read, but never crashes.
 TEST_P(McapReaderOf, SurvivesEveryByteTurnedOver) {
   const std::string bytes = file_of({GetParam(), 700, "ros2", "x"}, 6);
   for (std::size_t at = 0; at < bytes.size(); ++at) {
@@ -130,7 +130,7 @@ TEST(McapReader, BelievesNoSize) {
   std::string huge;
   append_number(huge, std::uint64_t{1} << 62);
   std::string claims_much = bytes;
-  claims_much.replace(bytes.find("zstd") - 4 - 4 - 8, 8, huge);  // Its unpacked size.
+  claims_much.replace(bytes.find("zstd") - 4 - 4 - 8, 8, huge);  // Its uncompressed size.
   EXPECT_TRUE(
       contains(error_of([&] { read_all(claims_much); }), "a chunk claims 4611686018427387904"));
   std::string long_record = bytes;
@@ -144,8 +144,8 @@ TEST(McapReader, ReadsNoRecordOfGigabytesThatIsThere) {
   write_texts(path, {}, 3);
   const auto size = std::filesystem::file_size(path);
   const std::uint64_t huge = std::uint64_t{6} << 30U;
-  for (const char kind : {'\x04', '\x05', '\x90'}) {  // A channel, a message, one of its own.
-    std::filesystem::resize_file(path, size + huge);  // Sparse: it takes no room.
+  for (const char kind : {'\x04', '\x05', '\x90'}) {  // A channel, a message, a private record.
+    std::filesystem::resize_file(path, size + huge);  // A sparse file takes no space.
     std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
     file.seekp(static_cast<std::streamoff>(kMcapMagic.size()));
     file.put(kind);
@@ -163,8 +163,9 @@ TEST(McapReader, ReadsNoRecordOfGigabytesThatIsThere) {
 }
 
 TEST(McapReader, SaysThatAFileIsOfAnotherKind) {
-  EXPECT_TRUE(contains(error_of([] { reader_of("SQLite format 3"); }), "a.mcap: is no MCAP file"));
-  EXPECT_TRUE(contains(error_of([] { reader_of(""); }), "a.mcap: is no MCAP file"));
+  EXPECT_TRUE(
+      contains(error_of([] { reader_of("SQLite format 3"); }), "a.mcap: is not an MCAP file"));
+  EXPECT_TRUE(contains(error_of([] { reader_of(""); }), "a.mcap: is not an MCAP file"));
   EXPECT_TRUE(contains(error_of([] { McapReader reader("no/such.mcap"); }), "cannot be read"));
 }
 

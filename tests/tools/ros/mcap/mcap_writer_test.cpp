@@ -20,7 +20,7 @@ T number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// Kinds of the records from `begin` up to the closing magic, with where they begin.
+/// Kinds and offsets of the records from `begin` to the closing magic.
 std::vector<std::pair<int, std::size_t>> records_of(const std::string& bytes, std::size_t begin) {
   std::vector<std::pair<int, std::size_t>> records;
   while (begin + 8 < bytes.size()) {
@@ -97,7 +97,8 @@ TEST(McapWriter, KeepsChunksWithinTheirSize) {
   int chunks = 0;
   for (const auto& [kind, at] : records_of(bytes, 8)) {
     if (kind != 0x06) continue;
-    EXPECT_LE(number_at<std::uint64_t>(bytes, at + 9 + 16), 5200U);  // The first holds its schema.
+    EXPECT_LE(number_at<std::uint64_t>(bytes, at + 9 + 16), 5200U);  // The first one includes its
+                                                                     // schema.
     ++chunks;
   }
   EXPECT_GT(chunks, 20);

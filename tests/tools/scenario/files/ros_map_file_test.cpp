@@ -32,7 +32,7 @@ TEST(RosMapFile, ReadsModeAndNegate) {
   EXPECT_EQ(load_ros_map(path).name, "a");
 }
 
-/// As nav2's map_server reads them.
+/// As in nav2's map_server.
 TEST(RosMapFile, ReadsModesInAnyLetterCase) {
   const TemporaryFolder folder;
   folder.put("a.pgm", "P5 2 1 255\n\x32\x80");
@@ -62,7 +62,7 @@ TEST(RosMapFile, NamesTheModeThatIsMeant) {
     });
   };
   EXPECT_TRUE(contains(error("TRINRY"),
-                       "m.yaml:4: mode: 'TRINRY' is no choice here; did you mean 'trinary'"));
+                       "m.yaml:4: mode: 'TRINRY' is not allowed here; did you mean 'trinary'"));
   EXPECT_TRUE(contains(error("Scaled"), "did you mean 'scale'"));
   EXPECT_TRUE(contains(error("RWA"), "'raw'"));
   EXPECT_TRUE(contains(error("binary"), "trinary"));

@@ -15,7 +15,7 @@ std::vector<Expectation> expectations_of(const std::string& yaml) {
   return expectations;
 }
 
-/// Text of what reading throws.
+/// Text of the error.
 std::string refused(const std::string& yaml) {
   try {
     expectations_of(yaml);

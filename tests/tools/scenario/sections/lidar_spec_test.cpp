@@ -20,7 +20,7 @@ std::vector<LidarSpec> read_all(const std::string& text) {
 }
 
 sim::LidarConfig lidar_with(const std::string& settings) {
-  return changed({}, read_all("lidar: {" + settings + "}").back().changes);
+  return apply_changes({}, read_all("lidar: {" + settings + "}").back().changes);
 }
 
 TEST(LidarSpec, WithoutKeysChangesNothing) {
@@ -86,7 +86,7 @@ TEST(LidarSpec, SeveralHaveNamesAndProfiles) {
   EXPECT_EQ(lidars[0].profile, "robot");
   EXPECT_EQ(lidars[1].profile, "tim571");
   EXPECT_EQ(lidars[1].name, "rear");
-  EXPECT_EQ(changed({}, lidars[1].changes).T_base_laser.translation().x(), -0.3);
+  EXPECT_EQ(apply_changes({}, lidars[1].changes).T_base_laser.translation().x(), -0.3);
 }
 
 TEST(LidarSpec, SaysWhatIsWrong) {

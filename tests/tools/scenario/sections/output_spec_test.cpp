@@ -37,7 +37,7 @@ TEST(OutputSpec, TablesComeInTwoKinds) {
   EXPECT_TRUE(outputs_of("outputs: {tables: [csv, hdf5]}").tables_csv);
   EXPECT_TRUE(outputs_of("outputs: {tables: [csv, hdf5]}").tables_hdf5);
   EXPECT_TRUE(contains(output_refusal("outputs: {tables: hdf}"),
-                       "'hdf' is no kind of table; did you mean 'hdf5'?"));
+                       "'hdf' is not a kind of table; did you mean 'hdf5'?"));
 }
 
 TEST(OutputSpec, ReadsAllKeys) {

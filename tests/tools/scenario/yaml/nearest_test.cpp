@@ -21,7 +21,7 @@ TEST(Nearest, FindsTheNearestAndTheFirstOfEqual) {
 TEST(Nearest, SuggestsOrLists) {
   EXPECT_EQ(suggestion("lidr", {"seed", "lidar"}), "did you mean 'lidar'?");
   EXPECT_EQ(suggestion("colour", {"seed", "lidar"}), "nearest is 'lidar'; known are: seed, lidar");
-  EXPECT_EQ(suggestion("x", {}), "nothing is known here");
+  EXPECT_EQ(suggestion("x", {}), "no name is known here");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A scenario with every key that takes a number.
+/// A scenario with every key whose value is a number.
 const char* const kRich = R"(
 duration_s: 2
 stop_after_m: 1
@@ -55,7 +55,7 @@ bool is_number(const std::string& text) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// Paths of all numbers, as `put_value` takes them.
+/// Collects the paths of all numbers, as `put_value` takes them.
 void collect(const YamlNode& node, const std::string& path, std::vector<std::string>& out) {
   const std::string prefix = path.empty() ? "" : path + ".";
   if (node.kind == YamlNode::Kind::kScalar && is_number(node.scalar)) out.push_back(path);
@@ -66,7 +66,7 @@ void collect(const YamlNode& node, const std::string& path, std::vector<std::str
   }
 }
 
-/// What reading says with a number in place of another; empty: it is taken.
+/// Error text for a replaced number; empty if it is accepted.
 std::string refusal(YamlNode root, const std::string& path, const char* value) {
   put_value(root, path, yaml_scalar(value), "a.yaml:1");
   try {

@@ -79,14 +79,14 @@ TEST(YamlReader, ChecksChoices) {
   EXPECT_EQ(error_of([&] {
               (void)doc.root().choice("by", "truth", {"truth", "nobody"});
             }),
-            "f.yaml:1: by: 'trut' is no choice here; did you mean 'truth'?");
+            "f.yaml:1: by: 'trut' is not allowed here; did you mean 'truth'?");
 }
 
 TEST(YamlReader, ReadsNamesWithAndWithoutSettings) {
   YamlDocument doc = document("localizers:\n  - mh_amcl\n  - amcl: {preset: x}\n");
   std::vector<std::string> names;
   for (YamlReader entry : doc.root().list("localizers")) {
-    auto [name, body] = entry.named();
+    auto [name, body] = entry.name_and_body();
     names.push_back(name + "/" + body.get("preset", "default"));
   }
   EXPECT_EQ(names, (std::vector<std::string>{"mh_amcl/default", "amcl/x"}));
@@ -99,7 +99,8 @@ TEST(YamlReader, EmitsTheEffectiveDocument) {
     YamlReader root = from.root();
     (void)root.get("seed", 1);
     (void)root.child("lidar").get("rate_hz", 0.1);
-    for (YamlReader entry : root.list("localizers")) (void)entry.named().second.get("quick", true);
+    for (YamlReader entry : root.list("localizers"))
+      (void)entry.name_and_body().second.get("quick", true);
     (void)root.find("optional");
     from.reject_unknown_keys();
   };

@@ -21,7 +21,7 @@ BagRecording read_files(const std::vector<std::filesystem::path>& files) {
   return read_bag(bag, choose_topics(bag, {}));
 }
 
-/// What a bag with these messages gives.
+/// Reads a bag with these messages.
 BagRecording recording_of(const std::function<void(ForeignBag&)>& fill) {
   const TemporaryFolder folder;
   ForeignBag bag(folder.path() / "a.mcap");
@@ -176,7 +176,7 @@ TEST(BagReading, PutsTheFilesOfABagTogether) {
   EXPECT_EQ(scan_in(recording, 1).scan.stamp, milliseconds(500));
 }
 
-/// A run through our own bag and back.
+/// Writes a run to castaway's own bag and reads it back.
 class OwnBag : public testing::Test {
  protected:
   OwnBag() {
