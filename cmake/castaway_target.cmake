@@ -1,34 +1,19 @@
-# Sources of one folder are compiled together, some at a time: a file's headers cost more than the file. OFF compiles each alone,
-# which shows a missing #include, and is quicker after a small edit.
-option(CASTAWAY_UNITY "Compile sources of one folder together" ON)
-set(CASTAWAY_UNITY_FILES 12 CACHE STRING "Sources that are compiled together, at most")
+# Sources of a target are compiled together, some at a time: headers and their templates cost more than our own code. OFF compiles
+# each source alone, which shows a missing #include, and is quicker after a small edit.
+option(CASTAWAY_UNITY "Compile sources of a target together" ON)
+set(CASTAWAY_UNITY_FILES 40 CACHE STRING "Sources that are compiled together, at most")
 mark_as_advanced(CASTAWAY_UNITY_FILES)
 
-# So many files together take up to 1.2 GB: no more compilers at once than fit into memory.
+# So many files together take up to 2 GB: no more compilers at once than fit into memory.
 if(CASTAWAY_UNITY AND NOT CMAKE_JOB_POOL_COMPILE)
   cmake_host_system_information(RESULT megabytes QUERY TOTAL_PHYSICAL_MEMORY)
-  math(EXPR compilers "${megabytes} / 1500")
+  math(EXPR compilers "${megabytes} / 2500")
   if(compilers LESS 1)
     set(compilers 1)
   endif()
   set_property(GLOBAL APPEND PROPERTY JOB_POOLS compile=${compilers})
   set(CMAKE_JOB_POOL_COMPILE compile)
 endif()
-
-# Groups the sources of a target by their folder, CASTAWAY_UNITY_FILES to a group.
-function(castaway_group_sources name)
-  get_target_property(sources ${name} SOURCES)
-  foreach(source IN LISTS sources)
-    if(source MATCHES "\\.cpp$" AND NOT IS_ABSOLUTE ${source})
-      cmake_path(GET source PARENT_PATH folder)
-      string(MAKE_C_IDENTIFIER "in_${folder}" key)
-      math(EXPR number "0${count_${key}} / ${CASTAWAY_UNITY_FILES}")
-      math(EXPR count_${key} "0${count_${key}} + 1")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${key}_${number}")
-    endif()
-  endforeach()
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-endfunction()
 
 # Options of every target of ours: warnings, bit-reproducible floating point, includes from the root.
 function(castaway_target name)
@@ -41,6 +26,6 @@ function(castaway_target name)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 raises it falsely on concatenated strings (GCC bug 105651)...
     $<$<CONFIG:Debug>:-Wno-maybe-uninitialized>)  # ...and this one on std::regex with sanitizers.
   if(CASTAWAY_UNITY)
-    castaway_group_sources(${name})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CASTAWAY_UNITY_FILES})
   endif()
 endfunction()

@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr float kMargin = 1e-3F;  // [m] More than single precision loses within 1 km.
+constexpr float kFloatMargin = 1e-3F;  // [m] More than single precision loses within 1 km.
 constexpr int kNobody = -1;
 
 /// A disc about the mean centre of all parts that covers them.
@@ -61,7 +61,7 @@ MovingScene::MovingScene(std::vector<MovingBody> bodies) : bodies_(std::move(bod
     const auto lane = static_cast<Eigen::Index>(i % kWidth);
     discs.x[lane] = static_cast<float>(center.x());
     discs.y[lane] = static_cast<float>(center.y());
-    discs.radius[lane] = static_cast<float>(radius) + kMargin;
+    discs.radius[lane] = static_cast<float>(radius) + kFloatMargin;
   }
 }
 
@@ -81,7 +81,7 @@ std::optional<RayHit> MovingScene::cast(const Ray& ray, double max_distance) con
   const Walk walk(ray);
   RayHit nearest{max_distance, kNobody, kNoPrimitive};
   for (std::size_t block = 0; block < discs_.size(); ++block) {
-    const float limit = static_cast<float>(std::min(nearest.distance, 1e30)) + kMargin;
+    const float limit = static_cast<float>(std::min(nearest.distance, 1e30)) + kFloatMargin;
     const Lanes overlap = walk.overlap(discs_[block], limit);
     if (overlap.maxCoeff() < 0.0F) continue;
     const std::size_t first = block * kWidth;

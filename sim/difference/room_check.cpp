@@ -14,14 +14,14 @@ constexpr double kGap = 0.03;        // [m] Least distance between two objects.
 constexpr double kRouteRoom = 0.45;  // [m] Kept free on each side of a route.
 constexpr double kStartRoom = 0.6;   // [m]
 constexpr double kDoorRoom = 0.8;    // [m] Kept free around the middle of an opening.
-constexpr double kStep = 0.05;       // [m] Between points of routes.
+constexpr double kRouteStep = 0.05;  // [m] Between points of routes.
 
 std::vector<Eigen::Vector2d> points_along(const std::vector<Eigen::Vector2d>& route) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < route.size(); ++i) {
     const Eigen::Vector2d& from = route[i];
     const Eigen::Vector2d& to = route[(i + 1) % route.size()];
-    const int steps = cell_index(std::ceil((to - from).norm() / kStep));
+    const int steps = cell_index(std::ceil((to - from).norm() / kRouteStep));
     for (int k = 0; k < steps; ++k) points.emplace_back(from + (to - from) * k / steps);
   }
   return points;

@@ -8,7 +8,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kMargin = 1e-6;  // [m] For rounding.
+constexpr double kRoundingMargin = 1e-6;  // [m] For rounding.
 
 }  // namespace
 
@@ -28,7 +28,7 @@ RayScene level_scene(const WorldSpec& world, double z) {
   std::vector<RayPrimitive> primitives = ray_primitives(world);
   std::erase_if(primitives, [z](const RayPrimitive& primitive) {
     const Eigen::AlignedBox3d box = bounds(primitive);
-    return box.min().z() > z + kMargin || box.max().z() < z - kMargin;
+    return box.min().z() > z + kRoundingMargin || box.max().z() < z - kRoundingMargin;
   });
   return RayScene(std::move(primitives));
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kRemembered = std::chrono::seconds(1);
 constexpr auto kTwistOver = std::chrono::milliseconds(50);
-constexpr double kFloor = 0.03;  // [m] End points below this height hit the floor.
+constexpr double kFloorHits = 0.03;  // [m] End points below this height hit the floor.
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void LiveScan::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
     const double range = scan.ranges[i];
     if (!std::isfinite(range)) continue;
     const Eigen::Vector3d p_base = beam_point(lidar, i, range);
-    if (p_base.z() <= kFloor) continue;
+    if (p_base.z() <= kFloorHits) continue;
     const auto stamp = scan.stamp + scan.time_increment * static_cast<std::int64_t>(i % columns);
     points.push_back({odometry_at(stamp) * Eigen::Vector2d(p_base.head<2>()), stamp});
   }

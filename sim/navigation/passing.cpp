@@ -7,8 +7,8 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kStep = 0.1;     // [m] Between the offsets tried.
-constexpr int kPassingSteps = 9;  // Offsets tried on each side.
+constexpr double kOffsetStep = 0.1;  // [m] Between the offsets tried.
+constexpr int kPassingSteps = 9;     // Offsets tried on each side.
 // Cost of each metre from the offset it would choose without people.
 constexpr double kAsideCost = 0.3;
 constexpr double kChangeCost = 0.1;  // Cost of each metre from the offset chosen last.
@@ -142,7 +142,7 @@ Eigen::Vector2d Passing::choose_target(const Lane& lane, double speed,
   double least = std::numeric_limits<double>::infinity();
   double chosen = 0.0;
   for (int i = -kPassingSteps; i <= kPassingSteps; ++i) {
-    const double offset = kStep * i;
+    const double offset = kOffsetStep * i;
     if (i != 0 && room(offset) < kLeastRoom) continue;
     const double cost = kAsideCost * std::abs(offset - own) + change * std::abs(offset - offset_) +
                         kCrowdedCost * missing_room(offset, lane, pace, movers);

@@ -22,10 +22,10 @@ constexpr StepIndex step_index(int dx, int dy) {
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 /// A cell on the frontier; ordered by estimated cost, then by cell.
-struct Candidate {
+struct OpenCell {
   float estimate = 0.0F;
   std::size_t cell = 0;
-  bool operator>(const Candidate& other) const {
+  bool operator>(const OpenCell& other) const {
     return estimate != other.estimate ? estimate > other.estimate : cell > other.cell;
   }
 };
@@ -43,7 +43,7 @@ class AStar {
   bool run(CellIndex start) {
     reach(start, kStay, 0.0F);
     while (!open_.empty()) {
-      const Candidate best = open_.top();
+      const OpenCell best = open_.top();
       open_.pop();
       const CellIndex cell = cell_at_index(best.cell);
       if (cell == goal_) return true;
@@ -114,7 +114,7 @@ class AStar {
   PlannerConfig config_;
   std::vector<float> cost_;
   std::vector<StepIndex> came_by_;  ///< The step into each cell.
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
+  std::priority_queue<OpenCell, std::vector<OpenCell>, std::greater<>> open_;
 };
 
 }  // namespace

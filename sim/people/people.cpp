@@ -15,8 +15,8 @@ namespace {
 constexpr int kPlaces = 16;     // Places to walk to.
 constexpr int kLookEvery = 4;   // [steps] Between updates of waypoints and of who sees the robot.
 constexpr double kSight = 5.0;  // [m] People farther away do not react to the robot.
-constexpr double kTurnRate = 4.0;  // [rad/s]
-constexpr double kHitGap = 0.5;    // [s] Touches closer in time are one hit.
+constexpr double kPersonTurnRate = 4.0;  // [rad/s]
+constexpr double kHitGap = 0.5;          // [s] Touches closer in time are one hit.
 constexpr double kInCrowd = 0.25;  // Share of the social force that is left among crowd members.
 
 GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
@@ -105,7 +105,7 @@ Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool av
 
 void People::turn(std::size_t index, double wanted_heading) {
   PersonState& state = agents_[index].state;
-  const double most = kTurnRate * kPeriod;
+  const double most = kPersonTurnRate * kPeriod;
   const double error = wrap_angle(wanted_heading - state.heading);
   state.heading = wrap_angle(state.heading + std::clamp(error, -most, most));
 }

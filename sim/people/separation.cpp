@@ -12,10 +12,10 @@ constexpr double kSeparationFromRobot = 0.08;  // [m] Distance that people keep 
 constexpr double kGiveWay = 0.02;  // [m] Largest step back from the robot in one period: 0.4 m/s.
 // [m] Least distance from the middle of a foot to the robot.
 constexpr double kSeparationOfFeet = 0.18;
-constexpr double kAside = 0.1;      // [m] Distance from a robot that was just put down.
-constexpr int kAsideWays = 16;      // Directions tried when stepping aside.
-constexpr int kAsideRings = 8;      // Rings tried, one after the other.
-constexpr double kAsideRing = 0.2;  // [m] Between two rings.
+constexpr double kPutDownOffset = 0.1;  // [m] Distance from a robot that was just put down.
+constexpr int kAsideWays = 16;          // Directions tried when stepping aside.
+constexpr int kAsideRings = 8;          // Rings tried, one after the other.
+constexpr double kAsideRing = 0.2;      // [m] Between two rings.
 
 Eigen::Vector2d shorten(const Eigen::Vector2d& v, double most) {
   const double length = v.norm();
@@ -91,7 +91,7 @@ void keep_feet_off(const RobotBody& robot, PersonState& state) {
 }
 
 bool stands_close(const RobotBody& robot, const Agent& agent) {
-  return distance_to(robot, agent.state.position).distance < agent.body.radius + kAside;
+  return distance_to(robot, agent.state.position).distance < agent.body.radius + kPutDownOffset;
 }
 
 std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBody& robot,
@@ -105,7 +105,7 @@ std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBo
     const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
     const double distance = kAsideRing * (k / kAsideWays + 1);
     const Eigen::Vector2d p = from + distance * heading_vector(angle);
-    const bool clear = distance_to(robot, p).distance >= agent.body.radius + kAside;
+    const bool clear = distance_to(robot, p).distance >= agent.body.radius + kPutDownOffset;
     if (clear && space.clear(from, p)) return p;
   }
   return std::nullopt;

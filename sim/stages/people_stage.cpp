@@ -13,8 +13,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds kStep = milliseconds(50);   // As `People::kPeriod`.
-constexpr nanoseconds kScene = milliseconds(10);  // Legs move 2 cm in this time.
+constexpr nanoseconds kPeopleStep = milliseconds(50);  // As `People::kPeriod`.
+constexpr nanoseconds kScene = milliseconds(10);       // Legs move 2 cm in this time.
 constexpr nanoseconds kCrowd = milliseconds(500);
 constexpr int kPatience = 60;  // Calls of `yield_to_people` for which the robot waits first: 3 s.
 constexpr int kLongestPatience = 480;  // The wait doubles each time in a throng, up to 24 s.
@@ -57,7 +57,7 @@ void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen:
     people_->gather(robot_, standing);
   }
   if (now >= next_step_) {
-    next_step_ += kStep;
+    next_step_ += kPeopleStep;
     people_->step(robot_);
     hits_.insert(hits_.end(), people_->hits().begin(), people_->hits().end());
   }
@@ -68,8 +68,8 @@ void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen:
 }
 
 double PeopleStage::fraction(nanoseconds stamp) const {
-  const double past = static_cast<double>((stamp - (next_step_ - kStep)).count());
-  return std::clamp(past / static_cast<double>(kStep.count()), 0.0, 1.0);
+  const double past = static_cast<double>((stamp - (next_step_ - kPeopleStep)).count());
+  return std::clamp(past / static_cast<double>(kPeopleStep.count()), 0.0, 1.0);
 }
 
 void PeopleStage::on_kidnap(const Pose2& T_map_base) {

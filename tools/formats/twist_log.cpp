@@ -31,7 +31,7 @@ bool parse(std::string_view line, std::array<double, 3>& numbers) {
   return at == end;
 }
 
-std::string_view trim(std::string_view line) {
+std::string_view trim_end(std::string_view line) {
   const auto last = line.find_last_not_of(" \t\r");
   return last == std::string_view::npos ? std::string_view() : line.substr(0, last + 1);
 }
@@ -44,7 +44,7 @@ std::vector<TwistLine> read_twist_log(const std::filesystem::path& path) {
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
-    const std::string_view line = trim(text);
+    const std::string_view line = trim_end(text);
     if (line.empty() || line.front() == '#' || line == kHeader) continue;
     const auto fail = [&](const char* what) {
       throw std::runtime_error(fmt::format("{}:{}: {}", path.string(), number, what));

@@ -17,8 +17,8 @@ namespace {
 
 using localization::Rng;
 
-const std::vector<std::string> kKinds{"choice", "integer", "log_uniform",
-                                      "normal", "uniform", "value"};
+const std::vector<std::string> kDistributions{"choice", "integer", "log_uniform",
+                                              "normal", "uniform", "value"};
 
 Draw read_choice(YamlReader& map) {
   ChoiceDraw choice;
@@ -71,8 +71,9 @@ std::string kind_of(YamlReader& map) {
   std::string kind;
   for (auto& [key, value] : map.entries()) {
     if (key == "weights") continue;
-    if (std::find(kKinds.begin(), kKinds.end(), key) == kKinds.end()) {
-      value.fail(fmt::format("'{}' is not a known distribution; {}", key, suggestion(key, kKinds)));
+    if (std::find(kDistributions.begin(), kDistributions.end(), key) == kDistributions.end()) {
+      value.fail(fmt::format("'{}' is not a known distribution; {}", key,
+                             suggestion(key, kDistributions)));
     }
     if (!kind.empty()) map.fail(fmt::format("'{}' and '{}': give one of them", kind, key));
     kind = key;

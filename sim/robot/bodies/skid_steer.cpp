@@ -12,20 +12,20 @@
 namespace castaway::sim {
 namespace {
 
-constexpr std::chrono::nanoseconds kStep = std::chrono::milliseconds(2);
+constexpr std::chrono::nanoseconds kTrialStep = std::chrono::milliseconds(2);
 constexpr int kSettleSteps = 1000;
 constexpr int kTurnSteps = 1000;
-constexpr double kTurnRate = 0.5;  // [rad/s]
-constexpr double kFloor = 20.0;    // [m]
-constexpr double kReserve = 1.2;   // Factor of the torque over friction.
-constexpr double kAside = 0.01;    // [m] A smaller offset is not corrected.
+constexpr double kTrialTurnRate = 0.5;  // [rad/s]
+constexpr double kTrialFloor = 20.0;    // [m]
+constexpr double kReserve = 1.2;        // Factor of the torque over friction.
+constexpr double kLeastOffset = 0.01;   // [m] A smaller offset is not corrected.
 // Largest ratio of measured and ideal track; above it the robot does not turn.
 constexpr double kLargestRatio = 10.0;
 
 WorldSpec bare_floor() {
   WorldSpec world;
-  world.min_corner = Eigen::Vector2d::Constant(-0.5 * kFloor);
-  world.max_corner = Eigen::Vector2d::Constant(0.5 * kFloor);
+  world.min_corner = Eigen::Vector2d::Constant(-0.5 * kTrialFloor);
+  world.max_corner = Eigen::Vector2d::Constant(0.5 * kTrialFloor);
   return world;
 }
 
@@ -67,8 +67,8 @@ void remove_low_effort_limits(RobotModel& robot) {
 }
 
 SkidTurn measure_skid_turn(const RobotModel& robot) {
-  RobotPhysics physics(bare_floor(), robot, {}, {1.0, kTurnRate, 1.0, 1.0}, kStep);
-  physics.set_command({0.0, kTurnRate});
+  RobotPhysics physics(bare_floor(), robot, {}, {1.0, kTrialTurnRate, 1.0, 1.0}, kTrialStep);
+  physics.set_command({0.0, kTrialTurnRate});
   for (int i = 0; i < kSettleSteps; ++i) physics.step();
   const RobotState before = physics.state();
   for (int i = 0; i < kTurnSteps; ++i) physics.step();
@@ -82,7 +82,7 @@ SkidTurn measure_skid_turn(const RobotModel& robot) {
   if (!sound) return {robot.track, robot.p_base_axle.y()};
   const double y = pivot(to_planar(before.T_map_base), to_planar(after.T_map_base)).y();
   const double aside = std::abs(y - robot.p_base_axle.y());
-  const bool matters = aside > kAside && aside < 0.5 * robot.wheel_separation;
+  const bool matters = aside > kLeastOffset && aside < 0.5 * robot.wheel_separation;
   return {track, matters ? y : robot.p_base_axle.y()};
 }
 

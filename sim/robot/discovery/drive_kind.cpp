@@ -9,9 +9,9 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kUpright = 0.9;     // Cosine of the angle to an axis.
-constexpr double kSameHeight = 0.5;  // Share of a wheel's radius.
-constexpr double kAside = 0.05;      // [m]
+constexpr double kUpright = 0.9;      // Cosine of the angle to an axis.
+constexpr double kSameHeight = 0.5;   // Share of a wheel's radius.
+constexpr double kBesideAxis = 0.05;  // [m]
 
 const char* const kSteered = "steered wheels";
 
@@ -96,8 +96,8 @@ bool any_steered(const UrdfFile& file, const LinkFrames& frames,
     named += holds(names, "wheel") || holds(names, "tire") ? 1 : 0;
     if (!turns_as_wheel(*joint, frames, wheels)) continue;
     const double y = frames.at(joint->child_link_name).translation().y();
-    left = left || y > kAside;
-    right = right || y < -kAside;
+    left = left || y > kBesideAxis;
+    right = right || y < -kBesideAxis;
   }
   return named >= 2 || (left && right);
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr int kCirclePoints = 24;
 constexpr int kSphereRings = 7;
 
-void add_ring(double radius, double z, std::vector<Eigen::Vector3d>& points) {
+void add_ring_points(double radius, double z, std::vector<Eigen::Vector3d>& points) {
   for (int i = 0; i < kCirclePoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kCirclePoints;
     points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
@@ -30,8 +30,8 @@ std::vector<Eigen::Vector3d> local_points(const BoxShape& box) {
 
 std::vector<Eigen::Vector3d> local_points(const CylinderShape& cylinder) {
   std::vector<Eigen::Vector3d> points;
-  add_ring(cylinder.radius, -0.5 * cylinder.height, points);
-  add_ring(cylinder.radius, 0.5 * cylinder.height, points);
+  add_ring_points(cylinder.radius, -0.5 * cylinder.height, points);
+  add_ring_points(cylinder.radius, 0.5 * cylinder.height, points);
   return points;
 }
 
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> local_points(const SphereShape& sphere) {
   std::vector<Eigen::Vector3d> points{{0.0, 0.0, sphere.radius}, {0.0, 0.0, -sphere.radius}};
   for (int ring = 1; ring <= kSphereRings; ++ring) {
     const double polar = std::numbers::pi * ring / (kSphereRings + 1);
-    add_ring(sphere.radius * std::sin(polar), sphere.radius * std::cos(polar), points);
+    add_ring_points(sphere.radius * std::sin(polar), sphere.radius * std::cos(polar), points);
   }
   return points;
 }

@@ -74,7 +74,7 @@ fs::path find_world(const std::string& text, const fs::path& base) {
 }
 
 fs::path find_scenario(const std::string& text, const fs::path& base) {
-  const fs::path name_and_body(text);
+  const fs::path named(text);
   const fs::path shipped =
       shipped_scenarios(named.parent_path()) / (named.filename().string() + ".yaml");
   for (const fs::path& candidate : {named, base / named, shipped}) {

@@ -13,7 +13,7 @@ using sim::KidnapTrigger;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-const std::vector<std::pair<std::string, KidnapKind>> kKinds{
+const std::vector<std::pair<std::string, KidnapKind>> kKidnapKinds{
     {"teleport", KidnapKind::kTeleportRandom},
     {"look_alike", KidnapKind::kLookAlike},
     {"nudge", KidnapKind::kNudge},
@@ -103,7 +103,7 @@ void turn_field(Settings& settings, sim::KidnapSpec& kidnap) {
 
 void fields(Settings settings, sim::KidnapSpec& kidnap) {
   const bool all = settings.describes();
-  settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kKinds);
+  settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kKidnapKinds);
   const KidnapKind kind = kidnap.kind;
   trigger_fields(settings, kidnap.when);
   const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin;
