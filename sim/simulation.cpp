@@ -93,7 +93,7 @@ struct Simulation::State {
 Simulation::State::State(SimulationConfig configuration, SimulationStreams random_streams,
                          CpuClock clock)
     : config(std::move(configuration)),
-      streams(random_streams),
+      streams(std::move(random_streams)),
       cpu_clock(std::move(clock)),
       step(period_of(config.physics_hz, "physics_hz")),
       grid(drive_grid(config)),
@@ -211,7 +211,8 @@ void Simulation::State::run_step() {
 }
 
 Simulation::Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock)
-    : state_(std::make_unique<State>(std::move(config), streams, std::move(cpu_clock))) {}
+    : state_(std::make_unique<State>(std::move(config), std::move(streams), std::move(cpu_clock))) {
+}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -40,7 +40,7 @@ double cycles_per_second(const PersonState& state) {
 Eigen::Vector2d with_room(const WalkSpace& space, const PersonState& state,
                           const Eigen::Vector2d& offset) {
   for (const double share : {1.0, 0.75, 0.5, 0.25}) {
-    const Eigen::Vector2d foot = state.position + share * offset;
+    Eigen::Vector2d foot = state.position + share * offset;
     if (space.wall(foot).distance >= kFootRoom) return foot;
   }
   return state.position;

@@ -74,7 +74,8 @@ GoalFields::GoalFields(const WalkSpace& space, int places, Rng& rng)
 
 Eigen::Vector2d GoalFields::center(Index cell) const {
   const auto width = static_cast<Index>(grid_.width);
-  return grid_.origin + cell_axes_ * Eigen::Vector2d(cell % width + 0.5, cell / width + 0.5);
+  const Index row = cell / width;
+  return grid_.origin + cell_axes_ * Eigen::Vector2d(cell % width + 0.5, row + 0.5);
 }
 
 /// The free cell at a point, or the nearest one within two cells.
@@ -194,7 +195,7 @@ Eigen::Vector2d GoalFields::ahead(std::size_t place, const Eigen::Vector2d& p_ma
     if (next != kNoStep) cell = neighbour(cell, next);
   }
   for (const int look : kLooks) {
-    const Eigen::Vector2d p = center(path[static_cast<std::size_t>(look)]);
+    Eigen::Vector2d p = center(path[static_cast<std::size_t>(look)]);
     if (space_.clear(p_map, p)) return p;
   }
   return center(path[1]);

@@ -92,8 +92,7 @@ Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool av
   const Agent& agent = agents_[index];
   const Eigen::Vector2d& p = agent.state.position;
   const WallDistance wall = space_.wall(p);
-  const Eigen::Vector2d walls =
-      obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
+  Eigen::Vector2d walls = obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
   if (!avoids_robot) return walls;
   if (agent.behaviour == Behaviour::kImpassive) {
     const OutlineDistance outline = distance_to(robot, p);

@@ -103,7 +103,8 @@ std::optional<Eigen::Vector2d> place_aside(const WalkSpace& space, const RobotBo
   for (int k = 0; k < kAsideRings * kAsideWays; ++k) {
     const int turn = (k % kAsideWays + 1) / 2 * (k % 2 == 0 ? 1 : -1);
     const double angle = outwards + 2.0 * std::numbers::pi * turn / kAsideWays;
-    const double distance = kAsideRing * (k / kAsideWays + 1);
+    const int ring = k / kAsideWays + 1;
+    const double distance = kAsideRing * ring;
     const Eigen::Vector2d p = from + distance * heading_vector(angle);
     const bool clear = distance_to(robot, p).distance >= agent.body.radius + kPutDownOffset;
     if (clear && space.clear(from, p)) return p;

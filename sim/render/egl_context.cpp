@@ -57,11 +57,13 @@ EglContext::~EglContext() {
   // No eglTerminate: the display belongs to the process, and other contexts may use it.
 }
 
+bool EglContext::try_make_current() const noexcept {
+  return eglGetCurrentContext() == context_ ||
+         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+}
+
 void EglContext::make_current() const {
-  if (eglGetCurrentContext() == context_) return;
-  if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
-    fail("eglMakeCurrent");
-  }
+  if (!try_make_current()) fail("eglMakeCurrent");
 }
 
 std::string EglContext::renderer_name() const {

@@ -17,6 +17,8 @@ class EglContext {
 
   /// Makes the context current on this thread.
   void make_current() const;
+  /// Does the same for destructors; false if it fails.
+  [[nodiscard]] bool try_make_current() const noexcept;
   /// GL_RENDERER.
   [[nodiscard]] std::string renderer_name() const;
 

@@ -55,7 +55,7 @@ struct Renderer::Impl {
         overlays(kOverlayVertexShader, kOverlayFragmentShader),
         labels(width, height) {}
 
-  ~Impl() { context.make_current(); }
+  ~Impl() { static_cast<void>(context.try_make_current()); }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 

@@ -52,7 +52,7 @@ std::optional<std::string> key_of(const fs::path& path) {
                      extension, folder);
 }
 
-std::string without(std::string text, const std::string& path) {
+std::string without(const std::string& text, const std::string& path) {
   return text.starts_with(path) ? text.substr(path.size()) : ": " + text;
 }
 

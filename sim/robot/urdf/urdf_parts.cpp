@@ -23,7 +23,7 @@ Eigen::Vector3d to_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 /// The solid box with the link's mass and inertia; a small cube if its density is implausible,
 /// because the values are made up.
 BoxShape inertia_box(const urdf::Link& link) {
-  const BoxShape cube{Eigen::Vector3d::Constant(kDefaultEdge)};
+  BoxShape cube{Eigen::Vector3d::Constant(kDefaultEdge)};
   if (!link.inertial || link.inertial->mass <= 0.0) return cube;
   const Eigen::Vector3d moments(link.inertial->ixx, link.inertial->iyy, link.inertial->izz);
   BoxShape box = cube;
