@@ -46,7 +46,7 @@ void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
 
 void MhAmcl::on_odometry(const Odometry& odometry) {
   const OdometryTurn turn = input_.take(odometry);
-  if (turn.restarted) {  // the populations stay where they are
+  if (turn.restarted) {  // The populations keep their poses.
     posterior_.forget_motion();
     search_.cancel();
     schedule_.restart_clock();
@@ -65,7 +65,7 @@ void MhAmcl::on_scan(const LaserScan& scan) {
                           lost_and_found_.is_lost(), scan.stamp, input_.T_now_base(scan.stamp));
 }
 
-/// One scan through the paper's phases.
+/// Processes one scan in the phases of the paper.
 void MhAmcl::take_scan(const ScanTurn& scan) {
   timer_.measure("correct", [&] {
     for (Hypothesis& hypothesis : populations_.all) filter_.correct(hypothesis, scan.points);
@@ -96,7 +96,7 @@ void MhAmcl::predict(const std::optional<SE2>& step) {
   });
 }
 
-/// Lists a place near by where the scan fits better than at the output, should that suddenly fit
+/// Creates a population at a nearby place where the scan fits better, if the output suddenly fits
 /// badly.
 void MhAmcl::rescue(const ScanPoints& points) {
   const Hypothesis* output = populations_.output();
@@ -113,7 +113,7 @@ void MhAmcl::merge() {
   select();
 }
 
-/// Goes on searching the map; once that is complete, places where the scan fits become populations.
+/// Continues the search of the map; once it is complete, creates populations where the scan fits.
 void MhAmcl::create(const ScanTurn& scan) {
   const int before = populations_.output_id;
   schedule_.begin(scan.now, scan.T_odom_base, !search_.is_pending());
@@ -136,13 +136,13 @@ void MhAmcl::list(const std::vector<WeighedPlace>& places, const ScanPoints& poi
   }
 }
 
-/// Learns what is usual while the output is confident: once a scan, however often one is selected.
+/// Learns the usual likelihood while the output is confident; once per scan.
 void MhAmcl::learn() {
   const Hypothesis* output = populations_.output();
   if (output != nullptr && is_confident()) posterior_.learn(output->log_likelihood);
 }
 
-/// Selects the output, and tells the alarm and the schedule of matches.
+/// Selects the output, and updates the alarm and the schedule of searches.
 void MhAmcl::select() {
   const auto selected =
       localization::select(populations_.all, populations_.output_id, config_.select_margin);

@@ -11,8 +11,8 @@ void ScanLog::start() {
 }
 
 const ScanMemory& ScanLog::add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                               double unlisted) {
-  ScanMemory scan{points, T_odom_base, 1.0, listed, unlisted, 0.0};
+                               double null) {
+  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0};
   if (!scans_.empty()) {
     const ScanMemory& before = scans_.back();
     scan.independence = independence(posterior_, distance(before.T_odom_base, T_odom_base),

@@ -3,32 +3,33 @@
 
 #include <optional>
 
+#include "localization/hypotheses/null_hypothesis.hpp"
 #include "localization/hypotheses/scan_history.hpp"
-#include "localization/hypotheses/unlisted.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 
 namespace castaway::localization {
 
-/// Keeps scans and the cue of a kidnap in them.
+/// Stores scans, and the evidence for kidnaps between them.
 class ScanLog {
  public:
-  /// Keeps at most `most` scans.
+  /// Stores at most `most` scans.
   ScanLog(const PosteriorConfig& posterior, const ScanAgreementConfig& agreement, int most)
       : posterior_(posterior), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
 
-  /// Begins anew.
+  /// Removes all scans and the recent cue.
   void start();
-  /// Forgets the scans: odometry does not lead back to them any more.
+  /// Removes all scans, because odometry is not continuous with them any more.
   void forget_motion() { scans_.clear(); }
-  /// Adds a scan and says how much of it is new and whether it agrees with the one before.
-  /// `listed` and `unlisted`: logs of the masses before it.
+  /// Adds a scan. Returns it with its independence and kidnap cue relative to the previous one.
+  /// `listed` and `null` are the log-weights of all hypotheses and of the null hypothesis before
+  /// the scan.
   const ScanMemory& add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                        double unlisted);
+                        double null);
 
   [[nodiscard]] const ScanHistory& scans() const { return scans_; }
   /// Odometry at the newest scan, if any.
   [[nodiscard]] std::optional<SE2> T_odom_base() const;
-  /// The highest cue of a kidnap lately: it fades by a nat per new scan.
+  /// [nats] The highest recent kidnap cue; it decays by 1 per new scan.
   [[nodiscard]] double recent_cue() const { return recent_cue_; }
 
  private:

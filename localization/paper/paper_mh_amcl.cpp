@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Shares by quality: the paper knows no place that is not listed.
+/// Shares by quality; the paper has no null hypothesis.
 std::vector<double> shares_of(const Populations& populations) {
   return shares(populations.all, {.log_weight = -std::numeric_limits<double>::infinity()});
 }
@@ -42,7 +42,7 @@ void PaperMhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
 
 void PaperMhAmcl::on_odometry(const Odometry& odometry) {
   const OdometryTurn turn = input_.take(odometry);
-  if (turn.restarted) {  // the populations stay where they are
+  if (turn.restarted) {  // The populations keep their poses.
     patience_.reset();
     last_match_.reset();
     estimate_.reset();
@@ -60,7 +60,7 @@ void PaperMhAmcl::on_scan(const LaserScan& scan) {
                           input_.T_now_base(scan.stamp));
 }
 
-/// One scan through the paper's phases.
+/// Processes one scan in the phases of the paper.
 void PaperMhAmcl::take_scan(const MatchScan& scan) {
   const Stamp now = scan.turn.now;
   timer_.measure("correct", [&] { correct(scan.turn.points); });
@@ -94,7 +94,7 @@ void PaperMhAmcl::correct(const ScanPoints& points) {
   if (const Hypothesis* output = populations_.output()) populations_.probability = output->quality;
 }
 
-/// New populations where the matcher finds the scan, far from those there are.
+/// Creates populations where the matcher finds the scan, apart from the existing ones.
 void PaperMhAmcl::create(const MatchScan& scan) {
   last_match_ = scan.turn.now;
   const QualityRules& rules = config_.rules;

@@ -17,8 +17,8 @@ std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection&
   return valid;
 }
 
-/// At most `most` of the indices, evenly spread.
-std::vector<std::size_t> thinned(const std::vector<std::size_t>& valid, int most) {
+/// Returns at most `most` of the indices, evenly spread.
+std::vector<std::size_t> thin(const std::vector<std::size_t>& valid, int most) {
   const auto count = static_cast<std::size_t>(most);
   if (valid.size() <= count) return valid;
   std::vector<std::size_t> even(count);
@@ -71,7 +71,7 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
     points.valid_share =
         static_cast<double>(valid.size()) / static_cast<double>(scan.ranges.size());
   }
-  for (const std::size_t i : thinned(valid, selection.max_beams)) {
+  for (const std::size_t i : thin(valid, selection.max_beams)) {
     if (scan.time_increment != Stamp::zero()) {
       const std::optional<SE2> T_odom_beam = T_odom_base.at(scan.beam_stamp(i));
       if (!T_odom_beam) return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
   return points;
 }
 
-ScanPoints thinned(const ScanPoints& points, int count) {
+ScanPoints thin(const ScanPoints& points, int count) {
   const auto most = static_cast<std::size_t>(count);
   if (points.size() <= most) return points;
   ScanPoints even;
@@ -90,7 +90,7 @@ ScanPoints thinned(const ScanPoints& points, int count) {
   return even;
 }
 
-ScanPoints farthest(const ScanPoints& points, double share) {
+ScanPoints farthest_points(const ScanPoints& points, double share) {
   if (points.empty()) return points;
   std::vector<float> ranges = points.range;
   const auto skipped =

@@ -57,7 +57,7 @@ TEST_F(PosteriorTest, RemembersTheMassesBeforeTheScan) {
   std::vector<Hypothesis> all = {at(0, here_, -1.0)};
   posterior_.weigh(points_, {}, 0, all);
   EXPECT_EQ(posterior_.log().scans().back().listed_before, -1.0);
-  EXPECT_EQ(posterior_.log().scans().back().unlisted_before, 0.0);
+  EXPECT_EQ(posterior_.log().scans().back().null_before, 0.0);
   posterior_.forget_motion();
   EXPECT_TRUE(posterior_.log().scans().empty());
 }

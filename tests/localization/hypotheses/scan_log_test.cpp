@@ -21,7 +21,7 @@ TEST_F(ScanLogTest, KeepsTheLastScansAsTheyCame) {
   ASSERT_EQ(log_.scans().size(), 3U);
   EXPECT_EQ(log_.scans().front().T_odom_base.x, 0.2);
   EXPECT_EQ(log_.scans().front().listed_before, -2.0);
-  EXPECT_EQ(log_.scans().front().unlisted_before, -4.0);
+  EXPECT_EQ(log_.scans().front().null_before, -4.0);
   EXPECT_EQ(log_.T_odom_base()->x, 0.4);
   log_.forget_motion();
   EXPECT_FALSE(log_.T_odom_base());

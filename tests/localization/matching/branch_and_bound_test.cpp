@@ -18,7 +18,7 @@ struct Lists {
 Lists search(const test::SearchedMap& map, const ScanPoints& points, int count,
              const std::optional<MatchWindow>& window = {}) {
   const SearchSpace space = map.space(window);
-  const auto scans = map.turned(points, space);
+  const auto scans = map.rotate_scans(points, space);
   BestPlaces best = map.best_places(count);
   score_all(map.pyramid[0], space, scans, best);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(count));
@@ -90,7 +90,8 @@ TEST(BranchAndBound, BoundsAreAdmissibleAtEveryLevel) {
   const OccupancyGrid grid = test::random_room(rng);
   const test::SearchedMap map(grid, 5);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, FreeSpace(grid).sample(rng), 24), space);
+  const auto scans =
+      map.rotate_scans(test::scan_from(grid, FreeSpace(grid).sample(rng), 24), space);
   for (const PooledField& level : map.pyramid) {
     const ScanShifts shifts(level, scans);
     for (std::size_t yaw = 0; yaw < scans.size(); yaw += 7) {
@@ -112,7 +113,7 @@ TEST(BranchAndBound, CanBeStoppedAndGoneOnWith) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound whole(map.pyramid, space, scans, map.best_places(20));
   EXPECT_FALSE(whole.complete());
   EXPECT_TRUE(whole.step(kUnlimited));
@@ -133,7 +134,7 @@ TEST(BranchAndBound, GivesTheBestSoFarWhenItsBudgetIsSpent) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(20));
   EXPECT_FALSE(search.step(1));
   EXPECT_TRUE(search.best().list().empty());  // bounds only
@@ -148,7 +149,7 @@ TEST(BranchAndBound, ScoresAFractionOfTheTiles) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(20));
   search.step(kUnlimited);
   EXPECT_LT(search.tiles_scored(), map.pyramid[0].tile_columns() * map.pyramid[0].tile_rows() *

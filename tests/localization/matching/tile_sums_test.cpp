@@ -12,7 +12,7 @@ TEST(TileSums, EqualTheNaiveLoop) {
   const OccupancyGrid grid = test::random_room(rng);
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {1.5, 1.0, 0.3}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {1.5, 1.0, 0.3}, 24), space);
   const ScanShifts shifts(map.pyramid[0], scans);
   for (std::size_t yaw = 0; yaw < scans.size(); ++yaw) {
     const Tile tile{static_cast<int>(yaw) % map.pyramid[0].tile_columns(),

@@ -1,4 +1,4 @@
-#include "localization/hypotheses/unlisted.hpp"
+#include "localization/hypotheses/null_hypothesis.hpp"
 
 #include <cmath>
 #include <limits>
@@ -34,18 +34,19 @@ TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
   EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
 }
 
-TEST(Shares, SumToOneWithWhatIsUnlisted) {
+TEST(Shares, SumToOneWithTheNullHypothesis) {
   const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
   EXPECT_NEAR(all[0], 0.6, 1e-12);
   EXPECT_NEAR(all[1], 0.3, 1e-12);
 }
 
-TEST(AdvanceUnlisted, AddsKidnapsFromTheListedMass) {
+TEST(AdvanceNull, AddsKidnapsFromTheListedMass) {
   const PosteriorConfig config;
-  Unlisted unlisted{-4.0, -2.0};
-  advance_unlisted(config, 0.5, 3.0, -1.5, unlisted);
-  // An unlisted place scores usual - 6 = -8; the cue makes a kidnap less likely by 1.5.
-  EXPECT_NEAR(unlisted.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
+  NullHypothesis null{-4.0, -2.0};
+  advance_null(config, 0.5, 3.0, -1.5, null);
+  // A place of the null hypothesis scores usual - 6 = -8; the cue makes a kidnap less likely
+  // by 1.5.
+  EXPECT_NEAR(null.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
 }
 
 TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
@@ -66,58 +67,58 @@ TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
 }
 
 TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {
-  Unlisted unlisted{0.0, -3.0, 2.0};
-  learn_usual({}, -1.0, 0.5, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.9);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 2.0);  // Because the output was off by two nats.
-  learn_usual({}, -2.9, 0.5, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 1.9);
+  NullHypothesis null{0.0, -3.0, 2.0};
+  learn_usual({}, -1.0, 0.5, null);
+  EXPECT_DOUBLE_EQ(null.usual, -2.9);
+  EXPECT_DOUBLE_EQ(null.spread, 2.0);  // Because the output was off by two nats.
+  learn_usual({}, -2.9, 0.5, null);
+  EXPECT_DOUBLE_EQ(null.spread, 1.9);
 }
 
 TEST(LearnUsual, LetsOneOddScanCountForLittleOfTheSpread) {
-  Unlisted unlisted{0.0, -1.0, 1.0};
-  learn_usual({}, -21.0, 1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
-  EXPECT_DOUBLE_EQ(unlisted.spread, 1.15);  // As if the output had been off by 2.5 nats.
+  NullHypothesis null{0.0, -1.0, 1.0};
+  learn_usual({}, -21.0, 1.0, null);
+  EXPECT_DOUBLE_EQ(null.usual, -2.0);
+  EXPECT_DOUBLE_EQ(null.spread, 1.15);  // As if the output had been off by 2.5 nats.
 }
 
 TEST(DoubtOutput, MakesAKidnapAsLikelyAsNoneWhereNothingFits) {
-  Unlisted unlisted{-20.0, -8.0};
-  doubt_output({}, -23.9, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -20.0);
-  doubt_output({}, -24.1, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
-  doubt_output({}, -25.0, -3.0, unlisted);  // It never supports the output.
-  EXPECT_DOUBLE_EQ(unlisted.log_weight, -1.0);
+  NullHypothesis null{-20.0, -8.0};
+  doubt_output({}, -23.9, -1.0, null);
+  EXPECT_DOUBLE_EQ(null.log_weight, -20.0);
+  doubt_output({}, -24.1, -1.0, null);
+  EXPECT_DOUBLE_EQ(null.log_weight, -1.0);
+  doubt_output({}, -25.0, -3.0, null);  // It never supports the output.
+  EXPECT_DOUBLE_EQ(null.log_weight, -1.0);
 }
 
 TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
-  Unlisted unlisted{0.0, -2.0};
-  lower_usual({}, -1.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -2.0);
-  lower_usual({}, -8.0, unlisted);
-  EXPECT_DOUBLE_EQ(unlisted.usual, -3.5);
+  NullHypothesis null{0.0, -2.0};
+  lower_usual({}, -1.0, null);
+  EXPECT_DOUBLE_EQ(null.usual, -2.0);
+  lower_usual({}, -8.0, null);
+  EXPECT_DOUBLE_EQ(null.usual, -3.5);
 }
 
-TEST(BoundUnlisted, HoldsASearchToWhatItCanMiss) {
+TEST(BoundNull, HoldsASearchToWhatItCanMiss) {
   // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
-  Unlisted unlisted{0.0, -2.0};
-  bound_unlisted({}, -2.0, -15.0, unlisted);
-  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
+  NullHypothesis null{0.0, -2.0};
+  bound_null({}, -2.0, -15.0, null);
+  EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
   // Already smaller: nothing changes.
-  bound_unlisted({}, -20.0, -15.0, unlisted);
-  EXPECT_NEAR(unlisted.log_weight, -17.3, 1e-12);
+  bound_null({}, -20.0, -15.0, null);
+  EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
 }
 
-TEST(UnlistedLogLikelihood, HasAFloor) {
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0}), -8.0);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -20.0}), -22.0);
+TEST(NullLogLikelihood, HasAFloor) {
+  EXPECT_DOUBLE_EQ(null_log_likelihood({}, {0.0, -2.0}), -8.0);
+  EXPECT_DOUBLE_EQ(null_log_likelihood({}, {0.0, -20.0}), -22.0);
 }
 
-TEST(UnlistedLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 5.0}), -8.0);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 1.5}), -6.5);
-  EXPECT_DOUBLE_EQ(unlisted_log_likelihood({}, {0.0, -2.0, 0.1}), -5.0);
+TEST(NullLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
+  EXPECT_DOUBLE_EQ(null_log_likelihood({}, {0.0, -2.0, 5.0}), -8.0);
+  EXPECT_DOUBLE_EQ(null_log_likelihood({}, {0.0, -2.0, 1.5}), -6.5);
+  EXPECT_DOUBLE_EQ(null_log_likelihood({}, {0.0, -2.0, 0.1}), -5.0);
 }
 
 TEST(IsHopeless, WhereEveryHypothesisIs) {

@@ -1,4 +1,4 @@
-#include "localization/hypotheses/unlisted.hpp"
+#include "localization/hypotheses/null_hypothesis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,15 @@ double log_sum_exp(const std::vector<double>& values) {
   return top + std::log(sum);
 }
 
-double unlisted_log_likelihood(const PosteriorConfig& config, const Unlisted& unlisted) {
+double null_log_likelihood(const PosteriorConfig& config, const NullHypothesis& null) {
   const double drop =
-      std::clamp(config.drop_per_spread * unlisted.spread, config.least_drop, config.unlisted_drop);
-  return std::max(unlisted.usual - drop, config.unlisted_minimum);
+      std::clamp(config.drop_per_spread * null.spread, config.least_drop, config.unlisted_drop);
+  return std::max(null.usual - drop, config.unlisted_minimum);
 }
 
 double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement,
                   double new_share) {
-  constexpr double kMoves = 0.5;  // new share from which on a robot is not at rest
+  constexpr double kMoves = 0.5;  // At this new share, the robot is no longer at rest.
   if (!agreement) return 0.0;
   const double rest =
       std::clamp((kMoves - new_share) / (kMoves - config.least_independence), 0.0, 1.0);
@@ -38,36 +38,36 @@ double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& ag
   return std::max(0.0, in_favour) - std::max(0.0, against);
 }
 
-void advance_unlisted(const PosteriorConfig& config, double new_share, double listed_before,
-                      double kidnap_cue, Unlisted& unlisted) {
-  const double l = unlisted_log_likelihood(config, unlisted);
-  unlisted.log_weight = log_sum_exp(
-      {unlisted.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
+void advance_null(const PosteriorConfig& config, double new_share, double listed_before,
+                  double kidnap_cue, NullHypothesis& null) {
+  const double l = null_log_likelihood(config, null);
+  null.log_weight = log_sum_exp(
+      {null.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
 }
 
 void learn_usual(const PosteriorConfig& config, double log_likelihood, double new_share,
-                 Unlisted& unlisted) {
-  const double off = log_likelihood - unlisted.usual;
-  const double counted = std::min(std::abs(off), config.spread_limit * unlisted.spread);
-  unlisted.usual += config.usual_rate * off;
-  unlisted.spread += config.spread_rate * new_share * (counted - unlisted.spread);
+                 NullHypothesis& null) {
+  const double off = log_likelihood - null.usual;
+  const double counted = std::min(std::abs(off), config.spread_limit * null.spread);
+  null.usual += config.usual_rate * off;
+  null.spread += config.spread_rate * new_share * (counted - null.spread);
 }
 
-void lower_usual(const PosteriorConfig& config, double best_found, Unlisted& unlisted) {
-  const double gap = best_found - unlisted.usual;
-  if (gap < 0.0) unlisted.usual += config.usual_match_rate * gap;
+void lower_usual(const PosteriorConfig& config, double best_found, NullHypothesis& null) {
+  const double gap = best_found - null.usual;
+  if (gap < 0.0) null.usual += config.usual_match_rate * gap;
 }
 
 void doubt_output(const PosteriorConfig& config, double log_likelihood, double listed,
-                  Unlisted& unlisted) {
+                  NullHypothesis& null) {
   if (log_likelihood >= config.hopeless) return;
-  unlisted.log_weight = std::max(unlisted.log_weight, listed);
+  null.log_weight = std::max(null.log_weight, listed);
 }
 
-void bound_unlisted(const PosteriorConfig& config, double best_found, double listed,
-                    Unlisted& unlisted) {
+void bound_null(const PosteriorConfig& config, double best_found, double listed,
+                NullHypothesis& null) {
   const double missed = config.missed - config.missed_slope * best_found;
-  unlisted.log_weight = std::min(unlisted.log_weight, listed + missed);
+  null.log_weight = std::min(null.log_weight, listed + missed);
 }
 
 bool is_hopeless(const PosteriorConfig& config, const std::vector<Hypothesis>& hypotheses) {
@@ -81,8 +81,8 @@ double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
   return log_sum_exp(weights);
 }
 
-std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const Unlisted& unlisted) {
-  const double all = log_sum_exp({listed_log_weight(hypotheses), unlisted.log_weight});
+std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const NullHypothesis& null) {
+  const double all = log_sum_exp({listed_log_weight(hypotheses), null.log_weight});
   std::vector<double> result;
   for (const Hypothesis& hypothesis : hypotheses) {
     result.push_back(std::exp(hypothesis.log_weight - all));
