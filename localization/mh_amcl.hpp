@@ -9,14 +9,14 @@
 /// exactly.
 #pragma once
 
-#include "localization/hypotheses/map_search.hpp"
-#include "localization/hypotheses/populations.hpp"
-#include "localization/hypotheses/posterior.hpp"
+#include <optional>
+
+#include "localization/belief.hpp"
+#include "localization/hypotheses/scheduled_search.hpp"
 #include "localization/localizer.hpp"
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl_models.hpp"
 #include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
-#include "localization/tracking_filter.hpp"
 
 namespace castaway::localization {
 
@@ -33,39 +33,15 @@ class MhAmcl final : public Localizer {
   [[nodiscard]] Diagnostics diagnostics() const override;
 
  private:
-  /// Map and models.
-  struct Models {
-    Models(const MhAmclConfig& config, OccupancyGrid grid);
-    Models(const Models&) = delete;  // the models refer to the map
-
-    OccupancyGrid map;
-    DistanceField distances;
-    EndpointModel endpoint;
-    EvidenceModel evidence;
-    CascadeMatcher matcher;
-    CreateContext context;
-  };
   void predict(const std::optional<SE2>& step);
   void take_scan(const ScanTurn& scan);
-  void rescue(const ScanPoints& points);
-  void merge();
   void create(const ScanTurn& scan);
-  void list(const std::vector<WeighedPlace>& places, const ScanPoints& points);
-  void learn();
-  void select();
-  [[nodiscard]] bool is_confident() const;
 
-  MhAmclConfig config_;
-  Models models_;
-  TrackingFilter filter_;
-  StageTimer timer_;
+  MhAmclModels models_;
   SensorInput input_;
-  Spawner spawner_;
-  Populations populations_;
-  Posterior posterior_;
-  PlaceSearch search_;
-  MatchSchedule schedule_;
-  LostAndFound lost_and_found_;
+  Belief belief_;
+  ScheduledSearch search_;
+  StageTimer timer_;
   std::optional<Estimate> estimate_;
 };
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "localization/hypotheses/merge.hpp"
-#include "localization/hypotheses/null_hypothesis.hpp"
+#include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/scan_history.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/matching/refine.hpp"

@@ -1,24 +1,16 @@
 /// The null hypothesis: the robot is at none of the places listed as hypotheses. Confidence and the
 /// alarm follow from its weight.
-///
-/// Scans of a robot that hardly moves repeat each other. Only the share e of a scan
-/// (`independence`) counts as new, but a sudden drop of the likelihood counts at once: `w += L_t -
-/// (1 - e) L_{t-1}`.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
 
 namespace castaway::localization {
 
-/// Parameters of the posterior. Log-likelihoods and weights are in nats. An unlisted place is one
-/// without a hypothesis; the usual log-likelihood is that of a scan at the right pose.
-struct PosteriorConfig {
-  double independent_m = 1.2;        ///< [m] Motion after which a scan is independent.
-  double independent_rad = 0.6;      ///< [rad] Turn after which a scan is independent.
-  double least_independence = 0.15;  ///< Independent share of a scan at rest.
+/// Parameters of the null hypothesis. Log-likelihoods and weights are in nats. An unlisted place is
+/// one without a hypothesis; the usual log-likelihood is that of a scan at the right pose.
+struct NullHypothesisConfig {
   /// Largest difference of the log-likelihood at an unlisted place from the usual one; it applies
   /// if the likelihood of right poses varies much.
   double unlisted_drop = 6.0;
@@ -27,18 +19,11 @@ struct PosteriorConfig {
   double drop_per_spread = 3.0;
   double unlisted_minimum = -22.0;  ///< Lower limit of the log-likelihood at an unlisted place.
   double kidnap = -8.0;             ///< Log-probability of a kidnap from scan to scan.
-  /// Consecutive scans that agree better (`scan_agreement`) are evidence against a kidnap.
-  double agreeing = 0.65;
-  double agreeing_slope = 30.0;  ///< Strength of this evidence, per unit of agreement.
-  /// Reduction of this evidence at rest, where scans of similar places agree as well.
-  double agreeing_at_rest = 6.0;
-  double disagreeing = 0.5;  ///< Consecutive scans that agree worse are evidence for a kidnap.
-  double disagreeing_slope = 8.0;  ///< Strength of this evidence, per unit of agreement.
   /// If the scan at the output is less likely, a kidnap is at least as likely as none.
   double hopeless = -24.0;
   double usual_start = -3.0;  ///< Initial value of the usual log-likelihood.
-  double usual_match_rate =
-      0.25;  ///< Weight in the average of a search that finds nothing as good.
+  /// Weight in the average of a search that finds nothing as good.
+  double usual_match_rate = 0.25;
   /// Log-odds that a global search misses the right place if the best place found fits perfectly.
   double missed = -3.0;
   double missed_slope = 0.35;  ///< Growth of these log-odds per nat that the best place fits worse.
@@ -46,16 +31,7 @@ struct PosteriorConfig {
   double spread_rate = 0.1;    ///< Weight of a scan in the running average of the spread.
   double spread_limit = 2.5;   ///< Largest deviation that counts, as a multiple of the spread.
   double wrong_start = -6.0;   ///< Log-probability that a start pose given by the user is wrong.
-  double place = -15.0;        ///< Log-probability of one place among all unlisted ones.
 };
-
-/// Share of a scan that counts as new after this motion since the previous scan.
-double independence(const PosteriorConfig& config, double moved_m, double turned_rad);
-
-/// Log-odds of a kidnap between two consecutive scans, given their agreement; 0 if that is unknown.
-/// `new_share` is the `independence` of the later scan.
-double kidnap_cue(const PosteriorConfig& config, const std::optional<double>& agreement,
-                  double new_share);
 
 /// Logarithm of the sum of exponentials; -infinity for no values.
 double log_sum_exp(const std::vector<double>& values);
@@ -68,33 +44,33 @@ struct NullHypothesis {
 };
 
 /// Log-likelihood of a scan at an unlisted place.
-double null_log_likelihood(const PosteriorConfig& config, const NullHypothesis& null);
+double null_log_likelihood(const NullHypothesisConfig& config, const NullHypothesis& null);
 
 /// Updates the weight by a scan. `listed_before` is the log-weight of all hypotheses before it,
 /// `kidnap_cue` the log-odds of a kidnap since the previous scan.
-void advance_null(const PosteriorConfig& config, double new_share, double listed_before,
+void advance_null(const NullHypothesisConfig& config, double new_share, double listed_before,
                   double kidnap_cue, NullHypothesis& null);
 
 /// Updates the running averages by the log-likelihood of a scan at a confident output.
-void learn_usual(const PosteriorConfig& config, double log_likelihood, double new_share,
+void learn_usual(const NullHypothesisConfig& config, double log_likelihood, double new_share,
                  NullHypothesis& null);
 
 /// Lowers the usual log-likelihood if a search of the whole map found nothing as good: the right
 /// place was searched, too, so in a crowd even the right pose scores less than usual.
-void lower_usual(const PosteriorConfig& config, double best_found, NullHypothesis& null);
+void lower_usual(const NullHypothesisConfig& config, double best_found, NullHypothesis& null);
 
 /// Raises the weight to that of the hypotheses (`listed`) if the newest scan does not fit at the
 /// output.
-void doubt_output(const PosteriorConfig& config, double log_likelihood, double listed,
+void doubt_output(const NullHypothesisConfig& config, double log_likelihood, double listed,
                   NullHypothesis& null);
 
 /// Limits the weight after a search of the whole map, when an unlisted place is one that the search
 /// missed. The better the best place found fits, the less likely that is.
-void bound_null(const PosteriorConfig& config, double best_found, double listed,
+void bound_null(const NullHypothesisConfig& config, double best_found, double listed,
                 NullHypothesis& null);
 
 /// True if the newest scan fits at none of the hypotheses.
-bool is_hopeless(const PosteriorConfig& config, const std::vector<Hypothesis>& hypotheses);
+bool is_hopeless(const NullHypothesisConfig& config, const std::vector<Hypothesis>& hypotheses);
 
 /// Log-weight of all hypotheses together.
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses);

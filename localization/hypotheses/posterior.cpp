@@ -4,7 +4,7 @@
 
 namespace castaway::localization {
 
-Posterior::Posterior(const PosteriorConfig& config, ScanLog log, const EvidenceModel& evidence)
+Posterior::Posterior(const NullHypothesisConfig& config, ScanLog log, const EvidenceModel& evidence)
     : config_(config), log_(std::move(log)), evidence_(evidence) {
   start(false);
 }

@@ -1,18 +1,30 @@
 /// Posterior over places: the accumulated evidence of every hypothesis and of the null hypothesis.
+///
+/// Scans of a robot that hardly moves repeat each other. Only the share e of a scan
+/// (`independence`) counts as new, but a sudden drop of the likelihood counts at once: `w += L_t -
+/// (1 - e) L_{t-1}`.
 #pragma once
 
 #include <vector>
 
+#include "localization/hypotheses/null_hypothesis.hpp"
 #include "localization/hypotheses/scan_log.hpp"
 #include "localization/sensor/evidence_model.hpp"
 
 namespace castaway::localization {
 
+/// Parameters of the posterior.
+struct PosteriorConfig {
+  ScanComparisonConfig scans;
+  NullHypothesisConfig null;
+  double place = -15.0;  ///< [nats] Log-probability of one place among all unlisted ones.
+};
+
 /// Weighs hypotheses against each other and against the null hypothesis.
 class Posterior {
  public:
   /// Stores the scans in `log`. `evidence` must outlive it.
-  Posterior(const PosteriorConfig& config, ScanLog log, const EvidenceModel& evidence);
+  Posterior(const NullHypothesisConfig& config, ScanLog log, const EvidenceModel& evidence);
 
   /// Restarts; `known` is true if the user gave the start pose.
   void start(bool known);
@@ -35,7 +47,7 @@ class Posterior {
   [[nodiscard]] const ScanLog& log() const { return log_; }
 
  private:
-  PosteriorConfig config_;
+  NullHypothesisConfig config_;
   ScanLog log_;
   const EvidenceModel& evidence_;
   NullHypothesis null_;

@@ -3,18 +3,39 @@
 
 #include <optional>
 
-#include "localization/hypotheses/null_hypothesis.hpp"
 #include "localization/hypotheses/scan_history.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 
 namespace castaway::localization {
 
+/// Parameters of the comparison of consecutive scans. Evidence is in nats.
+struct ScanComparisonConfig {
+  double independent_m = 1.2;        ///< [m] Motion after which a scan is independent.
+  double independent_rad = 0.6;      ///< [rad] Turn after which a scan is independent.
+  double least_independence = 0.15;  ///< Independent share of a scan at rest.
+  /// Consecutive scans that agree better (`scan_agreement`) are evidence against a kidnap.
+  double agreeing = 0.65;
+  double agreeing_slope = 30.0;  ///< Strength of this evidence, per unit of agreement.
+  /// Reduction of this evidence at rest, where scans of similar places agree as well.
+  double agreeing_at_rest = 6.0;
+  double disagreeing = 0.5;  ///< Consecutive scans that agree worse are evidence for a kidnap.
+  double disagreeing_slope = 8.0;  ///< Strength of this evidence, per unit of agreement.
+};
+
+/// Share of a scan that counts as new after this motion since the previous scan.
+double independence(const ScanComparisonConfig& config, double moved_m, double turned_rad);
+
+/// Log-odds of a kidnap between two consecutive scans, given their agreement; 0 if that is unknown.
+/// `new_share` is the `independence` of the later scan.
+double kidnap_cue(const ScanComparisonConfig& config, const std::optional<double>& agreement,
+                  double new_share);
+
 /// Stores scans, and the evidence for kidnaps between them.
 class ScanLog {
  public:
   /// Stores at most `most` scans.
-  ScanLog(const PosteriorConfig& posterior, const ScanAgreementConfig& agreement, int most)
-      : posterior_(posterior), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
+  ScanLog(const ScanComparisonConfig& comparison, const ScanAgreementConfig& agreement, int most)
+      : comparison_(comparison), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
 
   /// Removes all scans and the recent cue.
   void start();
@@ -33,7 +54,7 @@ class ScanLog {
   [[nodiscard]] double recent_cue() const { return recent_cue_; }
 
  private:
-  PosteriorConfig posterior_;
+  ScanComparisonConfig comparison_;
   ScanAgreementConfig agreement_;
   std::size_t most_;
   ScanHistory scans_;

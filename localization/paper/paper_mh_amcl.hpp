@@ -7,10 +7,12 @@
 /// is silent.
 #pragma once
 
-#include "localization/hypotheses/null_hypothesis.hpp"
+#include <optional>
+
 #include "localization/localizer.hpp"
+#include "localization/paper/paper_belief.hpp"
 #include "localization/paper/paper_stages.hpp"
-#include "localization/paper/patience.hpp"
+#include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {
@@ -34,17 +36,13 @@ class PaperMhAmcl final : public Localizer {
  private:
   void predict(const std::optional<SE2>& step);
   void take_scan(const MatchScan& scan);
-  void correct(const ScanPoints& points);
   void create(const MatchScan& scan);
-  void select(Stamp now);
 
   PaperMhAmclConfig config_;
   PaperStages stages_;
-  StageTimer timer_;
   SensorInput input_;
-  Spawner spawner_;
-  Populations populations_;
-  Patience patience_;
+  PaperBelief belief_;
+  StageTimer timer_;
   std::optional<Stamp> last_match_;
   std::optional<Estimate> estimate_;
 };

@@ -26,14 +26,6 @@ TEST(LogSumExp, IsExactAndSurvivesExtremes) {
   EXPECT_EQ(log_sum_exp({kNothing, kNothing}), kNothing);
 }
 
-TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
-  const PosteriorConfig config;
-  EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
-  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.0), 0.5);
-  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.18), 0.8);
-  EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
-}
-
 TEST(Shares, SumToOneWithTheNullHypothesis) {
   const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
   EXPECT_NEAR(all[0], 0.6, 1e-12);
@@ -41,29 +33,12 @@ TEST(Shares, SumToOneWithTheNullHypothesis) {
 }
 
 TEST(AdvanceNull, AddsKidnapsFromTheListedMass) {
-  const PosteriorConfig config;
+  const NullHypothesisConfig config;
   NullHypothesis null{-4.0, -2.0};
   advance_null(config, 0.5, 3.0, -1.5, null);
   // A place of the null hypothesis scores usual - 6 = -8; the cue makes a kidnap less likely
   // by 1.5.
   EXPECT_NEAR(null.log_weight, log_sum_exp({-4.0 - 0.5 * 8.0, 3.0 - 8.0 - 1.5 - 8.0}), 1e-12);
-}
-
-TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt, 1.0), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.95, 1.0), -9.0, 1e-12);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65, 1.0), 0.0);
-  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5, 1.0), 0.0);
-  EXPECT_NEAR(kidnap_cue({}, 0.25, 1.0), 2.0, 1e-12);
-}
-
-TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
-  const PosteriorConfig config;
-  const double rest = config.least_independence;
-  EXPECT_NEAR(kidnap_cue(config, 0.95, rest), -3.0, 1e-12);
-  EXPECT_DOUBLE_EQ(kidnap_cue(config, 0.85, rest), 0.0);
-  EXPECT_NEAR(kidnap_cue(config, 0.95, 0.5 * (0.5 + rest)), -6.0, 1e-12);
-  EXPECT_NEAR(kidnap_cue(config, 0.25, rest), 2.0, 1e-12);
 }
 
 TEST(LearnUsual, FollowsConfidentScansAndHowMuchTheyVary) {

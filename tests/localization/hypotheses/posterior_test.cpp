@@ -27,11 +27,11 @@ class PosteriorTest : public testing::Test {
   OccupancyGrid grid_ = test::office();
   DistanceField distances_{grid_, 5.0};
   EvidenceModel evidence_{{}, grid_, distances_};
-  PosteriorConfig config_;
+  NullHypothesisConfig config_;
   SE2 here_{3.0, 3.0, 0.4};
   SE2 elsewhere_{8.0, 6.5, 2.0};
   ScanPoints points_ = test::points_from(grid_, here_);
-  Posterior posterior_{config_, {config_, {}, 3}, evidence_};
+  Posterior posterior_{config_, {{}, {}, 3}, evidence_};
 };
 
 TEST_F(PosteriorTest, AddsTheWholeFirstScan) {

@@ -95,14 +95,14 @@ TEST(BranchAndBound, BoundsAreAdmissibleAtEveryLevel) {
   for (const PooledField& level : map.pyramid) {
     const ScanShifts shifts(level, scans);
     for (std::size_t yaw = 0; yaw < scans.size(); yaw += 7) {
-      for (int k = 0; k < level.tile_columns() * level.tile_rows(); ++k) {
-        const Tile tile{k % level.tile_columns(), k / level.tile_columns(), 0};
+      for (int k = 0; k < level.layout().tile_columns * level.layout().tile_rows; ++k) {
+        const Tile tile{k % level.layout().tile_columns, k / level.layout().tile_columns, 0};
         const TileSums bounds = tile_sums(level, tile, shifts.at(yaw));
         for (int j = 0; j < 16; ++j) {
-          const int column = (8 * tile.column + j % 8) * level.edge();
-          const int row = (2 * tile.row + j / 8) * level.edge();
+          const int column = (8 * tile.column + j % 8) * level.layout().edge;
+          const int row = (2 * tile.row + j / 8) * level.layout().edge;
           ASSERT_GE(bounds[static_cast<std::size_t>(j)],
-                    best_below(map, scans[yaw], column, row, level.edge()));
+                    best_below(map, scans[yaw], column, row, level.layout().edge));
         }
       }
     }
@@ -152,7 +152,8 @@ TEST(BranchAndBound, ScoresAFractionOfTheTiles) {
   const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(20));
   search.step(kUnlimited);
-  EXPECT_LT(search.tiles_scored(), map.pyramid[0].tile_columns() * map.pyramid[0].tile_rows() *
+  EXPECT_LT(search.tiles_scored(), map.pyramid[0].layout().tile_columns *
+                                       map.pyramid[0].layout().tile_rows *
                                        test::SearchedMap::kYaws / 2);
 }
 
