@@ -7,11 +7,15 @@
 /// the map by half a cell: `half_cell_shift`), and draws use our random streams.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "localization/amcl_filter.hpp"
 #include "localization/amcl_sensor.hpp"
+#include "localization/filter/pose_bins.hpp"
 #include "localization/localizer.hpp"
+#include "localization/sensor/beam_scan.hpp"
+#include "localization/sensor/intake.hpp"
 #include "localization/stage_timer.hpp"
 #include "localization/update_trigger.hpp"
 

@@ -1,6 +1,7 @@
 /// The belief of MH-AMCL: all populations with their posterior, and the state of the output.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

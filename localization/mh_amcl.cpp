@@ -1,6 +1,7 @@
 #include "localization/mh_amcl.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/merge.hpp"
@@ -29,8 +30,7 @@ void select_output(Belief& belief, ScheduledSearch& search) {
 
 MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock)
     : models_(config, std::move(map)),
-      input_({config.predict_rate_hz, config.correct_rate_hz, config.reseed_rate_hz, config.beams,
-              config.intake, config.lidar_memory}),
+      input_(config.input),
       belief_(models_, seed),
       search_(config.match, models_.matcher),
       timer_(std::move(clock)) {}

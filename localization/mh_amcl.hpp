@@ -9,6 +9,7 @@
 /// exactly.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "localization/belief.hpp"

@@ -5,19 +5,18 @@
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/lost_and_found.hpp"
 #include "localization/hypotheses/match_schedule.hpp"
+#include "localization/hypotheses/merge.hpp"
+#include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/rescue.hpp"
 #include "localization/hypotheses/spawn.hpp"
-#include "localization/sensor/intake.hpp"
 #include "localization/sensor/scan_agreement.hpp"
+#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 
 /// All settings of MH-AMCL.
 struct MhAmclConfig {
-  double predict_rate_hz = 100.0;
-  double correct_rate_hz = 10.0;
-  double reseed_rate_hz = 0.3;
-  BeamSelection beams;
+  SensorInputConfig input;
   OdometryNoiseConfig motion;
   EndpointConfig tracking{0.08, 0.05, 30.0};  ///< Weighs particles within a population; sharp.
   EvidenceConfig evidence;                    ///< Weighs populations against each other; wide.
@@ -36,9 +35,6 @@ struct MhAmclConfig {
   double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.
   int history = 8;             ///< Number of scans by which a new hypothesis is weighted.
   double max_distance = 5.0;   ///< [m] Largest value of the distance field.
-  IntakeConfig intake;
-  /// Scans of other lidars up to this age are joined to a new one.
-  Stamp lidar_memory = std::chrono::milliseconds(250);
 };
 
 /// @throws std::invalid_argument naming a value that is out of range.

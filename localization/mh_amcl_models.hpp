@@ -3,7 +3,10 @@
 
 #include "localization/hypotheses/create.hpp"
 #include "localization/hypotheses/rescue.hpp"
+#include "localization/map/distance_field.hpp"
+#include "localization/matching/cascade_matcher.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "localization/sensor/evidence_model.hpp"
 #include "localization/tracking_filter.hpp"
 
 namespace castaway::localization {

@@ -19,7 +19,7 @@ struct MatchScheduleConfig {
   double moved_m = 0.1;     ///< [m] After that, minimum motion since the last search.
   double turned_rad = 0.1;  ///< [rad] After that, alternatively minimum turn since the last search.
   double patience_s = 4.0;  ///< [s] After that, alternatively minimum time since the last search.
-  /// [s] Pause after a search that changed nothing; doubles each time.
+  /// [s] Pause after a search; doubles while searches change nothing.
   double first_pause_s = 0.5;
   double longest_pause_s = 8.0;  ///< [s] Upper limit of the pause.
 };

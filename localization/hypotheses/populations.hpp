@@ -8,6 +8,9 @@
 
 namespace castaway::localization {
 
+/// The hypothesis with an id; null if there is none.
+const Hypothesis* find_hypothesis(const std::vector<Hypothesis>& hypotheses, int id);
+
 /// The set of populations (the paper's fraktur P).
 struct Populations {
   std::vector<Hypothesis> all;
@@ -15,7 +18,7 @@ struct Populations {
   double probability = 0.0;  ///< Stated probability that the output is right, in [0, 1].
 
   /// The output; null before the first selection, or if it was removed.
-  [[nodiscard]] const Hypothesis* output() const;
+  [[nodiscard]] const Hypothesis* output() const { return find_hypothesis(all, output_id); }
 };
 
 /// Predicts all populations by the odometry step `u` (paper, eq. 3 and 4). `Motion` has

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "localization/map/pooled_field.hpp"
+#include "localization/matching/search_space.hpp"
 #include "localization/matching/tile_sums.hpp"
 
 namespace castaway::localization {

@@ -1,6 +1,7 @@
 #include "localization/paper/paper_mh_amcl.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "localization/output.hpp"
 
@@ -22,8 +23,7 @@ PaperMhAmcl::PaperMhAmcl(const PaperMhAmclConfig& config, PaperStages stages, st
                          StageClock clock)
     : config_((validate(config), config)),
       stages_(std::move(stages)),
-      input_({config_.predict_rate_hz, config_.correct_rate_hz, config_.reseed_rate_hz,
-              config_.beams, config_.intake, config_.lidar_memory}),
+      input_(config_.input),
       belief_(config_, stages_.patience_s, seed),
       timer_(std::move(clock)) {}
 

@@ -7,6 +7,7 @@
 /// is silent.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "localization/localizer.hpp"

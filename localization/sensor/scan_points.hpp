@@ -43,6 +43,9 @@ struct ScanPoints {
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
                                        Stamp reference, const BeamSelection& selection);
 
+/// Indices of at most `count` of `size` items, evenly spread, in ascending order.
+std::vector<std::size_t> even_indices(std::size_t size, int count);
+
 /// Returns at most `count` of the points, evenly spread over the scan.
 ScanPoints thin(const ScanPoints& points, int count);
 

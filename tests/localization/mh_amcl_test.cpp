@@ -262,7 +262,7 @@ TEST(MhAmcl, LearnsOfAScanOnceThoughASearchEndsWithIt) {
 
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
-  config.correct_rate_hz = 0.0;
+  config.input.correct_rate_hz = 0.0;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   config = {};
   config.match.slice = 0;

@@ -116,6 +116,13 @@ TEST(ProjectScan, GivesNothingWithoutOdometry) {
   EXPECT_FALSE(project_scan(scan, still(), Stamp(0), {}));
 }
 
+TEST(EvenIndices, SpreadOverAllItems) {
+  using Indices = std::vector<std::size_t>;
+  EXPECT_EQ(even_indices(10, 4), (Indices{0, 2, 5, 7}));
+  EXPECT_EQ(even_indices(3, 4), (Indices{0, 1, 2}));
+  EXPECT_EQ(even_indices(0, 4), Indices{});
+}
+
 TEST(Thinned, TakesPointsEvenOverTheScan) {
   ScanPoints points;
   for (int i = 0; i < 10; ++i) {
