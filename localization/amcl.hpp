@@ -7,16 +7,33 @@
 /// the map by half a cell: `half_cell_shift`), and draws use our random streams.
 #pragma once
 
-#include "localization/amcl_config.hpp"
+#include <cstdint>
+#include <optional>
+
+#include "localization/amcl_filter.hpp"
+#include "localization/amcl_sensor.hpp"
+#include "localization/filter/pose_bins.hpp"
 #include "localization/localizer.hpp"
+#include "localization/sensor/beam_scan.hpp"
+#include "localization/sensor/intake.hpp"
 #include "localization/stage_timer.hpp"
+#include "localization/update_trigger.hpp"
 
 namespace castaway::localization {
+
+/// State of the filter after an update.
+struct AmclResult {
+  Cluster output;                                        ///< The heaviest cluster.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of the whole population.
+  double quality = 0.0;                                  ///< At the output, in [0, 1].
+  SE2 T_map_odom;                                        ///< From the output and odometry.
+};
 
 /// The localizer. Deterministic: the same calls and seed give the same results.
 class Amcl final : public Localizer {
  public:
-  /// @throws std::invalid_argument for a map without free cells, or invalid settings.
+  /// Starts at an unknown pose. @throws std::invalid_argument for a map without free cells, or
+  /// invalid settings.
   Amcl(const AmclConfig& config, const OccupancyGrid& map, std::uint64_t seed,
        StageClock clock = {});
 
@@ -27,32 +44,16 @@ class Amcl final : public Localizer {
   [[nodiscard]] Diagnostics diagnostics() const override;
 
  private:
-  [[nodiscard]] bool moved_enough(const SE2& T_odom_base) const;
-  [[nodiscard]] bool is_awaited(const std::string& lidar, const SE2& T_odom_base);
-  [[nodiscard]] bool is_informative(const BeamScan& beams) const;
   void update(const BeamScan& beams, double range_max, const SE2& T_odom_base);
-  void weigh(const BeamScan& beams, double range_max);
-  [[nodiscard]] std::vector<double> log_weights(const BeamScan& beams, double range_max) const;
-  void resample();
-  void publish(Stamp stamp, const SE2& T_odom_base);
 
   AmclConfig config_;
-  OccupancyGrid map_;  ///< Shifted if `half_cell_shift` is set.
-  LikelihoodField field_;
-  std::optional<BeamModel> beam_model_;  ///< Used by kBeam only.
-  FreeSpace free_space_;
-  Rng rng_;
+  AmclSensor sensor_;
+  AmclFilter filter_;
   StageTimer timer_;
   Intake intake_;
-  ParticleSet particles_;
-  RecoveryAverages averages_;
-  std::optional<SE2> updated_at_;  ///< Odometry at the last update.
-  SE2 T_map_odom_;
-  Cluster output_;
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
-  double quality_ = 0.0;
+  UpdateTrigger trigger_;
+  AmclResult result_;
   std::optional<Estimate> estimate_;
-  std::map<std::string, bool> awaited_;  ///< By lidar: its next scan causes an update.
 };
 
 }  // namespace castaway::localization

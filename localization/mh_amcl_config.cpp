@@ -6,10 +6,6 @@
 namespace castaway::localization {
 namespace {
 
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0)) throw std::invalid_argument(std::string(name) + " must be positive");
-}
-
 void require_probability(double value, const char* name) {
   if (value > 0.0 && value <= 1.0) return;
   throw std::invalid_argument(std::string(name) + " must be above 0 and at most 1");
@@ -18,15 +14,12 @@ void require_probability(double value, const char* name) {
 }  // namespace
 
 void validate(const MhAmclConfig& config) {
-  require_positive(config.predict_rate_hz, "predict_rate_hz");
-  require_positive(config.correct_rate_hz, "correct_rate_hz");
-  require_positive(config.reseed_rate_hz, "reseed_rate_hz");
-  require_positive(config.max_distance, "max_distance");
+  validate(config.input);
+  if (!(config.max_distance > 0.0)) throw std::invalid_argument("max_distance must be positive");
   require_probability(config.match.confident, "confident");
   require_probability(config.lost_and_found.found, "found");
   if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
-  validate(config.beams);
   validate(config.motion);
   validate(config.tracking);
   validate(config.evidence.endpoint);

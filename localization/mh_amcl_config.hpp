@@ -5,43 +5,39 @@
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/lost_and_found.hpp"
 #include "localization/hypotheses/match_schedule.hpp"
+#include "localization/hypotheses/merge.hpp"
+#include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/rescue.hpp"
 #include "localization/hypotheses/spawn.hpp"
-#include "localization/sensor/intake.hpp"
 #include "localization/sensor/scan_agreement.hpp"
+#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 
-/// Everything that MH-AMCL can be told.
+/// All settings of MH-AMCL.
 struct MhAmclConfig {
-  double predict_rate_hz = 100.0;
-  double correct_rate_hz = 10.0;
-  double reseed_rate_hz = 0.3;
-  BeamSelection beams;
+  SensorInputConfig input;
   OdometryNoiseConfig motion;
-  EndpointConfig tracking{0.08, 0.05, 30.0};  ///< Weighs particles within a population: sharp.
-  EvidenceConfig evidence;                    ///< Weighs populations against each other: wide.
+  EndpointConfig tracking{0.08, 0.05, 30.0};  ///< Weighs particles within a population; sharp.
+  EvidenceConfig evidence;                    ///< Weighs populations against each other; wide.
   SpawnConfig spawn;
   ReseedConfig reseed;
-  RefineConfig refine{0.04, 0.02, 3};  ///< Climb from the best particle to the winner of a reseed.
+  RefineConfig refine{0.04, 0.02, 3};  ///< From the best particle to the winner of a reseed.
   MatcherConfig matcher;
   MatchScheduleConfig match;
   RescueConfig rescue;
   CreateConfig create;
   MergeConfig merge;
   DestroyConfig destroy;
-  ScanAgreementConfig agreement;  ///< The cue of a kidnap in one frame.
+  ScanAgreementConfig agreement;  ///< Detects a kidnap between two scans.
   PosteriorConfig posterior;
   LostAndFoundConfig lost_and_found;
-  double select_margin = 2.0;  ///< [nats] The output stays while less behind than this.
-  int history = 8;             ///< Scans that a new hypothesis is weighed on.
-  double max_distance = 5.0;   ///< [m] Cap of the distance field.
-  IntakeConfig intake;
-  Stamp lidar_memory =
-      std::chrono::milliseconds(250);  ///< So long scans of other lidars are joined to a new one.
+  double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.
+  int history = 8;             ///< Number of scans by which a new hypothesis is weighted.
+  double max_distance = 5.0;   ///< [m] Largest value of the distance field.
 };
 
-/// Throws std::invalid_argument naming the figure that is out of its range.
+/// @throws std::invalid_argument naming a value that is out of range.
 void validate(const MhAmclConfig& config);
 
 }  // namespace castaway::localization

@@ -19,7 +19,7 @@ void TrackingFilter::correct(Hypothesis& hypothesis, const ScanPoints& points) c
   hypothesis.belief = moments(hypothesis.particles);
 }
 
-/// Climbs from the best particle to the top of scan and odometry together.
+/// Climbs from the best particle to the maximum of the scan and odometry likelihoods together.
 PoseGaussian TrackingFilter::refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
                                            const ScanPoints& points) const {
   const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
@@ -40,7 +40,7 @@ void TrackingFilter::reseed(Hypothesis& hypothesis,
 
 PoseMoments TrackingFilter::belief_at(const SE2& T_map_base, const ScanPoints& points) const {
   Eigen::Matrix3d information = scan_information(model_, points, T_map_base);
-  information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();  // a metre at most
+  information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();  // Limits sigma to 1 m and 1 rad.
   return {T_map_base, information.inverse()};
 }
 

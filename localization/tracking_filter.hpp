@@ -10,18 +10,18 @@
 
 namespace castaway::localization {
 
-/// Keeps populations on their places. Conditioned once, applied to all of them.
+/// Tracks populations. Conditioned once, applied to all of them.
 class TrackingFilter {
  public:
   TrackingFilter(const EndpointModel& model, const ReseedConfig& reseed, const RefineConfig& refine)
       : model_(model), reseed_(reseed), refine_(refine) {}
 
-  /// Weighs the particles by a scan; where few of them still carry the weight, reseeds around the
-  /// refined winner.
+  /// Weighs the particles by a scan. If the effective sample size becomes too small, reseeds around
+  /// the refined winner.
   void correct(Hypothesis& hypothesis, const ScanPoints& points) const;
-  /// Draws the particles anew by their weight, as many as their spread needs.
+  /// Resamples the particles by weight; their number follows from their spread.
   void reseed(Hypothesis& hypothesis) const;
-  /// What the scan alone says of base, given that it is near `T_map_base`.
+  /// Belief about base near `T_map_base` from the scan alone.
   [[nodiscard]] PoseMoments belief_at(const SE2& T_map_base, const ScanPoints& points) const;
 
  private:

@@ -9,19 +9,19 @@
 namespace castaway::localization {
 namespace {
 
-/// The pose at the scan before, from odometry's step back, refined within odometry's noise.
+/// The pose at the previous scan: predicted by odometry, and refined within its noise.
 SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMemory& later,
               const ScanMemory& earlier) {
   const SE2 u = later.T_odom_base.inverse() * earlier.T_odom_base;
   const SE2 predicted = T_map_base * u;
   const OdometryMotion motion(u, context.noise);
   const Eigen::Matrix3d slack = Eigen::Vector3d(1e-4, 1e-4, 1e-5).asDiagonal();
-  const Eigen::Matrix3d spread = rotated_to_map(motion.covariance(), T_map_base.yaw) + slack;
+  const Eigen::Matrix3d spread = rotate_to_map(motion.covariance(), T_map_base.yaw) + slack;
   return refine_pose(context.model, earlier.points, predicted,
                      PosePrior{predicted, spread.inverse()}, context.config.refine_back);
 }
 
-/// Whether a hypothesis has the place, and fits about as well there.
+/// True if a hypothesis is at the place and fits the newest scan about as well.
 bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypotheses,
                const WeighedPlace& place) {
   return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& h) {
@@ -30,17 +30,18 @@ bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypothe
   });
 }
 
-constexpr int kGlance = 24;  // beams that sort out long lists
+constexpr int kGlance = 24;  // Beams that screen long lists.
 
 bool better(const Candidate& a, const Candidate& b) { return a.score > b.score; }
 
-/// The best `most` candidates by the evidence of their coarse pose, which becomes their score.
-/// Looked at in the order of their bounds, so that most of a long list needs no rays.
+/// Keeps the best `most` candidates by the evidence of their coarse pose, which becomes their
+/// score. They are evaluated in the order of their upper bounds, so that most of a long list needs
+/// no rays.
 void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
             std::vector<Candidate>& candidates) {
   for (Candidate& c : candidates) c.score = evidence.bound(points, c.T_map_base);
   std::stable_sort(candidates.begin(), candidates.end(), better);
-  std::priority_queue<double, std::vector<double>, std::greater<>> kept;  // the worst on top
+  std::priority_queue<double, std::vector<double>, std::greater<>> kept;  // The worst on top.
   const auto count = static_cast<std::size_t>(most);
   auto end = candidates.begin();
   for (; end != candidates.end(); ++end) {
@@ -57,11 +58,12 @@ void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
 
 }  // namespace
 
-std::vector<Candidate> sort_out(const CreateContext& context, std::vector<Candidate> candidates,
-                                const ScanPoints& points) {
+std::vector<Candidate> screen_candidates(const CreateContext& context,
+                                         std::vector<Candidate> candidates,
+                                         const ScanPoints& points) {
   const CreateConfig& config = context.config;
   if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
-    screen(context.evidence, thinned(points, kGlance), config.looked_at, candidates);
+    screen(context.evidence, thin(points, kGlance), config.looked_at, candidates);
   }
   screen(context.evidence, points, config.refined, candidates);
   return candidates;
@@ -98,12 +100,12 @@ double weigh_backwards(const CreateContext& context, const ScanHistory& history,
                        const WeighedPlace& place) {
   assert(!history.empty());
   double best = -std::numeric_limits<double>::infinity();
-  double increments = 0.0;  // of the scans after the one at hand
+  double increments = 0.0;  // Evidence of the scans after scan k.
   SE2 pose = place.T_map_base;
   double l = place.newest.log_likelihood;
   for (std::size_t k = history.size(); k-- > 0;) {
     const ScanMemory& scan = history[k];
-    const double origin = log_sum_exp({scan.listed_before + scan.kidnap_cue, scan.unlisted_before});
+    const double origin = log_sum_exp({scan.listed_before + scan.kidnap_cue, scan.null_before});
     best = std::max(best, origin + context.posterior.place + l + increments);
     if (k == 0) break;
     pose = step_back(context, pose, scan, history[k - 1]);

@@ -1,4 +1,4 @@
-/// Destroy: populations that the scans speak against are removed, never the last one (paper,
+/// Destroy: removes populations that are unlikely given the scans, except the last one (paper,
 /// section IV).
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace castaway::localization {
 
-/// Which hypotheses go.
+/// Limits of the set of hypotheses.
 struct DestroyConfig {
-  double behind = 14.0;    ///< [nats] So far behind the best one.
-  int most_confident = 8;  ///< So many are kept while one is confident...
-  int most = 30;           ///< ...and so many while the place is ambiguous.
+  double behind = 14.0;    ///< [nats] Hypotheses further behind the best one are removed.
+  int most_confident = 8;  ///< Maximum number while the output is confident.
+  int most = 30;           ///< Maximum number while the place is ambiguous.
 };
 
-/// Removes what is too far behind, then the lightest until at most `most` are left. The best one
-/// stays in any case; the order of those that stay is kept.
+/// Removes hypotheses that are too far behind the best one, then the lightest ones above the
+/// maximum number. The best one always stays, and the order of the others is kept.
 void destroy(const DestroyConfig& config, bool confident, std::vector<Hypothesis>& hypotheses);
 
 }  // namespace castaway::localization

@@ -8,8 +8,9 @@ void LostAndFound::start(bool known) {
   T_odom_jump_.reset();
 }
 
-/// A robot that knew where it is and was not carried off is where it was: an output that is
-/// somewhere else now was misled by the map, before or now, and must prove itself.
+/// A robot that was found and not kidnapped is still at its place. If the output jumps
+/// nevertheless, one of the two outputs is wrong because of the map, so the new one must be
+/// confirmed by motion.
 void LostAndFound::take(const OutputClaim& output, double cue,
                         const std::optional<SE2>& T_odom_base) {
   if (!output.same) {

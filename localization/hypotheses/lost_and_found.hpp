@@ -1,7 +1,8 @@
-/// Whether the output calls itself lost: the alarm.
+/// The alarm: whether the output is declared lost.
 ///
-/// Having been lost it takes more to be found than to stay so: where a map has look-alikes or is
-/// out of date, scan after scan errs the same way, and the first few are believed too readily.
+/// A lost output needs a higher probability to be found than a found one needs to stay so
+/// (hysteresis): under perceptual aliasing or with an outdated map, the errors of consecutive scans
+/// are correlated, so the probability of a recent output is overestimated.
 #pragma once
 
 #include <optional>
@@ -10,32 +11,33 @@
 
 namespace castaway::localization {
 
-/// What it takes to be found.
+/// Conditions for being found.
 struct LostAndFoundConfig {
-  double found = 0.998;           ///< An output that was lost is found from so probable on.
-  double unexplained_cue = -5.0;  ///< Where no kidnap cue has been above this lately (it fades by a
-                                  ///< nat per new scan), an output that jumps...
-  double proving_m = 5.0;         ///< [m] ...is not found before the robot went so far.
+  double found = 0.998;  ///< Minimum probability at which a lost output counts as found.
+  /// [nats] A jump of the output is unexplained if no recent kidnap cue (which decays by 1 per new
+  /// scan) reaches this.
+  double unexplained_cue = -5.0;
+  double proving_m = 5.0;  ///< [m] After such a jump, the robot must move this far to be found.
 };
 
-/// The output as the alarm sees it.
+/// State of the output after a selection.
 struct OutputClaim {
-  bool same = false;       ///< It is the output of before.
-  bool confident = false;  ///< It is probable enough not to be lost.
-  double probability = 0.0;
+  bool same = false;         ///< The selection kept the previous output.
+  bool confident = false;    ///< Probable enough to stay found.
+  double probability = 0.0;  ///< In [0, 1].
 };
 
-/// Keeps the alarm over time.
+/// Tracks the alarm over time.
 class LostAndFound {
  public:
   explicit LostAndFound(const LostAndFoundConfig& config) : config_(config) {}
 
-  /// Begins anew; `known`: the user said where the robot is, which counts.
+  /// Restarts; `known` is true if the user gave the start pose, which counts as found.
   void start(bool known);
-  /// Forgets a jump: odometry does not lead back to it any more.
+  /// Forgets an unexplained jump, because odometry is not continuous with it any more.
   void forget_motion() { T_odom_jump_.reset(); }
-  /// Takes the output selected. `cue`: the highest one of a kidnap lately; `T_odom_base`: odometry
-  /// at the newest scan, if there is one.
+  /// Updates the alarm after a selection. `cue` is the highest recent kidnap cue, `T_odom_base` the
+  /// odometry at the newest scan, if there is one.
   void take(const OutputClaim& output, double cue, const std::optional<SE2>& T_odom_base);
 
   [[nodiscard]] bool is_lost() const { return !found_; }
@@ -46,7 +48,7 @@ class LostAndFound {
   LostAndFoundConfig config_;
   bool found_ = false;
   bool was_found_ = false;          ///< At any time since the start.
-  std::optional<SE2> T_odom_jump_;  ///< Odometry at a jump of the output that no kidnap explains.
+  std::optional<SE2> T_odom_jump_;  ///< Odometry at the latest jump, if that is unexplained.
 };
 
 }  // namespace castaway::localization

@@ -9,7 +9,7 @@ MapSearch::MapSearch(const CreateConfig& config, const CascadeMatcher& matcher,
                      const ScanPoints& points, const SE2& T_odom_base, SearchDepth depth)
     : matcher_(&matcher), T_odom_base_(T_odom_base), depth_(depth) {
   const bool by_far = config.far_share > 0.0;
-  const ScanPoints far = by_far ? farthest(points, config.far_share) : ScanPoints{};
+  const ScanPoints far = by_far ? farthest_points(points, config.far_share) : ScanPoints{};
   if (depth == SearchDepth::kDeep) {
     add(by_far ? far : points, config.deep_candidates);
   } else {
@@ -32,7 +32,7 @@ bool MapSearch::step(std::int64_t tiles) {
   return true;
 }
 
-/// A place that both parts found is listed once.
+/// A place found by both parts is returned once.
 std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
   const SE2 u = T_odom_base_.inverse() * T_odom_base;
   std::set<std::array<double, 3>> known;
@@ -58,7 +58,7 @@ std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& 
   }
   if (!search_->step(slice_)) return std::nullopt;
   const std::vector<Candidate> candidates =
-      sort_out(context, search_->candidates(T_odom_base), points);
+      screen_candidates(context, search_->candidates(T_odom_base), points);
   std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
   deeper_ = search_->depth() == SearchDepth::kUsual && fits_badly(context.config, places);
   search_.reset();
@@ -72,16 +72,17 @@ void PlaceSearch::cancel() {
 
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
                                       const ScanPoints& points) {
-  const auto found = [&](SearchDepth depth) {
-    constexpr std::int64_t kSlice = 1 << 20;  // any will do
+  const auto search_map = [&](SearchDepth depth) {
+    constexpr std::int64_t kSlice = 1 << 20;  // Has no effect on the result.
     MapSearch search(context.config, matcher, points, {}, depth);
     while (!search.step(kSlice)) {
     }
-    return refine_candidates(context, sort_out(context, search.candidates({}), points), points);
+    return refine_candidates(context, screen_candidates(context, search.candidates({}), points),
+                             points);
   };
-  std::vector<WeighedPlace> places = found(SearchDepth::kUsual);
+  std::vector<WeighedPlace> places = search_map(SearchDepth::kUsual);
   if (points.empty() || !fits_badly(context.config, places)) return places;
-  return found(SearchDepth::kDeep);
+  return search_map(SearchDepth::kDeep);
 }
 
 }  // namespace castaway::localization

@@ -1,7 +1,7 @@
-/// A search of the whole map that may go on over several scans.
+/// Global search: a search of the whole map that can extend over several scans.
 ///
-/// The cost of one scan stays bounded however large the map is: the search goes on in slices, and
-/// odometry carries what it has found to where base is by then.
+/// The search runs in slices, so that the cost per scan is bounded for maps of any size. Odometry
+/// moves the places found to the current position of base.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@
 
 namespace castaway::localization {
 
-/// How thoroughly the map is searched.
+/// Thoroughness of a search.
 enum class SearchDepth {
-  kUsual,  ///< By all end points and by the far ones, for the matcher's number of candidates each.
-  kDeep,   ///< By the far end points, for `CreateConfig::deep_candidates`.
+  kUsual,  ///< With all end points and with the far ones; the matcher's number of candidates each.
+  kDeep,   ///< With the far end points, for `CreateConfig::deep_candidates` candidates.
 };
 
-/// One search of one scan. The matcher outlives it.
+/// One search with one scan. The matcher must outlive it.
 class MapSearch {
  public:
-  /// `T_odom_base` is odometry at the scan.
+  /// `T_odom_base` is the odometry at the scan.
   MapSearch(const CreateConfig& config, const CascadeMatcher& matcher, const ScanPoints& points,
             const SE2& T_odom_base, SearchDepth depth);
 
-  /// Goes on for about `tiles` tiles (`BranchAndBound::step`); true when the search is complete.
+  /// Continues for about `tiles` tiles (`BranchAndBound::step`). Returns true when the search is
+  /// complete.
   bool step(std::int64_t tiles);
   [[nodiscard]] SearchDepth depth() const { return depth_; }
-  /// What was found, as poses of base now, when odometry is at `T_odom_base`.
+  /// Candidates found so far, as poses of base at the time of the odometry `T_odom_base`.
   [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
 
  private:
@@ -44,21 +45,22 @@ class MapSearch {
   std::vector<Part> parts_;
 };
 
-/// Searches scan by scan, first as usual, then deeper where nothing fits well: keeps the search
-/// that is going on. The matcher outlives it.
+/// Searches the map scan by scan: first as usual, then deep if nothing fits well. Stores the search
+/// in progress. The matcher must outlive it.
 class PlaceSearch {
  public:
-  /// `slice`: tiles searched with one scan.
+  /// `slice` is the number of tiles searched per scan.
   PlaceSearch(const CascadeMatcher& matcher, std::int64_t slice)
       : matcher_(matcher), slice_(slice) {}
 
-  /// Whether a search goes on, or a deeper one is due with the next scan.
+  /// True if a search is in progress, or a deep one is due with the next scan.
   [[nodiscard]] bool is_pending() const { return search_.has_value() || deeper_; }
-  /// Goes on by a slice, beginning with this scan where none goes on. The places found, refined on
-  /// this scan, once the search is complete. `T_odom_base`: odometry at the scan.
+  /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
+  /// places found, refined on this scan, once the search is complete. `T_odom_base` is the odometry
+  /// at the scan.
   std::optional<std::vector<WeighedPlace>> step(const CreateContext& context,
                                                 const ScanPoints& points, const SE2& T_odom_base);
-  /// Forgets the search that goes on.
+  /// Drops the search in progress.
   void cancel();
 
  private:
@@ -68,7 +70,7 @@ class PlaceSearch {
   bool deeper_ = false;  ///< The last search found nothing that fits well.
 };
 
-/// Searches the whole map in one go, deeper where nothing fits well: the places found, refined.
+/// Searches the whole map at once, deep if nothing fits well. Returns the places found, refined.
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
                                       const ScanPoints& points);
 

@@ -1,4 +1,4 @@
-/// When the matcher is asked where else the robot could be.
+/// Schedule of the global search.
 #pragma once
 
 #include <cstdint>
@@ -9,45 +9,50 @@
 
 namespace castaway::localization {
 
-/// When the matcher is asked.
+/// Parameters of the schedule.
 struct MatchScheduleConfig {
-  double confident = 0.9;       ///< Not while the output is at least so probable.
-  std::int64_t slice = 300000;  ///< Tiles searched with one scan; about 20 ms.
-  int at_once = 2;  ///< Searches in a row after an alarm, scan by scan: the first scan may be torn.
-  double moved_m = 0.1;     ///< [m] Then not before the robot moved so far since the last match...
-  double turned_rad = 0.1;  ///< [rad] ...or turned so far...
-  double patience_s = 4.0;  ///< [s] ...or so much time passed.
-  double first_pause_s = 0.5;    ///< [s] Pause after a match that found nothing new; doubles...
-  double longest_pause_s = 8.0;  ///< [s] ...up to this, and starts anew when something changes.
+  double confident = 0.9;       ///< No search while the output has at least this probability.
+  std::int64_t slice = 300000;  ///< Tiles searched per scan; about 20 ms.
+  /// Number of searches with consecutive scans after an alarm; more than one, because the first
+  /// scan may be torn by a kidnap.
+  int at_once = 2;
+  double moved_m = 0.1;     ///< [m] After that, minimum motion since the last search.
+  double turned_rad = 0.1;  ///< [rad] After that, alternatively minimum turn since the last search.
+  double patience_s = 4.0;  ///< [s] After that, alternatively minimum time since the last search.
+  /// [s] Pause after a search; doubles while searches change nothing.
+  double first_pause_s = 0.5;
+  double longest_pause_s = 8.0;  ///< [s] Upper limit of the pause.
 };
 
-/// What is believed when the schedule is asked.
+/// State of the localizer on which the schedule decides.
 struct MatchOccasion {
   Stamp now{};
   SE2 T_odom_base;
   int output_id = -1;
-  bool confident = false;  ///< Of the output.
-  bool hopeless = false;   ///< The scan fits nowhere that is listed.
+  bool confident = false;  ///< The output is probable enough.
+  bool hopeless = false;   ///< The scan fits at none of the hypotheses.
 };
 
-/// Keeps when and where matches were; pauses longer and longer while they change nothing.
+/// Stores time and place of the last search. Pauses between searches grow while these change
+/// nothing.
 class MatchSchedule {
  public:
   explicit MatchSchedule(const MatchScheduleConfig& config) : config_(config) {}
 
-  /// Begins anew.
+  /// Restarts at an unknown pose: a search is due.
   void start();
-  /// The clock was set back: a match is due as if there had been none.
+  /// Forgets the last search, because the clock was set back.
   void restart_clock() { last_.reset(); }
-  /// The output is not confident any more: searches at once.
+  /// Makes searches due with the next scans, because the output has lost its confidence.
   void raise_alarm();
-  /// A rescue listed a population: should it become the output, it may be a look-alike near by.
+  /// Stores the id of a population created by a rescue. If it becomes the output, a search is due:
+  /// it may be a nearby look-alike.
   void note_rescue(int id) { rescued_id_ = id; }
 
   [[nodiscard]] bool is_due(const MatchOccasion& occasion) const;
-  /// A match works on this scan; `anew`: it searches the map from the beginning.
+  /// Notes that a search uses this scan; `anew` is true if the search starts with it.
   void begin(Stamp now, const SE2& T_odom_base, bool anew);
-  /// The match is complete; `changed`: it gave another output.
+  /// Notes that a search is complete; `changed` is true if it changed the output.
   void end(bool changed);
 
  private:
@@ -55,9 +60,9 @@ class MatchSchedule {
 
   MatchScheduleConfig config_;
   std::optional<Stamp> last_;
-  SE2 T_odom_last_;      ///< Odometry at the last match.
-  int rescued_id_ = -1;  ///< The newest population that a rescue listed since the last match.
-  int searches_ = 0;     ///< Since the last alarm.
+  SE2 T_odom_last_;      ///< Odometry at the last search.
+  int rescued_id_ = -1;  ///< Newest population created by a rescue since the last search.
+  int searches_ = 0;     ///< Number since the last alarm.
   double pause_s_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-/// Merge: populations that converge to one place become one (paper, section IV).
+/// Merge: populations that have converged to the same place become one (paper, section IV).
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace castaway::localization {
 
-/// When two poses are one place.
+/// Poses at smaller distances than these are at the same place.
 struct MergeConfig {
   double distance = 0.3;  ///< [m]
   double yaw = 0.2;       ///< [rad]
 };
 
-/// Whether two poses are one place.
+/// True if two poses are at the same place.
 bool same_place(const MergeConfig& config, const SE2& a, const SE2& b);
 
-/// Of all pairs in one place the lighter goes; the order of those that stay is kept. Their evidence
-/// is of the same scans, so weights are not added.
+/// Removes the lighter one of every pair at the same place; the order of the others is kept.
+/// Weights are not added, because they are evidence of the same scans.
 void merge(const MergeConfig& config, std::vector<Hypothesis>& hypotheses);
 
 }  // namespace castaway::localization

@@ -4,10 +4,10 @@
 
 namespace castaway::localization {
 
-const Hypothesis* Populations::output() const {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Hypothesis& h) { return h.id == output_id; });
-  return found == all.end() ? nullptr : &*found;
+const Hypothesis* find_hypothesis(const std::vector<Hypothesis>& hypotheses, int id) {
+  const auto found = std::find_if(hypotheses.begin(), hypotheses.end(),
+                                  [&](const Hypothesis& h) { return h.id == id; });
+  return found == hypotheses.end() ? nullptr : &*found;
 }
 
 }  // namespace castaway::localization

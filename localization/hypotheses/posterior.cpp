@@ -4,20 +4,20 @@
 
 namespace castaway::localization {
 
-Posterior::Posterior(const PosteriorConfig& config, ScanLog log, const EvidenceModel& evidence)
+Posterior::Posterior(const NullHypothesisConfig& config, ScanLog log, const EvidenceModel& evidence)
     : config_(config), log_(std::move(log)), evidence_(evidence) {
   start(false);
 }
 
 void Posterior::start(bool known) {
-  unlisted_ = {known ? config_.wrong_start : 0.0, config_.usual_start};
+  null_ = {known ? config_.wrong_start : 0.0, config_.usual_start};
   log_.start();
 }
 
 void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int output_id,
                       std::vector<Hypothesis>& hypotheses) {
   const double listed = listed_log_weight(hypotheses);
-  const ScanMemory& scan = log_.add(points, T_odom_base, listed, unlisted_.log_weight);
+  const ScanMemory& scan = log_.add(points, T_odom_base, listed, null_.log_weight);
   for (Hypothesis& hypothesis : hypotheses) {
     const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
     hypothesis.log_weight +=
@@ -25,25 +25,25 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
     hypothesis.log_likelihood = evidence.log_likelihood;
     hypothesis.quality = evidence.quality;
   }
-  advance_unlisted(config_, scan.independence, listed, scan.kidnap_cue, unlisted_);
+  advance_null(config_, scan.independence, listed, scan.kidnap_cue, null_);
   for (const Hypothesis& h : hypotheses) {
     if (h.id != output_id) continue;
-    doubt_output(config_, h.log_likelihood, listed_log_weight(hypotheses), unlisted_);
+    doubt_output(config_, h.log_likelihood, listed_log_weight(hypotheses), null_);
   }
 }
 
 void Posterior::learn(double log_likelihood) {
   if (log_.scans().empty()) return;
-  learn_usual(config_, log_likelihood, log_.scans().back().independence, unlisted_);
+  learn_usual(config_, log_likelihood, log_.scans().back().independence, null_);
 }
 
 void Posterior::take_search(double best_found, const std::vector<Hypothesis>& hypotheses) {
-  lower_usual(config_, best_found, unlisted_);
-  bound_unlisted(config_, best_found, listed_log_weight(hypotheses), unlisted_);
+  lower_usual(config_, best_found, null_);
+  bound_null(config_, best_found, listed_log_weight(hypotheses), null_);
 }
 
 std::vector<double> Posterior::shares(const std::vector<Hypothesis>& hypotheses) const {
-  return localization::shares(hypotheses, unlisted_);
+  return localization::shares(hypotheses, null_);
 }
 
 }  // namespace castaway::localization

@@ -1,44 +1,56 @@
-/// What the scans so far say of all places: the evidence of every hypothesis, and of "somewhere
-/// unlisted" beside them.
+/// Posterior over places: the accumulated evidence of every hypothesis and of the null hypothesis.
+///
+/// Scans of a robot that hardly moves repeat each other. Only the share e of a scan
+/// (`independence`) counts as new, but a sudden drop of the likelihood counts at once: `w += L_t -
+/// (1 - e) L_{t-1}`.
 #pragma once
 
 #include <vector>
 
+#include "localization/hypotheses/null_hypothesis.hpp"
 #include "localization/hypotheses/scan_log.hpp"
 #include "localization/sensor/evidence_model.hpp"
 
 namespace castaway::localization {
 
-/// Weighs hypotheses against each other and against none of them.
+/// Parameters of the posterior.
+struct PosteriorConfig {
+  ScanComparisonConfig scans;
+  NullHypothesisConfig null;
+  double place = -15.0;  ///< [nats] Log-probability of one place among all unlisted ones.
+};
+
+/// Weighs hypotheses against each other and against the null hypothesis.
 class Posterior {
  public:
-  /// Remembers what `log` keeps. `evidence` outlives it.
-  Posterior(const PosteriorConfig& config, ScanLog log, const EvidenceModel& evidence);
+  /// Stores the scans in `log`. `evidence` must outlive it.
+  Posterior(const NullHypothesisConfig& config, ScanLog log, const EvidenceModel& evidence);
 
-  /// Begins anew; `known`: the user said where the robot is.
+  /// Restarts; `known` is true if the user gave the start pose.
   void start(bool known);
-  /// Forgets the scans: odometry does not lead back to them any more.
+  /// Forgets the scans, because odometry is not continuous with them any more.
   void forget_motion() { log_.forget_motion(); }
 
-  /// Adds a scan to the evidence of all hypotheses and of what is unlisted.
+  /// Adds the evidence of a scan to all hypotheses and to the null hypothesis.
   void weigh(const ScanPoints& points, const SE2& T_odom_base, int output_id,
              std::vector<Hypothesis>& hypotheses);
-  /// Takes the newest scan, if any, for one that was taken at the output.
+  /// Learns the usual log-likelihood from that of the newest scan, if any, at a confident output.
   void learn(double log_likelihood);
-  /// Takes what a search of the whole map found best; `hypotheses` have what it found in them.
+  /// Updates the null hypothesis by a search of the whole map, whose best place has the
+  /// log-likelihood `best_found`. `hypotheses` include the places found.
   void take_search(double best_found, const std::vector<Hypothesis>& hypotheses);
 
-  /// Probabilities of the hypotheses; what misses from 1 is unlisted.
+  /// Posterior probabilities of the hypotheses; the remainder to 1 is the null hypothesis.
   [[nodiscard]] std::vector<double> shares(const std::vector<Hypothesis>& hypotheses) const;
-  /// Log-likelihood that a right pose usually has.
-  [[nodiscard]] double usual() const { return unlisted_.usual; }
+  /// [nats] Usual log-likelihood of a scan at the right pose.
+  [[nodiscard]] double usual() const { return null_.usual; }
   [[nodiscard]] const ScanLog& log() const { return log_; }
 
  private:
-  PosteriorConfig config_;
+  NullHypothesisConfig config_;
   ScanLog log_;
   const EvidenceModel& evidence_;
-  Unlisted unlisted_;
+  NullHypothesis null_;
 };
 
 }  // namespace castaway::localization

@@ -1,5 +1,4 @@
-/// The last scans, kept so that a new hypothesis can be weighed on the same scale as those that saw
-/// them.
+/// The last scans, by which a new hypothesis is weighted on the same scale as the older ones.
 #pragma once
 
 #include <deque>
@@ -8,14 +7,14 @@
 
 namespace castaway::localization {
 
-/// One scan as the populations saw it.
+/// A past scan, with its effect on the posterior.
 struct ScanMemory {
-  ScanPoints points;             ///< In base at the scan's reference time.
-  SE2 T_odom_base;               ///< Odometry at that time.
-  double independence = 1.0;     ///< Share of the scan that counted as new.
-  double listed_before = 0.0;    ///< Log of the listed mass before the scan.
-  double unlisted_before = 0.0;  ///< Log of the unlisted mass before the scan.
-  double kidnap_cue = 0.0;       ///< What it says for a kidnap just before it, 0 at most.
+  ScanPoints points;           ///< In base at the scan's reference time.
+  SE2 T_odom_base;             ///< Odometry at that time.
+  double independence = 1.0;   ///< Share of the scan that counted as new, in (0, 1].
+  double listed_before = 0.0;  ///< [nats] Log-weight of all hypotheses together before the scan.
+  double null_before = 0.0;    ///< [nats] Log-weight of the null hypothesis before the scan.
+  double kidnap_cue = 0.0;  ///< [nats] Evidence for a kidnap just before the scan (`kidnap_cue`).
 };
 
 /// Newest last.

@@ -5,20 +5,37 @@
 
 namespace castaway::localization {
 
+double independence(const ScanComparisonConfig& config, double moved_m, double turned_rad) {
+  const double e = moved_m / config.independent_m + turned_rad / config.independent_rad;
+  return std::clamp(e, config.least_independence, 1.0);
+}
+
+double kidnap_cue(const ScanComparisonConfig& config, const std::optional<double>& agreement,
+                  double new_share) {
+  constexpr double kMoves = 0.5;  // At this new share, the robot is no longer at rest.
+  if (!agreement) return 0.0;
+  const double rest =
+      std::clamp((kMoves - new_share) / (kMoves - config.least_independence), 0.0, 1.0);
+  const double against =
+      config.agreeing_slope * (*agreement - config.agreeing) - config.agreeing_at_rest * rest;
+  const double in_favour = config.disagreeing_slope * (config.disagreeing - *agreement);
+  return std::max(0.0, in_favour) - std::max(0.0, against);
+}
+
 void ScanLog::start() {
   scans_.clear();
   recent_cue_ = 0.0;
 }
 
 const ScanMemory& ScanLog::add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                               double unlisted) {
-  ScanMemory scan{points, T_odom_base, 1.0, listed, unlisted, 0.0};
+                               double null) {
+  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0};
   if (!scans_.empty()) {
     const ScanMemory& before = scans_.back();
-    scan.independence = independence(posterior_, distance(before.T_odom_base, T_odom_base),
+    scan.independence = independence(comparison_, distance(before.T_odom_base, T_odom_base),
                                      yaw_distance(before.T_odom_base, T_odom_base));
     const SE2 u = before.T_odom_base.inverse() * T_odom_base;
-    scan.kidnap_cue = kidnap_cue(posterior_, scan_agreement(agreement_, before.points, points, u),
+    scan.kidnap_cue = kidnap_cue(comparison_, scan_agreement(agreement_, before.points, points, u),
                                  scan.independence);
   }
   recent_cue_ = std::max(scan.kidnap_cue, recent_cue_ - scan.independence);

@@ -4,35 +4,57 @@
 #include <optional>
 
 #include "localization/hypotheses/scan_history.hpp"
-#include "localization/hypotheses/unlisted.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 
 namespace castaway::localization {
 
-/// Keeps scans and the cue of a kidnap in them.
+/// Parameters of the comparison of consecutive scans. Evidence is in nats.
+struct ScanComparisonConfig {
+  double independent_m = 1.2;        ///< [m] Motion after which a scan is independent.
+  double independent_rad = 0.6;      ///< [rad] Turn after which a scan is independent.
+  double least_independence = 0.15;  ///< Independent share of a scan at rest.
+  /// Consecutive scans that agree better (`scan_agreement`) are evidence against a kidnap.
+  double agreeing = 0.65;
+  double agreeing_slope = 30.0;  ///< Strength of this evidence, per unit of agreement.
+  /// Reduction of this evidence at rest, where scans of similar places agree as well.
+  double agreeing_at_rest = 6.0;
+  double disagreeing = 0.5;  ///< Consecutive scans that agree worse are evidence for a kidnap.
+  double disagreeing_slope = 8.0;  ///< Strength of this evidence, per unit of agreement.
+};
+
+/// Share of a scan that counts as new after this motion since the previous scan.
+double independence(const ScanComparisonConfig& config, double moved_m, double turned_rad);
+
+/// Log-odds of a kidnap between two consecutive scans, given their agreement; 0 if that is unknown.
+/// `new_share` is the `independence` of the later scan.
+double kidnap_cue(const ScanComparisonConfig& config, const std::optional<double>& agreement,
+                  double new_share);
+
+/// Stores scans, and the evidence for kidnaps between them.
 class ScanLog {
  public:
-  /// Keeps at most `most` scans.
-  ScanLog(const PosteriorConfig& posterior, const ScanAgreementConfig& agreement, int most)
-      : posterior_(posterior), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
+  /// Stores at most `most` scans.
+  ScanLog(const ScanComparisonConfig& comparison, const ScanAgreementConfig& agreement, int most)
+      : comparison_(comparison), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
 
-  /// Begins anew.
+  /// Removes all scans and the recent cue.
   void start();
-  /// Forgets the scans: odometry does not lead back to them any more.
+  /// Removes all scans, because odometry is not continuous with them any more.
   void forget_motion() { scans_.clear(); }
-  /// Adds a scan and says how much of it is new and whether it agrees with the one before.
-  /// `listed` and `unlisted`: logs of the masses before it.
+  /// Adds a scan. Returns it with its independence and kidnap cue relative to the previous one.
+  /// `listed` and `null` are the log-weights of all hypotheses and of the null hypothesis before
+  /// the scan.
   const ScanMemory& add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                        double unlisted);
+                        double null);
 
   [[nodiscard]] const ScanHistory& scans() const { return scans_; }
   /// Odometry at the newest scan, if any.
   [[nodiscard]] std::optional<SE2> T_odom_base() const;
-  /// The highest cue of a kidnap lately: it fades by a nat per new scan.
+  /// [nats] The highest recent kidnap cue; it decays by 1 per new scan.
   [[nodiscard]] double recent_cue() const { return recent_cue_; }
 
  private:
-  PosteriorConfig posterior_;
+  ScanComparisonConfig comparison_;
   ScanAgreementConfig agreement_;
   std::size_t most_;
   ScanHistory scans_;

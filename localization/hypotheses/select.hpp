@@ -8,8 +8,8 @@
 
 namespace castaway::localization {
 
-/// Index of the output: the one with id `current` while it is less than `margin` [nats] behind the
-/// best, else the best. Nothing if there is no hypothesis.
+/// Index of the output: the hypothesis with id `current` if it is less than `margin` [nats] behind
+/// the best one, otherwise the best one. Nothing if there is no hypothesis.
 std::optional<std::size_t> select(const std::vector<Hypothesis>& hypotheses, int current,
                                   double margin);
 

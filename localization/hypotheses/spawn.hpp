@@ -1,4 +1,4 @@
-/// Start: a population of particles begins where the robot may be (paper, section IV).
+/// Spawn: creates a population of particles at a place (paper, section IV).
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,21 @@
 
 namespace castaway::localization {
 
-/// Spread that is added to that of the belief: what is told or found is never exact.
+/// Spread that is added to the covariance of a given or found pose, which is never exact.
 struct SpawnConfig {
-  double sigma = 0.05;      ///< [m] Of a new population...
-  double sigma_yaw = 0.02;  ///< [rad] ...and of its yaw.
+  double sigma = 0.05;      ///< [m] Standard deviation in x and y.
+  double sigma_yaw = 0.02;  ///< [rad]
 };
 
-/// Makes populations, each with an id and a stream of random numbers of its own.
+/// Creates populations, each with its own id and random stream.
 class Spawner {
  public:
-  /// `size`: how many particles a population of a spread has.
+  /// `size` gives the number of particles for a covariance.
   Spawner(const SpawnConfig& config, const ReseedConfig& size, std::uint64_t seed)
       : config_(config), size_(size), seed_(seed) {}
 
-  /// A population that is as heavy as `log_weight` and saw the newest scan as `evidence` says.
+  /// Returns a new population with particles drawn from `belief`; `evidence` is that of the newest
+  /// scan.
   Hypothesis spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
 
  private:

@@ -6,7 +6,11 @@
 /// neighbouring nodes are adjacent in memory at every level, like the scores at the finest.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "localization/map/byte_field.hpp"
+#include "localization/map/pooled_layout.hpp"
 
 namespace castaway::localization {
 
@@ -17,46 +21,23 @@ namespace castaway::localization {
 /// and 2 j + 1.
 class PooledField {
  public:
-  static constexpr int kTileColumns = 8;
-  static constexpr int kTileRows = 2;
-
   /// `edge` >= 1 [cells]; an edge of 1 gives the field itself.
   PooledField(const ByteField& field, int edge);
 
-  [[nodiscard]] int edge() const { return edge_; }
-  [[nodiscard]] int tile_columns() const { return tile_columns_; }
-  [[nodiscard]] int tile_rows() const { return tile_rows_; }
-  /// Bytes from one row of nodes to the next.
-  [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
-  /// [cells] Exclusive limit of shifts.
-  [[nodiscard]] int reach() const { return reach_; }
+  [[nodiscard]] const PooledLayout& layout() const { return layout_; }
   /// The byte of a tile's first node, without shift.
   [[nodiscard]] const std::uint8_t* tile(int column, int row) const {
-    return bytes_.data() + (kTileRows * row + padding_) * stride_ + kTileColumns * column +
-           padding_;
+    return bytes_.data() + layout_.tile_offset(column, row);
   }
-  /// Offset from a node's byte to that of the node shifted by (dx, dy) cells, |d| < `reach`.
-  /// [bytes]
-  [[nodiscard]] std::int32_t shift(int dx, int dy) const;
   /// Bit 8 r + c is set if node (c, r) of the tile covers a free cell.
   [[nodiscard]] unsigned free_nodes(int column, int row) const {
-    return free_[static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
-                 static_cast<std::size_t>(column)];
+    return free_[layout_.tile_index(column, row)];
   }
 
  private:
-  void pool(const ByteField& field);
-  void find_free_nodes(const ByteField& field);
-
-  int edge_;
-  int reach_;
-  int tile_columns_;
-  int tile_rows_;
-  int padding_;  ///< [nodes] On every side.
-  std::ptrdiff_t stride_;
-  std::ptrdiff_t phase_size_;  ///< Bytes of all nodes of one phase.
+  PooledLayout layout_;
   std::vector<std::uint8_t> bytes_;
-  std::vector<std::uint16_t> free_;
+  std::vector<std::uint16_t> free_;  ///< For each tile.
 };
 
 }  // namespace castaway::localization

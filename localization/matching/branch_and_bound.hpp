@@ -9,15 +9,9 @@
 #pragma once
 
 #include "localization/matching/best_places.hpp"
-#include "localization/matching/tile_sums.hpp"
+#include "localization/matching/tile_scorer.hpp"
 
 namespace castaway::localization {
-
-/// Levels of a map, the finest (edge 1) first; each has twice the edge of the previous one.
-using Pyramid = std::vector<PooledField>;
-
-/// Builds a pyramid of `levels` >= 1.
-Pyramid make_pyramid(const ByteField& field, int levels);
 
 /// One search. It can be interrupted and resumed at any tile.
 class BranchAndBound {
@@ -33,31 +27,20 @@ class BranchAndBound {
   /// True if the list is final.
   [[nodiscard]] bool complete() const { return complete_; }
   /// Tiles scored so far; each costs 16 byte sums per end point.
-  [[nodiscard]] std::int64_t tiles_scored() const { return scored_; }
+  [[nodiscard]] std::int64_t tiles_scored() const { return scorer_.scored(); }
   /// The best places so far, best first.
   [[nodiscard]] const BestPlaces& best() const { return best_; }
 
  private:
-  /// A tile and the upper bounds of its children: lower left, lower right, upper left, upper right.
-  struct Node {
-    Tile tile;
-    std::array<std::uint16_t, 4> bounds{};
-    [[nodiscard]] int bound() const;
-  };
-  [[nodiscard]] Node bound_node(std::size_t level, const Tile& tile);
-  void sort_roots();
-  void expand(std::size_t level, const Node& node);
+  void expand(std::size_t level, const BoundedTile& parent);
   void descend(std::size_t level, const Tile& tile);
-  TileSums score(std::size_t level, const Tile& tile);
 
-  const Pyramid* pyramid_;
+  TileScorer scorer_;
   SearchSpace space_;
   BestPlaces best_;
-  std::vector<ScanShifts> shifts_;  ///< For each level.
-  std::vector<Node> roots_;         ///< Tiles of the coarsest level.
+  std::vector<BoundedTile> roots_;  ///< Tiles of the coarsest level.
   std::size_t bounded_ = 0;         ///< Number of roots whose bounds are computed.
   std::size_t expanded_ = 0;        ///< Number of finished roots.
-  std::int64_t scored_ = 0;
   bool complete_ = false;
 };
 

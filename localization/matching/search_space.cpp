@@ -29,13 +29,10 @@ SearchSpace search_space(const GridFrame& frame, int yaw_steps,
 
 std::vector<CellOffset> rotate_scan(const ScanPoints& points, int count, double resolution,
                                     double yaw_grid, int reach) {
-  const std::size_t used = std::min(points.size(), static_cast<std::size_t>(count));
   const double c = std::cos(yaw_grid) / resolution;
   const double s = std::sin(yaw_grid) / resolution;
   std::vector<CellOffset> offsets;
-  offsets.reserve(used);
-  for (std::size_t k = 0; k < used; ++k) {
-    const std::size_t i = k * points.size() / used;
+  for (const std::size_t i : even_indices(points.size(), count)) {
     const double px = points.x[i];
     const double py = points.y[i];
     const int dx = cell_index(0.5 + c * px - s * py);

@@ -15,7 +15,7 @@ struct RowSums {
 
   void add(const std::uint8_t* bytes) {
     static_assert(std::endian::native == std::endian::little);
-    static_assert(PooledField::kTileColumns == sizeof(std::uint64_t));
+    static_assert(PooledLayout::kTileColumns == sizeof(std::uint64_t));
     constexpr std::uint64_t kEven = 0x00FF00FF00FF00FF;
     std::uint64_t word = 0;
     std::memcpy(&word, bytes, sizeof word);
@@ -37,16 +37,16 @@ ScanShifts::ScanShifts(const PooledField& level, const std::vector<std::vector<C
   for (const auto& scan : scans) first_.push_back(first_.back() + scan.size());
   shifts_.reserve(first_.back());
   for (const auto& scan : scans) {
-    for (const CellOffset& o : scan) shifts_.push_back(level.shift(o.dx, o.dy));
+    for (const CellOffset& o : scan) shifts_.push_back(level.layout().shift(o.dx, o.dy));
   }
 }
 
 TileSums tile_sums(const PooledField& level, const Tile& tile,
                    std::span<const std::int32_t> shifts) {
   assert(shifts.size() <= 256);
-  static_assert(PooledField::kTileRows == 2);
+  static_assert(PooledLayout::kTileRows == 2);
   const std::uint8_t* base = level.tile(tile.column, tile.row);
-  const std::ptrdiff_t stride = level.stride();
+  const std::ptrdiff_t stride = level.layout().stride;
   RowSums lower;
   RowSums upper;
   for (const std::int32_t shift : shifts) {
@@ -55,7 +55,7 @@ TileSums tile_sums(const PooledField& level, const Tile& tile,
   }
   TileSums sums;
   lower.store(sums.data());
-  upper.store(sums.data() + PooledField::kTileColumns);
+  upper.store(sums.data() + PooledLayout::kTileColumns);
   return sums;
 }
 

@@ -12,7 +12,7 @@ namespace castaway::localization {
 
 /// Sums of a tile's nodes, lower row first. At edge 1 they are scores, otherwise upper bounds of
 /// the scores of all cells that a node covers.
-using TileSums = std::array<std::uint16_t, PooledField::kTileColumns * PooledField::kTileRows>;
+using TileSums = std::array<std::uint16_t, PooledLayout::kTileColumns * PooledLayout::kTileRows>;
 
 /// A scan's end points at every yaw of a search, as byte offsets on one level.
 class ScanShifts {

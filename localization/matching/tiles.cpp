@@ -3,22 +3,22 @@
 namespace castaway::localization {
 namespace {
 
-constexpr int kColumns = PooledField::kTileColumns;
-constexpr int kRows = PooledField::kTileRows;
+constexpr int kColumns = PooledLayout::kTileColumns;
+constexpr int kRows = PooledLayout::kTileRows;
 
 }  // namespace
 
 bool outside(const PooledField& level, const SearchSpace& space, int column, int row) {
-  const int width = level.edge() * kColumns;
-  const int height = level.edge() * kRows;
+  const int width = level.layout().edge * kColumns;
+  const int height = level.layout().edge * kRows;
   return column * width > space.high.x() || (column + 1) * width <= space.low.x() ||
          row * height > space.high.y() || (row + 1) * height <= space.low.y();
 }
 
 std::vector<Tile> tiles_within(const PooledField& level, const SearchSpace& space) {
   std::vector<Tile> tiles;
-  for (int row = 0; row < level.tile_rows(); ++row) {
-    for (int column = 0; column < level.tile_columns(); ++column) {
+  for (int row = 0; row < level.layout().tile_rows; ++row) {
+    for (int column = 0; column < level.layout().tile_columns; ++column) {
       if (level.free_nodes(column, row) == 0 || outside(level, space, column, row)) continue;
       tiles.push_back({column, row, 0});
     }

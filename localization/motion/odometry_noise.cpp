@@ -39,7 +39,7 @@ Eigen::Matrix3d OdometryMotion::covariance() const {
       .asDiagonal();
 }
 
-Eigen::Matrix3d rotated_to_map(const Eigen::Matrix3d& covariance_base, double yaw) {
+Eigen::Matrix3d rotate_to_map(const Eigen::Matrix3d& covariance_base, double yaw) {
   const Eigen::Matrix3d R = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return R * covariance_base * R.transpose();
 }

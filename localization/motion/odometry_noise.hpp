@@ -37,7 +37,7 @@ class OdometryMotion {
   double sigma_rot_;
 };
 
-/// Covariance in map of a step whose covariance in the frame of base0 is `covariance_base`.
-Eigen::Matrix3d rotated_to_map(const Eigen::Matrix3d& covariance_base, double yaw);
+/// Returns the covariance in map of a step with `covariance_base` in the frame of base0.
+Eigen::Matrix3d rotate_to_map(const Eigen::Matrix3d& covariance_base, double yaw);
 
 }  // namespace castaway::localization

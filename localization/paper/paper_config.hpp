@@ -7,16 +7,13 @@
 #include "localization/paper/paper_cascade.hpp"
 #include "localization/paper/quality_rules.hpp"
 #include "localization/paper/reseed_losers.hpp"
-#include "localization/sensor/intake.hpp"
+#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 
 /// All settings of the paper's MH-AMCL: the paper's values, and our choices where it is silent.
 struct PaperMhAmclConfig {
-  double predict_rate_hz = 100.0;
-  double correct_rate_hz = 10.0;
-  double reseed_rate_hz = 0.3;
-  BeamSelection beams;
+  SensorInputConfig input;
   OdometryNoiseConfig motion;
   RayLocalConfig sensor;
   LoserReseedConfig reseed;
@@ -28,9 +25,6 @@ struct PaperMhAmclConfig {
   double candidate_sigma_yaw = 0.1;
   SpawnConfig spawn;  ///< Added to the spread of a candidate or of a start.
   ReseedConfig size;  ///< Number of particles of a new population.
-  IntakeConfig intake;
-  /// Scans of other lidars up to this age are joined to a new one.
-  Stamp lidar_memory = std::chrono::milliseconds(250);
 };
 
 /// @throws std::invalid_argument naming a value that is out of range.

@@ -1,16 +1,16 @@
 #include "localization/paper/paper_mh_amcl.hpp"
 
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include "localization/output.hpp"
 
 namespace castaway::localization {
 namespace {
 
-/// Shares by quality: the paper knows no place that is not listed.
-std::vector<double> shares_of(const Populations& populations) {
-  return shares(populations.all, {.log_weight = -std::numeric_limits<double>::infinity()});
+void select_by_stages(const PaperStages& stages, Stamp now, PaperBelief& belief) {
+  if (belief.populations.all.empty()) return;
+  belief.select(stages.prefer(belief.populations), now);
 }
 
 }  // namespace
@@ -23,27 +23,24 @@ PaperMhAmcl::PaperMhAmcl(const PaperMhAmclConfig& config, PaperStages stages, st
                          StageClock clock)
     : config_((validate(config), config)),
       stages_(std::move(stages)),
-      timer_(std::move(clock)),
-      input_({config_.predict_rate_hz, config_.correct_rate_hz, config_.reseed_rate_hz,
-              config_.beams, config_.intake, config_.lidar_memory}),
-      spawner_(config_.spawn, config_.size, seed),
-      patience_(stages_.patience_s) {}
+      input_(config_.input),
+      belief_(config_, stages_.patience_s, seed),
+      timer_(std::move(clock)) {}
 
 void PaperMhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
-  populations_ = {};
-  patience_.reset();
+  belief_.clear();
   last_match_.reset();
   estimate_.reset();
   if (!start) return;
-  populations_.all.push_back(spawner_.spawn({start->T_map_base, start->covariance}, 0.0, {}));
-  select(Stamp{});
+  belief_.add({start->T_map_base, start->covariance});
+  select_by_stages(stages_, Stamp{}, belief_);
 }
 
 void PaperMhAmcl::on_odometry(const Odometry& odometry) {
   const OdometryTurn turn = input_.take(odometry);
-  if (turn.restarted) {  // the populations stay where they are
-    patience_.reset();
+  if (turn.restarted) {  // The populations keep their poses.
+    belief_.patience.reset();
     last_match_.reset();
     estimate_.reset();
   }
@@ -55,74 +52,65 @@ void PaperMhAmcl::on_scan(const LaserScan& scan) {
   if (!turn) return;
   predict(turn->step);
   if (turn->counts) take_scan({scan, *turn, input_.intake().T_odom_base()});
-  estimate_ = estimate_of(populations_, shares_of(populations_),
-                          populations_.probability < config_.rules.right_from, scan.stamp,
-                          input_.T_now_base(scan.stamp));
+  const Populations& populations = belief_.populations;
+  estimate_ =
+      estimate_of(populations, belief_.shares(), populations.probability < config_.rules.right_from,
+                  scan.stamp, input_.T_now_base(scan.stamp));
 }
 
-/// One scan through the paper's phases.
+void PaperMhAmcl::predict(const std::optional<SE2>& step) {
+  if (step) timer_.measure("predict", [&] { stages_.predict(*step, belief_.populations.all); });
+}
+
+/// Processes one scan in the phases of the paper.
 void PaperMhAmcl::take_scan(const MatchScan& scan) {
+  Populations& populations = belief_.populations;
   const Stamp now = scan.turn.now;
-  timer_.measure("correct", [&] { correct(scan.turn.points); });
+  timer_.measure("correct", [&] {
+    for (Hypothesis& hypothesis : populations.all) stages_.correct(scan.turn.points, hypothesis);
+    belief_.update_probability();
+  });
   const bool matches = !last_match_ || seconds(now - *last_match_) >= config_.match_period_s;
   const bool manages = stages_.manages_always || matches;
   if (manages) {
     timer_.measure("manage", [&] {
-      stages_.merge(populations_);
-      select(now);
+      stages_.merge(populations);
+      select_by_stages(stages_, now, belief_);
     });
   }
   if (matches) timer_.measure("match", [&] { create(scan); });
   if (manages) {
     timer_.measure("manage", [&] {
-      stages_.destroy(populations_);
-      if (populations_.output() == nullptr) select(now);
+      stages_.destroy(populations);
+      if (populations.output() == nullptr) select_by_stages(stages_, now, belief_);
     });
   }
   if (!scan.turn.reseeds) return;
   timer_.measure("reseed", [&] {
-    for (Hypothesis& hypothesis : populations_.all) stages_.reseed(hypothesis);
+    for (Hypothesis& hypothesis : populations.all) stages_.reseed(hypothesis);
   });
 }
 
-void PaperMhAmcl::predict(const std::optional<SE2>& step) {
-  if (step) timer_.measure("predict", [&] { stages_.predict(*step, populations_.all); });
-}
-
-void PaperMhAmcl::correct(const ScanPoints& points) {
-  for (Hypothesis& hypothesis : populations_.all) stages_.correct(points, hypothesis);
-  if (const Hypothesis* output = populations_.output()) populations_.probability = output->quality;
-}
-
-/// New populations where the matcher finds the scan, far from those there are.
+/// Creates populations where the matcher finds the scan, apart from the existing ones.
 void PaperMhAmcl::create(const MatchScan& scan) {
   last_match_ = scan.turn.now;
   const QualityRules& rules = config_.rules;
+  const std::vector<Hypothesis>& present = belief_.populations.all;
   const double s = config_.candidate_sigma;
   const double r = config_.candidate_sigma_yaw;
   const Eigen::Matrix3d spread = Eigen::Vector3d(s * s, s * s, r * r).asDiagonal();
   for (const Candidate& candidate : stages_.match(scan)) {
-    if (populations_.all.size() >= static_cast<std::size_t>(rules.most)) break;
+    if (present.size() >= static_cast<std::size_t>(rules.most)) break;
     if (candidate.score < rules.candidate_from) break;
-    if (!is_apart(rules, populations_.all, candidate.T_map_base)) continue;
-    populations_.all.push_back(spawner_.spawn({candidate.T_map_base, spread}, 0.0, {}));
-    stages_.judge_new(scan.turn.points, populations_.all.back());
+    if (!is_apart(rules, present, candidate.T_map_base)) continue;
+    stages_.judge_new(scan.turn.points, belief_.add({candidate.T_map_base, spread}));
   }
-  stages_.merge(populations_);
-  select(scan.turn.now);
-}
-
-void PaperMhAmcl::select(Stamp now) {
-  if (populations_.all.empty()) return;
-  const bool is_there = populations_.output() != nullptr;
-  const std::optional<int> present =
-      is_there ? std::optional<int>(populations_.output_id) : std::nullopt;
-  populations_.output_id = patience_.settle(present, stages_.prefer(populations_), now);
-  populations_.probability = populations_.output()->quality;
+  stages_.merge(belief_.populations);
+  select_by_stages(stages_, scan.turn.now, belief_);
 }
 
 Diagnostics PaperMhAmcl::diagnostics() const {
-  return diagnostics_of(populations_, shares_of(populations_), input_.intake(), timer_);
+  return diagnostics_of(belief_.populations, belief_.shares(), input_.intake(), timer_);
 }
 
 }  // namespace castaway::localization

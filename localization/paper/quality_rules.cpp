@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "localization/hypotheses/populations.hpp"
+
 namespace castaway::localization {
 namespace {
 
@@ -71,10 +73,8 @@ int prefer_by_quality(const QualityRules& rules, const std::vector<Hypothesis>& 
                       int output_id) {
   assert(!hypotheses.empty());
   const Hypothesis& best = hypotheses[*best_by_quality(hypotheses)];
-  const auto present = std::find_if(hypotheses.begin(), hypotheses.end(),
-                                    [&](const Hypothesis& h) { return h.id == output_id; });
-  const bool stays =
-      present != hypotheses.end() && !(best.quality > present->quality + rules.select_margin);
+  const Hypothesis* present = find_hypothesis(hypotheses, output_id);
+  const bool stays = present != nullptr && !(best.quality > present->quality + rules.select_margin);
   return stays ? output_id : best.id;
 }
 

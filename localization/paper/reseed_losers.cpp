@@ -11,7 +11,7 @@
 namespace castaway::localization {
 namespace {
 
-/// Poses, heaviest first; equal weights in their order.
+/// Returns the poses by descending weight; the order of equal weights is kept.
 std::vector<SE2> sort_by_weight(const ParticleSet& particles) {
   std::vector<std::size_t> order(particles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

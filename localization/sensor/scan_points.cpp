@@ -17,15 +17,6 @@ std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection&
   return valid;
 }
 
-/// At most `most` of the indices, evenly spread.
-std::vector<std::size_t> thinned(const std::vector<std::size_t>& valid, int most) {
-  const auto count = static_cast<std::size_t>(most);
-  if (valid.size() <= count) return valid;
-  std::vector<std::size_t> even(count);
-  for (std::size_t k = 0; k < count; ++k) even[k] = valid[k * valid.size() / count];
-  return even;
-}
-
 void append(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
             double range) {
   const Eigen::Vector3d end(range * std::cos(angle), range * std::sin(angle), 0.0);
@@ -71,7 +62,8 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
     points.valid_share =
         static_cast<double>(valid.size()) / static_cast<double>(scan.ranges.size());
   }
-  for (const std::size_t i : thinned(valid, selection.max_beams)) {
+  for (const std::size_t k : even_indices(valid.size(), selection.max_beams)) {
+    const std::size_t i = valid[k];
     if (scan.time_increment != Stamp::zero()) {
       const std::optional<SE2> T_odom_beam = T_odom_base.at(scan.beam_stamp(i));
       if (!T_odom_beam) return std::nullopt;
@@ -82,15 +74,21 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
   return points;
 }
 
-ScanPoints thinned(const ScanPoints& points, int count) {
-  const auto most = static_cast<std::size_t>(count);
-  if (points.size() <= most) return points;
+std::vector<std::size_t> even_indices(std::size_t size, int count) {
+  const std::size_t used = std::min(size, static_cast<std::size_t>(count));
+  std::vector<std::size_t> indices(used);
+  for (std::size_t k = 0; k < used; ++k) indices[k] = k * size / used;
+  return indices;
+}
+
+ScanPoints thin(const ScanPoints& points, int count) {
+  if (points.size() <= static_cast<std::size_t>(count)) return points;
   ScanPoints even;
-  for (std::size_t k = 0; k < most; ++k) copy_point(points, k * points.size() / most, even);
+  for (const std::size_t i : even_indices(points.size(), count)) copy_point(points, i, even);
   return even;
 }
 
-ScanPoints farthest(const ScanPoints& points, double share) {
+ScanPoints farthest_points(const ScanPoints& points, double share) {
   if (points.empty()) return points;
   std::vector<float> ranges = points.range;
   const auto skipped =

@@ -43,10 +43,13 @@ struct ScanPoints {
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
                                        Stamp reference, const BeamSelection& selection);
 
-/// At most `count` of the points, evenly spread over the scan.
-ScanPoints thinned(const ScanPoints& points, int count);
+/// Indices of at most `count` of `size` items, evenly spread, in ascending order.
+std::vector<std::size_t> even_indices(std::size_t size, int count);
+
+/// Returns at most `count` of the points, evenly spread over the scan.
+ScanPoints thin(const ScanPoints& points, int count);
 
 /// The farthest `share` of the points in their order; at least one if there are any.
-ScanPoints farthest(const ScanPoints& points, double share);
+ScanPoints farthest_points(const ScanPoints& points, double share);
 
 }  // namespace castaway::localization

@@ -1,6 +1,23 @@
 #include "localization/sensor/sensor_input.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace castaway::localization {
+namespace {
+
+void require_rate(double rate_hz, const char* name) {
+  if (!(rate_hz > 0.0)) throw std::invalid_argument(std::string(name) + " must be positive");
+}
+
+}  // namespace
+
+void validate(const SensorInputConfig& config) {
+  require_rate(config.predict_rate_hz, "predict_rate_hz");
+  require_rate(config.correct_rate_hz, "correct_rate_hz");
+  require_rate(config.reseed_rate_hz, "reseed_rate_hz");
+  validate(config.beams);
+}
 
 SensorInput::SensorInput(const SensorInputConfig& config)
     : beams_(config.beams),

@@ -2,23 +2,30 @@
 /// points in base.
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "localization/geometry/rate.hpp"
 #include "localization/sensor/intake.hpp"
 #include "localization/sensor/lidar_panorama.hpp"
+#include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
 
-/// Rates at which readings are used.
+/// Rates at which readings are used, and how they are prepared.
 struct SensorInputConfig {
-  double predict_rate_hz;  ///< Of steps between scans; every scan causes a step, too.
-  double correct_rate_hz;  ///< Of scans used for corrections.
-  double reseed_rate_hz;   ///< Of corrections followed by a reseed.
+  /// Rate of prediction steps between scans; every scan causes a step, too.
+  double predict_rate_hz = 100.0;
+  double correct_rate_hz = 10.0;  ///< Rate of scans used for corrections.
+  double reseed_rate_hz = 0.3;    ///< Rate of corrections followed by a reseed.
   BeamSelection beams;
   IntakeConfig intake;
-  Stamp lidar_memory;  ///< Scans of other lidars up to this age are joined to a new one.
+  /// Scans of other lidars up to this age are joined to a new one.
+  Stamp lidar_memory = std::chrono::milliseconds(250);
 };
+
+/// @throws std::invalid_argument naming a value that is out of range.
+void validate(const SensorInputConfig& config);
 
 /// Effect of an odometry reading on the particles.
 struct OdometryTurn {

@@ -238,11 +238,11 @@ TEST(MhAmcl, ReportsItsPopulationsAndTheCostOfItsStages) {
 std::vector<double> probabilities_at_rest(double deep_below, double usual_rate) {
   MhAmclConfig config;
   config.create.deep_below = deep_below;
-  config.posterior.usual_rate = usual_rate;
-  config.posterior.usual_match_rate = 0.0;  // Searches do not change the usual likelihood.
-  config.posterior.missed = -5.0;           // The probability of a missed place does not depend on
-                                            // the search.
-  config.posterior.missed_slope = 0.0;
+  config.posterior.null.usual_rate = usual_rate;
+  config.posterior.null.usual_match_rate = 0.0;  // Searches do not change the usual likelihood.
+  config.posterior.null.missed = -5.0;  // The probability of a missed place does not depend on
+                                        // the search.
+  config.posterior.null.missed_slope = 0.0;
   MhAmcl localizer(config, test::office(), 1);
   test::GridDrive drive(test::office(), kStart);
   std::vector<double> probabilities;
@@ -262,7 +262,7 @@ TEST(MhAmcl, LearnsOfAScanOnceThoughASearchEndsWithIt) {
 
 TEST(MhAmcl, RefusesSettingsThatMakeNoSense) {
   MhAmclConfig config;
-  config.correct_rate_hz = 0.0;
+  config.input.correct_rate_hz = 0.0;
   EXPECT_THROW(MhAmcl(config, test::office(), 1), std::invalid_argument);
   config = {};
   config.match.slice = 0;

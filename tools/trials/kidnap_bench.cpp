@@ -36,7 +36,7 @@ class TrialSink final : public RunSink {
     const std::vector<RunEvent> kidnaps = kidnaps_of(played_.history.events);
     if (played_.points || kidnaps.empty() || record.stamp < kidnaps.front().stamp) return;
     played_.points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
-                                                localization::MhAmclConfig{}.beams);
+                                                localization::MhAmclConfig{}.input.beams);
     played_.T_map_base_true = record.T_map_base_true.value();
   }
   void finish(Stamp end, const RunTiming&) override { played_.end = end; }

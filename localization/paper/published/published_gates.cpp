@@ -1,16 +1,16 @@
 #include "localization/paper/published/published_gates.hpp"
 
-#include <algorithm>
 #include <cassert>
+
+#include "localization/hypotheses/populations.hpp"
 
 namespace castaway::localization {
 
 int output_by_gates(const PublishedGates& gates, const std::vector<Hypothesis>& hypotheses,
                     int output_id) {
   assert(!hypotheses.empty());
-  const auto present = std::find_if(hypotheses.begin(), hypotheses.end(),
-                                    [&](const Hypothesis& h) { return h.id == output_id; });
-  const Hypothesis* output = present == hypotheses.end() ? &hypotheses.front() : &*present;
+  const Hypothesis* output = find_hypothesis(hypotheses, output_id);
+  if (output == nullptr) output = &hypotheses.front();
   for (const Hypothesis& h : hypotheses) {
     if (h.quality > gates.good && h.quality > output->quality + gates.margin) output = &h;
   }

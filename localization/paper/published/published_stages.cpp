@@ -45,7 +45,7 @@ void replace_match(const PublishedMhAmclConfig& config, const OccupancyGrid& map
   const auto cascade = std::make_shared<const PaperCascade>(
       published_cascade(config.paper.cascade, config.paper.sensor, map, config.defects));
   const bool unmounted = config.defects.mount_ignored;
-  stages.match = [cascade, unmounted, beams = config.paper.beams](const MatchScan& scan) {
+  stages.match = [cascade, unmounted, beams = config.paper.input.beams](const MatchScan& scan) {
     return cascade->match(unmounted ? points_at_base(scan, beams) : scan.turn.points);
   };
 }

@@ -79,7 +79,7 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
   // All mass was listed, in other places.
   for (ScanMemory& scan : history) {
     scan.listed_before = 0.0;
-    scan.unlisted_before = -50.0;
+    scan.null_before = -50.0;
   }
   const double before = weigh_backwards(context(), history, place);
   for (ScanMemory& scan : history) scan.kidnap_cue = -9.0;
@@ -94,7 +94,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   }
   config_.refined = 20;
   config_.looked_at = 1000;
-  const std::vector<Candidate> kept = sort_out(context(), candidates, points);
+  const std::vector<Candidate> kept = screen_candidates(context(), candidates, points);
   std::vector<double> all;
   for (const Candidate& c : candidates) {
     all.push_back(evidence_.evaluate(points, c.T_map_base).log_likelihood);
@@ -102,7 +102,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   std::sort(all.begin(), all.end(), std::greater<>());
   ASSERT_EQ(kept.size(), 20U);
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_NEAR(kept[i].score, all[i], 1e-9) << i;
-  EXPECT_TRUE(sort_out(context(), {}, points).empty());
+  EXPECT_TRUE(screen_candidates(context(), {}, points).empty());
 }
 
 TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
@@ -111,7 +111,7 @@ TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
   for (double x = 0.6; x < 9.0; x += 0.4) candidates.push_back({{x, 5.0, 2.0}, 0.5});
   config_.looked_at = 3;
   config_.refined = 2;
-  const auto kept = sort_out(context(), candidates, test::with_people(scan_from(truth)));
+  const auto kept = screen_candidates(context(), candidates, test::with_people(scan_from(truth)));
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].T_map_base, truth);
 }

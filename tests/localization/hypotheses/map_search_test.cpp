@@ -51,7 +51,7 @@ class MapSearchTest : public testing::Test {
 
 TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
   std::set<Pose> expected = poses(matcher_.match(points_));
-  expected.merge(poses(matcher_.match(farthest(points_, create_.far_share))));
+  expected.merge(poses(matcher_.match(farthest_points(points_, create_.far_share))));
   const auto candidates = found(points_, SearchDepth::kUsual);
   EXPECT_EQ(poses(candidates), expected);
   EXPECT_EQ(candidates.size(), expected.size());  // without duplicates
@@ -72,7 +72,7 @@ TEST_F(MapSearchTest, FindsByFarPointsWhatPeopleHide) {
 
 TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
   create_.deep_candidates = 25;
-  const ScanPoints far = farthest(points_, create_.far_share);
+  const ScanPoints far = farthest_points(points_, create_.far_share);
   EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(far, {}, 25)));
   create_.far_share = 0.0;
   EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(points_, {}, 25)));

@@ -37,5 +37,13 @@ TEST(PredictAll, MovesParticlesAndMeansByTheStepInBase) {
   EXPECT_EQ(all[1].particles.poses[0], all[1].belief.mean);
 }
 
+TEST(FindHypothesis, ByItsId) {
+  std::vector<Hypothesis> all(2);
+  all[0].id = 4;
+  all[1].id = 7;
+  EXPECT_EQ(find_hypothesis(all, 7), &all[1]);
+  EXPECT_EQ(find_hypothesis(all, 5), nullptr);
+}
+
 }  // namespace
 }  // namespace castaway::localization

@@ -27,11 +27,11 @@ class PosteriorTest : public testing::Test {
   OccupancyGrid grid_ = test::office();
   DistanceField distances_{grid_, 5.0};
   EvidenceModel evidence_{{}, grid_, distances_};
-  PosteriorConfig config_;
+  NullHypothesisConfig config_;
   SE2 here_{3.0, 3.0, 0.4};
   SE2 elsewhere_{8.0, 6.5, 2.0};
   ScanPoints points_ = test::points_from(grid_, here_);
-  Posterior posterior_{config_, {config_, {}, 3}, evidence_};
+  Posterior posterior_{config_, {{}, {}, 3}, evidence_};
 };
 
 TEST_F(PosteriorTest, AddsTheWholeFirstScan) {
@@ -57,7 +57,7 @@ TEST_F(PosteriorTest, RemembersTheMassesBeforeTheScan) {
   std::vector<Hypothesis> all = {at(0, here_, -1.0)};
   posterior_.weigh(points_, {}, 0, all);
   EXPECT_EQ(posterior_.log().scans().back().listed_before, -1.0);
-  EXPECT_EQ(posterior_.log().scans().back().unlisted_before, 0.0);
+  EXPECT_EQ(posterior_.log().scans().back().null_before, 0.0);
   posterior_.forget_motion();
   EXPECT_TRUE(posterior_.log().scans().empty());
 }

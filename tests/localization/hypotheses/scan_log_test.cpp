@@ -1,5 +1,7 @@
 #include "localization/hypotheses/scan_log.hpp"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
@@ -7,6 +9,31 @@
 
 namespace castaway::localization {
 namespace {
+
+TEST(Independence, GrowsWithTheWayFromALeastValueToOne) {
+  const ScanComparisonConfig config;
+  EXPECT_DOUBLE_EQ(independence(config, 0.0, 0.0), 0.15);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(independence(config, 0.6, 0.18), 0.8);
+  EXPECT_DOUBLE_EQ(independence(config, 2.0, 0.0), 1.0);
+}
+
+TEST(KidnapCue, SpeaksAgainstAKidnapWhereScansAgreeAndForOneWhereTheyDoNot) {
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, std::nullopt, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.95, 1.0), -9.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.65, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(kidnap_cue({}, 0.5, 1.0), 0.0);
+  EXPECT_NEAR(kidnap_cue({}, 0.25, 1.0), 2.0, 1e-12);
+}
+
+TEST(KidnapCue, ExpectsMoreAgreementOfARobotAtRest) {
+  const ScanComparisonConfig config;
+  const double rest = config.least_independence;
+  EXPECT_NEAR(kidnap_cue(config, 0.95, rest), -3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(kidnap_cue(config, 0.85, rest), 0.0);
+  EXPECT_NEAR(kidnap_cue(config, 0.95, 0.5 * (0.5 + rest)), -6.0, 1e-12);
+  EXPECT_NEAR(kidnap_cue(config, 0.25, rest), 2.0, 1e-12);
+}
 
 class ScanLogTest : public testing::Test {
  protected:
@@ -21,7 +48,7 @@ TEST_F(ScanLogTest, KeepsTheLastScansAsTheyCame) {
   ASSERT_EQ(log_.scans().size(), 3U);
   EXPECT_EQ(log_.scans().front().T_odom_base.x, 0.2);
   EXPECT_EQ(log_.scans().front().listed_before, -2.0);
-  EXPECT_EQ(log_.scans().front().unlisted_before, -4.0);
+  EXPECT_EQ(log_.scans().front().null_before, -4.0);
   EXPECT_EQ(log_.T_odom_base()->x, 0.4);
   log_.forget_motion();
   EXPECT_FALSE(log_.T_odom_base());

@@ -28,14 +28,14 @@ TEST(PooledField, HoldsTheBestOfEveryShiftedSquare) {
       const auto between = [&](int low, int high) {
         return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
       };
-      const int column = between(0, pooled.tile_columns() - 1);
-      const int row = between(0, pooled.tile_rows() - 1);
+      const int column = between(0, pooled.layout().tile_columns - 1);
+      const int row = between(0, pooled.layout().tile_rows - 1);
       const int j = between(0, 7);
       const int r = between(0, 1);
-      const int dx = between(1 - pooled.reach(), pooled.reach() - 1);
-      const int dy = between(1 - pooled.reach(), pooled.reach() - 1);
+      const int dx = between(1 - pooled.layout().reach, pooled.layout().reach - 1);
+      const int dy = between(1 - pooled.layout().reach, pooled.layout().reach - 1);
       const std::uint8_t byte =
-          pooled.tile(column, row)[j + r * pooled.stride() + pooled.shift(dx, dy)];
+          pooled.tile(column, row)[j + r * pooled.layout().stride + pooled.layout().shift(dx, dy)];
       ASSERT_EQ(byte,
                 naive_best(field, (8 * column + j) * edge + dx, (2 * row + r) * edge + dy, edge));
     }
@@ -46,13 +46,13 @@ TEST(PooledField, KnowsWhichNodesCoverFreeCells) {
   const OccupancyGrid grid = test::string_map({"#########.", "##########", "####.#####"}, 0.2);
   const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 1.0});
   const PooledField cells(field, 1);
-  EXPECT_EQ(cells.tile_columns(), 2);
-  EXPECT_EQ(cells.tile_rows(), 2);
+  EXPECT_EQ(cells.layout().tile_columns, 2);
+  EXPECT_EQ(cells.layout().tile_rows, 2);
   EXPECT_EQ(cells.free_nodes(0, 0), 1U << 4U);
   EXPECT_EQ(cells.free_nodes(1, 0), 0U);
   EXPECT_EQ(cells.free_nodes(1, 1), 1U << 1U);
   const PooledField coarse(field, 2);
-  EXPECT_EQ(coarse.tile_columns(), 1);
+  EXPECT_EQ(coarse.layout().tile_columns, 1);
   EXPECT_EQ(coarse.free_nodes(0, 0), 1U << 2U | 1U << 12U);
 }
 

@@ -18,7 +18,7 @@ struct Lists {
 Lists search(const test::SearchedMap& map, const ScanPoints& points, int count,
              const std::optional<MatchWindow>& window = {}) {
   const SearchSpace space = map.space(window);
-  const auto scans = map.turned(points, space);
+  const auto scans = map.rotate_scans(points, space);
   BestPlaces best = map.best_places(count);
   score_all(map.pyramid[0], space, scans, best);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(count));
@@ -90,18 +90,19 @@ TEST(BranchAndBound, BoundsAreAdmissibleAtEveryLevel) {
   const OccupancyGrid grid = test::random_room(rng);
   const test::SearchedMap map(grid, 5);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, FreeSpace(grid).sample(rng), 24), space);
+  const auto scans =
+      map.rotate_scans(test::scan_from(grid, FreeSpace(grid).sample(rng), 24), space);
   for (const PooledField& level : map.pyramid) {
     const ScanShifts shifts(level, scans);
     for (std::size_t yaw = 0; yaw < scans.size(); yaw += 7) {
-      for (int k = 0; k < level.tile_columns() * level.tile_rows(); ++k) {
-        const Tile tile{k % level.tile_columns(), k / level.tile_columns(), 0};
+      for (int k = 0; k < level.layout().tile_columns * level.layout().tile_rows; ++k) {
+        const Tile tile{k % level.layout().tile_columns, k / level.layout().tile_columns, 0};
         const TileSums bounds = tile_sums(level, tile, shifts.at(yaw));
         for (int j = 0; j < 16; ++j) {
-          const int column = (8 * tile.column + j % 8) * level.edge();
-          const int row = (2 * tile.row + j / 8) * level.edge();
+          const int column = (8 * tile.column + j % 8) * level.layout().edge;
+          const int row = (2 * tile.row + j / 8) * level.layout().edge;
           ASSERT_GE(bounds[static_cast<std::size_t>(j)],
-                    best_below(map, scans[yaw], column, row, level.edge()));
+                    best_below(map, scans[yaw], column, row, level.layout().edge));
         }
       }
     }
@@ -112,7 +113,7 @@ TEST(BranchAndBound, CanBeStoppedAndGoneOnWith) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound whole(map.pyramid, space, scans, map.best_places(20));
   EXPECT_FALSE(whole.complete());
   EXPECT_TRUE(whole.step(kUnlimited));
@@ -133,7 +134,7 @@ TEST(BranchAndBound, GivesTheBestSoFarWhenItsBudgetIsSpent) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(20));
   EXPECT_FALSE(search.step(1));
   EXPECT_TRUE(search.best().list().empty());  // bounds only
@@ -148,10 +149,11 @@ TEST(BranchAndBound, ScoresAFractionOfTheTiles) {
   const OccupancyGrid grid = test::office();
   const test::SearchedMap map(grid);
   const SearchSpace space = map.space();
-  const auto scans = map.turned(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
+  const auto scans = map.rotate_scans(test::scan_from(grid, {3.0, 3.0, 0.4}, 24), space);
   BranchAndBound search(map.pyramid, space, scans, map.best_places(20));
   search.step(kUnlimited);
-  EXPECT_LT(search.tiles_scored(), map.pyramid[0].tile_columns() * map.pyramid[0].tile_rows() *
+  EXPECT_LT(search.tiles_scored(), map.pyramid[0].layout().tile_columns *
+                                       map.pyramid[0].layout().tile_rows *
                                        test::SearchedMap::kYaws / 2);
 }
 

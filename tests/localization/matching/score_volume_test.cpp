@@ -32,7 +32,7 @@ TEST(ScoreVolume, ListsWhatTheNaiveLoopLists) {
     const ScanPoints points = test::scan_from(grid, pose, 24);
     for (const auto& window : {std::optional<MatchWindow>(), {MatchWindow{pose, 0.7, 0.9}}}) {
       const SearchSpace space = map.space(window);
-      const auto scans = map.turned(points, space);
+      const auto scans = map.rotate_scans(points, space);
       BestPlaces best = map.best_places(20);
       score_all(map.pyramid[0], space, scans, best);
       EXPECT_EQ(best.list(), naive_search(map, space, scans, 20).list());

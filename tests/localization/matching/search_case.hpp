@@ -52,8 +52,8 @@ struct SearchedMap {
   [[nodiscard]] SearchSpace space(const std::optional<MatchWindow>& window = {}) const {
     return search_space(field.frame(), kYaws, window);
   }
-  [[nodiscard]] std::vector<std::vector<CellOffset>> turned(const ScanPoints& points,
-                                                            const SearchSpace& within) const {
+  [[nodiscard]] std::vector<std::vector<CellOffset>> rotate_scans(const ScanPoints& points,
+                                                                  const SearchSpace& within) const {
     std::vector<std::vector<CellOffset>> scans;
     for (const int yaw : within.yaws) {
       scans.push_back(rotate_scan(points, kPoints, field.frame().resolution,

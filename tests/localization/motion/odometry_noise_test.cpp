@@ -57,7 +57,7 @@ TEST(OdometryMotion, NoiseOfAPathDoesNotDependOnTheRate) {
 
 TEST(RotatedToMap, TurnsTheAxes) {
   const Eigen::Matrix3d base = Eigen::Vector3d(4.0, 1.0, 0.5).asDiagonal();
-  const Eigen::Matrix3d map = rotated_to_map(base, 3.141592653589793 / 2);
+  const Eigen::Matrix3d map = rotate_to_map(base, 3.141592653589793 / 2);
   EXPECT_NEAR(map(0, 0), 1.0, 1e-12);
   EXPECT_NEAR(map(1, 1), 4.0, 1e-12);
   EXPECT_NEAR(map(2, 2), 0.5, 1e-12);

@@ -116,6 +116,13 @@ TEST(ProjectScan, GivesNothingWithoutOdometry) {
   EXPECT_FALSE(project_scan(scan, still(), Stamp(0), {}));
 }
 
+TEST(EvenIndices, SpreadOverAllItems) {
+  using Indices = std::vector<std::size_t>;
+  EXPECT_EQ(even_indices(10, 4), (Indices{0, 2, 5, 7}));
+  EXPECT_EQ(even_indices(3, 4), (Indices{0, 1, 2}));
+  EXPECT_EQ(even_indices(0, 4), Indices{});
+}
+
 TEST(Thinned, TakesPointsEvenOverTheScan) {
   ScanPoints points;
   for (int i = 0; i < 10; ++i) {
@@ -128,9 +135,9 @@ TEST(Thinned, TakesPointsEvenOverTheScan) {
     points.origin_z.push_back(0.3F);
     points.range.push_back(v);
   }
-  EXPECT_EQ(thinned(points, 4).x, (std::vector<float>{0.0F, 2.0F, 5.0F, 7.0F}));
-  EXPECT_EQ(thinned(points, 4).y, (std::vector<float>{0.0F, -2.0F, -5.0F, -7.0F}));
-  EXPECT_EQ(thinned(points, 10).x, points.x);
+  EXPECT_EQ(thin(points, 4).x, (std::vector<float>{0.0F, 2.0F, 5.0F, 7.0F}));
+  EXPECT_EQ(thin(points, 4).y, (std::vector<float>{0.0F, -2.0F, -5.0F, -7.0F}));
+  EXPECT_EQ(thin(points, 10).x, points.x);
 }
 
 TEST(Farthest, KeepsTheFarShareInItsOrder) {
@@ -144,14 +151,14 @@ TEST(Farthest, KeepsTheFarShareInItsOrder) {
     points.origin_z.push_back(0.3F);
     points.range.push_back(r);
   }
-  const ScanPoints far = farthest(points, 0.5);
+  const ScanPoints far = farthest_points(points, 0.5);
   EXPECT_EQ(far.range, (std::vector<float>{4.0F, 3.0F, 5.0F}));
   EXPECT_EQ(far.x, far.range);
   EXPECT_EQ(far.y, (std::vector<float>{-4.0F, -3.0F, -5.0F}));
   EXPECT_EQ(far.origin_x, std::vector<float>(3, 0.1F));
-  EXPECT_EQ(farthest(points, 1.0).range, points.range);
-  EXPECT_EQ(farthest(points, 0.0).range, std::vector<float>{5.0F});
-  EXPECT_TRUE(farthest({}, 0.5).empty());
+  EXPECT_EQ(farthest_points(points, 1.0).range, points.range);
+  EXPECT_EQ(farthest_points(points, 0.0).range, std::vector<float>{5.0F});
+  EXPECT_TRUE(farthest_points({}, 0.5).empty());
 }
 
 }  // namespace

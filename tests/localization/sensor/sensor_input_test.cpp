@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 namespace castaway::localization {
@@ -96,6 +98,21 @@ TEST(SensorInput, BeginsAnewWhereTheClockIsSetBack) {
   EXPECT_TRUE(input.take(beam(milliseconds(100)))->counts);
   EXPECT_FALSE(input.take(Odometry{milliseconds(50), {}}).restarted);  // late, but the clock was
                                                                        // not set back
+}
+
+TEST(SensorInputConfig, RefusesRatesOfZeroAndInvalidBeams) {
+  const SensorInputConfig valid;
+  EXPECT_NO_THROW(validate(valid));
+  for (double SensorInputConfig::*rate :
+       {&SensorInputConfig::predict_rate_hz, &SensorInputConfig::correct_rate_hz,
+        &SensorInputConfig::reseed_rate_hz}) {
+    SensorInputConfig wrong = valid;
+    wrong.*rate = 0.0;
+    EXPECT_THROW(validate(wrong), std::invalid_argument);
+  }
+  SensorInputConfig wrong = valid;
+  wrong.beams.max_beams = 0;
+  EXPECT_THROW(validate(wrong), std::invalid_argument);
 }
 
 }  // namespace

@@ -189,11 +189,11 @@ TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
   EXPECT_EQ(improved.lost_and_found.found, 0.99);
   const auto paper = std::get<localization::PaperMhAmclConfig>(
       config("mode: paper, max_beams: 30, min_particles: 60"));
-  EXPECT_EQ(paper.beams.max_beams, 30);
+  EXPECT_EQ(paper.input.beams.max_beams, 30);
   EXPECT_EQ(paper.size.min_particles, 60);
   EXPECT_EQ(published("mode: published").defects, localization::all_defects());
   EXPECT_EQ(published("mode: published").paper.reseed.winners, 0.03);
-  EXPECT_EQ(published("mode: published, max_beams: 30").paper.beams.max_beams, 30);
+  EXPECT_EQ(published("mode: published, max_beams: 30").paper.input.beams.max_beams, 30);
   const auto one = published("mode: paper, defects: [summed_weights]").defects;
   EXPECT_TRUE(one.summed_weights);
   EXPECT_FALSE(one.winner_unused);

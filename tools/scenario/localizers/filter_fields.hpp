@@ -29,12 +29,12 @@ void motion_fields(Settings& settings, localization::OdometryNoiseConfig& motion
 template <typename Config>
 void rate_fields(Settings& settings, Config& config) {
   settings.field({"predict_rate_hz", "Hz", "Rate of the prediction.", {0.01, 1e4}},
-                 config.predict_rate_hz);
+                 config.input.predict_rate_hz);
   settings.field({"correct_rate_hz", "Hz", "Rate of the correction.", {0.01, 1e4}},
-                 config.correct_rate_hz);
+                 config.input.correct_rate_hz);
   settings.field({"reseed_rate_hz", "Hz", "Rate of the reseeding.", {1e-3, 1e4}},
-                 config.reseed_rate_hz);
-  beam_fields(settings, config.beams);
+                 config.input.reseed_rate_hz);
+  beam_fields(settings, config.input.beams);
   motion_fields(settings, config.motion);
 }
 

@@ -134,78 +134,78 @@ void fields(Settings settings, ScanAgreementConfig& agreement) {
 void unlisted_fields(Settings& settings, PosteriorConfig& p) {
   settings.field({"unlisted_drop", "nats",
                   "Log-likelihood of an unlisted place relative to a usual right one.", kNats},
-                 p.unlisted_drop);
-  settings.field({"least_drop", "nats", "Minimum of this difference.", kNats}, p.least_drop);
+                 p.null.unlisted_drop);
+  settings.field({"least_drop", "nats", "Minimum of this difference.", kNats}, p.null.least_drop);
   settings.field({"drop_per_spread",
                   "",
                   "The difference per spread of the likelihood of right places.",
                   {0.0, 100.0}},
-                 p.drop_per_spread);
+                 p.null.drop_per_spread);
   settings.field(
       {"unlisted_minimum", "nats", "Minimum log-likelihood of an unlisted place.", kNats},
-      p.unlisted_minimum);
+      p.null.unlisted_minimum);
   settings.field({"place", "nats", "Log-probability of one place among all unlisted ones.", kNats},
                  p.place);
   settings.field(
       {"wrong_start", "nats", "Log-probability that a given start pose is wrong.", kNats},
-      p.wrong_start);
+      p.null.wrong_start);
   settings.field({"missed", "nats", "Log-odds that a search misses the right place.", kNats},
-                 p.missed);
+                 p.null.missed);
   settings.field({"missed_slope",
                   "",
                   "Growth of these log-odds per nat that the best place fits worse.",
                   {0.0, 100.0}},
-                 p.missed_slope);
+                 p.null.missed_slope);
 }
 
 void kidnap_fields(Settings& settings, PosteriorConfig& p) {
   settings.field({"kidnap", "nats", "Log-probability of a kidnap from scan to scan.", kNats},
-                 p.kidnap);
+                 p.null.kidnap);
   settings.field({"agreeing", "",
                   "Consecutive scans that agree better are evidence against a kidnap.", kShare},
-                 p.agreeing);
+                 p.scans.agreeing);
   settings.field(
       {"agreeing_slope", "nats", "Strength of this evidence per unit of agreement.", kNats},
-      p.agreeing_slope);
+      p.scans.agreeing_slope);
   settings.field({"agreeing_at_rest", "nats", "Reduction of this evidence at rest.", kNats},
-                 p.agreeing_at_rest);
+                 p.scans.agreeing_at_rest);
   settings.field(
       {"disagreeing", "", "Consecutive scans that agree worse are evidence for a kidnap.", kShare},
-      p.disagreeing);
+      p.scans.disagreeing);
   settings.field(
       {"disagreeing_slope", "nats", "Strength of this evidence per unit of agreement.", kNats},
-      p.disagreeing_slope);
+      p.scans.disagreeing_slope);
   settings.field(
       {"hopeless", "nats",
        "If the scan at the output is less likely, a kidnap is at least as likely as none.", kNats},
-      p.hopeless);
+      p.null.hopeless);
 }
 
 void fields(Settings settings, PosteriorConfig& p) {
   settings.field({"independent_m", "m", "Distance after which a scan is independent.", kLength},
-                 p.independent_m);
+                 p.scans.independent_m);
   settings.field({"independent_rad", "rad", "Rotation after which a scan is independent.", kAngle},
-                 p.independent_rad);
+                 p.scans.independent_rad);
   settings.field({"least_independence", "", "Independent share of a scan at rest.", kShare},
-                 p.least_independence);
+                 p.scans.least_independence);
   unlisted_fields(settings, p);
   kidnap_fields(settings, p);
   settings.field(
       {"usual_start", "nats", "Initial log-likelihood of a right pose; it is then learnt.", kNats},
-      p.usual_start);
+      p.null.usual_start);
   settings.field({"usual_match_rate", "",
                   "Weight in the running average of a search that finds nothing as good.", kShare},
-                 p.usual_match_rate);
+                 p.null.usual_match_rate);
   settings.field({"usual_rate", "", "Weight of a confident scan in the running average.", kShare},
-                 p.usual_rate);
+                 p.null.usual_rate);
   settings.field(
       {"spread_rate", "", "Weight of a scan in the running average of the spread.", kShare},
-      p.spread_rate);
+      p.null.spread_rate);
   settings.field({"spread_limit",
                   "",
                   "Maximum deviation of one scan, as a multiple of the spread.",
                   {0.0, 100.0}},
-                 p.spread_limit);
+                 p.null.spread_limit);
 }
 
 void fields(Settings settings, LostAndFoundConfig& lost) {

@@ -1,0 +1,57 @@
+#include "localization/belief.hpp"
+
+#include "localization/hypotheses/select.hpp"
+
+namespace castaway::localization {
+
+Belief::Belief(const MhAmclModels& mh_amcl_models, std::uint64_t seed)
+    : models(mh_amcl_models),
+      spawner(models.config.spawn, models.config.reseed, seed),
+      posterior(models.config.posterior.null,
+                {models.config.posterior.scans, models.config.agreement, models.config.history},
+                models.evidence),
+      lost_and_found(models.config.lost_and_found) {}
+
+void Belief::start(const std::optional<PoseWithCovariance>& start) {
+  populations = {};
+  posterior.start(start.has_value());
+  if (start) {
+    const Evidence usual{posterior.usual(), 0.0};
+    populations.all.push_back(spawner.spawn({start->T_map_base, start->covariance}, 0.0, usual));
+    select();
+  }
+  lost_and_found.start(start.has_value());
+}
+
+void Belief::forget_motion() {
+  posterior.forget_motion();
+  lost_and_found.forget_motion();
+}
+
+void Belief::add(const std::vector<WeighedPlace>& places, const ScanPoints& points) {
+  for (const WeighedPlace& place : places) {
+    populations.all.push_back(spawner.spawn(models.filter.belief_at(place.T_map_base, points),
+                                            place.log_weight, place.newest));
+  }
+}
+
+bool Belief::select() {
+  const auto selected =
+      localization::select(populations.all, populations.output_id, models.config.select_margin);
+  if (!selected) return false;
+  const Hypothesis& output = populations.all[*selected];
+  const bool was_confident = is_confident();
+  const bool same = populations.output_id == output.id;
+  populations.output_id = output.id;
+  populations.probability = shares()[*selected];
+  lost_and_found.take({same, is_confident(), populations.probability}, posterior.log().recent_cue(),
+                      posterior.log().T_odom_base());
+  return was_confident && !is_confident();
+}
+
+void Belief::learn() {
+  const Hypothesis* output = populations.output();
+  if (output != nullptr && is_confident()) posterior.learn(output->log_likelihood);
+}
+
+}  // namespace castaway::localization

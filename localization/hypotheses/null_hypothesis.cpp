@@ -1,0 +1,76 @@
+#include "localization/hypotheses/null_hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace castaway::localization {
+
+double log_sum_exp(const std::vector<double>& values) {
+  if (values.empty()) return -std::numeric_limits<double>::infinity();
+  const double top = *std::max_element(values.begin(), values.end());
+  if (!std::isfinite(top)) return top;
+  double sum = 0.0;
+  for (const double value : values) sum += std::exp(value - top);
+  return top + std::log(sum);
+}
+
+double null_log_likelihood(const NullHypothesisConfig& config, const NullHypothesis& null) {
+  const double drop =
+      std::clamp(config.drop_per_spread * null.spread, config.least_drop, config.unlisted_drop);
+  return std::max(null.usual - drop, config.unlisted_minimum);
+}
+
+void advance_null(const NullHypothesisConfig& config, double new_share, double listed_before,
+                  double kidnap_cue, NullHypothesis& null) {
+  const double l = null_log_likelihood(config, null);
+  null.log_weight = log_sum_exp(
+      {null.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
+}
+
+void learn_usual(const NullHypothesisConfig& config, double log_likelihood, double new_share,
+                 NullHypothesis& null) {
+  const double off = log_likelihood - null.usual;
+  const double counted = std::min(std::abs(off), config.spread_limit * null.spread);
+  null.usual += config.usual_rate * off;
+  null.spread += config.spread_rate * new_share * (counted - null.spread);
+}
+
+void lower_usual(const NullHypothesisConfig& config, double best_found, NullHypothesis& null) {
+  const double gap = best_found - null.usual;
+  if (gap < 0.0) null.usual += config.usual_match_rate * gap;
+}
+
+void doubt_output(const NullHypothesisConfig& config, double log_likelihood, double listed,
+                  NullHypothesis& null) {
+  if (log_likelihood >= config.hopeless) return;
+  null.log_weight = std::max(null.log_weight, listed);
+}
+
+void bound_null(const NullHypothesisConfig& config, double best_found, double listed,
+                NullHypothesis& null) {
+  const double missed = config.missed - config.missed_slope * best_found;
+  null.log_weight = std::min(null.log_weight, listed + missed);
+}
+
+bool is_hopeless(const NullHypothesisConfig& config, const std::vector<Hypothesis>& hypotheses) {
+  return std::all_of(hypotheses.begin(), hypotheses.end(),
+                     [&](const Hypothesis& h) { return h.log_likelihood < config.hopeless; });
+}
+
+double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
+  std::vector<double> weights;
+  for (const Hypothesis& hypothesis : hypotheses) weights.push_back(hypothesis.log_weight);
+  return log_sum_exp(weights);
+}
+
+std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const NullHypothesis& null) {
+  const double all = log_sum_exp({listed_log_weight(hypotheses), null.log_weight});
+  std::vector<double> result;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    result.push_back(std::exp(hypothesis.log_weight - all));
+  }
+  return result;
+}
+
+}  // namespace castaway::localization

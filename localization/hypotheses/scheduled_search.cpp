@@ -1,0 +1,25 @@
+#include "localization/hypotheses/scheduled_search.hpp"
+
+namespace castaway::localization {
+
+void ScheduledSearch::start() {
+  search_.cancel();
+  schedule_.start();
+}
+
+void ScheduledSearch::restart_clock() {
+  search_.cancel();
+  schedule_.restart_clock();
+}
+
+bool ScheduledSearch::is_due(const MatchOccasion& occasion) const {
+  return search_.is_pending() || schedule_.is_due(occasion);
+}
+
+std::optional<std::vector<WeighedPlace>> ScheduledSearch::step(const CreateContext& context,
+                                                               const ScanTurn& scan) {
+  schedule_.begin(scan.now, scan.T_odom_base, !search_.is_pending());
+  return search_.step(context, scan.points, scan.T_odom_base);
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,42 @@
+/// The global search together with its schedule.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "localization/hypotheses/map_search.hpp"
+#include "localization/hypotheses/match_schedule.hpp"
+#include "localization/sensor/sensor_input.hpp"
+
+namespace castaway::localization {
+
+/// Searches the map when the schedule demands it. The matcher must outlive it.
+class ScheduledSearch {
+ public:
+  ScheduledSearch(const MatchScheduleConfig& config, const CascadeMatcher& matcher)
+      : search_(matcher, config.slice), schedule_(config) {}
+
+  /// Restarts at an unknown pose: drops the search in progress; a new one is due.
+  void start();
+  /// Drops the search in progress and forgets the time of the last one, because the clock was set
+  /// back.
+  void restart_clock();
+  /// Makes searches due with the next scans, because the output has lost its confidence.
+  void raise_alarm() { schedule_.raise_alarm(); }
+  /// Stores the id of a population created by a rescue (`MatchSchedule`).
+  void note_rescue(int id) { schedule_.note_rescue(id); }
+
+  /// True if a search is in progress or due.
+  [[nodiscard]] bool is_due(const MatchOccasion& occasion) const;
+  /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
+  /// places found, refined on this scan, once the search is complete.
+  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan);
+  /// Notes that the places of a complete search were used; `changed` is true if the output changed.
+  void end(bool changed) { schedule_.end(changed); }
+
+ private:
+  PlaceSearch search_;
+  MatchSchedule schedule_;
+};
+
+}  // namespace castaway::localization

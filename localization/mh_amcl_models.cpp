@@ -1,0 +1,18 @@
+#include "localization/mh_amcl_models.hpp"
+
+#include <utility>
+
+namespace castaway::localization {
+
+MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
+    : config((validate(mh_amcl), mh_amcl)),
+      map((validate(grid), std::move(grid))),
+      distances(map, config.max_distance),
+      endpoint(config.evidence.endpoint, distances),
+      evidence(config.evidence, map, distances),
+      matcher(config.matcher, map, distances),
+      filter({config.tracking, distances}, config.reseed, config.refine),
+      rescue(config.rescue, matcher),
+      context{config.create, config.merge, config.posterior, config.motion, endpoint, evidence} {}
+
+}  // namespace castaway::localization

@@ -1,0 +1,37 @@
+#include "localization/paper/paper_belief.hpp"
+
+#include <limits>
+
+#include "localization/hypotheses/null_hypothesis.hpp"
+
+namespace castaway::localization {
+
+PaperBelief::PaperBelief(const PaperMhAmclConfig& config, double patience_s, std::uint64_t seed)
+    : spawner(config.spawn, config.size, seed), patience(patience_s) {}
+
+void PaperBelief::clear() {
+  populations = {};
+  patience.reset();
+}
+
+Hypothesis& PaperBelief::add(const PoseMoments& belief) {
+  return populations.all.emplace_back(spawner.spawn(belief, 0.0, {}));
+}
+
+void PaperBelief::select(int preferred, Stamp now) {
+  std::optional<int> present;
+  if (populations.output() != nullptr) present = populations.output_id;
+  populations.output_id = patience.settle(present, preferred, now);
+  update_probability();
+}
+
+void PaperBelief::update_probability() {
+  if (const Hypothesis* output = populations.output()) populations.probability = output->quality;
+}
+
+std::vector<double> PaperBelief::shares() const {
+  return localization::shares(populations.all,
+                              {.log_weight = -std::numeric_limits<double>::infinity()});
+}
+
+}  // namespace castaway::localization

@@ -1,0 +1,45 @@
+#include "localization/mh_amcl_models.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+TEST(MhAmclModels, UseTheSettingsAndTheMapTheyHold) {
+  MhAmclConfig config;
+  config.max_distance = 3.0;
+  config.tracking = {0.08, 0.05, 20.0};
+  const OccupancyGrid grid = test::office();
+  const MhAmclModels models(config, grid);
+  EXPECT_EQ(models.distances.max_distance(), 3.0);
+  EXPECT_EQ(models.map.cells, grid.cells);
+  EXPECT_EQ(&models.context.config, &models.config.create);
+  EXPECT_EQ(&models.context.noise, &models.config.motion);
+  EXPECT_EQ(&models.context.evidence, &models.evidence);
+  const SE2 pose{3.0, 3.0, 0.4};
+  const ScanPoints points = test::points_from(grid, pose);
+  const DistanceField distances(grid, 3.0);
+  EXPECT_EQ(models.evidence.evaluate(points, pose).log_likelihood,
+            EvidenceModel(config.evidence, grid, distances).evaluate(points, pose).log_likelihood);
+  const TrackingFilter filter({config.tracking, distances}, config.reseed, config.refine);
+  EXPECT_EQ(models.filter.belief_at(pose, points).covariance,
+            filter.belief_at(pose, points).covariance);
+}
+
+TEST(MhAmclModels, CannotBeCopied) { EXPECT_FALSE(std::is_copy_constructible_v<MhAmclModels>); }
+
+TEST(MhAmclModels, RefuseInvalidSettingsAndMaps) {
+  MhAmclConfig config;
+  config.max_distance = 0.0;
+  EXPECT_THROW(MhAmclModels(config, test::office()), std::invalid_argument);
+  EXPECT_THROW(MhAmclModels({}, OccupancyGrid{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace castaway::localization
