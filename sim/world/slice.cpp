@@ -1,6 +1,5 @@
 #include "sim/world/slice.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
