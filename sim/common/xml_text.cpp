@@ -120,4 +120,9 @@ std::string xml_text_of(const TiXmlDocument& document) {
   return printer.Str();
 }
 
+std::string attribute(const TiXmlElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value == nullptr ? "" : value;
+}
+
 }  // namespace castaway::sim

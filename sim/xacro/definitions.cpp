@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/xml_text.hpp"
 #include "sim/xacro/expander.hpp"
 #include "sim/xacro/substitution.hpp"
 

@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kGroundPlane = 100.0;  // [m] Edge of the model `ground_plane`.
 
-std::string attribute(const TiXmlElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? "" : value;
-}
-
 std::string child_text(const TiXmlElement& element, const char* name) {
   const TiXmlElement* child = element.FirstChildElement(name);
   const char* text = child == nullptr ? nullptr : child->GetText();
