@@ -110,27 +110,42 @@ void Navigator::watch_movers(const Pose2& T_map_base) {
   std::erase_if(moving_, [](const Mover& mover) { return mover.stands(); });
 }
 
+namespace {
+
+/// What happens if the robot brakes now.
+struct Braking {
+  double side = 1.0;      ///< -1 if it drives backwards.
+  double duration = 0.0;  ///< [s]
+  Eigen::Vector2d stop;   ///< [m] Where it stops, in base.
+};
+
+Braking braking_from(const Twist2& now, double deceleration) {
+  const double speed = std::abs(now.v);
+  const double side = now.v >= 0.0 ? 1.0 : -1.0;
+  const double duration = speed / deceleration;
+  const double way = 0.5 * speed * duration;
+  const double turn = speed > 0.0 ? now.w / speed * way : 0.0;
+  return {side, duration, arc(side * way, turn).position()};
+}
+
+}  // namespace
+
 /// Overrides a command that would run the robot into something before it could brake.
 Twist2 Navigator::stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
                                     const std::vector<Eigen::Vector2d>& p_base) {
   const Twist2 now = live_.twist();
-  const double speed = std::abs(now.v);
-  const double side = now.v >= 0.0 ? 1.0 : -1.0;
-  const double braking = speed / config_.local.limits.max_acceleration;
-  const double brake = 0.5 * speed * braking;
-  const double turn = speed > 0.0 ? now.w / speed * brake : 0.0;
-  const Eigen::Vector2d stop = arc(side * brake, turn).position();
+  const Braking braking = braking_from(now, config_.local.limits.max_acceleration);
   const double reach = config_.local.radius + kStopRoom;
   const bool danger = std::any_of(p_base.begin(), p_base.end(), [&](const Eigen::Vector2d& p) {
     // An obstacle that moves away is tested where it will be when the robot has stopped.
     const Eigen::Vector2d v = velocity_at(p, T_map_base);
-    const Eigen::Vector2d then = v.dot(p) > 0.0 ? Eigen::Vector2d(p + braking * v) : p;
-    return side * p.x() > 0.0 && std::min((then - stop).norm(), p.norm()) < reach;
+    const Eigen::Vector2d then = v.dot(p) > 0.0 ? Eigen::Vector2d(p + braking.duration * v) : p;
+    return braking.side * p.x() > 0.0 && std::min((then - braking.stop).norm(), p.norm()) < reach;
   });
-  const bool moves = speed > kStopFrom;
+  const bool moves = std::abs(now.v) > kStopFrom;
   if (danger && moves && stop_left_ <= 0.0) events_.emplace_back("emergency stop");
   if (danger && (moves || stop_left_ > 0.0)) {
-    stop_left_ = std::max(stop_left_, braking + kStopPause);
+    stop_left_ = std::max(stop_left_, braking.duration + kStopPause);
   }
   stop_left_ -= config_.period;
   return stop_left_ > 0.0 ? Twist2{0.0, 0.0} : twist;
