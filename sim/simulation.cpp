@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/seconds.hpp"
 #include "sim/robot/sim_robot.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
@@ -201,7 +202,7 @@ void Simulation::State::run_step() {
   const Eigen::Vector2d way =
       (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
   if (!kidnaps.holds()) distance += way.norm();
-  velocity = way / std::chrono::duration<double>(step).count();
+  velocity = way / to_seconds(step);
   for (const FaultRecord& fault : sensors.read_faults(motion))
     frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));

@@ -8,10 +8,8 @@
 #include <fmt/ranges.h>
 
 namespace castaway::sim {
-namespace {
 
-/// Levenshtein distance.
-std::size_t distance(std::string_view a, std::string_view b) {
+std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -26,16 +24,22 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string>& known) {
+  if (known.empty()) return std::nullopt;
+  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return edit_distance(name, a) < edit_distance(name, b);
+  });
+}
+
+bool is_misspelling(std::string_view name, std::string_view meant) {
+  return edit_distance(name, meant) <= std::max<std::size_t>(2, name.size() / 3);
+}
 
 std::string name_hint(std::string_view name, const std::vector<std::string>& known) {
-  if (known.empty()) return "none is defined";
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](auto& a, auto& b) {
-    return distance(name, a) < distance(name, b);
-  });
-  if (distance(name, *nearest) <= std::max<std::size_t>(2, name.size() / 3)) {
-    return fmt::format("did you mean '{}'?", *nearest);
-  }
+  const std::optional<std::string> nearest = nearest_name(name, known);
+  if (!nearest) return "none is defined";
+  if (is_misspelling(name, *nearest)) return fmt::format("did you mean '{}'?", *nearest);
   const std::size_t shown = std::min<std::size_t>(known.size(), 20);
   return fmt::format("known: {}{}", fmt::join(std::span(known).first(shown), ", "),
                      shown < known.size() ? ", ..." : "");

@@ -114,31 +114,36 @@ std::optional<fs::path> PackageFinder::look_up(const std::string& package) const
   return in_index(package);
 }
 
-/// Adds the packages below a search path to the index, by folder name and by the package's own
-/// name. `visited` counts folders over all search paths.
-void PackageFinder::index_packages(const fs::path& path, std::size_t& visited) const {
-  std::error_code none;
-  fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, none);
-  for (; entry != fs::recursive_directory_iterator() && visited < kMaxFolders;
-       entry.increment(none)) {
-    if (!entry->is_directory(none)) continue;
-    ++visited;
-    const bool hidden = entry->path().filename().string().starts_with(".");
-    if (hidden || entry.depth() + 1 >= kIndexDepth) entry.disable_recursion_pending();
-    if (!has_marker(entry->path())) continue;
-    index_->emplace(entry->path().filename().string(), entry->path());
-    const std::string name = package_name(entry->path());
-    if (!name.empty()) index_->insert_or_assign(name, entry->path());
+namespace {
+
+/// Packages in folders of any name below the search paths.
+std::map<std::string, fs::path> index_packages(const std::vector<fs::path>& search_paths) {
+  std::map<std::string, fs::path> index;
+  std::size_t looked_at = 0;
+  for (const fs::path& path : search_paths) {
+    std::error_code none;
+    fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied,
+                                           none);
+    for (; entry != fs::recursive_directory_iterator() && looked_at < kMaxFolders;
+         entry.increment(none)) {
+      if (!entry->is_directory(none)) continue;
+      ++looked_at;
+      const bool hidden = entry->path().filename().string().starts_with(".");
+      if (hidden || entry.depth() + 1 >= kIndexDepth) entry.disable_recursion_pending();
+      if (!has_marker(entry->path())) continue;
+      index.emplace(entry->path().filename().string(), entry->path());
+      const std::string name = package_name(entry->path());
+      if (!name.empty()) index.insert_or_assign(name, entry->path());
+    }
   }
+  return index;
 }
+
+}  // namespace
 
 /// Also finds packages in folders with other names, below search paths and beside the own package.
 std::optional<fs::path> PackageFinder::in_index(const std::string& package) const {
-  if (!index_) {
-    index_.emplace();
-    std::size_t visited = 0;
-    for (const fs::path& path : search_paths_) index_packages(path, visited);
-  }
+  if (!index_) index_ = index_packages(search_paths_);
   const auto found = index_->find(package);
   return found == index_->end() ? std::nullopt : std::optional<fs::path>(found->second);
 }

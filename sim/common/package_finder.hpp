@@ -36,7 +36,6 @@ class PackageFinder {
 
  private:
   [[nodiscard]] std::optional<std::filesystem::path> look_up(const std::string& package) const;
-  void index_packages(const std::filesystem::path& path, std::size_t& visited) const;
   [[nodiscard]] std::optional<std::filesystem::path> in_index(const std::string& package) const;
 
   std::filesystem::path own_;

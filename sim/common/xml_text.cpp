@@ -42,8 +42,8 @@ class Guard {
     return true;
   }
 
-  void tag() {
-    const bool closes = at_ + 1 < text_.size() && text_[at_ + 1] == '/';
+  /// Position of the tag's closing bracket, outside of quotes; counts the attributes.
+  [[nodiscard]] std::size_t tag_end() const {
     char quote = 0;
     int attributes = 0;
     std::size_t end = at_ + 1;
@@ -59,6 +59,12 @@ class Guard {
         }
       }
     }
+    return end;
+  }
+
+  void tag() {
+    const bool closes = at_ + 1 < text_.size() && text_[at_ + 1] == '/';
+    const std::size_t end = tag_end();
     const bool empty = end < text_.size() && text_[end - 1] == '/';
     if (!closes && ++elements_ > kMaxElements) {
       refuse(fmt::format("more than {} elements: not a robot", kMaxElements));
@@ -118,6 +124,11 @@ std::string xml_text_of(const TiXmlDocument& document) {
   printer.SetIndent("  ");
   document.Accept(&printer);
   return printer.Str();
+}
+
+std::string attribute(const TiXmlElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value == nullptr ? "" : value;
 }
 
 }  // namespace castaway::sim

@@ -21,4 +21,7 @@ std::unique_ptr<TiXmlDocument> parse_xml(const std::string& path, const std::str
 /// A tree as indented text.
 std::string xml_text_of(const TiXmlDocument& document);
 
+/// Text of an attribute; empty if it is absent.
+std::string attribute(const TiXmlElement& element, const char* name);
+
 }  // namespace castaway::sim

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/difference/room_check.hpp"
 #include "sim/map/free_space.hpp"
@@ -23,10 +22,6 @@ constexpr int kTries = 60;
 constexpr double kOpen = 90.0;  // [deg]
 constexpr double kAjar = 10.0;  // [deg] A door open by less counts as closed.
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-double uniform(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
 
 /// Applies changes to a world and counts them.
 class Changer {
@@ -126,7 +121,7 @@ void Changer::place(WorldObject object) {
 /// the draws of another.
 void Changer::change_furniture(RoomCheck& room, Rng& rng) {
   for (const FurnitureGroup& group : furniture_groups(result_.world)) {
-    const double fate = uniform(0.0, 1.0, rng);
+    const double fate = draw_between(0.0, 1.0, rng);
     Rng own(rng());
     if (fate < spec_.remove) {
       remove_group(result_.world, group);
@@ -142,9 +137,9 @@ bool Changer::move_at_random(const FurnitureGroup& group, RoomCheck& room, Rng& 
   for (int attempt = 0; attempt < kTries; ++attempt) {
     // Shrinks with every attempt.
     const double reach = 1.0 - static_cast<double>(attempt) / kTries;
-    const double bearing = uniform(-std::numbers::pi, std::numbers::pi, rng);
-    const double way = reach * spec_.reach_m * std::sqrt(uniform(0.01, 1.0, rng));
-    const double yaw = reach * uniform(-45.0, 45.0, rng) * kDegree;
+    const double bearing = draw_between(-std::numbers::pi, std::numbers::pi, rng);
+    const double way = reach * spec_.reach_m * std::sqrt(draw_between(0.01, 1.0, rng));
+    const double yaw = reach * draw_between(-45.0, 45.0, rng) * kDegree;
     const Eigen::Vector2d by = way * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
     std::vector<ConvexOutline> outlines;
     for (const ConvexOutline& o : group.footprints) {
@@ -163,7 +158,7 @@ bool Changer::move_at_random(const FurnitureGroup& group, RoomCheck& room, Rng& 
 void Changer::change_doors(RoomCheck& room, Rng& rng) {
   const std::vector<Door> doors = result_.world.doors;
   for (const Door& door : doors) {
-    const double fate = uniform(0.0, 1.0, rng);
+    const double fate = draw_between(0.0, 1.0, rng);
     const bool open = std::abs(door.open_deg) > kAjar;
     if (fate >= (open ? spec_.close_doors : spec_.open_doors)) continue;
     const double to = open ? 0.0 : kOpen;
@@ -186,9 +181,9 @@ void Changer::add_boxes(RoomCheck& room, Rng& rng) {
 }
 
 bool Changer::add_box(const FreeSpace& space, RoomCheck& room, Rng& rng) {
-  const double length = uniform(0.3, 0.8, rng);
-  const double width = uniform(0.3, 0.8, rng);
-  const Eigen::Vector3d size(length, width, uniform(0.3, 1.2, rng));
+  const double length = draw_between(0.3, 0.8, rng);
+  const double width = draw_between(0.3, 0.8, rng);
+  const Eigen::Vector3d size(length, width, draw_between(0.3, 1.2, rng));
   for (int attempt = 0; attempt < kTries; ++attempt) {
     const auto pose = space.sample(rng);
     if (!pose) return false;

@@ -89,9 +89,8 @@ bool RoomCheck::fits(const std::vector<ConvexOutline>& outlines,
                      const std::vector<std::size_t>& except) const {
   for (const ConvexOutline& outline : outlines) {
     if (!is_known(outline) || !passable(outline)) return false;
-    for (const Eigen::Vector2d& door : doors_) {
-      if (distance(outline, door) < kDoorRoom) return false;
-    }
+    const auto blocks = [&](const auto& door) { return distance(outline, door) < kDoorRoom; };
+    if (std::any_of(doors_.begin(), doors_.end(), blocks)) return false;
     const ConvexOutline wide = inflate(outline, kGap);
     const Eigen::AlignedBox2d near = bounds(wide);
     for (std::size_t i = 0; i < standing_.size(); ++i) {

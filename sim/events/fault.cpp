@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
 using std::chrono::nanoseconds;
-
-nanoseconds to_nanoseconds(double seconds) { return nanoseconds(std::llround(seconds * 1e9)); }
 
 nanoseconds end_of(const FaultSpec& fault) {
   return to_nanoseconds(fault.at_s) + to_nanoseconds(fault.for_s);

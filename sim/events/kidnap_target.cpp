@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <boost/random/bernoulli_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/events/look_alike.hpp"
 #include "sim/map/free_space.hpp"
@@ -19,10 +18,6 @@ constexpr int kDraws = 200;  // Attempts to find a place clear of people, or a f
 constexpr double kNudgeYaw = 0.3;  // [rad] Largest turn of a push.
 
 using Found = std::optional<KidnapTarget>;
-
-double between(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
 
 bool is_clear(const KidnapScene& scene, const Pose2& T_map_base) {
   return std::none_of(scene.people.begin(), scene.people.end(), [&](const Eigen::Vector2d& p_map) {
@@ -56,7 +51,7 @@ Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng
         describe(spec.when), scene.free.radius()));
   }
   if (!best) return std::nullopt;
-  best->yaw = between(-std::numbers::pi, std::numbers::pi, rng);
+  best->yaw = draw_between(-std::numbers::pi, std::numbers::pi, rng);
   return Found{{*best, {}, true}};
 }
 
@@ -90,9 +85,9 @@ Found look_alike_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& r
 Found nudge_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   const Pose2& from = scene.T_map_base;
   for (int i = 0; i < kDraws; ++i) {
-    const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
-    const double way = between(spec.nudge.min, spec.nudge.max, rng);
-    const double turn = between(-kNudgeYaw, kNudgeYaw, rng);
+    const double angle = draw_between(-std::numbers::pi, std::numbers::pi, rng);
+    const double way = draw_between(spec.nudge.min, spec.nudge.max, rng);
+    const double turn = draw_between(-kNudgeYaw, kNudgeYaw, rng);
     const Pose2 to{from.x + way * std::cos(angle), from.y + way * std::sin(angle),
                    wrap_angle(from.yaw + turn)};
     const bool through = scene.free.contains_segment(from.position(), to.position());
@@ -105,7 +100,7 @@ Found turn_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   Pose2 to = scene.T_map_base;
   if (!scene.free.contains(to.position())) return std::nullopt;
   const double side = boost::random::bernoulli_distribution<double>(0.5)(rng) ? 1.0 : -1.0;
-  to.yaw = wrap_angle(to.yaw + side * between(spec.turn.min, spec.turn.max, rng));
+  to.yaw = wrap_angle(to.yaw + side * draw_between(spec.turn.min, spec.turn.max, rng));
   return Found{{to}};
 }
 

@@ -6,15 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-std::chrono::nanoseconds fault_time(double seconds) {
-  return std::chrono::nanoseconds(std::llround(seconds * 1e9));
-}
 
 /// Angle from `from` to `angle`, counter-clockwise. [deg] in [0, 360)
 double degrees_from(double from, double angle) {
@@ -51,8 +49,8 @@ void LidarFaults::apply(const FaultSpec& fault, Sweep& sweep) const {
   LidarReading& reading = sweep.reading;
   if (fault.kind == FaultKind::kLidarBlocked) block(fault, reading);
   if (fault.kind == FaultKind::kLidarMount) reading.mount_error = fault.mount_error;
-  if (fault.kind == FaultKind::kLidarLate) sweep.last_beam += fault_time(fault.delay_s);
-  if (fault.kind == FaultKind::kLidarClock) reading.stamp += fault_time(fault.offset_s);
+  if (fault.kind == FaultKind::kLidarLate) sweep.last_beam += to_nanoseconds(fault.delay_s);
+  if (fault.kind == FaultKind::kLidarClock) reading.stamp += to_nanoseconds(fault.offset_s);
   if (fault.kind == FaultKind::kLidarFrozen && last_) {
     reading.ranges = last_->ranges;
     reading.hit_object = last_->hit_object;

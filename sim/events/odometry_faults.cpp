@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 
 OdometryFaults::OdometryFaults(const std::vector<FaultSpec>& faults) {
@@ -32,7 +34,7 @@ bool OdometryFaults::is_lost(std::chrono::nanoseconds stamp) const {
 }
 
 bool OdometryFaults::reset_due(std::chrono::nanoseconds stamp) {
-  const double now_s = std::chrono::duration<double>(stamp).count();
+  const double now_s = to_seconds(stamp);
   const auto due = std::remove_if(resets_.begin(), resets_.end(),
                                   [now_s](const FaultSpec& fault) { return now_s >= fault.at_s; });
   const bool any = due != resets_.end();

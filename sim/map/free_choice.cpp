@@ -122,6 +122,23 @@ int without_start(const Grid& grid, const Partition& partition) {
   return outside(grid, partition) ? enclosed : open;
 }
 
+/// The grid without free cells that are not connected to the part, such as those behind walls.
+Grid connected_cells(Grid grid, const std::vector<int>& labels, int part) {
+  const std::vector<int> pieces = component_labels(grid);
+  std::vector<bool> kept;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (labels[i] != part) continue;
+    const auto piece = static_cast<std::size_t>(pieces[i]);
+    if (piece >= kept.size()) kept.resize(piece + 1);
+    kept[piece] = true;
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto piece = static_cast<std::size_t>(std::max(pieces[i], 0));
+    if (pieces[i] >= 0 && (piece >= kept.size() || !kept[piece])) grid.cells[i] = Cell::kUnknown;
+  }
+  return grid;
+}
+
 /// The grid with only those free cells that lie in a part or within `reach` [m] of it.
 Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, double reach) {
   Grid others = grid;
@@ -133,22 +150,54 @@ Grid around_part(const Grid& grid, const std::vector<int>& labels, int part, dou
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
     if (result.cells[i] == Cell::kFree && distance[i] > reach) result.cells[i] = Cell::kUnknown;
   }
-  // Cells behind walls do not belong to the part.
-  const std::vector<int> pieces = component_labels(result);
-  std::vector<bool> kept;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (labels[i] != part) continue;
-    const auto piece = static_cast<std::size_t>(pieces[i]);
-    if (piece >= kept.size()) kept.resize(piece + 1);
-    kept[piece] = true;
+  return connected_cells(std::move(result), labels, part);
+}
+
+/// A part, and the partition in which it was found.
+struct ChosenPart {
+  Partition partition;
+  int part = -1;          ///< -1: there is none.
+  bool by_start = false;  ///< It was chosen by the start.
+};
+
+ChosenPart choose_part(const Grid& grid, double radius,
+                       const std::optional<Eigen::Vector2d>& start) {
+  const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
+  ChosenPart chosen{split_free_space(grid, distance, radius), -1, false};
+  Partition& partition = chosen.partition;
+  if (start) {
+    chosen.part = part_near(grid, partition.labels, *start, partition.reach + grid.resolution);
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto piece = static_cast<std::size_t>(std::max(pieces[i], 0));
-    if (pieces[i] >= 0 && (piece >= kept.size() || !kept[piece])) {
-      result.cells[i] = Cell::kUnknown;
-    }
+  chosen.by_start = chosen.part >= 0;
+  if (chosen.by_start) return chosen;
+  chosen.part = without_start(grid, partition);
+  // A house with gaps in its walls is connected to the outside, except for larger robots.
+  for (const double larger : {1.5, 2.0}) {
+    if (rival(grid, partition) >= 0 || chosen.part < 0 || !outside(grid, partition)) break;
+    Partition coarse = split_free_space(grid, distance, larger * radius);
+    const int inner = rival(grid, coarse);
+    if (inner < 0) continue;
+    partition = std::move(coarse);
+    chosen.part = inner;
   }
-  return result;
+  return chosen;
+}
+
+/// Number of cells of the largest part that was not chosen.
+std::size_t largest_other(const ChosenPart& chosen) {
+  const std::vector<Part>& parts = chosen.partition.parts;
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (static_cast<int>(i) != chosen.part) other = std::max(other, parts[i].cells);
+  }
+  return other;
+}
+
+FreeChoice::Reason reason_of(const FreeChoice& choice, bool by_start) {
+  using Reason = FreeChoice::Reason;
+  if (choice.other_area < std::max(kSizeable, kRival * choice.area)) return Reason::kOnly;
+  if (by_start) return Reason::kStart;
+  return choice.at_edge ? Reason::kLargest : Reason::kEnclosed;
 }
 
 }  // namespace
@@ -157,40 +206,19 @@ FreeChoice choose_free(const Grid& grid, double radius,
                        const std::optional<Eigen::Vector2d>& start) {
   FreeChoice choice;
   choice.grid = grid;
-  const std::vector<float> distance = distance_to_obstacle(grid, GridEdge::kOpen);
-  Partition partition = split_free_space(grid, distance, radius);
-  int chosen =
-      start ? part_near(grid, partition.labels, *start, partition.reach + grid.resolution) : -1;
-  const bool by_start = chosen >= 0;
-  if (!by_start) chosen = without_start(grid, partition);
-  // A house with gaps in its walls is connected to the outside, except for larger robots.
-  for (const double larger : {1.5, 2.0}) {
-    if (by_start || rival(grid, partition) >= 0 || chosen < 0 || !outside(grid, partition)) break;
-    Partition coarse = split_free_space(grid, distance, larger * radius);
-    const int inner = rival(grid, coarse);
-    if (inner < 0) continue;
-    partition = std::move(coarse);
-    chosen = inner;
-  }
-  if (chosen < 0) return choice;
-  std::size_t other = 0;
-  for (std::size_t i = 0; i < partition.parts.size(); ++i) {
-    if (static_cast<int>(i) != chosen) other = std::max(other, partition.parts[i].cells);
-  }
-  const Part& taken = partition.at(chosen);
+  const ChosenPart chosen = choose_part(grid, radius, start);
+  if (chosen.part < 0) return choice;
+  const Partition& partition = chosen.partition;
+  const std::size_t other = largest_other(chosen);
+  const Part& taken = partition.at(chosen.part);
   const double cell = grid.resolution * grid.resolution;
   choice.area = static_cast<double>(taken.cells) * cell;
   choice.other_area = static_cast<double>(other) * cell;
   choice.at_edge = taken.edge_cells > 0;
-  if (choice.other_area >= std::max(kSizeable, kRival * choice.area)) {
-    using Reason = FreeChoice::Reason;
-    choice.reason = by_start         ? Reason::kStart
-                    : choice.at_edge ? Reason::kLargest
-                                     : Reason::kEnclosed;
-  }
+  choice.reason = reason_of(choice, chosen.by_start);
   if (other >= taken.cells) {
     choice.grid =
-        around_part(grid, partition.labels, chosen, partition.reach + 1.5 * grid.resolution);
+        around_part(grid, partition.labels, chosen.part, partition.reach + 1.5 * grid.resolution);
   }
   return choice;
 }

@@ -11,14 +11,7 @@
 #include "sim/common/cell_index.hpp"
 
 namespace castaway::sim {
-namespace {
-
-CellIndex cell_at_index(const Grid& grid, std::size_t index) {
-  const auto width = static_cast<std::size_t>(grid.width);
-  return {static_cast<int>(index % width), static_cast<int>(index / width)};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 FreeSpace::FreeSpace(const Grid& grid, double radius)
     : radius_(radius),

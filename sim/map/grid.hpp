@@ -29,6 +29,10 @@ struct Grid {
     return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                  static_cast<std::size_t>(column)];
   }
+  /// True if the cell lies in the grid and is free.
+  [[nodiscard]] bool is_free(int column, int row) const {
+    return contains(column, row) && at(column, row) == Cell::kFree;
+  }
 };
 
 }  // namespace castaway::sim

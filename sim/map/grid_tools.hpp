@@ -23,6 +23,11 @@ inline std::size_t flat_index(const Grid& grid, CellIndex cell) {
   return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(grid.width) +
          static_cast<std::size_t>(cell.column);
 }
+/// Column and row of an index into `Grid::cells`.
+inline CellIndex cell_at_index(const Grid& grid, std::size_t index) {
+  const auto width = static_cast<std::size_t>(grid.width);
+  return {static_cast<int>(index % width), static_cast<int>(index / width)};
+}
 
 /// A grid of `width` x `height` cells, all `value`.
 Grid make_grid(int width, int height, double resolution, const Eigen::Vector2d& origin, Cell value);

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -67,7 +69,7 @@ Twist2 LiveScan::twist() const {
   });
   if (before == recent_.rend()) return {};
   const Pose2 way = inverse(before->T_odom_base) * now.T_odom_base;
-  const double dt = std::chrono::duration<double>(now.stamp - before->stamp).count();
+  const double dt = to_seconds(now.stamp - before->stamp);
   return {way.x / dt, way.yaw / dt};
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -28,8 +30,6 @@ constexpr double kSlowest = 0.3;  // [m/s] A slower track counts as standing.
 constexpr double kStandingSigmas =
     1.0;  // A speed below this many standard deviations counts as standing.
 constexpr double kSamePerson = 0.3;  // [m] Two tracks closer than this are the same person.
-
-double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
 /// Mean position and stamp of the points.
 SeenPoint middle(const std::vector<SeenPoint>& points) {
@@ -63,10 +63,10 @@ std::vector<SeenPoint> legs_of(const std::vector<SeenPoint>& points) {
 
 }  // namespace
 
-Eigen::Vector2d Movers::Track::at(nanoseconds t) const { return p + seconds(t - stamp) * v; }
+Eigen::Vector2d Movers::Track::at(nanoseconds t) const { return p + to_seconds(t - stamp) * v; }
 
 void Movers::Track::predict(nanoseconds to) {
-  const double dt = seconds(to - stamp);
+  const double dt = to_seconds(to - stamp);
   if (dt <= 0.0) return;
   p = at(to);
   stamp = to;

@@ -8,8 +8,9 @@
 #include "sim/common/geometry.hpp"
 #include "sim/map/grid.hpp"
 #include "sim/navigation/dynamic_window.hpp"
+#include "sim/navigation/emergency_stop.hpp"
 #include "sim/navigation/live_scan.hpp"
-#include "sim/navigation/movers.hpp"
+#include "sim/navigation/mover_watch.hpp"
 #include "sim/navigation/passing.hpp"
 #include "sim/navigation/recoveries.hpp"
 #include "sim/navigation/route_runner.hpp"
@@ -46,25 +47,15 @@ class Navigator {
 
  private:
   Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
-  void replan(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
-  void watch_movers(const Pose2& T_map_base);
-  [[nodiscard]] Eigen::Vector2d velocity_at(const Eigen::Vector2d& p_base,
-                                            const Pose2& T_map_base) const;
-  Twist2 stop_in_emergency(const Twist2& twist, const Pose2& T_map_base,
-                           const std::vector<Eigen::Vector2d>& p_base);
 
   NavigatorConfig config_;
   Grid map_;
-  FreeSpace mapped_;  ///< Tells mapped obstacles from others.
   RouteRunner route_;
   LiveScan live_;
-  Movers movers_;
-  std::vector<Mover> seen_;    ///< Tracked people, in base.
-  std::vector<Mover> moving_;  ///< Those of them that move.
+  MoverWatch watch_;
   Passing passing_;
   Recoveries recoveries_;
-  /// [s] Left of an emergency stop; a stop always lasts until the robot stands.
-  double stop_left_ = 0.0;
+  EmergencyStop stop_;
   std::vector<std::string> events_;
 };
 

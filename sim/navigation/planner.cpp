@@ -45,7 +45,7 @@ class AStar {
     while (!open_.empty()) {
       const OpenCell best = open_.top();
       open_.pop();
-      const CellIndex cell = cell_at_index(best.cell);
+      const CellIndex cell = cell_at_index(grid_, best.cell);
       if (cell == goal_) return true;
       // A better path has been found since.
       if (best.estimate > cost_[best.cell] + heuristic(cell)) continue;
@@ -68,13 +68,7 @@ class AStar {
   }
 
  private:
-  [[nodiscard]] CellIndex cell_at_index(std::size_t i) const {
-    const auto width = static_cast<std::size_t>(grid_.width);
-    return {static_cast<int>(i % width), static_cast<int>(i / width)};
-  }
-  [[nodiscard]] bool is_free(CellIndex c) const {
-    return grid_.contains(c.column, c.row) && grid_.at(c.column, c.row) == Cell::kFree;
-  }
+  [[nodiscard]] bool is_free(CellIndex c) const { return grid_.is_free(c.column, c.row); }
   /// Octile distance: the cost on an empty grid.
   [[nodiscard]] float heuristic(CellIndex c) const {
     const double dx = std::abs(c.column - goal_.column);

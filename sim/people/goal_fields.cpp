@@ -44,7 +44,7 @@ Grid coarse(const WalkSpace& space) {
   grid.origin_yaw = fine.origin_yaw;
   for (int row = 0; row < factor * grid.height; ++row) {
     for (int column = 0; column < factor * grid.width; ++column) {
-      if (fine.contains(column, row) && fine.at(column, row) == Cell::kFree) continue;
+      if (fine.is_free(column, row)) continue;
       grid.cells[flat_index(grid, {column / factor, row / factor})] = Cell::kOccupied;
     }
   }
@@ -81,7 +81,7 @@ Eigen::Vector2d GoalFields::center(Index cell) const {
 /// The free cell at a point, or the nearest one within two cells.
 GoalFields::Index GoalFields::cell_near(const Eigen::Vector2d& p_map) const {
   const CellIndex at = cell_of(grid_, p_map);
-  if (is_free(at.column, at.row)) return static_cast<Index>(flat_index(grid_, at));
+  if (grid_.is_free(at.column, at.row)) return static_cast<Index>(flat_index(grid_, at));
   Index best = kNowhere;
   double best_distance = std::numeric_limits<double>::infinity();
   for (int dy = -2; dy <= 2; ++dy) {
@@ -107,10 +107,6 @@ float GoalFields::price(Index cell) const {
   return static_cast<float>(grid_.resolution * (1.0 + kComfortWeight * lack));
 }
 
-bool GoalFields::is_free(int column, int row) const {
-  return grid_.contains(column, row) && grid_.at(column, row) == Cell::kFree;
-}
-
 /// Bit set of the steps that can be taken from a cell without cutting a corner.
 std::uint16_t GoalFields::exits(Index cell) const {
   const int column = static_cast<int>(cell) % grid_.width;
@@ -118,8 +114,8 @@ std::uint16_t GoalFields::exits(Index cell) const {
   std::uint16_t result = 0;
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     const auto [dx, dy] = kSteps[k];
-    const bool clear =
-        is_free(column + dx, row + dy) && is_free(column + dx, row) && is_free(column, row + dy);
+    const bool clear = grid_.is_free(column + dx, row + dy) && grid_.is_free(column + dx, row) &&
+                       grid_.is_free(column, row + dy);
     if (clear) result = static_cast<std::uint16_t>(result | (1U << k));
   }
   return result;

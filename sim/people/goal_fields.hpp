@@ -36,7 +36,6 @@ class GoalFields {
 
   [[nodiscard]] Index cell_near(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] Eigen::Vector2d center(Index cell) const;
-  [[nodiscard]] bool is_free(int column, int row) const;
   [[nodiscard]] std::uint16_t exits(Index cell) const;
   [[nodiscard]] float price(Index cell) const;
   [[nodiscard]] Index neighbour(Index cell, std::size_t step) const;

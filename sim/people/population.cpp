@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/map/grid_tools.hpp"
 #include "sim/people/gait.hpp"
@@ -21,10 +20,6 @@ constexpr double kSpeedSigma = 0.26;  // [m/s]
 // [m] Least distance from a person to the robot's disc at the start.
 constexpr double kRobotRoom = 0.6;
 constexpr int kPlaceTries = 2000;
-
-double between(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
 
 double desired_speed(Rng& rng) {
   boost::random::normal_distribution<double> normal(kMeanSpeed, kSpeedSigma);
@@ -61,8 +56,8 @@ class Draw {
     agent.rng = streams_("people/" + name);
     agent.errand = errand;
     agent.body.desired_speed = desired_speed(agent.rng);
-    agent.body.height = between(1.55, 1.92, agent.rng);
-    agent.body.leg_radius = between(0.06, 0.08, agent.rng);
+    agent.body.height = draw_between(1.55, 1.92, agent.rng);
+    agent.body.leg_radius = draw_between(0.06, 0.08, agent.rng);
     const int dice = boost::random::uniform_int_distribution<int>(-5, 4)(agent.rng);
     const Behaviour mixed = kBehaviours[static_cast<std::size_t>(std::max(dice + 1, 0))];
     agent.behaviour = config_.behaviour.value_or(mixed);
@@ -93,8 +88,8 @@ class Draw {
     for (int i = 0; i < kPlaceTries; ++i) {
       Eigen::Vector2d p = center_of(space_.free().grid(), free_[any(rng)]);
       if (near != nullptr && i < kPlaceTries / 2) {
-        const double angle = between(-std::numbers::pi, std::numbers::pi, rng);
-        p = *near + between(0.45, 0.8, rng) * heading_vector(angle);
+        const double angle = draw_between(-std::numbers::pi, std::numbers::pi, rng);
+        p = *near + draw_between(0.45, 0.8, rng) * heading_vector(angle);
         if (!space_.clear(*near, p)) continue;
       }
       if (fits(p, agent.body.radius)) return p;
@@ -115,7 +110,7 @@ class Draw {
     const std::string name = fmt::format("standing/{}", index);
     Agent person = agent(name, Errand::kStanding);
     const Eigen::Vector2d p = room(person, name, person.rng);
-    const double heading = between(-std::numbers::pi, std::numbers::pi, person.rng);
+    const double heading = draw_between(-std::numbers::pi, std::numbers::pi, person.rng);
     add(std::move(person), p, heading);
   }
 
@@ -126,7 +121,7 @@ class Draw {
     boost::random::uniform_int_distribution<std::size_t> any(0, free_.size() - 1);
     for (int tries = 0; tries < kPlaceTries; ++tries) {
       const Eigen::Vector2d middle = center_of(space_.free().grid(), free_[any(rng)]);
-      const double turn = between(-std::numbers::pi, std::numbers::pi, rng);
+      const double turn = draw_between(-std::numbers::pi, std::numbers::pi, rng);
       if (circle_fits(middle, radius, turn, size)) return circle(group, middle, radius, turn, size);
     }
     throw std::runtime_error(fmt::format("people: no room for talking/{}: give fewer", group));
@@ -156,7 +151,7 @@ class Draw {
   void walk(int index) {
     const std::string name = fmt::format("walking/{}", index);
     Agent person = agent(name, Errand::kWalking);
-    const double single = between(0.0, 1.0, person.rng);
+    const double single = draw_between(0.0, 1.0, person.rng);
     const int size = boost::random::uniform_int_distribution<int>(2, 4)(person.rng);
     const auto goal = boost::random::uniform_int_distribution<std::size_t>(
         0, goals_.places().size() - 1)(person.rng);
@@ -167,7 +162,7 @@ class Draw {
     person.leader = leader_ = agents_.size();
     if (leads) followers_ = size - 1;
     const Eigen::Vector2d p = room(person, name, person.rng);
-    const double heading = between(-std::numbers::pi, std::numbers::pi, person.rng);
+    const double heading = draw_between(-std::numbers::pi, std::numbers::pi, person.rng);
     add(std::move(person), p, heading);
   }
 

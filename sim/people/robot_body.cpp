@@ -5,34 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/common/convex_hull.hpp"
 #include "sim/robot/urdf/part_points.hpp"
 
 namespace castaway::sim {
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Source: A. M. Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979.
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Eigen::Vector2d> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t base = hull.size() + 1;
-    for (const Eigen::Vector2d& p : points) {
-      while (hull.size() > base && cross(hull.back() - *(hull.end() - 2), p - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();  // The last point starts the other side.
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 /// For a point inside an outline, in its frame: the signed distance to the nearest edge, negative
 /// inside, and that edge's outward normal.

@@ -54,7 +54,7 @@ bool WalkSpace::clear(const Eigen::Vector2d& p_map) const {
   const Grid& grid = free_.grid();
   const int column = cell_index(p.x());
   const int row = cell_index(p.y());
-  return grid.contains(column, row) && grid.at(column, row) == Cell::kFree;
+  return grid.is_free(column, row);
 }
 
 bool WalkSpace::clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {

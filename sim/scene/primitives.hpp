@@ -1,4 +1,4 @@
-/// Triangle meshes of simple bodies, centred on their frames, with outward normals.
+/// Points and triangle meshes of simple bodies, centred on their frames, with outward normals.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,6 +6,11 @@
 #include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
+
+/// The point of the plane at height `z`. [m]
+inline Eigen::Vector3f raise_point(const Eigen::Vector2d& p, double z) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
+}
 
 /// A cuboid with full edge lengths `size`. [m]
 TriangleMesh box_mesh(const Eigen::Vector3f& size);

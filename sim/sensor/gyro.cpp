@@ -5,14 +5,11 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/random/normal_distribution.hpp>
 
 namespace castaway::sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
-double gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
 
 void require_not_negative(double value, const char* field) {
   if (value >= 0.0 && std::isfinite(value)) return;
@@ -30,14 +27,15 @@ void validate(const GyroConfig& config) {
 
 Gyro::Gyro(const GyroConfig& config, Rng rng) : config_(config), rng_(rng) {
   validate(config);
-  bias_ = config.bias_deg_s * kRadiansPerDegree * gaussian(rng_);
-  scale_ = 1.0 + config.scale_sigma * gaussian(rng_);
+  bias_ = config.bias_deg_s * kRadiansPerDegree * draw_normal(rng_);
+  scale_ = 1.0 + config.scale_sigma * draw_normal(rng_);
 }
 
 double Gyro::measure(double turn, double dt) {
   const double root = std::sqrt(dt);
-  bias_ += config_.bias_walk_deg_s * kRadiansPerDegree * root * gaussian(rng_);
-  return scale_ * turn + bias_ * dt + config_.noise_deg * kRadiansPerDegree * root * gaussian(rng_);
+  bias_ += config_.bias_walk_deg_s * kRadiansPerDegree * root * draw_normal(rng_);
+  return scale_ * turn + bias_ * dt +
+         config_.noise_deg * kRadiansPerDegree * root * draw_normal(rng_);
 }
 
 }  // namespace castaway::sim

@@ -8,14 +8,12 @@
 
 #include <boost/random/normal_distribution.hpp>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-std::chrono::nanoseconds to_nanoseconds(double seconds) {
-  return std::chrono::nanoseconds(std::llround(seconds * 1e9));
-}
 
 }  // namespace
 

@@ -5,12 +5,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/random/normal_distribution.hpp>
 
 namespace castaway::sim {
 namespace {
-
-double odometry_gaussian(Rng& rng) { return boost::random::normal_distribution<double>()(rng); }
 
 void require_odometry(bool condition, const char* field, double value, const char* remedy) {
   if (condition) return;
@@ -54,9 +51,9 @@ OdometryConfig ideal_odometry() {
 WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng)
     : config_(config), believed_(truth) {
   validate(config);
-  believed_.radius_left *= 1.0 + config.radius_sigma * odometry_gaussian(rng);
-  believed_.radius_right *= 1.0 + config.radius_sigma * odometry_gaussian(rng);
-  believed_.track *= 1.0 + config.track_sigma * odometry_gaussian(rng);
+  believed_.radius_left *= 1.0 + config.radius_sigma * draw_normal(rng);
+  believed_.radius_right *= 1.0 + config.radius_sigma * draw_normal(rng);
+  believed_.track *= 1.0 + config.track_sigma * draw_normal(rng);
   reset();
 }
 
@@ -77,9 +74,8 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<do
   last_ = now;
   const double root = std::sqrt(0.5 * (std::abs(left) + std::abs(right)));
   const double yaw_sigma = config_.drift_yaw_deg * std::numbers::pi / 180.0;
-  const double way = 0.5 * (left + right) + config_.drift_along * root * odometry_gaussian(rng);
-  const double by_wheels =
-      (right - left) / believed_.track + yaw_sigma * root * odometry_gaussian(rng);
+  const double way = 0.5 * (left + right) + config_.drift_along * root * draw_normal(rng);
+  const double by_wheels = (right - left) / believed_.track + yaw_sigma * root * draw_normal(rng);
   T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
 }
 

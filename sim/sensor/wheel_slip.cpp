@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <boost/random/exponential_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 
 namespace castaway::sim {
 namespace {
@@ -13,8 +12,9 @@ namespace {
 constexpr double kMostSlip = 0.95;  // A wheel with more slip would be stuck.
 constexpr double kPatch = 0.25;     // [m] Distance over which a zone's slip is constant.
 
-double uniform(double low, double high, Rng& rng) {
-  return low < high ? boost::random::uniform_real_distribution<double>(low, high)(rng) : low;
+/// Draws nothing from an empty range, so that a spread of 0 shifts no later draw.
+double draw_factor(double low, double high, Rng& rng) {
+  return low < high ? draw_between(low, high, rng) : low;
 }
 
 double way_to_event(const SlipConfig& config, Rng& rng) {
@@ -47,7 +47,7 @@ WheelSlip::WheelSlip(const SlipConfig& config, const DriveGeometry& drive,
 
 void WheelSlip::start_event(Wheel& wheel, double length) {
   wheel.event_left = length;
-  wheel.event_share = std::min(uniform(0.0, 2.0 * config_.share, rng_), kMostSlip);
+  wheel.event_share = std::min(draw_factor(0.0, 2.0 * config_.share, rng_), kMostSlip);
 }
 
 double WheelSlip::zone_share(Wheel& wheel, double way, const Pose2& T_map_base) {
@@ -59,7 +59,7 @@ double WheelSlip::zone_share(Wheel& wheel, double way, const Pose2& T_map_base) 
   wheel.zone_left -= way;
   if (wheel.zone_left <= 0.0) {
     wheel.zone_left = kPatch;
-    wheel.zone_factor = uniform(1.0 - config_.zone_spread, 1.0 + config_.zone_spread, rng_);
+    wheel.zone_factor = draw_factor(1.0 - config_.zone_spread, 1.0 + config_.zone_spread, rng_);
   }
   return std::min(slip * wheel.zone_factor, kMostSlip);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/common/seconds.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
 
@@ -18,7 +19,7 @@ constexpr double kInTheWay = 1.0;         // [m] A person this close to the robo
 }  // namespace
 
 DriveStage::DriveStage(const SimulationConfig& config, const Grid& drive_grid)
-    : wait_(std::llround(1e9 * config.drive.wait_s)),
+    : wait_(to_nanoseconds(config.drive.wait_s)),
       log_(config.drive.log),
       radius_(config.robot.footprint_radius) {
   if (config.drive.by_estimate) {
@@ -35,7 +36,7 @@ Twist2 DriveStage::command(std::chrono::nanoseconds now, const Pose2& T_map_base
   wants_ = false;
   if (now < wait_) return {};
   if (!log_.empty()) {
-    const Twist2 twist = twist_at(log_, std::chrono::duration<double>(now).count());
+    const Twist2 twist = twist_at(log_, to_seconds(now));
     wants_ = twist.v != 0.0 || twist.w != 0.0;
     return twist;
   }

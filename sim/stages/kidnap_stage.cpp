@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/seconds.hpp"
 #include "sim/navigation/planner.hpp"
 #include "sim/people/bodies/person.hpp"
 #include "sim/stages/drive_space.hpp"
@@ -42,7 +43,7 @@ void check_target(const KidnapSpec& spec, const Pose2& start, const FreeSpace& f
 }
 
 TriggerInput trigger_input(const KidnapInput& input) {
-  return {std::chrono::duration<double>(input.now).count(), input.driven, input.localized};
+  return {to_seconds(input.now), input.driven, input.localized};
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {
 }
 
 KidnapOutcome KidnapStage::finish(nanoseconds now) {
-  const double held_for = std::chrono::duration<double>(now - held_->record.since).count();
+  const double held_for = to_seconds(now - held_->record.since);
   if (held_for < held_->lift.duration()) return {};
   KidnapOutcome outcome;
   outcome.done = held_->record;
@@ -127,7 +128,7 @@ const LookAlikes* KidnapStage::look_alikes_of(Entry& entry) {
 }
 
 Eigen::Isometry3d KidnapStage::held_at(nanoseconds stamp) const {
-  return held_->lift.at(std::chrono::duration<double>(stamp - held_->record.since).count());
+  return held_->lift.at(to_seconds(stamp - held_->record.since));
 }
 
 }  // namespace castaway::sim

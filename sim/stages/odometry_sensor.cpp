@@ -1,5 +1,6 @@
 #include "sim/stages/odometry_sensor.hpp"
 
+#include "sim/common/seconds.hpp"
 #include "sim/robot/robot_sensors.hpp"
 #include "sim/stages/sensor_streams.hpp"
 
@@ -43,7 +44,7 @@ std::optional<double> OdometrySensor::gyro_turn(const DriveState& state, bool fr
   if (!gyro_) return std::nullopt;
   const double turn = last_ ? state.turned - last_->turned : state.turned;
   const auto since = last_ ? state.stamp - last_->stamp : std::chrono::nanoseconds(0);
-  const double measured = gyro_->measure(turn, std::chrono::duration<double>(since).count());
+  const double measured = gyro_->measure(turn, to_seconds(since));
   return frozen ? 0.0 : measured;
 }
 

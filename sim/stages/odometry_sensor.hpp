@@ -5,6 +5,7 @@
 
 #include "sim/events/odometry_faults.hpp"
 #include "sim/sensor/gyro.hpp"
+#include "sim/sensor/readings.hpp"
 #include "sim/sensor/wheel_slip.hpp"
 #include "sim/stages/simulation_config.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -21,7 +23,7 @@ void ProgressWatch::update(const ProgressInput& input) {
     first_ = input.now;
     last_ = input.now;
   }
-  const double dt = std::chrono::duration<double>(input.now - last_).count();
+  const double dt = to_seconds(input.now - last_);
   last_ = input.now;
   watch_contact(input, dt);
   if (input.wants) {
@@ -39,7 +41,7 @@ void ProgressWatch::update(const ProgressInput& input) {
 }
 
 void ProgressWatch::watch_contact(const ProgressInput& input, double dt) {
-  const double run = std::chrono::duration<double>(input.now - *first_).count();
+  const double run = to_seconds(input.now - *first_);
   if (run > config_.contact_s || !input.touching) return;
   if (run <= kAtOnce) touched_at_once_ = true;
   contact_s_ += dt;

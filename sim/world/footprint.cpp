@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/common/convex_hull.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
 

@@ -1,10 +1,10 @@
 #include "sim/world/slice.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "sim/common/convex_hull.hpp"
 #include "sim/world/mesh.hpp"
 #include "sim/world/ramp.hpp"
 
@@ -12,24 +12,6 @@ namespace castaway::sim {
 namespace {
 
 constexpr int kPrismSides = 64;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Appends one side of a convex hull, without its last point.
-template <typename Iterator>
-void append_chain(Iterator begin, Iterator end, std::vector<Eigen::Vector2d>& hull) {
-  const std::size_t base = hull.size();
-  for (Iterator p = begin; p != end; ++p) {
-    while (hull.size() >= base + 2 &&
-           cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0) {
-      hull.pop_back();
-    }
-    hull.push_back(*p);
-  }
-  hull.pop_back();
-}
 
 /// Adds the point where the edge from a to b crosses the height, if it does.
 void add_crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double z,
@@ -133,17 +115,6 @@ const Shape& solid_of(const Shape& shape) {
 TriangleMesh solid_of(const MeshShape& shape) { return load_mesh(shape.path, shape.scale); }
 
 }  // namespace
-
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  if (points.size() < 3) return points;
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Eigen::Vector2d> hull;
-  append_chain(points.begin(), points.end(), hull);
-  append_chain(points.rbegin(), points.rend(), hull);
-  return hull;
-}
 
 std::vector<Slice> slices(const WorldObject& object, const std::vector<double>& heights) {
   return std::visit(

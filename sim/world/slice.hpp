@@ -40,9 +40,6 @@ Slice slice(const WorldObject& object, double z);
 /// The cuts at several heights, in their order; a mesh is read once.
 std::vector<Slice> slices(const WorldObject& object, const std::vector<double>& heights);
 
-/// Convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
-
 /// True if the closed rectangle [min, max] and the figure have a point in common.
 bool touches(const ConvexOutline& outline, const Eigen::AlignedBox2d& rectangle);
 bool touches(const Disc& disc, const Eigen::AlignedBox2d& rectangle);

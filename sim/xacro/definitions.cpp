@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/xml_text.hpp"
 #include "sim/xacro/expander.hpp"
 #include "sim/xacro/substitution.hpp"
 
@@ -129,26 +130,36 @@ std::string Expander::package_folder(const std::string& name) {
   return "$(find " + name + ")";
 }
 
+namespace {
+
+/// Reads a YAML file whose path is relative to that of `file`.
+Value load_yaml(std::filesystem::path path, const std::string& file, const PackageFinder& packages,
+                const RobotOptions& options) {
+  if (!options.read_yaml) {
+    throw std::invalid_argument("xacro.load_yaml is not supported here: write the values out");
+  }
+  if (path.is_relative()) path = std::filesystem::path(file).parent_path() / path;
+  if (!packages.may_read(path)) throw std::invalid_argument(packages.refusal(path));
+  try {
+    return check_size(options.read_yaml(path.lexically_normal().string()));
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(fmt::format("load_yaml: {}", error.what()));
+  }
+}
+
+}  // namespace
+
 std::optional<Value> Expander::function(const std::string& name, const List& arguments) {
   const std::string first = arguments.empty() ? "" : to_text(arguments[0]);
-  if (name == "error") throw std::invalid_argument("the file says: " + first);
-  if (name == "fatal") throw std::invalid_argument("the file says: " + first);
+  if (name == "error" || name == "fatal") {
+    throw std::invalid_argument("the file says: " + first);
+  }
   if (name == "warning" || name == "message") {
     warnings_.push_back(fmt::format("{} says: {}", file_, first));
     return Value{std::string()};
   }
-  if (name != "load_yaml") return std::nullopt;
-  if (!options_.read_yaml) {
-    throw std::invalid_argument("xacro.load_yaml is not supported here: write the values out");
-  }
-  std::filesystem::path path = first;
-  if (path.is_relative()) path = std::filesystem::path(file_).parent_path() / path;
-  if (!packages_.may_read(path)) throw std::invalid_argument(packages_.refusal(path));
-  try {
-    return check_size(options_.read_yaml(path.lexically_normal().string()));
-  } catch (const std::runtime_error& error) {
-    throw std::invalid_argument(fmt::format("load_yaml: {}", error.what()));
-  }
+  if (name == "load_yaml") return load_yaml(first, file_, packages_, options_);
+  return std::nullopt;
 }
 
 }  // namespace castaway::sim::xacro

@@ -32,11 +32,6 @@ bool uses_xacro(const TiXmlElement& element) {
 
 }  // namespace
 
-std::string attribute(const TiXmlElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? "" : value;
-}
-
 std::string required(const TiXmlElement& element, const char* name) {
   if (element.Attribute(name) == nullptr) {
     throw std::invalid_argument(fmt::format("needs the attribute '{}'", name));

@@ -72,9 +72,6 @@ class Expander {
   bool must_find_ = false;
 };
 
-/// Text of an attribute; empty if it is absent.
-std::string attribute(const TiXmlElement& element, const char* name);
-
 /// Text of a required attribute. @throws std::invalid_argument naming it.
 std::string required(const TiXmlElement& element, const char* name);
 

@@ -27,8 +27,16 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
 
-/// The result in integers; nothing if it is not an integer.
+std::optional<Value> integer_power(std::int64_t a, std::int64_t b) {
+  if (b < 0) return std::nullopt;
+  const double power = std::pow(static_cast<double>(a), static_cast<double>(b));
+  if (std::abs(power) > 1e15) return std::nullopt;
+  return Value{static_cast<std::int64_t>(power)};
+}
+
+/// The result of + - * // % ** in integers; nothing if it is not an integer.
 std::optional<Value> in_integers(const std::string& sign, std::int64_t a, std::int64_t b) {
+  if (sign == "**") return integer_power(a, b);
   std::int64_t result = 0;
   bool overflow = false;
   if (sign == "+") {
@@ -39,14 +47,22 @@ std::optional<Value> in_integers(const std::string& sign, std::int64_t a, std::i
     overflow = __builtin_mul_overflow(a, b, &result);
   } else if ((sign == "//" || sign == "%") && b != 0 && b != -1) {
     result = sign == "//" ? floor_div(a, b) : a - b * floor_div(a, b);
-  } else if (sign == "**" && b >= 0) {
-    const double power = std::pow(static_cast<double>(a), static_cast<double>(b));
-    overflow = std::abs(power) > 1e15;
-    if (!overflow) result = static_cast<std::int64_t>(power);
   } else {
     return std::nullopt;
   }
-  return overflow ? std::nullopt : std::optional<Value>(Value{result});
+  if (overflow) return std::nullopt;
+  return Value{result};
+}
+
+double in_doubles(const std::string& sign, double a, double b) {
+  if (sign == "+") return a + b;
+  if (sign == "-") return a - b;
+  if (sign == "*") return a * b;
+  if (sign == "/") return a / b;
+  if (sign == "//") return std::floor(a / b);
+  if (sign == "%") return a - b * std::floor(a / b);
+  if (sign == "**") return std::pow(a, b);
+  return 0.0;
 }
 
 Value arithmetic(const std::string& sign, const Value& left, const Value& right) {
@@ -58,33 +74,30 @@ Value arithmetic(const std::string& sign, const Value& left, const Value& right)
   if (b == 0.0 && (sign == "/" || sign == "//" || sign == "%")) {
     throw std::invalid_argument("division by zero");
   }
-  double result = 0.0;
-  if (sign == "+") result = a + b;
-  if (sign == "-") result = a - b;
-  if (sign == "*") result = a * b;
-  if (sign == "/") result = a / b;
-  if (sign == "//") result = std::floor(a / b);
-  if (sign == "%") result = a - b * std::floor(a / b);
-  if (sign == "**") result = std::pow(a, b);
+  const double result = in_doubles(sign, a, b);
   if (!std::isfinite(result)) {
     throw std::invalid_argument(fmt::format("{} {} {} is not a finite number", a, sign, b));
   }
   return {result};
 }
 
-/// Concatenates or repeats texts and lists; nothing for other types.
-std::optional<Value> join_or_repeat(const std::string& sign, const Value& a, const Value& b) {
-  const auto* text = std::get_if<std::string>(&a.data);
-  const auto* list = std::get_if<List>(&a.data);
-  if (sign == "+" && a.data.index() == b.data.index() && text != nullptr) {
+/// Concatenates two texts or two lists; nothing for other types.
+std::optional<Value> concatenation(const Value& a, const Value& b) {
+  if (a.data.index() != b.data.index()) return std::nullopt;
+  if (const auto* text = std::get_if<std::string>(&a.data)) {
     return Value{*text + std::get<std::string>(b.data)};
   }
-  if (sign == "+" && a.data.index() == b.data.index() && list != nullptr) {
-    List sum = *list;
-    for (const Value& item : std::get<List>(b.data)) sum.push_back(item);
-    return Value{sum};
-  }
-  if (sign != "*" || text == nullptr || !is_integer(b)) return std::nullopt;
+  const auto* list = std::get_if<List>(&a.data);
+  if (list == nullptr) return std::nullopt;
+  List sum = *list;
+  for (const Value& item : std::get<List>(b.data)) sum.push_back(item);
+  return Value{sum};
+}
+
+/// A text repeated; nothing for other types.
+std::optional<Value> repetition(const Value& a, const Value& b) {
+  const auto* text = std::get_if<std::string>(&a.data);
+  if (text == nullptr || !is_integer(b)) return std::nullopt;
   const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(to_integer(b), 0));
   if (count * text->size() > kMaxLength || count > kMaxLength) {
     throw std::invalid_argument(fmt::format("a text longer than {} characters", kMaxLength));
@@ -92,6 +105,11 @@ std::optional<Value> join_or_repeat(const std::string& sign, const Value& a, con
   std::string repeated;
   for (std::uint64_t i = 0; i < count; ++i) repeated += *text;
   return Value{repeated};
+}
+
+std::optional<Value> join_or_repeat(const std::string& sign, const Value& a, const Value& b) {
+  if (sign == "+") return concatenation(a, b);
+  return sign == "*" ? repetition(a, b) : std::nullopt;
 }
 
 Value check_length(Value value) {

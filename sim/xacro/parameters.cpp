@@ -9,13 +9,12 @@
 namespace castaway::sim::xacro {
 namespace {
 
-/// Splits at blanks outside of quotes and brackets.
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  std::string word;
+/// Open quotes and brackets at a position of a text.
+struct Nesting {
   char quote = 0;
   int depth = 0;
-  for (const char c : text) {
+
+  void pass(char c) {
     if (quote != 0) {
       if (c == quote) quote = 0;
     } else if (c == '\'' || c == '"') {
@@ -25,15 +24,26 @@ std::vector<std::string> words_of(const std::string& text) {
     } else if (c == '}' || c == ')') {
       --depth;
     }
+  }
+  [[nodiscard]] bool open() const { return quote != 0 || depth != 0; }
+};
+
+/// Splits at blanks outside of quotes and brackets.
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::string word;
+  Nesting nesting;
+  for (const char c : text) {
+    nesting.pass(c);
     const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (blank && quote == 0 && depth == 0) {
+    if (blank && !nesting.open()) {
       if (!word.empty()) words.push_back(word);
       word.clear();
     } else {
       word += c;
     }
   }
-  if (quote != 0) throw std::invalid_argument("params: a quote is not closed");
+  if (nesting.quote != 0) throw std::invalid_argument("params: a quote is not closed");
   if (!word.empty()) words.push_back(word);
   return words;
 }

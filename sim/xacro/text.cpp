@@ -40,19 +40,26 @@ std::size_t closing(const std::string& text, std::size_t open) {
       fmt::format("'{}' has no closing '{}'", text.substr(open - 1, 40), right));
 }
 
+/// True if an expression's or a substitution's bracket is at a position.
+bool has_bracket(const std::string& text, std::size_t at) {
+  return at < text.size() && (text[at] == '{' || text[at] == '(');
+}
+
+/// Moves a plain text, unless it is empty, to the pieces.
+void add_plain(std::string& plain, std::vector<Piece>& result) {
+  if (!plain.empty()) result.push_back({Piece::Kind::kPlain, plain});
+  plain.clear();
+}
+
 std::vector<Piece> pieces(const std::string& text) {
   std::vector<Piece> result;
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto bracket = [&text](std::size_t at) {
-      return at < text.size() && (text[at] == '{' || text[at] == '(');
-    };
-    if (text[i] == '$' && i + 1 < text.size() && text[i + 1] == '$' && bracket(i + 2)) {
+    if (text[i] == '$' && i + 1 < text.size() && text[i + 1] == '$' && has_bracket(text, i + 2)) {
       plain += {'$', text[i + 2]};
       i += 2;
-    } else if (text[i] == '$' && bracket(i + 1)) {
-      if (!plain.empty()) result.push_back({Piece::Kind::kPlain, plain});
-      plain.clear();
+    } else if (text[i] == '$' && has_bracket(text, i + 1)) {
+      add_plain(plain, result);
       const std::size_t end = closing(text, i + 1);
       const bool expression = text[i + 1] == '{';
       result.push_back({expression ? Piece::Kind::kExpression : Piece::Kind::kSubstitution,
@@ -62,7 +69,7 @@ std::vector<Piece> pieces(const std::string& text) {
       plain += text[i];
     }
   }
-  if (!plain.empty()) result.push_back({Piece::Kind::kPlain, plain});
+  add_plain(plain, result);
   return result;
 }
 

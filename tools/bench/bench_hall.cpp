@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "localization/geometry/random.hpp"
 #include "sim/common/random.hpp"
@@ -12,13 +11,9 @@
 namespace castaway::testbed {
 namespace {
 
-double between(double low, double high, sim::Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
 Eigen::Vector2d place(double edge, sim::Rng& rng) {
-  const double x = between(-0.5 * edge, 0.5 * edge, rng);
-  return {x, between(-0.5 * edge, 0.5 * edge, rng)};
+  const double x = sim::draw_between(-0.5 * edge, 0.5 * edge, rng);
+  return {x, sim::draw_between(-0.5 * edge, 0.5 * edge, rng)};
 }
 
 }  // namespace
@@ -30,10 +25,10 @@ sim::WorldSpec bench_hall(int boxes, double edge, std::uint64_t seed) {
   world.max_corner = Eigen::Vector2d::Constant(0.5 * edge);
   world.min_corner = -world.max_corner;
   for (int i = 0; i < boxes; ++i) {
-    const double width = between(0.2, 1.5, rng);
-    const double depth = between(0.1, 0.6, rng);
+    const double width = sim::draw_between(0.2, 1.5, rng);
+    const double depth = sim::draw_between(0.1, 0.6, rng);
     const Eigen::Vector2d p = place(edge, rng);
-    const double yaw = between(-std::numbers::pi, std::numbers::pi, rng);
+    const double yaw = sim::draw_between(-std::numbers::pi, std::numbers::pi, rng);
     sim::WorldObject box;
     box.name = fmt::format("box_{}", i);
     box.shape = sim::BoxShape{{width, depth, 1.0}};
@@ -50,10 +45,10 @@ std::vector<sim::MovingBody> bench_people(int count, double edge, std::uint64_t 
   for (int i = 0; i < count; ++i) {
     sim::PersonState state;
     state.position = place(edge, rng);
-    state.heading = between(-std::numbers::pi, std::numbers::pi, rng);
+    state.heading = sim::draw_between(-std::numbers::pi, std::numbers::pi, rng);
     const Eigen::Vector2d ahead = sim::heading_vector(state.heading);
     const Eigen::Vector2d left(-ahead.y(), ahead.x());
-    const double stride = between(-0.35, 0.35, rng);
+    const double stride = sim::draw_between(-0.35, 0.35, rng);
     state.feet = {state.position + stride * ahead + sim::kFootSpread * left,
                   state.position - stride * ahead - sim::kFootSpread * left};
     bodies.push_back(sim::person_rays({}, state, i));

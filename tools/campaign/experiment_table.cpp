@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/formats/figure_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -13,17 +15,9 @@ using Json = nlohmann::ordered_json;
 /// Formats a localizer's cell from its figures and its name.
 using Cell = std::function<std::string(const Json& figures, const std::string& name)>;
 
-std::string number(const Json& value, const char* format, double factor = 1.0) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), factor * value.get<double>()) : "-";
-}
-
 std::string with_interval(const Json& figures, const char* key, const char* format) {
-  const Json& ends = figures.at(fmt::format("{}_interval", key));
-  std::string text = number(figures.at(key), format);
-  if (ends.is_array()) {
-    text += fmt::format(" [{}, {}]", number(ends.at(0), format), number(ends.at(1), format));
-  }
-  return text;
+  return figure_text(figures.at(key), format) +
+         interval_text(figures.at(fmt::format("{}_interval", key)), format);
 }
 
 /// Adds rows and pads them to the length of the head.
@@ -55,10 +49,10 @@ class Builder {
 void add_tracking(const Json& timing, Builder& builder) {
   builder.row("error, mean +- sd [m]", [](const Json& figures, const std::string&) {
     const Json& error = figures.at("error_m");
-    return number(error.at("mean"), "{:.4f}") + " +- " + number(error.at("sd"), "{:.4f}");
+    return figure_text(error.at("mean"), "{:.4f}") + " +- " + figure_text(error.at("sd"), "{:.4f}");
   });
   builder.row("error, median [m]", [](const Json& figures, const std::string&) {
-    return number(figures.at("/error_m/median"_json_pointer), "{:.4f}");
+    return figure_text(figures.at("/error_m/median"_json_pointer), "{:.4f}");
   });
   builder.row("error, mean, 95 % over runs [m]", [](const Json& figures, const std::string&) {
     return with_interval(figures.at("error_m"), "mean", "{:.4f}");
@@ -66,18 +60,19 @@ void add_tracking(const Json& timing, Builder& builder) {
   builder.row("CPU per update [ms]", [&timing](const Json&, const std::string& name) {
     const Json& localizers = timing.at("localizers");
     return localizers.contains(name)
-               ? number(localizers.at(name).at("update_ms").at("mean"), "{:.2f}")
+               ? figure_text(localizers.at(name).at("update_ms").at("mean"), "{:.2f}")
                : "-";
   });
   builder.row("hypotheses, mean (most)", [](const Json& figures, const std::string&) {
     const Json& hypotheses = figures.at("hypotheses");
-    return number(hypotheses.at("mean"), "{:.2f}") + number(hypotheses.at("max"), " ({:.0f})");
+    return figure_text(hypotheses.at("mean"), "{:.2f}") +
+           figure_text(hypotheses.at("max"), " ({:.0f})");
   });
   builder.row("quality, mean", [](const Json& figures, const std::string&) {
-    return number(figures.at("/quality/mean"_json_pointer), "{:.3f}");
+    return figure_text(figures.at("/quality/mean"_json_pointer), "{:.3f}");
   });
   builder.row("uncertainty, mean [m]", [](const Json& figures, const std::string&) {
-    return number(figures.at("/sigma_m/mean"_json_pointer), "{:.4f}");
+    return figure_text(figures.at("/sigma_m/mean"_json_pointer), "{:.4f}");
   });
 }
 
@@ -87,30 +82,25 @@ void add_recovery(Builder& builder) {
   });
   builder.row("success", [](const Json& figures, const std::string&) {
     const Json& recovery = figures.at("recovery");
-    const Json& ends = recovery.at("success_interval");
-    std::string text = number(recovery.at("success"), "{:.2f} %", 100.0);
-    if (ends.is_array()) {
-      text += fmt::format(" [{}, {}]", number(ends.at(0), "{:.1f}", 100.0),
-                          number(ends.at(1), "{:.1f}", 100.0));
-    }
-    return text;
+    return figure_text(recovery.at("success"), "{:.2f} %", 100.0) +
+           interval_text(recovery.at("success_interval"), "{:.1f}", 100.0);
   });
   builder.row("starts", [](const Json& figures, const std::string&) {
-    return number(figures.at("/recovery/events"_json_pointer), "{:.0f}");
+    return figure_text(figures.at("/recovery/events"_json_pointer), "{:.0f}");
   });
   builder.row("slowest [s]", [](const Json& figures, const std::string&) {
-    return number(figures.at("/recovery/time_s/max"_json_pointer), "{:.2f}");
+    return figure_text(figures.at("/recovery/time_s/max"_json_pointer), "{:.2f}");
   });
   for (const char* score : {"quality", "probability", "covariance"}) {
-    builder.row(
-        fmt::format("ROC area of the {}", score), [score](const Json& figures, const std::string&) {
-          return number(figures.at("discrimination").at(fmt::format("{}_auc", score)), "{:.3f}");
-        });
+    builder.row(fmt::format("ROC area of the {}", score), [score](const Json& figures,
+                                                                  const std::string&) {
+      return figure_text(figures.at("discrimination").at(fmt::format("{}_auc", score)), "{:.3f}");
+    });
   }
   for (const char* score : {"quality", "sigma"}) {
     builder.row(fmt::format("correlation of {} and error", score), [score](const Json& figures,
                                                                            const std::string&) {
-      return number(figures.at("correlation").at(fmt::format("{}_error", score)), "{:.2f}");
+      return figure_text(figures.at("correlation").at(fmt::format("{}_error", score)), "{:.2f}");
     });
   }
 }
@@ -144,7 +134,7 @@ void add_driving(const Json& summary, Builder& builder) {
   row("emergency stops", "emergency_stops", "{:.0f}");
   builder.row("error, mean +- sd [m]", [](const Json& figures, const std::string&) {
     const Json& error = figures.at("error_m");
-    return number(error.at("mean"), "{:.4f}") + " +- " + number(error.at("sd"), "{:.4f}");
+    return figure_text(error.at("mean"), "{:.4f}") + " +- " + figure_text(error.at("sd"), "{:.4f}");
   });
 }
 

@@ -137,24 +137,29 @@ Json to_json(const KidnapBatch& batch) {
   return json;
 }
 
+KidnapBatch play_batch(const KidnapTrials& trials, const std::vector<LocalizerSpec>& specs,
+                       const KidnapArguments& arguments, int obstacles) {
+  TrialCount done(arguments.kidnaps);
+  const auto on_trial = [&](const KidnapReport& report) {
+    if (arguments.verbose) print_failure(report, arguments);
+    done.next();
+  };
+  const auto reports = play_kidnaps(trials, specs, arguments.kidnaps, obstacles, on_trial);
+  return summarise(reports, arguments.localizers, arguments.within_s);
+}
+
 int bench_kidnaps(KidnapArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl", "amcl"};
   if (arguments.obstacles.empty()) arguments.obstacles = {0};
   std::vector<LocalizerSpec> specs;
   for (const std::string& name : arguments.localizers) specs.push_back(parse_localizer(name));
-  for (std::size_t i = 0; i < specs.size(); ++i) arguments.localizers[i] = specs[i].name;
+  arguments.localizers = names_of(specs);
   const KidnapTrials trials(arguments.trials);
   auto batches = Json::array();
   int voids = 0;
   if (!arguments.json) print_header();
   for (const int obstacles : arguments.obstacles) {
-    TrialCount done(arguments.kidnaps);
-    const auto on_trial = [&](const KidnapReport& report) {
-      if (arguments.verbose) print_failure(report, arguments);
-      done.next();
-    };
-    const auto reports = play_kidnaps(trials, specs, arguments.kidnaps, obstacles, on_trial);
-    const KidnapBatch batch = summarise(reports, arguments.localizers, arguments.within_s);
+    const KidnapBatch batch = play_batch(trials, specs, arguments, obstacles);
     if (!arguments.json) print_batch(batch);
     batches.push_back(to_json(batch));
     voids += batch.voids;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/bench.hpp"
+#include "tools/formats/figure_text.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/scenario/files/data_paths.hpp"
@@ -29,10 +30,6 @@ std::optional<double> mean_of(const std::vector<double>& values) {
   return s ? std::optional<double>(s->mean) : std::nullopt;
 }
 
-std::string figure(const std::optional<double>& value, const char* format) {
-  return value ? fmt::format(fmt::runtime(format), *value) : "-";
-}
-
 void print_table(const std::vector<VariantScore>& scores) {
   fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", "", "recovered", "recovery mean",
              "tracking mean", "wrong");
@@ -40,9 +37,9 @@ void print_table(const std::vector<VariantScore>& scores) {
     const std::optional<double> wrong = mean_of(score.wrong);
     fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", score.name,
                fmt::format("{} of {}", score.recovered, score.events),
-               figure(mean_of(score.time_s), "{:.2f} s"),
-               figure(mean_of(score.tracking_m), "{:.3f} m"),
-               figure(wrong ? std::optional(100.0 * *wrong) : wrong, "{:.1f} %"));
+               figure_text(mean_of(score.time_s), "{:.2f} s"),
+               figure_text(mean_of(score.tracking_m), "{:.3f} m"),
+               figure_text(wrong ? std::optional(100.0 * *wrong) : wrong, "{:.1f} %"));
   }
 }
 

@@ -47,10 +47,9 @@ std::vector<std::string> options_of(const CLI::App& command) {
 std::string not_expected(const CLI::App& command, const std::string& word) {
   if (!word.starts_with("-")) return fmt::format("'{}' is one word too many", word);
   const std::string name = word.substr(0, word.find('='));
-  const auto near = nearest_name(name, options_of(command));
-  const bool close = near && edit_distance(name, *near) <= 3;
+  const auto near = close_name(name, options_of(command));
   return fmt::format("no option '{}'{}", name,
-                     close ? fmt::format("; did you mean '{}'?", *near) : "");
+                     near ? fmt::format("; did you mean '{}'?", *near) : "");
 }
 
 std::string describe_usage(const CLI::App& app, const CLI::ParseError& error) {

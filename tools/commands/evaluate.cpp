@@ -8,6 +8,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/evaluate/evaluation.hpp"
+#include "tools/formats/figure_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
@@ -54,10 +55,6 @@ void print_evaluation_header() {
               "CPU mean, max"});
 }
 
-std::string evaluation_figure(const std::optional<double>& value, const char* format) {
-  return value ? fmt::format(fmt::runtime(format), *value) : "-";
-}
-
 void print_row(const EvaluationRow& row) {
   const std::string tracking = row.tracking_m
                                    ? fmt::format("{:.3f} m, {:.1f} deg", row.tracking_m->mean,
@@ -72,9 +69,9 @@ void print_row(const EvaluationRow& row) {
               rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
               quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"),
               tracking, noticed ? fmt::format("{:.1f} s", noticed->mean) : "-",
-              evaluation_figure(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
+              figure_text(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
               fmt::format("{:.1f} s", row.longest_wrong_s),
-              evaluation_figure(row.calibration.brier(), "{:.3f}"),
+              figure_text(row.calibration.brier(), "{:.3f}"),
               fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms)});
 }
 

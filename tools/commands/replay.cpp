@@ -190,7 +190,7 @@ RunInfo info_of(const ReplayArguments& arguments, const std::vector<LocalizerSpe
   info.robot = "recorded";
   info.seed = arguments.seed;
   info.known_start = arguments.start == "truth";
-  for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
+  info.localizers = names_of(specs);
   return info;
 }
 

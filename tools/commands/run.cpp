@@ -75,8 +75,7 @@ std::vector<std::string> overrides_of(const RunArguments& arguments) {
 
 /// Those of the command line.
 std::vector<Expectation> expectations_of(const RunArguments& arguments, const Scenario& scenario) {
-  std::vector<std::string> localizers;
-  for (const LocalizerSpec& spec : scenario.localizers) localizers.push_back(spec.name);
+  const std::vector<std::string> localizers = names_of(scenario.localizers);
   std::vector<Expectation> expectations;
   for (const std::string& text : arguments.expects) {
     try {

@@ -8,21 +8,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include <boost/random/uniform_real_distribution.hpp>
+#include "sim/common/random.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-double uniform(localization::Rng& rng, double low, double high) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
 /// Puts one person into the scan and marks the beams that meet it in `met`.
 void add_person(LaserScan& scan, std::vector<bool>& met, localization::Rng& rng) {
   constexpr double kRadius = 0.25;  // [m]
-  const double d = uniform(rng, 0.6, 2.5);
+  const double d = sim::draw_between(0.6, 2.5, rng);
   const auto count = static_cast<double>(scan.ranges.size());
-  const double angle = scan.beam_angle(0) + uniform(rng, 0.0, count) * scan.angle_increment;
+  const double angle =
+      scan.beam_angle(0) + sim::draw_between(0.0, count, rng) * scan.angle_increment;
   const double half = std::asin(kRadius / d);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double off = localization::wrap_angle(scan.beam_angle(i) - angle);
@@ -61,7 +58,7 @@ void erase_walls(RosMap& map, double share, localization::Rng& rng) {
   }
   std::set<Tile> erased;
   for (const Tile& tile : walls) {
-    if (uniform(rng, 0.0, 1.0) < share) erased.insert(tile);
+    if (sim::draw_between(0.0, 1.0, rng) < share) erased.insert(tile);
   }
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
@@ -78,8 +75,8 @@ void add_boxes(RosMap& map, double per_m2, localization::Rng& rng) {
   const int edge = std::max(1, static_cast<int>(std::lround(0.5 / map.resolution)));
   auto left = std::lround(per_m2 * area);
   for (long tries = 1000 * left; left > 0 && tries > 0; --tries) {
-    const int column = static_cast<int>(uniform(rng, 0.0, std::max(1, map.width - edge)));
-    const int row = static_cast<int>(uniform(rng, 0.0, std::max(1, map.height - edge)));
+    const int column = static_cast<int>(sim::draw_between(0.0, std::max(1, map.width - edge), rng));
+    const int row = static_cast<int>(sim::draw_between(0.0, std::max(1, map.height - edge), rng));
     if (map.at(column, row) != 0) continue;
     --left;
     for (int r = row; r < std::min(row + edge, map.height); ++r) {

@@ -18,16 +18,12 @@ using Eigen::Vector3f;
 const Vector3f kRouteColor = scene_color(0x0072B2);
 const Vector3f kSlipColor = scene_color(0xE69F00);
 
-Vector3f raise_point(const Eigen::Vector2d& p, float z) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), z};
-}
-
 /// A closed polyline.
 sim::SceneLines outline(const std::vector<Eigen::Vector2d>& points, const Vector3f& color) {
   sim::SceneLines lines{{}, color, 2.0F};
   for (std::size_t i = 0; i < points.size(); ++i) {
-    lines.points.push_back(raise_point(points[i], 0.02F));
-    lines.points.push_back(raise_point(points[(i + 1) % points.size()], 0.02F));
+    lines.points.push_back(sim::raise_point(points[i], 0.02F));
+    lines.points.push_back(sim::raise_point(points[(i + 1) % points.size()], 0.02F));
   }
   return lines;
 }
@@ -68,13 +64,14 @@ sim::Scene world_scene(const LoadedWorld& world) {
   add_marks(world, scene);
   const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
   const float reach = 1.06F * std::max(size.x(), 1.25F * size.y());
-  scene.camera.target = raise_point(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
+  scene.camera.target = sim::raise_point(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
   scene.camera.target.y() -= 0.06F * size.y();
   scene.camera.eye = scene.camera.target + reach * Vector3f(-0.04F, -0.62F, 0.95F);
   scene.camera.fov_y_deg = 42.0F;
   const float top = sim::standing_height(scene.items);
   scene.camera = sim::step_back(
-      scene.camera, {raise_point(spec.min_corner, 0.0F), raise_point(spec.max_corner, top)},
+      scene.camera,
+      {sim::raise_point(spec.min_corner, 0.0F), sim::raise_point(spec.max_corner, top)},
       4.0F / 3.0F);
   return scene;
 }
@@ -85,7 +82,7 @@ sim::Scene world_map_scene(const LoadedWorld& world) {
   add_marks(world, scene);
   const sim::WorldSpec& spec = world.file.spec;
   const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
-  scene.camera.target = raise_point(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
+  scene.camera.target = sim::raise_point(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
   scene.camera.eye = scene.camera.target + Vector3f(0.0F, 0.0F, 50.0F);
   scene.camera.up = Vector3f::UnitY();
   scene.camera.ortho_height = 1.04F * std::max(size.y(), size.x() * 0.75F);

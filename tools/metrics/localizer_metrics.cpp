@@ -129,6 +129,14 @@ Stamp alarm_grace_end(const RecoveryWindow& window, const RecoveryConfig& config
   return std::max(window.recovered.value_or(window.end), grace);
 }
 
+/// True if an alarm is a correct response to a kidnap or to an unknown start.
+bool is_excused(const MetricRow& row, const std::vector<RecoveryWindow>& windows,
+                const RecoveryConfig& config) {
+  return std::any_of(windows.begin(), windows.end(), [&](const RecoveryWindow& window) {
+    return row.answered() >= window.taken && row.answered() < alarm_grace_end(window, config);
+  });
+}
+
 void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
                           const RecoveryConfig& config, LocalizerMetrics& metrics) {
   if (rows.empty()) return;
@@ -140,10 +148,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
   bool was_lost = false;
   for (const MetricRow& row : rows) {
     const bool onset = row.lost && !was_lost;
-    const bool excused = std::any_of(
-        metrics.windows.begin(), metrics.windows.end(), [&](const RecoveryWindow& window) {
-          return row.answered() >= window.taken && row.answered() < alarm_grace_end(window, config);
-        });
+    const bool excused = is_excused(row, metrics.windows, config);
     if (onset && is_right(row, config) && !excused) ++metrics.false_alarms;
     was_lost = row.lost;
   }

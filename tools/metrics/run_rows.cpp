@@ -8,6 +8,11 @@ namespace {
 
 using localization::distance;
 
+/// Distance to a pose; 0 while the robot is carried.
+double way(const std::optional<SE2>& from, const SE2& to) {
+  return from ? distance(*from, to) : 0.0;
+}
+
 /// Distance between two rows. Every kidnap between them ends one piece of the path and begins
 /// another; the robot does not drive while it is carried.
 double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEvent>& kidnaps) {
@@ -18,11 +23,10 @@ double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEve
   for (const RunEvent& kidnap : kidnaps) {
     if (kidnap.stamp <= from.stamp || kidnap.begun() > to.stamp) continue;
     if (!kidnap.T_map_from || !kidnap.T_map_to) return by_odometry;
-    const bool lifted = kidnap.begun() > from.stamp;
-    if (lifted && T_map_base) driven += distance(*T_map_base, *kidnap.T_map_from);
+    if (kidnap.begun() > from.stamp) driven += way(T_map_base, *kidnap.T_map_from);
     T_map_base = kidnap.stamp <= to.stamp ? kidnap.T_map_to : std::nullopt;
   }
-  return driven + (T_map_base ? distance(*T_map_base, *to.T_map_base_true) : 0.0);
+  return driven + way(T_map_base, *to.T_map_base_true);
 }
 
 }  // namespace

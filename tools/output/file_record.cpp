@@ -93,21 +93,26 @@ bool is_leftover(const std::string& path, const FileRecord& record) {
   return name && (*name == kRecordName || listed_hash(record, *name) != nullptr);
 }
 
+std::optional<ForeignFile> foreign_file(const fs::path& file, const std::string& path,
+                                        const FileRecord& record) {
+  const std::string* hash = listed_hash(record, path);
+  if (hash == nullptr && is_leftover(path, record)) return std::nullopt;
+  if (hash == nullptr) return ForeignFile{path, false};
+  if (!is_unchanged(file, *hash)) return ForeignFile{path, true};
+  return std::nullopt;
+}
+
 std::optional<ForeignFile> find_foreign_in(const fs::path& root, const fs::path& folder,
                                            const FileRecord& record) {
   for (const fs::path& entry : sorted_entries(folder)) {
     const std::string path = entry.lexically_relative(root).generic_string();
     if (path == kRecordName || path == kStagingName) continue;
     std::error_code none;
-    if (fs::symlink_status(entry, none).type() == fs::file_type::directory) {
-      if (fs::exists(entry / kRecordName, none)) continue;
-      if (auto found = find_foreign_in(root, entry, record)) return found;
-      continue;
-    }
-    const std::string* hash = listed_hash(record, path);
-    if (hash == nullptr && is_leftover(path, record)) continue;
-    if (hash == nullptr) return ForeignFile{path, false};
-    if (!is_unchanged(entry, *hash)) return ForeignFile{path, true};
+    const bool is_folder = fs::symlink_status(entry, none).type() == fs::file_type::directory;
+    if (is_folder && fs::exists(entry / kRecordName, none)) continue;
+    auto found =
+        is_folder ? find_foreign_in(root, entry, record) : foreign_file(entry, path, record);
+    if (found) return found;
   }
   return std::nullopt;
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/scene/primitives.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -62,7 +64,7 @@ struct Stand {
 
   [[nodiscard]] Vector3f at(float x, float y, float z) const {
     const Eigen::Vector2d p = T_map_base * Eigen::Vector2d(x, y);
-    return {static_cast<float>(p.x()), static_cast<float>(p.y()), height + z};
+    return sim::raise_point(p, height + z);
   }
 };
 

@@ -44,14 +44,22 @@ void validate(const FilmConfig& config) {
   }
 }
 
+namespace {
+
+bool contains(const sim::Image& image, int x, int y) {
+  return x >= 0 && x < image.width && y >= 0 && y < image.height;
+}
+
+}  // namespace
+
 void put_into_corner(const sim::Image& inset, sim::Image& image) {
   const int left = image.width - inset.width - kMargin;
   for (int y = -kBorder; y < inset.height + kBorder; ++y) {
     for (int x = -kBorder; x < inset.width + kBorder; ++x) {
       const int to_x = left + x;
       const int to_y = kMargin + y;
-      if (to_x < 0 || to_x >= image.width || to_y < 0 || to_y >= image.height) continue;
-      const bool inside = x >= 0 && x < inset.width && y >= 0 && y < inset.height;
+      if (!contains(image, to_x, to_y)) continue;
+      const bool inside = contains(inset, x, y);
       for (int c = 0; c < 3; ++c) {
         const auto to = static_cast<std::size_t>(3 * (to_y * image.width + to_x) + c);
         const auto from = static_cast<std::size_t>(3 * (y * inset.width + x) + c);

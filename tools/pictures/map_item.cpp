@@ -1,5 +1,7 @@
 #include "tools/pictures/picture_scenes.hpp"
 
+#include "sim/scene/primitives.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -13,7 +15,7 @@ void add_run(const RosMap& map, int row, int begin, int end, sim::TriangleMesh& 
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const auto& [column, above] : {std::pair{begin, 0}, {end, 0}, {end, 1}, {begin, 1}}) {
     const Eigen::Vector2d p_map = map.to_map(Eigen::Vector2d(column, row + above));
-    mesh.vertices.emplace_back(static_cast<float>(p_map.x()), static_cast<float>(p_map.y()), 0.0F);
+    mesh.vertices.push_back(sim::raise_point(p_map, 0.0));
     mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
     mesh.colors.push_back(cell_color(map.at(begin, row)));
   }

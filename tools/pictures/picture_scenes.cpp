@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/scene/camera.hpp"
+#include "sim/scene/primitives.hpp"
 #include "tools/pictures/chase_view.hpp"
 #include "tools/pictures/palette.hpp"
 #include "tools/pictures/pose_marks.hpp"
@@ -17,10 +18,6 @@ using Eigen::Vector3f;
 const Vector3f kHitColor{0.85F, 0.10F, 0.15F};
 constexpr float kAspect = 4.0F / 3.0F;  // Of the narrowest image for which overviews are framed.
 
-Vector3f raise_point(const Eigen::Vector2d& p, double z) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(z)};
-}
-
 /// Adds a person on the map: an ellipse for the body, with a nose.
 void add_person(const PersonTruth& person, sim::Scene& scene) {
   constexpr int kSides = 20;
@@ -31,11 +28,11 @@ void add_person(const PersonTruth& person, sim::Scene& scene) {
     for (const int end : {side, side + 1}) {
       const double angle = 2.0 * std::numbers::pi * end / kSides;
       const Eigen::Vector2d p(kDepth * std::cos(angle), kWidth * std::sin(angle));
-      outline.points.push_back(raise_point(person.T_map_person * p, 0.15));
+      outline.points.push_back(sim::raise_point(person.T_map_person * p, 0.15));
     }
   }
   for (const double x : {0.0, 1.6 * kDepth}) {
-    outline.points.push_back(raise_point(person.T_map_person * Eigen::Vector2d(x, 0.0), 0.15));
+    outline.points.push_back(sim::raise_point(person.T_map_person * Eigen::Vector2d(x, 0.0), 0.15));
   }
   scene.lines.push_back(std::move(outline));
 }
@@ -89,7 +86,7 @@ void add_particles(const localization::PopulationView& population, sim::Scene& s
       scene_color(palette_color(kPopulationColors, static_cast<std::size_t>(population.id)));
   points.size_px = population.selected ? 3.0F : 2.0F;
   for (const SE2& particle : population.particles) {
-    points.points.push_back(raise_point(particle.translation(), 0.1));
+    points.points.push_back(sim::raise_point(particle.translation(), 0.1));
   }
   scene.points.push_back(std::move(points));
 }
@@ -108,8 +105,8 @@ sim::Camera camera_above(const RosMap& map, const MapView& view) {
   const Eigen::Vector2d middle =
       box_of(map).center() - Eigen::Vector2d(0.0, 0.5 * view.below * height);
   sim::Camera camera;
-  camera.target = raise_point(middle, 0.0);
-  camera.eye = raise_point(middle, 50.0);
+  camera.target = sim::raise_point(middle, 0.0);
+  camera.eye = sim::raise_point(middle, 50.0);
   camera.up = Vector3f::UnitY();
   camera.ortho_height = static_cast<float>(height);
   return camera;
@@ -154,11 +151,12 @@ sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
   sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();
-  scene.camera.target = raise_point(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
-  scene.camera.eye = raise_point(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
+  scene.camera.target = sim::raise_point(center - Eigen::Vector2d(0.0, 0.04 * size), 0.0);
+  scene.camera.eye = sim::raise_point(center - Eigen::Vector2d(0.0, 0.68 * size), 1.08 * size);
   scene.camera.fov_y_deg = 45.0F;
   scene.camera = sim::step_back(
-      scene.camera, {raise_point(world.min_corner, 0.0), raise_point(world.max_corner, world.top)},
+      scene.camera,
+      {sim::raise_point(world.min_corner, 0.0), sim::raise_point(world.max_corner, world.top)},
       kAspect);
   return scene;
 }

@@ -22,8 +22,7 @@ void add_circle(const SE2& T_map_base, double radius, double z, sim::SceneLines 
       const double angle = 2.0 * std::numbers::pi * end / kSides;
       const Eigen::Vector2d p_base = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       const Eigen::Vector2d p = T_map_base * p_base;
-      outline.points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
-                                  static_cast<float>(z));
+      outline.points.push_back(sim::raise_point(p, z));
     }
   }
   scene.lines.push_back(std::move(outline));

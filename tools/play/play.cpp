@@ -21,12 +21,6 @@
 namespace castaway::testbed {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<LocalizerSpec>& specs) {
-  std::vector<std::string> names;
-  for (const LocalizerSpec& spec : specs) names.push_back(spec.name);
-  return names;
-}
-
 /// Lidars that would tell none tell the power that they receive; no range changes by it.
 void tell_intensities(sim::SimulationConfig& config) {
   const auto tell = [](sim::LidarConfig& lidar) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
+#include "tools/formats/figure_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/unscored.hpp"
@@ -14,11 +15,6 @@ namespace castaway::testbed {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A figure, or "-" where there was nothing to measure.
-std::string figure(const Json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
 
 std::string localizer_line(const std::string& name, const Json& metrics, const Json& timing) {
   const Json& recovery = metrics.at("recovery");
@@ -33,15 +29,17 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
   return fmt::format(
       "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
       events == 0 ? share : paint(share, recovered < events ? Color::kRed : Color::kGreen, stdout),
-      figure(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
-      figure(part(recovery.at("time_s"), "max"), "{:.2f} s"),
-      figure(part(tracking, "mean"), "{:.3f} m"), figure(part(tracking, "p95"), "{:.3f} m"),
-      figure(metrics.at("wrong_lock_share").is_number()
-                 ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
-                 : Json(),
-             "{:.1f} %"),
-      figure(metrics.at("calibration").at("brier"), "{:.3f}"),
-      figure(part(update, "mean"), "{:.2f} ms"), figure(part(update, "max"), "{:.2f} ms"));
+      figure_text(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
+      figure_text(part(recovery.at("time_s"), "max"), "{:.2f} s"),
+      figure_text(part(tracking, "mean"), "{:.3f} m"),
+      figure_text(part(tracking, "p95"), "{:.3f} m"),
+      figure_text(metrics.at("wrong_lock_share").is_number()
+                      ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
+                      : Json(),
+                  "{:.1f} %"),
+      figure_text(metrics.at("calibration").at("brier"), "{:.3f}"),
+      figure_text(part(update, "mean"), "{:.2f} ms"),
+      figure_text(part(update, "max"), "{:.2f} ms"));
 }
 
 /// How near people came; nothing where there were none.
@@ -92,13 +90,13 @@ std::string unscored_line(const Json& summary) {
 std::string cost_line(const Json& timing) {
   const Json& factor = timing.at("realtime_factor");
   const bool fast = factor.is_number() && factor.get<double>() >= 10.0;
-  std::string text =
-      fmt::format("\n{} x real time ({} wall, {} of it to load). CPU:",
-                  figure(factor, fast ? "{:.0f}" : "{:.2g}"),
-                  figure(timing.at("wall_s"), "{:.2f} s"), figure(timing.at("load_s"), "{:.2f} s"));
+  std::string text = fmt::format("\n{} x real time ({} wall, {} of it to load). CPU:",
+                                 figure_text(factor, fast ? "{:.0f}" : "{:.2g}"),
+                                 figure_text(timing.at("wall_s"), "{:.2f} s"),
+                                 figure_text(timing.at("load_s"), "{:.2f} s"));
   const char* separator = " ";
   for (const auto& [stage, time] : timing.at("cpu_s").items()) {
-    text += fmt::format("{}{} {}", separator, stage, figure(time, "{:.2f} s"));
+    text += fmt::format("{}{} {}", separator, stage, figure_text(time, "{:.2f} s"));
     separator = ", ";
   }
   return text + "\n";

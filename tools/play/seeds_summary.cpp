@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/formats/figure_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 
@@ -11,24 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(const Json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
-
-std::string interval(const Json& ends, const char* format, double factor = 1.0) {
-  if (!ends.is_array()) return "";
-  const auto end = [&](int i) {
-    return fmt::format(fmt::runtime(format),
-                       factor * ends.at(static_cast<std::size_t>(i)).get<double>());
-  };
-  return " [" + end(0) + ", " + end(1) + "]";
-}
-
 /// A figure over seeds: mean with its interval.
 std::string over_seeds(const Json& figures, const std::string& name, const char* format) {
   if (!figures.contains(name)) return "-";
   const Json& figure = figures.at(name);
-  return number(figure.at("mean"), format) + interval(figure.at("mean_interval"), format);
+  return figure_text(figure.at("mean"), format) + interval_text(figure.at("mean_interval"), format);
 }
 
 std::string seeds_line(const std::string& name, const Json& recovery, const Json& figures) {
@@ -37,9 +25,9 @@ std::string seeds_line(const std::string& name, const Json& recovery, const Json
       "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
       fmt::format("{} of {}{}", whole<int>(recovery.at("recovered")),
                   whole<int>(recovery.at("events")),
-                  interval(recovery.at("success_interval"), "{:.0f} %", 100.0)),
-      number(time.at("mean"), "{:.2f}") + interval(time.at("mean_interval"), "{:.2f}"),
-      number(time.at("max"), "{:.2f} s"),
+                  interval_text(recovery.at("success_interval"), "{:.0f} %", 100.0)),
+      figure_text(time.at("mean"), "{:.2f}") + interval_text(time.at("mean_interval"), "{:.2f}"),
+      figure_text(time.at("max"), "{:.2f} s"),
       over_seeds(figures, name + ".tracking_error_m.mean", "{:.4f}"),
       over_seeds(figures, name + ".wrong_lock_share", "{:.3f}"));
 }

@@ -44,11 +44,7 @@ void ScanLabeller::add(const RunEvent& event) {
   kidnaps_.push_back(event);
 }
 
-ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
-  ScanRow row;
-  row.stamp_s = seconds(record.stamp);
-  row.T_map_base = record.T_map_base_true;
-  row.T_odom_base = record.T_odom_base;
+void ScanLabeller::add_kidnaps(const ScanRecord& record, ScanRow& row) const {
   for (const RunEvent& kidnap : kidnaps_) {
     if (kidnap.stamp <= record.stamp) {
       row.since_kidnap_s = seconds(record.stamp - kidnap.stamp);
@@ -57,8 +53,17 @@ ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
     row.torn = row.torn || kidnap.begun() < record.delivered;
     row.held = row.held || kidnap.begun() <= record.stamp;
   }
-  row.held = row.held || (picked_up_ && record.stamp >= *picked_up_);
-  row.torn = row.torn || (picked_up_ && record.stamp < *picked_up_);
+  if (!picked_up_) return;
+  row.held = row.held || record.stamp >= *picked_up_;
+  row.torn = row.torn || record.stamp < *picked_up_;
+}
+
+ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
+  ScanRow row;
+  row.stamp_s = seconds(record.stamp);
+  row.T_map_base = record.T_map_base_true;
+  row.T_odom_base = record.T_odom_base;
+  add_kidnaps(record, row);
   label_beams(context_->legend, record.truth.labels, row);
   if (!record.T_map_base_true) return row;
   row.ambiguity = context_->ambiguity.at(record.T_map_base_true->translation());

@@ -45,6 +45,9 @@ class ScanLabeller {
   [[nodiscard]] ScanRow row_of(const ScanRecord& record) const;
 
  private:
+  /// Fills in the time since the last kidnap, and whether one is under way.
+  void add_kidnaps(const ScanRecord& record, ScanRow& row) const;
+
   std::shared_ptr<const LabelContext> context_;
   std::vector<RunEvent> kidnaps_;
   std::optional<Stamp> picked_up_;  ///< Nothing while the robot stands on the floor.

@@ -89,12 +89,6 @@ EventSpecs read_events(YamlReader& root) {
   return events;
 }
 
-std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers) {
-  std::vector<std::string> names;
-  for (const LocalizerSpec& spec : localizers) names.push_back(spec.name);
-  return names;
-}
-
 /// Sets the localizer that kidnaps wait for, by default the first one, and checks that the run has
 /// it.
 void choose_watched(const YamlReader& root, Scenario& scenario) {

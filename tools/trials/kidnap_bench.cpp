@@ -56,7 +56,7 @@ struct Stage {
 
 PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<LocalizerSpec>& specs) {
   RunInfo info;
-  for (const LocalizerSpec& spec : specs) info.localizers.push_back(spec.name);
+  info.localizers = names_of(specs);
   PlayedTrial played(info);
   const std::vector<sim::LidarConfig> lidars = trial.simulation.lidars;
   const Stamp duration = trial.simulation.duration;

@@ -8,18 +8,23 @@
 namespace castaway::testbed {
 namespace {
 
+/// Counts a scan after the kidnap; `since` is the time of the answer after it. [s]
+void add_scan(const MetricRow& row, bool answered, bool right, double since,
+              KidnapOutcome& outcome) {
+  ++outcome.scans;
+  if (answered && !row.lost && !right) ++outcome.wrong;
+  if (!row.lost && right && !outcome.confident_s) outcome.confident_s = since;
+  if (answered && row.lost && !outcome.alarm_s) outcome.alarm_s = since;
+}
+
 void add_scans(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
                const RecoveryConfig& config, KidnapOutcome& outcome) {
   for (const MetricRow& row : rows) {
     const auto error = pose_error(row);
     if (error && !window.is_lost_at(row.stamp)) outcome.tracking.push_back(*error);
     if (row.stamp < window.begin || !row.T_map_base_true) continue;
-    ++outcome.scans;
-    const bool right = is_right(row, config);
     const double since = seconds(row.answered() - window.begin);
-    if (error && !row.lost && !right) ++outcome.wrong;
-    if (!row.lost && right && !outcome.confident_s) outcome.confident_s = since;
-    if (error && row.lost && !outcome.alarm_s) outcome.alarm_s = since;
+    add_scan(row, error.has_value(), is_right(row, config), since, outcome);
   }
 }
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "localization/geometry/random.hpp"
 #include "localization/geometry/stamp.hpp"
+#include "sim/common/random.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
 #include "tools/trials/office_map.hpp"
@@ -25,10 +25,6 @@ constexpr double kLeadSpread = 0.5;     // [s]
 constexpr int kWaypoints = 4;
 constexpr int kTries = 200;  // Attempts to draw one place.
 constexpr int kCrowds = 10;  // Attempts to draw people around a place.
-
-double uniform_between(double low, double high, sim::Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
 
 PreparedSimulation prepare(const KidnapTrialConfig& config) {
   validate(config);
@@ -86,7 +82,7 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
       sim::limits_of(base.drive, base.robot).max_speed * (config_.lead_s + kLeadSpread);
   sim::KidnapSpec kidnap;
   kidnap.kind = sim::KidnapKind::kTeleportTo;
-  kidnap.when.value = config_.lead_s + uniform_between(-kLeadSpread, kLeadSpread, rng);
+  kidnap.when.value = config_.lead_s + sim::draw_between(-kLeadSpread, kLeadSpread, rng);
   kidnap.target =
       sample_pose(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
@@ -105,8 +101,8 @@ std::vector<Eigen::Vector2d> KidnapTrials::draw_people(int count, sim::Rng& rng,
   std::vector<Eigen::Vector2d> people;
   for (int tries = 0; static_cast<int>(people.size()) < count && tries < kTries * count; ++tries) {
     const double near2 = config_.near_m * config_.near_m;
-    const double r = std::sqrt(uniform_between(near2, config_.far_m * config_.far_m, rng));
-    const double heading = uniform_between(-std::numbers::pi, std::numbers::pi, rng);
+    const double r = std::sqrt(sim::draw_between(near2, config_.far_m * config_.far_m, rng));
+    const double heading = sim::draw_between(-std::numbers::pi, std::numbers::pi, rng);
     const Eigen::Vector2d p = target + r * Eigen::Vector2d(std::cos(heading), std::sin(heading));
     if (fits(p, people)) people.push_back(p);
   }

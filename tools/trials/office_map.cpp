@@ -4,9 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <boost/random/uniform_real_distribution.hpp>
-
 #include "localization/geometry/random.hpp"
+#include "sim/common/random.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -119,9 +118,7 @@ class OfficeBuilder {
     }
   }
 
-  double between(double low, double high) {
-    return boost::random::uniform_real_distribution<double>(low, high)(rng_);
-  }
+  double between(double low, double high) { return sim::draw_between(low, high, rng_); }
 
   OfficeSpec spec_;
   localization::Rng rng_;

@@ -56,6 +56,24 @@ void stop_all(const std::map<pid_t, int>& running) {
   }
 }
 
+/// A process that ended.
+struct Ended {
+  pid_t process = -1;
+  int exit_code = 1;
+};
+
+/// Waits until a worker ends. After an interruption it stops the workers and throws.
+Ended wait_for_one(std::map<pid_t, int>& running) {
+  int status = 0;
+  const pid_t process = interruption() == 0 ? waitpid(-1, &status, 0) : -1;
+  if (interruption() != 0) {
+    running.erase(process);
+    stop_all(running);
+    throw_if_interrupted();
+  }
+  return {process, WIFEXITED(status) ? WEXITSTATUS(status) : 1};
+}
+
 }  // namespace
 
 void run_jobs(int count, int workers, const Job& job,
@@ -72,18 +90,12 @@ void run_jobs(int count, int workers, const Job& job,
       ++next;
     }
     if (running.empty()) return;
-    int status = 0;
-    const pid_t process = interruption() == 0 ? waitpid(-1, &status, 0) : -1;
-    if (interruption() != 0) {
-      running.erase(process);
-      stop_all(running);
-      throw_if_interrupted();
-    }
-    const auto found = running.find(process);
+    const Ended ended = wait_for_one(running);
+    const auto found = running.find(ended.process);
     if (found == running.end()) continue;
     const int index = found->second;
     running.erase(found);
-    on_done(index, WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+    on_done(index, ended.exit_code);
   }
 }
 

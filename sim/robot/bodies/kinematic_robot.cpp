@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/common/seconds.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -17,7 +19,7 @@ KinematicRobot::KinematicRobot(const RobotModel& robot, FreeSpace free, const Po
       p_base_axle_(robot.p_base_axle),
       free_(std::move(free)),
       limits_(limits),
-      time_step_(std::chrono::duration<double>(time_step).count()),
+      time_step_(to_seconds(time_step)),
       contact_age_(kContactGap) {
   teleport(start);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/common/seconds.hpp"
 #include "sim/robot/bodies/robot_shapes.hpp"
 #include "sim/robot/bodies/wheel_body.hpp"
 #include "sim/world/bullet_types.hpp"
@@ -152,8 +153,7 @@ void RobotPhysics::Body::count_collisions() {
 
 RobotPhysics::RobotPhysics(const WorldSpec& world, const RobotModel& robot, const Pose2& start,
                            const TwistLimits& limits, std::chrono::nanoseconds time_step)
-    : body_(std::make_unique<Body>(world, robot, limits,
-                                   std::chrono::duration<double>(time_step).count())) {
+    : body_(std::make_unique<Body>(world, robot, limits, to_seconds(time_step))) {
   teleport(start);
 }
 

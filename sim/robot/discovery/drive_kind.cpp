@@ -80,6 +80,14 @@ bool turns_as_wheel(const urdf::Joint& joint, const LinkFrames& frames,
   });
 }
 
+/// True if a joint may be that of a steered wheel; `names` are those of the joint and its link.
+bool may_be_steered_wheel(const UrdfFile& file, const LinkFrames& frames, const urdf::Joint& joint,
+                          const std::string& names) {
+  const bool caster = holds(names, "caster") || holds(names, "castor");
+  if (joint.type != urdf::Joint::CONTINUOUS || caster || steers(joint, frames)) return false;
+  return is_steered(file, frames, joint.child_link_name);
+}
+
 /// True if any wheel is steered, also one that is not driven, as on a car's front axle. Since an
 /// arm's joints turn about the vertical, too, a wheel must be named as one, or there must be one on
 /// each side.
@@ -90,9 +98,7 @@ bool any_steered(const UrdfFile& file, const LinkFrames& frames,
   bool right = false;
   for (const auto& [name, joint] : file.model->joints_) {
     const std::string names = lower(name + " " + joint->child_link_name);
-    const bool caster = holds(names, "caster") || holds(names, "castor");
-    if (joint->type != urdf::Joint::CONTINUOUS || caster || steers(*joint, frames)) continue;
-    if (!is_steered(file, frames, joint->child_link_name)) continue;
+    if (!may_be_steered_wheel(file, frames, *joint, names)) continue;
     named += holds(names, "wheel") || holds(names, "tire") ? 1 : 0;
     if (!turns_as_wheel(*joint, frames, wheels)) continue;
     const double y = frames.at(joint->child_link_name).translation().y();

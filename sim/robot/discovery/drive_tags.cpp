@@ -28,7 +28,7 @@ std::string trim(const char* text) {
   return all.substr(first, all.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-std::string attribute(const TiXmlElement& element, const char* name) {
+std::string trimmed_attribute(const TiXmlElement& element, const char* name) {
   return trim(element.Attribute(name));
 }
 
@@ -54,7 +54,8 @@ std::optional<double> positive(const std::string& text) {
 }
 
 std::string dialect_of(const TiXmlElement& plugin, const std::string& joint_tag) {
-  const std::string names = attribute(plugin, "filename") + " " + attribute(plugin, "name");
+  const std::string names =
+      trimmed_attribute(plugin, "filename") + " " + trimmed_attribute(plugin, "name");
   for (const char* hint : {"diff-drive", "gz::sim", "gazebo::systems"}) {
     if (names.find(hint) != std::string::npos) return "gz-sim";
   }
@@ -88,7 +89,8 @@ std::vector<std::string> velocity_joints(const TiXmlElement& root) {
   for_each(root, "ros2_control", [&](const TiXmlElement& control) {
     for_each(control, "joint", [&](const TiXmlElement& joint) {
       for_each(joint, "command_interface", [&](const TiXmlElement& interface) {
-        if (attribute(interface, "name") == "velocity") joints.push_back(attribute(joint, "name"));
+        if (trimmed_attribute(interface, "name") == "velocity")
+          joints.push_back(trimmed_attribute(joint, "name"));
       });
     });
   });
@@ -103,7 +105,7 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
       velocity = velocity || trim(interface.GetText()).find("Velocity") != std::string::npos;
     });
     for_each(transmission, "joint", [&](const TiXmlElement& joint) {
-      if (velocity) joints.push_back(attribute(joint, "name"));
+      if (velocity) joints.push_back(trimmed_attribute(joint, "name"));
     });
   });
   return joints;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/xml_text.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -15,9 +17,8 @@ struct ParentJoint {
   std::string parent;  ///< Parent link.
 };
 
-std::string text_of(const TiXmlElement* element, const char* attribute) {
-  const char* text = element == nullptr ? nullptr : element->Attribute(attribute);
-  return text == nullptr ? "" : text;
+std::string text_of(const TiXmlElement* element, const char* name) {
+  return element == nullptr ? "" : attribute(*element, name);
 }
 
 /// Joint and parent of each link.

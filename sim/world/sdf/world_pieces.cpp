@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kGroundPlane = 100.0;  // [m] Edge of the model `ground_plane`.
 
-std::string attribute(const TiXmlElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? "" : value;
-}
-
 std::string child_text(const TiXmlElement& element, const char* name) {
   const TiXmlElement* child = element.FirstChildElement(name);
   const char* text = child == nullptr ? nullptr : child->GetText();
@@ -77,18 +72,22 @@ class Cutter {
       world.frames += text_of(element);
       world.linked = true;
     }
-    if (kind != "model" && kind != "include") return;
-    const std::string uri = kind == "include" ? child_text(element, "uri") : "";
+    if (kind == "model" || kind == "include") add_model(element, world);
+  }
+
+ private:
+  void add_model(TiXmlElement& element, WorldPieces& world) {
+    const bool included = element.ValueStr() == "include";
+    const std::string uri = included ? child_text(element, "uri") : "";
     if (is_ground_plane(uri) && !world.ground) world.ground = ground_of(element);
     if (is_scenery(uri)) return;
     remove_unneeded(element);
     const TiXmlElement* pose = element.FirstChildElement("pose");
     if (pose != nullptr && !attribute(*pose, "relative_to").empty()) world.linked = true;
-    if (kind == "model") spread_.add(element);
+    if (!included) spread_.add(element);
     if (can_be_read(element)) world.pieces.push_back({name_of(element), text_of(element)});
   }
 
- private:
   bool can_be_read(const TiXmlElement& element) {
     try {
       check_.follow(element);

@@ -6,31 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/localization/paper/paper_cases.hpp"
+
 namespace castaway::localization {
 namespace {
 
-/// Particles one metre apart with ascending weights.
-ParticleSet particles_in_line(int count) {
-  ParticleSet particles;
-  for (int i = 0; i < count; ++i) {
-    particles.poses.push_back({static_cast<double>(i), 0.0, 0.0});
-    particles.log_weights.push_back(static_cast<double>(i));
-  }
-  return particles;
-}
-
-LoserReseedConfig exact(int particles) {
-  LoserReseedConfig config;
-  config.spread_m = 0.0;
-  config.spread_rad = 0.0;
-  config.min_particles = particles;
-  config.max_particles = particles;
-  return config;
-}
-
 TEST(ReseedLosers, KeepsTheHeavyAndCopiesTheWinners) {
   Rng rng = substream(1, "losers");
-  const ParticleSet next = reseed_losers(exact(100), particles_in_line(100), rng);
+  const ParticleSet next = reseed_losers(exact_reseed(100), particles_in_line(100), rng);
   ASSERT_EQ(next.size(), 100U);
   for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(next.poses[i].x, 99.0 - static_cast<double>(i));
   for (std::size_t i = 20; i < 100; ++i) EXPECT_GE(next.poses[i].x, 90.0);  // ten winners
@@ -39,7 +22,7 @@ TEST(ReseedLosers, KeepsTheHeavyAndCopiesTheWinners) {
 
 TEST(ReseedLosers, DrawsWinnersFromAHalfNormalDistribution) {
   Rng rng = substream(2, "losers");
-  const ParticleSet next = reseed_losers(exact(2000), particles_in_line(2000), rng);
+  const ParticleSet next = reseed_losers(exact_reseed(2000), particles_in_line(2000), rng);
   int first_half = 0;
   const std::size_t copies = next.size() - 400;
   for (std::size_t i = 400; i < next.size(); ++i) first_half += next.poses[i].x >= 1900.0 ? 1 : 0;
@@ -64,7 +47,7 @@ TEST(ReseedLosers, GrowsWhenSpreadAndShrinksWhenSure) {
 
 TEST(ReseedLosers, TakesWhatARuleSays) {
   Rng rng = substream(4, "losers");
-  LoserReseedConfig config = exact(10);
+  LoserReseedConfig config = exact_reseed(10);
   config.max_particles = 50;
   config.step = 3;
   Eigen::Matrix3d wide = Eigen::Matrix3d::Zero();

@@ -25,8 +25,8 @@ std::vector<Eigen::Vector3d> directions() {
 }
 
 Eigen::Vector3d place(Rng& rng) {
-  const double x = uniform(-9.0, 9.0, rng);
-  return {x, uniform(-9.0, 9.0, rng), 0.2};
+  const double x = draw_between(-9.0, 9.0, rng);
+  return {x, draw_between(-9.0, 9.0, rng), 0.2};
 }
 
 void count_rays(benchmark::State& state) {

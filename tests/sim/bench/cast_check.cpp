@@ -20,16 +20,16 @@ std::vector<RayPrimitive> clutter(Rng& rng) {
   for (int i = 0; i < 20; ++i) {
     RayPrimitive primitive;
     primitive.object = 40 + i;
-    const double a = uniform(0.1, 0.5, rng);
-    const double b = uniform(0.2, 0.8, rng);
+    const double a = draw_between(0.1, 0.5, rng);
+    const double b = draw_between(0.2, 0.8, rng);
     if (i % 4 == 0) primitive.shape = RayCylinder{a, b};
     if (i % 4 == 1) primitive.shape = RaySphere{a};
     if (i % 4 == 2) primitive.shape = RayCapsule{a, b};
     if (i % 4 == 3) primitive.shape = RayTriangle{{0.0, 0.0, -b}, {2.0 * a, 0.0, b}, {0.0, b, b}};
-    const Eigen::Vector3d axis(uniform(-1.0, 1.0, rng), uniform(-1.0, 1.0, rng), 0.7);
+    const Eigen::Vector3d axis(draw_between(-1.0, 1.0, rng), draw_between(-1.0, 1.0, rng), 0.7);
     primitive.T_map_shape =
-        Eigen::Translation3d(uniform(-9.0, 9.0, rng), uniform(-9.0, 9.0, rng), 0.5) *
-        Eigen::AngleAxisd(uniform(-3.0, 3.0, rng), axis.normalized());
+        Eigen::Translation3d(draw_between(-9.0, 9.0, rng), draw_between(-9.0, 9.0, rng), 0.5) *
+        Eigen::AngleAxisd(draw_between(-3.0, 3.0, rng), axis.normalized());
     primitives.push_back(primitive);
   }
   return primitives;
@@ -50,10 +50,10 @@ int main(int argc, char** argv) {
   long grazes = 0;
   std::uint32_t guess = kNoPrimitive;
   for (long i = 0; i < beams; ++i) {
-    const double bearing = uniform(-3.2, 3.2, rng);
-    const double rise = uniform(-0.1, 0.1, rng);
-    const Eigen::Vector3d origin(uniform(-9.5, 9.5, rng), uniform(-9.5, 9.5, rng),
-                                 uniform(0.05, 1.6, rng));
+    const double bearing = draw_between(-3.2, 3.2, rng);
+    const double rise = draw_between(-0.1, 0.1, rng);
+    const Eigen::Vector3d origin(draw_between(-9.5, 9.5, rng), draw_between(-9.5, 9.5, rng),
+                                 draw_between(0.05, 1.6, rng));
     const Ray ray{origin, Eigen::Vector3d(std::cos(bearing), std::sin(bearing), rise).normalized()};
     const auto hit = cast({scene, moving}, ray, 12.0, guess);
     if (hit) guess = hit->primitive;

@@ -4,9 +4,8 @@
 #include <ctime>
 #include <numbers>
 
-#include <boost/random/uniform_real_distribution.hpp>
-
 #include "sim/casting/ray_scene.hpp"
+#include "sim/common/random.hpp"
 #include "sim/map/extrude.hpp"
 #include "sim/map/free_space.hpp"
 #include "sim/map/rasterise.hpp"
@@ -26,10 +25,6 @@ nanoseconds cpu_now() {
 
 double seconds(nanoseconds t) { return std::chrono::duration<double>(t).count(); }
 
-double uniform(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
 /// Boxes in a hall of 20 m x 20 m.
 WorldSpec hall(int boxes) {
   Rng rng(1);
@@ -37,10 +32,10 @@ WorldSpec hall(int boxes) {
   world.min_corner = {-10.0, -10.0};
   world.max_corner = {10.0, 10.0};
   for (int i = 0; i < boxes; ++i) {
-    const Eigen::Vector3d size(uniform(0.2, 1.5, rng), uniform(0.1, 0.6, rng), 1.0);
-    const Eigen::Vector2d center(uniform(-10.0, 10.0, rng), uniform(-10.0, 10.0, rng));
+    const Eigen::Vector3d size(draw_between(0.2, 1.5, rng), draw_between(0.1, 0.6, rng), 1.0);
+    const Eigen::Vector2d center(draw_between(-10.0, 10.0, rng), draw_between(-10.0, 10.0, rng));
     world.objects.push_back(
-        box_on_floor("box_" + std::to_string(i), size, center, uniform(-3.0, 3.0, rng)));
+        box_on_floor("box_" + std::to_string(i), size, center, draw_between(-3.0, 3.0, rng)));
   }
   return world;
 }
@@ -52,7 +47,7 @@ void time_rays(const char* name, const WorldSpec& world) {
   constexpr int kScans = 6000;
   const nanoseconds before = cpu_now();
   for (int scan = 0; scan < kScans; ++scan) {
-    const Eigen::Vector3d origin(uniform(-9.0, 9.0, rng), uniform(-9.0, 9.0, rng), 0.2);
+    const Eigen::Vector3d origin(draw_between(-9.0, 9.0, rng), draw_between(-9.0, 9.0, rng), 0.2);
     for (int beam = 0; beam < 360; ++beam) {
       const double angle = 2.0 * std::numbers::pi * beam / 360.0;
       const auto hit = scene.cast({origin, {std::cos(angle), std::sin(angle), 0.0}}, 12.0);
@@ -89,8 +84,8 @@ Grid big_map() {
     for (int column = 0; column < grid.width; ++column) {
       const bool wall = (row % 200 < 3 && column % 200 > 40) ||
                         (column % 200 < 3 && row % 200 > 40) || row > 1196 || column > 1196;
-      const bool speck = uniform(0.0, 1.0, rng) < 0.0005;
-      if (wall ? uniform(0.0, 1.0, rng) < 0.97 : speck) {
+      const bool speck = draw_between(0.0, 1.0, rng) < 0.0005;
+      if (wall ? draw_between(0.0, 1.0, rng) < 0.97 : speck) {
         grid.cells[flat_index(grid, {column, row})] = Cell::kOccupied;
       }
     }

@@ -12,11 +12,11 @@ namespace castaway::sim {
 namespace {
 
 Ray random_ray(Rng& rng) {
-  const double x = uniform(-9.0, 9.0, rng);
-  const double y = uniform(-9.0, 9.0, rng);
-  const double bearing = uniform(-3.2, 3.2, rng);
-  const double rise = uniform(-0.2, 0.2, rng);
-  return {{x, y, uniform(0.05, 1.6, rng)},
+  const double x = draw_between(-9.0, 9.0, rng);
+  const double y = draw_between(-9.0, 9.0, rng);
+  const double bearing = draw_between(-3.2, 3.2, rng);
+  const double rise = draw_between(-0.2, 0.2, rng);
+  return {{x, y, draw_between(0.05, 1.6, rng)},
           Eigen::Vector3d(std::cos(bearing), std::sin(bearing), rise).normalized()};
 }
 

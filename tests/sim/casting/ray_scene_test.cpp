@@ -1,7 +1,6 @@
 #include "sim/casting/ray_scene.hpp"
 
 #include <gtest/gtest.h>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/common/random.hpp"
 #include "sim/world/world_spec.hpp"
@@ -10,13 +9,9 @@
 namespace castaway::sim {
 namespace {
 
-double uniform(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
 RayShape random_shape(int kind, Rng& rng) {
-  const double a = uniform(0.1, 0.8, rng);
-  const double b = uniform(0.1, 0.8, rng);
+  const double a = draw_between(0.1, 0.8, rng);
+  const double b = draw_between(0.1, 0.8, rng);
   switch (kind) {
     case 0:
       return RayBox{{a, b, 0.3}};
@@ -36,7 +31,7 @@ std::vector<RayPrimitive> random_scene(int count, Rng& rng) {
   for (int i = 0; i < count; ++i) {
     RayPrimitive primitive{random_shape(i % 5, rng), Eigen::Isometry3d::Identity(), i};
     primitive.T_map_shape = Eigen::Translation3d(random_point(6.0, rng)) *
-                            Eigen::AngleAxisd(uniform(-3.0, 3.0, rng), random_direction(rng));
+                            Eigen::AngleAxisd(draw_between(-3.0, 3.0, rng), random_direction(rng));
     primitives.push_back(primitive);
   }
   return primitives;

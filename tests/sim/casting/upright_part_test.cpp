@@ -60,11 +60,12 @@ TEST(UprightPart, EqualsAFinePolygon) {
   Rng rng(3);
   int hits = 0;
   for (int i = 0; i < 300; ++i) {
-    const double turn = uniform(-3.0, 3.0, rng);
+    const double turn = draw_between(-3.0, 3.0, rng);
     const UprightPart part{{0.3, -0.2}, {std::cos(turn), std::sin(turn)}, {0.225, 0.14}, 0.0, 2.0};
-    const double bearing = uniform(-3.2, 3.2, rng);
+    const double bearing = draw_between(-3.2, 3.2, rng);
     const Eigen::Vector3d from(3.0 * std::cos(bearing), 3.0 * std::sin(bearing), 1.0);
-    const Eigen::Vector3d to(0.3 + uniform(-0.2, 0.2, rng), -0.2 + uniform(-0.2, 0.2, rng), 1.0);
+    const Eigen::Vector3d to(0.3 + draw_between(-0.2, 0.2, rng),
+                             -0.2 + draw_between(-0.2, 0.2, rng), 1.0);
     const double expected = polygon_distance(part, towards(from, to), 4000);
     const double distance = intersect(part, towards(from, to));
     ASSERT_EQ(distance == kNoHit, expected == kNoHit);
@@ -79,12 +80,12 @@ TEST(UprightPart, EqualsThePlainFormulaInThreeDimensions) {
   Rng rng(4);
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
-    const double turn = uniform(-3.0, 3.0, rng);
+    const double turn = draw_between(-3.0, 3.0, rng);
     const UprightPart part{{0.3, -0.2}, {std::cos(turn), std::sin(turn)}, {0.225, 0.14}, 0.5, 1.5};
-    const Eigen::Vector3d from(uniform(-3.0, 3.0, rng), uniform(-3.0, 3.0, rng),
-                               uniform(0.0, 2.0, rng));
-    const Eigen::Vector3d to(0.3 + uniform(-0.3, 0.3, rng), -0.2 + uniform(-0.3, 0.3, rng),
-                             uniform(0.2, 1.8, rng));
+    const Eigen::Vector3d from(draw_between(-3.0, 3.0, rng), draw_between(-3.0, 3.0, rng),
+                               draw_between(0.0, 2.0, rng));
+    const Eigen::Vector3d to(0.3 + draw_between(-0.3, 0.3, rng),
+                             -0.2 + draw_between(-0.3, 0.3, rng), draw_between(0.2, 1.8, rng));
     const double expected = plain_distance(part, towards(from, to));
     const double distance = intersect(part, towards(from, to));
     if (std::isinf(expected) != std::isinf(distance)) continue;  // Grazing within rounding errors.

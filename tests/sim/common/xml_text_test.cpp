@@ -20,6 +20,12 @@ TEST(XmlText, IsParsed) {
   EXPECT_THAT(xml_text_of(*document), HasSubstr("<a b=\"&gt;\""));
 }
 
+TEST(XmlText, OfAnAbsentAttributeIsEmpty) {
+  const auto document = parse_xml("a.xml", "<a b=\"c\"/>");
+  EXPECT_EQ(attribute(*document->RootElement(), "b"), "c");
+  EXPECT_EQ(attribute(*document->RootElement(), "d"), "");
+}
+
 TEST(XmlText, WithEntitiesIsRefused) {
   EXPECT_THAT(xml_error("\n<!DOCTYPE a [<!ENTITY b \"c\">]><a>&b;</a>"),
               HasSubstr("a.xml:2: document types and entities"));

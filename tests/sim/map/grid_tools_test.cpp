@@ -22,6 +22,16 @@ TEST(GridTools, FindsCellsOfATurnedGrid) {
   EXPECT_EQ(cell_at(grid, {1.5, 2.5}), Cell::kUnknown);
 }
 
+TEST(GridTools, IndexesCellsRowByRow) {
+  const Grid grid = grid_from_art({"..#",  //
+                                   "..."});
+  EXPECT_EQ(flat_index(grid, {2, 1}), 5U);
+  EXPECT_EQ(cell_at_index(grid, 5), (CellIndex{2, 1}));
+  EXPECT_FALSE(grid.is_free(2, 1));  // Row 0 is the lowest one.
+  EXPECT_TRUE(grid.is_free(2, 0));
+  EXPECT_FALSE(grid.is_free(3, 0));
+}
+
 TEST(GridTools, MeasuresDistancesByHand) {
   const Grid grid = grid_from_art({".......",  //
                                    ".......",  //

@@ -119,7 +119,7 @@ TEST(Movers, AreNeverMoreThanWhatIsSeen) {
   for (int i = 0; i < 200; ++i, stamp += kScan) {
     std::vector<SeenPoint> points;
     for (int k = 0; k < 40; ++k) {
-      points.push_back({{uniform(0.0, 3.0, rng), uniform(0.0, 3.0, rng)}, stamp});
+      points.push_back({{draw_between(0.0, 3.0, rng), draw_between(0.0, 3.0, rng)}, stamp});
     }
     movers.update(points);
     ASSERT_LE(movers.extrapolate(stamp).size(), 400U);

@@ -41,7 +41,7 @@ TEST(Moved, NeverPassesAWallWhateverIsTried) {
   Eigen::Vector2d p(-1.0, -2.0);
   double heading = 0.0;
   for (int i = 0; i < 100000; ++i) {
-    heading += uniform(-0.4, 0.4, rng);
+    heading += draw_between(-0.4, 0.4, rng);
     const Eigen::Vector2d to = slide_along_walls(space, p, 0.15 * heading_vector(heading));
     const double length = (to - p).norm();
     if (length > 0.0) {

@@ -57,12 +57,12 @@ TEST(WalkSpace, HasNothingSolidWithinAStep) {
   Rng rng(8);
   int steps = 0;
   for (int i = 0; i < 200000; ++i) {
-    const Eigen::Vector2d from(uniform(-4.0, 4.0, rng), uniform(-3.0, 3.0, rng));
-    const double heading = uniform(-3.2, 3.2, rng);
+    const Eigen::Vector2d from(draw_between(-4.0, 4.0, rng), draw_between(-3.0, 3.0, rng));
+    const double heading = draw_between(-3.2, 3.2, rng);
     const Eigen::Vector2d ahead = heading_vector(heading);
     if (!space.clear(from) || !space.clear(from + WalkSpace::kMaxStep * ahead)) continue;
     ++steps;
-    const Ray ray{{from.x(), from.y(), uniform(0.05, 0.65, rng)}, {ahead.x(), ahead.y(), 0.0}};
+    const Ray ray{{from.x(), from.y(), draw_between(0.05, 0.65, rng)}, {ahead.x(), ahead.y(), 0.0}};
     ASSERT_FALSE(solid.cast(ray, WalkSpace::kMaxStep).has_value());
   }
   EXPECT_GT(steps, 100000);

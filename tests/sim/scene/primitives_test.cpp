@@ -8,6 +8,10 @@
 namespace castaway::sim {
 namespace {
 
+TEST(RaisePoint, KeepsXAndY) {
+  EXPECT_EQ(raise_point({1.5, -2.0}, 0.25), Eigen::Vector3f(1.5F, -2.0F, 0.25F));
+}
+
 constexpr double kPi = std::numbers::pi;
 
 /// Volume by the divergence theorem: positive if triangles are counter-clockwise seen from outside.

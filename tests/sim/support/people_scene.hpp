@@ -9,9 +9,6 @@
 
 namespace castaway::sim {
 
-/// Uniform in [low, high).
-double uniform(double low, double high, Rng& rng);
-
 /// Rotated boxes in a hall of 20 m x 20 m centred at the origin.
 WorldSpec hall(int boxes);
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <boost/random/uniform_real_distribution.hpp>
-
 #include "sim/casting/ray_scene.hpp"
 #include "sim/common/random.hpp"
 #include "sim/world/mesh.hpp"
@@ -64,16 +62,12 @@ double radius_of(const ObjectShape& shape) {
   return std::hypot(cylinder.radius, 0.5 * cylinder.height);
 }
 
-double uniform(double low, double high, Rng& rng) {
-  return boost::random::uniform_real_distribution<double>(low, high)(rng);
-}
-
 Ray random_ray(const WorldSpec& world, bool level, Rng& rng) {
-  const double x = uniform(world.min_corner.x(), world.max_corner.x(), rng);
-  const double y = uniform(world.min_corner.y(), world.max_corner.y(), rng);
-  const double z = uniform(0.03, 1.5, rng);
-  const double bearing = uniform(-3.2, 3.2, rng);
-  const double rise = level ? uniform(-0.05, 0.05, rng) : uniform(-2.0, 2.0, rng);
+  const double x = draw_between(world.min_corner.x(), world.max_corner.x(), rng);
+  const double y = draw_between(world.min_corner.y(), world.max_corner.y(), rng);
+  const double z = draw_between(0.03, 1.5, rng);
+  const double bearing = draw_between(-3.2, 3.2, rng);
+  const double rise = level ? draw_between(-0.05, 0.05, rng) : draw_between(-2.0, 2.0, rng);
   return {{x, y, z}, Eigen::Vector3d(std::cos(bearing), std::sin(bearing), rise).normalized()};
 }
 

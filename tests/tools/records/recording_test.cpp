@@ -2,28 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/recorded_map.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/gzip.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-RosMap small_map() {
-  RosMap map;
-  map.name = "small";
-  map.width = 3;
-  map.height = 2;
-  map.resolution = 0.5;
-  map.origin_x = -1.0;
-  map.origin_y = 2.0;
-  map.origin_yaw = 0.25;
-  map.cells = {0, 0, -1, -1, 100, 60};
-  return map;
-}
-
 std::string whole() {
-  return pack_recording({{"map", map_header(small_map())}},
-                        {{"map", pack_cells(small_map())}, {"b", "bytes"}, {"none", ""}});
+  return pack_recording({{"map", map_header(recorded_map())}},
+                        {{"map", pack_cells(recorded_map())}, {"b", "bytes"}, {"none", ""}});
 }
 
 TEST(Recording, IsTakenApartAsItWasPutTogether) {
@@ -42,7 +30,7 @@ TEST(Recording, KeepsItsMap) {
   EXPECT_EQ(map.origin_x, -1.0);
   EXPECT_EQ(map.origin_y, 2.0);
   EXPECT_EQ(map.origin_yaw, 0.25);
-  EXPECT_EQ(map.cells, small_map().cells);
+  EXPECT_EQ(map.cells, recorded_map().cells);
 }
 
 TEST(Recording, IsTheSameForTheSame) { EXPECT_EQ(whole(), whole()); }
@@ -61,7 +49,7 @@ TEST(Recording, RefusesWhatIsNone) {
 }
 
 TEST(Recording, RefusesAMapThatIsNotWhole) {
-  RosMap map = small_map();
+  RosMap map = recorded_map();
   const auto error = [&](const std::string& cells) {
     const std::string file = pack_recording({{"map", map_header(map)}}, {{"map", cells}});
     return error_of([&] { map_of(unpack_recording(file)); });

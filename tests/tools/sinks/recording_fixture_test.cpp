@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/recorded_map.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/gzip.hpp"
@@ -13,20 +14,6 @@ namespace castaway::testbed {
 namespace {
 
 const std::vector<std::string> kNames{"a", "</script>\"b\""};
-
-/// 3 x 2 cells of 0.5 m with origin (-1, 2), rotated by 0.25.
-RosMap fixture_map() {
-  RosMap map;
-  map.name = "small";
-  map.width = 3;
-  map.height = 2;
-  map.resolution = 0.5;
-  map.origin_x = -1.0;
-  map.origin_y = 2.0;
-  map.origin_yaw = 0.25;
-  map.cells = {0, 0, -1, -1, 100, 60};
-  return map;
-}
 
 localization::PopulationView population() {
   localization::PopulationView view;
@@ -61,7 +48,7 @@ TEST(RecordingFixture, IsWhatTheSinkWrites) {
   const TemporaryFolder folder;
   RecordingConfig config;
   config.robot_radius_m = 0.25;
-  RecordingSink sink(folder.path(), run_of(kNames), fixture_map(), config);
+  RecordingSink sink(folder.path(), run_of(kNames), recorded_map(), config);
   sink.on_event(kidnap_to(1.05));
   for (const ScanRecord& record : fixture_records()) sink.on_scan(record);
   sink.finish(localization::from_seconds(3.0), {});

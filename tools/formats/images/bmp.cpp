@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -59,17 +61,24 @@ class BmpReader {
     width_ = static_cast<int>(number(18, 4));
     height_ = static_cast<int>(number(22, 4));
     bits_ = number(28, 2);
-    const std::uint32_t compression = number(30, 4);
+    check_format(number(30, 4));
+    if (bits_ <= 8) read_palette(14 + header);
+  }
+
+  void check_format(std::uint32_t compression) const {
+    constexpr std::array<std::size_t, 5> kDepths{1, 4, 8, 24, 32};
     const bool plain = compression == kNoCompression || (compression == kBitFields && bits_ == 32);
     if (!plain) fail("it is compressed; save it as PNG");
-    if (bits_ != 1 && bits_ != 4 && bits_ != 8 && bits_ != 24 && bits_ != 32) {
+    if (std::find(kDepths.begin(), kDepths.end(), bits_) == kDepths.end()) {
       fail(fmt::format("{} bits per pixel are not supported; save it as PNG", bits_));
     }
     if (width_ <= 0 || height_ == 0 || height_ == INT32_MIN) fail("it has no pixels");
-    if (bits_ > 8) return;
+  }
+
+  void read_palette(std::size_t at) {
     std::uint32_t colors = number(46, 4);
     if (colors == 0 || colors > 1U << bits_) colors = 1U << bits_;
-    for (std::uint32_t i = 0; i < colors; ++i) palette_.push_back(mean(14 + header + 4 * i));
+    for (std::uint32_t i = 0; i < colors; ++i) palette_.push_back(mean(at + 4 * i));
   }
 
   /// Mean of blue, green and red.

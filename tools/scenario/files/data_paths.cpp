@@ -85,13 +85,11 @@ fs::path find_scenario(const std::string& text, const fs::path& base) {
     }
     if (fs::exists(candidate, none) && !fs::is_directory(candidate, none)) return candidate;
   }
-  const auto near = nearest_name(text, scenario_names());
-  const bool close = near && edit_distance(text, *near) <= 3;
+  const auto near = close_name(text, scenario_names());
   throw std::runtime_error(fmt::format(
       "{}: no such scenario; {}", text,
-      close
-          ? fmt::format("did you mean '{}'?", *near)
-          : "give a file's path, or <world>/<name>; `castaway scenarios` lists the shipped ones"));
+      near ? fmt::format("did you mean '{}'?", *near)
+           : "give a file's path, or <world>/<name>; `castaway scenarios` lists the shipped ones"));
 }
 
 std::vector<std::string> world_names() { return folders_in(data_root() / "worlds"); }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/nearest_name.hpp"
 #include "tools/metrics/metric_paths.hpp"
-#include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -29,7 +29,7 @@ void require_known_metric(const std::string& metric, const std::vector<std::stri
   const std::vector<std::string> known = known_metrics(localizers);
   if (std::find(known.begin(), known.end(), metric) != known.end()) return;
   throw std::invalid_argument(fmt::format("unknown metric '{}'; did you mean '{}'?", metric,
-                                          nearest_name(metric, known).value_or("")));
+                                          sim::nearest_name(metric, known).value_or("")));
 }
 
 std::vector<Expectation> read_expectations(YamlReader& root,

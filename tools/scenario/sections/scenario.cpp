@@ -16,4 +16,10 @@ LidarSpec& LidarSpec::set(const std::string& key, const Eigen::Vector3d& value) 
   return *this;
 }
 
+std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers) {
+  std::vector<std::string> names;
+  for (const LocalizerSpec& spec : localizers) names.push_back(spec.name);
+  return names;
+}
+
 }  // namespace castaway::testbed

@@ -109,6 +109,9 @@ struct LocalizerSpec {
   bool relocalize_at_kidnap = false;
 };
 
+/// Names of localizers, in their order.
+std::vector<std::string> names_of(const std::vector<LocalizerSpec>& localizers);
+
 /// Optional outputs of a run.
 struct OutputSpec {
   bool snapshots = true;  ///< False disables all pictures.

@@ -4,56 +4,46 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/string_map.hpp"
+#include "tests/localization/paper/paper_cases.hpp"
 
 namespace castaway::localization {
 namespace {
-
-// A wall 0.5 m ahead of the first particle; the second particle is one cell further ahead.
-const OccupancyGrid kGrid = test::string_map({"..........#........."}, 0.05);
-const ScanPoints kPoints{{0.5F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.0F}, {0.5F}};
-
-Hypothesis two(double log_weight) {
-  Hypothesis h;
-  h.particles = {{{0.025, 0.025, 0.0}, {0.075, 0.025, 0.0}}, {log_weight, log_weight}};
-  return h;
-}
 
 TEST(PublishedCorrection, AddsClampedDensitiesWhenAsked) {
   // Both are within 2 sigma: 1 is added to 0.5, and the error of one cell is ignored.
   PublishedDefects defects;
   defects.summed_weights = true;
-  const RayLocalModel model(published_sensor({0.05}, defects), kGrid);
-  Hypothesis h = two(-1.0);
-  published_correct(model, kPoints, defects, h);
+  const RayLocalModel model(published_sensor({0.05}, defects), kWallAhead);
+  Hypothesis h = two_before_wall(-1.0);
+  published_correct(model, kBeamAhead, defects, h);
   EXPECT_NEAR(h.particles.log_weights[0], std::log(1.5), 1e-12);
   EXPECT_EQ(h.particles.log_weights[0], h.particles.log_weights[1]);
   // A particle that hits nothing keeps its weight; by the paper it would lose 4.5 nats.
-  h = two(0.0);
+  h = two_before_wall(0.0);
   h.particles.poses[1].x = -0.4;
-  published_correct(model, kPoints, defects, h);
+  published_correct(model, kBeamAhead, defects, h);
   EXPECT_NEAR(normalized_weights(h.particles)[1], 0.5 / 2.0, 1e-12);
 }
 
 TEST(PublishedCorrection, TakesTheBestParticleForTheQualityWhenAsked) {
-  const RayLocalModel model({0.05}, kGrid);
+  const RayLocalModel model({0.05}, kWallAhead);
   PublishedDefects defects;
   defects.best_particle_quality = true;
-  Hypothesis h = two(0.0);
+  Hypothesis h = two_before_wall(0.0);
   h.particles.poses[1].x = -0.4;
-  published_correct(model, kPoints, {}, h);
+  published_correct(model, kBeamAhead, {}, h);
   EXPECT_NEAR(h.quality, 0.5, 1e-12);
-  published_correct(model, kPoints, defects, h);
+  published_correct(model, kBeamAhead, defects, h);
   EXPECT_NEAR(h.quality, 1.0, 1e-12);
 }
 
 TEST(PublishedCorrection, CountsInvalidBeamsWhenAsked) {
-  const RayLocalModel model({0.05}, kGrid);
+  const RayLocalModel model({0.05}, kWallAhead);
   PublishedDefects defects;
   defects.invalid_beams_counted = true;
-  ScanPoints half = kPoints;
+  ScanPoints half = kBeamAhead;
   half.valid_share = 0.5;  // a lidar of two beams, one without return
-  Hypothesis h = two(0.0);
+  Hypothesis h = two_before_wall(0.0);
   h.particles.poses[1] = h.particles.poses[0];
   published_correct(model, half, {}, h);
   EXPECT_NEAR(h.quality, 1.0, 1e-12);
@@ -61,30 +51,12 @@ TEST(PublishedCorrection, CountsInvalidBeamsWhenAsked) {
   EXPECT_NEAR(h.quality, 0.5, 1e-12);
 }
 
-/// Particles one metre apart with ascending weights.
-ParticleSet particles_in_line(int count) {
-  ParticleSet particles;
-  for (int i = 0; i < count; ++i) {
-    particles.poses.push_back({static_cast<double>(i), 0.0, 0.0});
-    particles.log_weights.push_back(static_cast<double>(i));
-  }
-  return particles;
-}
-
-LoserReseedConfig exact(int particles) {
-  LoserReseedConfig config;
-  config.spread_m = 0.0;
-  config.spread_rad = 0.0;
-  config.min_particles = particles;
-  config.max_particles = particles;
-  return config;
-}
-
 TEST(PublishedReseed, CopiesParticleByParticleWithTheWinnerUnused) {
   Rng rng = substream(4, "losers");
   PublishedDefects defects;
   defects.winner_unused = true;
-  const ParticleSet next = published_reseed(exact(100), particles_in_line(100), defects, rng);
+  const ParticleSet next =
+      published_reseed(exact_reseed(100), particles_in_line(100), defects, rng);
   // Loser i is a copy of the i-th heaviest particle, even if that is a loser itself.
   for (std::size_t i = 0; i < 80; ++i) {
     EXPECT_EQ(next.poses[20 + i].x, 99.0 - static_cast<double>(i));
@@ -92,7 +64,7 @@ TEST(PublishedReseed, CopiesParticleByParticleWithTheWinnerUnused) {
 }
 
 TEST(PublishedReseed, SpreadsCopiesByTheSquareOfTheirDeviation) {
-  LoserReseedConfig config = exact(2000);
+  LoserReseedConfig config = exact_reseed(2000);
   config.spread_m = 0.1;
   config.spread_rad = 0.05;
   ParticleSet one = particles_in_line(2000);

@@ -5,17 +5,11 @@
 namespace castaway::testbed {
 namespace {
 
-TEST(Nearest, CountsEdits) {
-  EXPECT_EQ(edit_distance("", ""), 0U);
-  EXPECT_EQ(edit_distance("abc", ""), 3U);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
-  EXPECT_EQ(edit_distance("ab", "ba"), 2U);
-}
-
-TEST(Nearest, FindsTheNearestAndTheFirstOfEqual) {
-  EXPECT_EQ(nearest_name("lidr", {"odometry", "lidar", "seed"}), "lidar");
-  EXPECT_EQ(nearest_name("x", {"a", "b"}), "a");
-  EXPECT_EQ(nearest_name("x", {}), std::nullopt);
+TEST(CloseName, IsAtMostThreeEditsAway) {
+  EXPECT_EQ(close_name("--sed", {"--out", "--seed"}), "--seed");
+  EXPECT_EQ(close_name("abc", {"xyz"}), "xyz");
+  EXPECT_EQ(close_name("abcd", {"wxyz"}), std::nullopt);
+  EXPECT_EQ(close_name("x", {}), std::nullopt);
 }
 
 TEST(Nearest, SuggestsOrLists) {
