@@ -12,7 +12,7 @@ namespace castaway::sim {
 namespace {
 
 constexpr std::size_t kKeptBytes = 256U << 20U;
-constexpr float kFarthest = 1e6F;  // [m]
+constexpr float kFarthestVertex = 1e6F;  // [m]
 
 /// The process-wide reader and cache.
 struct Shared {
@@ -33,8 +33,9 @@ void require_sound(const std::string& path, const TriangleMesh& mesh) {
   const bool sound =
       mesh.normals.size() == count && mesh.colors.size() == count && mesh.indices.size() % 3 == 0 &&
       std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](auto i) { return i < count; });
-  const bool near = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                                [](const auto& v) { return (v.array().abs() <= kFarthest).all(); });
+  const bool near = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& v) {
+    return (v.array().abs() <= kFarthestVertex).all();
+  });
   if (sound && near) return;
   throw std::runtime_error(
       path + (sound ? ": cannot read this mesh (a vertex is not a number, or beyond 1000 km)"
