@@ -32,7 +32,7 @@ bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypothe
 
 constexpr int kGlance = 24;  // Beams that screen long lists.
 
-bool better(const Candidate& a, const Candidate& b) { return a.score > b.score; }
+bool has_better_score(const Candidate& a, const Candidate& b) { return a.score > b.score; }
 
 /// Keeps the best `most` candidates by the evidence of their coarse pose, which becomes their
 /// score. They are evaluated in the order of their upper bounds, so that most of a long list needs
@@ -40,7 +40,7 @@ bool better(const Candidate& a, const Candidate& b) { return a.score > b.score; 
 void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
             std::vector<Candidate>& candidates) {
   for (Candidate& c : candidates) c.score = evidence.bound(points, c.T_map_base);
-  std::stable_sort(candidates.begin(), candidates.end(), better);
+  std::stable_sort(candidates.begin(), candidates.end(), has_better_score);
   std::priority_queue<double, std::vector<double>, std::greater<>> kept;  // The worst on top.
   const auto count = static_cast<std::size_t>(most);
   auto end = candidates.begin();
@@ -52,7 +52,7 @@ void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
     kept.push(end->score);
     if (kept.size() > count) kept.pop();
   }
-  std::stable_sort(candidates.begin(), end, better);
+  std::stable_sort(candidates.begin(), end, has_better_score);
   candidates.resize(kept.size());
 }
 

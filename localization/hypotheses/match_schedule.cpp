@@ -30,11 +30,11 @@ bool MatchSchedule::is_elsewhere(const SE2& T_odom_base) const {
          yaw_distance(T_odom_last_, T_odom_base) >= config_.turned_rad;
 }
 
-void MatchSchedule::begin(Stamp now, const SE2& T_odom_base, bool anew) {
+void MatchSchedule::begin(Stamp now, const SE2& T_odom_base, bool starts) {
   last_ = now;
   T_odom_last_ = T_odom_base;
   rescued_id_ = -1;
-  if (anew) ++searches_;
+  if (starts) ++searches_;
 }
 
 void MatchSchedule::end(bool changed) {

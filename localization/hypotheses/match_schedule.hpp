@@ -50,8 +50,8 @@ class MatchSchedule {
   void note_rescue(int id) { rescued_id_ = id; }
 
   [[nodiscard]] bool is_due(const MatchOccasion& occasion) const;
-  /// Notes that a search uses this scan; `anew` is true if the search starts with it.
-  void begin(Stamp now, const SE2& T_odom_base, bool anew);
+  /// Notes that a search uses this scan; `starts` is true if it is the first scan of the search.
+  void begin(Stamp now, const SE2& T_odom_base, bool starts);
   /// Notes that a search is complete; `changed` is true if it changed the output.
   void end(bool changed);
 

@@ -17,8 +17,8 @@ std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection&
   return valid;
 }
 
-void append(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
-            double range) {
+void append_beam(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
+                 double range) {
   const Eigen::Vector3d end(range * std::cos(angle), range * std::sin(angle), 0.0);
   const Eigen::Vector3d p = T_reference_laser * end;
   const Eigen::Vector3d origin = T_reference_laser.translation();
@@ -69,7 +69,7 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
       if (!T_odom_beam) return std::nullopt;
       T_reference_laser = to_se3(T_reference_odom * *T_odom_beam) * scan.T_base_laser;
     }
-    append(points, T_reference_laser, scan.beam_angle(i), scan.ranges[i]);
+    append_beam(points, T_reference_laser, scan.beam_angle(i), scan.ranges[i]);
   }
   return points;
 }

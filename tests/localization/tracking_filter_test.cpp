@@ -11,7 +11,7 @@ namespace {
 class TrackingFilterTest : public testing::Test {
  protected:
   /// Particles around a pose with standard deviation `sigma`.
-  Hypothesis around(const SE2& pose, double sigma) const {
+  Hypothesis hypothesis_at(const SE2& pose, double sigma) const {
     Hypothesis h;
     h.rng = substream(1, "tracking_filter");
     h.belief = {pose, Eigen::Vector3d(sigma * sigma, sigma * sigma, 1e-4).asDiagonal()};
@@ -28,7 +28,7 @@ class TrackingFilterTest : public testing::Test {
 };
 
 TEST_F(TrackingFilterTest, KeepsTheWeightsWhereManyParticlesCarryThem) {
-  Hypothesis h = around(truth_, 0.001);
+  Hypothesis h = hypothesis_at(truth_, 0.001);
   h.particles.poses.assign(200, truth_);
   const double l = model_.log_likelihood(points_, truth_);
   filter_.correct(h, points_);
@@ -37,7 +37,7 @@ TEST_F(TrackingFilterTest, KeepsTheWeightsWhereManyParticlesCarryThem) {
 }
 
 TEST_F(TrackingFilterTest, ReseedsAroundTheRefinedWinnerWhereFewDo) {
-  Hypothesis h = around(truth_ * SE2{0.2, 0.1, 0.0}, 0.3);
+  Hypothesis h = hypothesis_at(truth_ * SE2{0.2, 0.1, 0.0}, 0.3);
   const double before = distance(h.belief.mean, truth_);
   filter_.correct(h, points_);
   EXPECT_EQ(h.particles.log_weights, std::vector<double>(h.particles.size(), 0.0));
@@ -46,10 +46,10 @@ TEST_F(TrackingFilterTest, ReseedsAroundTheRefinedWinnerWhereFewDo) {
 }
 
 TEST_F(TrackingFilterTest, ReseedsAsManyAsTheSpreadNeeds) {
-  Hypothesis sure = around(truth_, 0.0);
+  Hypothesis sure = hypothesis_at(truth_, 0.0);
   filter_.reseed(sure);
   EXPECT_EQ(sure.particles.size(), 50U);
-  Hypothesis spread = around(truth_, 0.15);  // half of `wide_spread`
+  Hypothesis spread = hypothesis_at(truth_, 0.15);  // half of `wide_spread`
   filter_.reseed(spread);
   EXPECT_EQ(spread.particles.size(), 125U);
 }

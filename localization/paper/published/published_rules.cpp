@@ -17,7 +17,7 @@ void scale_mean(Hypothesis& hypothesis) {
 }
 
 /// Merges `second` into `first`.
-void join(const PublishedDefects& defects, const Hypothesis& second, Hypothesis& first) {
+void join_published(const PublishedDefects& defects, const Hypothesis& second, Hypothesis& first) {
   const bool raw = defects.unnormalised_merge;
   first.particles =
       heavier_half(first, raw ? 1.0 : first.quality, second, raw ? 1.0 : second.quality);
@@ -42,7 +42,7 @@ void merge_into(std::size_t first, const MergeConfig& config, const PublishedDef
   std::vector<Hypothesis>& all = populations.all;
   for (std::size_t j = first + 1; j < all.size();) {
     if (same_place(config, all[first].belief.mean, all[j].belief.mean)) {
-      join(defects, all[j], all[first]);
+      join_published(defects, all[j], all[first]);
       remove(j, defects, populations);
     } else {
       ++j;

@@ -22,7 +22,7 @@ class MapSearchTest : public testing::Test {
     }
     return poses;
   }
-  std::vector<Candidate> found(const ScanPoints& points, SearchDepth depth) const {
+  std::vector<Candidate> search_once(const ScanPoints& points, SearchDepth depth) const {
     MapSearch search(create_, matcher_, points, {}, depth);
     EXPECT_TRUE(search.step(1 << 30));
     return search.candidates({});
@@ -52,7 +52,7 @@ class MapSearchTest : public testing::Test {
 TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
   std::set<Pose> expected = poses(matcher_.match(points_));
   expected.merge(poses(matcher_.match(farthest_points(points_, create_.far_share))));
-  const auto candidates = found(points_, SearchDepth::kUsual);
+  const auto candidates = search_once(points_, SearchDepth::kUsual);
   EXPECT_EQ(poses(candidates), expected);
   EXPECT_EQ(candidates.size(), expected.size());  // without duplicates
 }
@@ -65,17 +65,18 @@ TEST_F(MapSearchTest, FindsByFarPointsWhatPeopleHide) {
   };
   matcher_config_.candidates = 3;
   matcher_ = CascadeMatcher(matcher_config_, grid_, distances_);
-  EXPECT_TRUE(near_truth(found(points_, SearchDepth::kUsual)));
+  EXPECT_TRUE(near_truth(search_once(points_, SearchDepth::kUsual)));
   create_.far_share = 0.0;
-  EXPECT_EQ(found(points_, SearchDepth::kUsual).size(), 3U);
+  EXPECT_EQ(search_once(points_, SearchDepth::kUsual).size(), 3U);
 }
 
 TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
   create_.deep_candidates = 25;
   const ScanPoints far = farthest_points(points_, create_.far_share);
-  EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(far, {}, 25)));
+  EXPECT_EQ(poses(search_once(points_, SearchDepth::kDeep)), poses(matcher_.match(far, {}, 25)));
   create_.far_share = 0.0;
-  EXPECT_EQ(poses(found(points_, SearchDepth::kDeep)), poses(matcher_.match(points_, {}, 25)));
+  EXPECT_EQ(poses(search_once(points_, SearchDepth::kDeep)),
+            poses(matcher_.match(points_, {}, 25)));
 }
 
 TEST_F(MapSearchTest, FindsTheSameInSlices) {
@@ -83,7 +84,7 @@ TEST_F(MapSearchTest, FindsTheSameInSlices) {
   int slices = 1;
   while (!search.step(50)) ++slices;
   EXPECT_GT(slices, 10);
-  EXPECT_EQ(poses(search.candidates({})), poses(found(points_, SearchDepth::kUsual)));
+  EXPECT_EQ(poses(search.candidates({})), poses(search_once(points_, SearchDepth::kUsual)));
 }
 
 TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-std::vector<Hypothesis> weighing(std::initializer_list<double> log_weights) {
+std::vector<Hypothesis> make_hypotheses(std::initializer_list<double> log_weights) {
   std::vector<Hypothesis> hypotheses;
   for (const double w : log_weights) {
     hypotheses.emplace_back();
@@ -27,7 +27,7 @@ TEST(LogSumExp, IsExactAndSurvivesExtremes) {
 }
 
 TEST(Shares, SumToOneWithTheNullHypothesis) {
-  const auto all = shares(weighing({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
+  const auto all = shares(make_hypotheses({std::log(6.0), std::log(3.0)}), {std::log(1.0), -3.0});
   EXPECT_NEAR(all[0], 0.6, 1e-12);
   EXPECT_NEAR(all[1], 0.3, 1e-12);
 }
@@ -97,7 +97,7 @@ TEST(NullLogLikelihood, IsNearerToTheUsualWhereRightPosesHardlyVary) {
 }
 
 TEST(IsHopeless, WhereEveryHypothesisIs) {
-  std::vector<Hypothesis> all = weighing({0.0, 0.0});
+  std::vector<Hypothesis> all = make_hypotheses({0.0, 0.0});
   all[0].log_likelihood = -24.1;
   all[1].log_likelihood = -23.9;
   EXPECT_FALSE(is_hopeless({}, all));
