@@ -4,20 +4,12 @@
 #include <cctype>
 #include <string>
 
-#include "sim/scene/primitives.hpp"
-#include "sim/world/mesh.hpp"
+#include "sim/world/world_visuals.hpp"
 
 namespace castaway::sim {
 namespace {
 
 const Eigen::Vector3f kGrey(0.6F, 0.6F, 0.6F);
-
-TriangleMesh mesh_of(const BoxShape& box) { return box_mesh(box.size.cast<float>()); }
-TriangleMesh mesh_of(const CylinderShape& c) {
-  return cylinder_mesh(static_cast<float>(c.radius), static_cast<float>(c.height));
-}
-TriangleMesh mesh_of(const SphereShape& s) { return sphere_mesh(static_cast<float>(s.radius)); }
-TriangleMesh mesh_of(const MeshShape& shape) { return load_mesh(shape.path, shape.scale); }
 
 /// STL files carry no materials.
 bool has_own_colors(const RobotShape& shape) {
@@ -35,7 +27,7 @@ std::vector<SceneItem> robot_visuals(const RobotModel& robot) {
   std::vector<SceneItem> items;
   for (const RobotPart& part : robot.visuals) {
     SceneItem item;
-    item.mesh = std::visit([](const auto& shape) { return mesh_of(shape); }, part.shape);
+    item.mesh = std::visit([](const auto& shape) { return shape_mesh(shape); }, part.shape);
     item.T_map_mesh = part.T_base_part.cast<float>();
     if (!has_own_colors(part.shape)) {
       item.mesh.colors.clear();

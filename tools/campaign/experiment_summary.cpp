@@ -20,7 +20,7 @@ Json optional_figure(const std::optional<double>& value) {
   return value ? json_figure(*value) : Json();
 }
 
-double mean(const std::vector<double>& sample) {
+double mean_or_zero(const std::vector<double>& sample) {
   const auto figures = statistics(sample);
   return figures ? figures->mean : 0.0;
 }
@@ -38,7 +38,7 @@ Errors errors_of(const PooledRows& rows) {
     for (const ErrorRow& row : run) {
       if (row.error_m) of_run.push_back(*row.error_m);
     }
-    if (!of_run.empty()) errors.means.push_back(mean(of_run));
+    if (!of_run.empty()) errors.means.push_back(mean_or_zero(of_run));
     errors.all.insert(errors.all.end(), of_run.begin(), of_run.end());
   }
   return errors;
@@ -90,10 +90,10 @@ void add_beliefs(const PooledRows& rows, Json& json) {
     for (const ErrorRow& row : run) beliefs.add(row);
   }
   const auto most = std::max_element(beliefs.populations.begin(), beliefs.populations.end());
-  json["hypotheses"] = {{"mean", json_figure(mean(beliefs.populations))},
+  json["hypotheses"] = {{"mean", json_figure(mean_or_zero(beliefs.populations))},
                         {"max", most == beliefs.populations.end() ? Json() : Json(*most)}};
-  json["quality"] = {{"mean", json_figure(mean(beliefs.quality))}};
-  json["sigma_m"] = {{"mean", json_figure(mean(beliefs.sigma))}};
+  json["quality"] = {{"mean", json_figure(mean_or_zero(beliefs.quality))}};
+  json["sigma_m"] = {{"mean", json_figure(mean_or_zero(beliefs.sigma))}};
   const auto wrong = std::count_if(beliefs.by_quality.begin(), beliefs.by_quality.end(),
                                    [](const ScoredOutput& output) { return !output.right; });
   json["discrimination"] = {{"right", static_cast<std::int64_t>(beliefs.by_quality.size()) - wrong},
@@ -182,7 +182,8 @@ Json timing_of(const std::vector<ExperimentOutcome>& outcomes) {
   }
   Json json{{"wall_s", wall_s}, {"localizers", Json::object()}};
   for (const auto& [name, sample] : means) {
-    json["localizers"][name]["update_ms"] = {{"mean", mean(sample)}, {"max", largest[name]}};
+    json["localizers"][name]["update_ms"] = {{"mean", mean_or_zero(sample)},
+                                             {"max", largest[name]}};
   }
   return json;
 }

@@ -12,7 +12,7 @@
 #include "tools/output/own_file.hpp"
 #include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_world.hpp"
-#include "tools/sources/simulator_source.hpp"
+#include "tools/sources/sim_conversion.hpp"
 
 namespace castaway::testbed {
 namespace {

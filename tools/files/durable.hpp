@@ -6,6 +6,9 @@
 
 namespace castaway::testbed {
 
+/// Folder of a file; "." if the path names none.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
 /// Flushes the data of a file or a folder to the disk. Throws FileError.
 void sync_path(const std::filesystem::path& path);
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tools/files/durable.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/file_record.hpp"
 #include "tools/output/folder_lock.hpp"
@@ -12,10 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLockWait = 10.0;  // [s] Other processes hold the lock only briefly.
-
-fs::path folder_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 void require_own(const fs::path& file, const std::optional<FileRecord>& record) {
   if (!file.has_filename()) {

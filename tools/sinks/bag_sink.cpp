@@ -46,6 +46,27 @@ std::string prefix_of(const LaserScan& scan, const BagConfig& config) {
   return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
 }
 
+void attach_inputs(const BagConfig& config, const RosMap& map, BagWriter& bag) {
+  bag.attach("scenario.yaml", "application/yaml", config.scenario_yaml);
+  bag.attach("map.yaml", "application/yaml", ros_map_yaml(map, "map.pgm"));
+  bag.attach("map.pgm", "image/x-portable-graymap", encode_pgm(map_image(map)));
+  if (config.robot_file.empty()) return;
+  bag.attach(config.robot_file.filename().string(), "application/xml",
+             read_file(config.robot_file));
+}
+
+std::map<std::string, std::string> run_metadata(const RunInfo& info,
+                                                const std::optional<SE2>& start) {
+  std::map<std::string, std::string> run = {{"castaway", CASTAWAY_VERSION},
+                                            {"scenario", info.scenario},
+                                            {"world", info.world},
+                                            {"robot", info.robot},
+                                            {"seed", std::to_string(info.seed)},
+                                            {"time_0_ns", std::to_string(kBagEpoch.count())}};
+  if (start) run["start"] = fmt::format("{} {} {}", start->x, start->y, start->yaw);
+  return run;
+}
+
 }  // namespace
 
 BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
@@ -53,74 +74,24 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
     : config_(std::move(config)),
       bag_(run_folder / "bag", info.scenario, config_.options.compression),
       frames_(config_.links, config_.lidars),
-      map_(bag_.add_topic<ros::OccupancyGrid>("/map", Durability::kTransientLocal)),
-      tf_static_(bag_.add_topic<ros::TFMessage>("/tf_static", Durability::kTransientLocal)),
-      tf_(bag_.add_topic<ros::TFMessage>("/tf")),
-      odom_(bag_.add_topic<ros::Odometry>("/odom")),
-      true_odom_(bag_.add_topic<ros::Odometry>("/ground_truth/odom")),
-      true_pose_(bag_.add_topic<ros::PoseStamped>("/ground_truth/scan_pose")),
-      people_(bag_.add_topic<ros::MarkerArray>("/people")),
-      events_(bag_.add_topic<ros::String>("/events")),
+      channels_(add_channels(
+          {info.localizers, static_cast<bool>(config_.drive), config_.options.particles}, bag_)),
       snapshots_(run_folder) {
-  if (config_.drive) {
-    command_ = bag_.add_topic<ros::TwistStamped>("/cmd_vel");
-    joints_ = bag_.add_topic<ros::JointState>("/joint_states");
-  }
-  add_localizers(info.localizers);
-  attach_inputs(map);
-  describe(info);
-  bag_.publish(map_, {}, to_ros_grid(map));
-  bag_.publish(tf_static_, {}, frames_.message({}));
-}
-
-void BagSink::attach_inputs(const RosMap& map) {
-  bag_.attach("scenario.yaml", "application/yaml", config_.scenario_yaml);
-  bag_.attach("map.yaml", "application/yaml", ros_map_yaml(map, "map.pgm"));
-  bag_.attach("map.pgm", "image/x-portable-graymap", encode_pgm(map_image(map)));
-  if (config_.robot_file.empty()) return;
-  bag_.attach(config_.robot_file.filename().string(), "application/xml",
-              read_file(config_.robot_file));
-}
-
-void BagSink::describe(const RunInfo& info) {
-  std::map<std::string, std::string> run = {{"castaway", CASTAWAY_VERSION},
-                                            {"scenario", info.scenario},
-                                            {"world", info.world},
-                                            {"robot", info.robot},
-                                            {"seed", std::to_string(info.seed)},
-                                            {"time_0_ns", std::to_string(kBagEpoch.count())}};
-  if (config_.start) {
-    const SE2& start = *config_.start;
-    run["start"] = fmt::format("{} {} {}", start.x, start.y, start.yaw);
-  }
-  bag_.add_metadata("run", run);
-}
-
-void BagSink::add_localizers(const std::vector<std::string>& names) {
-  std::set<std::string> taken;
-  for (const std::string& name : names) {
-    std::string part = topic_part(name);
-    while (!taken.insert(part).second) part += '_';
-    const std::string prefix = "/" + part;
-    LocalizerTopics topics;
-    topics.pose = bag_.add_topic<ros::PoseWithCovarianceStamped>(prefix + "/amcl_pose");
-    topics.hypotheses = bag_.add_topic<ros::MarkerArray>(prefix + "/hypotheses");
-    if (config_.options.particles) {
-      topics.particles = bag_.add_topic<ros::PoseArray>(prefix + "/particlecloud");
-    }
-    localizers_.push_back(topics);
-  }
+  attach_inputs(config_, map, bag_);
+  bag_.add_metadata("run", run_metadata(info, config_.start));
+  bag_.publish(channels_.map, {}, to_ros_grid(map));
+  bag_.publish(channels_.tf_static, {}, frames_.message({}));
 }
 
 void BagSink::on_event(const RunEvent& event) {
-  bag_.publish(events_, event.stamp, ros::String{event_json(event)});
+  bag_.publish(channels_.events, event.stamp, ros::String{event_json(event)});
 }
 
 void BagSink::write_drive(Stamp stamp, double dt_s) {
   if (!config_.drive) return;
   DriveNow now = config_.drive();
-  bag_.publish(command_, stamp, command_message(stamp, now));
-  bag_.publish(joints_, stamp, joints_message(stamp, now, drive_, dt_s));
+  bag_.publish(channels_.command, stamp, command_message(stamp, now));
+  bag_.publish(channels_.joints, stamp, joints_message(stamp, now, drive_, dt_s));
   drive_ = std::move(now);
 }
 
@@ -131,14 +102,15 @@ void BagSink::on_odometry(const OdometryFrame& frame) {
   T_odom_base_.add(stamp, T_odom_base);
   ros::Odometry odometry = odometry_message(stamp, "odom", T_odom_base);
   if (last_) odometry.twist.twist = twist_between(last_->odometry.T_odom_base, T_odom_base, dt_s);
-  bag_.publish(odom_, stamp, odometry);
-  bag_.publish(tf_, stamp, transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
+  bag_.publish(channels_.odom, stamp, odometry);
+  bag_.publish(channels_.tf, stamp,
+               transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
   if (frame.T_map_base_true) {
     ros::Odometry truth = odometry_message(stamp, "map", *frame.T_map_base_true);
     if (last_ && last_->T_map_base_true) {
       truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
     }
-    bag_.publish(true_odom_, stamp, truth);
+    bag_.publish(channels_.true_odom, stamp, truth);
   }
   write_drive(stamp, dt_s);
   last_ = frame;
@@ -158,7 +130,7 @@ const BagSink::LidarTopics& BagSink::topics_of(const LaserScan& scan) {
 void BagSink::write_scan(const ScanRecord& record) {
   const LidarTopics& topics = topics_of(record.scan);
   if (frames_.set_mount(record.scan.lidar, record.scan.T_base_laser)) {
-    bag_.publish(tf_static_, record.delivered, frames_.message(record.stamp));
+    bag_.publish(channels_.tf_static, record.delivered, frames_.message(record.stamp));
   }
   bag_.publish(topics.scan, record.delivered,
                to_ros_scan(record.scan, record.truth, frames_.frame_of(record.scan.lidar)));
@@ -170,11 +142,12 @@ void BagSink::write_scan(const ScanRecord& record) {
 void BagSink::write_truth(const ScanRecord& record) {
   if (record.T_map_base_true) {
     bag_.publish(
-        true_pose_, record.delivered,
+        channels_.true_pose, record.delivered,
         ros::PoseStamped{ros_header(record.stamp, "map"), to_ros_pose(*record.T_map_base_true)});
   }
   if (record.people.people.empty()) return;
-  bag_.publish(people_, record.delivered, people_markers(record.stamp, record.people.people));
+  bag_.publish(channels_.people, record.delivered,
+               people_markers(record.stamp, record.people.people));
 }
 
 /// Writes map -> odom of the first localizer, once it has an estimate.
@@ -183,25 +156,26 @@ void BagSink::write_map_frame(const ScanRecord& record) {
   const localization::Estimate& estimate = *record.localizers.front().estimate;
   const std::optional<SE2> T_odom_base = T_odom_base_.at(estimate.stamp);
   if (!T_odom_base) return;
-  bag_.publish(tf_, record.delivered,
+  bag_.publish(channels_.tf, record.delivered,
                transform_message(ros_header(estimate.stamp, "map"), "odom",
                                  to_ros_pose(estimate.T_map_base * T_odom_base->inverse())));
 }
 
 void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
   const LocalizerRecord& localizer = record.localizers[index];
-  const LocalizerTopics& topics = localizers_[index];
+  const LocalizerChannels& channels = channels_.localizers[index];
   if (localizer.estimate) {
     ros::PoseWithCovarianceStamped pose;
     pose.header = ros_header(localizer.estimate->stamp, "map");
     pose.pose.pose = to_ros_pose(localizer.estimate->T_map_base);
     pose.pose.covariance = to_ros_covariance(localizer.estimate->covariance);
-    bag_.publish(topics.pose, record.delivered, pose);
+    bag_.publish(channels.pose, record.delivered, pose);
   }
   const auto& populations = localizer.diagnostics.populations;
-  bag_.publish(topics.hypotheses, record.delivered, hypothesis_markers(record.stamp, populations));
+  bag_.publish(channels.hypotheses, record.delivered,
+               hypothesis_markers(record.stamp, populations));
   if (!config_.options.particles) return;
-  bag_.publish(topics.particles, record.delivered, particles_message(record.stamp, populations));
+  bag_.publish(channels.particles, record.delivered, particles_message(record.stamp, populations));
 }
 
 /// Pictures are taken after this sink has handled a scan, so they are logged with the next one.
@@ -221,12 +195,12 @@ void BagSink::write_snapshots(Stamp delivered) {
 }
 
 void BagSink::on_scan(const ScanRecord& record) {
-  assert(record.localizers.size() == localizers_.size());
+  assert(record.localizers.size() == channels_.localizers.size());
   write_snapshots(record.delivered);
   write_scan(record);
   write_truth(record);
   write_map_frame(record);
-  for (std::size_t i = 0; i < localizers_.size(); ++i) write_localizer(record, i);
+  for (std::size_t i = 0; i < channels_.localizers.size(); ++i) write_localizer(record, i);
 }
 
 void BagSink::finish(Stamp end, const RunTiming&) {

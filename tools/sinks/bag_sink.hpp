@@ -12,6 +12,7 @@
 
 #include "localization/geometry/transform_buffer.hpp"
 #include "tools/records/snapshot_feed.hpp"
+#include "tools/ros/bag_channels.hpp"
 #include "tools/ros/bag_drive.hpp"
 #include "tools/ros/bag_frames.hpp"
 #include "tools/ros/bag_options.hpp"
@@ -46,20 +47,11 @@ class BagSink final : public RunSink {
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
-  /// Channel ids of a localizer's topics.
-  struct LocalizerTopics {
-    std::uint16_t pose = 0;
-    std::uint16_t hypotheses = 0;
-    std::uint16_t particles = 0;
-  };
   /// Channel ids of a lidar's topics.
   struct LidarTopics {
     std::uint16_t scan = 0;
     std::uint16_t labels = 0;
   };
-  void attach_inputs(const RosMap& map);
-  void describe(const RunInfo& info);
-  void add_localizers(const std::vector<std::string>& names);
   const LidarTopics& topics_of(const LaserScan& scan);
   void write_scan(const ScanRecord& record);
   void write_truth(const ScanRecord& record);
@@ -71,23 +63,13 @@ class BagSink final : public RunSink {
   BagConfig config_;
   BagWriter bag_;
   BagFrames frames_;
-  std::uint16_t map_;
-  std::uint16_t tf_static_;
-  std::uint16_t tf_;
-  std::uint16_t odom_;
-  std::uint16_t true_odom_;
-  std::uint16_t true_pose_;
-  std::uint16_t people_;
-  std::uint16_t events_;
-  std::vector<LocalizerTopics> localizers_;
+  BagChannels channels_;
   std::map<std::string, LidarTopics> lidars_;
   localization::TransformBuffer T_odom_base_;
   std::optional<OdometryFrame> last_;
   SnapshotFeed snapshots_;
   std::map<std::string, std::uint16_t> views_;  ///< Channel ids of the pictures' topics, by view.
   std::set<int> labels_;
-  std::uint16_t command_ = 0;
-  std::uint16_t joints_ = 0;
   std::optional<DriveNow> drive_;  ///< At the newest odometry.
 };
 

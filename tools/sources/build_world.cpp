@@ -19,7 +19,7 @@
 #include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
-#include "tools/sources/simulator_source.hpp"
+#include "tools/sources/sim_conversion.hpp"
 
 namespace castaway::testbed {
 namespace {

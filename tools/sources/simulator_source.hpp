@@ -1,28 +1,17 @@
-/// The simulator as a source of sensor data. Only this file converts poses, scans and maps between
-/// `sim` and `localization`.
+/// The simulator as a source of sensor data.
 #pragma once
 
 #include <deque>
 #include <string>
 #include <vector>
 
-#include "localization/map/occupancy_grid.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/simulation.hpp"
-#include "sim/stages/sensor_stage.hpp"
-#include "tools/formats/ros_map.hpp"
 #include "tools/ros/bag_drive.hpp"
 #include "tools/run/sensor_source.hpp"
+#include "tools/sources/sim_conversion.hpp"
 
 namespace castaway::testbed {
-
-/// Converts between the simulator's planar pose and the localizers' transform.
-SE2 to_se2(const sim::Pose2& pose);
-sim::Pose2 to_pose2(const SE2& pose);
-
-/// Converts between the simulator's grid and a ROS map.
-RosMap to_ros_map(const sim::Grid& grid, const std::string& name);
-sim::Grid to_sim_grid(const RosMap& map);
 
 /// Random streams of a simulation, each derived by its own name.
 sim::SimulationStreams simulation_streams(std::uint64_t seed);
@@ -45,7 +34,7 @@ class SimulatorSource final : public SensorSource {
   /// Ends the run after this driven distance [m], kidnaps excluded; 0: no limit.
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on, scans include their point clouds.
-  void keep_clouds() { clouds_ = true; }
+  void keep_clouds() { converter_.keep_clouds(); }
   /// Current command and wheel states, up to one physics step after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// Current height, roll and pitch of base, for pictures.
@@ -62,12 +51,9 @@ class SimulatorSource final : public SensorSource {
                  std::optional<Stamp> since = {});
   void note(const sim::KidnapRecord& kidnap);
   void finish();
-  [[nodiscard]] Frame convert(const sim::SimFrame& frame) const;
-  [[nodiscard]] ScanFrame convert(const sim::LidarReading& reading) const;
 
   sim::Simulation simulation_;
-  std::vector<sim::LidarConfig> lidars_;
-  bool clouds_ = false;
+  SimFrameConverter converter_;
   double stop_after_ = 0.0;
   Stamp begin_{};
   Stamp duration_;

@@ -9,6 +9,11 @@
 namespace castaway::testbed {
 namespace {
 
+TEST(FolderOf, IsTheWorkingFolderIfTheFileNamesNone) {
+  EXPECT_EQ(folder_of("a/b.txt"), "a");
+  EXPECT_EQ(folder_of("b.txt"), ".");
+}
+
 TEST(Durable, AFileTakesThePlaceOfTheOldOne) {
   const TemporaryFolder folder;
   const auto path = folder.put("out/a.txt", "old");

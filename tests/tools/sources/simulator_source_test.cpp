@@ -23,19 +23,6 @@ SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
           localization::from_seconds(3.0)};
 }
 
-TEST(Poses, SurviveTheRoundTrip) {
-  const SE2 pose{1.0, -2.0, 0.3};
-  EXPECT_EQ(to_se2(to_pose2(pose)), pose);
-}
-
-TEST(Grids, SurviveTheRoundTrip) {
-  sim::Grid grid{2, 1, 0.05, {1.0, 2.0}, 0.5, {sim::Cell::kOccupied, sim::Cell::kUnknown}};
-  const RosMap map = to_ros_map(grid, "two");
-  EXPECT_EQ(map.cells, (std::vector<std::int8_t>{100, -1}));
-  EXPECT_EQ(map.origin_yaw, 0.5);
-  EXPECT_EQ(to_sim_grid(map).cells, grid.cells);
-}
-
 TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
   SimulatorSource source = lab_source(1);
   Stamp last{};

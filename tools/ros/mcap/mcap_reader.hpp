@@ -14,17 +14,11 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/ros/mcap/byte_reader.hpp"
+#include "tools/ros/mcap/mcap_directory.hpp"
+#include "tools/ros/mcap/mcap_input.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 
 namespace castaway::testbed {
-
-/// A message; valid until the next one is read.
-struct McapMessage {
-  const McapChannel* channel = nullptr;  ///< Valid as long as the reader.
-  std::int64_t log_time_ns = 0;
-  std::string_view data;
-};
 
 /// An attachment, without its data.
 struct McapAttachmentInfo {
@@ -47,9 +41,13 @@ class McapReader {
   std::optional<McapMessage> next();
 
   /// By id, for the part that was read.
-  [[nodiscard]] const std::map<std::uint16_t, McapChannel>& channels() const { return channels_; }
+  [[nodiscard]] const std::map<std::uint16_t, McapChannel>& channels() const {
+    return directory_.channels();
+  }
   /// Schema of a channel; nothing if it has none.
-  [[nodiscard]] const McapSchema* schema_of(const McapChannel& channel) const;
+  [[nodiscard]] const McapSchema* schema_of(const McapChannel& channel) const {
+    return directory_.schema_of(channel);
+  }
   /// Attachments of the part that was read.
   [[nodiscard]] const std::vector<McapAttachmentInfo>& attachments() const { return attachments_; }
   /// Metadata records by name, for the part that was read.
@@ -64,35 +62,23 @@ class McapReader {
     McapOpcode opcode{};
     std::uint64_t length = 0;  ///< Claimed length of the content.
   };
-  void open();
   bool read_record();
   [[nodiscard]] std::optional<Head> read_head();
-  std::string read_bytes(std::uint64_t size);
   bool cut_short(const Head& head);
   void note_end(const std::string& why);
   void take(McapOpcode opcode, std::string content);
   void take_chunk(std::string_view content, bool whole);
   std::optional<McapMessage> next_of_chunk();
-  void take_schema(ByteReader& record);
-  void take_channel(ByteReader& record);
   void take_attachment(std::uint64_t length);
-  [[nodiscard]] McapMessage message_of(std::string_view content) const;
-  [[noreturn]] void fail(const std::string& why) const;
 
-  std::unique_ptr<std::istream> stream_;
-  std::string name_;
-  std::uint64_t size_ = 0;
-  std::uint64_t position_ = 0;
-  std::uint64_t record_ = 0;  // Offset of the current record.
-  bool closed_ = false;       // The file ends with the magic bytes.
+  McapInput input_;
+  McapDirectory directory_;
   bool done_ = false;
   std::string chunk_;
   std::size_t chunk_at_ = 0;
   bool chunk_whole_ = true;
   std::string message_;  // The current message, if it is outside of chunks.
   bool has_message_ = false;
-  std::map<std::uint16_t, McapSchema> schemas_;
-  std::map<std::uint16_t, McapChannel> channels_;
   std::vector<McapAttachmentInfo> attachments_;
   std::map<std::string, std::map<std::string, std::string>> metadata_;
   std::optional<std::string> warning_;
