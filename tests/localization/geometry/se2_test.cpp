@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(SE2, ComposesWithTheInverseToIdentity) {
   const SE2 T{1.5, -2.0, 2.5};
@@ -19,30 +19,30 @@ TEST(SE2, ComposesWithTheInverseToIdentity) {
 }
 
 TEST(SE2, MapsAPointFromTheChildFrame) {
-  const Eigen::Vector2d p = SE2{1.0, 2.0, kPi / 2} * Eigen::Vector2d(3.0, 0.0);
+  const Eigen::Vector2d p = SE2{1.0, 2.0, pi / 2} * Eigen::Vector2d(3.0, 0.0);
   EXPECT_NEAR(p.x(), 1.0, 1e-15);
   EXPECT_NEAR(p.y(), 5.0, 1e-15);
 }
 
 TEST(SE2, ComposesFirstTheParentThenTheChild) {
-  const SE2 T_a_c = SE2{1.0, 0.0, kPi / 2} * SE2{2.0, 0.0, kPi / 4};
+  const SE2 T_a_c = SE2{1.0, 0.0, pi / 2} * SE2{2.0, 0.0, pi / 4};
   EXPECT_NEAR(T_a_c.x, 1.0, 1e-15);
   EXPECT_NEAR(T_a_c.y, 2.0, 1e-15);
-  EXPECT_NEAR(T_a_c.yaw, 3 * kPi / 4, 1e-15);
+  EXPECT_NEAR(T_a_c.yaw, 3 * pi / 4, 1e-15);
 }
 
 TEST(SE2, WrapsAnglesToHalfOpenInterval) {
-  EXPECT_DOUBLE_EQ(wrap_angle(kPi), -kPi);
-  EXPECT_DOUBLE_EQ(wrap_angle(-kPi), -kPi);
-  EXPECT_NEAR(wrap_angle(7.0), 7.0 - 2 * kPi, 1e-15);
-  EXPECT_NEAR(wrap_angle(-7.0), 2 * kPi - 7.0, 1e-15);
+  EXPECT_DOUBLE_EQ(wrap_angle(pi), -pi);
+  EXPECT_DOUBLE_EQ(wrap_angle(-pi), -pi);
+  EXPECT_NEAR(wrap_angle(7.0), 7.0 - 2 * pi, 1e-15);
+  EXPECT_NEAR(wrap_angle(-7.0), 2 * pi - 7.0, 1e-15);
 }
 
 TEST(SE2, InterpolatesYawTheShorterWay) {
   const SE2 middle = interpolate({0.0, 0.0, 3.0}, {2.0, 4.0, -3.0}, 0.5);
   EXPECT_DOUBLE_EQ(middle.x, 1.0);
   EXPECT_DOUBLE_EQ(middle.y, 2.0);
-  EXPECT_NEAR(std::abs(middle.yaw), kPi, 1e-12);
+  EXPECT_NEAR(std::abs(middle.yaw), pi, 1e-12);
 }
 
 TEST(SE2, LiftsToThreeDimensions) {

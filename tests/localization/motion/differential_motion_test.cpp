@@ -11,7 +11,7 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(DifferentialMotion, TakesAStepApart) {
   const DifferentialMotion motion({3.0, 4.0, 1.5}, {});
@@ -43,7 +43,7 @@ TEST(DifferentialMotion, CountsTheTurnAloneOfABackwardCurve) {
   // rot1 = pi and rot2 = 0.2 - pi; in the noise model they count as 0 and 0.2.
   const DifferentialMotion motion({-1.0, 0.0, 0.2}, {0.1, 0.2, 0.3, 0.4});
   const auto& parts = motion.parts();
-  EXPECT_NEAR(parts.rot2, 0.2 - kPi, 1e-12);
+  EXPECT_NEAR(parts.rot2, 0.2 - pi, 1e-12);
   EXPECT_NEAR(parts.sigma_rot1 * parts.sigma_rot1, 0.2, 1e-12);          // 0 + 0.2 * 1
   EXPECT_NEAR(parts.sigma_trans * parts.sigma_trans, 0.316, 1e-12);      // 0.3 + 0.4 * 0.04
   EXPECT_NEAR(parts.sigma_rot2 * parts.sigma_rot2, 0.004 + 0.2, 1e-12);  // 0.1 * 0.04 + 0.2 * 1
@@ -51,7 +51,7 @@ TEST(DifferentialMotion, CountsTheTurnAloneOfABackwardCurve) {
 
 TEST(DifferentialMotion, CountsDrivingBackwardsAsNoTurn) {
   const DifferentialMotion motion({-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0});
-  EXPECT_NEAR(std::abs(motion.parts().rot1), kPi, 1e-12);
+  EXPECT_NEAR(std::abs(motion.parts().rot1), pi, 1e-12);
   EXPECT_NEAR(motion.parts().sigma_rot1, 0.0, 1e-12);
   EXPECT_NEAR(motion.parts().sigma_rot2, 0.0, 1e-12);
 }

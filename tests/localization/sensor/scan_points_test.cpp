@@ -9,13 +9,13 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Two beams, forward and to the left, of 2 m and 3 m.
 LaserScan two_beams() {
   LaserScan scan;
   scan.stamp = Stamp(0);
-  scan.angle_increment = kPi / 2;
+  scan.angle_increment = pi / 2;
   scan.range_min = 0.1;
   scan.range_max = 10.0;
   scan.ranges = {2.0F, 3.0F};
@@ -46,7 +46,7 @@ TEST(ProjectScan, HonoursAnOffCentreYawedMount) {
   LaserScan scan = two_beams();
   scan.T_base_laser.translation() = Eigen::Vector3d(0.2, -0.1, 0.5);
   scan.T_base_laser.linear() =
-      Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const auto points = project_scan(scan, still(), Stamp(0), {});
   expect_point(*points, 0, 0.2, 1.9);
   expect_point(*points, 1, -2.8, -0.1);
@@ -56,7 +56,7 @@ TEST(ProjectScan, HonoursAnOffCentreYawedMount) {
 
 TEST(ProjectScan, HonoursAnUpsideDownMount) {
   LaserScan scan = two_beams();
-  scan.T_base_laser.linear() = Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  scan.T_base_laser.linear() = Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const auto points = project_scan(scan, still(), Stamp(0), {});
   expect_point(*points, 0, 2.0, 0.0);
   expect_point(*points, 1, 0.0, -3.0);
@@ -65,7 +65,7 @@ TEST(ProjectScan, HonoursAnUpsideDownMount) {
 TEST(ProjectScan, ShortensTheBeamsOfATiltedLidarInThePlane) {
   LaserScan scan = two_beams();
   scan.T_base_laser.linear() =
-      Eigen::AngleAxisd(kPi / 3, Eigen::Vector3d::UnitY()).toRotationMatrix();
+      Eigen::AngleAxisd(pi / 3, Eigen::Vector3d::UnitY()).toRotationMatrix();
   const auto points = project_scan(scan, still(), Stamp(0), {});
   expect_point(*points, 0, 1.0, 0.0);
   EXPECT_FLOAT_EQ(points->range[0], 1.0F);
@@ -96,10 +96,10 @@ TEST(ProjectScan, UndoesTheMotionDuringTheSweep) {
   // in odom.
   TransformBuffer buffer;
   buffer.add(Stamp(0), {0.0, 3.0, 0.0});
-  buffer.add(Stamp(100), {1.0, 3.0, kPi / 2});
+  buffer.add(Stamp(100), {1.0, 3.0, pi / 2});
   LaserScan scan = two_beams();
   scan.time_increment = Stamp(100);
-  scan.angle_increment = -kPi / 2;
+  scan.angle_increment = -pi / 2;
   scan.ranges = {2.0F, 1.0F};
   const auto points = project_scan(scan, buffer, Stamp(100), {});
   ASSERT_TRUE(points);

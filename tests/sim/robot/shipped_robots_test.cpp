@@ -32,14 +32,14 @@ struct Expected {
 
 std::ostream& operator<<(std::ostream& out, const Expected& e) { return out << e.file; }
 
-RobotModel load(const Expected& expected) {
+RobotModel load_shipped(const Expected& expected) {
   return load_robot(std::string(CASTAWAY_ROBOTS "/") + expected.file);
 }
 
 /// A robot on an empty floor with ideal odometry.
-class Drive {
+class TestDrive {
  public:
-  explicit Drive(const RobotModel& robot)
+  explicit TestDrive(const RobotModel& robot)
       : physics_(floor(), robot, {}, {0.5, 1.0, 0.5, 2.0}, std::chrono::milliseconds(2)),
         odometry_(ideal_odometry(), drive_geometry(robot), rng_) {}
 
@@ -76,7 +76,7 @@ class Drive {
 
 class ShippedRobot : public testing::TestWithParam<Expected> {
  protected:
-  void record(const std::string& what, const Drive& drive) const {
+  void record(const std::string& what, const TestDrive& drive) const {
     RecordProperty(what + "_position_um", static_cast<int>(1e6 * drive.position_error()));
     RecordProperty(what + "_yaw_urad", static_cast<int>(1e6 * drive.yaw_error()));
   }
@@ -84,7 +84,7 @@ class ShippedRobot : public testing::TestWithParam<Expected> {
 
 TEST_P(ShippedRobot, IsUnderstoodWithoutAWarning) {
   const Expected& expected = GetParam();
-  const RobotModel robot = load(expected);
+  const RobotModel robot = load_shipped(expected);
   EXPECT_TRUE(robot.warnings.empty()) << robot.warnings.front();
   EXPECT_EQ(robot.wheels.size(), expected.wheels);
   EXPECT_NEAR(robot.wheel_radius, expected.radius, 1e-9);
@@ -94,7 +94,7 @@ TEST_P(ShippedRobot, IsUnderstoodWithoutAWarning) {
 }
 
 TEST_P(ShippedRobot, DrivesStraight) {
-  Drive drive(load(GetParam()));
+  TestDrive drive(load_shipped(GetParam()));
   drive.run({0.25, 0.0}, 80.0);
   record("straight", drive);
   EXPECT_GT(drive.truth().x, 19.0);
@@ -104,7 +104,7 @@ TEST_P(ShippedRobot, DrivesStraight) {
 }
 
 TEST_P(ShippedRobot, TurnsOnTheSpot) {
-  Drive drive(load(GetParam()));
+  TestDrive drive(load_shipped(GetParam()));
   drive.run({0.0, 0.8}, 4.0 * pi / 0.8);
   drive.run({0.0, 0.0}, 1.0);
   record("turn", drive);
@@ -113,7 +113,7 @@ TEST_P(ShippedRobot, TurnsOnTheSpot) {
 }
 
 TEST_P(ShippedRobot, DrivesArcsAndASquare) {
-  Drive drive(load(GetParam()));
+  TestDrive drive(load_shipped(GetParam()));
   for (int edge = 0; edge < 4; ++edge) {
     drive.run({0.25, 0.0}, 4.0);
     drive.run({0.25, 0.5}, 2.0);
@@ -127,7 +127,7 @@ TEST_P(ShippedRobot, DrivesArcsAndASquare) {
 }
 
 TEST_P(ShippedRobot, StandsStill) {
-  Drive drive(load(GetParam()));
+  TestDrive drive(load_shipped(GetParam()));
   drive.run({}, 10.0);
   EXPECT_LT(drive.truth().position().norm(), 5e-4);
   EXPECT_LT(std::abs(drive.truth().yaw), 1e-3);

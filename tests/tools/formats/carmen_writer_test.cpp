@@ -11,14 +11,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNoReturn = std::numeric_limits<float>::infinity();
 
 CarmenScan scan() {
   CarmenScan scan;
   scan.angle_min = -0.5;
   scan.angle_increment = 0.25;
   scan.range_max = 8.0;
-  scan.ranges = {1.5F, kInf, -kInf, std::numeric_limits<float>::quiet_NaN(), 0.1F};
+  scan.ranges = {1.5F, kNoReturn, -kNoReturn, std::numeric_limits<float>::quiet_NaN(), 0.1F};
   scan.T_odom_laser = {1.25, 2.0, 0.5};
   scan.T_odom_base = {1.0, 2.0, 0.5};
   return scan;

@@ -8,7 +8,7 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 PublishedDefects with(bool PublishedDefects::*defect) {
   PublishedDefects defects;
@@ -33,11 +33,11 @@ TEST(PublishedMoments, IgnoreTheWeightsInTheCovariance) {
 }
 
 TEST(PublishedMoments, DoNotWrapTheYaw) {
-  const ParticleSet particles{{{0, 0, kPi - 0.1}, {0, 0, 0.1 - kPi}}, {0.0, 0.0}};
+  const ParticleSet particles{{{0, 0, pi - 0.1}, {0, 0, 0.1 - pi}}, {0.0, 0.0}};
   EXPECT_NEAR(published_moments(particles, {}).covariance(2, 2), 0.01, 1e-12);
   const PoseMoments m = published_moments(particles, with(&PublishedDefects::unwrapped_yaw));
-  const double far = 2.0 * kPi - 0.1;  // error of one of the two particles, whichever side of pi
-                                       // the mean is on
+  const double far = 2.0 * pi - 0.1;  // error of one of the two particles, whichever side of
+                                      // pi the mean is on
   EXPECT_NEAR(m.covariance(2, 2), (0.01 + far * far) / 2.0, 1e-9);
 }
 

@@ -27,7 +27,7 @@ FreeSpace floor() {
   return {grid, 0.2};
 }
 
-KinematicRobot robot_at(const Pose2& start, const TwistLimits& limits = kAtOnce) {
+KinematicRobot kinematic_at(const Pose2& start, const TwistLimits& limits = kAtOnce) {
   return {test_robot(), floor(), start, limits, kStep};
 }
 
@@ -39,15 +39,15 @@ void run(KinematicRobot& robot, const Twist2& command, int steps) {
 }
 
 TEST(KinematicRobot, DrivesStraightLinesTurnsAndArcsExactly) {
-  KinematicRobot straight = robot_at({0.0, 0.0, 0.5});
+  KinematicRobot straight = kinematic_at({0.0, 0.0, 0.5});
   run(straight, {0.4, 0.0}, 500);
   EXPECT_NEAR(pose_of(straight).x, 2.0 * std::cos(0.5), 1e-9);
   EXPECT_NEAR(pose_of(straight).y, 2.0 * std::sin(0.5), 1e-9);
-  KinematicRobot turning = robot_at({1.0, 2.0, 0.0});
+  KinematicRobot turning = kinematic_at({1.0, 2.0, 0.0});
   run(turning, {0.0, 0.5}, 200);
   EXPECT_NEAR(pose_of(turning).yaw, 1.0, 1e-9);
   EXPECT_NEAR(pose_of(turning).x, 1.0, 1e-9);
-  KinematicRobot circle = robot_at({0.0, 0.0, 0.0});
+  KinematicRobot circle = kinematic_at({0.0, 0.0, 0.0});
   run(circle, {0.5, 0.5}, 200);  // 1 rad of a circle of radius 1 m
   EXPECT_NEAR(pose_of(circle).x, std::sin(1.0), 1e-9);
   EXPECT_NEAR(pose_of(circle).y, 1.0 - std::cos(1.0), 1e-9);
@@ -73,20 +73,20 @@ TEST(KinematicRobot, TurnsAboutBaseWhereItsAxleIsToOneSide) {
 }
 
 TEST(KinematicRobot, TurnsItsWheelsAsItMoves) {
-  KinematicRobot robot = robot_at({});
+  KinematicRobot robot = kinematic_at({});
   run(robot, {0.5, 0.5}, 100);
   EXPECT_NEAR(robot.state().wheels.left, (0.5 - 0.5 * 0.287 * 0.5) / 0.033, 1e-9);
   EXPECT_NEAR(robot.state().wheels.right, (0.5 + 0.5 * 0.287 * 0.5) / 0.033, 1e-9);
 }
 
 TEST(KinematicRobot, RampsItsSpeed) {
-  KinematicRobot robot = robot_at({}, {1.0, 1.0, 0.5, 1.0});
+  KinematicRobot robot = kinematic_at({}, {1.0, 1.0, 0.5, 1.0});
   run(robot, {1.0, 0.0}, 200);  // 0.5 m/s^2 for 2 s
   EXPECT_NEAR(pose_of(robot).x, 1.0, 0.01);
 }
 
 TEST(KinematicRobot, StopsAtAWallCountsItAndComesOffAgain) {
-  KinematicRobot robot = robot_at({4.0, 0.0, 0.0});
+  KinematicRobot robot = kinematic_at({4.0, 0.0, 0.0});
   run(robot, {0.5, 0.0}, 400);
   EXPECT_NEAR(pose_of(robot).x, 4.8, 0.06);
   EXPECT_EQ(robot.collisions(), 1);
@@ -101,14 +101,14 @@ TEST(KinematicRobot, StopsAtAWallCountsItAndComesOffAgain) {
 }
 
 TEST(KinematicRobot, LeavesTheMarginOfAnObstacleItWasPutInto) {
-  KinematicRobot robot = robot_at({4.9, 0.0, pi});
+  KinematicRobot robot = kinematic_at({4.9, 0.0, pi});
   run(robot, {0.5, 0.0}, 200);
   EXPECT_NEAR(pose_of(robot).x, 3.9, 1e-6);
   EXPECT_EQ(robot.collisions(), 0);
 }
 
 TEST(KinematicRobot, IsHeldWithItsWheelsInTheAir) {
-  KinematicRobot robot = robot_at({});
+  KinematicRobot robot = kinematic_at({});
   robot.set_command({0.5, 0.0});
   Eigen::Isometry3d T_map_base = to_isometry({1.0, 2.0, 0.3});
   T_map_base.translation().z() = 0.4;
