@@ -18,7 +18,7 @@ std::optional<std::uint64_t> parse_integer(std::string_view text) {
   return value;
 }
 
-[[noreturn]] void refuse(const std::string& text) {
+[[noreturn]] void refuse_seeds(const std::string& text) {
   throw std::invalid_argument("--seeds '" + text +
                               "': give a number of seeds, 1 to 100000, or a range, 5..24");
 }
@@ -29,12 +29,12 @@ SeedRange parse_seeds(const std::string& text, std::uint64_t base) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) {
     const auto count = parse_integer(text);
-    if (!count || *count < 1 || *count > kMostSeeds) refuse(text);
+    if (!count || *count < 1 || *count > kMostSeeds) refuse_seeds(text);
     return {base, static_cast<int>(*count)};
   }
   const auto first = parse_integer(std::string_view(text).substr(0, dots));
   const auto last = parse_integer(std::string_view(text).substr(dots + 2));
-  if (!first || !last || *last < *first || *last - *first >= kMostSeeds) refuse(text);
+  if (!first || !last || *last < *first || *last - *first >= kMostSeeds) refuse_seeds(text);
   return {*first, static_cast<int>(*last - *first + 1)};
 }
 
