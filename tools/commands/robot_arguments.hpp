@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "tools/commands/command_line.hpp"
 
 namespace castaway::testbed {
 

@@ -2,6 +2,12 @@
 
 #include <sys/resource.h>
 
+#include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "tools/dataset/dataset_finish.hpp"
