@@ -11,9 +11,9 @@ namespace {
 constexpr int kBeams = 120;    // Beams evaluated, about.
 constexpr double kGain = 0.2;  // Share of the error in blocked beams that a plan corrects.
 constexpr double kMaxAim = 0.95;
-constexpr double kSpacing = 0.42;  // [m] Least distance between two places.
+constexpr double kCrowdSpacing = 0.42;  // [m] Least distance between two places.
 constexpr int kBearings = 30;
-constexpr double kGap = 0.3;  // [m] From the robot's disc to the nearest bodies.
+constexpr double kCrowdGap = 0.3;  // [m] From the robot's disc to the nearest bodies.
 // [m] Half the width of the lane ahead of the robot that stays free.
 constexpr double kLane = 0.45;
 constexpr double kAhead = 1.6;    // [m] Length of that lane.
@@ -93,7 +93,7 @@ std::vector<bool> Crowd::covered_beams(const Eigen::Vector2d& p_map,
 
 std::vector<Crowd::Place> Crowd::places(const RobotBody& robot, const WalkSpace& space,
                                         const std::vector<Sight>& sights) const {
-  const double inner = robot.radius + PersonBody{}.radius + kGap;
+  const double inner = robot.radius + PersonBody{}.radius + kCrowdGap;
   const Pose2 T_base_map = inverse(robot.T_map_base);
   std::vector<Place> result;
   for (const double ring : {0.0, 0.3, 0.65, 1.05, 1.5}) {
@@ -113,7 +113,7 @@ std::vector<Crowd::Place> Crowd::places(const RobotBody& robot, const WalkSpace&
 /// Uncovered beams that a place would cover; 0 if it is too near to a place already chosen.
 double Crowd::gain(const Place& place, const Cover& cover, const std::vector<Agent>& agents) {
   for (const Eigen::Vector2d& other : cover.chosen) {
-    if ((other - place.p_map).norm() < kSpacing) return 0.0;
+    if ((other - place.p_map).norm() < kCrowdSpacing) return 0.0;
   }
   double beams = 0.0;
   for (std::size_t b = 0; b < cover.covered.size(); ++b) {

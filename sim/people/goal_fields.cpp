@@ -26,12 +26,12 @@ struct Step {
   int dx;
   int dy;
 };
-constexpr std::array<Step, 8> kSteps = {
+constexpr std::array<Step, 8> kNeighbourSteps = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-constexpr std::uint8_t kNoStep = kSteps.size();
+constexpr std::uint8_t kNoStep = kNeighbourSteps.size();
 
 /// The step that undoes another.
-constexpr std::size_t back(std::size_t step) { return kSteps.size() - 1 - step; }
+constexpr std::size_t back(std::size_t step) { return kNeighbourSteps.size() - 1 - step; }
 
 /// Cells of at least `GoalFields::kCell`; free if a person can stand anywhere in them.
 Grid coarse(const WalkSpace& space) {
@@ -112,8 +112,8 @@ std::uint16_t GoalFields::exits(Index cell) const {
   const int column = static_cast<int>(cell) % grid_.width;
   const int row = static_cast<int>(cell) / grid_.width;
   std::uint16_t result = 0;
-  for (std::size_t k = 0; k < kSteps.size(); ++k) {
-    const auto [dx, dy] = kSteps[k];
+  for (std::size_t k = 0; k < kNeighbourSteps.size(); ++k) {
+    const auto [dx, dy] = kNeighbourSteps[k];
     const bool clear = grid_.is_free(column + dx, row + dy) && grid_.is_free(column + dx, row) &&
                        grid_.is_free(column, row + dy);
     if (clear) result = static_cast<std::uint16_t>(result | (1U << k));
@@ -144,15 +144,15 @@ struct GoalFields::Frontier {
 static_assert((1.0 + kComfortWeight) * std::numbers::sqrt2 < 7.0);
 
 GoalFields::Index GoalFields::neighbour(Index cell, std::size_t step) const {
-  const auto [dx, dy] = kSteps[step];
+  const auto [dx, dy] = kNeighbourSteps[step];
   return static_cast<Index>(static_cast<int>(cell) + dy * grid_.width + dx);
 }
 
 /// Updates the neighbours of a cell.
 void GoalFields::spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const {
-  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+  for (std::size_t k = 0; k < kNeighbourSteps.size(); ++k) {
     if ((exits_[cell] & (1U << k)) == 0) continue;
-    const auto [dx, dy] = kSteps[k];
+    const auto [dx, dy] = kNeighbourSteps[k];
     const float length = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
     const float whole = frontier.cost[cell] + prices_[cell] * length;
     const Index to = neighbour(cell, k);

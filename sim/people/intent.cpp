@@ -20,7 +20,7 @@ constexpr double kPatience = 4.0;     // [s] A walker that is stuck for longer p
 constexpr double kStuckHeadway = 0.1;
 constexpr double kSmoothing = 2.0;  // [s] Time constant of that headway: people in a throng jostle.
 constexpr double kInTheWay = 2.0;   // [m] A robot this close may be what holds a walker up.
-constexpr int kTries = 8;           // Goals that a walker tries when it turns back.
+constexpr int kIntentTries = 8;     // Goals that a walker tries when it turns back.
 constexpr double kMovingIntent =
     0.3;  // [m/s] A walker that wants less speed than this is not stuck.
 constexpr double kDefaultHeadway = 0.5;  // [m/s]
@@ -76,7 +76,7 @@ void next_goal(Agent& agent, const GoalFields& goals) {
 /// Picks another goal whose path does not lead past a robot that stands in the way.
 void turn_back(Agent& agent, GoalFields& goals, const RobotBody& robot) {
   const Eigen::Vector2d from_robot = agent.state.position - robot.T_map_base.position();
-  for (int tries = 0; tries < kTries; ++tries) {
+  for (int tries = 0; tries < kIntentTries; ++tries) {
     next_goal(agent, goals);
     agent.waypoint = goals.ahead(agent.goal, agent.state.position);
     const bool away = (agent.waypoint - agent.state.position).dot(from_robot) > 0.0;

@@ -7,7 +7,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr int kRounds = 2;
+constexpr int kSeparationRounds = 2;
 constexpr double kSeparationFromRobot = 0.08;  // [m] Distance that people keep from the robot.
 constexpr double kGiveWay = 0.02;  // [m] Largest step back from the robot in one period: 0.4 m/s.
 // [m] Least distance from the middle of a foot to the robot.
@@ -72,7 +72,7 @@ Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d&
 
 void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSeparationRounds; ++round) {
     for (std::size_t i = 0; i < agents.size(); ++i) {
       for (std::size_t j = i + 1; j < agents.size(); ++j) push_apart(space, before, i, j, agents);
     }

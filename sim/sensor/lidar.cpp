@@ -13,7 +13,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfiniteRange = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -52,7 +52,7 @@ float Lidar::intensity(const Echo& echo) const {
 /// Where a beam hits something, noise is drawn even if the light is lost, so that light effects do
 /// not shift the draws of noise.
 Beam Lidar::report(const Echo& echo, int index, Rng& rng) const {
-  if (!echo.met && echo.object == kHitNothing) return {kInfinity, kHitNothing, echo.primitive};
+  if (!echo.met && echo.object == kHitNothing) return {kInfiniteRange, kHitNothing, echo.primitive};
   double range = echo.range;
   if (echo.met) {
     const double offset = offsets_.empty() ? 0.0 : offsets_[static_cast<std::size_t>(index)];
@@ -60,9 +60,9 @@ Beam Lidar::report(const Echo& echo, int index, Rng& rng) const {
     range = measure_range(config_.noise, true_range, offset, rng);
   }
   if (echo.object == kHitNothing || range > config_.range_max) {
-    return {kInfinity, kHitNothing, echo.primitive};
+    return {kInfiniteRange, kHitNothing, echo.primitive};
   }
-  if (range < config_.range_min) return {-kInfinity, echo.object, echo.primitive};
+  if (range < config_.range_min) return {-kInfiniteRange, echo.object, echo.primitive};
   return {static_cast<float>(range), echo.object, echo.primitive, intensity(echo)};
 }
 
@@ -105,7 +105,7 @@ void LidarSweeper::begin_scan(const Motion& motion) {
   reading_.time_increment = time_increment_;
   reading_.layers = static_cast<int>(layers);
   reading_.T_map_base_true = to_planar(motion.at(scan_stamp_));
-  reading_.ranges.assign(beams, kInfinity);
+  reading_.ranges.assign(beams, kInfiniteRange);
   reading_.hit_object.assign(beams, kHitNothing);
   if (config.intensity != Intensity::kNone) reading_.intensities.assign(beams, 0.0F);
 }

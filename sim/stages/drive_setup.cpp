@@ -20,7 +20,8 @@ constexpr double kNever = 1e9;    // [m] or [rad] Never reached.
 constexpr double kLogWay = 0.3;   // [m] Displacement that counts as progress with a log.
 constexpr double kLogTurn = 0.5;  // [rad] Turn that counts as progress with a log.
 constexpr double kStuck = 15.0;   // [s] Time without progress, in addition to half a turn in place.
-constexpr double kBrakingShare = 0.6;  // Share of the acceleration limit: the guard reacts late.
+constexpr double kGuardBrakingShare =
+    0.6;  // Share of the acceleration limit: the guard reacts late.
 
 }  // namespace
 
@@ -61,7 +62,7 @@ NavigatorConfig navigator_of(const DriveConfig& drive, const RobotModel& robot) 
 GuardConfig guard_of(const DriveConfig& drive, const RobotModel& robot) {
   GuardConfig guard;
   guard.radius = robot.footprint_radius;
-  guard.deceleration = kBrakingShare * drive.limits.max_acceleration;
+  guard.deceleration = kGuardBrakingShare * drive.limits.max_acceleration;
   return guard;
 }
 

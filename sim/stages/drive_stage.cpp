@@ -14,7 +14,7 @@ constexpr std::chrono::nanoseconds kPeriod = std::chrono::milliseconds(50);
 // [m] A larger error of the estimated pose excuses a lack of progress.
 constexpr double kRightWithin = 0.15;
 constexpr double kRightWithinYaw = 0.15;  // [rad] The same for its heading.
-constexpr double kInTheWay = 1.0;         // [m] A person this close to the robot may be in its way.
+constexpr double kPersonInTheWay = 1.0;   // [m] A person this close to the robot may be in its way.
 
 }  // namespace
 
@@ -56,7 +56,7 @@ bool DriveStage::is_estimate_right(const Pose2& T_map_base) const {
 bool DriveStage::is_person_near(const Pose2& T_map_base, const PeopleStage& people) const {
   const std::vector<Eigen::Vector2d> positions = people.positions();
   return std::any_of(positions.begin(), positions.end(), [&](const Eigen::Vector2d& p_map) {
-    return (p_map - T_map_base.position()).norm() < radius_ + kInTheWay;
+    return (p_map - T_map_base.position()).norm() < radius_ + kPersonInTheWay;
   });
 }
 

@@ -16,7 +16,8 @@ using std::chrono::nanoseconds;
 constexpr nanoseconds kPeopleStep = milliseconds(50);  // As `People::kPeriod`.
 constexpr nanoseconds kScene = milliseconds(10);       // Legs move 2 cm in this time.
 constexpr nanoseconds kCrowd = milliseconds(500);
-constexpr int kPatience = 60;  // Calls of `yield_to_people` for which the robot waits first: 3 s.
+constexpr int kPushPatience =
+    60;  // Calls of `yield_to_people` for which the robot waits first: 3 s.
 constexpr int kLongestPatience = 480;  // The wait doubles each time in a throng, up to 24 s.
 
 /// Discs of the people within 4 m of the robot.
@@ -36,7 +37,7 @@ PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
                          const NamedStreams& streams)
     : yields_(config.people.robot_yields),
       guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
-      patience_(kPatience) {
+      patience_(kPushPatience) {
   if (config.people.count() == 0) return;
   if (!streams) {
     throw std::invalid_argument(
@@ -86,7 +87,7 @@ Twist2 PeopleStage::yield_to_people(const Twist2& command, RouteRunner& route) {
   std::vector<Eigen::Vector2d> p_base;
   for (const Eigen::Vector2d& p_map : positions()) p_base.emplace_back(T_base_map * p_map);
   const Twist2 twist = guard_.limit(command, p_base);
-  if (twist.v == command.v) patience_ = kPatience;
+  if (twist.v == command.v) patience_ = kPushPatience;
   if (guard_.has_waited(patience_)) {
     patience_ = std::min(2 * patience_, kLongestPatience);
     const std::vector<RoundObstacle> discs = discs_near(people_->agents(), robot_.T_map_base);

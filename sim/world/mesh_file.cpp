@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxBytes = 128U << 20U;
+constexpr std::uintmax_t kMaxMeshBytes = 128U << 20U;
 constexpr std::size_t kMaxTriangles = 1000000;
 
 /// Opens regular files only: a pipe or device named by a material would never end.
@@ -32,7 +32,7 @@ class RegularFiles : public Assimp::DefaultIOSystem {
  private:
   static bool is_regular(const char* path) {
     std::error_code none;
-    return fs::is_regular_file(path, none) && fs::file_size(path, none) <= kMaxBytes;
+    return fs::is_regular_file(path, none) && fs::file_size(path, none) <= kMaxMeshBytes;
   }
 };
 
@@ -75,9 +75,9 @@ void refuse_file(const std::string& path) {
     throw std::runtime_error(path + ": cannot read this mesh (it is not a regular file)");
   }
   const std::uintmax_t size = fs::file_size(path, none);
-  if (none || size <= kMaxBytes) return;
+  if (none || size <= kMaxMeshBytes) return;
   throw std::length_error(fmt::format("{}: a mesh of {} MiB: at most {} are read; simplify it",
-                                      path, size >> 20U, kMaxBytes >> 20U));
+                                      path, size >> 20U, kMaxMeshBytes >> 20U));
 }
 
 void refuse_huge_mesh(const std::string& path, const aiScene& scene) {

@@ -14,7 +14,7 @@ namespace {
 
 using namespace localization;
 
-constexpr double kLongest = 40.0;     // [m] Maximum range.
+constexpr double kBenchRange = 40.0;  // [m] Maximum range.
 constexpr double kAround = 0.5;       // [m] Free space around the pose.
 constexpr double kMaxDistance = 5.0;  // [m] Upper bound of the distance field.
 
@@ -36,7 +36,7 @@ LaserScan simulate_scan(const BenchSceneSpec& spec, const OccupancyGrid& grid,
   scan.angle_min = -std::numbers::pi;
   scan.angle_increment = 2.0 * std::numbers::pi / spec.beams;
   scan.range_min = 0.05;
-  scan.range_max = kLongest;
+  scan.range_max = kBenchRange;
   Rng rng = substream(1, "bench_scene/scan");
   boost::random::uniform_real_distribution<double> noise(-spec.noise, spec.noise);
   boost::random::uniform_real_distribution<double> unit;
@@ -44,7 +44,7 @@ LaserScan simulate_scan(const BenchSceneSpec& spec, const OccupancyGrid& grid,
     const double heading = T_grid_base.yaw + scan.beam_angle(static_cast<std::size_t>(i));
     const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
     const double range =
-        cell * cast_ray(grid, T_grid_base.translation() / cell, direction, kLongest / cell) +
+        cell * cast_ray(grid, T_grid_base.translation() / cell, direction, kBenchRange / cell) +
         noise(rng);
     const bool is_blocked = unit(rng) < spec.blocked;
     scan.ranges.push_back(static_cast<float>(is_blocked ? std::min(range, 1.0) : range));
@@ -55,7 +55,7 @@ LaserScan simulate_scan(const BenchSceneSpec& spec, const OccupancyGrid& grid,
 ScanPoints project_points(const BenchSceneSpec& spec, const LaserScan& scan) {
   TransformBuffer still;
   still.add(scan.stamp, {});
-  return project_scan(scan, still, scan.stamp, {spec.beams, kLongest}).value();
+  return project_scan(scan, still, scan.stamp, {spec.beams, kBenchRange}).value();
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ std::vector<DatasetFile> map_files(const DatasetContents& contents, const fs::pa
   return files;
 }
 
-void append(std::vector<DatasetFile> more, std::vector<DatasetFile>& files) {
+void append_files(std::vector<DatasetFile> more, std::vector<DatasetFile>& files) {
   for (DatasetFile& file : more) files.push_back(std::move(file));
 }
 
@@ -64,9 +64,9 @@ void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents
   std::vector<DatasetFile> files{
       {"README.md", dataset_card(contents)},
       {"sequences.csv", csv_text(sequence_rows(contents), folder.draft("sequences.csv"))}};
-  append(split_files(contents), files);
-  append(map_files(contents, folder.draft("maps")), files);
-  append(dataset_plots(contents), files);
+  append_files(split_files(contents), files);
+  append_files(map_files(contents, folder.draft("maps")), files);
+  append_files(dataset_plots(contents), files);
   std::vector<ManifestFile> listed = contents.files;
   for (const auto& [path, bytes] : files) {
     folder.put(path, bytes);

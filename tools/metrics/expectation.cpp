@@ -15,14 +15,15 @@
 namespace castaway::testbed {
 namespace {
 
-using Kind = Condition::Kind;
+using ConditionKind = Condition::Kind;
 
 // Longer operators first, since "<=" begins with "<".
-constexpr std::array<std::pair<std::string_view, Kind>, 5> kOperators{{{"<=", Kind::kAtMost},
-                                                                       {">=", Kind::kAtLeast},
-                                                                       {"==", Kind::kEqual},
-                                                                       {"<", Kind::kLess},
-                                                                       {">", Kind::kGreater}}};
+constexpr std::array<std::pair<std::string_view, ConditionKind>, 5> kOperators{
+    {{"<=", ConditionKind::kAtMost},
+     {">=", ConditionKind::kAtLeast},
+     {"==", ConditionKind::kEqual},
+     {"<", ConditionKind::kLess},
+     {">", ConditionKind::kGreater}}};
 
 constexpr std::array<std::pair<std::string_view, SeedRule>, 6> kRules{
     {{"all seeds", SeedRule::kAllSeeds},
@@ -53,7 +54,7 @@ std::optional<Condition> parse_range(std::string_view text) {
   const auto low = number(text.substr(0, dots));
   const auto high = number(text.substr(dots + 2));
   if (!low || !high || *low > *high) return std::nullopt;
-  return Condition{Kind::kRange, *low, *high};
+  return Condition{ConditionKind::kRange, *low, *high};
 }
 
 std::optional<Condition> parse_comparison(std::string_view text) {
@@ -78,7 +79,8 @@ Condition parse_condition(const std::string& text) {
 }
 
 std::string to_string(const Condition& condition) {
-  if (condition.kind == Kind::kRange) return fmt::format("{}..{}", condition.low, condition.high);
+  if (condition.kind == ConditionKind::kRange)
+    return fmt::format("{}..{}", condition.low, condition.high);
   const auto* const found =
       std::find_if(kOperators.begin(), kOperators.end(),
                    [&](const auto& entry) { return entry.second == condition.kind; });
@@ -87,17 +89,17 @@ std::string to_string(const Condition& condition) {
 
 bool holds(const Condition& condition, double value) {
   switch (condition.kind) {
-    case Kind::kLess:
+    case ConditionKind::kLess:
       return value < condition.low;
-    case Kind::kAtMost:
+    case ConditionKind::kAtMost:
       return value <= condition.low;
-    case Kind::kGreater:
+    case ConditionKind::kGreater:
       return value > condition.low;
-    case Kind::kAtLeast:
+    case ConditionKind::kAtLeast:
       return value >= condition.low;
-    case Kind::kEqual:
+    case ConditionKind::kEqual:
       return value == condition.low;
-    case Kind::kRange:
+    case ConditionKind::kRange:
       return value >= condition.low && value <= condition.high;
   }
   return false;
@@ -105,7 +107,8 @@ bool holds(const Condition& condition, double value) {
 
 double missed_by(const Condition& condition, double value) {
   if (holds(condition, value)) return 0.0;
-  if (condition.kind == Kind::kRange && value > condition.high) return value - condition.high;
+  if (condition.kind == ConditionKind::kRange && value > condition.high)
+    return value - condition.high;
   return std::abs(value - condition.low);
 }
 

@@ -12,14 +12,15 @@ bool is_tracking(const std::vector<RecoveryWindow>& windows, Stamp stamp) {
                       [&](const RecoveryWindow& window) { return window.is_lost_at(stamp); });
 }
 
-constexpr double kBlock = 5.0;  // [s] Length of a bootstrap block; rows within it are correlated.
+constexpr double kBootstrapBlock =
+    5.0;  // [s] Length of a bootstrap block; rows within it are correlated.
 
 /// Number of rows in a block of 5 s, by the mean period of the rows.
 std::size_t block_of(const std::vector<MetricRow>& rows) {
   if (rows.size() < 2) return 1;
   const double period =
       seconds(rows.back().stamp - rows.front().stamp) / static_cast<double>(rows.size() - 1);
-  return period > 0.0 ? static_cast<std::size_t>(std::max(kBlock / period, 1.0)) : 1;
+  return period > 0.0 ? static_cast<std::size_t>(std::max(kBootstrapBlock / period, 1.0)) : 1;
 }
 
 void measure_errors(const std::vector<MetricRow>& rows, LocalizerMetrics& metrics) {

@@ -17,7 +17,7 @@ constexpr double kRow = 24.0;
 constexpr double kLeft = 330.0;
 constexpr double kRight = 34.0;
 constexpr double kTop = 10.0;
-constexpr double kMost = 100.0;  // [%] Larger differences are clipped at the border.
+constexpr double kMostChange = 100.0;  // [%] Larger differences are clipped at the border.
 
 std::string verdict_of(const MetricComparison& row) {
   if (row.clock) return "clock, not judged";
@@ -28,8 +28,8 @@ std::string verdict_of(const MetricComparison& row) {
 }
 
 double x_of(double percent) {
-  const double clipped = std::clamp(percent, -kMost, kMost);
-  return kLeft + (clipped + kMost) / (2.0 * kMost) * (kWidth - kLeft - kRight);
+  const double clipped = std::clamp(percent, -kMostChange, kMostChange);
+  return kLeft + (clipped + kMostChange) / (2.0 * kMostChange) * (kWidth - kLeft - kRight);
 }
 
 /// Draws the difference and its interval in percent of the baseline.

@@ -7,7 +7,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-bool is_allowed(char c) {
+bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_';
 }
 
@@ -16,7 +16,7 @@ bool is_allowed(char c) {
 std::string topic_part(const std::string& name) {
   std::string part = name;
   std::replace_if(
-      part.begin(), part.end(), [](char c) { return !is_allowed(c); }, '_');
+      part.begin(), part.end(), [](char c) { return !is_name_character(c); }, '_');
   return part.empty() || is_digit(part.front()) ? "_" + part : part;
 }
 

@@ -33,16 +33,16 @@ double exact_number(float rounded, const std::map<std::string, std::string>& exa
   return value && static_cast<float>(*value) == rounded ? *value : static_cast<double>(rounded);
 }
 
-constexpr float kLongestRange = 1e6F;  // [m] Some drivers state the largest float.
-constexpr double kFarthest = 1e7;      // [m] UTM coordinates are smaller.
+constexpr float kLongestRange = 1e6F;   // [m] Some drivers state the largest float.
+constexpr double kFarthestPoint = 1e7;  // [m] UTM coordinates are smaller.
 
 void require_numbers(std::initializer_list<double> values, const char* what) {
   for (const double value : values) {
-    if (std::abs(value) <= kFarthest) continue;
-    throw std::runtime_error(
-        std::isfinite(value)
-            ? fmt::format("a {} holds {}, more than {} (metres, radians)", what, value, kFarthest)
-            : fmt::format("a {} holds no numbers", what));
+    if (std::abs(value) <= kFarthestPoint) continue;
+    throw std::runtime_error(std::isfinite(value)
+                                 ? fmt::format("a {} holds {}, more than {} (metres, radians)",
+                                               what, value, kFarthestPoint)
+                                 : fmt::format("a {} holds no numbers", what));
   }
 }
 
@@ -177,7 +177,7 @@ std::optional<Eigen::Isometry3d> exact_mount(const std::map<std::string, std::st
   Eigen::Isometry3d mount = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 12; ++i) {
     double& value = mount(i / 4, i % 4);
-    if (!(stream >> value) || !(std::abs(value) <= kFarthest)) return std::nullopt;
+    if (!(stream >> value) || !(std::abs(value) <= kFarthestPoint)) return std::nullopt;
   }
   return mount;
 }

@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 struct Angles {
   double min;
@@ -23,7 +23,7 @@ Angles flaser_angles(double fov_deg, double resolution_deg, std::size_t beams) {
   const bool fits =
       resolution_deg > 0.0 && std::abs(steps * resolution_deg - fov_deg) < 1.5 * resolution_deg;
   const double step_deg = fits ? resolution_deg : 2.0 * start_deg / steps;
-  return {-start_deg * kDegree, step_deg * kDegree};
+  return {-start_deg * kRadPerDegree, step_deg * kRadPerDegree};
 }
 
 Angles device_angles(const CarmenLaser::Device& device, std::size_t beams) {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-const Vector3f kSkin{0.87F, 0.68F, 0.55F};
+const Vector3f kSkinColor{0.87F, 0.68F, 0.55F};
 const Vector3f kShoe{0.16F, 0.14F, 0.13F};
 const std::array<Vector3f, 6> kCoats = {
     Vector3f{0.72F, 0.25F, 0.22F}, Vector3f{0.20F, 0.42F, 0.62F}, Vector3f{0.85F, 0.65F, 0.23F},
@@ -87,7 +87,7 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
   }
   const auto head = static_cast<float>(kHeadRadius);
   items.push_back(item(stretch(sphere_mesh(1.0F, 8), {head, 0.9F * head, 1.25F * head}),
-                       state.position, body.height - 1.25 * kHeadRadius, yaw, kSkin));
+                       state.position, body.height - 1.25 * kHeadRadius, yaw, kSkinColor));
   items.push_back(item(stretch(sphere_mesh(1.0F, 8), {0.9F * head, 0.95F * head, 0.9F * head}),
                        state.position - 0.025 * ahead, body.height - 0.8 * kHeadRadius, yaw,
                        kShoe));

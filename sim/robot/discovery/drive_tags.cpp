@@ -45,7 +45,7 @@ constexpr std::array<const char*, 8> kRight{
     "right_wheel", "right_wheel_joint_name", "right_front_joint", "right_rear_joint"};
 constexpr std::array<const char*, 2> kSeparation{"wheelSeparation", "wheel_separation"};
 constexpr std::array<const char*, 2> kDiameter{"wheelDiameter", "wheel_diameter"};
-constexpr std::array<const char*, 2> kRadius{"wheelRadius", "wheel_radius"};
+constexpr std::array<const char*, 2> kRadiusTags{"wheelRadius", "wheel_radius"};
 
 std::optional<double> positive(const std::string& text) {
   const xacro::Value value = xacro::from_literal(text);
@@ -76,7 +76,7 @@ DriveTags of_plugin(const TiXmlElement& plugin) {
     }
     if (one_of(tag, kRight)) tags.right.push_back(text);
     if (one_of(tag, kSeparation)) tags.separation = positive(text);
-    if (one_of(tag, kRadius)) tags.radius = positive(text);
+    if (one_of(tag, kRadiusTags)) tags.radius = positive(text);
     if (one_of(tag, kDiameter) && positive(text)) tags.radius = 0.5 * *positive(text);
   }
   if (!tags.left.empty() && !tags.right.empty()) tags.dialect = dialect_of(plugin, joint_tag);

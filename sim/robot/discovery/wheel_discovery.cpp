@@ -19,7 +19,7 @@ constexpr double kFloorTolerance = 0.03;   // [m]
 constexpr std::size_t kMostPairs = 10;
 
 /// A joint that could carry a wheel.
-struct Candidate {
+struct WheelCandidate {
   std::string joint;
   Eigen::Vector3d p_root = Eigen::Vector3d::Zero();
   double low = 0.0;  ///< [m] Lowest point of its wheel in the root link's frame.
@@ -27,8 +27,8 @@ struct Candidate {
 
 /// Wheels opposite each other.
 struct Pair {
-  Candidate left;
-  Candidate right;
+  WheelCandidate left;
+  WheelCandidate right;
 };
 
 /// Kinds of joints that may lie between a wheel and the chassis.
@@ -70,8 +70,8 @@ class Gatherer {
       : model_(*file.model), frames_(frames), finder_(finder) {}
 
   /// Candidates that a plug-in names as the wheels it drives.
-  [[nodiscard]] std::vector<Candidate> among(const std::set<std::string>& names) const {
-    std::vector<Candidate> result;
+  [[nodiscard]] std::vector<WheelCandidate> among(const std::set<std::string>& names) const {
+    std::vector<WheelCandidate> result;
     for (const std::string& name : names) {
       const auto joint = model_.joints_.find(name);
       if (joint != model_.joints_.end() && joint->second->type != urdf::Joint::FIXED &&
@@ -84,7 +84,8 @@ class Gatherer {
 
   /// Candidates among commanded joints: a motor's tag alone does not make a wheel. Excludes
   /// casters, and joints below something that turns freely.
-  [[nodiscard]] std::vector<Candidate> driving_among(const std::set<std::string>& names) const {
+  [[nodiscard]] std::vector<WheelCandidate> driving_among(
+      const std::set<std::string>& names) const {
     std::set<std::string> driving;
     for (const std::string& name : names) {
       const auto joint = model_.joints_.find(name);
@@ -96,8 +97,8 @@ class Gatherer {
     return among(driving);
   }
 
-  [[nodiscard]] std::vector<Candidate> hanging(Hang hang) const {
-    std::vector<Candidate> result;
+  [[nodiscard]] std::vector<WheelCandidate> hanging(Hang hang) const {
+    std::vector<WheelCandidate> result;
     for (const auto& [name, joint] : model_.joints_) {
       const bool wheel = joint->type == urdf::Joint::CONTINUOUS && !joint->mimic &&
                          !is_passive(name) && !is_passive(joint->child_link_name);
@@ -109,7 +110,7 @@ class Gatherer {
   }
 
  private:
-  [[nodiscard]] Candidate candidate(const urdf::Joint& joint) const {
+  [[nodiscard]] WheelCandidate candidate(const urdf::Joint& joint) const {
     const urdf::Link& link = *model_.links_.at(joint.child_link_name);
     const Eigen::Vector3d p = frames_.at(link.name).translation();
     const auto shape = wheel_shape(link, frames_, finder_);
@@ -121,22 +122,22 @@ class Gatherer {
   const MeshFinder& finder_;
 };
 
-bool beside(const Candidate& left, const Candidate& right) {
+bool beside(const WheelCandidate& left, const WheelCandidate& right) {
   return left.p_root.y() - right.p_root.y() > kMinTrack &&
          std::abs(left.p_root.x() - right.p_root.x()) < kMirrorTolerance &&
          std::abs(left.p_root.z() - right.p_root.z()) < kMirrorTolerance;
 }
 
 /// Pairs the joints, outermost first, each in at most one pair. The front pair comes first.
-std::vector<Pair> pairs_of(std::vector<Candidate> joints) {
-  std::sort(joints.begin(), joints.end(), [](const Candidate& a, const Candidate& b) {
+std::vector<Pair> pairs_of(std::vector<WheelCandidate> joints) {
+  std::sort(joints.begin(), joints.end(), [](const WheelCandidate& a, const WheelCandidate& b) {
     return a.p_root.y() != b.p_root.y() ? a.p_root.y() > b.p_root.y() : a.joint < b.joint;
   });
   std::vector<Pair> pairs;
   std::set<std::string> taken;
-  for (const Candidate& left : joints) {
+  for (const WheelCandidate& left : joints) {
     if (taken.contains(left.joint)) continue;
-    const auto right = std::find_if(joints.rbegin(), joints.rend(), [&](const Candidate& c) {
+    const auto right = std::find_if(joints.rbegin(), joints.rend(), [&](const WheelCandidate& c) {
       return !taken.contains(c.joint) && beside(left, c);
     });
     if (right == joints.rend()) continue;
@@ -167,7 +168,7 @@ std::vector<Pair> named_pairs(const Gatherer& gatherer, const DriveTags& tags) {
 
 [[noreturn]] void no_wheels(const UrdfFile& file, const Gatherer& gatherer) {
   std::vector<std::string> found;
-  for (const Candidate& c : gatherer.hanging(Hang::kAny)) found.push_back(c.joint);
+  for (const WheelCandidate& c : gatherer.hanging(Hang::kAny)) found.push_back(c.joint);
   throw std::runtime_error(fmt::format(
       "{}: no drive wheels: needs two joints of type continuous with their axes along y, left and "
       "right of each other; found [{}]: check <joint type> and <axis>",

@@ -10,7 +10,7 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kFarthest = 1000.0;  // [m], [rad]
+constexpr double kFarthestJoint = 1000.0;  // [m], [rad]
 
 bool has_position(const urdf::Joint& joint) {
   return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS ||
@@ -34,7 +34,7 @@ void require_settable(const urdf::ModelInterface& model, const std::string& name
     throw std::runtime_error(fmt::format("joints: '{}' follows '{}': set that one", name,
                                          found->second->mimic->joint_name));
   }
-  if (std::abs(position) <= kFarthest) return;
+  if (std::abs(position) <= kFarthestJoint) return;
   throw std::runtime_error(
       fmt::format("joints: {} is {}: give radians, or metres", name, position));
 }

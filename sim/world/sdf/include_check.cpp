@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxDepth = 20;
+constexpr std::size_t kMaxIncludeDepth = 20;
 constexpr int kMaxInclusions = 5000;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -64,7 +64,7 @@ void IncludeCheck::visit(const std::string& uri) {
   if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
     refuse(file, "it includes itself; remove the circular include");
   }
-  if (open_.size() >= kMaxDepth) refuse(file, "models are nested more than 20 levels deep");
+  if (open_.size() >= kMaxIncludeDepth) refuse(file, "models are nested more than 20 levels deep");
   const OpenFile opened(open_, file);
   for (const std::string& next : includes_of(file)) visit(next);
 }

@@ -13,12 +13,12 @@ namespace {
 constexpr std::uint64_t kSeed = 1;  // Seed of every bootstrap; fixed, so that intervals do not
                                     // depend on the run.
 
-using Draw = boost::random::uniform_int_distribution<std::size_t>;
+using IndexDraw = boost::random::uniform_int_distribution<std::size_t>;
 
 /// Fills `drawn` with random blocks of the sample, which wraps around at its end.
 void draw(const std::vector<double>& sample, std::size_t block, localization::Rng& rng,
           std::vector<double>& drawn) {
-  Draw first(0, sample.size() - 1);
+  IndexDraw first(0, sample.size() - 1);
   for (std::size_t i = 0; i < drawn.size();) {
     std::size_t from = first(rng);
     for (std::size_t k = 0; k < block && i < drawn.size(); ++k) {

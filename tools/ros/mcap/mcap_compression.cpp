@@ -12,7 +12,7 @@ namespace castaway::testbed {
 namespace {
 
 constexpr int kZstdLevel = 1;  // Fast; bags of scans are a few per cent larger than at level 3.
-constexpr std::size_t kStep = 256 << 10;  // Growth of the output buffer.
+constexpr std::size_t kInflateStep = 256 << 10;  // Growth of the output buffer.
 
 [[noreturn]] void refuse(const char* compression, const char* why) {
   throw std::runtime_error(fmt::format("its {} frame is damaged ({})", compression, why));
@@ -42,7 +42,7 @@ std::size_t grow(std::string& bytes, std::uint64_t most) {
   if (used > most) {
     throw std::runtime_error(fmt::format("it unpacks to more than the {} bytes it may have", most));
   }
-  bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(used + kStep, most + 1)));
+  bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(used + kInflateStep, most + 1)));
   return bytes.size() - used;
 }
 

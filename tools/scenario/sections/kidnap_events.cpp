@@ -11,7 +11,7 @@ using sim::HeldWheels;
 using sim::KidnapKind;
 using sim::KidnapTrigger;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kKidnapDegree = std::numbers::pi / 180.0;
 
 const std::vector<std::pair<std::string, KidnapKind>> kKidnapKinds{
     {"teleport", KidnapKind::kTeleportRandom},
@@ -96,7 +96,7 @@ void turn_field(Settings& settings, sim::KidnapSpec& kidnap) {
   bounds_field(settings,
                {"angle_deg", "deg", "Minimum and maximum angle of a turn.", {1e-6, 360.0}},
                degrees);
-  kidnap.turn = {degrees.min * kDegree, degrees.max * kDegree};
+  kidnap.turn = {degrees.min * kKidnapDegree, degrees.max * kKidnapDegree};
 }
 
 }  // namespace

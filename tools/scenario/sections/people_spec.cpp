@@ -43,7 +43,7 @@ std::vector<sim::Pose2> read_placed(YamlReader& map) {
   return poses;
 }
 
-constexpr NumberRange kCount{0.0, sim::kMaxPeople};
+constexpr NumberRange kPeopleCount{0.0, sim::kMaxPeople};
 
 void crowd_fields(Settings settings, sim::PeopleConfig& people) {
   settings.field({"blocked",
@@ -60,13 +60,13 @@ void fields(Settings settings, PeopleSpec& people) {
   settings.field(
       {"count", "",
        "Number of people who walk from place to place; with `blocked`, as many as necessary.",
-       kCount},
+       kPeopleCount},
       config.walking);
   settings.choice({"behaviour", "", "Their reaction to the robot."}, config.behaviour,
                   behaviours());
   settings.field({"groups", "", "Share of the walkers in groups of 2 to 4.", {0.0, 1.0}},
                  config.in_groups);
-  settings.field({"standing", "", "Number of people who stand at random places.", kCount},
+  settings.field({"standing", "", "Number of people who stand at random places.", kPeopleCount},
                  config.standing);
   settings.form({"talking", "", "Sizes of groups that stand and talk, 2 to 6 each.", {2.0, 6.0}},
                 "[]");

@@ -9,20 +9,22 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kGap = 0.005;  // [m] Between the leaf and the posts.
+constexpr double kDoorGap = 0.005;  // [m] Between the leaf and the posts.
 
 /// `at` is the centre of the opening, x along the closed leaf; the leaf opens towards +y.
 sim::Door door_of(YamlReader& reader, const Eigen::Isometry3d& T_map_door, double width) {
   sim::Door door;
   const bool right = reader.choice("hinge", "left", {"left", "right"}) == "right";
-  door.leaf = {width - 2.0 * kGap, positive(reader, "leaf", 0.04), positive(reader, "height", 2.0)};
+  door.leaf = {width - 2.0 * kDoorGap, positive(reader, "leaf", 0.04),
+               positive(reader, "height", 2.0)};
   if (door.leaf.x() <= 0.0) reader.find("width")->fail("a door is wider than 0.01 m");
   door.open_deg = reader.get("open_deg", 0.0);
   if (door.open_deg < -180.0 || door.open_deg > 180.0) {
     reader.find("open_deg")->fail("must be from -180 to 180 (0: closed)");
   }
   door.turn = right ? -1.0 : 1.0;
-  door.T_map_hinge = translate(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kGap), 0.0, 0.0});
+  door.T_map_hinge =
+      translate(T_map_door, {(right ? 0.5 : -0.5) * (width - 2.0 * kDoorGap), 0.0, 0.0});
   if (right) door.T_map_hinge.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));
   return door;
 }

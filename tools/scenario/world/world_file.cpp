@@ -14,14 +14,14 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr double kMaxSide = 1000.0;  // [m]
+constexpr double kMaxWorldSide = 1000.0;  // [m]
 
 void read_extent(YamlReader extent, sim::WorldSpec& spec) {
   spec.min_corner = extent.require<Eigen::Vector2d>("min");
   spec.max_corner = extent.require<Eigen::Vector2d>("max");
   const Eigen::Vector2d size = spec.max_corner - spec.min_corner;
   if (size.minCoeff() <= 0.0) extent.fail("max must lie above and to the right of min");
-  if (size.maxCoeff() > kMaxSide) {
+  if (size.maxCoeff() > kMaxWorldSide) {
     extent.fail(fmt::format("{} m x {} m: at most 1000 m either way; lengths are in metres",
                             size.x(), size.y()));
   }
