@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-/// "castaway bench kidnaps": as far as the parser came.
+/// "castaway bench kidnaps": the commands that the parser recognized.
 std::string path_of(const CLI::App& app, const CLI::App*& last) {
   std::string path = "castaway";
   last = &app;
@@ -43,7 +43,7 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return names;
 }
 
-/// The option that an unexpected word may have meant.
+/// The option nearest to an unexpected word.
 std::string not_expected(const CLI::App& command, const std::string& word) {
   if (!word.starts_with("-")) return fmt::format("'{}' is one word too many", word);
   const std::string name = word.substr(0, word.find('='));
@@ -224,7 +224,7 @@ std::optional<std::string> CommandLine::unknown_command(const std::vector<std::s
       return fmt::format("{}: give a command: {}; `{} --help` says what they do", path,
                          fmt::join(names_of(known), ", "), path);
     }
-    if (words[i].starts_with("-")) return std::nullopt;  // --help, --version, or an option amiss.
+    if (words[i].starts_with("-")) return std::nullopt;  // --help, --version, or an unknown option.
     const auto found = std::find_if(known.begin(), known.end(), [&](const CLI::App* command) {
       return command->get_name() == words[i];
     });

@@ -1,7 +1,7 @@
-/// The program's command line: commands, their options, what is wrong with a line of words.
+/// The program's command line: commands, their options, errors.
 ///
-/// CLI11 does the work. It is header-only and takes five seconds to compile, so that only
-/// command_line.cpp includes it.
+/// A wrapper of CLI11, which is header-only and takes seconds to compile: only command_line.cpp
+/// includes it.
 #pragma once
 
 #include <cstdint>
@@ -22,35 +22,35 @@ namespace castaway::testbed {
 /// A handle of an option or positional argument. Valid as long as its command line.
 class Option {
  public:
-  /// What is wrong with a value; empty: nothing.
+  /// Returns the error in a value; empty: none.
   using Check = std::function<std::string(const std::string& value)>;
 
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required();
-  /// Takes from `least` values on.
+  /// Requires at least `least` values.
   Option at_least(int least);
-  /// `--x a --x b` rather than `--x a b`.
+  /// Accepts `--x a --x b`, not `--x a b`.
   Option repeatable();
-  /// Help states the present value as the default.
+  /// Shows the current value as the default in the help text.
   Option show_default();
-  /// From `low` to `high`, both included.
+  /// Requires a value from `low` to `high`, both included.
   Option range(int low, int high);
   Option range(double low, double high);
   Option one_of(const std::vector<std::string>& values);
-  /// What help calls the value, where the variable's type does not say it.
+  /// Name of the value in the help text, if the variable's type is not enough.
   Option value_name(const std::string& name);
   Option not_negative();
   Option positive();
   Option check(const Check& check);
-  /// Whether the command line gave it.
+  /// True if the command line has the option.
   [[nodiscard]] bool given() const;
 
  private:
   CLI::Option* option_;
 };
 
-/// An option as help shows it.
+/// An option as in the help text.
 struct OptionText {
   std::string name;   ///< "-j,--jobs", or of a positional argument "log".
   std::string value;  ///< "INT in [1 - 1024]"; empty for a flag.
@@ -63,22 +63,22 @@ class Command {
  public:
   Command(CLI::App* app, std::function<int()>* chosen) : app_(app), chosen_(chosen) {}
 
-  /// A command below this one.
+  /// Adds a subcommand.
   Command add_command(const std::string& name, const std::string& what);
   /// An option ("--out", "-j,--jobs"), or a positional argument ("log"). Defined for texts,
   /// numbers, lists of texts and of integers, and optional numbers.
   template <typename T>
   Option add_option(const std::string& names, T& value, const std::string& what);
-  /// An option of which `take` gets the value.
+  /// Adds an option whose value is passed to `take`.
   Option add_option(const std::string& names, std::function<void(const std::string&)> take,
                     const std::string& what);
-  /// True where it is given; "!--no-x" sets false.
+  /// Adds a flag; "!--no-x" sets it to false.
   void add_flag(const std::string& names, bool& value, const std::string& what);
-  /// What help says at its end.
+  /// Text at the end of the help text.
   void footer(const std::string& text);
-  /// What the command does; returns an exit code.
+  /// Sets the action, which returns an exit code.
   void action(const std::function<int()>& act);
-  /// One of the commands below must be given.
+  /// Requires one of the subcommands.
   void require_command();
 
   [[nodiscard]] std::string name() const;
@@ -104,15 +104,15 @@ class CommandLine {
   [[nodiscard]] Command root();
   /// Every `--seed` takes a whole number from 0: CLI11 takes -1 for 2^64 - 1.
   void require_whole_seeds();
-  /// A word where a command should stand that is none, with the nearest one; nothing if the
-  /// commands are known. `words`: the command line without the program's name.
+  /// The error for an unknown command, with the nearest known one; nothing if all are known.
+  /// `words`: the command line without the program's name.
   [[nodiscard]] std::optional<std::string> unknown_command(const std::vector<std::string>& words);
 
-  /// What a line of words asks for.
+  /// The result of parsing.
   struct Parsed {
-    std::function<int()> act;  ///< Empty: nothing is left to do but to end with `exit_code`.
+    std::function<int()> act;  ///< Empty: the program ends with `exit_code`.
     int exit_code = 0;         ///< 0 after --help and --version, which it has printed.
-    std::string trouble;       ///< In one line, with where help is; empty: none.
+    std::string trouble;       ///< Error in one line; empty: none.
   };
   Parsed parse(int argc, const char* const* argv);
 

@@ -25,7 +25,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Values from the command line.
 struct ReplayArguments {
   std::string log;
   std::string map;
@@ -43,7 +43,7 @@ struct ReplayArguments {
   double pictures_every_s = 0.0;
 };
 
-/// What reproduces a replay.
+/// The settings that reproduce a replay.
 std::string describe(const ReplayArguments& a) {
   std::string text = "# castaway replay\n";
   text += fmt::format(
@@ -57,7 +57,7 @@ std::string describe(const ReplayArguments& a) {
   return text + "]\n";
 }
 
-/// What a log gives to a replay.
+/// Contents of a log.
 struct OpenedLog {
   std::unique_ptr<SensorSource> source;
   RosMap map;
@@ -74,7 +74,7 @@ localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
   return {*log.start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
-/// "I:J" as two scans.
+/// Parses "I:J" as two indices of scans.
 Splice parse_splice(const std::string& text) {
   Splice at;
   char colon = 0;
@@ -88,7 +88,7 @@ Splice parse_splice(const std::string& text) {
   return at;
 }
 
-/// The CARMEN log, or two stretches of it.
+/// Opens the CARMEN log, or splices two stretches of it.
 std::unique_ptr<SensorSource> carmen_source(const ReplayArguments& arguments) {
   if (arguments.splice.empty()) {
     return std::make_unique<CarmenSource>(arguments.log, arguments.source);

@@ -20,12 +20,12 @@
 namespace castaway::testbed {
 namespace {
 
-/// What the command line says.
+/// Values from the command line.
 struct RunArguments {
   std::string scenario;
   std::vector<std::string> shortcuts;   ///< --seed and the like, as key=value.
   std::vector<std::string> sets;        ///< --set key=value
-  std::vector<std::string> localizers;  ///< Instead of the scenario's.
+  std::vector<std::string> localizers;  ///< Replace the scenario's.
   std::string robot;                    ///< Empty: the scenario's.
   RobotArguments robot_options;
   std::vector<std::string> expects;  ///< --expect "metric condition"
@@ -49,9 +49,9 @@ std::filesystem::path file_of(const RunArguments& arguments) {
   return find_scenario(text, ".");
 }
 
-/// "mh_amcl:paper" as a scenario has it.
+/// Converts "mh_amcl:paper" to the form of a scenario.
 std::string localizer_yaml(const std::string& text) {
-  static_cast<void>(parse_localizer(text));  // Throws where there is no such localizer.
+  static_cast<void>(parse_localizer(text));  // Throws if there is no such localizer.
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return text;
   const std::string kind = text.substr(0, colon);
@@ -73,7 +73,7 @@ std::vector<std::string> overrides_of(const RunArguments& arguments) {
   return overrides;
 }
 
-/// Those of the command line.
+/// Overrides from the command line.
 std::vector<Expectation> expectations_of(const RunArguments& arguments, const Scenario& scenario) {
   const std::vector<std::string> localizers = names_of(scenario.localizers);
   std::vector<Expectation> expectations;
@@ -107,7 +107,7 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
   return exit_code_of(checks);
 }
 
-/// Where the run goes. Throws where that is not free, before anything is built.
+/// The output folder. Throws before anything is built if it is not free.
 std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScenario& loaded,
                                 const std::vector<std::filesystem::path>& inputs) {
   OutputRequest request{arguments.out, "run", sha256(loaded.effective), inputs, arguments.force};
@@ -127,7 +127,8 @@ int run_once(const RunArguments& arguments) {
   LoadedScenario loaded = load_scenario(file, overrides_of(arguments));
   loaded.scenario.world.strict = arguments.strict;
   const Scenario& scenario = loaded.scenario;
-  static_cast<void>(expectations_of(arguments, scenario));  // Refused before the run, not after it.
+  static_cast<void>(
+      expectations_of(arguments, scenario));  // Invalid ones are refused before the run.
   PlayOptions options;
   options.base = file.parent_path();
   options.inputs = inputs_of(scenario, file);
@@ -160,7 +161,7 @@ int run_many(const RunArguments& arguments) {
   return run_seeds(request);
 }
 
-/// What is wrong with the value of --duration; empty: nothing.
+/// The error in the value of --duration; empty: none.
 std::string seconds_trouble(const std::string& text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -169,7 +170,7 @@ std::string seconds_trouble(const std::string& text) {
   return good ? std::string() : "needs a number of seconds above 0, not " + text;
 }
 
-/// Options that stand for a key of the scenario.
+/// Adds options that set a key of the scenario.
 void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& arguments) {
   const auto shortcut = [&](const std::string& flag, const std::string& key,
                             const std::string& text) {

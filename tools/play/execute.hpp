@@ -1,4 +1,4 @@
-/// Plays a run that is built: what `run`, `replay`, `experiment` and `dataset` share.
+/// Plays a run that is already built; shared by `run`, `replay`, `experiment` and `dataset`.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// How much is printed.
+/// What is printed.
 struct Printing {
   bool json = false;                ///< summary.json instead of words.
   bool silent = false;              ///< No result.
@@ -20,8 +20,8 @@ struct Printing {
 /// Interrupted after a signal.
 void execute(Run& run, OutputFolder& output, bool quiet);
 
-/// Does the same for a user who is watching: shows progress on a terminal and prints the result
-/// from the folder `target` that `output` became. Returns kDone or kRunFailed.
+/// Does the same for a command: shows progress on a terminal and prints the result from `target`,
+/// the committed folder. Returns kDone or kRunFailed.
 int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::path& target,
                       const Printing& printing);
 

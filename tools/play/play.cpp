@@ -21,7 +21,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Lidars that would tell none tell the power that they receive; no range changes by it.
+/// Makes lidars without intensities report received power. Ranges do not change.
 void tell_intensities(sim::SimulationConfig& config) {
   const auto tell = [](sim::LidarConfig& lidar) {
     if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
@@ -50,7 +50,7 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   files.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
-/// A bag of the run; where the localizers start is known later.
+/// The bag of the run; `connect` and the start pose complete it.
 BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepared) {
   const sim::RobotModel& robot = prepared.config.robot;
   BagConfig bag;
@@ -108,7 +108,7 @@ std::unique_ptr<SimulatorSource> source_of(const Scenario& scenario, sim::Simula
   return source;
 }
 
-/// Connects the files that show more than frames do to the simulator, which must outlive the sinks.
+/// Lets pictures and bags read the state of the simulator, which must outlive the sinks.
 void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels, bool people,
              RunFiles& files) {
   files.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };

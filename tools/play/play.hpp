@@ -1,4 +1,4 @@
-/// Plays a scenario in the simulator: what `run` and `experiment` share.
+/// Plays a scenario in the simulator; shared by `run`, `experiment` and `dataset`.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace castaway::testbed {
 using SinkMaker = std::function<std::unique_ptr<RunSink>(
     const RunInfo& info, const std::shared_ptr<const LabelContext>& labels)>;
 
-/// Where a run goes and what it prints.
+/// Output folder and printing of a run.
 struct PlayOptions {
   std::filesystem::path base;  ///< Folder of the scenario's file, for relative paths.
   std::filesystem::path out;   ///< Run folder.

@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// Renders the report from the files of the other sinks: it must be the last one of a run.
+/// Renders the report from the files of other sinks, so it must come after them.
 class ReportSink final : public RunSink {
  public:
   ReportSink(std::filesystem::path run_folder, RosMap map);

@@ -36,13 +36,13 @@ struct RunFiles {
   bool timing = true;  ///< timing.json and timing.csv, which differ in every repetition.
 };
 
-/// Sinks, and why some of the files cannot be written.
+/// Sinks, and the reasons why files are missing.
 struct RunSinks {
   std::vector<std::unique_ptr<RunSink>> sinks;
   std::vector<std::string> warnings;
 };
 
-/// Builds the sinks that write `files` into `folder`, in the order in which they have to finish.
+/// Builds the sinks that write `files` into `folder`, in the order in which they must finish.
 /// `map` is the localizers' map; `duration` is the run's, from which the player's rates follow.
 /// Throws std::exception if a file cannot be written.
 RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, const RosMap& map,

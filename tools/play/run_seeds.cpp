@@ -59,7 +59,7 @@ std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
   return runs;
 }
 
-/// The folder of all; what it is made from is the scenario, whatever the seeds.
+/// The common folder. Its settings are the scenario's, whatever the seeds.
 RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   const std::vector<PlannedRun> runs = planned_runs(request);
   const std::string settings = load_scenario(request.scenario, request.overrides).effective;
@@ -74,7 +74,7 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   return {std::move(output), runs};
 }
 
-/// What became of a seed.
+/// The outcome of a seed.
 struct Outcome {
   std::optional<JudgedRun> run;             ///< Nothing: it failed, or is void.
   std::optional<std::string> void_because;  ///< Why it is void.
@@ -109,7 +109,7 @@ Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
           progress.next(tally.text());
         });
   } catch (Interrupted& interrupted) {
-    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command goes on",
+    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command resumes",
                                    finished, request.seeds.count, request.out.string());
     throw;
   }

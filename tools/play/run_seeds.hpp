@@ -1,4 +1,4 @@
-/// castaway run --seeds: one scenario, many seeds, several at a time.
+/// castaway run --seeds: runs one scenario with many seeds in parallel.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,22 @@
 
 namespace castaway::testbed {
 
-/// What is repeated.
+/// The runs to make.
 struct SeedsRequest {
   std::filesystem::path scenario;      ///< Its file.
-  std::vector<std::string> overrides;  ///< key=value, the seed aside.
+  std::vector<std::string> overrides;  ///< key=value, without the seed.
   SeedRange seeds;
   int workers = 1;
   std::filesystem::path out;              ///< Holds a folder for each seed; empty: the default.
-  bool force = false;                     ///< It may hold other files, too.
+  bool force = false;                     ///< The folder may hold other files, too.
   std::vector<Expectation> expectations;  ///< Besides those of the scenario.
   std::filesystem::path junit;            ///< Empty: none is written.
   bool strict = false;                    ///< As in `WorldChoice`.
   bool json = false;                      ///< Prints the aggregate summary.json instead of words.
 };
 
-/// Plays every seed into `out`/seed-<n> and writes what they amount to: summary.json (`kind`
-/// "seeds") and timing.json in `out`. Returns the exit code: kRunFailed if a run failed, else
+/// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`
+/// "seeds") and timing.json. Returns the exit code: kRunFailed if a run failed, else
 /// kExpectationNotMet if an expectation was not met.
 int run_seeds(SeedsRequest request);
 

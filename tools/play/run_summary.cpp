@@ -42,7 +42,7 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
       figure_text(part(update, "max"), "{:.2f} ms"));
 }
 
-/// How near people came; nothing where there were none.
+/// The closest approach of people; empty if there were none.
 std::string people_line(const Json& summary) {
   if (!summary.contains("people")) return "";
   const Json& people = summary.at("people");
@@ -56,7 +56,7 @@ std::string people_line(const Json& summary) {
       100.0 * beams.at("max").get<double>());
 }
 
-/// How much the world differs from its map; nothing where it does not.
+/// How much the world differs from its map; empty if it does not.
 std::string difference_line(const Json& summary) {
   if (!summary.contains("difference")) return "";
   const Json& difference = summary.at("difference");
@@ -68,7 +68,7 @@ std::string difference_line(const Json& summary) {
       whole<int>(difference.at("opened")), whole<int>(difference.at("closed")));
 }
 
-/// What kept the robot from getting on; nothing where nothing did.
+/// What stopped the robot; empty if nothing did.
 std::string driving_line(const Json& summary) {
   if (!summary.contains("driving")) return "";
   std::string text;
@@ -79,7 +79,7 @@ std::string driving_line(const Json& summary) {
   return text.empty() ? text : text + "\n\n";
 }
 
-/// The kidnaps that no localizer could recover from; nothing where all are scored.
+/// Kidnaps that are not scored; empty if all are.
 std::string unscored_line(const Json& summary) {
   const Json& localizers = summary.at("localizers");
   if (localizers.empty()) return "";

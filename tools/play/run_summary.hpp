@@ -1,4 +1,4 @@
-/// A finished run in words, from the files that it left.
+/// A finished run as text, from its files.
 #pragma once
 
 #include <filesystem>

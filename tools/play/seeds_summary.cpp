@@ -32,7 +32,7 @@ std::string seeds_line(const std::string& name, const Json& recovery, const Json
       over_seeds(figures, name + ".wrong_lock_share", "{:.3f}"));
 }
 
-/// ", 2 void (seeds 3, 7) and left out"; nothing where none is.
+/// ", 2 void (seeds 3, 7) and left out"; empty if none is void.
 std::string voids_text(const Json& summary) {
   if (!summary.contains("void_seeds") || summary.at("void_seeds").empty()) return "";
   std::string seeds;

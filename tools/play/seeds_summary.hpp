@@ -1,4 +1,4 @@
-/// Many seeds of a scenario in words, and the running result while they are played.
+/// Many seeds of a scenario as text, and the result so far.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ std::string describe_seeds(const std::filesystem::path& folder);
 class RecoveryTally {
  public:
   void add(const MetricTable& run);
-  /// "mh_amcl 12 of 12, amcl 1 of 12 recovered"; empty where nothing was to recover from.
+  /// "mh_amcl 12 of 12, amcl 1 of 12 recovered"; empty if there were no kidnaps.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -1,4 +1,4 @@
-/// Colours, where somebody sees them.
+/// Colours on terminals.
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-/// What a command says and writes about expectations.
+/// Output about expectations: text and JUnit.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// The clocks that measure a run, and its memory. Nothing that they say reaches a result.
+/// Clocks and memory use of a run. Results do not depend on them.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// What happens to the robot of a run.
+/// Events of a run.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +11,35 @@ namespace castaway::testbed {
 
 /// Kinds of events.
 enum class EventKind : std::uint8_t {
-  kKidnap,     ///< The robot stands elsewhere than it knows.
+  kKidnap,     ///< The robot was moved without odometry.
   kPickUp,     ///< It was lifted; a kidnap follows.
-  kCollision,  ///< With what is not the floor, or with a person.
-  kFaultOn,    ///< A sensor's fault begins...
-  kFaultOff,   ///< ...and ends.
-  kDriving,    ///< A recovery of the driver, or an emergency stop.
-  kVoid,       ///< The run counts for nothing.
-  kAlarmOn,    ///< A localizer says that it is lost...
-  kAlarmOff,   ///< ...and that it is no more.
-  kRecovery,   ///< A localizer is right again.
-  kWarning,    ///< Something that a reader of the run should know.
+  kCollision,  ///< Contact with anything but the floor.
+  kFaultOn,    ///< A sensor fault begins.
+  kFaultOff,   ///< A sensor fault ends.
+  kDriving,    ///< A recovery behaviour of the driver, or an emergency stop.
+  kVoid,       ///< The run is void: it is not scored.
+  kAlarmOn,    ///< A localizer reports that it is lost.
+  kAlarmOff,   ///< A localizer no longer reports that it is lost.
+  kRecovery,   ///< A localizer is right again after a kidnap.
+  kWarning,    ///< A remark for the reader of the run.
 };
 
-/// "kidnap", "pick-up", "collision", "fault on"...: as files name it.
+/// The name in files: "kidnap", "pick-up", "collision", "fault on", ...
 std::string event_name(EventKind kind);
 
-/// The kind of a name; nothing for any other text.
+/// The kind with this name; nothing for other text.
 std::optional<EventKind> event_kind(const std::string& name);
 
-/// Something that happened to the robot and that no localizer is told.
+/// Something that happened to the robot. Localizers do not see it.
 struct RunEvent {
   localization::Stamp stamp{};
   EventKind kind = EventKind::kKidnap;
-  std::string detail;                           ///< What exactly, e.g. "teleport", "person 3".
+  std::string detail;                           ///< Details, e.g. "teleport", "person 3".
   std::optional<localization::SE2> T_map_from;  ///< True pose of base before.
   std::optional<localization::SE2> T_map_to;    ///< True pose of base after.
-  std::optional<localization::Stamp> since{};   ///< When it began; nothing: at `stamp`, it took no
-                                                ///< time.
+  std::optional<localization::Stamp> since{};   ///< Its beginning; nothing: an instantaneous event.
 
-  /// When it began.
+  /// Its beginning.
   [[nodiscard]] localization::Stamp begun() const { return since.value_or(stamp); }
 };
 

@@ -20,18 +20,18 @@ using localization::Stamp;
 /// [s] of a stamp or a duration.
 inline double seconds(Stamp stamp) { return std::chrono::duration<double>(stamp).count(); }
 
-/// Where a person was.
+/// The state of a person.
 struct PersonTruth {
   int id = 0;
-  SE2 T_map_person;                                    ///< x where it faces.
+  SE2 T_map_person;                                    ///< x points where the person faces.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] In map.
-  double gap_m = 0.0;  ///< Between the robot's outline and its body; <= 0: they touch.
+  double gap_m = 0.0;  ///< Gap between the outlines of robot and person; <= 0: contact.
 };
 
-/// The people about at a scan.
+/// The people in the world at a scan.
 struct PeopleTruth {
   std::vector<PersonTruth> people;
-  double beams_on_people = 0.0;  ///< Share of the scan's beams that ended on people.
+  double beams_on_people = 0.0;  ///< Share of the scan's beams that hit people.
 };
 
 /// A point that a beam measured.
@@ -41,19 +41,19 @@ struct CloudPoint {
   int label = 0;
 };
 
-/// What is known of a scan besides what a localizer is told.
+/// Ground truth of a scan, which localizers do not see.
 struct ScanTruth {
   std::string frame;               ///< Frame id of the lidar.
-  std::vector<float> intensities;  ///< By beam; empty if the lidar tells none.
-  std::vector<int> labels;         ///< By beam: what it hit. Empty: nobody knows.
-  std::vector<CloudPoint> cloud;   ///< Returns of all layers; empty unless they are asked for.
+  std::vector<float> intensities;  ///< By beam; empty if the lidar reports none.
+  std::vector<int> labels;         ///< By beam: label of what it hit. Empty if unknown.
+  std::vector<CloudPoint> cloud;   ///< Returns of all layers; empty unless requested.
 };
 
 /// A scan with the true pose of base at the scan's stamp, where it is known.
 struct ScanFrame {
   LaserScan scan;
   std::optional<SE2> T_map_base_true;
-  PeopleTruth people{};  ///< Empty where there are none, or nobody knows.
+  PeopleTruth people{};  ///< Empty if there are none or they are unknown.
   ScanTruth truth{};
 };
 

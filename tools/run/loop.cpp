@@ -16,7 +16,7 @@ Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
       driver_(index_of(config_.drive_by, "drive.by")),
       watched_(index_of(config_.watch, "kidnap.localizer")) {}
 
-/// Nothing without a name.
+/// Nothing for an empty name.
 std::optional<std::size_t> Loop::index_of(const std::string& name, const char* key) const {
   if (name.empty()) return std::nullopt;
   const auto found = std::find_if(localizers_.begin(), localizers_.end(),
@@ -77,7 +77,8 @@ void Loop::take(SensorSource& source, const OdometryFrame& frame) {
   tell_sinks([&](RunSink& sink) { sink.on_odometry(frame); });
 }
 
-/// An output carried on by odometry since its scan; nothing where odometry does not reach back.
+/// An estimate advanced by the odometry since its scan; nothing if odometry does not reach back to
+/// it.
 std::optional<SE2> Loop::carried_on(const localization::Estimate& estimate,
                                     const Odometry& odometry) const {
   const auto T_odom_scan = T_odom_base_.at(estimate.stamp);
@@ -85,7 +86,8 @@ std::optional<SE2> Loop::carried_on(const localization::Estimate& estimate,
   return estimate.T_map_base * T_odom_scan->inverse() * odometry.T_odom_base;
 }
 
-/// Hands outputs to the source: the driving localizer's, and the watched one's while it is sure.
+/// Passes estimates to the source: the driving localizer's, and the watched one's unless it is
+/// lost.
 void Loop::report(SensorSource& source, const Odometry& odometry) const {
   if (driver_) {
     const auto estimate = localizers_[*driver_].localizer->estimate();
@@ -122,7 +124,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
     localizer.name = localizers_[i].name;
     localizer.estimate = localizers_[i].localizer->estimate();
     if (localizer.estimate && localizer.estimate->stamp != record.stamp) {
-      localizer.estimate.reset();  // of an older scan: this one was dropped
+      localizer.estimate.reset();  // It belongs to an older scan: this one was dropped.
     }
     localizer.diagnostics = localizers_[i].localizer->diagnostics();
     localizer.update_cpu = costs_[i].since_scan;

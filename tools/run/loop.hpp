@@ -1,4 +1,4 @@
-/// The loop: pulls frames from one source, pushes them into every localizer, tells every sink.
+/// The loop: pulls frames from a source, pushes them into every localizer and notifies every sink.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,20 @@ namespace castaway::testbed {
 struct NamedLocalizer {
   std::string name;  ///< Unique within the run.
   std::unique_ptr<localization::Localizer> localizer;
-  /// Its global localization is called at every kidnap, as somebody who saw it would do.
+  /// Calls its global localization at every kidnap, as an operator would who saw the kidnap.
   bool relocalize_at_kidnap = false;
 };
 
-/// How a run goes.
+/// Settings of a run.
 struct LoopConfig {
-  /// Where the localizers start; nothing: anywhere on the map.
+  /// Initial pose given to the localizers; nothing: unknown.
   std::optional<localization::PoseWithCovariance> start;
-  std::string drive_by;  ///< Localizer whose output the source is told; empty: none.
-  std::string watch;     ///< Localizer whose sure output the source is told; empty: none.
+  std::string drive_by;  ///< Localizer whose estimate the robot drives by; empty: none.
+  std::string watch;     ///< Localizer whose estimate triggers kidnaps; empty: none.
   double load_s = 0.0;   ///< [s] Wall time that loading took, for `RunTiming`.
 };
 
-/// One run. Sees to the order of calls and measures the CPU time around them.
+/// Plays one run in order of time and measures the CPU time of localizers and sinks.
 class Loop {
  public:
   /// Localizers and sinks must outlive the loop. Throws std::invalid_argument if `drive_by` or

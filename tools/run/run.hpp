@@ -8,7 +8,7 @@
 
 namespace castaway::testbed {
 
-/// What senses, what localizes and what writes. Sinks are called in their order.
+/// A sensor source, localizers and sinks. Sinks are called in this order.
 struct Run {
   LoopConfig loop;
   std::unique_ptr<SensorSource> source;

@@ -1,4 +1,4 @@
-/// The seam between a run and what it leaves behind: logs, metrics, pictures, reports.
+/// The seam between a run and its outputs: logs, metrics, pictures, reports.
 #pragma once
 
 #include <chrono>
@@ -14,8 +14,9 @@ namespace castaway::testbed {
 
 /// One localizer's answer to a scan.
 struct LocalizerRecord {
-  std::string name;                                ///< As in the scenario; names its files.
-  std::optional<localization::Estimate> estimate;  ///< At the scan's stamp; nothing if it has none.
+  std::string name;  ///< As in the scenario and in file names.
+  std::optional<localization::Estimate>
+      estimate;  ///< At the scan's stamp; nothing if there is none.
   localization::Diagnostics diagnostics;
   std::chrono::nanoseconds
       update_cpu{};  ///< CPU time of this scan and of the odometry since the one before.
@@ -23,23 +24,23 @@ struct LocalizerRecord {
       stage_cpu;  ///< The same, by stage of the localizer.
 };
 
-/// All that is known after a scan.
+/// The state of a run after a scan.
 struct ScanRecord {
   Stamp stamp{};                       ///< The scan's stamp.
-  Stamp delivered{};                   ///< When the answers are there: the time of its last beam.
+  Stamp delivered{};                   ///< Time of the last beam, when the scan is delivered.
   std::optional<SE2> T_map_base_true;  ///< At the scan's stamp.
   PeopleTruth people;                  ///< At the scan's stamp.
   SE2 T_odom_base;                     ///< Newest odometry at delivery.
   LaserScan scan;
-  ScanTruth truth;                          ///< Besides the scan.
+  ScanTruth truth;                          ///< Ground truth of the scan.
   std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.
 };
 
-/// What a run cost. The only wall-clock figures that a sink is given.
+/// Cost of a run. The only wall-clock figures that sinks receive.
 struct RunTiming {
-  double wall_s = 0.0;                  ///< [s] All of it, loading included.
+  double wall_s = 0.0;                  ///< [s] Whole run, loading included.
   std::map<std::string, double> cpu_s;  ///< By stage: physics, lidar, people, localizers, sinks.
-  double load_s = 0.0;                  ///< [s] World, map, robot or log, before the first step.
+  double load_s = 0.0;                  ///< [s] Loading of world, map, robot or log.
 };
 
 /// How the world of a run differs from its map.
@@ -60,7 +61,7 @@ struct RunInfo {
   std::uint64_t seed = 0;
   bool known_start = true;                       ///< False: the localizers start anywhere.
   std::vector<std::string> localizers;           ///< In order of `ScanRecord::localizers`.
-  std::optional<MapDifference> difference = {};  ///< Nothing: none is known of.
+  std::optional<MapDifference> difference = {};  ///< Nothing: no known difference.
 };
 
 /// A consumer of a run. Calls come in order: `on_event` and `on_scan` by time, then `finish` once.
@@ -71,7 +72,7 @@ class RunSink {
   virtual void on_event(const RunEvent& event) = 0;
   virtual void on_odometry(const OdometryFrame& frame) = 0;
   virtual void on_scan(const ScanRecord& record) = 0;
-  /// The run ended at `end`; write what is still to be written.
+  /// Writes what remains to be written; the run ended at `end`.
   virtual void finish(Stamp end, const RunTiming& timing) = 0;
 };
 

@@ -18,19 +18,18 @@ class SensorSource {
 
   /// The next frame, `nullopt` at the end.
   virtual std::optional<Frame> next() = 0;
-  /// Tells the source what the driving localizer believes; ignored unless it drives by that
-  /// localizer.
+  /// Sets the estimate of the driving localizer. Ignored unless the robot drives by it.
   virtual void set_drive_pose(const std::optional<SE2>& T_map_base) = 0;
-  /// Tells the source where the watched localizer says it is; nothing while it has no answer or
-  /// says it is lost. Ignored by sources that do not care.
+  /// Sets the estimate of the watched localizer; nothing while it has none or is lost. Ignored by
+  /// sources without triggered kidnaps.
   virtual void set_watched_pose(const std::optional<SE2>& T_map_base) = 0;
-  /// True pose of base at the start, for a known start; `nullopt` where nobody knows it.
+  /// True pose of base at the start; `nullopt` if it is unknown.
   [[nodiscard]] virtual std::optional<SE2> start_pose() const = 0;
   /// Total simulated or recorded time, for progress. Zero if unknown.
   [[nodiscard]] virtual Stamp duration() const = 0;
   /// CPU time spent so far by stage ("physics", "lidar", "people"); empty where not measured.
   [[nodiscard]] virtual std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const = 0;
-  /// What happened otherwise than was asked for, one sentence each; so far.
+  /// Deviations from the request so far, one sentence each.
   [[nodiscard]] virtual std::vector<std::string> warnings() const = 0;
 };
 
