@@ -171,6 +171,7 @@ std::vector<std::filesystem::path> inputs_of(const ReplayArguments& arguments) {
   return inputs;
 }
 
+/// What the replay writes and where. Throws if the folder is not free.
 OutputRequest output_request(const ReplayArguments& arguments, const std::string& scenario) {
   OutputRequest request{arguments.out, "replay", sha256(describe(arguments)), inputs_of(arguments),
                         arguments.force};
@@ -179,6 +180,7 @@ OutputRequest output_request(const ReplayArguments& arguments, const std::string
         std::filesystem::path("runs") / scenario / fmt::format("seed-{}", arguments.seed);
     request.target = told_free_folder(request);
   }
+  check_output(request);
   return request;
 }
 
