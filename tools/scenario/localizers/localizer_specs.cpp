@@ -63,7 +63,7 @@ void describe_localizers(std::vector<SettingText>& texts) {
   localization::MhAmclConfig mh_amcl;
   fields(improved, mh_amcl);
   localization::PublishedMhAmclConfig paper;
-  fields(under("mh_amcl (paper, published)"), paper);
+  fields(under("mh_amcl (modes paper and published)"), paper);
   Settings nav2 = under("amcl");
   nav2.form({"preset", "", "amcl, amcl-recovery, amcl-global, amcl-prob."}, "amcl");
   localization::AmclConfig amcl;
