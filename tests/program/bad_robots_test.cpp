@@ -167,7 +167,7 @@ std::vector<BadRobot> xacro_cases() {
       {"MissingBlock", with(macro + "<xacro:m a=\"1\"/>"), {"block 'b'"}},
       {"SpareBlock", with(macro + "<xacro:m a=\"1\"><z/><z/></xacro:m>"), {"no block for <z>"}},
       {"UnknownBlock", with("<xacro:insert_block name=\"b\"/>"), {"no block 'b'"}},
-      {"BadParameters", with("<xacro:macro name=\"m\" params=\"a a\"/>"), {"'a' twice"}},
+      {"BadParameters", with("<xacro:macro name=\"m\" params=\"a a\"/>"), {"'a' is given twice"}},
       {"ConditionThatIsNone", with("<xacro:if value=\"maybe\"/>"), {"'maybe'", "true, false"}},
       {"ConditionWithoutValue", with("<xacro:if/>"), {"'value'"}},
       {"PropertyWithoutName", with("<xacro:property value=\"1\"/>"), {"'name'"}},

@@ -106,9 +106,9 @@ TEST(Expression, KeepsTypes) {
 
 TEST(ExpressionErrors, SayWhatIsWrong) {
   EXPECT_THAT(error_of("unknown + 1"), HasSubstr("'unknown' is not defined"));
-  EXPECT_THAT(error_of("1 +"), HasSubstr("cut off"));
-  EXPECT_THAT(error_of("(1"), HasSubstr("cut off"));
-  EXPECT_THAT(error_of("1 2"), HasSubstr("'2' is not expected"));
+  EXPECT_THAT(error_of("1 +"), HasSubstr("incomplete"));
+  EXPECT_THAT(error_of("(1"), HasSubstr("incomplete"));
+  EXPECT_THAT(error_of("1 2"), HasSubstr("'2' is unexpected here"));
   EXPECT_THAT(error_of("a @ 2"), HasSubstr("'@'"));
   EXPECT_THAT(error_of("'open"), HasSubstr("closing quote"));
   EXPECT_THAT(error_of("1 / 0"), HasSubstr("division by zero"));
@@ -119,10 +119,10 @@ TEST(ExpressionErrors, SayWhatIsWrong) {
   EXPECT_THAT(error_of("l[5]"), HasSubstr("no entry 5"));
   EXPECT_THAT(error_of("d['z']"), HasSubstr("no entry 'z'"));
   EXPECT_THAT(error_of("open('/etc/passwd')"), HasSubstr("'open' is not supported"));
-  EXPECT_THAT(error_of("[x for x in l]"), HasSubstr("'for' is not expected"));
+  EXPECT_THAT(error_of("[x for x in l]"), HasSubstr("'for' is unexpected here"));
   EXPECT_THAT(error_of("1.2.3"), HasSubstr("'1.2.3' is not a number"));
   EXPECT_THAT(error_of("s.format(1)"), HasSubstr("no method format()"));
-  EXPECT_THAT(error_of(""), HasSubstr("cut off"));
+  EXPECT_THAT(error_of(""), HasSubstr("incomplete"));
 }
 
 TEST(ExpressionErrors, RefuseWhatGrowsWithoutBounds) {

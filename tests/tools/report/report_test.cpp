@@ -240,7 +240,7 @@ TEST(Report, NamesAnEventThatItDoesNotKnow) {
     summary.finish({}, {});
   }
   const std::string header = read_file(folder.path() / "events.csv");
-  folder.put("events.csv", header + "1.0,landing,,,,,,,,,\n");
+  folder.put("events.csv", header + "1.0,landing,,,,,,,,,,\n");
   const std::string error = error_of([&] { write_report(folder.path(), {}); });
   EXPECT_TRUE(contains(error, "events.csv: kind: no kind of event is called 'landing'")) << error;
 }
