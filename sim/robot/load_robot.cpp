@@ -34,8 +34,8 @@ std::vector<std::string> all_search_paths(const RobotOptions& options) {
 
 /// Removes repeated warnings: a mesh may be a visual and a collision shape.
 void drop_repetitions(std::vector<std::string>& warnings) {
-  std::set<std::string> told;
-  std::erase_if(warnings, [&](const std::string& text) { return !told.insert(text).second; });
+  std::set<std::string> seen;
+  std::erase_if(warnings, [&](const std::string& text) { return !seen.insert(text).second; });
 }
 
 /// The state that the stages of loading share.

@@ -57,7 +57,7 @@ const std::map<std::string, Function2>& functions_of_two() {
   return kFunctions;
 }
 
-Value whole(double number) {
+Value integer_value(double number) {
   if (std::abs(number) > 1e15) return {number};
   return {static_cast<std::int64_t>(number)};
 }
@@ -69,7 +69,7 @@ Value to_int(const Value& value) {
   if (!is_number(number) || from_float_text) {
     throw std::invalid_argument(fmt::format("int() of '{}'", to_text(value)));
   }
-  return whole(std::trunc(to_double(number)));
+  return integer_value(std::trunc(to_double(number)));
 }
 
 Value to_float(const Value& value) {
@@ -84,7 +84,7 @@ Value to_float(const Value& value) {
 Value round_value(const List& arguments) {
   expect_count("round", arguments, 1, 2);
   const double number = to_double(arguments[0]);
-  if (arguments.size() == 1) return whole(std::nearbyint(number));
+  if (arguments.size() == 1) return integer_value(std::nearbyint(number));
   const double scale = std::pow(10.0, static_cast<double>(to_integer(arguments[1])));
   return {finite("round", std::nearbyint(number * scale) / scale)};
 }
@@ -122,8 +122,8 @@ std::optional<Value> convert(const std::string& name, const Value& x) {
   if (name == "bool") return Value{truth(x)};
   if (name == "len") return Value{length(x)};
   if (name == "list" && std::holds_alternative<List>(x.data)) return x;
-  if (name == "floor") return whole(std::floor(to_double(x)));
-  if (name == "ceil") return whole(std::ceil(to_double(x)));
+  if (name == "floor") return integer_value(std::floor(to_double(x)));
+  if (name == "ceil") return integer_value(std::ceil(to_double(x)));
   if (name == "abs") return to_double(x) < 0.0 ? unary("-", x) : x;
   return std::nullopt;
 }

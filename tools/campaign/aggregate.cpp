@@ -22,7 +22,7 @@ struct Pool {
 };
 
 void add_run(const Json& recovery, Pool& pool) {
-  pool.events += whole<int>(recovery.at("events"));
+  pool.events += integer<int>(recovery.at("events"));
   for (const Json& window : recovery.at("each")) {
     if (!window.at("recovered").get<bool>()) continue;
     pool.times.push_back(window.at("time_s").get<double>());

@@ -57,8 +57,8 @@ Json run_summary(const fs::path& folder) {
 ComparedRun compared_run(const fs::path& folder, const Json& summary) {
   ComparedRun run{folder,
                   summary.at("scenario").get<std::string>(),
-                  whole<std::uint64_t>(summary.at("seed")),
-                  whole_or(summary, "metrics_version", 1),
+                  integer<std::uint64_t>(summary.at("seed")),
+                  integer_or(summary, "metrics_version", 1),
                   {},
                   {}};
   for (const auto& [name, figures] : summary.at("localizers").items()) {

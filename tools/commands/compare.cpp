@@ -33,7 +33,7 @@ OutputRequest output_request(const CompareArguments& arguments) {
   request.settings = sha256(compared);
   if (!arguments.out.empty()) return request;
   request.target = std::filesystem::path("runs") / "comparison";
-  request.target = told_free_folder(request);
+  request.target = announced_free_folder(request);
   return request;
 }
 

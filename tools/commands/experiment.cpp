@@ -68,7 +68,7 @@ RunsFolder open_folder(const ExperimentArguments& arguments,
   OutputRequest request{arguments.out, "experiment", sha256(settings), {}, arguments.force};
   if (arguments.out.empty()) {
     request.target = std::filesystem::path("runs") / fmt::format("experiment-{}", arguments.number);
-    request.target = told_free_runs_folder(request, planned);
+    request.target = announced_free_runs_folder(request, planned);
   }
   if (!arguments.junit.empty()) require_own_file(arguments.junit);
   return {std::move(request), std::move(planned)};
@@ -168,10 +168,10 @@ void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::files
       };
       csv.text(outcome.run.part).count(static_cast<std::int64_t>(outcome.run.seed)).text(name);
       csv.number(number("/position_error_m/mean")).number(number("/position_error_m/median"));
-      csv.count(whole<std::int64_t>(figures.at("/recovery/recovered"_json_pointer)));
+      csv.count(integer<std::int64_t>(figures.at("/recovery/recovered"_json_pointer)));
       csv.number(number("/recovery/time_s/mean"));
       csv.number(outcome.summary.at("distance_m").get<double>());
-      csv.count(whole<std::int64_t>(outcome.summary.at("collisions"))).text(outcome.run.folder);
+      csv.count(integer<std::int64_t>(outcome.summary.at("collisions"))).text(outcome.run.folder);
       csv.end_row();
     }
   }

@@ -178,7 +178,7 @@ OutputRequest output_request(const ReplayArguments& arguments, const std::string
   if (arguments.out.empty()) {
     request.target =
         std::filesystem::path("runs") / scenario / fmt::format("seed-{}", arguments.seed);
-    request.target = told_free_folder(request);
+    request.target = announced_free_folder(request);
   }
   check_output(request);
   return request;

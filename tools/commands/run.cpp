@@ -113,7 +113,7 @@ std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScena
   OutputRequest request{arguments.out, "run", sha256(loaded.effective), inputs, arguments.force};
   if (arguments.out.empty()) {
     request.target = default_run_folder(loaded.scenario);
-    request.target = told_free_folder(request);
+    request.target = announced_free_folder(request);
   }
   check_output(request);
   for (const std::string& file : {arguments.junit, arguments.video}) {

@@ -48,7 +48,7 @@ Coverage coverage_of(const DatasetContents& contents, const std::string& world) 
   for (const Json& sequence : contents.sequences) {
     if (sequence.at("world") != world) continue;
     for (const Json& cell : sequence.at("statistics").at("coverage")) {
-      coverage[{whole<int>(cell[0]), whole<int>(cell[1])}] += cell[2].get<double>();
+      coverage[{integer<int>(cell[0]), integer<int>(cell[1])}] += cell[2].get<double>();
     }
   }
   return coverage;

@@ -94,7 +94,7 @@ void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
   if (version != identity.version) {
     refuse(folder, fmt::format("was made by castaway {}, this is {}", version, identity.version));
   }
-  const auto seed = whole_or(root, "seed", std::uint64_t{0});
+  const auto seed = integer_or(root, "seed", std::uint64_t{0});
   if (seed != identity.seed) {
     refuse(folder, fmt::format("was made with seed {}, not {}", seed, identity.seed));
   }
@@ -102,7 +102,7 @@ void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
   if (spec != identity.spec) {
     refuse(folder, "was made from another specification: " + first_difference(spec, identity.spec));
   }
-  const int sequences = whole_or(root, "sequences", 0);
+  const int sequences = integer_or(root, "sequences", 0);
   if (sequences > identity.sequences) {
     refuse(folder, fmt::format("has {} sequences, more than {}", sequences, identity.sequences));
   }

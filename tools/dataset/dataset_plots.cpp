@@ -96,7 +96,7 @@ std::map<int, std::vector<double>> odometry_errors(const DatasetContents& conten
   std::map<int, std::vector<double>> errors;
   for (const Json& sequence : contents.sequences) {
     for (const Json& point : sequence.at("statistics").at("odometry_error_m")) {
-      errors[whole<int>(point[0])].push_back(point[1].get<double>());
+      errors[integer<int>(point[0])].push_back(point[1].get<double>());
     }
   }
   return errors;

@@ -24,8 +24,8 @@ Json mean(double sum, std::int64_t count) {
 }
 
 /// Position and yaw error between the movement by odometry and the true one.
-std::pair<double, double> error_between(const SE2& told, const SE2& truth) {
-  return {localization::distance(told, truth), localization::yaw_distance(told, truth)};
+std::pair<double, double> error_between(const SE2& odometry, const SE2& truth) {
+  return {localization::distance(odometry, truth), localization::yaw_distance(odometry, truth)};
 }
 
 std::size_t bin_of(double value, double width, int bins) {

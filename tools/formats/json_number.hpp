@@ -14,7 +14,7 @@ namespace castaway::testbed {
 /// Reads an integer. Throws Json::out_of_range if it has a fraction or does not fit into T, for
 /// which `get` is undefined; Json::type_error if it is not a number.
 template <std::integral T, typename Json>
-T whole(const Json& value) {
+T integer(const Json& value) {
   if (value.is_number_float()) {
     const double number = value.template get<double>();
     const double limit = std::ldexp(1.0, std::numeric_limits<T>::digits);
@@ -29,14 +29,15 @@ T whole(const Json& value) {
     const auto number = value.template get<std::int64_t>();
     if (std::in_range<T>(number)) return static_cast<T>(number);
   }
-  throw Json::out_of_range::create(406, value.dump() + " is no whole number, or too large", &value);
+  throw Json::out_of_range::create(406, value.dump() + " is not an integer or does not fit",
+                                   &value);
 }
 
 /// Reads the integer under a key of an object, or `fallback` if the key is missing.
 template <std::integral T, typename Json>
-T whole_or(const Json& object, const std::string& key, T fallback) {
+T integer_or(const Json& object, const std::string& key, T fallback) {
   const auto found = object.find(key);
-  return found == object.end() ? fallback : whole<T>(*found);
+  return found == object.end() ? fallback : integer<T>(*found);
 }
 
 }  // namespace castaway::testbed

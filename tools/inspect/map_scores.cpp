@@ -51,7 +51,7 @@ MapScores parse_scores(const std::string& text) {
   const Json root = Json::parse(text);
   MapScores scores;
   scores.ambiguity = {root.at("mean").get<double>(), root.at("p90").get<double>(),
-                      root.at("twins").get<double>(), whole<int>(root.at("count"))};
+                      root.at("twins").get<double>(), integer<int>(root.at("count"))};
   for (const Json& place : root.at("places")) {
     scores.places.places.emplace_back(place[0].get<double>(), place[1].get<double>());
   }

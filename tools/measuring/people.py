@@ -1,4 +1,4 @@
-"""Figures of docs/people.md and docs/kidnaps.md, and those of the same runs elsewhere."""
+"""Figures of people and kidnaps."""
 
 from measuring.lab import NO_PICTURES, figure, mean, percent, table
 

@@ -1,4 +1,4 @@
-"""Figures of docs/robots.md."""
+"""Figures of the shipped robots."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Figures of docs/sensors.md."""
+"""Figures of odometry, lidars and faults."""
 
 import collections
 import csv

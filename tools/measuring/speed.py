@@ -1,4 +1,4 @@
-"""What only a clock can tell: other machines show other figures."""
+"""Figures of run time, which differ between machines."""
 
 import os
 import time

@@ -1,4 +1,4 @@
-"""Figures of docs/worlds.md."""
+"""Figures of worlds and maps."""
 
 import json
 

@@ -53,11 +53,12 @@ fs::path free_folder(const OutputRequest& request) {
   return free && is_allowed(request) ? request.target : with_suffix(request);
 }
 
-fs::path told_free_folder(const OutputRequest& request) {
+fs::path announced_free_folder(const OutputRequest& request) {
   return report_choice(request, free_folder(request));
 }
 
-fs::path told_free_runs_folder(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
+fs::path announced_free_runs_folder(const OutputRequest& request,
+                                    const std::vector<PlannedRun>& runs) {
   const bool free = std::all_of(runs.begin(), runs.end(), [&](const PlannedRun& run) {
     return is_same_or_free(request.target / run.folder, "run", run.settings);
   });

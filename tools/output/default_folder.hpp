@@ -14,11 +14,11 @@ namespace castaway::testbed {
 std::filesystem::path free_folder(const OutputRequest& request);
 
 /// As `free_folder`; prints a line on stderr if the result is not `request.target`.
-std::filesystem::path told_free_folder(const OutputRequest& request);
+std::filesystem::path announced_free_folder(const OutputRequest& request);
 
-/// As `told_free_folder` for a folder of runs, none of which may have been made with other
+/// As `announced_free_folder` for a folder of runs, none of which may have been made with other
 /// settings.
-std::filesystem::path told_free_runs_folder(const OutputRequest& request,
-                                            const std::vector<PlannedRun>& runs);
+std::filesystem::path announced_free_runs_folder(const OutputRequest& request,
+                                                 const std::vector<PlannedRun>& runs);
 
 }  // namespace castaway::testbed

@@ -22,17 +22,16 @@ namespace castaway::testbed {
 namespace {
 
 /// Makes lidars without intensities report received power. Ranges do not change.
-void tell_intensities(sim::SimulationConfig& config) {
-  const auto tell = [](sim::LidarConfig& lidar) {
+void enable_intensities(sim::SimulationConfig& config) {
+  for (sim::LidarConfig& lidar : config.lidars) {
     if (lidar.intensity == sim::Intensity::kNone) lidar.intensity = sim::Intensity::kPower;
-  };
-  for (sim::LidarConfig& lidar : config.lidars) tell(lidar);
+  }
 }
 
 void add_scan_files(const OutputSpec& outputs, PreparedSimulation& prepared, RunFiles& files) {
   files.points_every_s = outputs.points_every_s;
   if (!outputs.scans) return;
-  tell_intensities(prepared.config);
+  enable_intensities(prepared.config);
   files.label_name = [world = prepared.config.world](int label) {
     return sim::hit_name(world, label);
   };
@@ -91,8 +90,8 @@ RunFiles files_of(const PlayOptions& options, const LoadedScenario& loaded,
 }
 
 RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
-  return {scenario.name,      prepared.world_name,   prepared.config.robot.name,
-          scenario.seed,      scenario.start.told(), names_of(scenario.localizers),
+  return {scenario.name,      prepared.world_name,          prepared.config.robot.name,
+          scenario.seed,      scenario.start.initializes(), names_of(scenario.localizers),
           prepared.difference};
 }
 
@@ -118,20 +117,6 @@ void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels,
     return source.drive_now(wheels);
   };
 }
-
-}  // namespace
-
-std::vector<std::filesystem::path> inputs_of(const Scenario& scenario,
-                                             const std::filesystem::path& file) {
-  const std::filesystem::path base = file.parent_path();
-  return {file, find_world(scenario.world.file, base), find_robot(scenario.robot.file, base)};
-}
-
-std::filesystem::path default_run_folder(const Scenario& scenario) {
-  return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
-}
-
-namespace {
 
 OutputRequest output_request(const LoadedScenario& loaded, const PlayOptions& options) {
   return {options.out,    "run",         sha256(loaded.effective),
@@ -188,6 +173,16 @@ int play_with(const LoadedScenario& loaded, const PlayOptions& options, Body bod
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> inputs_of(const Scenario& scenario,
+                                             const std::filesystem::path& file) {
+  const std::filesystem::path base = file.parent_path();
+  return {file, find_world(scenario.world.file, base), find_robot(scenario.robot.file, base)};
+}
+
+std::filesystem::path default_run_folder(const Scenario& scenario) {
+  return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
+}
 
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
   play_with(loaded, options, [](Run& run, OutputFolder& output) {

@@ -67,7 +67,7 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
                        inputs_of(scenario, request.scenario), request.force};
   if (request.out.empty()) {
     output.target = default_run_folder(scenario).parent_path();
-    output.target = told_free_runs_folder(output, runs);
+    output.target = announced_free_runs_folder(output, runs);
   }
   if (!request.junit.empty()) require_own_file(request.junit);
   request.out = output.target;

@@ -23,8 +23,8 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
     return object.is_object() ? object.at(key) : Json();
   };
   const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
-  const int recovered = whole<int>(recovery.at("recovered"));
-  const int events = whole<int>(recovery.at("events"));
+  const int recovered = integer<int>(recovery.at("recovered"));
+  const int events = integer<int>(recovery.at("events"));
   const std::string share = fmt::format("{:>4} of {:<4}", recovered, events);
   return fmt::format(
       "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
@@ -50,9 +50,9 @@ std::string people_line(const Json& summary) {
   return fmt::format(
       "{} people: {} hit, closest {:.2f} m, within 0.45 m {} times, within 1.2 m {} times; on them "
       "{:.1f} % of the beams, at most {:.1f} %\n\n",
-      whole<int>(people.at("people")), whole<int>(people.at("collisions")),
-      people.at("closest_m").get<double>(), whole<int>(people.at("intimate").at("intrusions")),
-      whole<int>(people.at("personal").at("intrusions")), 100.0 * beams.at("mean").get<double>(),
+      integer<int>(people.at("people")), integer<int>(people.at("collisions")),
+      people.at("closest_m").get<double>(), integer<int>(people.at("intimate").at("intrusions")),
+      integer<int>(people.at("personal").at("intrusions")), 100.0 * beams.at("mean").get<double>(),
       100.0 * beams.at("max").get<double>());
 }
 
@@ -63,9 +63,9 @@ std::string difference_line(const Json& summary) {
   return fmt::format(
       "The world is not as mapped: {:.1f} % of the beams end elsewhere; {} moved, {} gone, {} new, "
       "{} doors opened, {} closed\n\n",
-      100.0 * difference.at("beams").get<double>(), whole<int>(difference.at("moved")),
-      whole<int>(difference.at("removed")), whole<int>(difference.at("added")),
-      whole<int>(difference.at("opened")), whole<int>(difference.at("closed")));
+      100.0 * difference.at("beams").get<double>(), integer<int>(difference.at("moved")),
+      integer<int>(difference.at("removed")), integer<int>(difference.at("added")),
+      integer<int>(difference.at("opened")), integer<int>(difference.at("closed")));
 }
 
 /// What stopped the robot; empty if nothing did.
@@ -73,8 +73,8 @@ std::string driving_line(const Json& summary) {
   if (!summary.contains("driving")) return "";
   std::string text;
   for (const auto& [what, count] : summary.at("driving").items()) {
-    if (whole<int>(count) == 0 || what == "recoveries") continue;
-    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", whole<int>(count), what);
+    if (integer<int>(count) == 0 || what == "recoveries") continue;
+    text += fmt::format("{}{} {}", text.empty() ? "driving: " : ", ", integer<int>(count), what);
   }
   return text.empty() ? text : text + "\n\n";
 }
@@ -107,16 +107,16 @@ std::string cost_line(const Json& timing) {
 std::string describe_run(const std::filesystem::path& run_folder) {
   const Json summary = read_json(run_folder / "summary.json");
   const Json timing = read_json(run_folder / "timing.json");
-  std::string text =
-      fmt::format("{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
-                  summary.at("scenario").get<std::string>(),
-                  whole<std::uint64_t>(summary.at("seed")), summary.at("duration_s").get<double>(),
-                  summary.at("distance_m").get<double>(), whole<int>(summary.at("collisions")));
+  std::string text = fmt::format(
+      "{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
+      summary.at("scenario").get<std::string>(), integer<std::uint64_t>(summary.at("seed")),
+      summary.at("duration_s").get<double>(), summary.at("distance_m").get<double>(),
+      integer<int>(summary.at("collisions")));
   if (const auto sentence = void_sentence(summary)) {
     text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);
   }
   if (const auto every = summary.find("scored_every"); every != summary.end()) {
-    text += fmt::format("A long run: one scan in {} is scored.\n\n", whole<int>(*every));
+    text += fmt::format("A long run: one scan in {} is scored.\n\n", integer<int>(*every));
   }
   text += difference_line(summary);
   text += people_line(summary);

@@ -23,8 +23,8 @@ std::string seeds_line(const std::string& name, const Json& recovery, const Json
   const Json& time = recovery.at("time_s");
   return fmt::format(
       "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
-      fmt::format("{} of {}{}", whole<int>(recovery.at("recovered")),
-                  whole<int>(recovery.at("events")),
+      fmt::format("{} of {}{}", integer<int>(recovery.at("recovered")),
+                  integer<int>(recovery.at("events")),
                   interval_text(recovery.at("success_interval"), "{:.0f} %", 100.0)),
       figure_text(time.at("mean"), "{:.2f}") + interval_text(time.at("mean_interval"), "{:.2f}"),
       figure_text(time.at("max"), "{:.2f} s"),
@@ -37,7 +37,7 @@ std::string voids_text(const Json& summary) {
   if (!summary.contains("void_seeds") || summary.at("void_seeds").empty()) return "";
   std::string seeds;
   for (const Json& seed : summary.at("void_seeds")) {
-    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", whole<std::uint64_t>(seed));
+    seeds += fmt::format("{}{}", seeds.empty() ? "" : ", ", integer<std::uint64_t>(seed));
   }
   return fmt::format(", {} void (seeds {}) and left out", summary.at("void_seeds").size(), seeds);
 }

@@ -53,7 +53,7 @@ Recording unpack_recording(std::string_view file) {
   std::size_t at = 0;
   Recording recording{parse_header(bytes, at), {}};
   for (const Json& section : recording.header["sections"]) {
-    const auto size = whole<std::size_t>(section.at("bytes"));
+    const auto size = integer<std::size_t>(section.at("bytes"));
     if (size > bytes.size() - at) refuse("it ends within section " + section.at("name").dump());
     recording.sections[section.at("name").get<std::string>()] = bytes.substr(at, size);
     at += size;
@@ -83,8 +83,8 @@ RosMap map_of(const Recording& recording) {
   const Json& header = recording.header.at("map");
   RosMap map;
   map.name = header.at("name").get<std::string>();
-  map.width = whole<int>(header.at("width"));
-  map.height = whole<int>(header.at("height"));
+  map.width = integer<int>(header.at("width"));
+  map.height = integer<int>(header.at("height"));
   map.resolution = header.at("resolution_m").get<double>();
   map.origin_x = header.at("origin").at(0).get<double>();
   map.origin_y = header.at("origin").at(1).get<double>();

@@ -77,10 +77,10 @@ std::string table_row(const Json& localizers, std::size_t index) {
   for (const auto& [name, figures] : localizers.items()) {
     const Json bin = bins_of(figures).at(index);
     label = fmt::format("{:g} to {:g}", bin.at("from").get<double>(), bin.at("to").get<double>());
-    const auto scans = whole<std::int64_t>(bin.at("scans"));
+    const auto scans = integer<std::int64_t>(bin.at("scans"));
     cells += scans == 0
                  ? "<td>–</td>"
-                 : fmt::format("<td>{} of {}</td>", whole<std::int64_t>(bin.at("right")), scans);
+                 : fmt::format("<td>{} of {}</td>", integer<std::int64_t>(bin.at("right")), scans);
   }
   return fmt::format("<tr><td>{}</td>{}</tr>", label, cells);
 }

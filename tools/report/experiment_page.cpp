@@ -63,7 +63,7 @@ std::string curves(const ExperimentPage& page) {
       fmt::format(
           "<p class=\"soft\">Of one run: {}, seed {}. Drag to zoom, double-click for all of the "
           "run.</p>\n",
-          escape_html(run.at("part").get<std::string>()), whole<std::uint64_t>(run.at("seed"))) +
+          escape_html(run.at("part").get<std::string>()), integer<std::uint64_t>(run.at("seed"))) +
           plots_html({{"x", times}, {"plots", plots}}, PlotLayout::kWide));
 }
 

@@ -22,7 +22,7 @@ std::string plural(std::int64_t count, const std::string& noun) {
 /// The integer at a pointer; 0 if it is missing.
 int whole_at(const Json& json, const char* pointer) {
   const Json::json_pointer path(pointer);
-  return json.contains(path) ? whole<int>(json.at(path)) : 0;
+  return json.contains(path) ? integer<int>(json.at(path)) : 0;
 }
 
 std::int64_t count_events(const RunFolder& run, EventKind kind) {
@@ -92,13 +92,14 @@ std::string describe_localizer(const RunFolder& run, const std::string& name) {
 
 std::string describe_run(const RunFolder& run) {
   const Json& summary = run.summary;
-  return fmt::format(
-      "World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
-      escape_html(summary.value("world", "?")), escape_html(summary.value("robot", "?")),
-      whole_or(summary, "seed", std::uint64_t{0}), readable(figure_at(summary, "/distance_m"), "m"),
-      readable(figure_at(summary, "/duration_s"), "s"),
-      plural(count_events(run, EventKind::kKidnap), "kidnap"),
-      plural(whole_or(summary, "collisions", std::int64_t{0}), "collision"));
+  return fmt::format("World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
+                     escape_html(summary.value("world", "?")),
+                     escape_html(summary.value("robot", "?")),
+                     integer_or(summary, "seed", std::uint64_t{0}),
+                     readable(figure_at(summary, "/distance_m"), "m"),
+                     readable(figure_at(summary, "/duration_s"), "s"),
+                     plural(count_events(run, EventKind::kKidnap), "kidnap"),
+                     plural(integer_or(summary, "collisions", std::int64_t{0}), "collision"));
 }
 
 }  // namespace castaway::testbed

@@ -40,7 +40,7 @@ std::string rows_of(const fs::path& folder, const fs::path& page) {
                                   std::max<std::size_t>(1, localizers.size()),
                                   address(folder / "report.html", page),
                                   escape_html(run.summary.value("scenario", "run")),
-                                  whole_or(run.summary, "seed", std::uint64_t{0}),
+                                  integer_or(run.summary, "seed", std::uint64_t{0}),
                                   void_sentence(run.summary) ? "<br><strong>void</strong>" : "");
   std::string rows;
   for (const auto& [name, figures] : localizers.items()) {

@@ -57,10 +57,10 @@ BodyMass weigh_chassis(const UrdfFile& file, const LinkFrames& frames, bool gues
 
 void add_masses(const UrdfFile& file, const LinkFrames& frames, RobotModel& robot) {
   const double wheels = weigh_wheels(file, frames, robot);
-  const std::size_t told = robot.warnings.size();
+  const std::size_t warned = robot.warnings.size();
   BodyMass chassis = weigh_chassis(file, frames, false, robot);
   if (chassis.mass < wheels) {
-    robot.warnings.resize(told);
+    robot.warnings.resize(warned);
     chassis = weigh_chassis(file, frames, true, robot);
   }
   if (chassis.mass <= 0.0) {

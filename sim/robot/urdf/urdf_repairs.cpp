@@ -40,14 +40,14 @@ std::set<std::string> defined_materials(TiXmlElement& robot) {
 
 void drop_unknown_materials(TiXmlElement& robot, std::vector<std::string>& warnings) {
   const std::set<std::string> known = defined_materials(robot);
-  std::set<std::string> told;
+  std::set<std::string> warned;
   for (auto* link = robot.FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
     for (auto* v = link->FirstChildElement("visual"); v != nullptr;
          v = v->NextSiblingElement("visual")) {
       TiXmlElement* m = v->FirstChildElement("material");
       if (m == nullptr || has_look(*m) || known.contains(attribute_of(*m, "name"))) continue;
-      if (told.insert(attribute_of(*m, "name")).second) {
+      if (warned.insert(attribute_of(*m, "name")).second) {
         warnings.push_back(fmt::format("link {}: no material '{}' is defined: grey is used",
                                        attribute_of(*link, "name"), attribute_of(*m, "name")));
       }

@@ -9,8 +9,8 @@ namespace {
 
 TEST(Spawner, AddsTheLeastSpreadAndTakesWhatItIsTold) {
   Spawner spawner({0.3, 0.4}, {}, 1);
-  const Eigen::Matrix3d told = Eigen::Vector3d(0.16, 0.0, 0.09).asDiagonal();
-  const Hypothesis h = spawner.spawn({{1.0, 2.0, 0.5}, told}, -7.0, {-3.0, 0.6});
+  const Eigen::Matrix3d stated = Eigen::Vector3d(0.16, 0.0, 0.09).asDiagonal();
+  const Hypothesis h = spawner.spawn({{1.0, 2.0, 0.5}, stated}, -7.0, {-3.0, 0.6});
   EXPECT_EQ(h.belief.mean, (SE2{1.0, 2.0, 0.5}));
   EXPECT_NEAR(h.belief.covariance(0, 0), 0.25, 1e-12);
   EXPECT_NEAR(h.belief.covariance(1, 1), 0.09, 1e-12);

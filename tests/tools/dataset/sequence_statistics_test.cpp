@@ -7,9 +7,9 @@
 namespace castaway::testbed {
 namespace {
 
-OdometryFrame odometry_at(double x, double told) {
+OdometryFrame odometry_at(double x, double odometry_x) {
   OdometryFrame frame;
-  frame.odometry = {localization::from_seconds(x), {told, 0.0, 0.0}};
+  frame.odometry = {localization::from_seconds(x), {odometry_x, 0.0, 0.0}};
   frame.T_map_base_true = SE2{x, 1.0, 0.0};
   return frame;
 }

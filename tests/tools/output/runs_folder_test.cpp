@@ -150,8 +150,8 @@ TEST(FreeRunsFolder, KeepsRunsWithOtherSettingsApart) {
   const TemporaryFolder temporary;
   const OutputRequest request = runs_request(temporary.path() / "lab");
   write_run_of_many(temporary.path() / "lab", seeds(2)[1]);
-  EXPECT_EQ(told_free_runs_folder(request, seeds(2)), temporary.path() / "lab");
-  EXPECT_EQ(told_free_runs_folder(request, seeds(2, "t")), temporary.path() / "lab-all");
+  EXPECT_EQ(announced_free_runs_folder(request, seeds(2)), temporary.path() / "lab");
+  EXPECT_EQ(announced_free_runs_folder(request, seeds(2, "t")), temporary.path() / "lab-all");
 }
 
 }  // namespace

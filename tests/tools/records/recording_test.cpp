@@ -9,20 +9,20 @@
 namespace castaway::testbed {
 namespace {
 
-std::string whole() {
+std::string packed() {
   return pack_recording({{"map", map_header(recorded_map())}},
                         {{"map", pack_cells(recorded_map())}, {"b", "bytes"}, {"none", ""}});
 }
 
 TEST(Recording, IsTakenApartAsItWasPutTogether) {
-  const Recording recording = unpack_recording(whole());
+  const Recording recording = unpack_recording(packed());
   EXPECT_EQ(recording.sections.at("b"), "bytes");
   EXPECT_EQ(recording.sections.at("none"), "");
   EXPECT_EQ(recording.sections.at("map"), std::string("\x01\x02\x00\x02\x65\x01\x3d\x01", 8));
 }
 
 TEST(Recording, KeepsItsMap) {
-  const RosMap map = map_of(unpack_recording(whole()));
+  const RosMap map = map_of(unpack_recording(packed()));
   EXPECT_EQ(map.name, "small");
   EXPECT_EQ(map.width, 3);
   EXPECT_EQ(map.height, 2);
@@ -33,7 +33,7 @@ TEST(Recording, KeepsItsMap) {
   EXPECT_EQ(map.cells, recorded_map().cells);
 }
 
-TEST(Recording, IsTheSameForTheSame) { EXPECT_EQ(whole(), whole()); }
+TEST(Recording, IsTheSameForTheSame) { EXPECT_EQ(packed(), whole()); }
 
 TEST(Recording, RefusesWhatIsNone) {
   const auto error = [](const std::string& bytes) {

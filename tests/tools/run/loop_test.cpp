@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-/// Plays a list of frames and records what it is told.
+/// Plays a list of frames and records the poses it is given.
 class ListSource final : public SensorSource {
  public:
   explicit ListSource(std::vector<Frame> frames) : frames_(std::move(frames)) {}
@@ -17,7 +17,7 @@ class ListSource final : public SensorSource {
     if (next_ == frames_.size()) return std::nullopt;
     return frames_[next_++];
   }
-  void set_drive_pose(const std::optional<SE2>& pose) override { told.push_back(pose); }
+  void set_drive_pose(const std::optional<SE2>& pose) override { driven.push_back(pose); }
   void set_watched_pose(const std::optional<SE2>& pose) override { watched.push_back(pose); }
   [[nodiscard]] std::optional<SE2> start_pose() const override { return SE2{}; }
   [[nodiscard]] Stamp duration() const override { return Stamp(1000); }
@@ -25,7 +25,7 @@ class ListSource final : public SensorSource {
     return {{"physics", std::chrono::seconds(2)}};
   }
   [[nodiscard]] std::vector<std::string> warnings() const override { return {}; }
-  std::vector<std::optional<SE2>> told;
+  std::vector<std::optional<SE2>> driven;
   std::vector<std::optional<SE2>> watched;
 
  private:
@@ -154,7 +154,7 @@ TEST_F(LoopTest, TakesNoAnswerForADroppedScan) {
 }
 
 TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
-  localizers_.push_back({"told", std::make_unique<test::DeadReckoning>(), true});
+  localizers_.push_back({"driven", std::make_unique<test::DeadReckoning>(), true});
   const Frame kidnap{Stamp(7), RunEvent{Stamp(7), EventKind::kKidnap, "", {}, {}}};
   const Frame collision{Stamp(3), RunEvent{Stamp(3), EventKind::kCollision, "", {}, {}}};
   ListSource source({odometry(0, {}), collision, scan(5, {}), kidnap, scan(10, {})});
@@ -168,15 +168,15 @@ TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
 TEST_F(LoopTest, DrivesByALocalizersOutputCarriedOnByOdometry) {
   config_.drive_by = "dead_reckoning";
   Loop(config_, localizers_, sinks_).run(source_);
-  ASSERT_EQ(source_.told.size(), 3U);
-  EXPECT_FALSE(source_.told[0]);
-  EXPECT_EQ(source_.told[2]->x, 8.0);  // 6 at the scan, 2 m by odometry since
+  ASSERT_EQ(source_.driven.size(), 3U);
+  EXPECT_FALSE(source_.driven[0]);
+  EXPECT_EQ(source_.driven[2]->x, 8.0);  // 6 at the scan, 2 m by odometry since
 }
 
 TEST_F(LoopTest, TellsWhereTheWatchedLocalizerIsSureToBe) {
   config_.watch = "dead_reckoning";
   Loop(config_, localizers_, sinks_).run(source_);
-  EXPECT_TRUE(source_.told.empty());
+  EXPECT_TRUE(source_.driven.empty());
   ASSERT_EQ(source_.watched.size(), 3U);
   EXPECT_FALSE(source_.watched[0]);
   EXPECT_EQ(source_.watched[2]->x, 8.0);

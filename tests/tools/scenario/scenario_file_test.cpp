@@ -216,9 +216,9 @@ TEST_F(ScenarioFileTest, WatchesTheFirstLocalizerWhereAKidnapWaitsForOne) {
 TEST_F(ScenarioFileTest, TellsTheLocalizersAWrongPlaceIfAsked) {
   const Scenario scenario = load("{start: {wrong_by: [1, 0, 0.5]}, localizers: [amcl]}").scenario;
   EXPECT_TRUE(scenario.start.known);
-  EXPECT_FALSE(scenario.start.told());
+  EXPECT_FALSE(scenario.start.initializes());
   EXPECT_EQ(scenario.start.wrong_by, Eigen::Vector3d(1.0, 0.0, 0.5));
-  EXPECT_TRUE(load("localizers: [amcl]").scenario.start.told());
+  EXPECT_TRUE(load("localizers: [amcl]").scenario.start.initializes());
   expect_contains(error_of("{start: {known: false, wrong_by: [1, 0, 0]}, localizers: [amcl]}"),
                   "known");
 }

@@ -148,9 +148,9 @@ TEST_F(BagSinkTest, PutsTheFirstLocalizerIntoTheTree) {
 }
 
 TEST_F(BagSinkTest, TellsFixedFramesAndTheirChanges) {
-  BagConfig told = config();
-  told.lidars[0].T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);
-  write(told);
+  BagConfig stated = config();
+  stated.lidars[0].T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);
+  write(stated);
   const auto frames = messages_of<ros::TFMessage>(folder(), "/tf_static");
   ASSERT_EQ(frames.size(), 2U);  // At the start, and at the first scan, whose mount differs.
   ASSERT_EQ(frames[1].transforms.size(), 2U);

@@ -59,7 +59,7 @@ struct StartSpec {
   Eigen::Vector3d wrong_by{0.0, 0.0, 0.0};
 
   /// Whether the localizers are given the true start pose.
-  [[nodiscard]] bool told() const { return known && wrong_by.isZero(0.0); }
+  [[nodiscard]] bool initializes() const { return known && wrong_by.isZero(0.0); }
 };
 
 /// The route or the commands that a robot follows.

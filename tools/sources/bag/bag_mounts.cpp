@@ -18,10 +18,10 @@ void BagMounts::set_base_frame(const std::string& frame) {
 bool BagMounts::mount(LaserScan& scan, const std::string& lidar_frame) const {
   const auto mount = base_frame_.empty() ? std::nullopt : tree_.between(base_frame_, lidar_frame);
   if (!mount) return false;
-  const auto told = stated_.find(scan.lidar);
-  const bool same = told != stated_.end() &&
-                    (told->second.matrix() - mount->matrix()).cwiseAbs().maxCoeff() < kSameMount;
-  scan.T_base_laser = same ? told->second : *mount;
+  const auto stated = stated_.find(scan.lidar);
+  const bool same = stated != stated_.end() &&
+                    (stated->second.matrix() - mount->matrix()).cwiseAbs().maxCoeff() < kSameMount;
+  scan.T_base_laser = same ? stated->second : *mount;
   return true;
 }
 
