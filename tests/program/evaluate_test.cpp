@@ -35,6 +35,20 @@ TEST(Evaluate, JudgesALocalizerOnALog) {
   EXPECT_TRUE(rows[0].at("false_alarms_per_h").is_number());
 }
 
+TEST(Evaluate, SplicesKidnapsToLookAlikesWithSeveralWorkers) {
+  const fs::path folder = fresh_folder();
+  testbed::write_office(testbed::recorded_office(100), folder / "office");
+  const std::string arguments =
+      "evaluate office --starts 0 --kidnaps 3 --window 4 --no-tracking --json --kidnap-to ";
+  const Outcome far = castaway(folder, arguments + "far");
+  const Outcome alike = castaway(folder, arguments + "look-alike -j 2");
+  ASSERT_EQ(alike.exit_code, 0) << alike.err;
+  const Json row = Json::parse(alike.out).at(0);
+  EXPECT_EQ(row.at("/kidnaps/trials"_json_pointer), 3);
+  EXPECT_NE(Json::parse(far.out).at(0).at("calibration"), row.at("calibration"));
+  expect_refused(castaway(folder, arguments + "twin"), {"--kidnap-to", "look-alike"});
+}
+
 TEST(Evaluate, PrintsALineForEveryLocalizer) {
   const fs::path folder = fresh_folder();
   testbed::write_office(testbed::recorded_office(60), folder / "office");

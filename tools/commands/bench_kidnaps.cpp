@@ -1,11 +1,13 @@
 // castaway bench kidnaps: random kidnaps in the simulator, with and without people.
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/bench.hpp"
+#include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/play/progress.hpp"
@@ -17,11 +19,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const std::map<std::string, sim::KidnapKind> kKinds = {
+    {"teleport", sim::KidnapKind::kTeleportRandom},
+    {"look-alike", sim::KidnapKind::kLookAlike},
+    {"nudge", sim::KidnapKind::kNudge},
+    {"turn", sim::KidnapKind::kTurn}};
+
 constexpr double kDegrees = 57.29577951308232;
 
 /// Arguments of the command.
 struct KidnapArguments {
   KidnapTrialConfig trials;
+  std::string kind = "teleport";
   int kidnaps = 200;
   std::vector<int> obstacles;
   double within_s = 10.0;
@@ -49,9 +58,9 @@ std::string count(const std::vector<double>& sample) {
 }
 
 void print_header() {
-  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>7}\n", "obstacles",
+  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "obstacles",
              "", "right within", "mean, p95, worst", "confident", "alarm", "noticed", "tracking",
-             "wrong");
+             "wrong, longest");
 }
 
 void print_batch(const KidnapBatch& batch) {
@@ -65,10 +74,10 @@ void print_batch(const KidnapBatch& batch) {
                                      ? fmt::format("{:.4f} m, {:.2f} deg", row.tracking->position_m,
                                                    kDegrees * row.tracking->yaw_rad)
                                      : "-";
-    fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>7}\n", "",
+    fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "",
                row.localizer, rate(row.recovered, batch.kidnaps), times(row.recovered_s),
                count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
-               fmt::format("{:.2f} %", 100.0 * row.wrong_share));
+               fmt::format("{:.2f} %, {:.1f} s", 100.0 * row.wrong_share, row.longest_wrong_s));
   }
   if (batch.voids > 0) {
     fmt::print("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
@@ -130,7 +139,9 @@ Json to_json(const KidnapBatch& batch) {
            {"confident_s", times_json(row.confident_s)},
            {"alarm_s", times_json(row.alarm_s)},
            {"noticed_s", times_json(row.noticed_s)},
-           {"wrong_lock_share", row.wrong_share}};
+           {"wrong_lock_share", row.wrong_share},
+           {"longest_wrong_lock_s", row.longest_wrong_s},
+           {"calibration", to_json(row.calibration)}};
     out["tracking_m"] = row.tracking ? Json(row.tracking->position_m) : Json();
     out["tracking_yaw_rad"] = row.tracking ? Json(row.tracking->yaw_rad) : Json();
   }
@@ -154,6 +165,7 @@ int bench_kidnaps(KidnapArguments arguments) {
   std::vector<LocalizerSpec> specs;
   for (const std::string& name : arguments.localizers) specs.push_back(parse_localizer(name));
   arguments.localizers = names_of(specs);
+  arguments.trials.kind = kKinds.at(arguments.kind);
   const KidnapTrials trials(arguments.trials);
   auto batches = Json::array();
   int voids = 0;
@@ -179,6 +191,22 @@ void add_bench_kidnaps(Command& bench) {
           "--world", a->trials.world,
           "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of similar rooms")
       .show_default();
+  command.add_option("--kind", a->kind, "Kind of the kidnaps")
+      .one_of({"teleport", "look-alike", "nudge", "turn"})
+      .show_default();
+  command
+      .add_option("--min-distance", a->trials.min_distance_m,
+                  "Least distance of a teleport or a look-alike [m]")
+      .range(0.0, 1e4)
+      .show_default();
+  command
+      .add_option("--lidar", a->trials.lidar,
+                  "A profile of castaway lidars, or robot: the Waffle's with 12 m and 10 Hz")
+      .show_default();
+  command.add_option("--range-max", a->trials.range_max, "Replaces the lidar's [m]")
+      .range(0.1, 1e4);
+  command.add_option("--fov", a->trials.fov_deg, "Replaces the lidar's field of view [deg]")
+      .range(1.0, 360.0);
   command.add_option("--kidnaps", a->kidnaps, "Trials of each batch")
       .range(1, 100000)
       .show_default();
@@ -210,6 +238,7 @@ void add_bench_kidnaps(Command& bench) {
       "whole map by the first whole scan alone.\n"
       "Examples:\n"
       "  castaway bench kidnaps --kidnaps 300\n"
+      "  castaway bench kidnaps --world hall --kind look-alike --min-distance 1 --lidar urg-04lx\n"
       "  castaway bench kidnaps --world office --obstacles 0 --obstacles 6 --obstacles 12");
   command.action([a] { return bench_kidnaps(*a); });
 }

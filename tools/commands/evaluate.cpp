@@ -23,6 +23,7 @@ struct EvaluateArguments {
   std::vector<std::string> folders;
   std::vector<std::string> localizers;
   EvaluationConfig config;
+  std::string kidnap_to = "far";
   bool json = false;
 };
 
@@ -57,8 +58,8 @@ void print_evaluation_header() {
 
 void print_row(const EvaluationRow& row) {
   const std::string tracking = row.tracking_m
-                                   ? fmt::format("{:.3f} m, {:.1f} deg", row.tracking_m->mean,
-                                                 row.tracking_yaw->mean * 57.29577951308232)
+                                   ? fmt::format("{:.3f} m, {:.1f} deg", *row.tracking_m,
+                                                 *row.tracking_yaw_rad * 57.29577951308232)
                                    : "-";
   const double wrong =
       row.scans > 0 ? 100.0 * static_cast<double>(row.wrong_scans) / static_cast<double>(row.scans)
@@ -72,44 +73,14 @@ void print_row(const EvaluationRow& row) {
               figure_text(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
               fmt::format("{:.1f} s", row.longest_wrong_s),
               figure_text(row.calibration.brier(), "{:.3f}"),
-              fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms, row.cpu_max_ms)});
-}
-
-nlohmann::ordered_json to_json(const EvaluationRow& row) {
-  const auto trials = [](const TrialSummary& t) {
-    const RateInterval interval = wilson_interval(t.recovered, t.trials);
-    return nlohmann::ordered_json{{"trials", t.trials},
-                                  {"recovered", t.recovered},
-                                  {"interval", {interval.low, interval.high}},
-                                  {"time_s", t.time_s},
-                                  {"distance_m", t.distance_m}};
-  };
-  nlohmann::ordered_json json = {{"log", row.log},
-                                 {"localizer", row.localizer},
-                                 {"starts", trials(row.starts)},
-                                 {"kidnaps", trials(row.kidnaps)},
-                                 {"scans", row.scans},
-                                 {"wrong_scans", row.wrong_scans},
-                                 {"longest_wrong_s", row.longest_wrong_s},
-                                 {"calibration", to_json(row.calibration)},
-                                 {"detection_delay_s", row.detection_delay_s},
-                                 {"false_alarms", row.false_alarms},
-                                 {"watched_s", row.watched_s},
-                                 {"cpu_mean_ms", row.cpu_mean_ms},
-                                 {"cpu_max_ms", row.cpu_max_ms}};
-  const auto alarms = false_alarms_per_h(row);
-  json["false_alarms_per_h"] = alarms ? nlohmann::ordered_json(*alarms) : nullptr;
-  if (row.tracking_m) {
-    json["tracking_m"] = row.tracking_m->mean;
-    json["tracking_yaw_rad"] = row.tracking_yaw->mean;
-  }
-  return json;
+              fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms(), row.cpu_max_ms)});
 }
 
 int evaluate_logs(EvaluateArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
   std::vector<LocalizerSpec> specs;
   for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
+  arguments.config.kidnap_to = parse_splice_kind(arguments.kidnap_to);
   validate(arguments.config);
   auto rows = nlohmann::ordered_json::array();
   if (!arguments.json) print_evaluation_header();
@@ -146,10 +117,17 @@ void add_evaluate_command(Command& app) {
   command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
       .range(0, 100000)
       .show_default();
+  command
+      .add_option("--kidnap-to", a->kidnap_to,
+                  "Where kidnaps lead from the place before: far (half a log away), near (the "
+                  "nearest other place), look-alike (the other place with the most similar scan)")
+      .one_of({std::begin(kSpliceKinds), std::end(kSpliceKinds)})
+      .show_default();
   command.add_option("--window", config.window_s, "Length of a trial [s]")
       .range(0.1, 1e6)
       .show_default();
   command.add_option("--seed", config.seed, "Seed of the stress").show_default();
+  command.add_option("-j,--jobs", config.workers, "Trials at a time").range(1, 1024).show_default();
   command.add_flag("!--no-tracking", config.tracking,
                    "Skip tracking of the whole log from its true start");
   command.add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");

@@ -8,8 +8,13 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/evaluate/rows_sink.hpp"
+#include "tools/metrics/localizer_metrics.hpp"
+#include "tools/metrics/statistics/wrong_time.hpp"
+#include "tools/output/exit_code.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
+#include "tools/workers/worker_notes.hpp"
+#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -99,89 +104,107 @@ void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
 
 /// Counts scans that are wrong without the alarm, from the kidnap or start on.
 void add_wrong_scans(const RowsOfRun& rows, EvaluationRow& row) {
-  const Stamp begin = begin_of(rows);
-  bool was_wrong = false;
-  Stamp wrong_since{};
+  WrongTime wrong_time;
   for (const MetricRow& scan : rows.rows) {
-    if (scan.stamp < begin || !scan.T_map_base_true) continue;
+    if (scan.stamp < begin_of(rows) || !scan.T_map_base_true) continue;
     ++row.scans;
     const bool wrong = scan.T_map_base_estimate && !scan.lost && !is_right(scan, {});
-    if (wrong) {
-      ++row.wrong_scans;
-      if (!was_wrong) wrong_since = scan.stamp;
-      row.longest_wrong_s =
-          std::max(row.longest_wrong_s, localization::seconds(scan.stamp - wrong_since));
-    }
-    was_wrong = wrong;
+    if (wrong) ++row.wrong_scans;
+    wrong_time.take(scan.stamp, wrong);
+  }
+  row.longest_wrong_s = wrong_time.longest_s();
+}
+
+void add_cpu(const RowsOfRun& rows, EvaluationRow& row) {
+  for (const double ms : rows.update_ms) {
+    row.cpu_total_ms += ms;
+    row.cpu_max_ms = std::max(row.cpu_max_ms, ms);
+    ++row.updates;
   }
 }
 
-/// Sums the CPU time of scans.
-struct CpuSum {
-  double total_ms = 0.0;
-  double max_ms = 0.0;
-  std::int64_t scans = 0;
-
-  void add(const RowsOfRun& rows) {
-    for (const double ms : rows.update_ms) {
-      total_ms += ms;
-      max_ms = std::max(max_ms, ms);
-      ++scans;
-    }
-  }
-};
-
-/// The scan half a log away, so that a kidnap leads far, but early enough to track for `lead`
-/// scans.
-std::size_t far_from(std::size_t place, std::size_t scans, std::size_t lead) {
-  const std::size_t half = place < scans / 2 ? place + scans / 2 : place - scans / 2;
-  return std::min(half, scans > lead ? scans - lead - 1 : 0);
+/// Adds an unknown start or a kidnap to `row`, and to its summary `trials`.
+void add_scored(const RowsOfRun& rows, bool known_start, TrialSummary& trials, EvaluationRow& row) {
+  const LocalizerMetrics metrics =
+      measure(rows.rows, rows.events, known_start, rows.end, RecoveryConfig{.min_left = Stamp{}});
+  add_trial(metrics, trials);
+  add_detection(metrics, row);
+  add_alarms(metrics, row);
+  add_wrong_scans(rows, row);
+  add_calibration(rows, row);
+  add_cpu(rows, row);
 }
 
-/// Accumulates the trials of one localizer on one log.
-struct Score {
-  EvaluationRow row;
-  CpuSum cpu;
-
-  void add(const RowsOfRun& rows, bool known_start, TrialSummary& summary) {
-    const LocalizerMetrics metrics =
-        measure(rows.rows, rows.events, known_start, rows.end, RecoveryConfig{.min_left = Stamp{}});
-    add_trial(metrics, summary);
-    add_detection(metrics, row);
-    add_alarms(metrics, row);
-    add_wrong_scans(rows, row);
-    add_calibration(rows, row);
-    cpu.add(rows);
-  }
-};
-
-void try_starts(const Evaluator& evaluator, const Frames& frames, const EvaluationConfig& config,
-                const std::function<void()>& on_trial, Score& score) {
-  const std::size_t scans = scan_positions(frames).size();
+EvaluationRow try_start(const Evaluator& evaluator, const Frames& frames,
+                        const EvaluationConfig& config, int k) {
+  const std::size_t first = place_of(scan_positions(frames).size(), k, config.starts);
   const Stamp window = localization::from_seconds(config.window_s);
-  for (int k = 0; k < config.starts; ++k) {
-    const std::size_t first = place_of(scans, k, config.starts);
-    const auto seed = static_cast<std::uint64_t>(k) + 1;
-    const RowsOfRun rows = evaluator.run({stretch(frames, first, window), false, seed});
-    score.add(rows, false, score.row.starts);
-    on_trial();
-  }
+  const auto seed = static_cast<std::uint64_t>(k) + 1;
+  EvaluationRow row;
+  add_scored(evaluator.run({stretch(frames, first, window), false, seed}), false, row.starts, row);
+  return row;
 }
 
-void try_kidnaps(const Evaluator& evaluator, const Frames& frames, const EvaluationConfig& config,
-                 const std::function<void()>& on_trial, Score& score) {
-  const std::size_t scans = scan_positions(frames).size();
-  const auto lead = static_cast<std::size_t>(config.scans_before_kidnap);
-  for (int k = 0; k < config.kidnaps; ++k) {
-    Splice at;
-    at.to = place_of(scans, k, config.kidnaps);
-    at.from_first = far_from(at.to, scans, lead);
-    at.from = std::min(at.from_first + lead, scans - 1);
-    at.window = localization::from_seconds(config.window_s);
-    const auto seed = static_cast<std::uint64_t>(k) + 1001;
-    score.add(evaluator.run({splice(frames, at), true, seed}), true, score.row.kidnaps);
+EvaluationRow try_kidnap(const Evaluator& evaluator, const Frames& frames,
+                         const EvaluationConfig& config, int k) {
+  SpliceConfig choice;
+  choice.kind = config.kidnap_to;
+  choice.lead = static_cast<std::size_t>(config.scans_before_kidnap);
+  choice.range_max = config.stress.range_max;
+  Splice at =
+      choose_splice(frames, place_of(scan_positions(frames).size(), k, config.kidnaps), choice);
+  at.window = localization::from_seconds(config.window_s);
+  const auto seed = static_cast<std::uint64_t>(k) + 1001;
+  EvaluationRow row;
+  add_scored(evaluator.run({splice(frames, at), true, seed}), true, row.kidnaps, row);
+  return row;
+}
+
+EvaluationRow try_tracking(const Evaluator& evaluator, const Frames& frames) {
+  const RowsOfRun rows = evaluator.run({stretch(frames, 0, Stamp::max()), true, 1});
+  const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
+  EvaluationRow row;
+  if (metrics.position_error_m) row.tracking_m = metrics.position_error_m->mean;
+  if (metrics.yaw_error_rad) row.tracking_yaw_rad = metrics.yaw_error_rad->mean;
+  add_alarms(metrics, row);
+  return row;
+}
+
+using TrialByIndex = std::function<EvaluationRow(int)>;
+
+/// Runs the trials in worker processes. Returns their results in order.
+std::vector<EvaluationRow> run_at_once(int trials, int workers, const TrialByIndex& run_trial,
+                                       const std::function<void()>& on_trial) {
+  std::vector<std::optional<EvaluationRow>> found(static_cast<std::size_t>(trials));
+  WorkerNotes notes;
+  const auto job = [&](int index) {
+    notes.leave(std::to_string(index) + " " + pack_row(run_trial(index)));
+    return static_cast<int>(kDone);
+  };
+  run_jobs(trials, workers, job, [&](int, int) {
+    for (const std::string& note : notes.take()) {
+      const std::size_t space = note.find(' ');
+      found.at(std::stoul(note.substr(0, space))) = unpack_row(note.substr(space + 1));
+    }
+    on_trial();
+  });
+  std::vector<EvaluationRow> rows;
+  for (std::optional<EvaluationRow>& row : found) {
+    if (!row) throw std::runtime_error("a trial failed in its process; run with -j 1 to see why");
+    rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+std::vector<EvaluationRow> run_all(int trials, int workers, const TrialByIndex& run_trial,
+                                   const std::function<void()>& on_trial) {
+  if (workers > 1) return run_at_once(trials, workers, run_trial, on_trial);
+  std::vector<EvaluationRow> rows;
+  for (int i = 0; i < trials; ++i) {
+    rows.push_back(run_trial(i));
     on_trial();
   }
+  return rows;
 }
 
 }  // namespace
@@ -191,41 +214,33 @@ void validate(const EvaluationConfig& config) {
     throw std::invalid_argument("starts and kidnaps must not be negative");
   }
   if (!(config.window_s > 0.0)) throw std::invalid_argument("the window must be positive");
+  if (config.workers < 1) throw std::invalid_argument("the number of workers must be positive");
   validate(config.stress);
-}
-
-std::optional<double> false_alarms_per_h(const EvaluationRow& row) {
-  if (row.watched_s <= 0.0) return std::nullopt;
-  return row.false_alarms * 3600.0 / row.watched_s;
 }
 
 EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localizer,
                        const EvaluationConfig& config, const std::function<void()>& on_trial) {
   validate(config);
   const Evaluator evaluator(place, localizer, config);
-  Score score;
-  EvaluationRow& row = score.row;
-  row.log = place.name;
-  row.localizer = localizer.name;
-  try_starts(evaluator, place.frames, config, on_trial, score);
-  try_kidnaps(evaluator, place.frames, config, on_trial, score);
-  if (config.tracking) {
-    const RowsOfRun rows = evaluator.run({stretch(place.frames, 0, Stamp::max()), true, 1});
-    const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
-    row.tracking_m = metrics.position_error_m;
-    row.tracking_yaw = metrics.yaw_error_rad;
-    add_alarms(metrics, row);
-    on_trial();
+  const auto run_trial = [&](int index) {
+    if (index < config.starts) return try_start(evaluator, place.frames, config, index);
+    const int kidnap = index - config.starts;
+    if (kidnap < config.kidnaps) return try_kidnap(evaluator, place.frames, config, kidnap);
+    return try_tracking(evaluator, place.frames);
+  };
+  const int trials = config.starts + config.kidnaps + (config.tracking ? 1 : 0);
+  EvaluationRow sum;
+  sum.log = place.name;
+  sum.localizer = localizer.name;
+  for (const EvaluationRow& row : run_all(trials, config.workers, run_trial, on_trial)) {
+    add(row, sum);
   }
-  for (TrialSummary* summary : {&row.starts, &row.kidnaps}) {
-    std::sort(summary->time_s.begin(), summary->time_s.end());
-    std::sort(summary->distance_m.begin(), summary->distance_m.end());
+  for (std::vector<double>* values :
+       {&sum.starts.time_s, &sum.starts.distance_m, &sum.kidnaps.time_s, &sum.kidnaps.distance_m,
+        &sum.detection_delay_s}) {
+    std::sort(values->begin(), values->end());
   }
-  std::sort(row.detection_delay_s.begin(), row.detection_delay_s.end());
-  const CpuSum& cpu = score.cpu;
-  row.cpu_mean_ms = cpu.scans > 0 ? cpu.total_ms / static_cast<double>(cpu.scans) : 0.0;
-  row.cpu_max_ms = cpu.max_ms;
-  return row;
+  return sum;
 }
 
 }  // namespace castaway::testbed

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "tools/evaluate/evaluation_row.hpp"
+#include "tools/evaluate/spliced_kidnap.hpp"
 #include "tools/evaluate/stress.hpp"
-#include "tools/metrics/localizer_metrics.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -20,44 +21,15 @@ struct EvaluationConfig {
   double window_s = 60.0;        ///< [s] Length of every start trial, and of the part of a kidnap
                                  ///< trial after the kidnap.
   int scans_before_kidnap = 30;  ///< Scans tracked from a known start before a kidnap.
-  bool tracking = true;          ///< Also track the whole log from its true start.
+  SpliceKind kidnap_to = SpliceKind::kFar;
+  bool tracking = true;  ///< Also track the whole log from its true start.
   StressConfig stress;
   std::uint64_t seed = 1;
+  int workers = 1;  ///< Number of trials at once, each in a process of its own if above 1.
 };
 
 /// Throws std::invalid_argument if a value is out of range.
 void validate(const EvaluationConfig& config);
-
-/// Summary of the trials of one kind.
-struct TrialSummary {
-  int trials = 0;
-  int recovered = 0;
-  std::vector<double> time_s;      ///< [s] Times of the recoveries, ascending.
-  std::vector<double> distance_m;  ///< [m] Distances driven until the recoveries, ascending.
-};
-
-/// Results of one localizer on one log.
-struct EvaluationRow {
-  std::string log;
-  std::string localizer;
-  std::optional<Statistics> tracking_m;    ///< [m] Position error from the true start.
-  std::optional<Statistics> tracking_yaw;  ///< [rad]
-  TrialSummary starts;
-  TrialSummary kidnaps;
-  std::int64_t scans = 0;                 ///< Scored scans of starts and kidnaps.
-  std::int64_t wrong_scans = 0;           ///< Scans of these that are wrong without the alarm.
-  double longest_wrong_s = 0.0;           ///< [s] Longest uninterrupted time of such scans.
-  Calibration calibration;                ///< Over the same scans, if they have an estimate.
-  std::vector<double> detection_delay_s;  ///< [s] From each kidnap to the alarm or the right pose,
-                                          ///< ascending.
-  int false_alarms = 0;      ///< Alarms while right, in all trials and tracking together.
-  double watched_s = 0.0;    ///< [s] Time in which no alarm was due.
-  double cpu_mean_ms = 0.0;  ///< [ms] Mean CPU time per scan, over starts and kidnaps.
-  double cpu_max_ms = 0.0;   ///< [ms] Maximum CPU time of a scan.
-};
-
-/// False alarms per hour of watched time; nothing if no time was watched.
-std::optional<double> false_alarms_per_h(const EvaluationRow& row);
 
 /// A log with its map.
 struct RecordedPlace {
@@ -73,8 +45,9 @@ struct RecordedPlace {
 /// missing.
 RecordedPlace load_recorded_place(const std::string& folder);
 
-/// Runs all trials of one localizer. Trials begin at evenly spaced scans; a kidnap jumps from a
-/// place half a log away. `on_trial` is called after each trial.
+/// Runs all trials of one localizer. Trials begin at evenly spaced scans; kidnaps lead to these
+/// scans. `on_trial` is called after each trial. The results, except for CPU times, do not depend
+/// on the number of workers. Throws std::runtime_error if a worker fails.
 EvaluationRow evaluate(
     const RecordedPlace& place, const LocalizerSpec& localizer, const EvaluationConfig& config,
     const std::function<void()>& on_trial = [] {});

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "tools/metrics/recovery.hpp"
+#include "tools/metrics/statistics/wrong_time.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -19,13 +20,18 @@ void add_scan(const MetricRow& row, bool answered, bool right, double since,
 
 void add_scans(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
                const RecoveryConfig& config, KidnapOutcome& outcome) {
+  WrongTime wrong_time;
   for (const MetricRow& row : rows) {
     const auto error = pose_error(row);
     if (error && !window.is_lost_at(row.stamp)) outcome.tracking.push_back(*error);
     if (row.stamp < window.begin || !row.T_map_base_true) continue;
     const double since = seconds(row.answered() - window.begin);
-    add_scan(row, error.has_value(), is_right(row, config), since, outcome);
+    const bool right = is_right(row, config);
+    add_scan(row, error.has_value(), right, since, outcome);
+    if (error) outcome.calibration.add(row.probability, right);
+    wrong_time.take(row.stamp, error && !row.lost && !right);
   }
+  outcome.longest_wrong_s = wrong_time.longest_s();
 }
 
 void keep(const std::optional<double>& time, std::vector<double>& times) {
@@ -66,6 +72,8 @@ KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer
     tracking.add(outcome.tracking);
     scans += outcome.scans;
     wrong += outcome.wrong;
+    row.longest_wrong_s = std::max(row.longest_wrong_s, outcome.longest_wrong_s);
+    row.calibration.add(outcome.calibration);
   }
   for (auto* times : {&row.recovered_s, &row.confident_s, &row.alarm_s, &row.noticed_s}) {
     std::sort(times->begin(), times->end());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/metrics/calibration.hpp"
 #include "tools/metrics/run_rows.hpp"
 #include "tools/metrics/void_run.hpp"
 
@@ -22,6 +23,8 @@ struct KidnapOutcome {
                                       ///< recovery.
   int scans = 0;                      ///< Scans after the kidnap whose truth is known.
   int wrong = 0;                      ///< Scans of these that are wrong without the alarm.
+  double longest_wrong_s = 0.0;       ///< [s] Longest uninterrupted time of such scans.
+  Calibration calibration{};          ///< Over the scans after the kidnap.
 };
 
 /// Evaluates the rows of one localizer in a trial that has a known start and one kidnap and ends at
@@ -59,6 +62,8 @@ struct KidnapRow {
   std::optional<PoseError> tracking;  ///< Mean over all trials' scans.
   double wrong_share = 0.0;           ///< In [0, 1]: share of the scans after the kidnaps that are
                                       ///< wrong without the alarm.
+  double longest_wrong_s = 0.0;       ///< [s] Longest uninterrupted time of such scans.
+  Calibration calibration;            ///< Over the scans after the kidnaps.
 };
 
 /// Summary of the trials with one number of obstacles.

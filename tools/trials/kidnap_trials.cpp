@@ -30,7 +30,11 @@ PreparedSimulation prepare(const KidnapTrialConfig& config) {
   validate(config);
   Scenario scenario;
   scenario.world.file = config.world;
-  scenario.lidars.front().set("rate_hz", 10.0).set("range_max", 12.0);
+  LidarSpec& lidar = scenario.lidars.front();
+  if (config.lidar == "robot") lidar.set("rate_hz", 10.0).set("range_max", 12.0);
+  lidar.profile = config.lidar;
+  if (config.range_max) lidar.set("range_max", *config.range_max);
+  if (config.fov_deg) lidar.set("fov_deg", *config.fov_deg);
   scenario.drive.route = "none";
   return config.world == "office" ? build_simulation(scenario, ".", draw_office())
                                   : build_simulation(scenario, ".");
@@ -55,7 +59,8 @@ bool can_drive(const sim::SimulationConfig& config) {
   const sim::KidnapSpec& kidnap = config.kidnaps.front();
   const sim::FreeSpace free(sim::drive_grid(config),
                             config.robot.footprint_radius + kidnap.margin_m);
-  return free.contains(config.start.position()) && free.contains(kidnap.target->position());
+  return free.contains(config.start.position()) &&
+         (!kidnap.target || free.contains(kidnap.target->position()));
 }
 
 }  // namespace
@@ -67,6 +72,9 @@ void validate(const KidnapTrialConfig& config) {
   require(config.lead_s >= kLeadSpread, "the lead must be at least half a second");
   require(config.window_s > 0.0, "the window must be positive");
   require(config.min_distance_m >= 0.0, "the distance of a kidnap must not be negative");
+  require(config.kind != sim::KidnapKind::kTeleportTo && config.kind != sim::KidnapKind::kCarry &&
+              config.kind != sim::KidnapKind::kSpin,
+          "trials have kidnaps of the kinds teleport, look_alike, nudge and turn");
   require(config.near_m > 0.0 && config.far_m > config.near_m, "need 0 < near_m < far_m");
 }
 
@@ -81,8 +89,11 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
   const double way =
       sim::limits_of(base.drive, base.robot).max_speed * (config_.lead_s + kLeadSpread);
   sim::KidnapSpec kidnap;
-  kidnap.kind = sim::KidnapKind::kTeleportTo;
   kidnap.when.value = config_.lead_s + sim::draw_between(-kLeadSpread, kLeadSpread, rng);
+  kidnap.min_distance_m = config_.min_distance_m;
+  kidnap.kind = config_.kind;
+  if (kidnap.kind != sim::KidnapKind::kTeleportRandom) return kidnap;
+  kidnap.kind = sim::KidnapKind::kTeleportTo;
   kidnap.target =
       sample_pose(robot_space_.sample(rng, start.position(), config_.min_distance_m + way));
   return kidnap;
@@ -125,6 +136,9 @@ bool KidnapTrials::add_people(int count, sim::Rng& rng, sim::SimulationConfig& c
 KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   sim::Rng rng = localization::substream(config_.seed, fmt::format("kidnap/{}", index));
   sim::Rng people = localization::substream(config_.seed, fmt::format("people/{}", index));
+  if (obstacles > 0 && config_.kind != sim::KidnapKind::kTeleportRandom) {
+    throw std::invalid_argument("people stand around the targets of teleports only");
+  }
   KidnapTrial trial{prepared_.config, rng()};
   sim::SimulationConfig& config = trial.simulation;
   config.start = sample_pose(robot_space_.sample(rng));

@@ -11,14 +11,19 @@ namespace castaway::testbed {
 
 /// Parameters of the trials.
 struct KidnapTrialConfig {
-  std::string world = "lab";    ///< A world's name or path, a ROS map's .yaml, or "office".
-  double lead_s = 2.5;          ///< [s] Driving time before the kidnap, plus or minus half a
-                                ///< second.
-  double window_s = 15.0;       ///< [s] Driving time after the kidnap.
-  double min_distance_m = 3.0;  ///< [m] Least distance of the kidnap.
-  double near_m = 0.6;          ///< [m] Least distance of the obstacles from the kidnap's target.
-  double far_m = 4.0;           ///< [m] Greatest distance of the obstacles from the kidnap's
-                                ///< target.
+  std::string world = "lab";  ///< A world's name or path, a ROS map's .yaml, or "office".
+  double lead_s = 2.5;        ///< [s] Driving time before the kidnap, plus or minus half a
+                              ///< second.
+  double window_s = 15.0;     ///< [s] Driving time after the kidnap.
+  sim::KidnapKind kind = sim::KidnapKind::kTeleportRandom;  ///< Or look-alike, nudge, turn.
+  double min_distance_m = 3.0;  ///< [m] Least distance of a kidnap to a random or look-alike place.
+  /// Profile of the lidar; "robot": that of the Waffle with a range of 12 m, 10 Hz.
+  std::string lidar = "robot";
+  std::optional<double> range_max{};  ///< [m] Replaces the lidar's.
+  std::optional<double> fov_deg{};    ///< [deg] Replaces the lidar's.
+  double near_m = 0.6;  ///< [m] Least distance of the obstacles from the kidnap's target.
+  double far_m = 4.0;   ///< [m] Greatest distance of the obstacles from the kidnap's
+                        ///< target.
   std::uint64_t seed = 1;
 };
 
@@ -36,12 +41,13 @@ struct KidnapTrial {
 /// unless there is no room for the obstacles around it.
 class KidnapTrials {
  public:
-  /// Loads world and robot (TurtleBot3 Waffle with a lidar of 12 m and 10 Hz). Throws
+  /// Loads world and robot, a TurtleBot3 Waffle. Throws
   /// std::runtime_error or std::invalid_argument naming what is wrong.
   explicit KidnapTrials(const KidnapTrialConfig& config);
 
-  /// Draws trial `index` with `obstacles` people: cylinders of 0.25 m radius and 1.8 m height that
-  /// are on no map. Throws std::runtime_error if there is no place with room for them.
+  /// Draws trial `index` with `obstacles` people (only around teleports): cylinders of 0.25 m
+  /// radius and 1.8 m height that are on no map. Throws std::runtime_error if there is no place
+  /// with room for them.
   [[nodiscard]] KidnapTrial draw(int index, int obstacles) const;
   /// Map that is given to the localizers.
   [[nodiscard]] const RosMap& map() const { return prepared_.map; }

@@ -63,6 +63,23 @@ TEST(KidnapTrials, RefuseFiguresOutOfTheirRange) {
   EXPECT_THROW(KidnapTrials({.world = "nowhere"}), std::runtime_error);
 }
 
+TEST(KidnapTrials, HaveTheKindAndTheLidarThatAreAskedFor) {
+  const KidnapTrials trials({.lead_s = 0.5,
+                             .window_s = 3.0,
+                             .kind = sim::KidnapKind::kLookAlike,
+                             .min_distance_m = 1.0,
+                             .lidar = "urg-04lx",
+                             .range_max = 5.6});
+  const KidnapTrial trial = trials.draw(0, 0);
+  EXPECT_EQ(trial.simulation.kidnaps[0].kind, sim::KidnapKind::kLookAlike);
+  EXPECT_EQ(trial.simulation.kidnaps[0].min_distance_m, 1.0);
+  EXPECT_EQ(trial.simulation.lidars[0].range_max, 5.6);
+  EXPECT_EQ(trial.simulation.lidars[0].beams, 682);
+  EXPECT_THROW(trials.draw(0, 3), std::invalid_argument);
+  EXPECT_THROW(KidnapTrials({.kind = sim::KidnapKind::kSpin}), std::invalid_argument);
+  EXPECT_EQ(lab().draw(0, 0).simulation.lidars[0].range_max, 12.0);
+}
+
 TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
   const std::vector<LocalizerSpec> specs = {parse_localizer("mh_amcl"), parse_localizer("amcl")};
   int played = 0;

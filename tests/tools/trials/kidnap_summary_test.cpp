@@ -26,6 +26,8 @@ TEST(KidnapOutcome, TimesTheWayBack) {
   EXPECT_DOUBLE_EQ(*outcome.confident_s, 4.5);
   EXPECT_EQ(outcome.scans, 7);
   EXPECT_EQ(outcome.wrong, 1);  // at 3 s; from then on it raises the alarm
+  EXPECT_EQ(outcome.longest_wrong_s, 0.0);
+  EXPECT_EQ(outcome.calibration.scans(), 7);
 }
 
 TEST(KidnapOutcome, CountsTheTimeUpToTheAnswer) {
@@ -46,6 +48,7 @@ TEST(KidnapOutcome, SaysWhatNeverHappened) {
   const KidnapOutcome outcome = outcome_of(rows);
   EXPECT_FALSE(outcome.recovered_s || outcome.confident_s || outcome.alarm_s || outcome.noticed_s);
   EXPECT_EQ(outcome.wrong, 2);
+  EXPECT_EQ(outcome.longest_wrong_s, 1.0);
 }
 
 TEST(KidnapOutcome, IsNotRecoveredWhereItGoesWrongAgain) {
