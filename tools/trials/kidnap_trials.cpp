@@ -137,7 +137,8 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   sim::Rng rng = localization::substream(config_.seed, fmt::format("kidnap/{}", index));
   sim::Rng people = localization::substream(config_.seed, fmt::format("people/{}", index));
   if (obstacles > 0 && config_.kind != sim::KidnapKind::kTeleportRandom) {
-    throw std::invalid_argument("people stand around the targets of teleports only");
+    throw std::invalid_argument(
+        "obstacles stand around the target of a teleport: use --kind teleport, or no obstacles");
   }
   KidnapTrial trial{prepared_.config, rng()};
   sim::SimulationConfig& config = trial.simulation;
