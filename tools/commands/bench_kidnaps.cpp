@@ -25,6 +25,12 @@ const std::map<std::string, sim::KidnapKind> kKinds = {
     {"nudge", sim::KidnapKind::kNudge},
     {"turn", sim::KidnapKind::kTurn}};
 
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : kKinds) names.push_back(name);
+  return names;
+}
+
 constexpr double kDegrees = 57.29577951308232;
 
 /// Arguments of the command.
@@ -140,7 +146,7 @@ Json to_json(const KidnapBatch& batch) {
            {"alarm_s", times_json(row.alarm_s)},
            {"noticed_s", times_json(row.noticed_s)},
            {"wrong_lock_share", row.wrong_share},
-           {"longest_wrong_lock_s", row.longest_wrong_s},
+           {"longest_wrong_s", row.longest_wrong_s},
            {"calibration", to_json(row.calibration)}};
     out["tracking_m"] = row.tracking ? Json(row.tracking->position_m) : Json();
     out["tracking_yaw_rad"] = row.tracking ? Json(row.tracking->yaw_rad) : Json();
@@ -191,9 +197,7 @@ void add_bench_kidnaps(Command& bench) {
           "--world", a->trials.world,
           "A world's name or path, a ROS map's .yaml, or office: 40 x 30 m of similar rooms")
       .show_default();
-  command.add_option("--kind", a->kind, "Kind of the kidnaps")
-      .one_of({"teleport", "look-alike", "nudge", "turn"})
-      .show_default();
+  command.add_option("--kind", a->kind, "Kind of the kidnaps").one_of(kind_names()).show_default();
   command
       .add_option("--min-distance", a->trials.min_distance_m,
                   "Least distance of a teleport or a look-alike [m]")

@@ -21,8 +21,8 @@ struct EvaluationConfig {
   double window_s = 60.0;        ///< [s] Length of every start trial, and of the part of a kidnap
                                  ///< trial after the kidnap.
   int scans_before_kidnap = 30;  ///< Scans tracked from a known start before a kidnap.
-  SpliceKind kidnap_to = SpliceKind::kFar;
-  bool tracking = true;  ///< Also track the whole log from its true start.
+  SpliceKind kidnap_to = SpliceKind::kFar;  ///< Where the robot was before each kidnap.
+  bool tracking = true;                     ///< Also track the whole log from its true start.
   StressConfig stress;
   std::uint64_t seed = 1;
   int workers = 1;  ///< Number of trials at once, each in a process of its own if above 1.
