@@ -5,19 +5,23 @@
 #include <stdexcept>
 
 #include "localization/map/cell_index.hpp"
-#include "localization/sensor/pose_in_cells.hpp"
 
 namespace castaway::localization {
 
-RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& grid)
-    : frame_(grid.frame) {
+namespace {
+
+/// Number of the last probe in each direction.
+int last_probe(const RayLocalConfig& config, const OccupancyGrid& grid) {
   validate(grid);
   if (!(config.sigma > 0.0)) throw std::invalid_argument("sigma must be positive");
-  for (const CellState cell : grid.cells) {
-    occupied_.push_back(cell == CellState::kOccupied ? 1 : 0);
-  }
-  const auto probes = cell_index(3.0 * config.sigma / frame_.resolution + 1e-9);
-  for (int k = 0; k <= probes; ++k) {
+  return cell_index(3.0 * config.sigma / grid.frame.resolution + 1e-9);
+}
+
+}  // namespace
+
+RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& grid)
+    : frame_(grid.frame), walls_(grid, std::min(last_probe(config, grid) + 2, 255)) {
+  for (int k = 0; k <= last_probe(config, grid); ++k) {
     const double z = k * frame_.resolution / config.sigma;
     log_likelihood_.push_back(-0.5 * z * z);
     hit_.push_back(std::min(1.0, config.hit_peak * std::exp(-0.5 * z * z)));
@@ -27,25 +31,37 @@ RayLocalModel::RayLocalModel(const RayLocalConfig& config, const OccupancyGrid& 
 }
 
 bool RayLocalModel::is_occupied(float x_cells, float y_cells) const {
-  const Eigen::Vector2i cell(cell_index(x_cells), cell_index(y_cells));
-  return frame_.contains(cell) && occupied_[frame_.index(cell)] != 0;
+  return walls_.at(cell_index(x_cells), cell_index(y_cells)) == 0;
+}
+
+/// Number of cells from the end point of a beam along its ray to the nearest wall.
+std::size_t RayLocalModel::error_cells(const ScanPoints& points, std::size_t beam,
+                                       const PoseInCells& pose) const {
+  const float x = pose.x(points.x[beam], points.y[beam]);
+  const float y = pose.y(points.x[beam], points.y[beam]);
+  const int nearest = walls_.at(cell_index(x), cell_index(y));
+  if (nearest == 0) return 0;
+  const std::size_t none = log_likelihood_.size() - 1;
+  // Probe k lies at most k + 1 columns and rows away.
+  auto k = static_cast<std::size_t>(std::max(nearest - 1, 1));
+  if (k >= none) return none;
+  const float dx = x - pose.x(points.origin_x[beam], points.origin_y[beam]);
+  const float dy = y - pose.y(points.origin_x[beam], points.origin_y[beam]);
+  // As `std::hypot` of floats, whose squares are exact in double.
+  const double squared = static_cast<double>(dx) * dx + static_cast<double>(dy) * dy;
+  const float length = std::max(static_cast<float>(std::sqrt(squared)), 1e-6F);
+  for (; k < none; ++k) {
+    const float t = static_cast<float>(k) / length;
+    if (is_occupied(x + t * dx, y + t * dy) || is_occupied(x - t * dx, y - t * dy)) break;
+  }
+  return k;
 }
 
 RayLocalScore RayLocalModel::evaluate(const ScanPoints& points, const SE2& T_map_base) const {
   const PoseInCells pose(frame_, T_map_base);
-  const std::size_t none = log_likelihood_.size() - 1;
   RayLocalScore score;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float x = pose.x(points.x[i], points.y[i]);
-    const float y = pose.y(points.x[i], points.y[i]);
-    const float dx = x - pose.x(points.origin_x[i], points.origin_y[i]);
-    const float dy = y - pose.y(points.origin_x[i], points.origin_y[i]);
-    const float length = std::max(std::hypot(dx, dy), 1e-6F);
-    std::size_t k = 0;
-    for (; k < none; ++k) {
-      const float t = static_cast<float>(k) / length;
-      if (is_occupied(x + t * dx, y + t * dy) || is_occupied(x - t * dx, y - t * dy)) break;
-    }
+  for (std::size_t beam = 0; beam < points.size(); ++beam) {
+    const std::size_t k = error_cells(points, beam, pose);
     score.log_likelihood += log_likelihood_[k];
     score.hits += hit_[k];
   }

@@ -7,10 +7,11 @@
 /// since they are the same for all particles.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
 #include <vector>
 
-#include "localization/map/occupancy_grid.hpp"
+#include "localization/map/chebyshev_field.hpp"
+#include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -35,11 +36,22 @@ class RayLocalModel {
 
   [[nodiscard]] RayLocalScore evaluate(const ScanPoints& points, const SE2& T_map_base) const;
 
+  [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  /// Distance of every cell to the nearest wall; capped, with a cap that no probe reaches if it is
+  /// below 255.
+  [[nodiscard]] const ChebyshevField& walls() const { return walls_; }
+  /// Hits of a beam whose error is this number of cells; never increases with it.
+  [[nodiscard]] double hits_at(std::size_t cells) const {
+    return hit_[std::min(cells, hit_.size() - 1)];
+  }
+
  private:
   [[nodiscard]] bool is_occupied(float x_cells, float y_cells) const;
+  [[nodiscard]] std::size_t error_cells(const ScanPoints& points, std::size_t beam,
+                                        const PoseInCells& pose) const;
 
   GridFrame frame_;
-  std::vector<std::uint8_t> occupied_;
+  ChebyshevField walls_;
   // Indexed by the number of cells from the end point; the last entry: no wall.
   std::vector<double> log_likelihood_;
   std::vector<double> hit_;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/localization/matching/search_case.hpp"
+#include "tests/localization/paper/naive_rays.hpp"
 #include "tests/support/string_map.hpp"
 
 namespace castaway::localization {
@@ -75,6 +77,39 @@ TEST(RayLocalModel, ClampsHitsOfAHigherPeak) {
   EXPECT_NEAR(hits(0.05, 0.35F), 0.0886, 1e-4);
   EXPECT_DOUBLE_EQ(hits(0.05, 0.30F), 0.0);
   EXPECT_NEAR(hits(0.5, 0.5F), 0.7979, 1e-4);  // below 1 even at the wall
+}
+
+TEST(RayLocalModel, EqualsTheNaiveProbesExactly) {
+  Rng rng = substream(6, "rays");
+  for (int round = 0; round < 60; ++round) {
+    OccupancyGrid grid = test::random_room(rng);
+    grid.frame.T_map_grid = {test::uniform(-9, 9, rng), test::uniform(-9, 9, rng), 0.3 * round};
+    const FreeSpace anywhere(grid);
+    const ScanPoints points = test::scan_from(grid, anywhere.sample(rng), 90);
+    const RayLocalConfig config{round % 3 == 0 ? 0.4 : 0.1, round % 2 == 0 ? 1.0 : 2.0};
+    const RayLocalModel model(config, grid);
+    for (int k = 0; k < 30; ++k) {
+      SE2 pose = anywhere.sample(rng);
+      if (k % 3 == 0) pose.yaw = grid.frame.T_map_grid.yaw;
+      const RayLocalScore naive = test::naive_ray_score(config, grid, points, pose);
+      const RayLocalScore score = model.evaluate(points, pose);
+      ASSERT_EQ(score.log_likelihood, naive.log_likelihood);
+      ASSERT_EQ(score.hits, naive.hits);
+    }
+  }
+}
+
+TEST(RayLocalModel, ProbesFartherThanItsDistancesReach) {
+  OccupancyGrid grid = test::string_map({"#"}, 0.01);
+  grid.frame.width = 400;
+  grid.cells.resize(400, CellState::kFree);
+  const RayLocalConfig config{1.0};  // 300 probes
+  for (const double x : {2.985, 2.995, 3.005, 3.015}) {
+    const SE2 pose{x - 0.005, 0.005, 0.0};
+    const ScanPoints ahead = forward(0.005F);
+    EXPECT_EQ(RayLocalModel(config, grid).evaluate(ahead, pose).hits,
+              test::naive_ray_score(config, grid, ahead, pose).hits);
+  }
 }
 
 TEST(RayLocalModel, RefusesASigmaOfZero) {
