@@ -9,56 +9,109 @@
 namespace castaway::localization {
 
 PaperCascade::PaperCascade(const PaperCascadeConfig& config, const RayLocalConfig& sensor,
-                           const OccupancyGrid& grid, CellFilter is_searched)
+                           const OccupancyGrid& grid, const CellFilter& is_searched)
     : config_(config),
-      is_searched_(std::move(is_searched)),
       yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config_.yaw_step)))) {
   for (int level = config.finest_level; level < config.levels; ++level) {
     OccupancyGrid coarse = coarsen(grid, 1 << level);
     const double sigma = std::max(sensor.sigma, 0.5 * coarse.frame.resolution);
     RayLocalModel model({sigma}, coarse);
-    levels_.push_back({std::move(coarse), std::move(model)});
+    HitBounds bounds(model);
+    levels_.push_back({std::move(coarse), std::move(model), std::move(bounds)});
   }
+  runs_ = searched_runs(is_searched);
 }
 
-std::vector<PaperCascade::Node> PaperCascade::all_nodes() const {
-  const OccupancyGrid& grid = levels_.back().grid;
+/// True if base may be in a cell.
+bool PaperCascade::is_possible(std::size_t level, const Eigen::Vector2i& cell) const {
+  const OccupancyGrid& grid = levels_[level].grid;
+  if (!grid.frame.contains(cell)) return false;
+  const CellState state = grid.cells[grid.frame.index(cell)];
+  // A coarse cell with a wall may also contain free cells.
+  return state == CellState::kFree || (level > 0 && state == CellState::kOccupied);
+}
+
+std::vector<CellRun> PaperCascade::searched_runs(const CellFilter& is_searched) const {
+  const GridFrame& frame = levels_.back().grid.frame;
+  std::vector<CellRun> runs;
+  for (int row = 0; row < frame.height; ++row) {
+    for (int column = 0; column < frame.width; ++column) {
+      if (!is_possible(levels_.size() - 1, {column, row})) continue;
+      if (is_searched && !is_searched(frame, column, row)) continue;
+      const bool joins = !runs.empty() && runs.back().row == row && runs.back().end == column;
+      if (!joins) runs.push_back({row, column, column});
+      runs.back().end = column + 1;
+    }
+  }
+  return runs;
+}
+
+std::vector<std::vector<CellOffset>> PaperCascade::ends_by_yaw(const Level& level,
+                                                               const ScanPoints& points) const {
+  std::vector<std::vector<CellOffset>> ends;
+  for (int yaw = 0; yaw < yaws_; ++yaw) {
+    ends.push_back(end_cells(level.model, points, yaw_of(level, yaw)));
+  }
+  return ends;
+}
+
+/// The nodes of the coarsest level whose bound reaches the threshold, by row, column and yaw.
+std::vector<PaperCascade::Node> PaperCascade::likely_nodes(const ScanPoints& points) const {
+  const Level& level = levels_.back();
+  const std::int64_t least = level.bounds.least(config_.threshold, points.size());
+  const auto ends = ends_by_yaw(level, points);
+  std::vector<std::vector<std::uint32_t>> bounds(ends.size());
   std::vector<Node> nodes;
-  for (int row = 0; row < grid.frame.height; ++row) {
-    for (int column = 0; column < grid.frame.width; ++column) {
-      if (is_searched_ && !is_searched_(grid.frame, column, row)) continue;
-      for (int yaw = 0; yaw < yaws_; ++yaw) nodes.push_back({{column, row}, yaw, 0.0});
+  for (const CellRun& run : runs_) {
+    for (std::size_t yaw = 0; yaw < ends.size(); ++yaw) {
+      bounds[yaw] = level.bounds.in_run(ends[yaw], run);
+    }
+    for (int column = run.first; column < run.end; ++column) {
+      for (int yaw = 0; yaw < yaws_; ++yaw) {
+        const auto i = static_cast<std::size_t>(column - run.first);
+        const std::int64_t bound = bounds[static_cast<std::size_t>(yaw)][i];
+        if (bound >= least) nodes.push_back({{column, run.row}, yaw, 0.0});
+      }
     }
   }
   return nodes;
 }
 
-std::vector<PaperCascade::Node> PaperCascade::children(const std::vector<Node>& nodes) const {
+/// The nodes of a level within those of the level above whose bound reaches the threshold.
+std::vector<PaperCascade::Node> PaperCascade::likely_children(const std::vector<Node>& nodes,
+                                                              std::size_t level,
+                                                              const ScanPoints& points) const {
+  const HitBounds& bounds = levels_[level].bounds;
+  const std::int64_t least = bounds.least(config_.threshold, points.size());
+  const auto ends = ends_by_yaw(levels_[level], points);
   std::vector<Node> fine;
   for (const Node& node : nodes) {
     for (int k = 0; k < 4; ++k) {
-      fine.push_back({2 * node.cell + Eigen::Vector2i(k % 2, k / 2), node.yaw, 0.0});
+      const Eigen::Vector2i cell = 2 * node.cell + Eigen::Vector2i(k % 2, k / 2);
+      if (!is_possible(level, cell)) continue;
+      const std::int64_t bound = bounds.at(ends[static_cast<std::size_t>(node.yaw)], cell);
+      if (bound >= least) fine.push_back({cell, node.yaw, 0.0});
     }
   }
   return fine;
 }
 
-SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
-  const Eigen::Vector2d p = level.grid.frame.centre_of(node.cell);
-  const SE2 T_grid_base{p.x(), p.y(), wrap_angle(2.0 * std::numbers::pi * node.yaw / yaws_)};
-  return level.grid.frame.T_map_grid * T_grid_base;
+/// Yaw of base in map. [rad]
+double PaperCascade::yaw_of(const Level& level, int yaw) const {
+  return wrap_angle(level.grid.frame.T_map_grid.yaw +
+                    wrap_angle(2.0 * std::numbers::pi * yaw / yaws_));
 }
 
-/// The nodes on cells with free space whose quality reaches the threshold, best first.
+SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
+  const Eigen::Vector2d p = level.grid.frame.T_map_grid * level.grid.frame.centre_of(node.cell);
+  return {p.x(), p.y(), yaw_of(level, node.yaw)};
+}
+
+/// The nodes whose quality reaches the threshold, best first.
 std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
                                                           std::vector<Node> nodes,
                                                           const ScanPoints& points) const {
-  const bool coarse = &level != &levels_.front();
   std::erase_if(nodes, [&](Node& node) {
-    if (!level.grid.frame.contains(node.cell)) return true;
-    const CellState state = level.grid.cells[level.grid.frame.index(node.cell)];
-    // A coarse cell with a wall may also contain free cells.
-    if (state == CellState::kUnknown || (!coarse && state == CellState::kOccupied)) return true;
     node.quality = level.model.evaluate(points, pose_of(level, node)).hits /
                    static_cast<double>(points.size());
     return node.quality < config_.threshold;
@@ -72,9 +125,9 @@ std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
 
 std::vector<Candidate> PaperCascade::match(const ScanPoints& points) const {
   if (points.empty()) return {};
-  std::vector<Node> nodes = score_nodes(levels_.back(), all_nodes(), points);
+  std::vector<Node> nodes = score_nodes(levels_.back(), likely_nodes(points), points);
   for (std::size_t level = levels_.size() - 1; level-- > 0;) {
-    nodes = score_nodes(levels_[level], children(nodes), points);
+    nodes = score_nodes(levels_[level], likely_children(nodes, level, points), points);
   }
   std::vector<Candidate> candidates;
   for (const Node& node : nodes) {

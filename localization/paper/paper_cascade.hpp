@@ -5,7 +5,8 @@
 /// neighbouring orientations are 2 m apart, so that the right place often has a low score. Where
 /// the paper is silent: the sensor's sigma is widened to half a cell at coarse levels; the
 /// threshold is the same at all levels; candidates within 0.5 m and one orientation of a better one
-/// are dropped at the end.
+/// are dropped at the end. Nodes whose bound (`HitBounds`) is below the threshold are not
+/// evaluated, which changes no result (`localization_bench`).
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 #include <vector>
 
 #include "localization/matching/cascade_matcher.hpp"
-#include "localization/paper/ray_local_model.hpp"
+#include "localization/paper/hit_bounds.hpp"
 
 namespace castaway::localization {
 
@@ -36,7 +37,7 @@ class PaperCascade {
  public:
   /// Searches the cells that pass `is_searched`, or all cells without it.
   PaperCascade(const PaperCascadeConfig& config, const RayLocalConfig& sensor,
-               const OccupancyGrid& grid, CellFilter is_searched = {});
+               const OccupancyGrid& grid, const CellFilter& is_searched = {});
 
   /// Returns candidates on free cells with their quality, best first.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points) const;
@@ -45,6 +46,7 @@ class PaperCascade {
   struct Level {
     OccupancyGrid grid;
     RayLocalModel model;
+    HitBounds bounds;
   };
   /// A cell and an orientation.
   struct Node {
@@ -52,16 +54,22 @@ class PaperCascade {
     int yaw = 0;
     double quality = 0.0;
   };
-  [[nodiscard]] std::vector<Node> all_nodes() const;
-  [[nodiscard]] std::vector<Node> children(const std::vector<Node>& nodes) const;
+  [[nodiscard]] bool is_possible(std::size_t level, const Eigen::Vector2i& cell) const;
+  [[nodiscard]] std::vector<CellRun> searched_runs(const CellFilter& is_searched) const;
+  [[nodiscard]] std::vector<std::vector<CellOffset>> ends_by_yaw(const Level& level,
+                                                                 const ScanPoints& points) const;
+  [[nodiscard]] std::vector<Node> likely_nodes(const ScanPoints& points) const;
+  [[nodiscard]] std::vector<Node> likely_children(const std::vector<Node>& nodes, std::size_t level,
+                                                  const ScanPoints& points) const;
   [[nodiscard]] std::vector<Node> score_nodes(const Level& level, std::vector<Node> nodes,
                                               const ScanPoints& points) const;
+  [[nodiscard]] double yaw_of(const Level& level, int yaw) const;
   [[nodiscard]] SE2 pose_of(const Level& level, const Node& node) const;
 
   PaperCascadeConfig config_;
-  CellFilter is_searched_;
   std::vector<Level> levels_;  ///< Finest first.
   int yaws_;
+  std::vector<CellRun> runs_;  ///< Cells of the coarsest level that are searched.
 };
 
 }  // namespace castaway::localization

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/localization/matching/search_case.hpp"
+#include "tests/localization/paper/naive_rays.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
 
@@ -45,6 +47,38 @@ TEST(PaperCascade, SearchesTheCellsThatPassAndEndsWhereItIsTold) {
   EXPECT_TRUE(PaperCascade(config, {0.05}, grid, left).match(points).empty());
   const auto whole = PaperCascade(config, {0.05}, grid).match(points);
   EXPECT_NEAR(std::remainder(whole[0].T_map_base.x - 0.1, 0.2), 0.0, 1e-9);  // cells of 0.2 m
+}
+
+/// Expects the candidates of the naive cascade, bit for bit and in the same order; returns their
+/// number.
+std::size_t expect_naive(const PaperCascadeConfig& config, const OccupancyGrid& grid,
+                         const ScanPoints& points) {
+  const auto nodes = test::naive_cascade(config, 0.05, grid, points);
+  const auto naive = test::distinct(config, nodes);
+  const auto found = PaperCascade(config, {0.05}, grid).match(points);
+  EXPECT_EQ(found.size(), naive.size());
+  for (std::size_t i = 0; i < std::min(found.size(), naive.size()); ++i) {
+    EXPECT_EQ(found[i].T_map_base, naive[i].T_map_base);
+    EXPECT_EQ(found[i].score, naive[i].score);
+  }
+  return found.size();
+}
+
+TEST(PaperCascade, EqualsTheNaiveCascadeExactly) {
+  Rng rng = substream(8, "cascade");
+  std::size_t found = 0;
+  for (int round = 0; round < 12; ++round) {
+    OccupancyGrid grid = test::random_room(rng);
+    if (round % 2 == 0) grid.frame.T_map_grid = {1.0, -2.0, 0.4 * round};
+    const SE2 truth = FreeSpace(grid).sample(rng);
+    PaperCascadeConfig config;
+    config.levels = 2 + round % 3;
+    config.finest_level = round % 2;
+    config.threshold = round % 4 == 0 ? 0.3 : 0.5;
+    if (round % 3 == 0) config.max_per_level = 40;
+    found += expect_naive(config, grid, test::scan_from(grid, truth, 40 + 10 * round));
+  }
+  EXPECT_GT(found, 20U);
 }
 
 TEST(PaperCascade, FindsNothingWithoutBeams) {
