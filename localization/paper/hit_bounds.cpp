@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "localization/map/cell_index.hpp"
-
 namespace castaway::localization {
 namespace {
 
@@ -15,16 +13,6 @@ constexpr std::size_t kBlock = 257;
 
 int bound_at(const RayLocalModel& model, int distance) {
   return static_cast<int>(std::ceil(kPerHit * model.hits_at(static_cast<std::size_t>(distance))));
-}
-
-/// First and last cell on one axis that a point may lie in.
-struct Cells {
-  int first;
-  int last;
-};
-
-Cells cells_near(float coordinate, float margin) {
-  return {cell_index(coordinate - margin), cell_index(coordinate + margin)};
 }
 
 /// Adds the bytes at the end points to the sums of a run, which begins at `base` in a padded row
@@ -39,30 +27,6 @@ void add_bytes(const std::uint8_t* row, int base, int columns, std::vector<std::
 }
 
 }  // namespace
-
-std::vector<CellOffset> end_cells(const RayLocalModel& model, const ScanPoints& points,
-                                  double yaw_map) {
-  const GridFrame& frame = model.frame();
-  const Eigen::Vector2d centre = frame.T_map_grid * frame.centre_of({0, 0});
-  const PoseInCells pose(frame, {centre.x(), centre.y(), yaw_map});
-  const auto reach = static_cast<float>(frame.width + frame.height + model.walls().cap());
-  std::vector<CellOffset> ends;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float x = pose.x(points.x[i], points.y[i]);
-    const float y = pose.y(points.x[i], points.y[i]);
-    if (!(std::abs(x) < reach && std::abs(y) < reach)) continue;
-    // More than the rounding errors of the point and of its probes, at this and any other cell.
-    const float margin = 0x1p-20F * (reach + 2.0F * (std::abs(x) + std::abs(y)) + 4.0F);
-    const Cells columns = cells_near(x, margin);
-    const Cells rows = cells_near(y, margin);
-    for (int row = rows.first; row <= rows.last; ++row) {
-      for (int column = columns.first; column <= columns.last; ++column) {
-        ends.push_back({column, row});
-      }
-    }
-  }
-  return ends;
-}
 
 HitBounds::HitBounds(const RayLocalModel& model)
     : padding_(model.walls().cap()),

@@ -2,8 +2,7 @@
 /// evaluate.
 ///
 /// A beam whose end point is k cells from the nearest wall, diagonal steps included, has an error
-/// of at least k cells. For base at the centre of a cell, the end points of a scan lie in the same
-/// cells relative to base, so that a bound is a sum of bytes.
+/// of at least k cells. A bound is the sum of a byte for each end point (`RaysAtYaw::ends`).
 #pragma once
 
 #include <cstdint>
@@ -20,12 +19,6 @@ struct CellRun {
   int first = 0;
   int end = 0;
 };
-
-/// Cells of a scan's end points relative to the cell of base, for base at the centre of any cell
-/// with this yaw in map [rad]. A point within rounding errors of a border counts in the cells on
-/// both sides. Points are left out if they lie far off the map from all of its cells.
-std::vector<CellOffset> end_cells(const RayLocalModel& model, const ScanPoints& points,
-                                  double yaw_map);
 
 /// Bounds for one map: sums over the cells of end points.
 class HitBounds {

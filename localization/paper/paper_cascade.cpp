@@ -19,7 +19,7 @@ PaperCascade::PaperCascade(const PaperCascadeConfig& config, const RayLocalConfi
     HitBounds bounds(model);
     levels_.push_back({std::move(coarse), std::move(model), std::move(bounds)});
   }
-  runs_ = searched_runs(is_searched);
+  if (!levels_.empty()) runs_ = searched_runs(is_searched);
 }
 
 /// True if base may be in a cell.
@@ -46,30 +46,29 @@ std::vector<CellRun> PaperCascade::searched_runs(const CellFilter& is_searched) 
   return runs;
 }
 
-std::vector<std::vector<CellOffset>> PaperCascade::ends_by_yaw(const Level& level,
-                                                               const ScanPoints& points) const {
-  std::vector<std::vector<CellOffset>> ends;
-  for (int yaw = 0; yaw < yaws_; ++yaw) {
-    ends.push_back(end_cells(level.model, points, yaw_of(level, yaw)));
+std::vector<RaysAtYaw> PaperCascade::rays_by_yaw(const Level& level,
+                                                 const ScanPoints& points) const {
+  std::vector<RaysAtYaw> rays;
+  for (std::size_t yaw = 0; yaw < static_cast<std::size_t>(yaws_); ++yaw) {
+    rays.emplace_back(level.model, points, yaw_of(level, yaw));
   }
-  return ends;
+  return rays;
 }
 
 /// The nodes of the coarsest level whose bound reaches the threshold, by row, column and yaw.
-std::vector<PaperCascade::Node> PaperCascade::likely_nodes(const ScanPoints& points) const {
-  const Level& level = levels_.back();
-  const std::int64_t least = level.bounds.least(config_.threshold, points.size());
-  const auto ends = ends_by_yaw(level, points);
-  std::vector<std::vector<std::uint32_t>> bounds(ends.size());
+std::vector<PaperCascade::Node> PaperCascade::likely_nodes(const std::vector<RaysAtYaw>& rays,
+                                                           std::size_t beams) const {
+  const HitBounds& bounds = levels_.back().bounds;
+  const std::int64_t least = bounds.least(config_.threshold, beams);
+  std::vector<std::vector<std::uint32_t>> sums(rays.size());
   std::vector<Node> nodes;
   for (const CellRun& run : runs_) {
-    for (std::size_t yaw = 0; yaw < ends.size(); ++yaw) {
-      bounds[yaw] = level.bounds.in_run(ends[yaw], run);
+    for (std::size_t yaw = 0; yaw < rays.size(); ++yaw) {
+      sums[yaw] = bounds.in_run(rays[yaw].ends(), run);
     }
     for (int column = run.first; column < run.end; ++column) {
-      for (int yaw = 0; yaw < yaws_; ++yaw) {
-        const auto i = static_cast<std::size_t>(column - run.first);
-        const std::int64_t bound = bounds[static_cast<std::size_t>(yaw)][i];
+      for (std::size_t yaw = 0; yaw < rays.size(); ++yaw) {
+        const std::int64_t bound = sums[yaw][static_cast<std::size_t>(column - run.first)];
         if (bound >= least) nodes.push_back({{column, run.row}, yaw, 0.0});
       }
     }
@@ -80,40 +79,39 @@ std::vector<PaperCascade::Node> PaperCascade::likely_nodes(const ScanPoints& poi
 /// The nodes of a level within those of the level above whose bound reaches the threshold.
 std::vector<PaperCascade::Node> PaperCascade::likely_children(const std::vector<Node>& nodes,
                                                               std::size_t level,
-                                                              const ScanPoints& points) const {
+                                                              const std::vector<RaysAtYaw>& rays,
+                                                              std::size_t beams) const {
   const HitBounds& bounds = levels_[level].bounds;
-  const std::int64_t least = bounds.least(config_.threshold, points.size());
-  const auto ends = ends_by_yaw(levels_[level], points);
+  const std::int64_t least = bounds.least(config_.threshold, beams);
   std::vector<Node> fine;
   for (const Node& node : nodes) {
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector2i cell = 2 * node.cell + Eigen::Vector2i(k % 2, k / 2);
       if (!is_possible(level, cell)) continue;
-      const std::int64_t bound = bounds.at(ends[static_cast<std::size_t>(node.yaw)], cell);
-      if (bound >= least) fine.push_back({cell, node.yaw, 0.0});
+      if (bounds.at(rays[node.yaw].ends(), cell) >= least) fine.push_back({cell, node.yaw, 0.0});
     }
   }
   return fine;
 }
 
 /// Yaw of base in map. [rad]
-double PaperCascade::yaw_of(const Level& level, int yaw) const {
-  return wrap_angle(level.grid.frame.T_map_grid.yaw +
-                    wrap_angle(2.0 * std::numbers::pi * yaw / yaws_));
+double PaperCascade::yaw_of(const Level& level, std::size_t yaw) const {
+  const double yaw_grid = 2.0 * std::numbers::pi * static_cast<double>(yaw) / yaws_;
+  return wrap_angle(level.grid.frame.T_map_grid.yaw + wrap_angle(yaw_grid));
 }
 
 SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
-  const Eigen::Vector2d p = level.grid.frame.T_map_grid * level.grid.frame.centre_of(node.cell);
+  const GridFrame& frame = level.grid.frame;
+  const Eigen::Vector2d p = frame.T_map_grid * frame.centre_of(node.cell);
   return {p.x(), p.y(), yaw_of(level, node.yaw)};
 }
 
 /// The nodes whose quality reaches the threshold, best first.
-std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
-                                                          std::vector<Node> nodes,
-                                                          const ScanPoints& points) const {
+std::vector<PaperCascade::Node> PaperCascade::score_nodes(std::vector<Node> nodes,
+                                                          const std::vector<RaysAtYaw>& rays,
+                                                          std::size_t beams) const {
   std::erase_if(nodes, [&](Node& node) {
-    node.quality = level.model.evaluate(points, pose_of(level, node)).hits /
-                   static_cast<double>(points.size());
+    node.quality = rays[node.yaw].hits(node.cell) / static_cast<double>(beams);
     return node.quality < config_.threshold;
   });
   std::stable_sort(nodes.begin(), nodes.end(),
@@ -123,14 +121,21 @@ std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
   return nodes;
 }
 
-std::vector<Candidate> PaperCascade::match(const ScanPoints& points) const {
-  if (points.empty()) return {};
-  std::vector<Node> nodes = score_nodes(levels_.back(), likely_nodes(points), points);
+/// The nodes of the finest level, best first.
+std::vector<PaperCascade::Node> PaperCascade::best_nodes(const ScanPoints& points) const {
+  std::vector<RaysAtYaw> rays = rays_by_yaw(levels_.back(), points);
+  std::vector<Node> nodes = score_nodes(likely_nodes(rays, points.size()), rays, points.size());
   for (std::size_t level = levels_.size() - 1; level-- > 0;) {
-    nodes = score_nodes(levels_[level], likely_children(nodes, level, points), points);
+    rays = rays_by_yaw(levels_[level], points);
+    nodes = score_nodes(likely_children(nodes, level, rays, points.size()), rays, points.size());
   }
+  return nodes;
+}
+
+std::vector<Candidate> PaperCascade::match(const ScanPoints& points) const {
+  if (points.empty() || levels_.empty()) return {};
   std::vector<Candidate> candidates;
-  for (const Node& node : nodes) {
+  for (const Node& node : best_nodes(points)) {
     const SE2 pose = pose_of(levels_.front(), node);
     const bool near = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return distance(c.T_map_base, pose) < config_.apart_m &&

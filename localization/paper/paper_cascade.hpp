@@ -15,6 +15,7 @@
 
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/paper/hit_bounds.hpp"
+#include "localization/paper/rays_at_yaw.hpp"
 
 namespace castaway::localization {
 
@@ -51,19 +52,23 @@ class PaperCascade {
   /// A cell and an orientation.
   struct Node {
     Eigen::Vector2i cell;
-    int yaw = 0;
+    std::size_t yaw = 0;
     double quality = 0.0;
   };
   [[nodiscard]] bool is_possible(std::size_t level, const Eigen::Vector2i& cell) const;
   [[nodiscard]] std::vector<CellRun> searched_runs(const CellFilter& is_searched) const;
-  [[nodiscard]] std::vector<std::vector<CellOffset>> ends_by_yaw(const Level& level,
-                                                                 const ScanPoints& points) const;
-  [[nodiscard]] std::vector<Node> likely_nodes(const ScanPoints& points) const;
+  [[nodiscard]] std::vector<RaysAtYaw> rays_by_yaw(const Level& level,
+                                                   const ScanPoints& points) const;
+  [[nodiscard]] std::vector<Node> likely_nodes(const std::vector<RaysAtYaw>& rays,
+                                               std::size_t beams) const;
   [[nodiscard]] std::vector<Node> likely_children(const std::vector<Node>& nodes, std::size_t level,
-                                                  const ScanPoints& points) const;
-  [[nodiscard]] std::vector<Node> score_nodes(const Level& level, std::vector<Node> nodes,
-                                              const ScanPoints& points) const;
-  [[nodiscard]] double yaw_of(const Level& level, int yaw) const;
+                                                  const std::vector<RaysAtYaw>& rays,
+                                                  std::size_t beams) const;
+  [[nodiscard]] std::vector<Node> score_nodes(std::vector<Node> nodes,
+                                              const std::vector<RaysAtYaw>& rays,
+                                              std::size_t beams) const;
+  [[nodiscard]] std::vector<Node> best_nodes(const ScanPoints& points) const;
+  [[nodiscard]] double yaw_of(const Level& level, std::size_t yaw) const;
   [[nodiscard]] SE2 pose_of(const Level& level, const Node& node) const;
 
   PaperCascadeConfig config_;

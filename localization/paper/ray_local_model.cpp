@@ -34,14 +34,13 @@ bool RayLocalModel::is_occupied(float x_cells, float y_cells) const {
   return walls_.at(cell_index(x_cells), cell_index(y_cells)) == 0;
 }
 
-/// Number of cells from the end point of a beam along its ray to the nearest wall.
 std::size_t RayLocalModel::error_cells(const ScanPoints& points, std::size_t beam,
                                        const PoseInCells& pose) const {
   const float x = pose.x(points.x[beam], points.y[beam]);
   const float y = pose.y(points.x[beam], points.y[beam]);
   const int nearest = walls_.at(cell_index(x), cell_index(y));
   if (nearest == 0) return 0;
-  const std::size_t none = log_likelihood_.size() - 1;
+  const std::size_t none = no_wall();
   // Probe k lies at most k + 1 columns and rows away.
   auto k = static_cast<std::size_t>(std::max(nearest - 1, 1));
   if (k >= none) return none;

@@ -40,15 +40,16 @@ class RayLocalModel {
   /// Distance of every cell to the nearest wall; capped, with a cap that no probe reaches if it is
   /// below 255.
   [[nodiscard]] const ChebyshevField& walls() const { return walls_; }
+  /// Stands for the error of a beam without a wall; other errors are smaller. [cells]
+  [[nodiscard]] std::size_t no_wall() const { return hit_.size() - 1; }
+  /// Number of cells from the end point of a beam along its ray to the nearest wall.
+  [[nodiscard]] std::size_t error_cells(const ScanPoints& points, std::size_t beam,
+                                        const PoseInCells& pose) const;
   /// Hits of a beam whose error is this number of cells; never increases with it.
-  [[nodiscard]] double hits_at(std::size_t cells) const {
-    return hit_[std::min(cells, hit_.size() - 1)];
-  }
+  [[nodiscard]] double hits_at(std::size_t cells) const { return hit_[std::min(cells, no_wall())]; }
 
  private:
   [[nodiscard]] bool is_occupied(float x_cells, float y_cells) const;
-  [[nodiscard]] std::size_t error_cells(const ScanPoints& points, std::size_t beam,
-                                        const PoseInCells& pose) const;
 
   GridFrame frame_;
   ChebyshevField walls_;

@@ -1,9 +1,10 @@
 #include "localization/paper/hit_bounds.hpp"
 
-#include <numbers>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "localization/paper/rays_at_yaw.hpp"
 #include "tests/localization/matching/search_case.hpp"
 #include "tests/localization/paper/naive_rays.hpp"
 #include "tests/support/scan_points.hpp"
@@ -15,9 +16,9 @@ namespace {
 std::vector<std::int64_t> bounds_in_row(const RayLocalModel& model, const ScanPoints& points,
                                         int row) {
   const HitBounds bounds(model);
-  const auto ends = end_cells(model, points, 0.0);
+  const RaysAtYaw rays(model, points, 0.0);
   std::vector<std::int64_t> sums;
-  for (int c = 0; c < model.frame().width; ++c) sums.push_back(bounds.at(ends, {c, row}));
+  for (int c = 0; c < model.frame().width; ++c) sums.push_back(bounds.at(rays.ends(), {c, row}));
   return sums;
 }
 
@@ -31,27 +32,12 @@ TEST(HitBounds, GiveAWallAFullHitAndFarCellsNone) {
   EXPECT_EQ(sums[1], 0);  // four cells short
 }
 
-TEST(HitBounds, CountAPointOnABorderOnBothSides) {
-  const RayLocalModel model({0.05}, test::string_map({".........."}, 0.05));
-  EXPECT_EQ(end_cells(model, test::forward_beams({0.05F}), 0.0).size(), 1U);
-  EXPECT_EQ(end_cells(model, test::forward_beams({0.025F}), 0.0).size(), 2U);
-  EXPECT_EQ(end_cells(model, test::forward_beams({900.0F}), 0.0).size(), 0U);
-}
-
-/// A room turned in map.
-OccupancyGrid turned_room(Rng& rng) {
-  OccupancyGrid grid = test::random_room(rng);
-  grid.frame.T_map_grid = {test::uniform(-9, 9, rng), test::uniform(-9, 9, rng),
-                           test::uniform(-3, 3, rng)};
-  return grid;
-}
-
 /// Expects no bound below the number of hits, and the same bounds one by one and by runs.
 void expect_bounds(const RayLocalConfig& sensor, const OccupancyGrid& grid,
                    const ScanPoints& points, double yaw) {
   const RayLocalModel model(sensor, grid);
   const HitBounds bounds(model);
-  const auto ends = end_cells(model, points, yaw);
+  const auto ends = RaysAtYaw(model, points, yaw).ends();
   for (int row = 0; row < grid.frame.height; ++row) {
     const CellRun run{row, 3, grid.frame.width - 2};
     const auto in_run = bounds.in_run(ends, run);
@@ -69,7 +55,7 @@ void expect_bounds(const RayLocalConfig& sensor, const OccupancyGrid& grid,
 TEST(HitBounds, AreNeverBelowTheHits) {
   Rng rng = substream(17, "hit bounds");
   for (int round = 0; round < 12; ++round) {
-    const OccupancyGrid grid = turned_room(rng);
+    const OccupancyGrid grid = test::turned_room(rng);
     const SE2 truth = FreeSpace(grid).sample(rng);
     const ScanPoints points = test::scan_from(grid, truth, round < 10 ? 60 : 600);
     // Every sixth yaw puts many end points on borders of cells.
@@ -80,7 +66,7 @@ TEST(HitBounds, AreNeverBelowTheHits) {
 
 TEST(HitBounds, HoldForASensorWorseThanTheCap) {
   Rng rng = substream(18, "hit bounds");
-  const OccupancyGrid grid = turned_room(rng);
+  const OccupancyGrid grid = test::turned_room(rng);
   const SE2 truth = FreeSpace(grid).sample(rng);
   expect_bounds({20.0}, grid, test::scan_from(grid, truth, 20), truth.yaw);  // 600 probes
 }

@@ -7,6 +7,7 @@
 #include "localization/map/cell_index.hpp"
 #include "localization/map/coarsen.hpp"
 #include "localization/paper/paper_cascade.hpp"
+#include "tests/localization/matching/search_case.hpp"
 
 namespace castaway::test {
 
@@ -15,6 +16,13 @@ using namespace localization;  // test support of one library
 inline bool is_wall(const OccupancyGrid& grid, float x_cells, float y_cells) {
   const Eigen::Vector2i cell(cell_index(x_cells), cell_index(y_cells));
   return grid.frame.contains(cell) && grid.cells[grid.frame.index(cell)] == CellState::kOccupied;
+}
+
+/// A random room, turned and moved in map.
+inline OccupancyGrid turned_room(Rng& rng) {
+  OccupancyGrid grid = random_room(rng);
+  grid.frame.T_map_grid = {uniform(-9, 9, rng), uniform(-9, 9, rng), uniform(-3, 3, rng)};
+  return grid;
 }
 
 /// Probes every beam cell by cell, both ways.

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/localization/matching/search_case.hpp"
 #include "tests/localization/paper/naive_rays.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
@@ -68,8 +67,7 @@ TEST(PaperCascade, EqualsTheNaiveCascadeExactly) {
   Rng rng = substream(8, "cascade");
   std::size_t found = 0;
   for (int round = 0; round < 12; ++round) {
-    OccupancyGrid grid = test::random_room(rng);
-    if (round % 2 == 0) grid.frame.T_map_grid = {1.0, -2.0, 0.4 * round};
+    const OccupancyGrid grid = round % 2 == 0 ? test::turned_room(rng) : test::random_room(rng);
     const SE2 truth = FreeSpace(grid).sample(rng);
     PaperCascadeConfig config;
     config.levels = 2 + round % 3;
@@ -79,6 +77,13 @@ TEST(PaperCascade, EqualsTheNaiveCascadeExactly) {
     found += expect_naive(config, grid, test::scan_from(grid, truth, 40 + 10 * round));
   }
   EXPECT_GT(found, 20U);
+}
+
+TEST(PaperCascade, FindsNothingWithoutLevels) {
+  PaperCascadeConfig config;
+  config.finest_level = config.levels;
+  const OccupancyGrid grid = test::office();
+  EXPECT_TRUE(PaperCascade(config, {0.05}, grid).match(test::points_from(grid, {3, 3, 0})).empty());
 }
 
 TEST(PaperCascade, FindsNothingWithoutBeams) {

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/localization/matching/search_case.hpp"
 #include "tests/localization/paper/naive_rays.hpp"
 #include "tests/support/string_map.hpp"
 
@@ -82,8 +81,7 @@ TEST(RayLocalModel, ClampsHitsOfAHigherPeak) {
 TEST(RayLocalModel, EqualsTheNaiveProbesExactly) {
   Rng rng = substream(6, "rays");
   for (int round = 0; round < 60; ++round) {
-    OccupancyGrid grid = test::random_room(rng);
-    grid.frame.T_map_grid = {test::uniform(-9, 9, rng), test::uniform(-9, 9, rng), 0.3 * round};
+    const OccupancyGrid grid = test::turned_room(rng);
     const FreeSpace anywhere(grid);
     const ScanPoints points = test::scan_from(grid, anywhere.sample(rng), 90);
     const RayLocalConfig config{round % 3 == 0 ? 0.4 : 0.1, round % 2 == 0 ? 1.0 : 2.0};
