@@ -2,6 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "localization/matching/cascade_matcher.hpp"
+#include "localization/paper/paper_cascade.hpp"
+#include "tests/localization/paper/naive_rays.hpp"
 #include "tools/bench/bench_scene.hpp"
 
 namespace {
@@ -30,6 +32,21 @@ void match_window(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(matcher.match(scene.points, window));
 }
 
+void match_as_the_paper(benchmark::State& state) {
+  const testbed::BenchScene scene = testbed::bench_scene();
+  const PaperCascade cascade({}, {}, scene.grid);
+  for (auto _ : state) benchmark::DoNotOptimize(cascade.match(scene.points));
+}
+
+void match_as_the_paper_naively(benchmark::State& state) {
+  const testbed::BenchScene scene = testbed::bench_scene();
+  const double sigma = RayLocalConfig{}.sigma;
+  for (auto _ : state) {
+    const auto nodes = test::naive_cascade({}, sigma, scene.grid, scene.points);
+    benchmark::DoNotOptimize(test::distinct({}, nodes));
+  }
+}
+
 void condition_map(benchmark::State& state) {
   const testbed::BenchScene scene = testbed::bench_scene();
   for (auto _ : state) {
@@ -43,6 +60,8 @@ BENCHMARK(match_floor)
     ->ArgsProduct({{0, 1}, {0, 40, 80}})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(match_window)->Name("MatchWindow")->Unit(benchmark::kMillisecond);
+BENCHMARK(match_as_the_paper)->Name("PaperMatch/ours")->Unit(benchmark::kMillisecond);
+BENCHMARK(match_as_the_paper_naively)->Name("PaperMatch/naive")->Unit(benchmark::kMillisecond);
 BENCHMARK(condition_map)->Name("MatcherSetUp")->Unit(benchmark::kMillisecond);
 
 }  // namespace
