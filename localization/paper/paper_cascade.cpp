@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "localization/map/coarsen.hpp"
@@ -69,7 +70,7 @@ std::vector<PaperCascade::Node> PaperCascade::likely_nodes(const std::vector<Ray
     for (int column = run.first; column < run.end; ++column) {
       for (std::size_t yaw = 0; yaw < rays.size(); ++yaw) {
         const std::int64_t bound = sums[yaw][static_cast<std::size_t>(column - run.first)];
-        if (bound >= least) nodes.push_back({{column, run.row}, yaw, 0.0});
+        if (bound >= least) nodes.push_back({{column, run.row}, yaw, bound});
       }
     }
   }
@@ -88,7 +89,8 @@ std::vector<PaperCascade::Node> PaperCascade::likely_children(const std::vector<
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector2i cell = 2 * node.cell + Eigen::Vector2i(k % 2, k / 2);
       if (!is_possible(level, cell)) continue;
-      if (bounds.at(rays[node.yaw].ends(), cell) >= least) fine.push_back({cell, node.yaw, 0.0});
+      const std::int64_t bound = bounds.at(rays[node.yaw].ends(), cell);
+      if (bound >= least) fine.push_back({cell, node.yaw, bound});
     }
   }
   return fine;
@@ -106,17 +108,44 @@ SE2 PaperCascade::pose_of(const Level& level, const Node& node) const {
   return {p.x(), p.y(), yaw_of(level, node.yaw)};
 }
 
+/// Evaluates the `max_per_level` nodes with the highest bounds, and returns their least quality.
+/// Requires as many nodes.
+double PaperCascade::least_of_strongest(std::vector<Node>& nodes,
+                                        const std::vector<RaysAtYaw>& rays,
+                                        std::size_t beams) const {
+  std::vector<Node*> strongest;
+  for (Node& node : nodes) strongest.push_back(&node);
+  std::nth_element(strongest.begin(), strongest.begin() + config_.max_per_level - 1,
+                   strongest.end(),
+                   [](const Node* a, const Node* b) { return a->bound > b->bound; });
+  strongest.resize(static_cast<std::size_t>(config_.max_per_level));
+  double least = std::numeric_limits<double>::infinity();
+  for (Node* node : strongest) {
+    node->quality = rays[node->yaw].hits(node->cell) / static_cast<double>(beams);
+    least = std::min(least, node->quality);
+  }
+  return least;
+}
+
 /// The nodes whose quality reaches the threshold, best first.
-std::vector<PaperCascade::Node> PaperCascade::score_nodes(std::vector<Node> nodes,
+std::vector<PaperCascade::Node> PaperCascade::score_nodes(const Level& level,
+                                                          std::vector<Node> nodes,
                                                           const std::vector<RaysAtYaw>& rays,
                                                           std::size_t beams) const {
+  const auto most = static_cast<std::size_t>(config_.max_per_level);
+  std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  if (nodes.size() > most) {
+    least = level.bounds.least(least_of_strongest(nodes, rays, beams), beams);
+  }
   std::erase_if(nodes, [&](Node& node) {
-    node.quality = rays[node.yaw].hits(node.cell) / static_cast<double>(beams);
+    if (node.bound < least) return true;
+    if (node.quality < 0.0) {
+      node.quality = rays[node.yaw].hits(node.cell) / static_cast<double>(beams);
+    }
     return node.quality < config_.threshold;
   });
   std::stable_sort(nodes.begin(), nodes.end(),
                    [](const Node& a, const Node& b) { return a.quality > b.quality; });
-  const auto most = static_cast<std::size_t>(config_.max_per_level);
   if (nodes.size() > most) nodes.erase(nodes.begin() + config_.max_per_level, nodes.end());
   return nodes;
 }
@@ -124,10 +153,12 @@ std::vector<PaperCascade::Node> PaperCascade::score_nodes(std::vector<Node> node
 /// The nodes of the finest level, best first.
 std::vector<PaperCascade::Node> PaperCascade::best_nodes(const ScanPoints& points) const {
   std::vector<RaysAtYaw> rays = rays_by_yaw(levels_.back(), points);
-  std::vector<Node> nodes = score_nodes(likely_nodes(rays, points.size()), rays, points.size());
+  std::vector<Node> nodes =
+      score_nodes(levels_.back(), likely_nodes(rays, points.size()), rays, points.size());
   for (std::size_t level = levels_.size() - 1; level-- > 0;) {
     rays = rays_by_yaw(levels_[level], points);
-    nodes = score_nodes(likely_children(nodes, level, rays, points.size()), rays, points.size());
+    nodes = likely_children(nodes, level, rays, points.size());
+    nodes = score_nodes(levels_[level], std::move(nodes), rays, points.size());
   }
   return nodes;
 }

@@ -53,7 +53,8 @@ class PaperCascade {
   struct Node {
     Eigen::Vector2i cell;
     std::size_t yaw = 0;
-    double quality = 0.0;
+    std::int64_t bound = 0;  ///< See `HitBounds`.
+    double quality = -1.0;   ///< Negative until it is evaluated.
   };
   [[nodiscard]] bool is_possible(std::size_t level, const Eigen::Vector2i& cell) const;
   [[nodiscard]] std::vector<CellRun> searched_runs(const CellFilter& is_searched) const;
@@ -64,7 +65,10 @@ class PaperCascade {
   [[nodiscard]] std::vector<Node> likely_children(const std::vector<Node>& nodes, std::size_t level,
                                                   const std::vector<RaysAtYaw>& rays,
                                                   std::size_t beams) const;
-  [[nodiscard]] std::vector<Node> score_nodes(std::vector<Node> nodes,
+  [[nodiscard]] double least_of_strongest(std::vector<Node>& nodes,
+                                          const std::vector<RaysAtYaw>& rays,
+                                          std::size_t beams) const;
+  [[nodiscard]] std::vector<Node> score_nodes(const Level& level, std::vector<Node> nodes,
                                               const std::vector<RaysAtYaw>& rays,
                                               std::size_t beams) const;
   [[nodiscard]] std::vector<Node> best_nodes(const ScanPoints& points) const;
