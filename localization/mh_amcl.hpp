@@ -13,9 +13,9 @@
 #include <optional>
 
 #include "localization/belief.hpp"
-#include "localization/hypotheses/scheduled_search.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_models.hpp"
+#include "localization/search/scheduled_search.hpp"
 #include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
 

@@ -1,14 +1,14 @@
 /// Settings of MH-AMCL.
 #pragma once
 
-#include "localization/hypotheses/create.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/lost_and_found.hpp"
-#include "localization/hypotheses/match_schedule.hpp"
 #include "localization/hypotheses/merge.hpp"
 #include "localization/hypotheses/posterior.hpp"
-#include "localization/hypotheses/rescue.hpp"
 #include "localization/hypotheses/spawn.hpp"
+#include "localization/search/create.hpp"
+#include "localization/search/match_schedule.hpp"
+#include "localization/search/rescue.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 #include "localization/sensor/sensor_input.hpp"
 

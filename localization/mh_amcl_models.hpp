@@ -1,11 +1,11 @@
 /// The constant part of MH-AMCL: settings, map, and the models that depend on these alone.
 #pragma once
 
-#include "localization/hypotheses/create.hpp"
-#include "localization/hypotheses/rescue.hpp"
 #include "localization/map/distance_field.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "localization/search/create.hpp"
+#include "localization/search/rescue.hpp"
 #include "localization/sensor/evidence_model.hpp"
 #include "localization/tracking_filter.hpp"
 

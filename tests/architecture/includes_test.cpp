@@ -161,10 +161,15 @@ const Layers kToolsLayers = {
 };
 
 const Layers kLocalizationLayers = {
-    {"localization/geometry"},   {"localization/map", "localization/motion"},
-    {"localization/sensor"},     {"localization/filter", "localization/matching"},
-    {"localization/hypotheses"}, {"localization"},
-    {"localization/paper"},      {"localization/paper/published"},
+    {"localization/geometry"},
+    {"localization/map", "localization/motion"},
+    {"localization/sensor"},
+    {"localization/filter", "localization/matching"},
+    {"localization/hypotheses"},
+    {"localization/search"},
+    {"localization"},
+    {"localization/paper"},
+    {"localization/paper/published"},
 };
 
 std::string room_of(const std::string& file) { return file.substr(0, file.rfind('/')); }

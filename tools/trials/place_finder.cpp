@@ -1,7 +1,7 @@
 #include "tools/trials/place_finder.hpp"
 
-#include "localization/hypotheses/map_search.hpp"
 #include "localization/map/ray_cast.hpp"
+#include "localization/search/map_search.hpp"
 
 namespace castaway::testbed {
 namespace {

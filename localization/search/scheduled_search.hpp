@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "localization/hypotheses/map_search.hpp"
-#include "localization/hypotheses/match_schedule.hpp"
+#include "localization/search/map_search.hpp"
+#include "localization/search/match_schedule.hpp"
 #include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {

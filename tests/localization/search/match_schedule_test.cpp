@@ -1,4 +1,4 @@
-#include "localization/hypotheses/match_schedule.hpp"
+#include "localization/search/match_schedule.hpp"
 
 #include <gtest/gtest.h>
 

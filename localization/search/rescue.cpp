@@ -1,4 +1,4 @@
-#include "localization/hypotheses/rescue.hpp"
+#include "localization/search/rescue.hpp"
 
 #include <algorithm>
 

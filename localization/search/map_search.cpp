@@ -1,4 +1,4 @@
-#include "localization/hypotheses/map_search.hpp"
+#include "localization/search/map_search.hpp"
 
 #include <array>
 #include <set>

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "localization/hypotheses/create.hpp"
+#include "localization/search/create.hpp"
 
 namespace castaway::localization {
 

@@ -1,4 +1,4 @@
-#include "localization/hypotheses/scheduled_search.hpp"
+#include "localization/search/scheduled_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "localization/hypotheses/create.hpp"
+#include "localization/search/create.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "localization/hypotheses/create.hpp"
+#include "localization/search/create.hpp"
 
 namespace castaway::localization {
 
