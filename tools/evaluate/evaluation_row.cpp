@@ -42,7 +42,7 @@ CalibrationBin unpacked_bin(const Json& json) {
 Json packed(const Calibration& calibration) {
   Json bins = Json::array();
   for (const CalibrationBin& bin : calibration.bins) bins.push_back(packed(bin));
-  return {std::move(bins), calibration.squares};
+  return {std::move(bins), calibration.squares, packed(calibration.sure)};
 }
 
 Calibration unpacked_calibration(const Json& json) {
@@ -51,6 +51,7 @@ Calibration unpacked_calibration(const Json& json) {
     calibration.bins[i] = unpacked_bin(json.at(0).at(i));
   }
   calibration.squares = json.at(1).get<double>();
+  calibration.sure = unpacked_bin(json.at(2));
   return calibration;
 }
 

@@ -12,6 +12,18 @@ std::optional<double> share(double part, std::int64_t whole) {
 
 }  // namespace
 
+void CalibrationBin::add(double probability, bool is_right) {
+  ++scans;
+  if (is_right) ++right;
+  stated_sum += probability;
+}
+
+void CalibrationBin::add(const CalibrationBin& other) {
+  scans += other.scans;
+  right += other.right;
+  stated_sum += other.stated_sum;
+}
+
 std::optional<double> CalibrationBin::stated() const { return share(stated_sum, scans); }
 
 std::optional<double> CalibrationBin::observed() const {
@@ -26,19 +38,14 @@ void Calibration::add(double probability, bool right) {
   const double stated = std::clamp(probability, 0.0, 1.0);
   const double outcome = right ? 1.0 : 0.0;
   const auto count = static_cast<double>(bins.size());
-  CalibrationBin& bin = bins[std::min(static_cast<std::size_t>(stated * count), bins.size() - 1)];
-  ++bin.scans;
-  if (right) ++bin.right;
-  bin.stated_sum += stated;
+  bins[std::min(static_cast<std::size_t>(stated * count), bins.size() - 1)].add(stated, right);
+  if (stated >= kSure) sure.add(stated, right);
   squares += (stated - outcome) * (stated - outcome);
 }
 
 void Calibration::add(const Calibration& other) {
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    bins[i].scans += other.bins[i].scans;
-    bins[i].right += other.bins[i].right;
-    bins[i].stated_sum += other.bins[i].stated_sum;
-  }
+  for (std::size_t i = 0; i < bins.size(); ++i) bins[i].add(other.bins[i]);
+  sure.add(other.sure);
   squares += other.squares;
 }
 

@@ -15,12 +15,20 @@
 
 namespace castaway::testbed {
 
-/// Outputs whose stated probability lies in one tenth of [0, 1].
+/// Outputs at least as probable as this are sure. Planners act on such outputs, and the highest
+/// tenth of [0, 1] says little about them.
+inline constexpr double kSure = 0.99;
+
+/// Outputs whose stated probability lies in one interval.
 struct CalibrationBin {
   std::int64_t scans = 0;
   std::int64_t right = 0;
   double stated_sum = 0.0;  ///< Sum of the stated probabilities.
 
+  /// Adds an output: its stated probability, and whether it is right.
+  void add(double probability, bool is_right);
+  /// Adds all outputs of another bin.
+  void add(const CalibrationBin& other);
   /// Mean stated probability; nothing if there are no scans.
   [[nodiscard]] std::optional<double> stated() const;
   /// Share of right outputs; nothing if there are no scans.
@@ -32,6 +40,7 @@ struct CalibrationBin {
 /// The reliability diagram of a localizer; diagrams of several runs can be added.
 struct Calibration {
   std::array<CalibrationBin, 10> bins;  ///< [0, 0.1), [0.1, 0.2) ... [0.9, 1].
+  CalibrationBin sure;                  ///< [0.99, 1]; these outputs are in the last bin, too.
   double squares = 0.0;                 ///< Sum of (stated - outcome)^2.
 
   /// Adds an output: the stated probability of being right (clamped to [0, 1]), and whether it is.

@@ -65,12 +65,11 @@ Json event_figures(const std::optional<Statistics>& s) {
   return figures;
 }
 
-Json bin_figures(const Calibration& calibration, std::size_t index) {
-  const CalibrationBin& bin = calibration.bins[index];
-  const auto count = static_cast<double>(calibration.bins.size());
+/// Figures of the outputs that state a probability in [from, to].
+Json bin_figures(const CalibrationBin& bin, double from, double to) {
   const RateInterval interval = bin.interval();
-  return {{"from", figure(static_cast<double>(index) / count)},
-          {"to", figure(static_cast<double>(index + 1) / count)},
+  return {{"from", figure(from)},
+          {"to", figure(to)},
           {"scans", bin.scans},
           {"right", bin.right},
           {"stated", figure(bin.stated())},
@@ -103,9 +102,12 @@ Json json_figure(double value) { return std::round(value * 1e9) / 1e9; }
 Json to_json(const Calibration& calibration) {
   Json json = {{"brier", figure(calibration.brier())},
                {"scans", calibration.scans()},
-               {"bins", Json::array()}};
+               {"bins", Json::array()},
+               {"sure", bin_figures(calibration.sure, kSure, 1.0)}};
+  const auto count = static_cast<double>(calibration.bins.size());
   for (std::size_t i = 0; i < calibration.bins.size(); ++i) {
-    json["bins"].push_back(bin_figures(calibration, i));
+    const auto index = static_cast<double>(i);
+    json["bins"].push_back(bin_figures(calibration.bins[i], index / count, (index + 1.0) / count));
   }
   return json;
 }

@@ -42,6 +42,8 @@ TEST(EvaluationRow, AddsUp) {
   EXPECT_EQ(sum.longest_wrong_s, 2.5);
   EXPECT_EQ(sum.calibration.bins[9].scans, 2);
   EXPECT_EQ(sum.calibration.bins[9].right, 1);
+  EXPECT_EQ(sum.calibration.sure.scans, 2);
+  EXPECT_EQ(sum.calibration.sure.right, 1);
   EXPECT_EQ(sum.detection_delay_s.size(), 2U);
   EXPECT_EQ(false_alarms_per_h(sum), 2.0);
   EXPECT_EQ(sum.cpu_mean_ms(), 0.5);
@@ -60,6 +62,7 @@ TEST(EvaluationRow, IsTransferredExactly) {
   EXPECT_EQ(same.kidnaps.time_s, row.kidnaps.time_s);
   EXPECT_EQ(same.detection_delay_s, row.detection_delay_s);
   EXPECT_EQ(to_json(same), to_json(row));
+  EXPECT_EQ(same.calibration.sure.stated_sum, 0.995);
 }
 
 TEST(EvaluationRow, RefusesOtherTexts) {

@@ -26,6 +26,22 @@ TEST(Calibration, SortsByTheStatedProbability) {
   EXPECT_FALSE(calibration.bins[5].observed());
 }
 
+TEST(Calibration, CountsSureOutputsByThemselvesToo) {
+  Calibration calibration;
+  EXPECT_FALSE(calibration.sure.stated());
+  calibration.add(0.9899, false);
+  calibration.add(0.99, true);
+  calibration.add(0.995, false);
+  calibration.add(0.999, true);
+  calibration.add(1.0, true);
+  EXPECT_EQ(calibration.sure.scans, 4);
+  EXPECT_EQ(calibration.sure.right, 3);
+  EXPECT_NEAR(*calibration.sure.stated(), (0.99 + 0.995 + 0.999 + 1.0) / 4.0, 1e-12);
+  EXPECT_EQ(*calibration.sure.observed(), 0.75);
+  EXPECT_EQ(calibration.bins[9].scans, 5);
+  EXPECT_EQ(calibration.scans(), 5);
+}
+
 TEST(Calibration, HasTheMeanSquareAsItsBrierScore) {
   Calibration calibration;
   EXPECT_FALSE(calibration.brier());
@@ -51,10 +67,22 @@ TEST(Calibration, AddsUp) {
   two.add(0.9, false);
   two.add(0.2, false);
   one.add(two);
+  EXPECT_EQ(one.sure.scans, 0);
   EXPECT_EQ(one.scans(), 3);
   EXPECT_EQ(one.bins[9].scans, 2);
   EXPECT_EQ(one.bins[9].right, 1);
   EXPECT_NEAR(*one.brier(), (0.01 + 0.81 + 0.04) / 3.0, 1e-12);
+}
+
+TEST(Calibration, AddsUpSureOutputs) {
+  Calibration one;
+  one.add(1.0, true);
+  Calibration two;
+  two.add(0.99, false);
+  one.add(two);
+  EXPECT_EQ(one.sure.scans, 2);
+  EXPECT_EQ(one.sure.right, 1);
+  EXPECT_EQ(*one.sure.stated(), 0.995);
 }
 
 TEST(CalibrationOf, TakesRowsWithTruthAndEstimate) {

@@ -72,6 +72,20 @@ TEST(MetricsJson, ShowsTheReliabilityDiagram) {
             R"({"from":0.9,"to":1.0,"scans":2,"right":2,"stated":0.94,"observed":1.0,)"
             R"("interval":[0.342380228,1.0]})");
   EXPECT_TRUE(json.at("/bins/0/stated"_json_pointer).is_null());
+  EXPECT_EQ(json.at("sure").dump(),
+            R"({"from":0.99,"to":1.0,"scans":0,"right":0,"stated":null,"observed":null,)"
+            R"("interval":[0.0,1.0]})");
+}
+
+TEST(MetricsJson, ShowsTheSureOutputs) {
+  Calibration calibration;
+  calibration.add(0.9925, true);
+  calibration.add(0.9975, false);
+  const auto sure = to_json(calibration).at("sure");
+  EXPECT_EQ(sure.at("scans"), 2);
+  EXPECT_EQ(sure.at("right"), 1);
+  EXPECT_EQ(sure.at("stated"), 0.995);
+  EXPECT_EQ(sure.at("observed"), 0.5);
 }
 
 TEST(MetricsJson, IsNullWhereThereIsNothingToMeasure) {
