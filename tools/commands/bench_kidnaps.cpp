@@ -63,6 +63,11 @@ std::string count(const std::vector<double>& sample) {
   return s ? fmt::format("{}, {:.2f} s", sample.size(), s->mean) : "0";
 }
 
+/// Share and longest time of the wrong scans.
+std::string wrong_text(const WrongScans& scans) {
+  return fmt::format("{:.2f} %, {:.1f} s", 100.0 * scans.share().value_or(0.0), scans.longest_s);
+}
+
 void print_header() {
   fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "obstacles",
              "", "right within", "mean, p95, worst", "confident", "alarm", "noticed", "tracking",
@@ -83,7 +88,7 @@ void print_batch(const KidnapBatch& batch) {
     fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "",
                row.localizer, rate(row.recovered, batch.kidnaps), times(row.recovered_s),
                count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
-               fmt::format("{:.2f} %, {:.1f} s", 100.0 * row.wrong_share, row.longest_wrong_s));
+               wrong_text(row.since_kidnap));
   }
   if (batch.voids > 0) {
     fmt::print("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
@@ -145,8 +150,8 @@ Json to_json(const KidnapBatch& batch) {
            {"confident_s", times_json(row.confident_s)},
            {"alarm_s", times_json(row.alarm_s)},
            {"noticed_s", times_json(row.noticed_s)},
-           {"wrong_lock_share", row.wrong_share},
-           {"longest_wrong_s", row.longest_wrong_s},
+           {"wrong_lock_share", row.since_kidnap.share().value_or(0.0)},
+           {"longest_wrong_s", row.since_kidnap.longest_s},
            {"calibration", to_json(row.calibration)}};
     out["tracking_m"] = row.tracking ? Json(row.tracking->position_m) : Json();
     out["tracking_yaw_rad"] = row.tracking ? Json(row.tracking->yaw_rad) : Json();

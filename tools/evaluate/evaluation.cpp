@@ -9,10 +9,10 @@
 #include "localization/geometry/stamp.hpp"
 #include "tools/evaluate/rows_sink.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
-#include "tools/metrics/statistics/wrong_time.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
+#include "tools/trials/wrong_scans.hpp"
 #include "tools/workers/worker_notes.hpp"
 #include "tools/workers/worker_pool.hpp"
 
@@ -104,15 +104,10 @@ void add_calibration(const RowsOfRun& rows, EvaluationRow& row) {
 
 /// Counts scans that are wrong without the alarm, from the kidnap or start on.
 void add_wrong_scans(const RowsOfRun& rows, EvaluationRow& row) {
-  WrongTime wrong_time;
-  for (const MetricRow& scan : rows.rows) {
-    if (scan.stamp < begin_of(rows) || !scan.T_map_base_true) continue;
-    ++row.scans;
-    const bool wrong = scan.T_map_base_estimate && !scan.lost && !is_right(scan, {});
-    if (wrong) ++row.wrong_scans;
-    wrong_time.take(scan.stamp, wrong);
-  }
-  row.longest_wrong_s = wrong_time.longest_s();
+  const WrongScans found = wrong_scans_since(begin_of(rows), rows.rows, rows.end, {});
+  row.scans += found.scans;
+  row.wrong_scans += found.wrong;
+  row.longest_wrong_s = std::max(row.longest_wrong_s, found.longest_s);
 }
 
 void add_cpu(const RowsOfRun& rows, EvaluationRow& row) {

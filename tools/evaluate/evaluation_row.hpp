@@ -28,10 +28,10 @@ struct EvaluationRow {
   std::optional<double> tracking_yaw_rad;  ///< [rad]
   TrialSummary starts;
   TrialSummary kidnaps;
-  std::int64_t scans = 0;                 ///< Scored scans of starts and kidnaps.
-  std::int64_t wrong_scans = 0;           ///< Scans of these that are wrong without the alarm.
-  double longest_wrong_s = 0.0;           ///< [s] Longest uninterrupted time of such scans.
-  Calibration calibration;                ///< Over the same scans, if they have an estimate.
+  std::int64_t scans = 0;        ///< Scored scans of starts and kidnaps.
+  std::int64_t wrong_scans = 0;  ///< Scans of these that are wrong without the alarm.
+  double longest_wrong_s = 0.0;  ///< [s] Longest uninterrupted time of such scans (`WrongTime`).
+  Calibration calibration;       ///< Over the same scans, if they have an estimate.
   std::vector<double> detection_delay_s;  ///< [s] From each kidnap to the alarm or the right pose;
                                           ///< of a log, ascending.
   int false_alarms = 0;       ///< Alarms while right, in all trials and tracking together.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/metrics/statistics/bootstrap.hpp"
+#include "tools/metrics/statistics/wrong_time.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -68,22 +69,18 @@ void measure_wrong_lock(const std::vector<MetricRow>& rows, const RecoveryConfig
   for (const MetricRow& row : rows) {
     if (!pose_error(row)) continue;
     ++answered;
-    if (!row.lost && !is_right(row, config)) ++wrong;
+    if (is_wrong_lock(row, config)) ++wrong;
   }
   if (answered > 0) metrics.wrong_lock_share = static_cast<double>(wrong) / answered;
 }
 
-/// Each row counts until the next one, the last one until the end.
 void measure_wrong_lock_time(const std::vector<MetricRow>& rows, Stamp end,
                              const RecoveryConfig& config, LocalizerMetrics& metrics) {
-  double stretch = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Stamp until = i + 1 < rows.size() ? rows[i + 1].stamp : std::max(end, rows[i].stamp);
-    const bool wrong = !rows[i].lost && pose_error(rows[i]) && !is_right(rows[i], config);
-    stretch = wrong ? stretch + seconds(until - rows[i].stamp) : 0.0;
-    if (wrong) metrics.wrong_lock_s += seconds(until - rows[i].stamp);
-    metrics.longest_wrong_lock_s = std::max(metrics.longest_wrong_lock_s, stretch);
-  }
+  WrongTime time;
+  for (const MetricRow& row : rows) time.take(row.stamp, is_wrong_lock(row, config));
+  time.finish(end);
+  metrics.wrong_lock_s = time.total_s();
+  metrics.longest_wrong_lock_s = time.longest_s();
 }
 
 void measure_availability(const std::vector<MetricRow>& rows, LocalizerMetrics& metrics) {

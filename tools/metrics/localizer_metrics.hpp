@@ -46,7 +46,7 @@ struct LocalizerMetrics {
   std::optional<double> wrong_lock_share;
 
   double wrong_lock_s = 0.0;          ///< [s] Duration of wrong lock; each row counts until the
-                                      ///< next one.
+                                      ///< next one, the last one until the end (`WrongTime`).
   double longest_wrong_lock_s = 0.0;  ///< [s] Longest uninterrupted wrong lock.
   /// Share of the scored rows that have an estimate and no alarm.
   std::optional<double> availability;

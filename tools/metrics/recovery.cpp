@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/metrics/statistics/wrong_time.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -49,17 +51,16 @@ std::optional<Stamp> first_notice(const std::vector<MetricRow>& rows, RowRange r
   return std::nullopt;
 }
 
-/// Each row counts until the next one, within the window.
-double wrong_lock(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
-                  const RecoveryConfig& config) {
-  double wrong_s = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Stamp from = std::max(rows[i].stamp, window.taken);
-    const Stamp to = i + 1 < rows.size() ? std::min(rows[i + 1].stamp, window.end) : window.end;
-    const bool wrong = !rows[i].lost && pose_error(rows[i]) && !is_right(rows[i], config);
-    if (wrong && to > from) wrong_s += seconds(to - from);
+/// Time of wrong lock within the window. [s]
+double wrong_lock_s(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
+                    const RecoveryConfig& config) {
+  WrongTime time;
+  for (const MetricRow& row : rows) {
+    const Stamp within = std::min(std::max(row.stamp, window.taken), window.end);
+    time.take(within, is_wrong_lock(row, config));
   }
-  return wrong_s;
+  time.finish(window.end);
+  return time.total_s();
 }
 
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
@@ -70,7 +71,7 @@ void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven
     window.distance_m = driven[*right] - driven[range.first];
   }
   window.noticed = first_notice(rows, range, window, config);
-  window.wrong_lock_s = wrong_lock(rows, window, config);
+  window.wrong_lock_s = wrong_lock_s(rows, window, config);
 }
 
 }  // namespace
@@ -83,6 +84,10 @@ std::optional<double> RecoveryWindow::detection_delay_s() const {
 bool is_right(const MetricRow& row, const RecoveryConfig& config) {
   const auto error = pose_error(row);
   return error && error->position_m < config.position_m && error->yaw_rad < config.yaw_rad;
+}
+
+bool is_wrong_lock(const MetricRow& row, const RecoveryConfig& config) {
+  return !row.lost && pose_error(row) && !is_right(row, config);
 }
 
 std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,

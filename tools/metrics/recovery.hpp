@@ -36,7 +36,8 @@ struct RecoveryWindow {
                                      ///< are right.
   std::optional<Stamp> noticed{};    ///< First answer that raises the alarm or is right.
   double distance_m = 0.0;           ///< [m] Driven from `begin` to `recovered`.
-  double wrong_lock_s = 0.0;         ///< [s] Time since `taken` with a wrong output and no alarm.
+  double wrong_lock_s = 0.0;         ///< [s] Time since `taken` with a wrong output and no alarm
+                                     ///< (`WrongTime`).
 
   /// [s] From `taken` to `noticed`; nothing for a start and for kidnaps that were not noticed.
   [[nodiscard]] std::optional<double> detection_delay_s() const;
@@ -49,6 +50,8 @@ struct RecoveryWindow {
 
 /// True if the row has truth and estimate and the error is below the thresholds.
 bool is_right(const MetricRow& row, const RecoveryConfig& config);
+/// True if the row has truth and estimate, is not right, and raises no alarm.
+bool is_wrong_lock(const MetricRow& row, const RecoveryConfig& config);
 
 /// The windows of a run, in order. The window of an unknown start begins at the first row.
 std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,

@@ -4,23 +4,19 @@
 #include <cassert>
 
 #include "tools/metrics/recovery.hpp"
-#include "tools/metrics/statistics/wrong_time.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-/// Counts a scan after the kidnap; `since` is the time of the answer after it. [s]
+/// Takes a scan after the kidnap; `since` is the time of the answer after it. [s]
 void add_scan(const MetricRow& row, bool answered, bool right, double since,
               KidnapOutcome& outcome) {
-  ++outcome.scans;
-  if (answered && !row.lost && !right) ++outcome.wrong;
   if (!row.lost && right && !outcome.confident_s) outcome.confident_s = since;
   if (answered && row.lost && !outcome.alarm_s) outcome.alarm_s = since;
 }
 
 void add_scans(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
                const RecoveryConfig& config, KidnapOutcome& outcome) {
-  WrongTime wrong_time;
   for (const MetricRow& row : rows) {
     const auto error = pose_error(row);
     if (error && !window.is_lost_at(row.stamp)) outcome.tracking.push_back(*error);
@@ -29,9 +25,7 @@ void add_scans(const std::vector<MetricRow>& rows, const RecoveryWindow& window,
     const bool right = is_right(row, config);
     add_scan(row, error.has_value(), right, since, outcome);
     if (error) outcome.calibration.add(row.probability, right);
-    wrong_time.take(row.stamp, error && !row.lost && !right);
   }
-  outcome.longest_wrong_s = wrong_time.longest_s();
 }
 
 void keep(const std::optional<double>& time, std::vector<double>& times) {
@@ -60,8 +54,6 @@ struct TrackingSum {
 KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer, double within_s) {
   KidnapRow row;
   TrackingSum tracking;
-  int scans = 0;
-  int wrong = 0;
   for (const KidnapReport& report : reports) {
     const KidnapOutcome& outcome = report.outcomes.at(localizer);
     if (outcome.recovered_s && *outcome.recovered_s <= within_s) ++row.recovered;
@@ -70,16 +62,13 @@ KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer
     keep(outcome.alarm_s, row.alarm_s);
     keep(outcome.noticed_s, row.noticed_s);
     tracking.add(outcome.tracking);
-    scans += outcome.scans;
-    wrong += outcome.wrong;
-    row.longest_wrong_s = std::max(row.longest_wrong_s, outcome.longest_wrong_s);
+    row.since_kidnap.add(outcome.since_kidnap);
     row.calibration.add(outcome.calibration);
   }
   for (auto* times : {&row.recovered_s, &row.confident_s, &row.alarm_s, &row.noticed_s}) {
     std::sort(times->begin(), times->end());
   }
   row.tracking = tracking.mean();
-  if (scans > 0) row.wrong_share = static_cast<double>(wrong) / scans;
   return row;
 }
 
@@ -97,6 +86,7 @@ KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
   KidnapOutcome outcome;
   outcome.recovered_s = since(window.recovered);
   outcome.noticed_s = since(window.noticed);
+  outcome.since_kidnap = wrong_scans_since(window.begin, rows, window.end, config);
   add_scans(rows, window, config, outcome);
   return outcome;
 }

@@ -8,6 +8,7 @@
 #include "tools/metrics/calibration.hpp"
 #include "tools/metrics/run_rows.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/trials/wrong_scans.hpp"
 
 namespace castaway::testbed {
 
@@ -21,9 +22,7 @@ struct KidnapOutcome {
   std::optional<double> noticed_s;    ///< [s] First answer that is right or raises the alarm.
   std::vector<PoseError> tracking;    ///< Errors of the scans before the kidnap and after the
                                       ///< recovery.
-  int scans = 0;                      ///< Scans after the kidnap whose truth is known.
-  int wrong = 0;                      ///< Scans of these that are wrong without the alarm.
-  double longest_wrong_s = 0.0;       ///< [s] Longest uninterrupted time of such scans.
+  WrongScans since_kidnap{};          ///< The scans after the kidnap.
   Calibration calibration{};          ///< Over the scans after the kidnap.
 };
 
@@ -60,9 +59,7 @@ struct KidnapRow {
   std::vector<double> alarm_s;        ///< [s] Ascending.
   std::vector<double> noticed_s;      ///< [s] Ascending.
   std::optional<PoseError> tracking;  ///< Mean over all trials' scans.
-  double wrong_share = 0.0;           ///< In [0, 1]: share of the scans after the kidnaps that are
-                                      ///< wrong without the alarm.
-  double longest_wrong_s = 0.0;       ///< [s] Longest uninterrupted time of such scans.
+  WrongScans since_kidnap;            ///< The scans after the kidnaps.
   Calibration calibration;            ///< Over the scans after the kidnaps.
 };
 

@@ -111,6 +111,12 @@ TEST(LocalizerMetrics, TellHowLongTheOutputWasWrongWithoutSayingSo) {
   EXPECT_DOUBLE_EQ(metrics.longest_wrong_lock_s, 3.0);
 }
 
+TEST(LocalizerMetrics, TheLastScanIsWrongUntilTheEnd) {
+  const LocalizerMetrics metrics = measure(rows_with({0.0, 0.0, 2.0}), {}, true, from_seconds(6.5));
+  EXPECT_DOUBLE_EQ(metrics.wrong_lock_s, 4.5);
+  EXPECT_DOUBLE_EQ(metrics.longest_wrong_lock_s, 4.5);
+}
+
 TEST(LocalizerMetrics, AvailabilityIsTheShareOfScansAnsweredWithoutAlarm) {
   std::vector<MetricRow> rows = rows_with({0.0, 3.0, 0.0, 0.0, 0.0});
   rows[2].lost = true;

@@ -91,8 +91,8 @@ TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
   for (const KidnapReport& report : reports) {
     EXPECT_GE(distance(report.T_map_from, report.T_map_to), 3.0);
     ASSERT_EQ(report.outcomes.size(), 2U);
-    EXPECT_EQ(report.outcomes[0].scans, report.outcomes[1].scans);
-    EXPECT_NEAR(report.outcomes[0].scans, 30, 1);
+    EXPECT_EQ(report.outcomes[0].since_kidnap.scans, report.outcomes[1].since_kidnap.scans);
+    EXPECT_NEAR(static_cast<double>(report.outcomes[0].since_kidnap.scans), 30.0, 1.0);
     EXPECT_TRUE(report.outcomes[0].recovered_s);
     EXPECT_FALSE(report.outcomes[1].alarm_s);
   }

@@ -24,9 +24,9 @@ TEST(KidnapOutcome, TimesTheWayBack) {
   EXPECT_DOUBLE_EQ(*outcome.noticed_s, 1.5);
   EXPECT_DOUBLE_EQ(*outcome.recovered_s, 3.5);
   EXPECT_DOUBLE_EQ(*outcome.confident_s, 4.5);
-  EXPECT_EQ(outcome.scans, 7);
-  EXPECT_EQ(outcome.wrong, 1);  // at 3 s; from then on it raises the alarm
-  EXPECT_EQ(outcome.longest_wrong_s, 0.0);
+  EXPECT_EQ(outcome.since_kidnap.scans, 7);
+  EXPECT_EQ(outcome.since_kidnap.wrong, 1);  // at 3 s; from then on it raises the alarm
+  EXPECT_EQ(outcome.since_kidnap.longest_s, 1.0);
   EXPECT_EQ(outcome.calibration.scans(), 7);
 }
 
@@ -47,8 +47,8 @@ TEST(KidnapOutcome, SaysWhatNeverHappened) {
   auto rows = rows_with({0.0, 0.0, 0.0, 5.0, 5.0});
   const KidnapOutcome outcome = outcome_of(rows);
   EXPECT_FALSE(outcome.recovered_s || outcome.confident_s || outcome.alarm_s || outcome.noticed_s);
-  EXPECT_EQ(outcome.wrong, 2);
-  EXPECT_EQ(outcome.longest_wrong_s, 1.0);
+  EXPECT_EQ(outcome.since_kidnap.wrong, 2);
+  EXPECT_EQ(outcome.since_kidnap.longest_s, 7.0);  // to the end, at 10 s
 }
 
 TEST(KidnapOutcome, IsNotRecoveredWhereItGoesWrongAgain) {
@@ -93,7 +93,7 @@ TEST(Summarise, PutsTrialsTogether) {
   // 3 * 0.1 + 4 * 0.2 + 0.4 + 3 * 0 metres on 7 + 1 + 3 scans
   EXPECT_NEAR(row.tracking->position_m, 1.5 / 11.0, 1e-12);
   EXPECT_NEAR(row.tracking->yaw_rad, 0.2 / 11.0, 1e-12);
-  EXPECT_NEAR(row.wrong_share, (3.0 + 3.0 + 1.0) / (7.0 + 7.0 + 1.0), 1e-12);
+  EXPECT_NEAR(*row.since_kidnap.share(), (3.0 + 3.0 + 1.0) / (7.0 + 7.0 + 1.0), 1e-12);
 }
 
 TEST(Summarise, HasNothingToSayOfNoTrials) {

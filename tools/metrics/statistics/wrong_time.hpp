@@ -1,4 +1,4 @@
-/// The longest time without a break in which something is wrong.
+/// The time in which something is wrong: in total, and the longest without a break.
 #pragma once
 
 #include <algorithm>
@@ -7,20 +7,30 @@
 
 namespace castaway::testbed {
 
-/// Takes scans in their order. A time begins with its first wrong scan and ends with its last one.
+/// Takes scans in their order. Each scan counts until the next one, the last one until the end.
 class WrongTime {
  public:
   void take(localization::Stamp stamp, bool wrong) {
-    if (wrong && !was_wrong_) since_ = stamp;
-    if (wrong) longest_ = std::max(longest_, stamp - since_);
+    const localization::Stamp lasted = was_wrong_ ? stamp - newest_ : localization::Stamp::zero();
+    stretch_ = was_wrong_ ? stretch_ + lasted : lasted;
+    total_ += lasted;
+    longest_ = std::max(longest_, stretch_);
     was_wrong_ = wrong;
+    newest_ = stamp;
   }
-  /// [s] 0 if nothing was wrong, or single scans only.
+  /// Ends the series; an end before the last scan counts as the stamp of that scan.
+  void finish(localization::Stamp end) { take(std::max(end, newest_), false); }
+
+  /// [s] Until the newest scan, or until the end.
+  [[nodiscard]] double total_s() const { return localization::seconds(total_); }
+  /// [s] As `total_s`.
   [[nodiscard]] double longest_s() const { return localization::seconds(longest_); }
 
  private:
   bool was_wrong_ = false;
-  localization::Stamp since_{};
+  localization::Stamp newest_{};
+  localization::Stamp stretch_{};
+  localization::Stamp total_{};
   localization::Stamp longest_{};
 };
 
