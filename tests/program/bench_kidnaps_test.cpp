@@ -19,6 +19,7 @@ TEST(BenchKidnaps, PrintsALineForEveryBatchAndLocalizer) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1 + 2 * 3) << outcome.out;
   expect_contains(outcome.out, "matcher");
   expect_contains(outcome.out, " amcl ");
+  expect_contains(outcome.out, "since distinguishable: wrong, longest");
 }
 
 TEST(BenchKidnaps, PrintsJsonAndRepeatsItself) {
@@ -34,6 +35,10 @@ TEST(BenchKidnaps, PrintsJsonAndRepeatsItself) {
   EXPECT_EQ(batches[0].at("/top5/count"_json_pointer), 2);
   EXPECT_EQ(batches[0].at("/localizers/mh_amcl/recovered/count"_json_pointer), 2);
   EXPECT_LT(batches[0].at("/localizers/mh_amcl/tracking_m"_json_pointer), 0.1);
+  const Json& distinct = batches[0].at("/localizers/mh_amcl/distinguishable"_json_pointer);
+  EXPECT_EQ(distinct.at("share"), 1.0);
+  EXPECT_LE(distinct.at("wrong_share"), 1.0);
+  EXPECT_GE(distinct.at("longest_wrong_s"), 0.0);
 }
 
 TEST(BenchKidnaps, RefusesWhatMakesNoSense) {

@@ -1,4 +1,5 @@
 // castaway bench kidnaps: random kidnaps in the simulator, with and without people.
+#include <array>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -65,30 +66,36 @@ std::string count(const std::vector<double>& sample) {
 
 /// Share and longest time of the wrong scans.
 std::string wrong_text(const WrongScans& scans) {
-  return fmt::format("{:.2f} %, {:.1f} s", 100.0 * scans.share().value_or(0.0), scans.longest_s);
+  const std::optional<double> share = scans.share();
+  return share ? fmt::format("{:.2f} %, {:.1f} s", 100.0 * *share, scans.longest_s) : "-";
+}
+
+/// Prints a row of the table; the name is left-aligned.
+void print_cells(const std::array<std::string, 10>& cells) {
+  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}  {:>37}\n",
+             cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6], cells[7],
+             cells[8], cells[9]);
 }
 
 void print_header() {
-  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "obstacles",
-             "", "right within", "mean, p95, worst", "confident", "alarm", "noticed", "tracking",
-             "wrong, longest");
+  print_cells({"obstacles", "", "right within", "mean, p95, worst", "confident", "alarm", "noticed",
+               "tracking", "wrong, longest", "since distinguishable: wrong, longest"});
 }
 
 void print_batch(const KidnapBatch& batch) {
   fmt::print(
       "{:>9}  matcher: right place first {}, among the best five {}; {:.0f} % of the beams "
-      "blocked\n",
+      "blocked; places distinguishable {}\n",
       batch.obstacles, rate(batch.top1, batch.kidnaps), rate(batch.top5, batch.kidnaps),
-      100.0 * batch.blocked_share);
+      100.0 * batch.blocked_share, rate(batch.distinguishable, batch.kidnaps));
   for (const KidnapRow& row : batch.rows) {
     const std::string tracking = row.tracking
                                      ? fmt::format("{:.4f} m, {:.2f} deg", row.tracking->position_m,
                                                    kDegrees * row.tracking->yaw_rad)
                                      : "-";
-    fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}\n", "",
-               row.localizer, rate(row.recovered, batch.kidnaps), times(row.recovered_s),
-               count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
-               wrong_text(row.since_kidnap));
+    print_cells({"", row.localizer, rate(row.recovered, batch.kidnaps), times(row.recovered_s),
+                 count(row.confident_s), count(row.alarm_s), count(row.noticed_s), tracking,
+                 wrong_text(row.since_kidnap), wrong_text(row.since_distinguishable)});
   }
   if (batch.voids > 0) {
     fmt::print("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
@@ -135,6 +142,15 @@ Json rate_json(int successes, int trials) {
   return {{"count", successes}, {"interval", {interval.low, interval.high}}};
 }
 
+/// How a localizer does where scans distinguish its place from that without the kidnap.
+Json distinguishable_json(const KidnapBatch& batch, const WrongScans& scans) {
+  const std::optional<double> wrong = scans.share();
+  const auto trials = static_cast<double>(batch.kidnaps);
+  return {{"share", batch.kidnaps > 0 ? Json(batch.distinguishable / trials) : Json()},
+          {"wrong_share", wrong ? Json(*wrong) : Json()},
+          {"longest_wrong_s", scans.longest_s}};
+}
+
 Json to_json(const KidnapBatch& batch) {
   Json json = {{"obstacles", batch.obstacles},
                {"kidnaps", batch.kidnaps},
@@ -152,6 +168,7 @@ Json to_json(const KidnapBatch& batch) {
            {"noticed_s", times_json(row.noticed_s)},
            {"wrong_lock_share", row.since_kidnap.share().value_or(0.0)},
            {"longest_wrong_s", row.since_kidnap.longest_s},
+           {"distinguishable", distinguishable_json(batch, row.since_distinguishable)},
            {"calibration", to_json(row.calibration)}};
     out["tracking_m"] = row.tracking ? Json(row.tracking->position_m) : Json();
     out["tracking_yaw_rad"] = row.tracking ? Json(row.tracking->yaw_rad) : Json();
@@ -244,7 +261,8 @@ void add_bench_kidnaps(Command& bench) {
   command.add_flag("--json", a->json, "Print JSON");
   command.footer(
       "Right: error below 0.5 m and 0.35 rad to the end of the window. Matcher: the search of the "
-      "whole map by the first whole scan alone.\n"
+      "whole map by the first whole scan alone. Since distinguishable: the same of the scans since "
+      "the evidence distinguishes the robot's place from that without the kidnap.\n"
       "Examples:\n"
       "  castaway bench kidnaps --kidnaps 300\n"
       "  castaway bench kidnaps --world hall --kind look-alike --min-distance 1 --lidar urg-04lx\n"

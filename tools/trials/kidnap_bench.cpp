@@ -6,6 +6,7 @@
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
 #include "tools/sources/simulator_source.hpp"
+#include "tools/trials/distinguishability.hpp"
 #include "tools/trials/place_finder.hpp"
 
 namespace castaway::testbed {
@@ -17,32 +18,45 @@ struct PlayedTrial {
   localization::TransformBuffer T_odom_base;
   std::optional<localization::ScanPoints> points;  ///< First whole scan after the kidnap.
   SE2 T_map_base_true;                             ///< True pose at which `points` was taken.
+  std::optional<Distinguishability> places;        ///< Of the scans since the kidnap.
   Stamp end{};
 
   explicit PlayedTrial(RunInfo info) : history(std::move(info)) {}
 };
 
-/// Writes into a trial that must outlive the sink.
+/// Writes into a trial that must outlive the sink, as must the evidence.
 class TrialSink final : public RunSink {
  public:
-  explicit TrialSink(PlayedTrial& played) : played_(played) {}
+  TrialSink(const localization::EvidenceModel& evidence, PlayedTrial& played)
+      : evidence_(evidence), played_(played) {}
 
-  void on_event(const RunEvent& event) override { played_.history.add(event); }
+  void on_event(const RunEvent& event) override {
+    played_.history.add(event);
+    if (event.kind != EventKind::kKidnap) return;
+    kidnapped_ = event.stamp;
+    played_.places.emplace(evidence_, event.T_map_from.value(), event.T_map_to.value());
+  }
   void on_odometry(const OdometryFrame& frame) override {
     played_.T_odom_base.add(frame.odometry.stamp, frame.odometry.T_odom_base);
   }
   void on_scan(const ScanRecord& record) override {
     played_.history.add(record);
-    const std::vector<RunEvent> kidnaps = kidnaps_of(played_.history.events);
-    if (played_.points || kidnaps.empty() || record.stamp < kidnaps.front().stamp) return;
-    played_.points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
-                                                localization::MhAmclConfig{}.input.beams);
-    played_.T_map_base_true = record.T_map_base_true.value();
+    if (record.stamp < kidnapped_) return;
+    const auto points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
+                                                   localization::MhAmclConfig{}.input.beams);
+    if (!points) return;
+    const SE2 T_map_base_true = record.T_map_base_true.value();
+    played_.places->take(record.stamp, *points, T_map_base_true);
+    if (played_.points) return;
+    played_.points = points;
+    played_.T_map_base_true = T_map_base_true;
   }
   void finish(Stamp end, const RunTiming&) override { played_.end = end; }
 
  private:
+  const localization::EvidenceModel& evidence_;
   PlayedTrial& played_;
+  Stamp kidnapped_ = Stamp::max();
 };
 
 /// The map, with its search.
@@ -65,7 +79,7 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<Locali
       duration);
   std::vector<NamedLocalizer> localizers = build_localizers(specs, stage.map, trial.seed);
   std::vector<std::unique_ptr<RunSink>> sinks;
-  sinks.push_back(std::make_unique<TrialSink>(played));
+  sinks.push_back(std::make_unique<TrialSink>(stage.finder.evidence(), played));
   LoopConfig loop;
   loop.start = {*source.start_pose(), Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
   Loop(loop, localizers, sinks).run(source);
@@ -100,8 +114,10 @@ KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
   if (played.points) {
     report.search = search(stage.finder, *played.points, played.T_map_base_true);
   }
+  report.distinguishable = played.places->since();
   for (const auto& rows : played.history.rows) {
-    report.outcomes.push_back(kidnap_outcome(rows, played.history.events, played.end));
+    report.outcomes.push_back(
+        kidnap_outcome(rows, played.history.events, played.end, report.distinguishable));
   }
   return report;
 }

@@ -63,6 +63,7 @@ KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer
     keep(outcome.noticed_s, row.noticed_s);
     tracking.add(outcome.tracking);
     row.since_kidnap.add(outcome.since_kidnap);
+    row.since_distinguishable.add(outcome.since_distinguishable);
     row.calibration.add(outcome.calibration);
   }
   for (auto* times : {&row.recovered_s, &row.confident_s, &row.alarm_s, &row.noticed_s}) {
@@ -75,7 +76,8 @@ KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer
 }  // namespace
 
 KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
-                             const std::vector<RunEvent>& events, Stamp end) {
+                             const std::vector<RunEvent>& events, Stamp end,
+                             const std::optional<Stamp>& distinguishable) {
   const RecoveryConfig config{.min_left = Stamp{}};
   const auto windows = recovery_windows(rows, kidnaps_of(events), true, end, config);
   assert(windows.size() == 1);
@@ -87,6 +89,9 @@ KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
   outcome.recovered_s = since(window.recovered);
   outcome.noticed_s = since(window.noticed);
   outcome.since_kidnap = wrong_scans_since(window.begin, rows, window.end, config);
+  if (distinguishable) {
+    outcome.since_distinguishable = wrong_scans_since(*distinguishable, rows, window.end, config);
+  }
   add_scans(rows, window, config, outcome);
   return outcome;
 }
@@ -102,6 +107,7 @@ KidnapBatch summarise(std::vector<KidnapReport> reports, const std::vector<std::
     const SearchOutcome& search = report.search;
     if (search.rank && *search.rank < 1) ++batch.top1;
     if (search.rank && *search.rank < 5) ++batch.top5;
+    if (report.distinguishable) ++batch.distinguishable;
     batch.blocked_share += search.blocked_share / batch.kidnaps;
   }
   for (std::size_t i = 0; i < localizers.size(); ++i) {

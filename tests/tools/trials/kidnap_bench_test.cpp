@@ -95,6 +95,10 @@ TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
     EXPECT_NEAR(static_cast<double>(report.outcomes[0].since_kidnap.scans), 30.0, 1.0);
     EXPECT_TRUE(report.outcomes[0].recovered_s);
     EXPECT_FALSE(report.outcomes[1].alarm_s);
+    ASSERT_TRUE(report.distinguishable);  // the laboratory has no places that look alike
+    const WrongScans& since = report.outcomes[0].since_distinguishable;
+    EXPECT_GT(since.scans, 0);
+    EXPECT_LT(since.scans, report.outcomes[0].since_kidnap.scans);
   }
 }
 

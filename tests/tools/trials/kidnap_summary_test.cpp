@@ -59,6 +59,16 @@ TEST(KidnapOutcome, IsNotRecoveredWhereItGoesWrongAgain) {
   EXPECT_DOUBLE_EQ(*outcome.confident_s, 3.5);
 }
 
+TEST(KidnapOutcome, CountsTheScansSinceThePlacesAreDistinguishable) {
+  const KidnapOutcome outcome =
+      kidnap_outcome(kidnapped(), {kidnap_at(2.5)}, from_seconds(10.0), from_seconds(4.0));
+  EXPECT_EQ(outcome.since_kidnap.wrong, 3);
+  EXPECT_EQ(outcome.since_distinguishable.scans, 6);
+  EXPECT_EQ(outcome.since_distinguishable.wrong, 2);
+  EXPECT_EQ(outcome.since_distinguishable.longest_s, 2.0);
+  EXPECT_EQ(outcome_of(kidnapped()).since_distinguishable.scans, 0);
+}
+
 TEST(Summarise, LeavesOutTrialsThatAreVoid) {
   const KidnapReport counts{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
   KidnapReport stuck = counts;
@@ -94,6 +104,18 @@ TEST(Summarise, PutsTrialsTogether) {
   EXPECT_NEAR(row.tracking->position_m, 1.5 / 11.0, 1e-12);
   EXPECT_NEAR(row.tracking->yaw_rad, 0.2 / 11.0, 1e-12);
   EXPECT_NEAR(*row.since_kidnap.share(), (3.0 + 3.0 + 1.0) / (7.0 + 7.0 + 1.0), 1e-12);
+}
+
+TEST(Summarise, CountsTheTrialsWithDistinguishablePlaces) {
+  const KidnapReport never{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
+  KidnapReport distinct = never;
+  distinct.distinguishable = from_seconds(4.0);
+  distinct.outcomes[0].since_distinguishable = {6, 2, 1.5};
+  const KidnapBatch batch = summarise({never, distinct, distinct}, {"amcl"}, 10.0);
+  EXPECT_EQ(batch.distinguishable, 2);
+  EXPECT_EQ(batch.rows[0].since_distinguishable.scans, 12);
+  EXPECT_NEAR(*batch.rows[0].since_distinguishable.share(), 4.0 / 12.0, 1e-12);
+  EXPECT_EQ(batch.rows[0].since_distinguishable.longest_s, 1.5);
 }
 
 TEST(Summarise, HasNothingToSayOfNoTrials) {
