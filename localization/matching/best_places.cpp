@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace castaway::localization {
 namespace {
@@ -13,21 +14,20 @@ bool better(const Place& a, const Place& b) {
 
 }  // namespace
 
-BestPlaces::BestPlaces(const GridFrame& frame, int yaws, const BinSize& size, int count,
-                       int max_score)
+BestPlaces::BestPlaces(const GridFrame& frame, const BinSize& size, int count, int max_score,
+                       int least)
     : size_(size),
       columns_(frame.width / size.cells + 1),
       rows_(frame.height / size.cells + 1),
       count_(count),
-      bins_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) *
-            static_cast<std::size_t>(yaws / size.yaws + 1)),
-      bins_of_score_(static_cast<std::size_t>(max_score) + 1) {}
+      bins_of_score_(static_cast<std::size_t>(max_score) + 1),
+      threshold_(std::clamp(least, 1, max_score)) {}
 
 void BestPlaces::offer(const Place& place) {
   if (place.score < threshold_) return;
   const int bin = ((place.yaw / size_.yaws) * rows_ + place.row / size_.cells) * columns_ +
                   place.column / size_.cells;
-  Place& best = bins_[static_cast<std::size_t>(bin)];
+  Place& best = bins_[bin];
   if (!better(place, best)) return;
   raise_threshold(best.score, place.score);
   best = place;
@@ -44,12 +44,14 @@ void BestPlaces::raise_threshold(int before, int now) {
 }
 
 std::vector<Place> BestPlaces::list() const {
+  std::vector<std::pair<int, Place>> listed;
+  std::copy_if(bins_.begin(), bins_.end(), std::back_inserter(listed),
+               [&](const auto& entry) { return entry.second.score >= threshold_; });
+  std::stable_sort(listed.begin(), listed.end(),
+                   [](const auto& a, const auto& b) { return a.second.score > b.second.score; });
+  listed.resize(std::min(listed.size(), static_cast<std::size_t>(count_)));
   std::vector<Place> places;
-  std::copy_if(bins_.begin(), bins_.end(), std::back_inserter(places),
-               [&](const Place& p) { return p.score >= threshold_; });
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.score > b.score; });
-  places.resize(std::min(places.size(), static_cast<std::size_t>(count_)));
+  for (const auto& entry : listed) places.push_back(entry.second);
   return places;
 }
 

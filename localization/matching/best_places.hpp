@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "localization/map/occupancy_grid.hpp"
@@ -34,8 +35,9 @@ struct BinSize {
 /// `threshold` (which never decreases) gives the same list.
 class BestPlaces {
  public:
-  /// For a grid with `yaws` yaw steps; no score exceeds `max_score`.
-  BestPlaces(const GridFrame& frame, int yaws, const BinSize& size, int count, int max_score);
+  /// For a grid; no score exceeds `max_score`. Scores below `least` are never
+  /// listed.
+  BestPlaces(const GridFrame& frame, const BinSize& size, int count, int max_score, int least = 1);
 
   /// Places with a lower score can no longer change the list.
   [[nodiscard]] int threshold() const { return threshold_; }
@@ -48,7 +50,8 @@ class BestPlaces {
 
   BinSize size_;
   int columns_, rows_, count_;
-  std::vector<Place> bins_;
+  /// The best place of every bin that was offered one; sparse, since a large map has millions.
+  std::map<int, Place> bins_;
   std::vector<int> bins_of_score_;  ///< Number of bins with this best score.
   int threshold_ = 1;
   int bins_above_ = 0;  ///< Number of bins above the threshold.

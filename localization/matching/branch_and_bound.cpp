@@ -44,7 +44,7 @@ bool BranchAndBound::step(std::int64_t tiles) {
   const std::size_t top = scorer_.top_level();
   for (; bounded_ < roots_.size(); ++bounded_) {
     if (scorer_.scored() >= end) return false;
-    roots_[bounded_] = scorer_.bound(top, roots_[bounded_].tile);
+    roots_[bounded_] = scorer_.bound(top, roots_[bounded_].tile, best_.threshold());
     if (bounded_ + 1 == roots_.size()) roots_ = sort_by_bound(roots_);
   }
   for (; expanded_ < roots_.size(); ++expanded_) {
@@ -70,8 +70,8 @@ void BranchAndBound::descend(std::size_t level, const Tile& tile) {
   if (tile.column >= field.layout().tile_columns || tile.row >= field.layout().tile_rows) return;
   if (field.free_nodes(tile.column, tile.row) == 0) return;
   if (outside(field, space_, tile.column, tile.row)) return;
-  if (level > 0) return expand(level, scorer_.bound(level, tile));
-  offer_tile(field, space_, tile, scorer_.score(level, tile), best_);
+  if (level > 0) return expand(level, scorer_.bound(level, tile, best_.threshold()));
+  offer_tile(field, space_, tile, scorer_.score(level, tile, best_.threshold()), best_);
 }
 
 }  // namespace castaway::localization

@@ -21,12 +21,12 @@ class BranchAndBound {
   BranchAndBound(const Pyramid& pyramid, SearchSpace space,
                  const std::vector<std::vector<CellOffset>>& scans, BestPlaces best);
 
-  /// Continues until about `tiles` more tiles are scored (at least one, up to a few more). Returns
+  /// Continues for the work of about `tiles` more tiles (at least one, up to a few more). Returns
   /// true when the search is complete.
   bool step(std::int64_t tiles);
   /// True if the list is final.
   [[nodiscard]] bool complete() const { return complete_; }
-  /// Tiles scored so far; each costs 16 byte sums per end point.
+  /// Work so far, in tiles of 64 end points (`TileScorer::scored`).
   [[nodiscard]] std::int64_t tiles_scored() const { return scorer_.scored(); }
   /// The best places so far, best first.
   [[nodiscard]] const BestPlaces& best() const { return best_; }

@@ -31,13 +31,18 @@ CascadeMatcher::CascadeMatcher(const MatcherConfig& config, const OccupancyGrid&
       pyramid_(make_pyramid(field_, config.levels)),
       yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)))) {}
 
-BestPlaces CascadeMatcher::make_best_places(int most) const {
+/// Sum of the bytes of a scan that fits perfectly.
+double CascadeMatcher::perfect_score(std::size_t points) const {
+  return kByteMax * std::min<double>(config_.points, static_cast<double>(points));
+}
+
+BestPlaces CascadeMatcher::make_best_places(int most, int least) const {
   const GridFrame& frame = field_.frame();
   const double yaws_per_radian = yaws_ / (2.0 * std::numbers::pi);
   const BinSize bin{
       std::max(1, static_cast<int>(config_.suppression_m / frame.resolution)),
       std::max(1, static_cast<int>(std::lround(config_.suppression_rad * yaws_per_radian)))};
-  return {frame, yaws_, bin, most, kByteMax * config_.points};
+  return {frame, bin, most, kByteMax * config_.points, least};
 }
 
 std::vector<std::vector<CellOffset>> CascadeMatcher::rotate_scans(const ScanPoints& points,
@@ -52,10 +57,11 @@ std::vector<std::vector<CellOffset>> CascadeMatcher::rotate_scans(const ScanPoin
 
 BranchAndBound CascadeMatcher::search(const ScanPoints& points,
                                       const std::optional<MatchWindow>& window,
-                                      const std::optional<int>& most) const {
+                                      const std::optional<int>& most, double least) const {
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
+  const int least_sum = static_cast<int>(std::ceil(least * perfect_score(points.size())));
   return {pyramid_, space, rotate_scans(points, space),
-          make_best_places(most.value_or(config_.candidates))};
+          make_best_places(most.value_or(config_.candidates), least_sum)};
 }
 
 std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
@@ -76,7 +82,7 @@ std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
 std::vector<Candidate> CascadeMatcher::candidates(const BestPlaces& best,
                                                   std::size_t points) const {
   const GridFrame& frame = field_.frame();
-  const double perfect = kByteMax * std::min<double>(config_.points, static_cast<double>(points));
+  const double perfect = perfect_score(points);
   std::vector<Candidate> candidates;
   for (const Place& place : best.list()) {
     const Eigen::Vector2d p = frame.centre_of({place.column, place.row});

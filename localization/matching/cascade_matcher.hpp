@@ -55,14 +55,17 @@ class CascadeMatcher {
                                              const std::optional<int>& most = {}) const;
 
   /// Starts a match that runs in slices, always by branch and bound; the matcher must outlive it.
+  /// Places with a score (`Candidate::score`) below `least` are left out, which prunes the search.
   [[nodiscard]] BranchAndBound search(const ScanPoints& points,
                                       const std::optional<MatchWindow>& window = {},
-                                      const std::optional<int>& most = {}) const;
+                                      const std::optional<int>& most = {},
+                                      double least = 0.0) const;
   /// Candidates that a search with a scan of `points` points has found so far.
   [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
 
  private:
-  [[nodiscard]] BestPlaces make_best_places(int most) const;
+  [[nodiscard]] double perfect_score(std::size_t points) const;
+  [[nodiscard]] BestPlaces make_best_places(int most, int least = 1) const;
   [[nodiscard]] std::vector<std::vector<CellOffset>> rotate_scans(const ScanPoints& points,
                                                                   const SearchSpace& space) const;
 

@@ -11,7 +11,8 @@ void score_all(const PooledField& cells, const SearchSpace& space,
   for (std::size_t yaw = 0; yaw < space.yaws.size(); ++yaw) {
     for (Tile& tile : tiles) {
       tile.yaw = static_cast<int>(yaw);
-      offer_tile(cells, space, tile, tile_sums(cells, tile, shifts.at(yaw)), best);
+      offer_tile(cells, space, tile, tile_sums(cells, tile, shifts.at(yaw), best.threshold()).sums,
+                 best);
     }
   }
 }

@@ -13,13 +13,15 @@ TileScorer::TileScorer(const Pyramid& pyramid, const std::vector<std::vector<Cel
   for (const PooledField& level : pyramid) shifts_.emplace_back(level, scans);
 }
 
-TileSums TileScorer::score(std::size_t level, const Tile& tile) {
-  ++scored_;
-  return tile_sums((*pyramid_)[level], tile, shifts_[level].at(static_cast<std::size_t>(tile.yaw)));
+TileSums TileScorer::score(std::size_t level, const Tile& tile, int least) {
+  const TileScore score = tile_sums((*pyramid_)[level], tile,
+                                    shifts_[level].at(static_cast<std::size_t>(tile.yaw)), least);
+  points_ += static_cast<std::int64_t>(score.points);
+  return score.sums;
 }
 
-BoundedTile TileScorer::bound(std::size_t level, const Tile& tile) {
-  const TileSums sums = score(level, tile);
+BoundedTile TileScorer::bound(std::size_t level, const Tile& tile, int least) {
+  const TileSums sums = score(level, tile, least);
   const unsigned free = (*pyramid_)[level].free_nodes(tile.column, tile.row);
   BoundedTile bounded{tile, {}};
   for (std::size_t j = 0; j < sums.size(); ++j) {

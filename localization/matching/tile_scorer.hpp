@@ -36,17 +36,18 @@ class TileScorer {
 
   [[nodiscard]] std::size_t top_level() const { return pyramid_->size() - 1; }
   [[nodiscard]] const PooledField& level(std::size_t level) const { return (*pyramid_)[level]; }
-  /// Sums of all nodes of a tile.
-  TileSums score(std::size_t level, const Tile& tile);
-  /// Bounds of the free nodes of a tile. A child covers four nodes of one row.
-  BoundedTile bound(std::size_t level, const Tile& tile);
-  /// Number of tiles scored so far; each costs 16 byte sums per end point.
-  [[nodiscard]] std::int64_t scored() const { return scored_; }
+  /// Sums of all nodes of a tile; partial ones if all are below `least`.
+  TileSums score(std::size_t level, const Tile& tile, int least);
+  /// Bounds of the free nodes of a tile. A child covers four nodes of one row. If no bound reaches
+  /// `least`, they are partial.
+  BoundedTile bound(std::size_t level, const Tile& tile, int least);
+  /// Work so far, in tiles of 64 end points: 1024 byte sums each.
+  [[nodiscard]] std::int64_t scored() const { return points_ / 64; }
 
  private:
   const Pyramid* pyramid_;
   std::vector<ScanShifts> shifts_;  ///< For each level.
-  std::int64_t scored_ = 0;
+  std::int64_t points_ = 0;         ///< End points of all tiles.
 };
 
 }  // namespace castaway::localization

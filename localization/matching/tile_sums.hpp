@@ -17,7 +17,8 @@ using TileSums = std::array<std::uint16_t, PooledLayout::kTileColumns * PooledLa
 /// A scan's end points at every yaw of a search, as byte offsets on one level.
 class ScanShifts {
  public:
-  /// `scans[i]` is the scan rotated by yaw i.
+  /// `scans[i]` is the scan rotated by yaw i. The shifts of a yaw are in a mixed order, so that the
+  /// first ones are spread over the scan.
   ScanShifts(const PooledField& level, const std::vector<std::vector<CellOffset>>& scans);
 
   [[nodiscard]] std::span<const std::int32_t> at(std::size_t yaw) const {
@@ -29,8 +30,15 @@ class ScanShifts {
   std::vector<std::int32_t> shifts_;
 };
 
+/// The sums of a tile, and the number of end points that they took.
+struct TileScore {
+  TileSums sums{};
+  std::size_t points = 0;
+};
+
 /// Sums the bytes of a tile's nodes under at most 256 end points, given as shifts on that level.
-TileSums tile_sums(const PooledField& level, const Tile& tile,
-                   std::span<const std::int32_t> shifts);
+/// Stops as soon as no node can reach `least`; all sums are below it then.
+TileScore tile_sums(const PooledField& level, const Tile& tile,
+                    std::span<const std::int32_t> shifts, int least = 0);
 
 }  // namespace castaway::localization

@@ -9,7 +9,7 @@ namespace {
 
 const GridFrame kFrame{20, 10, 0.2, {}};
 
-BestPlaces nothing(int count) { return {kFrame, 12, {4, 3}, count, 100}; }
+BestPlaces nothing(int count) { return {kFrame, {4, 3}, count, 100}; }
 
 TEST(BestPlaces, KeepsTheBestOfEveryBin) {
   BestPlaces best = nothing(10);
@@ -49,6 +49,14 @@ TEST(BestPlaces, ListsNoPlaceWithoutAScore) {
   BestPlaces best = nothing(3);
   best.offer({0, 0, 0, 0});
   EXPECT_TRUE(best.list().empty());
+}
+
+TEST(BestPlaces, ListsNoPlaceBelowTheLeastScore) {
+  BestPlaces best(kFrame, {4, 3}, 3, 100, 7);
+  EXPECT_EQ(best.threshold(), 7);
+  best.offer({0, 0, 0, 6});
+  best.offer({8, 0, 0, 7});
+  EXPECT_EQ(best.list(), (std::vector<Place>{{8, 0, 0, 7}}));
 }
 
 TEST(BestPlaces, DoesNotDependOnTheOrderOfOffers) {

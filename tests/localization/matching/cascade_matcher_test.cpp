@@ -115,6 +115,25 @@ TEST(CascadeMatcher, ASearchInSlicesGivesWhatAMatchGives) {
   }
 }
 
+TEST(CascadeMatcher, ASearchAboveAScoreLeavesTheRestOut) {
+  const OccupancyGrid grid = test::office();
+  const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
+  const ScanPoints points = test::points_from(grid, {3.0, 3.0, 0.4});
+  std::vector<Candidate> expected = matcher.match(points);
+  const double least = 0.5 * expected.front().score;
+  std::erase_if(expected, [&](const Candidate& c) { return c.score < least; });
+  ASSERT_GT(expected.size(), 1U);
+  ASSERT_LT(expected.size(), matcher.match(points).size());
+  BranchAndBound whole = matcher.search(points);
+  BranchAndBound search = matcher.search(points, {}, {}, least);
+  while (!whole.step(1 << 20)) {
+  }
+  while (!search.step(1 << 20)) {
+  }
+  expect_same(matcher.candidates(search.best(), points.size()), expected);
+  EXPECT_LT(search.tiles_scored(), whole.tiles_scored());
+}
+
 TEST(CascadeMatcher, StaysWithinItsWindow) {
   const OccupancyGrid grid = test::office();
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));

@@ -62,7 +62,7 @@ struct SearchedMap {
     return scans;
   }
   [[nodiscard]] BestPlaces best_places(int count) const {
-    return {field.frame(), kYaws, {4, 2}, count, 255 * kPoints};
+    return {field.frame(), {4, 2}, count, 255 * kPoints};
   }
 
   ByteField field;

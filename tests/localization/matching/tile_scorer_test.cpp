@@ -18,7 +18,7 @@ TEST(Pyramid, DoublesTheEdgeAtEveryLevel) {
   EXPECT_EQ(map.pyramid[2].layout().edge, 4);
 }
 
-TEST(TileScorer, SumsTilesAndCountsThem) {
+TEST(TileScorer, SumsTilesAndCountsTheirPoints) {
   Rng rng = substream(2, "tile_scorer");
   const OccupancyGrid grid = test::random_room(rng);
   const test::SearchedMap map(grid, 2);
@@ -30,9 +30,9 @@ TEST(TileScorer, SumsTilesAndCountsThem) {
   const Tile tile{0, 1, 7};
   for (const std::size_t level : {0U, 1U}) {
     const ScanShifts shifts(map.pyramid[level], scans);
-    EXPECT_EQ(scorer.score(level, tile), tile_sums(map.pyramid[level], tile, shifts.at(7)));
+    EXPECT_EQ(scorer.score(level, tile, 0), tile_sums(map.pyramid[level], tile, shifts.at(7)).sums);
   }
-  EXPECT_EQ(scorer.scored(), 2);
+  EXPECT_EQ(scorer.scored(), static_cast<std::int64_t>(2 * scans[7].size()) / 64);
 }
 
 TEST(TileScorer, BoundsTheFreeNodesOfEachChild) {
@@ -45,8 +45,8 @@ TEST(TileScorer, BoundsTheFreeNodesOfEachChild) {
   const PooledField& level = map.pyramid[1];
   for (int k = 0; k < level.layout().tile_columns * level.layout().tile_rows; ++k) {
     const Tile tile{k % level.layout().tile_columns, k / level.layout().tile_columns, 3};
-    const TileSums sums = scorer.score(1, tile);
-    const BoundedTile bounded = scorer.bound(1, tile);
+    const TileSums sums = scorer.score(1, tile, 0);
+    const BoundedTile bounded = scorer.bound(1, tile, 0);
     int best = 0;
     for (std::size_t child = 0; child < 4; ++child) {
       int expected = 0;

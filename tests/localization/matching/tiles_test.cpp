@@ -36,10 +36,10 @@ TEST(Tiles, OfferTheirFreeCellsInTheSpace) {
   TileSums scores{};
   scores.fill(9);
   scores[12] = 5;  // cell (12, 3)
-  BestPlaces best(field.frame(), 12, {4, 3}, 5, 100);
+  BestPlaces best(field.frame(), {4, 3}, 5, 100);
   offer_tile(cells, space, {1, 1, 0}, scores, best);
   EXPECT_EQ(best.list(), (std::vector<Place>{{12, 3, 7, 5}}));
-  BestPlaces none(field.frame(), 12, {4, 3}, 5, 100);
+  BestPlaces none(field.frame(), {4, 3}, 5, 100);
   space.high.x() = 11;
   offer_tile(cells, space, {1, 1, 0}, scores, none);
   EXPECT_TRUE(none.list().empty());
