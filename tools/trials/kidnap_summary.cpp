@@ -75,11 +75,12 @@ KidnapRow row_of(const std::vector<KidnapReport>& reports, std::size_t localizer
 
 }  // namespace
 
-KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& rows,
-                             const std::vector<RunEvent>& events, Stamp end,
-                             const std::optional<Stamp>& distinguishable) {
+KidnapOutcome kidnap_outcome(const std::vector<MetricRow>& all, const std::vector<RunEvent>& events,
+                             Stamp end, const std::optional<Stamp>& distinguishable) {
   const RecoveryConfig config{.min_left = Stamp{}};
-  const auto windows = recovery_windows(rows, kidnaps_of(events), true, end, config);
+  const std::vector<RunEvent> kidnaps = kidnaps_of(events);
+  const std::vector<MetricRow> rows = mark_torn_rows(all, kidnaps);
+  const auto windows = recovery_windows(rows, kidnaps, true, end, config);
   assert(windows.size() == 1);
   const RecoveryWindow& window = windows.front();
   const auto since = [&](const std::optional<Stamp>& stamp) {

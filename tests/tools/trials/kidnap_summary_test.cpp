@@ -43,6 +43,15 @@ TEST(KidnapOutcome, TracksBeforeTheKidnapAndAfterTheRecovery) {
   EXPECT_NEAR(outcome.tracking[3].position_m, 0.2, 1e-12);
 }
 
+TEST(KidnapOutcome, LeavesATornScanOutOfTheTracking) {
+  auto rows = kidnapped();
+  rows[2].T_map_base_estimate->x += 5.0;  // The answer is already that after the kidnap.
+  rows[2].delivered = from_seconds(2.6);
+  const KidnapOutcome outcome = outcome_of(rows);
+  ASSERT_EQ(outcome.tracking.size(), 6U);
+  for (const PoseError& error : outcome.tracking) EXPECT_LT(error.position_m, 0.3);
+}
+
 TEST(KidnapOutcome, SaysWhatNeverHappened) {
   auto rows = rows_with({0.0, 0.0, 0.0, 5.0, 5.0});
   const KidnapOutcome outcome = outcome_of(rows);
