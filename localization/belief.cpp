@@ -1,5 +1,7 @@
 #include "localization/belief.hpp"
 
+#include <algorithm>
+
 #include "localization/hypotheses/select.hpp"
 
 namespace castaway::localization {
@@ -8,7 +10,8 @@ Belief::Belief(const MhAmclModels& mh_amcl_models, std::uint64_t seed)
     : models(mh_amcl_models),
       spawner(models.config.spawn, models.config.reseed, seed),
       posterior(models.config.posterior.null,
-                {models.config.posterior.scans, models.config.agreement, models.config.history},
+                ScanLog({models.config.posterior.scans, models.config.agreement,
+                         models.config.continuity, models.config.history}),
                 models.evidence),
       lost_and_found(models.config.lost_and_found) {}
 
@@ -41,12 +44,24 @@ bool Belief::select() {
   if (!selected) return false;
   const Hypothesis& output = populations.all[*selected];
   const bool was_confident = is_confident();
-  const bool same = populations.output_id == output.id;
+  const Hypothesis* before = populations.output();
+  const bool same =
+      before != nullptr && models.rescue.reaches(before->belief.mean, output.belief.mean);
   populations.output_id = output.id;
-  populations.probability = shares()[*selected];
+  populations.probability = probability_at(output.belief.mean);
   lost_and_found.take({same, is_confident(), populations.probability}, posterior.log().recent_cue(),
                       posterior.log().T_odom_base());
   return was_confident && !is_confident();
+}
+
+double Belief::probability_at(const SE2& T_map_base) const {
+  const std::vector<double> share = shares();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    const SE2& other = populations.all[i].belief.mean;
+    if (same_place(models.config.same, other, T_map_base)) sum += share[i];
+  }
+  return std::min(sum, 1.0);
 }
 
 void Belief::learn() {

@@ -34,6 +34,8 @@ struct Belief {
   [[nodiscard]] bool is_confident() const {
     return populations.probability >= models.config.match.confident;
   }
+  /// Probability that the robot is at a pose: of all populations that are as near as `same`.
+  [[nodiscard]] double probability_at(const SE2& T_map_base) const;
   /// Posterior probabilities of the populations.
   [[nodiscard]] std::vector<double> shares() const { return posterior.shares(populations.all); }
 

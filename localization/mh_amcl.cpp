@@ -1,5 +1,6 @@
 #include "localization/mh_amcl.hpp"
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,14 +13,39 @@ namespace {
 
 /// Creates a population at a nearby place where the scan fits better, if the output suddenly fits
 /// badly.
-void rescue_output(const ScanPoints& points, Belief& belief, ScheduledSearch& search) {
+void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search) {
   const Hypothesis* output = belief.populations.output();
   if (output == nullptr) return;
   const MhAmclModels& models = belief.models;
-  const auto place = models.rescue.find(models.context, *output, belief.posterior.usual(), points);
+  const SE2 T_odom_before = belief.posterior.log().T_odom_base().value_or(scan.T_odom_base);
+  const auto place = models.rescue.find(models.context, *output, belief.posterior.usual(),
+                                        scan.points, T_odom_before.inverse() * scan.T_odom_base);
   if (!place) return;
-  belief.add({*place}, points);
+  belief.add({*place}, scan.points);
   search.note_rescue(belief.populations.all.back().id);
+}
+
+/// Creates populations at the places that a watch has found, and settles the doubt of the output.
+/// Returns true if a place elsewhere is better than the output.
+bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& points,
+                  Belief& belief) {
+  const MhAmclModels& models = belief.models;
+  const Hypothesis& output = *belief.populations.output();
+  std::vector<WeighedPlace> elsewhere = places;
+  std::erase_if(elsewhere, [&](const WeighedPlace& place) {
+    return models.rescue.reaches(output.belief.mean, place.T_map_base);
+  });
+  const Evidence here = models.evidence.evaluate(points, output.belief.mean);
+  const double lead = elsewhere.empty()
+                          ? std::numeric_limits<double>::infinity()
+                          : here.log_likelihood - elsewhere.front().newest.log_likelihood;
+  belief.add(new_places(models.context, belief.posterior.log().scans(), belief.populations.all,
+                        models.config.destroy.behind_confident, places),
+             points);
+  belief.posterior.take_watch({here.log_likelihood, here.endpoints, lead},
+                              !belief.lost_and_found.is_lost(), belief.populations.all);
+  merge(models.config.merge, belief.populations);
+  return lead < 0.0;
 }
 
 void select_output(Belief& belief, ScheduledSearch& search) {
@@ -32,13 +58,15 @@ MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed
     : models_(config, std::move(map)),
       input_(config.input),
       belief_(models_, seed),
-      search_(config.match, models_.matcher),
+      searches_{ScheduledSearch(config.match, models_.matcher),
+                PlaceWatch(config.watch, models_.matcher),
+                WorkBudget(config.budget, config.input.correct_rate_hz)},
       timer_(std::move(clock)) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
   belief_.start(start);
-  search_.start();
+  searches_.start();
   estimate_.reset();
 }
 
@@ -46,7 +74,7 @@ void MhAmcl::on_odometry(const Odometry& odometry) {
   const OdometryTurn turn = input_.take(odometry);
   if (turn.restarted) {
     belief_.forget_motion();
-    search_.restart_clock();
+    searches_.restart_clock();
     estimate_.reset();
   }
   predict(turn.step);
@@ -71,22 +99,23 @@ void MhAmcl::predict(const std::optional<SE2>& step) {
 /// Processes one scan in the phases of the paper: correct, merge, create, destroy, select, reseed.
 void MhAmcl::take_scan(const ScanTurn& scan) {
   Populations& populations = belief_.populations;
+  searches_.budget.earn(scan.now);
   timer_.measure("correct", [&] {
     for (Hypothesis& hypothesis : populations.all) models_.filter.correct(hypothesis, scan.points);
-    rescue_output(scan.points, belief_, search_);
+    rescue_output(scan, belief_, searches_.scheduled);
     belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all);
   });
-  timer_.measure("manage", [&] {
-    merge(models_.config.merge, populations.all);
-    select_output(belief_, search_);
-  });
-  if (search_.is_due({scan.now, scan.T_odom_base, populations.output_id, belief_.is_confident(),
-                      is_hopeless(models_.config.posterior.null, populations.all)})) {
+  timer_.measure("manage", [&] { merge(models_.config.merge, populations); });
+  timer_.measure("match", [&] { watch(scan); });
+  timer_.measure("manage", [&] { select_output(belief_, searches_.scheduled); });
+  if (searches_.scheduled.is_due({scan.now, scan.T_odom_base, populations.output_id,
+                                  belief_.is_confident(),
+                                  is_hopeless(models_.config.posterior.null, populations.all)})) {
     timer_.measure("match", [&] { create(scan); });
   }
   timer_.measure("manage", [&] {
     destroy(models_.config.destroy, belief_.is_confident(), populations.all);
-    if (populations.output() == nullptr) select_output(belief_, search_);
+    if (populations.output() == nullptr) select_output(belief_, searches_.scheduled);
     belief_.learn();
   });
   if (!scan.reseeds) return;
@@ -95,22 +124,34 @@ void MhAmcl::take_scan(const ScanTurn& scan) {
   });
 }
 
+/// While the output is confident, looks for places elsewhere that fit as well, before an alarm is
+/// raised.
+void MhAmcl::watch(const ScanTurn& scan) {
+  const Hypothesis* output = belief_.populations.output();
+  if (output == nullptr || !belief_.is_confident()) return searches_.watch.start();
+  const Posterior& posterior = belief_.posterior;
+  const auto places =
+      searches_.watch.step(models_.context, scan,
+                           {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
+                            posterior.doubt(), posterior.log().scans().back().arrival_cue},
+                           searches_.budget);
+  if (places) searches_.watch.end(take_watched(*places, scan.points, belief_));
+}
+
 /// Continues the search of the map; once it is complete, creates populations where the scan fits.
 void MhAmcl::create(const ScanTurn& scan) {
   std::vector<Hypothesis>& hypotheses = belief_.populations.all;
   const int before = belief_.populations.output_id;
-  const auto places = search_.step(models_.context, scan);
+  const auto places = searches_.scheduled.step(models_.context, scan, searches_.budget);
   if (!places) return;
   const std::vector<WeighedPlace> created =
       new_places(models_.context, belief_.posterior.log().scans(), hypotheses,
                  models_.config.destroy.behind, *places);
   belief_.add(created, scan.points);
-  if (!places->empty()) {
-    belief_.posterior.take_search(places->front().newest.log_likelihood, hypotheses);
-  }
-  merge(models_.config.merge, hypotheses);
-  select_output(belief_, search_);
-  search_.end(!created.empty() && belief_.populations.output_id != before);
+  if (!places->empty()) belief_.posterior.take_search(best_of(*places), hypotheses);
+  merge(models_.config.merge, belief_.populations);
+  select_output(belief_, searches_.scheduled);
+  searches_.scheduled.end(!created.empty() && belief_.populations.output_id != before);
 }
 
 Diagnostics MhAmcl::diagnostics() const {

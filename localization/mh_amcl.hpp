@@ -15,7 +15,7 @@
 #include "localization/belief.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_models.hpp"
-#include "localization/search/scheduled_search.hpp"
+#include "localization/search/searches.hpp"
 #include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
 
@@ -36,12 +36,13 @@ class MhAmcl final : public Localizer {
  private:
   void predict(const std::optional<SE2>& step);
   void take_scan(const ScanTurn& scan);
+  void watch(const ScanTurn& scan);
   void create(const ScanTurn& scan);
 
   MhAmclModels models_;
   SensorInput input_;
   Belief belief_;
-  ScheduledSearch search_;
+  Searches searches_;
   StageTimer timer_;
   std::optional<Estimate> estimate_;
 };

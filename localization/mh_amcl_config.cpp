@@ -19,12 +19,16 @@ void validate(const MhAmclConfig& config) {
   require_probability(config.match.confident, "confident");
   require_probability(config.lost_and_found.found, "found");
   if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
+  if (config.watch.slice < 1 || config.watch.burst < 1) {
+    throw std::invalid_argument("watch slice and burst must be at least 1");
+  }
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
   validate(config.motion);
   validate(config.tracking);
   validate(config.evidence.endpoint);
   validate(config.reseed);
   validate(config.matcher);
+  validate(config.budget);
 }
 
 }  // namespace castaway::localization

@@ -8,6 +8,7 @@
 #include "localization/hypotheses/spawn.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/match_schedule.hpp"
+#include "localization/search/place_watch.hpp"
 #include "localization/search/rescue.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 #include "localization/sensor/sensor_input.hpp"
@@ -25,11 +26,16 @@ struct MhAmclConfig {
   RefineConfig refine{0.04, 0.02, 3};  ///< From the best particle to the winner of a reseed.
   MatcherConfig matcher;
   MatchScheduleConfig match;
+  PlaceWatchConfig watch;
+  WorkBudgetConfig budget;
   RescueConfig rescue;
   CreateConfig create;
   MergeConfig merge;
+  /// Populations that are this near to the output share its stated probability.
+  MergeConfig same{0.4, 0.3};
   DestroyConfig destroy;
-  ScanAgreementConfig agreement;  ///< Detects a kidnap between two scans.
+  ScanAgreementConfig agreement;    ///< Detects a kidnap between two scans.
+  ScanContinuityConfig continuity;  ///< Detects a kidnap to a place that looks alike.
   PosteriorConfig posterior;
   LostAndFoundConfig lost_and_found;
   double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.

@@ -12,7 +12,8 @@ void destroy(const DestroyConfig& config, bool confident, std::vector<Hypothesis
   std::sort(weights.begin(), weights.end(), std::greater<>());
   const auto most = static_cast<std::size_t>(confident ? config.most_confident : config.most);
   const double worst = weights[std::min(most, weights.size()) - 1];
-  const double least = std::max(worst, weights[0] - config.behind);
+  const double least =
+      std::max(worst, weights[0] - (confident ? config.behind_confident : config.behind));
   std::erase_if(hypotheses, [&](const Hypothesis& h) { return h.log_weight < least; });
 }
 

@@ -10,8 +10,11 @@ namespace castaway::localization {
 
 /// Limits of the set of hypotheses.
 struct DestroyConfig {
-  double behind = 14.0;    ///< [nats] Hypotheses further behind the best one are removed.
-  int most_confident = 8;  ///< Maximum number while the output is confident.
+  double behind = 14.0;  ///< [nats] Hypotheses further behind the best one are removed.
+  /// [nats] The same while the output is confident: look-alikes are kept, so that they can take
+  /// over as soon as the scans favour them.
+  double behind_confident = 22.0;
+  int most_confident = 4;  ///< Maximum number while the output is confident.
   int most = 30;           ///< Maximum number while the place is ambiguous.
 };
 

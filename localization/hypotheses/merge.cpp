@@ -21,4 +21,17 @@ void merge(const MergeConfig& config, std::vector<Hypothesis>& hypotheses) {
   }
 }
 
+void merge(const MergeConfig& config, Populations& populations) {
+  const Hypothesis* output = populations.output();
+  if (output == nullptr) return merge(config, populations.all);
+  const SE2 T_map_output = output->belief.mean;
+  merge(config, populations.all);
+  if (populations.output() != nullptr) return;
+  for (const Hypothesis& other : populations.all) {
+    if (!same_place(config, other.belief.mean, T_map_output)) continue;
+    populations.output_id = other.id;
+    return;
+  }
+}
+
 }  // namespace castaway::localization

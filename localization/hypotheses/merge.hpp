@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/hypotheses/hypothesis.hpp"
+#include "localization/hypotheses/populations.hpp"
 
 namespace castaway::localization {
 
@@ -19,5 +19,8 @@ bool same_place(const MergeConfig& config, const SE2& a, const SE2& b);
 /// Removes the lighter one of every pair at the same place; the order of the others is kept.
 /// Weights are not added, because they are evidence of the same scans.
 void merge(const MergeConfig& config, std::vector<Hypothesis>& hypotheses);
+
+/// The same for all populations; if the output is removed, the one at its place becomes the output.
+void merge(const MergeConfig& config, Populations& populations);
 
 }  // namespace castaway::localization

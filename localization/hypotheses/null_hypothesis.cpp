@@ -28,6 +28,13 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
       {null.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
 }
 
+void limit_surprise(const NullHypothesisConfig& config, double log_likelihood, const ScanNews& news,
+                    double odds, double listed, NullHypothesis& null) {
+  const double less = std::max(0.0, null_log_likelihood(config, null) - log_likelihood);
+  const double gain = config.surprise + news.share * less + std::max(0.0, news.kidnap_cue);
+  null.log_weight = std::min(null.log_weight, listed + odds + gain);
+}
+
 void learn_usual(const NullHypothesisConfig& config, double log_likelihood, double new_share,
                  NullHypothesis& null) {
   const double off = log_likelihood - null.usual;
@@ -47,10 +54,41 @@ void doubt_output(const NullHypothesisConfig& config, double log_likelihood, dou
   null.log_weight = std::max(null.log_weight, listed);
 }
 
-void bound_null(const NullHypothesisConfig& config, double best_found, double listed,
+void bound_null(const NullHypothesisConfig& config, const BestFound& best, double listed,
                 NullHypothesis& null) {
-  const double missed = config.missed - config.missed_slope * best_found;
+  const double lead = std::clamp(best.lead, 0.0, config.most_lead);
+  const double missed =
+      config.missed - config.missed_slope * best.endpoints - config.missed_lead * lead;
   null.log_weight = std::min(null.log_weight, listed + missed);
+}
+
+void bound_null_of_output(const NullHypothesisConfig& config, double lead, double listed,
+                          NullHypothesis& null) {
+  const double missed = -config.output_lead * std::clamp(lead, 0.0, config.most_lead);
+  null.log_weight = std::min(null.log_weight, listed + missed);
+}
+
+void take_doubt(const NullHypothesisConfig& config, double log_likelihood, double new_share,
+                double listed, NullHypothesis& null) {
+  const double slack = std::max(config.least_slack, config.slack_per_spread * null.spread);
+  const double less = null.usual - log_likelihood - slack;
+  null.doubt = std::max(null.doubt + new_share * less, 0.0);
+  add_doubt(config, 0.0, listed, null);
+}
+
+void add_doubt(const NullHypothesisConfig& config, double nats, double listed,
+               NullHypothesis& null) {
+  null.doubt = std::min(null.doubt + nats, config.most_doubt);
+  null.log_weight = std::max(null.log_weight, listed + null.doubt - config.even_doubt);
+}
+
+void settle_doubt(const NullHypothesisConfig& config, double log_likelihood, NullHypothesis& null) {
+  const double less = null.usual - log_likelihood;
+  if (less > 0.0) {
+    null.usual -= config.settle_rate * less;
+    null.spread += config.settle_spread_rate * (less - null.spread);
+  }
+  null.doubt = 0.0;
 }
 
 bool is_hopeless(const NullHypothesisConfig& config, const std::vector<Hypothesis>& hypotheses) {

@@ -19,6 +19,9 @@ struct NullHypothesisConfig {
   double drop_per_spread = 3.0;
   double unlisted_minimum = -22.0;  ///< Lower limit of the log-likelihood at an unlisted place.
   double kidnap = -8.0;             ///< Log-probability of a kidnap from scan to scan.
+  /// Largest gain by one scan of a robot that hardly moves: passers-by and errors of the map let a
+  /// right pose fit badly for a moment.
+  double surprise = 4.0;
   /// If the scan at the output is less likely, a kidnap is at least as likely as none.
   double hopeless = -24.0;
   double usual_start = -3.0;  ///< Initial value of the usual log-likelihood.
@@ -27,10 +30,25 @@ struct NullHypothesisConfig {
   /// Log-odds that a global search misses the right place if the best place found fits perfectly.
   double missed = -3.0;
   double missed_slope = 0.35;  ///< Growth of these log-odds per nat that the best place fits worse.
-  double usual_rate = 0.05;    ///< Weight of a scan in the running average of the log-likelihood.
-  double spread_rate = 0.1;    ///< Weight of a scan in the running average of the spread.
-  double spread_limit = 2.5;   ///< Largest deviation that counts, as a multiple of the spread.
-  double wrong_start = -6.0;   ///< Log-probability that a start pose given by the user is wrong.
+  /// Fall of these log-odds per nat that the best place is ahead of the next one.
+  double missed_lead = 0.3;
+  double output_lead = 0.6;  ///< The same per nat that a confident output is ahead.
+  double most_lead = 12.0;   ///< [nats] Largest lead that counts.
+  /// The doubt grows by what a scan at the output is less likely than usual, beyond this multiple
+  /// of the spread; it falls where the scan is more likely.
+  double slack_per_spread = 1.5;
+  double least_slack = 1.0;  ///< [nats] Lower limit of this slack.
+  double even_doubt = 10.0;  ///< [nats] Doubt at which the null hypothesis is as likely as not.
+  double most_doubt = 25.0;  ///< [nats] Upper limit of the doubt.
+  /// Weights of the output's fit in the running averages when a search finds nothing better.
+  double settle_rate = 0.5;
+  double settle_spread_rate = 0.2;
+  double better = 3.0;        ///< [nats] A place is better than the output if it leads by this.
+  double better_doubt = 5.0;  ///< [nats] Doubt that a better place elsewhere adds.
+  double usual_rate = 0.05;   ///< Weight of a scan in the running average of the log-likelihood.
+  double spread_rate = 0.1;   ///< Weight of a scan in the running average of the spread.
+  double spread_limit = 2.5;  ///< Largest deviation that counts, as a multiple of the spread.
+  double wrong_start = -6.0;  ///< Log-probability that a start pose given by the user is wrong.
 };
 
 /// Logarithm of the sum of exponentials; -infinity for no values.
@@ -41,6 +59,20 @@ struct NullHypothesis {
   double log_weight = 0.0;  ///< [nats]
   double usual = -3.0;      ///< [nats] Running average of the log-likelihood while confident.
   double spread = 2.0;      ///< [nats] Running average of the absolute deviation from `usual`.
+  double doubt = 0.0;       ///< [nats] Evidence that the output has become wrong (`take_doubt`).
+};
+
+/// The best place of a search of the whole map.
+struct BestFound {
+  double log_likelihood = 0.0;  ///< [nats] Of the newest scan.
+  double endpoints = 0.0;  ///< [nats] Of its end points alone, by which the search finds places.
+  double lead = 0.0;       ///< [nats] By which it is ahead of the next place.
+};
+
+/// What is new in a scan.
+struct ScanNews {
+  double share = 1.0;       ///< Of the scan, in (0, 1] (`independence`).
+  double kidnap_cue = 0.0;  ///< [nats] Log-odds of a kidnap since the previous scan.
 };
 
 /// Log-likelihood of a scan at an unlisted place.
@@ -50,6 +82,11 @@ double null_log_likelihood(const NullHypothesisConfig& config, const NullHypothe
 /// `kidnap_cue` the log-odds of a kidnap since the previous scan.
 void advance_null(const NullHypothesisConfig& config, double new_share, double listed_before,
                   double kidnap_cue, NullHypothesis& null);
+
+/// Limits the gain over the hypotheses by a scan. `odds` is the log-odds against them before the
+/// scan, `listed` their log-weight after it, `log_likelihood` that of the scan at the output.
+void limit_surprise(const NullHypothesisConfig& config, double log_likelihood, const ScanNews& news,
+                    double odds, double listed, NullHypothesis& null);
 
 /// Updates the running averages by the log-likelihood of a scan at a confident output.
 void learn_usual(const NullHypothesisConfig& config, double log_likelihood, double new_share,
@@ -65,9 +102,33 @@ void doubt_output(const NullHypothesisConfig& config, double log_likelihood, dou
                   NullHypothesis& null);
 
 /// Limits the weight after a search of the whole map, when an unlisted place is one that the search
-/// missed. The better the best place found fits, the less likely that is.
-void bound_null(const NullHypothesisConfig& config, double best_found, double listed,
+/// missed. The better the best place found fits, and the further it is ahead of the next one, the
+/// less likely that is. The search compares end points, so only their fit counts.
+void bound_null(const NullHypothesisConfig& config, const BestFound& best, double listed,
                 NullHypothesis& null);
+
+/// The same after a search of the whole map for places as good as the output. A wrong output is
+/// hardly ever ahead of all other places by chance, however badly it fits, so its `lead` [nats]
+/// alone counts.
+void bound_null_of_output(const NullHypothesisConfig& config, double lead, double listed,
+                          NullHypothesis& null);
+
+/// Updates the doubt by a scan at the output, a change-point test of its log-likelihood, and raises
+/// the weight accordingly. Scan after scan that is moderately less likely than usual is strong
+/// evidence against the output.
+///
+/// E. S. Page, "Continuous inspection schemes", Biometrika 41 (1954): a cumulative sum that never
+/// falls below 0.
+void take_doubt(const NullHypothesisConfig& config, double log_likelihood, double new_share,
+                double listed, NullHypothesis& null);
+
+/// Adds `nats` to the doubt and raises the weight accordingly.
+void add_doubt(const NullHypothesisConfig& config, double nats, double listed,
+               NullHypothesis& null);
+
+/// Ends the doubt, because a search of the whole map found nothing better than the output: a right
+/// pose fits like this here. What is usual is corrected towards it.
+void settle_doubt(const NullHypothesisConfig& config, double log_likelihood, NullHypothesis& null);
 
 /// True if the newest scan fits at none of the hypotheses.
 bool is_hopeless(const NullHypothesisConfig& config, const std::vector<Hypothesis>& hypotheses);

@@ -1,5 +1,6 @@
 #include "localization/hypotheses/posterior.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace castaway::localization {
@@ -11,12 +12,14 @@ Posterior::Posterior(const NullHypothesisConfig& config, ScanLog log, const Evid
 
 void Posterior::start(bool known) {
   null_ = {known ? config_.wrong_start : 0.0, config_.usual_start};
+  new_since_watch_ = 0.0;
   log_.start();
 }
 
 void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int output_id,
                       std::vector<Hypothesis>& hypotheses) {
   const double listed = listed_log_weight(hypotheses);
+  const double odds = null_.log_weight - listed;
   const ScanMemory& scan = log_.add(points, T_odom_base, listed, null_.log_weight);
   for (Hypothesis& hypothesis : hypotheses) {
     const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
@@ -28,18 +31,36 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
   advance_null(config_, scan.independence, listed, scan.kidnap_cue, null_);
   for (const Hypothesis& h : hypotheses) {
     if (h.id != output_id) continue;
-    doubt_output(config_, h.log_likelihood, listed_log_weight(hypotheses), null_);
+    const double now = listed_log_weight(hypotheses);
+    limit_surprise(config_, h.log_likelihood, {scan.independence, scan.kidnap_cue},
+                   std::max(odds, -config_.even_doubt), now, null_);
+    doubt_output(config_, h.log_likelihood, now, null_);
+    take_doubt(config_, h.log_likelihood, scan.independence, now, null_);
   }
+  new_since_watch_ += scan.independence;
 }
 
 void Posterior::learn(double log_likelihood) {
-  if (log_.scans().empty()) return;
+  if (log_.scans().empty() || null_.doubt > 0.0) return;
   learn_usual(config_, log_likelihood, log_.scans().back().independence, null_);
 }
 
-void Posterior::take_search(double best_found, const std::vector<Hypothesis>& hypotheses) {
-  lower_usual(config_, best_found, null_);
-  bound_null(config_, best_found, listed_log_weight(hypotheses), null_);
+void Posterior::take_search(const BestFound& best, const std::vector<Hypothesis>& hypotheses) {
+  lower_usual(config_, best.log_likelihood, null_);
+  bound_null(config_, best, listed_log_weight(hypotheses), null_);
+}
+
+void Posterior::take_watch(const BestFound& output, bool bounds,
+                           const std::vector<Hypothesis>& hypotheses) {
+  const double listed = listed_log_weight(hypotheses);
+  const double elsewhere = output.log_likelihood - output.lead;
+  if (output.lead > 0.0) {
+    settle_doubt(config_, output.log_likelihood, null_);
+    if (bounds) bound_null_of_output(config_, output.lead, listed, null_);
+  } else if (output.lead <= -config_.better && elsewhere > null_log_likelihood(config_, null_)) {
+    add_doubt(config_, config_.better_doubt * std::min(1.0, new_since_watch_), listed, null_);
+  }
+  new_since_watch_ = 0.0;
 }
 
 std::vector<double> Posterior::shares(const std::vector<Hypothesis>& hypotheses) const {

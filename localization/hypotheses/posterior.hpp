@@ -36,14 +36,20 @@ class Posterior {
              std::vector<Hypothesis>& hypotheses);
   /// Learns the usual log-likelihood from that of the newest scan, if any, at a confident output.
   void learn(double log_likelihood);
-  /// Updates the null hypothesis by a search of the whole map, whose best place has the
-  /// log-likelihood `best_found`. `hypotheses` include the places found.
-  void take_search(double best_found, const std::vector<Hypothesis>& hypotheses);
+  /// Updates the null hypothesis by the best place that a search of the whole map has found.
+  /// `hypotheses` include the places found.
+  void take_search(const BestFound& best, const std::vector<Hypothesis>& hypotheses);
+  /// Updates the doubt by a search of the whole map for places as good as the output. `output` is
+  /// the output, with its lead over the best place elsewhere (negative if that place is better);
+  /// `bounds` is true if the null hypothesis is bounded as by `take_search`.
+  void take_watch(const BestFound& output, bool bounds, const std::vector<Hypothesis>& hypotheses);
 
   /// Posterior probabilities of the hypotheses; the remainder to 1 is the null hypothesis.
   [[nodiscard]] std::vector<double> shares(const std::vector<Hypothesis>& hypotheses) const;
   /// [nats] Usual log-likelihood of a scan at the right pose.
   [[nodiscard]] double usual() const { return null_.usual; }
+  /// [nats] Evidence that the output has become wrong (`take_doubt`).
+  [[nodiscard]] double doubt() const { return null_.doubt; }
   [[nodiscard]] const ScanLog& log() const { return log_; }
 
  private:
@@ -51,6 +57,7 @@ class Posterior {
   ScanLog log_;
   const EvidenceModel& evidence_;
   NullHypothesis null_;
+  double new_since_watch_ = 0.0;  ///< New share of the scans since the last `take_watch`.
 };
 
 }  // namespace castaway::localization

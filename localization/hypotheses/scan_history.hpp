@@ -15,6 +15,8 @@ struct ScanMemory {
   double listed_before = 0.0;  ///< [nats] Log-weight of all hypotheses together before the scan.
   double null_before = 0.0;    ///< [nats] Log-weight of the null hypothesis before the scan.
   double kidnap_cue = 0.0;  ///< [nats] Evidence for a kidnap just before the scan (`kidnap_cue`).
+  /// [nats] The same evidence for a place where the scan fits, at least `kidnap_cue`.
+  double arrival_cue = 0.0;
 };
 
 /// Newest last.

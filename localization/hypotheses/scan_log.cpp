@@ -1,6 +1,7 @@
 #include "localization/hypotheses/scan_log.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace castaway::localization {
@@ -24,24 +25,27 @@ double kidnap_cue(const ScanComparisonConfig& config, const std::optional<double
 
 void ScanLog::start() {
   scans_.clear();
+  continuity_.start();
   recent_cue_ = 0.0;
 }
 
 const ScanMemory& ScanLog::add(const ScanPoints& points, const SE2& T_odom_base, double listed,
                                double null) {
-  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0};
-  if (!scans_.empty()) {
-    const ScanMemory& before = scans_.back();
-    scan.independence = independence(comparison_, distance(before.T_odom_base, T_odom_base),
-                                     yaw_distance(before.T_odom_base, T_odom_base));
-    const SE2 u = before.T_odom_base.inverse() * T_odom_base;
-    scan.kidnap_cue = kidnap_cue(comparison_, scan_agreement(agreement_, before.points, points, u),
-                                 scan.independence);
-  }
-  recent_cue_ = std::max(scan.kidnap_cue, recent_cue_ - scan.independence);
+  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0, 0.0};
+  if (!scans_.empty()) compare(scans_.back(), scan);
+  recent_cue_ = std::max(scan.arrival_cue, recent_cue_ - scan.independence);
   scans_.push_back(std::move(scan));
-  if (scans_.size() > most_) scans_.pop_front();
+  if (scans_.size() > static_cast<std::size_t>(config_.most)) scans_.pop_front();
   return scans_.back();
+}
+
+void ScanLog::compare(const ScanMemory& before, ScanMemory& scan) {
+  const SE2 u = before.T_odom_base.inverse() * scan.T_odom_base;
+  scan.independence = independence(config_.comparison, u.translation().norm(), std::abs(u.yaw));
+  const auto agreement = scan_agreement(config_.agreement, before.points, scan.points, u);
+  scan.kidnap_cue = kidnap_cue(config_.comparison, agreement, scan.independence);
+  const double jump = continuity_.take(before.points, scan.points, u);
+  scan.arrival_cue = jump > 0.0 ? std::max(scan.kidnap_cue, jump) : scan.kidnap_cue;
 }
 
 std::optional<SE2> ScanLog::T_odom_base() const {

@@ -5,6 +5,7 @@
 
 #include "localization/hypotheses/scan_history.hpp"
 #include "localization/sensor/scan_agreement.hpp"
+#include "localization/sensor/scan_continuity.hpp"
 
 namespace castaway::localization {
 
@@ -30,12 +31,18 @@ double independence(const ScanComparisonConfig& config, double moved_m, double t
 double kidnap_cue(const ScanComparisonConfig& config, const std::optional<double>& agreement,
                   double new_share);
 
+/// How a log compares and stores scans.
+struct ScanLogConfig {
+  ScanComparisonConfig comparison;
+  ScanAgreementConfig agreement;
+  ScanContinuityConfig continuity;
+  int most = 8;  ///< Number of scans stored.
+};
+
 /// Stores scans, and the evidence for kidnaps between them.
 class ScanLog {
  public:
-  /// Stores at most `most` scans.
-  ScanLog(const ScanComparisonConfig& comparison, const ScanAgreementConfig& agreement, int most)
-      : comparison_(comparison), agreement_(agreement), most_(static_cast<std::size_t>(most)) {}
+  explicit ScanLog(const ScanLogConfig& config) : config_(config), continuity_(config.continuity) {}
 
   /// Removes all scans and the recent cue.
   void start();
@@ -50,13 +57,14 @@ class ScanLog {
   [[nodiscard]] const ScanHistory& scans() const { return scans_; }
   /// Odometry at the newest scan, if any.
   [[nodiscard]] std::optional<SE2> T_odom_base() const;
-  /// [nats] The highest recent kidnap cue; it decays by 1 per new scan.
+  /// [nats] The highest recent arrival cue; it decays by 1 per new scan.
   [[nodiscard]] double recent_cue() const { return recent_cue_; }
 
  private:
-  ScanComparisonConfig comparison_;
-  ScanAgreementConfig agreement_;
-  std::size_t most_;
+  void compare(const ScanMemory& before, ScanMemory& scan);
+
+  ScanLogConfig config_;
+  ScanContinuity continuity_;
   ScanHistory scans_;
   double recent_cue_ = 0.0;
 };

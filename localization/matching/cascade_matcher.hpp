@@ -29,7 +29,7 @@ struct MatcherConfig {
   double suppression_rad = 0.1745;  ///< [rad] See `suppression_m`.
   MatchAlgorithm algorithm = MatchAlgorithm::kBranchAndBound;
   /// Levels of the pyramid of branch and bound, each twice as coarse as the previous one.
-  int levels = 3;
+  int levels = 5;
 };
 
 /// @throws std::invalid_argument if a value is out of range.

@@ -30,6 +30,17 @@ bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypothe
   });
 }
 
+/// Log-weight of a place by the scans before each scan of the history, if the robot arrived there
+/// just before that scan.
+std::vector<double> arrival_weights(const CreateContext& context, const ScanHistory& history) {
+  std::vector<double> weights;
+  for (const ScanMemory& scan : history) {
+    weights.push_back(log_sum_exp({scan.listed_before + scan.arrival_cue, scan.null_before}) +
+                      context.posterior.place);
+  }
+  return weights;
+}
+
 constexpr int kGlance = 24;  // Beams that screen long lists.
 
 bool has_better_score(const Candidate& a, const Candidate& b) { return a.score > b.score; }
@@ -60,12 +71,12 @@ void screen(const EvidenceModel& evidence, const ScanPoints& points, int most,
 
 std::vector<Candidate> screen_candidates(const CreateContext& context,
                                          std::vector<Candidate> candidates,
-                                         const ScanPoints& points) {
+                                         const ScanPoints& points, int most) {
   const CreateConfig& config = context.config;
   if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
     screen(context.evidence, thin(points, kGlance), config.looked_at, candidates);
   }
-  screen(context.evidence, points, config.refined, candidates);
+  screen(context.evidence, points, most, candidates);
   return candidates;
 }
 
@@ -92,22 +103,35 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
   return distinct;
 }
 
-bool fits_badly(const CreateConfig& config, const std::vector<WeighedPlace>& places) {
-  return places.empty() || places[0].newest.log_likelihood < config.deep_below;
+bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places) {
+  if (places.empty()) return true;
+  const BestFound best = best_of(places);
+  return best.log_likelihood < config.deep_below && best.lead < config.clear_lead;
+}
+
+BestFound best_of(const std::vector<WeighedPlace>& places) {
+  const Evidence& first = places.front().newest;
+  const double lead = places.size() > 1 ? first.log_likelihood - places[1].newest.log_likelihood
+                                        : std::numeric_limits<double>::infinity();
+  return {first.log_likelihood, first.endpoints, lead};
 }
 
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,
-                       const WeighedPlace& place) {
+                       const WeighedPlace& place, double least) {
   assert(!history.empty());
+  const std::vector<double> origins = arrival_weights(context, history);
   double best = -std::numeric_limits<double>::infinity();
   double increments = 0.0;  // Evidence of the scans after scan k.
   SE2 pose = place.T_map_base;
   double l = place.newest.log_likelihood;
   for (std::size_t k = history.size(); k-- > 0;) {
     const ScanMemory& scan = history[k];
-    const double origin = log_sum_exp({scan.listed_before + scan.kidnap_cue, scan.null_before});
-    best = std::max(best, origin + context.posterior.place + l + increments);
+    best = std::max(best, origins[k] + l + increments);
     if (k == 0) break;
+    const double earlier_bound =
+        *std::max_element(origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(k)) + l +
+        increments;
+    if (earlier_bound <= std::max(best, least)) break;
     pose = step_back(context, pose, scan, history[k - 1]);
     const double earlier = context.evidence.evaluate(history[k - 1].points, pose).log_likelihood;
     increments += l - (1.0 - scan.independence) * earlier;
@@ -123,7 +147,7 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
   double best = listed_log_weight(hypotheses);
   for (WeighedPlace place : places) {
     if (is_listed(context.merge, hypotheses, place)) continue;
-    place.log_weight = weigh_backwards(context, history, place);
+    place.log_weight = weigh_backwards(context, history, place, best - behind);
     if (place.log_weight < best - behind) continue;
     best = std::max(best, place.log_weight);
     listed.push_back(place);

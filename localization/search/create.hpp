@@ -6,6 +6,7 @@
 /// any of these scans: the arrival that explains the scans best determines the weight.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "localization/hypotheses/merge.hpp"
@@ -23,8 +24,12 @@ struct CreateConfig {
   /// The map is searched a second time with this share of the end points, the farthest ones,
   /// because people only shorten beams. 0: no second search.
   double far_share = 0.5;
-  /// [nats] If the best place scores less than this, a deep search follows.
+  /// Number of places of the first search, which is quick and uses all end points.
+  int quick_candidates = 20;
+  /// [nats] If the best place scores less than this and leads by less than `clear_lead`, a more
+  /// thorough search follows: first the usual, then the deep one.
   double deep_below = -3.0;
+  double clear_lead = 5.0;  ///< [nats] See `deep_below`.
   /// Number of places of a deep search, which uses the far end points: in a crowd the right place
   /// is far down the list, and rays find it there.
   int deep_candidates = 3000;
@@ -54,11 +59,11 @@ struct WeighedPlace {
   double log_weight = 0.0;
 };
 
-/// Returns the best candidates by the evidence of end points and rays, at most `refined`. Long
-/// lists are first reduced by a few beams.
+/// Returns the best candidates by the evidence of end points and rays, at most `most`. Long lists
+/// are first reduced by a few beams.
 std::vector<Candidate> screen_candidates(const CreateContext& context,
                                          std::vector<Candidate> candidates,
-                                         const ScanPoints& points);
+                                         const ScanPoints& points, int most);
 
 /// Refines candidates on a scan and joins those that converge to the same place. Returns at most
 /// `keep` places, best first; their weights are not set.
@@ -73,11 +78,17 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
                                      const std::vector<Hypothesis>& hypotheses, double behind,
                                      const std::vector<WeighedPlace>& places);
 
-/// True if not even the best place (the first one) fits well, so that a deep search is due.
-bool fits_badly(const CreateConfig& config, const std::vector<WeighedPlace>& places);
+/// True if the best place (the first one) neither fits well nor leads clearly, so that a more
+/// thorough search is due.
+bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places);
 
-/// Log-weight of a place where the newest scan of the history (not empty) fits.
+/// The first of the places, with its lead over the second. Requires a place.
+BestFound best_of(const std::vector<WeighedPlace>& places);
+
+/// Log-weight of a place where the newest scan of the history (not empty) fits, if it is above
+/// `least`; otherwise some value that is not above it, found with as few scans as possible.
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,
-                       const WeighedPlace& place);
+                       const WeighedPlace& place,
+                       double least = -std::numeric_limits<double>::infinity());
 
 }  // namespace castaway::localization

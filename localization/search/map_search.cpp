@@ -4,30 +4,47 @@
 #include <set>
 
 namespace castaway::localization {
+namespace {
+
+SearchDepth deeper(SearchDepth depth) {
+  return depth == SearchDepth::kQuick ? SearchDepth::kUsual : SearchDepth::kDeep;
+}
+
+}  // namespace
 
 MapSearch::MapSearch(const CreateConfig& config, const CascadeMatcher& matcher,
                      const ScanPoints& points, const SE2& T_odom_base, SearchDepth depth)
-    : matcher_(&matcher), T_odom_base_(T_odom_base), depth_(depth) {
-  const bool by_far = config.far_share > 0.0;
+    : matcher_(&matcher), T_odom_base_(T_odom_base) {
+  const bool by_far = config.far_share > 0.0 && depth != SearchDepth::kQuick;
   const ScanPoints far = by_far ? farthest_points(points, config.far_share) : ScanPoints{};
   if (depth == SearchDepth::kDeep) {
     add(by_far ? far : points, config.deep_candidates);
-  } else {
-    add(points, matcher.config().candidates);
-    if (by_far) add(far, matcher.config().candidates);
+    return;
   }
+  add(points, depth == SearchDepth::kQuick ? config.quick_candidates : matcher.config().candidates);
+  if (by_far) add(far, matcher.config().candidates);
 }
 
-void MapSearch::add(const ScanPoints& points, int most) {
-  if (!points.empty()) parts_.push_back({matcher_->search(points, {}, most), points.size()});
+MapSearch::MapSearch(const CascadeMatcher& matcher, const ScanPoints& points,
+                     const SE2& T_odom_base, int most, double least)
+    : matcher_(&matcher), T_odom_base_(T_odom_base) {
+  add(points, most, least);
 }
 
-bool MapSearch::step(std::int64_t tiles) {
+void MapSearch::add(const ScanPoints& points, int most, double least) {
+  if (!points.empty()) parts_.push_back({matcher_->search(points, {}, most, least), points.size()});
+}
+
+bool MapSearch::step(std::int64_t tiles, WorkBudget& budget) {
+  std::int64_t left = budget.grant(tiles);
   for (Part& part : parts_) {
     if (part.search.complete()) continue;
     const std::int64_t before = part.search.tiles_scored();
-    if (!part.search.step(tiles)) return false;
-    tiles -= part.search.tiles_scored() - before;
+    const bool complete = part.search.step(left);
+    const std::int64_t done = part.search.tiles_scored() - before;
+    budget.spend(done);
+    if (!complete) return false;
+    left -= done;
   }
   return true;
 }
@@ -48,41 +65,50 @@ std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
   return all;
 }
 
+std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
+                                       const ScanPoints& points, const SE2& T_odom_base, int most,
+                                       WorkBudget& budget) {
+  constexpr std::int64_t kTilesPerCandidate = 20;  // Measured: screening, and refining a place.
+  constexpr std::int64_t kTilesPerPlace = 800;
+  std::vector<Candidate> found = search.candidates(T_odom_base);
+  const auto listed = static_cast<std::int64_t>(found.size());
+  found = screen_candidates(context, std::move(found), points, most);
+  const auto refined = static_cast<std::int64_t>(found.size());
+  budget.spend(kTilesPerCandidate * listed + kTilesPerPlace * refined);
+  return refine_candidates(context, found, points);
+}
+
 std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& context,
                                                            const ScanPoints& points,
-                                                           const SE2& T_odom_base) {
-  if (!search_) {
-    const SearchDepth depth = deeper_ ? SearchDepth::kDeep : SearchDepth::kUsual;
-    search_.emplace(context.config, matcher_, points, T_odom_base, depth);
-    deeper_ = false;
-  }
-  if (!search_->step(slice_)) return std::nullopt;
-  const std::vector<Candidate> candidates =
-      screen_candidates(context, search_->candidates(T_odom_base), points);
-  std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
-  deeper_ = search_->depth() == SearchDepth::kUsual && fits_badly(context.config, places);
+                                                           const SE2& T_odom_base,
+                                                           std::int64_t slice, WorkBudget& budget) {
+  if (!search_) search_.emplace(context.config, matcher_, points, T_odom_base, depth_);
+  if (!search_->step(slice, budget)) return std::nullopt;
+  std::vector<WeighedPlace> places =
+      refine_found(context, *search_, points, T_odom_base, context.config.refined, budget);
+  const bool deepest = depth_ == SearchDepth::kDeep;
+  depth_ = !deepest && is_unclear(context.config, places) ? deeper(depth_) : SearchDepth::kQuick;
   search_.reset();
   return places;
 }
 
 void PlaceSearch::cancel() {
   search_.reset();
-  deeper_ = false;
+  depth_ = SearchDepth::kQuick;
 }
 
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
                                       const ScanPoints& points) {
-  const auto search_map = [&](SearchDepth depth) {
-    constexpr std::int64_t kSlice = 1 << 20;  // Has no effect on the result.
-    MapSearch search(context.config, matcher, points, {}, depth);
-    while (!search.step(kSlice)) {
-    }
-    return refine_candidates(context, screen_candidates(context, search.candidates({}), points),
-                             points);
-  };
-  std::vector<WeighedPlace> places = search_map(SearchDepth::kUsual);
-  if (points.empty() || !fits_badly(context.config, places)) return places;
-  return search_map(SearchDepth::kDeep);
+  if (points.empty()) return {};
+  constexpr double kUnlimited = 1e9;
+  constexpr std::int64_t kWhole = std::int64_t{1} << 40;
+  PlaceSearch search(matcher);
+  std::vector<WeighedPlace> places;
+  do {
+    WorkBudget budget({kUnlimited, kUnlimited}, 1.0);
+    places = *search.step(context, points, {}, kWhole, budget);
+  } while (search.is_pending());
+  return places;
 }
 
 }  // namespace castaway::localization

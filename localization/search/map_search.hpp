@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "localization/search/create.hpp"
+#include "localization/search/work_budget.hpp"
 
 namespace castaway::localization {
 
 /// Thoroughness of a search.
 enum class SearchDepth {
+  kQuick,  ///< With all end points, for `CreateConfig::quick_candidates` candidates.
   kUsual,  ///< With all end points and with the far ones; the matcher's number of candidates each.
   kDeep,   ///< With the far end points, for `CreateConfig::deep_candidates` candidates.
 };
@@ -24,11 +26,13 @@ class MapSearch {
   /// `T_odom_base` is the odometry at the scan.
   MapSearch(const CreateConfig& config, const CascadeMatcher& matcher, const ScanPoints& points,
             const SE2& T_odom_base, SearchDepth depth);
+  /// Searches with all end points for at most `most` candidates with a score of at least `least`.
+  MapSearch(const CascadeMatcher& matcher, const ScanPoints& points, const SE2& T_odom_base,
+            int most, double least);
 
-  /// Continues for about `tiles` tiles (`BranchAndBound::step`). Returns true when the search is
-  /// complete.
-  bool step(std::int64_t tiles);
-  [[nodiscard]] SearchDepth depth() const { return depth_; }
+  /// Continues for about `tiles` tiles (`BranchAndBound::step`), or as many as `budget` grants, and
+  /// spends them. Returns true when the search is complete.
+  bool step(std::int64_t tiles, WorkBudget& budget);
   /// Candidates found so far, as poses of base at the time of the odometry `T_odom_base`.
   [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
 
@@ -37,40 +41,45 @@ class MapSearch {
     BranchAndBound search;
     std::size_t points = 0;
   };
-  void add(const ScanPoints& points, int most);
+  void add(const ScanPoints& points, int most, double least = 0.0);
 
   const CascadeMatcher* matcher_;
   SE2 T_odom_base_;
-  SearchDepth depth_;
   std::vector<Part> parts_;
 };
 
-/// Searches the map scan by scan: first as usual, then deep if nothing fits well. Stores the search
-/// in progress. The matcher must outlive it.
+/// Searches the map scan by scan: quickly at first, then as usual, then deep, as long as the result
+/// is unclear. Stores the search in progress. The matcher must outlive it.
 class PlaceSearch {
  public:
-  /// `slice` is the number of tiles searched per scan.
-  PlaceSearch(const CascadeMatcher& matcher, std::int64_t slice)
-      : matcher_(matcher), slice_(slice) {}
+  explicit PlaceSearch(const CascadeMatcher& matcher) : matcher_(matcher) {}
 
-  /// True if a search is in progress, or a deep one is due with the next scan.
-  [[nodiscard]] bool is_pending() const { return search_.has_value() || deeper_; }
-  /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
-  /// places found, refined on this scan, once the search is complete. `T_odom_base` is the odometry
-  /// at the scan.
+  /// True if a search is in progress, or a deeper one is due with the next scan.
+  [[nodiscard]] bool is_pending() const {
+    return search_.has_value() || depth_ != SearchDepth::kQuick;
+  }
+  /// Continues the search by about `slice` tiles; starts one with this scan if none is in progress.
+  /// Returns the places found, refined on this scan, once the search is complete. `T_odom_base` is
+  /// the odometry at the scan. Spends the work from `budget`.
   std::optional<std::vector<WeighedPlace>> step(const CreateContext& context,
-                                                const ScanPoints& points, const SE2& T_odom_base);
+                                                const ScanPoints& points, const SE2& T_odom_base,
+                                                std::int64_t slice, WorkBudget& budget);
   /// Drops the search in progress.
   void cancel();
 
  private:
   const CascadeMatcher& matcher_;
-  std::int64_t slice_;
   std::optional<MapSearch> search_;
-  bool deeper_ = false;  ///< The last search found nothing that fits well.
+  SearchDepth depth_ = SearchDepth::kQuick;  ///< Of the search in progress or the next one.
 };
 
-/// Searches the whole map at once, deep if nothing fits well. Returns the places found, refined.
+/// Refines the candidates that a complete search has found on a scan, the best `most` of them.
+/// Spends the work from `budget`.
+std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
+                                       const ScanPoints& points, const SE2& T_odom_base, int most,
+                                       WorkBudget& budget);
+
+/// Searches the whole map at once, as deep as `PlaceSearch`. Returns the places found, refined.
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
                                       const ScanPoints& points);
 

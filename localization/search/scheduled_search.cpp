@@ -17,9 +17,10 @@ bool ScheduledSearch::is_due(const MatchOccasion& occasion) const {
 }
 
 std::optional<std::vector<WeighedPlace>> ScheduledSearch::step(const CreateContext& context,
-                                                               const ScanTurn& scan) {
+                                                               const ScanTurn& scan,
+                                                               WorkBudget& budget) {
   schedule_.begin(scan.now, scan.T_odom_base, !search_.is_pending());
-  return search_.step(context, scan.points, scan.T_odom_base);
+  return search_.step(context, scan.points, scan.T_odom_base, slice_, budget);
 }
 
 }  // namespace castaway::localization

@@ -14,7 +14,7 @@ namespace castaway::localization {
 class ScheduledSearch {
  public:
   ScheduledSearch(const MatchScheduleConfig& config, const CascadeMatcher& matcher)
-      : search_(matcher, config.slice), schedule_(config) {}
+      : slice_(config.slice), search_(matcher), schedule_(config) {}
 
   /// Restarts at an unknown pose: drops the search in progress; a new one is due.
   void start();
@@ -30,11 +30,14 @@ class ScheduledSearch {
   [[nodiscard]] bool is_due(const MatchOccasion& occasion) const;
   /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
   /// places found, refined on this scan, once the search is complete.
-  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan);
+  /// Spends the work from `budget`.
+  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan,
+                                                WorkBudget& budget);
   /// Notes that the places of a complete search were used; `changed` is true if the output changed.
   void end(bool changed) { schedule_.end(changed); }
 
  private:
+  std::int64_t slice_;  ///< Largest number of tiles per scan.
   PlaceSearch search_;
   MatchSchedule schedule_;
 };

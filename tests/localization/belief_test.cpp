@@ -76,6 +76,22 @@ TEST_F(BeliefTest, SelectsTheHeaviestAndSaysWhenConfidenceIsLost) {
   EXPECT_TRUE(belief_.is_confident());
 }
 
+TEST_F(BeliefTest, StatesTheProbabilityOfAPlaceNotOfAPopulation) {
+  belief_.start(test::known_start(here_));
+  belief_.add({{here_ * SE2{0.35, 0.0, 0.1}, {}, 0.0}, {elsewhere_, {}, 0.0}}, points_);
+  const std::vector<double> share = belief_.shares();
+  EXPECT_NEAR(belief_.probability_at(here_), share[0] + share[1], 1e-12);
+  EXPECT_NEAR(belief_.probability_at(elsewhere_), share[2], 1e-12);
+}
+
+TEST_F(BeliefTest, StaysFoundWhereTheOutputMovesANearbyStep) {
+  belief_.start(test::known_start(here_));
+  belief_.add({{here_ * SE2{0.8, 0.0, 0.0}, {}, 9.0}}, points_);
+  belief_.select();
+  EXPECT_EQ(belief_.populations.output_id, 1);
+  EXPECT_FALSE(belief_.lost_and_found.is_lost());
+}
+
 TEST_F(BeliefTest, LearnsWhileConfidentOnly) {
   belief_.start(test::known_start(here_));
   belief_.posterior.weigh(points_, {}, 0, belief_.populations.all);

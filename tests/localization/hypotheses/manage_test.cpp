@@ -36,6 +36,21 @@ TEST(Merge, KeepsPosesThatDifferInYawOnly) {
   EXPECT_EQ(all.size(), 2U);
 }
 
+TEST(Merge, MakesTheHeavierOneTheOutput) {
+  Populations populations;
+  populations.all = {hypothesis(0, -5.0, {1.0, 1.0, 0.0}), hypothesis(1, -1.0, {5.0, 5.0, 0.0}),
+                     hypothesis(2, -2.0, {1.1, 1.0, 0.1})};
+  populations.output_id = 0;
+  merge({}, populations);
+  EXPECT_EQ(ids(populations.all), (std::vector<int>{2, 1}));
+  EXPECT_EQ(populations.output_id, 2);
+  merge({}, populations);
+  EXPECT_EQ(populations.output_id, 2);
+  populations.output_id = -1;
+  merge({}, populations);
+  EXPECT_EQ(populations.output_id, -1);
+}
+
 TEST(Merge, SeesAcrossTheWrapOfYaw) { EXPECT_TRUE(same_place({}, {0, 0, 3.1}, {0, 0, -3.1})); }
 
 TEST(Destroy, DropsWhatIsFarBehind) {
@@ -44,13 +59,21 @@ TEST(Destroy, DropsWhatIsFarBehind) {
   EXPECT_EQ(ids(all), (std::vector<int>{1, 2}));
 }
 
+TEST(Destroy, KeepsLookAlikesLongerWhileConfident) {
+  std::vector<Hypothesis> all = {hypothesis(0, -21.0), hypothesis(1, 0.0), hypothesis(2, -23.0)};
+  destroy({}, true, all);
+  EXPECT_EQ(ids(all), (std::vector<int>{0, 1}));
+  destroy({}, false, all);
+  EXPECT_EQ(ids(all), (std::vector<int>{1}));
+}
+
 TEST(Destroy, KeepsAtMostSoManyAndNeverNone) {
   std::vector<Hypothesis> all;
   for (int i = 0; i < 40; ++i) all.push_back(hypothesis(i, -0.1 * i));
   destroy({}, false, all);
   EXPECT_EQ(all.size(), 30U);
   destroy({}, true, all);
-  EXPECT_EQ(all.size(), 8U);
+  EXPECT_EQ(all.size(), 4U);
   EXPECT_EQ(all.front().id, 0);
   std::vector<Hypothesis> one = {hypothesis(7, -1e6)};
   destroy({}, true, one);

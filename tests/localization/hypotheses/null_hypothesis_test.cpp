@@ -76,13 +76,76 @@ TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
 }
 
 TEST(BoundNull, HoldsASearchToWhatItCanMiss) {
-  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
+  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3); the rays of the place do not matter.
   NullHypothesis null{0.0, -2.0};
-  bound_null({}, -2.0, -15.0, null);
+  bound_null({}, {-9.0, -2.0, 0.0}, -15.0, null);
   EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
   // Already smaller: nothing changes.
-  bound_null({}, -20.0, -15.0, null);
+  bound_null({}, {-20.0, -20.0, 0.0}, -15.0, null);
   EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
+}
+
+TEST(BoundNull, TrustsALeadUpToALimit) {
+  NullHypothesis null{0.0, -2.0};
+  bound_null({}, {-2.0, -2.0, 5.0}, 0.0, null);
+  EXPECT_NEAR(null.log_weight, -3.0 + 0.7 - 1.5, 1e-12);
+  bound_null({}, {-2.0, -2.0, 1e9}, 0.0, null);
+  EXPECT_NEAR(null.log_weight, -3.0 + 0.7 - 3.6, 1e-12);
+}
+
+TEST(BoundNullOfOutput, CountsItsLeadAlone) {
+  NullHypothesis null{5.0, -2.0};
+  bound_null_of_output({}, 5.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 3.0, 1e-12);
+  bound_null_of_output({}, -4.0, 1.0, null);  // Already smaller.
+  EXPECT_NEAR(null.log_weight, -2.0, 1e-12);
+  bound_null_of_output({}, 50.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 7.2, 1e-12);
+}
+
+TEST(LimitSurprise, LetsOneScanOfARobotAtRestGainLittle) {
+  // An unlisted place has -2 - 6 = -8; the scan at the output is 10 nats below that.
+  NullHypothesis null{3.0, -2.0, 2.0};
+  limit_surprise({}, -18.0, {0.15, -3.0}, -10.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 10.0 + 4.0 + 1.5, 1e-12);
+  null.log_weight = 3.0;
+  limit_surprise({}, -18.0, {0.15, 2.0}, -10.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 10.0 + 4.0 + 1.5 + 2.0, 1e-12);
+  null.log_weight = -30.0;
+  limit_surprise({}, -18.0, {0.15, 2.0}, -10.0, 1.0, null);
+  EXPECT_EQ(null.log_weight, -30.0);
+}
+
+TEST(TakeDoubt, GrowsWhileScansAreLessLikelyThanUsual) {
+  NullHypothesis null{-50.0, -2.0, 2.0};  // A slack of 1.5 * 2 = 3.
+  take_doubt({}, -4.9, 1.0, 0.0, null);
+  EXPECT_EQ(null.doubt, 0.0);
+  take_doubt({}, -9.0, 1.0, 0.0, null);
+  EXPECT_NEAR(null.doubt, 4.0, 1e-12);
+  EXPECT_NEAR(null.log_weight, -6.0, 1e-12);  // Even odds at a doubt of 10.
+  take_doubt({}, -9.0, 0.5, 0.0, null);
+  EXPECT_NEAR(null.doubt, 6.0, 1e-12);
+  take_doubt({}, -1.0, 1.0, 0.0, null);
+  EXPECT_NEAR(null.doubt, 2.0, 1e-12);
+  for (int k = 0; k < 20; ++k) take_doubt({}, -20.0, 1.0, 0.0, null);
+  EXPECT_EQ(null.doubt, 25.0);
+}
+
+TEST(TakeDoubt, HasALeastSlack) {
+  NullHypothesis null{0.0, -2.0, 0.1};
+  take_doubt({}, -4.0, 1.0, 0.0, null);
+  EXPECT_NEAR(null.doubt, 1.0, 1e-12);
+}
+
+TEST(SettleDoubt, CorrectsWhatIsUsualDownwardsOnly) {
+  NullHypothesis null{0.0, -2.0, 2.0, 8.0};
+  settle_doubt({}, -6.0, null);
+  EXPECT_EQ(null.doubt, 0.0);
+  EXPECT_NEAR(null.usual, -4.0, 1e-12);
+  EXPECT_NEAR(null.spread, 2.4, 1e-12);
+  settle_doubt({}, -1.0, null);
+  EXPECT_NEAR(null.usual, -4.0, 1e-12);
+  EXPECT_NEAR(null.spread, 2.4, 1e-12);
 }
 
 TEST(NullLogLikelihood, HasAFloor) {

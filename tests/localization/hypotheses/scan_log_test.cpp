@@ -39,7 +39,7 @@ class ScanLogTest : public testing::Test {
  protected:
   ScanPoints here_ = test::points_from(test::office(), {3.0, 3.0, 0.4});
   ScanPoints elsewhere_ = test::points_from(test::office(), {8.0, 6.5, 2.0});
-  ScanLog log_{{}, {}, 3};
+  ScanLog log_{{{}, {}, {}, 3}};
 };
 
 TEST_F(ScanLogTest, KeepsTheLastScansAsTheyCame) {
@@ -71,6 +71,19 @@ TEST_F(ScanLogTest, LetsTheCueOfAKidnapFadeByANatPerNewScan) {
   log_.start();
   EXPECT_EQ(log_.recent_cue(), 0.0);
   EXPECT_TRUE(log_.scans().empty());
+}
+
+TEST_F(ScanLogTest, NoticesAJumpThatTheTolerantComparisonMisses) {
+  const ScanPoints beside = test::points_from(test::office(), SE2{3.15, 3.0, 0.45});
+  log_.add(here_, {}, 0.0, 0.0);
+  for (int k = 0; k < 20; ++k) {
+    const ScanMemory& scan = log_.add(here_, {}, 0.0, 0.0);
+    EXPECT_EQ(scan.arrival_cue, scan.kidnap_cue);
+  }
+  const ScanMemory& jump = log_.add(beside, {}, 0.0, 0.0);
+  EXPECT_LE(jump.kidnap_cue, 0.0);
+  EXPECT_GT(jump.arrival_cue, 3.0);
+  EXPECT_EQ(log_.recent_cue(), jump.arrival_cue);
 }
 
 TEST_F(ScanLogTest, ComparesScansThroughTheStepOfOdometry) {

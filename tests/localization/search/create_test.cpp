@@ -1,6 +1,7 @@
 #include "localization/search/create.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -82,8 +83,33 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
     scan.null_before = -50.0;
   }
   const double before = weigh_backwards(context(), history, place);
-  for (ScanMemory& scan : history) scan.kidnap_cue = -9.0;
+  for (ScanMemory& scan : history) scan.arrival_cue = -9.0;
   EXPECT_NEAR(weigh_backwards(context(), history, place), before - 9.0, 1e-9);
+}
+
+TEST_F(CreateTest, GivesAPlaceThatIsFarBehindUpEarly) {
+  ScanHistory history = drive_to({4.5, 3.0, 0.0});
+  const SE2 wrong{8.0, 6.5, 2.0};
+  const WeighedPlace place{wrong, evidence_.evaluate(history.back().points, wrong), 0.0};
+  const double whole = weigh_backwards(context(), history, place);
+  EXPECT_EQ(weigh_backwards(context(), history, place, whole - 0.1), whole);
+  EXPECT_LE(weigh_backwards(context(), history, place, whole + 0.1), whole + 0.1);
+  EXPECT_LE(weigh_backwards(context(), history, place, 0.0), 0.0);
+}
+
+TEST_F(CreateTest, IsUnclearWhereTheBestNeitherFitsNorLeads) {
+  const auto places = [](double first, double second) {
+    return std::vector<WeighedPlace>{{{}, {first, 0.5, -1.0}, 0.0}, {{}, {second, 0.5}, 0.0}};
+  };
+  EXPECT_TRUE(is_unclear(config_, {}));
+  EXPECT_FALSE(is_unclear(config_, places(-2.9, -3.0)));
+  EXPECT_FALSE(is_unclear(config_, places(-9.0, -14.1)));
+  EXPECT_TRUE(is_unclear(config_, places(-9.0, -13.9)));
+  const BestFound best = best_of(places(-9.0, -13.0));
+  EXPECT_EQ(best.log_likelihood, -9.0);
+  EXPECT_EQ(best.endpoints, -1.0);
+  EXPECT_EQ(best.lead, 4.0);
+  EXPECT_TRUE(std::isinf(best_of({places(-9.0, -13.0)[0]}).lead));
 }
 
 TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
@@ -92,9 +118,8 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   for (double x = 0.6; x < 9.0; x += 0.4) {
     for (double yaw = -3.0; yaw < 3.0; yaw += 0.4) candidates.push_back({{x, 3.0, yaw}, 0.5});
   }
-  config_.refined = 20;
   config_.looked_at = 1000;
-  const std::vector<Candidate> kept = screen_candidates(context(), candidates, points);
+  const std::vector<Candidate> kept = screen_candidates(context(), candidates, points, 20);
   std::vector<double> all;
   for (const Candidate& c : candidates) {
     all.push_back(evidence_.evaluate(points, c.T_map_base).log_likelihood);
@@ -102,7 +127,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   std::sort(all.begin(), all.end(), std::greater<>());
   ASSERT_EQ(kept.size(), 20U);
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_NEAR(kept[i].score, all[i], 1e-9) << i;
-  EXPECT_TRUE(screen_candidates(context(), {}, points).empty());
+  EXPECT_TRUE(screen_candidates(context(), {}, points, 20).empty());
 }
 
 TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
@@ -110,8 +135,8 @@ TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
   std::vector<Candidate> candidates = {{truth, 0.5}};
   for (double x = 0.6; x < 9.0; x += 0.4) candidates.push_back({{x, 5.0, 2.0}, 0.5});
   config_.looked_at = 3;
-  config_.refined = 2;
-  const auto kept = screen_candidates(context(), candidates, test::with_people(scan_from(truth)));
+  const auto kept =
+      screen_candidates(context(), candidates, test::with_people(scan_from(truth)), 2);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].T_map_base, truth);
 }

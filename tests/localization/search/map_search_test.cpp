@@ -24,7 +24,8 @@ class MapSearchTest : public testing::Test {
   }
   std::vector<Candidate> search_once(const ScanPoints& points, SearchDepth depth) const {
     MapSearch search(create_, matcher_, points, {}, depth);
-    EXPECT_TRUE(search.step(1 << 30));
+    WorkBudget unlimited({1e9, 1e9}, 1.0);
+    EXPECT_TRUE(search.step(1 << 30, unlimited));
     return search.candidates({});
   }
   CreateContext context() const {
@@ -47,6 +48,7 @@ class MapSearchTest : public testing::Test {
   EvidenceModel evidence_{{}, grid_, distances_};
   SE2 truth_{3.0, 3.0, 0.4};
   ScanPoints points_ = test::with_people(test::points_from(grid_, truth_));
+  WorkBudget budget_{{1e9, 1e9}, 1.0};
 };
 
 TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
@@ -82,7 +84,7 @@ TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
 TEST_F(MapSearchTest, FindsTheSameInSlices) {
   MapSearch search(create_, matcher_, points_, {}, SearchDepth::kUsual);
   int slices = 1;
-  while (!search.step(50)) ++slices;
+  while (!search.step(50, budget_)) ++slices;
   EXPECT_GT(slices, 10);
   EXPECT_EQ(poses(search.candidates({})), poses(search_once(points_, SearchDepth::kUsual)));
 }
@@ -91,7 +93,7 @@ TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {
   const SE2 T_odom_scan{5.0, 1.0, 0.7};
   const SE2 u{0.3, 0.1, 0.5};
   MapSearch search(create_, matcher_, points_, T_odom_scan, SearchDepth::kUsual);
-  ASSERT_TRUE(search.step(1 << 30));
+  ASSERT_TRUE(search.step(1 << 30, budget_));
   const auto then = search.candidates(T_odom_scan);
   const auto now = search.candidates(T_odom_scan * u);
   ASSERT_EQ(then.size(), now.size());
@@ -104,18 +106,41 @@ TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {
 
 TEST_F(MapSearchTest, HasNothingToDoWithoutPoints) {
   MapSearch search(create_, matcher_, {}, {}, SearchDepth::kUsual);
-  EXPECT_TRUE(search.step(1));
+  EXPECT_TRUE(search.step(1, budget_));
   EXPECT_TRUE(search.candidates({}).empty());
 }
 
-TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingFits) {
-  matcher_config_.candidates = 1;
-  matcher_ = CascadeMatcher(matcher_config_, grid_, distances_);
+TEST_F(MapSearchTest, StartsWithAFewPlacesByAllPoints) {
+  create_.quick_candidates = 4;
+  EXPECT_EQ(poses(search_once(points_, SearchDepth::kQuick)),
+            poses(matcher_.match(points_, {}, 4)));
+}
+
+TEST_F(MapSearchTest, LeavesOutWhatScoresTooLittle) {
+  const std::vector<Candidate> all = matcher_.match(points_);
+  const double least = all[3].score;
+  MapSearch search(matcher_, points_, {}, 10, least);
+  ASSERT_TRUE(search.step(1 << 30, budget_));
+  const auto found = search.candidates({});
+  ASSERT_GE(found.size(), 4U);
+  for (const Candidate& c : found) EXPECT_GE(c.score, least);
+}
+
+TEST_F(MapSearchTest, SpendsItsWorkAndStopsWhereTheBudgetEnds) {
+  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kUsual);
+  WorkBudget budget({0.1, 0.1}, 10.0);
+  EXPECT_FALSE(search.step(1 << 30, budget));
+  EXPECT_LT(budget.grant(1 << 30), 200);
+}
+
+TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingIsClear) {
   create_.far_share = 0.0;
+  create_.quick_candidates = 3;
   create_.deep_below = -100.0;
-  EXPECT_EQ(find_places(context(), matcher_, points_).size(), 1U);
-  create_.deep_below = 0.0;
-  EXPECT_GT(find_places(context(), matcher_, points_).size(), 1U);
+  EXPECT_LE(find_places(context(), matcher_, points_).size(), 3U);
+  create_.deep_below = 1.0;
+  create_.clear_lead = 1e9;
+  EXPECT_GT(find_places(context(), matcher_, points_).size(), 3U);
   EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
 }
 
@@ -129,44 +154,48 @@ class PlaceSearchTest : public MapSearchTest {
 };
 
 TEST_F(PlaceSearchTest, FindsTheScanInOneGo) {
-  PlaceSearch search(matcher_, 1 << 30);
-  const auto places = search.step(context(), points_, {});
+  PlaceSearch search(matcher_);
+  const auto places = search.step(context(), points_, {}, 1 << 30, budget_);
   ASSERT_TRUE(places && !places->empty());
   EXPECT_LT(distance(places->front().T_map_base, truth_), 0.05);
   EXPECT_FALSE(search.is_pending());
 }
 
 TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
-  PlaceSearch search(matcher_, 200);
-  EXPECT_FALSE(search.step(context(), points_, {}));
+  PlaceSearch search(matcher_);
+  EXPECT_FALSE(search.step(context(), points_, {}, 100, budget_));
   EXPECT_TRUE(search.is_pending());
   const SE2 u{0.5, 0.2, 0.3};
   const ScanPoints later = test::points_from(grid_, truth_ * u);
   std::optional<std::vector<WeighedPlace>> places;
-  for (int i = 0; i < 10000 && !places; ++i) places = search.step(context(), later, u);
+  for (int i = 0; i < 10000 && !places; ++i) {
+    places = search.step(context(), later, u, 100, budget_);
+  }
   ASSERT_TRUE(places && !places->empty());
   EXPECT_LT(distance(places->front().T_map_base, truth_ * u), 0.05);
 }
 
-TEST_F(PlaceSearchTest, LooksDeeperOnceWhereNothingFits) {
+TEST_F(PlaceSearchTest, LooksDeeperTwiceWhereNothingIsClear) {
   create_.deep_below = 1.0;  // no score reaches it
-  PlaceSearch search(matcher_, 1 << 30);
-  ASSERT_TRUE(search.step(context(), points_, {}));
-  EXPECT_TRUE(search.is_pending());
-  ASSERT_TRUE(search.step(context(), points_, {}));
-  EXPECT_FALSE(search.is_pending());
+  create_.clear_lead = 1e9;
+  PlaceSearch search(matcher_);
+  for (const bool pending : {true, true, false}) {
+    ASSERT_TRUE(search.step(context(), points_, {}, 1 << 30, budget_));
+    EXPECT_EQ(search.is_pending(), pending);
+  }
 }
 
 TEST_F(PlaceSearchTest, ForgetsWhatGoesOn) {
-  PlaceSearch search(matcher_, 200);
-  search.step(context(), points_, {});
+  PlaceSearch search(matcher_);
+  EXPECT_FALSE(search.step(context(), points_, {}, 100, budget_));
   search.cancel();
   EXPECT_FALSE(search.is_pending());
   create_.deep_below = 1.0;
-  PlaceSearch deep(matcher_, 1 << 30);
-  deep.step(context(), points_, {});
-  deep.cancel();
-  EXPECT_FALSE(deep.is_pending());
+  create_.clear_lead = 1e9;
+  search.step(context(), points_, {}, 1 << 30, budget_);
+  EXPECT_TRUE(search.is_pending());
+  search.cancel();
+  EXPECT_FALSE(search.is_pending());
 }
 
 }  // namespace

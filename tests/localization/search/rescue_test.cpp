@@ -10,14 +10,14 @@ namespace {
 
 class RescueTest : public testing::Test {
  protected:
-  std::optional<WeighedPlace> find(const SE2& output, double usual) const {
+  std::optional<WeighedPlace> find(const SE2& output, double usual, const SE2& step = {}) const {
     const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
     Hypothesis h;
     h.belief.mean = output;
     h.log_weight = -2.0;
     h.log_likelihood = -4.0;
     h.quality = 0.7;
-    return Rescue(config_, matcher_).find(context, h, usual, points_);
+    return Rescue(config_, matcher_).find(context, h, usual, points_, step);
   }
   double likelihood(const SE2& pose) const {
     return evidence_.evaluate(points_, pose).log_likelihood;
@@ -45,6 +45,32 @@ TEST_F(RescueTest, FindsWhereTheRobotSlippedTo) {
   EXPECT_EQ(place->log_weight, -16.0);            // that of the output minus 14
   EXPECT_EQ(place->newest.log_likelihood, -4.0);  // that of the output at the previous scan
   EXPECT_EQ(place->newest.quality, 0.7);
+}
+
+TEST_F(RescueTest, CostsLittleOnTheWayOfTheStep) {
+  const SE2 step = truth_.inverse() * slipped_;
+  EXPECT_EQ(find(slipped_, -1.0, slipped_.inverse() * truth_)->log_weight, -5.0);
+  EXPECT_EQ(find(slipped_, -1.0, SE2{0.0, 1.0, 0.0})->log_weight, -16.0);
+  EXPECT_GT(step.translation().norm(), 0.25);
+}
+
+TEST(IsOnWay, BetweenBothEndsOfTheStep) {
+  const SE2 centre{2.0, 1.0, 0.5};
+  const SE2 step{0.8, 0.0, 0.1};
+  for (const double x : {-0.9, -0.4, 0.0, 0.4, 0.9}) {
+    EXPECT_TRUE(is_on_way(centre, step, 0.25, centre * SE2{x, 0.1, 0.15})) << x;
+  }
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{1.1, 0.0, 0.0}));
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.3, 0.0}));
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.0, 0.25}));
+  EXPECT_TRUE(is_on_way(centre, {}, 0.25, centre * SE2{0.2, 0.0, 0.0}));  // At rest.
+}
+
+TEST_F(RescueTest, ReachesPlacesWithinItsRange) {
+  const Rescue rescue(config_, matcher_);
+  EXPECT_TRUE(rescue.reaches(truth_, truth_ * SE2{1.0, 0.0, 0.5}));
+  EXPECT_FALSE(rescue.reaches(truth_, truth_ * SE2{1.2, 0.0, 0.0}));
+  EXPECT_FALSE(rescue.reaches(truth_, truth_ * SE2{0.0, 0.0, 0.7}));
 }
 
 TEST_F(RescueTest, LooksOnlyWhereTheOutputFitsWorseThanUsual) {

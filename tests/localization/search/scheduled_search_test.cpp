@@ -34,6 +34,7 @@ class ScheduledSearchTest : public testing::Test {
   EvidenceModel evidence_{{}, grid_, distances_};
   SE2 truth_{3.0, 3.0, 0.4};
   ScanPoints points_ = test::points_from(grid_, truth_);
+  WorkBudget budget_{{1e6, 1e6}, 10.0};
 };
 
 TEST_F(ScheduledSearchTest, FindsThePlaceInOneSliceAndThenPauses) {
@@ -41,7 +42,7 @@ TEST_F(ScheduledSearchTest, FindsThePlaceInOneSliceAndThenPauses) {
   EXPECT_TRUE(search.is_due(occasion(1.0)));
   EXPECT_FALSE(search.is_due(occasion(1.0, true)));
   for (const double time_s : {1.0, 1.1}) {
-    const auto places = search.step(context(), scan_at(time_s));
+    const auto places = search.step(context(), scan_at(time_s), budget_);
     ASSERT_TRUE(places);
     EXPECT_LT(distance(places->front().T_map_base, truth_), 0.05);
     search.end(false);
@@ -55,7 +56,7 @@ TEST_F(ScheduledSearchTest, ContinuesASearchInProgressEvenWhenConfident) {
   MatchScheduleConfig config;
   config.slice = 100;
   ScheduledSearch search(config, matcher_);
-  EXPECT_FALSE(search.step(context(), scan_at(1.0)));
+  EXPECT_FALSE(search.step(context(), scan_at(1.0), budget_));
   EXPECT_TRUE(search.is_due(occasion(1.1, true)));
   search.restart_clock();  // Drops the search in progress.
   EXPECT_FALSE(search.is_due(occasion(1.1, true)));
@@ -68,13 +69,13 @@ TEST_F(ScheduledSearchTest, CountsASearchOverSeveralScansOnce) {
   config.at_once = 1;
   ScheduledSearch once(config, matcher_);
   double time_s = 1.0;
-  while (!once.step(context(), scan_at(time_s))) time_s += 0.1;
+  while (!once.step(context(), scan_at(time_s), budget_)) time_s += 0.1;
   once.end(false);
   EXPECT_FALSE(once.is_due(occasion(time_s)));
   config.at_once = 2;
   ScheduledSearch twice(config, matcher_);
   time_s = 1.0;
-  while (!twice.step(context(), scan_at(time_s))) time_s += 0.1;
+  while (!twice.step(context(), scan_at(time_s), budget_)) time_s += 0.1;
   twice.end(false);
   EXPECT_GT(time_s, 1.15);  // More than two scans.
   EXPECT_TRUE(twice.is_due(occasion(time_s)));

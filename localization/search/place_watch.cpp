@@ -1,0 +1,62 @@
+#include "localization/search/place_watch.hpp"
+
+#include <algorithm>
+
+namespace castaway::localization {
+
+void PlaceWatch::start() {
+  search_.reset();
+  last_.reset();
+  pause_s_ = config_.first_pause_s;
+  probability_ = 1.0;
+  output_id_ = -1;
+}
+
+bool PlaceWatch::is_suspicious(Stamp now, const WatchOccasion& occasion) const {
+  if (occasion.cue > config_.suspicious_cue || occasion.output.id != output_id_) return true;
+  const bool alarming = occasion.probability < config_.alarming;
+  if (alarming && probability_ >= config_.alarming) return true;
+  if (!alarming && occasion.doubt < config_.suspicious_doubt) return false;
+  return !last_ || seconds(now - *last_) >= config_.pause_s;
+}
+
+bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
+  if (occasion.output.log_likelihood >= std::min(config_.fits, occasion.usual)) return false;
+  return !last_ || seconds(now - *last_) >= pause_s_;
+}
+
+std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& context,
+                                                          const ScanTurn& scan,
+                                                          const WatchOccasion& occasion,
+                                                          WorkBudget& budget) {
+  const bool suspicious = is_suspicious(scan.now, occasion);
+  probability_ = occasion.probability;
+  output_id_ = occasion.output.id;
+  if (suspicious && !urgent_) search_.reset();
+  if (!search_) {
+    if (!suspicious && !is_due(scan.now, occasion)) return std::nullopt;
+    urgent_ = suspicious;
+    begin(scan, occasion.output.belief.mean);
+  }
+  if (!search_->step(urgent_ ? config_.burst : config_.slice, budget)) return std::nullopt;
+  std::vector<WeighedPlace> places =
+      refine_found(context, *search_, scan.points, scan.T_odom_base, config_.refined, budget);
+  search_.reset();
+  urgent_ = false;
+  last_ = scan.now;
+  return places;
+}
+
+void PlaceWatch::begin(const ScanTurn& scan, const SE2& T_map_base) {
+  const MatchWindow here{T_map_base, 0.2, 0.06};  // A coarse cell and a step of the yaw.
+  const std::vector<Candidate> output = matcher_.match(scan.points, here, 1);
+  const double least = output.empty() ? 0.0 : config_.score_share * output.front().score;
+  search_.emplace(matcher_, scan.points, scan.T_odom_base, config_.candidates, least);
+}
+
+void PlaceWatch::end(bool better) {
+  pause_s_ = better ? config_.first_pause_s
+                    : std::clamp(2.0 * pause_s_, config_.first_pause_s, config_.longest_pause_s);
+}
+
+}  // namespace castaway::localization

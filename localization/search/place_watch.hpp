@@ -1,0 +1,78 @@
+/// Place watch: looks for places elsewhere where the scan fits as well as at a confident output.
+///
+/// A search for places that score at least nearly as much as the output prunes most of the map, so
+/// it is cheap enough to run while the localizer is confident: in small slices in the background,
+/// and at once where something suggests that the output has become wrong, or where the output is
+/// new: a kidnap tears the scan by which it was found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "localization/hypotheses/hypothesis.hpp"
+#include "localization/search/map_search.hpp"
+#include "localization/sensor/sensor_input.hpp"
+
+namespace castaway::localization {
+
+/// Parameters of the watch.
+struct PlaceWatchConfig {
+  double score_share = 0.95;    ///< A place is found if it scores this share of the output's score.
+  int candidates = 16;          ///< Maximum number of places found.
+  int refined = 6;              ///< Number of places refined; the best by evidence.
+  std::int64_t slice = 3000;    ///< Tiles searched per scan in the background.
+  std::int64_t burst = 60000;   ///< Tiles searched per scan on suspicion.
+  double suspicious_cue = 3.0;  ///< [nats] Arrival cue of a scan that is suspicious.
+  double suspicious_doubt = 2.0;  ///< [nats] Doubt that is suspicious.
+  double alarming = 0.98;         ///< A smaller probability of the output is suspicious.
+  double pause_s = 0.5;           ///< [s] Minimum time between searches on suspicion.
+  /// [nats] No search in the background while the scan at the output is more likely than this, or
+  /// than usual.
+  double fits = -1.0;
+  /// [s] Minimum time between searches in the background; doubles while they find nothing better.
+  double first_pause_s = 1.0;
+  double longest_pause_s = 8.0;  ///< [s] Upper limit of this time.
+};
+
+/// State of a confident output.
+struct WatchOccasion {
+  const Hypothesis& output;
+  double probability = 1.0;  ///< After the newest scan.
+  double usual = 0.0;        ///< [nats] Usual log-likelihood at the right pose.
+  double doubt = 0.0;        ///< [nats] Evidence that the output has become wrong.
+  double cue = 0.0;          ///< [nats] Arrival cue of the newest scan.
+};
+
+/// Searches the map when an occasion asks for it. The matcher must outlive it.
+class PlaceWatch {
+ public:
+  PlaceWatch(const PlaceWatchConfig& config, const CascadeMatcher& matcher)
+      : config_(config), matcher_(matcher) {}
+
+  /// Drops the search in progress and forgets the last one.
+  void start();
+  /// Begins or continues a search, if one is due. Returns the places found, refined on this scan,
+  /// once a search is complete; the place of the output is one of them. Spends the work from
+  /// `budget`.
+  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan,
+                                                const WatchOccasion& occasion, WorkBudget& budget);
+  /// Notes that the places of a complete search were used; `better`: one is better than the output.
+  void end(bool better);
+
+ private:
+  [[nodiscard]] bool is_suspicious(Stamp now, const WatchOccasion& occasion) const;
+  [[nodiscard]] bool is_due(Stamp now, const WatchOccasion& occasion) const;
+  void begin(const ScanTurn& scan, const SE2& T_map_base);
+
+  PlaceWatchConfig config_;
+  const CascadeMatcher& matcher_;
+  std::optional<MapSearch> search_;
+  bool urgent_ = false;        ///< The search in progress began on suspicion.
+  std::optional<Stamp> last_;  ///< End of the last search.
+  double pause_s_ = 0.0;       ///< Of searches in the background.
+  double probability_ = 1.0;   ///< Of the output at the previous scan.
+  int output_id_ = -1;         ///< Output at the previous scan.
+};
+
+}  // namespace castaway::localization

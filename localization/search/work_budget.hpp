@@ -1,0 +1,51 @@
+/// Budget of the search for places, counted in work and not by a clock, so that runs repeat.
+///
+/// Simulated (or log) time earns a share for each scan at the rate of corrections, whether it comes
+/// or not, so that the load of the processor is what counts; a scan earns at least one share. What
+/// is not spent is saved up to what one scan may cost. Less budget finds places later.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "localization/geometry/stamp.hpp"
+
+namespace castaway::localization {
+
+/// Time of a scan, tracking included, on a processor that scores 8000 tiles in a millisecond.
+struct WorkBudgetConfig {
+  double mean_ms = 1.0;   ///< [ms] Average over a long run, for each scan that is due.
+  double most_ms = 50.0;  ///< [ms] Upper limit of one scan.
+};
+
+/// @throws std::invalid_argument if a value is out of range.
+void validate(const WorkBudgetConfig& config);
+
+/// Saves and spends tiles (`TileScorer::scored`).
+class WorkBudget {
+ public:
+  /// `rate_hz` is the rate at which scans are due.
+  WorkBudget(const WorkBudgetConfig& config, double rate_hz);
+
+  /// Restarts with all that can be saved.
+  void start();
+  /// Adds the share of the time since the scan before.
+  void earn(Stamp now);
+  /// Takes `tiles` off; the budget may become negative.
+  void spend(std::int64_t tiles) { saved_ -= tiles; }
+  /// Tiles that may be searched now: at most `wanted`, and a few even if nothing is saved.
+  [[nodiscard]] std::int64_t grant(std::int64_t wanted) const {
+    return std::min(wanted, std::max(saved_, least_));
+  }
+
+ private:
+  double rate_hz_ = 1.0;
+  std::int64_t per_scan_ = 0;
+  std::int64_t most_ = 0;
+  std::int64_t least_ = 0;
+  std::int64_t saved_ = 0;
+  std::optional<Stamp> last_;  ///< Time of the scan before.
+};
+
+}  // namespace castaway::localization

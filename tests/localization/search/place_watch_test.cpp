@@ -1,0 +1,138 @@
+#include "localization/search/place_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+/// Two equal rooms side by side, 4 m apart.
+OccupancyGrid twin_rooms() {
+  OccupancyGrid grid;
+  grid.frame = {160, 80, 0.05, {}};
+  grid.cells.assign(grid.frame.size(), CellState::kOccupied);
+  for (const double x : {0.0, 4.0}) {
+    test::fill(grid, x + 0.2, 0.2, x + 3.8, 3.8, CellState::kFree);
+    test::fill(grid, x + 0.8, 2.0, x + 1.4, 2.4, CellState::kOccupied);
+  }
+  return grid;
+}
+
+class PlaceWatchTest : public testing::Test {
+ protected:
+  std::optional<std::vector<WeighedPlace>> step(double time_s, const Hypothesis& output) {
+    const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
+    ScanTurn scan;
+    scan.now = from_seconds(time_s);
+    scan.points = points_;
+    return watch_.step(context, scan, {output, probability_, -0.5, doubt_, cue_}, budget_);
+  }
+  Hypothesis output_at(const SE2& pose) const {
+    Hypothesis h;
+    h.belief.mean = pose;
+    h.log_likelihood = evidence_.evaluate(points_, pose).log_likelihood;
+    return h;
+  }
+
+  OccupancyGrid grid_ = twin_rooms();
+  DistanceField distances_{grid_, 5.0};
+  CascadeMatcher matcher_{{}, grid_, distances_};
+  CreateConfig create_;
+  MergeConfig merge_;
+  PosteriorConfig posterior_;
+  OdometryNoiseConfig noise_;
+  EndpointModel endpoint_{{}, distances_};
+  EvidenceModel evidence_{{}, grid_, distances_};
+  SE2 truth_{2.5, 1.2, 0.4};
+  SE2 twin_{6.5, 1.2, 0.4};
+  ScanPoints points_ = test::points_from(grid_, truth_);
+  double probability_ = 1.0;
+  double doubt_ = 0.0;
+  double cue_ = 0.0;
+  WorkBudget budget_{{1e6, 1e6}, 10.0};
+  PlaceWatch watch_{{}, matcher_};
+};
+
+TEST_F(PlaceWatchTest, RestsWhileTheOutputFits) {
+  step(-1.0, output_at(truth_));
+  for (double t = 0.0; t < 20.0; t += 0.1) EXPECT_FALSE(step(t, output_at(truth_)));
+}
+
+TEST_F(PlaceWatchTest, FindsATwinAtOnceOnSuspicion) {
+  cue_ = 3.1;
+  const auto places = step(0.0, output_at(truth_));
+  ASSERT_TRUE(places);
+  ASSERT_GE(places->size(), 2U);
+  const auto near = [&](const SE2& pose) {
+    return std::any_of(places->begin(), places->end(), [&](const WeighedPlace& place) {
+      return distance(place.T_map_base, pose) < 0.1;
+    });
+  };
+  EXPECT_TRUE(near(truth_));
+  EXPECT_TRUE(near(twin_));
+}
+
+TEST_F(PlaceWatchTest, FindsTheBetterPlaceOfABadOutput) {
+  doubt_ = 2.5;
+  const auto places = step(0.0, output_at(twin_ * SE2{0.0, 0.0, 1.6}));
+  ASSERT_TRUE(places && !places->empty());
+  EXPECT_GT(places->front().newest.log_likelihood, -2.0);
+}
+
+TEST_F(PlaceWatchTest, LooksAgainOnceWhereTheOutputIsNew) {
+  Hypothesis output = output_at(truth_);
+  EXPECT_TRUE(step(0.0, output));
+  EXPECT_FALSE(step(0.1, output));
+  output.id = 7;
+  EXPECT_TRUE(step(0.2, output));
+  EXPECT_FALSE(step(0.3, output));
+}
+
+TEST_F(PlaceWatchTest, PausesBetweenSearchesOnDoubt) {
+  doubt_ = 2.5;
+  EXPECT_TRUE(step(0.0, output_at(truth_)));
+  EXPECT_FALSE(step(0.4, output_at(truth_)));
+  EXPECT_TRUE(step(0.5, output_at(truth_)));
+}
+
+TEST_F(PlaceWatchTest, SearchesAtOnceWhereTheProbabilityFalls) {
+  step(-10.0, output_at(truth_));
+  probability_ = 0.97;
+  EXPECT_TRUE(step(0.0, output_at(truth_)));
+  EXPECT_FALSE(step(0.1, output_at(truth_)));
+  probability_ = 0.99;
+  EXPECT_FALSE(step(0.2, output_at(truth_)));
+  probability_ = 0.97;
+  EXPECT_TRUE(step(0.3, output_at(truth_)));
+}
+
+TEST_F(PlaceWatchTest, SearchesInTheBackgroundWhereTheOutputFitsBadly) {
+  step(-10.0, output_at(truth_));
+  Hypothesis bad = output_at(truth_);
+  bad.log_likelihood = -4.0;
+  std::vector<double> times;
+  for (int k = 0; k < 300; ++k) {
+    if (!step(0.1 * k, bad)) continue;
+    watch_.end(false);
+    times.push_back(0.1 * k);
+  }
+  ASSERT_GE(times.size(), 4U);
+  EXPECT_GT(times[3] - times[2], times[1] - times[0]);  // The pauses grow.
+  EXPECT_LT(times[0], 2.0);
+}
+
+TEST_F(PlaceWatchTest, ContinuesOverScansWithinTheBudget) {
+  cue_ = 4.0;
+  budget_ = WorkBudget({0.01, 0.01}, 10.0);
+  EXPECT_FALSE(step(0.0, output_at(truth_)));
+  cue_ = 0.0;
+  int scans = 1;
+  while (scans < 10000 && !step(0.1 * scans, output_at(truth_))) ++scans;
+  EXPECT_GT(scans, 2);
+  EXPECT_LT(scans, 10000);
+}
+
+}  // namespace
+}  // namespace castaway::localization

@@ -1,0 +1,67 @@
+#include "localization/sensor/scan_continuity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grid_world.hpp"
+#include "tests/support/scan_points.hpp"
+
+namespace castaway::localization {
+namespace {
+
+class ScanContinuityTest : public testing::Test {
+ protected:
+  ScanPoints scan_from(const SE2& pose) const { return test::points_from(grid_, pose); }
+  /// Lets it learn from a robot at rest.
+  void rest(int scans) {
+    for (int k = 0; k < scans; ++k) EXPECT_EQ(continuity_.take(here_, here_, {}), 0.0);
+  }
+
+  OccupancyGrid grid_ = test::office();
+  SE2 pose_{3.0, 3.0, 0.4};
+  ScanPoints here_ = scan_from(pose_);
+  ScanContinuityConfig config_;
+  ScanContinuity continuity_{config_};
+};
+
+TEST_F(ScanContinuityTest, LearnsHowWellTheScansOfOnePlaceAgree) {
+  rest(1);
+  EXPECT_EQ(continuity_.usual(), 1.0);
+  rest(200);
+  EXPECT_EQ(continuity_.usual(), 1.0);
+  EXPECT_EQ(continuity_.spread(), config_.least_spread);
+  continuity_.start();
+  EXPECT_EQ(continuity_.spread(), config_.spread_start);
+}
+
+TEST_F(ScanContinuityTest, NoticesAStepThatOdometryDidNotSee) {
+  rest(30);
+  const double cue = continuity_.take(here_, scan_from(pose_ * SE2{0.2, 0.0, 0.0}), {});
+  EXPECT_GT(cue, 3.0);
+  EXPECT_LE(cue, config_.most);
+}
+
+TEST_F(ScanContinuityTest, IsOneNatForEachSpreadBeyondTheFreeOnes) {
+  rest(200);
+  const ScanPoints beside = scan_from(pose_ * SE2{0.1, 0.0, 0.0});
+  const double share = *scan_agreement(config_.agreement, here_, beside, {});
+  const double expected = (1.0 - share) / config_.least_spread - config_.free;
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(continuity_.take(here_, beside, {}), std::min(expected, config_.most), 1e-9);
+}
+
+TEST_F(ScanContinuityTest, FollowsAStepOfOdometry) {
+  rest(30);
+  const SE2 u{0.3, 0.0, 0.1};
+  EXPECT_EQ(continuity_.take(here_, scan_from(pose_ * u), u), 0.0);
+}
+
+TEST_F(ScanContinuityTest, SaysNothingOfScansFarApart) {
+  rest(30);
+  const ScanPoints elsewhere = scan_from({8.0, 6.5, 2.0});
+  EXPECT_EQ(continuity_.take(here_, elsewhere, {0.7, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(continuity_.take(here_, elsewhere, {0.0, 0.0, 0.35}), 0.0);
+  EXPECT_EQ(continuity_.take(here_, {}, {}), 0.0);
+}
+
+}  // namespace
+}  // namespace castaway::localization
