@@ -41,6 +41,27 @@ TEST(BenchKidnaps, PrintsJsonAndRepeatsItself) {
   EXPECT_GE(distinct.at("longest_wrong_s"), 0.0);
 }
 
+/// Share of the scans after kidnaps to look-alikes, seen with 240 degrees and 5.6 m, that are wrong
+/// and confident.
+double wrong_after_look_alikes(const std::string& world) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome =
+      castaway(folder,
+               "bench kidnaps --kind look-alike --min-distance 1 --lidar urg-04lx "
+               "--range-max 5.6 --kidnaps 8 --localizer mh_amcl --json --world " +
+                   world);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json localizer = Json::parse(outcome.out)[0].at("/localizers/mh_amcl"_json_pointer);
+  EXPECT_EQ(localizer.at("/recovered/count"_json_pointer), 8) << world;
+  EXPECT_LE(localizer.at("longest_wrong_s"), 5.0) << world;
+  return localizer.at("wrong_lock_share");
+}
+
+TEST(BenchKidnaps, MhAmclNoticesKidnapsToLookAlikes) {
+  EXPECT_LT(wrong_after_look_alikes("lab"), 0.01);
+  EXPECT_LT(wrong_after_look_alikes("home"), 0.03);
+}
+
 TEST(BenchKidnaps, RefusesWhatMakesNoSense) {
   const fs::path folder = fresh_folder();
   EXPECT_EQ(castaway(folder, "bench kidnaps --kidnaps 0").exit_code, 2);
