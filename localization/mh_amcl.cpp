@@ -27,8 +27,8 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
 
 /// Creates populations at the places that a watch has found, and settles the doubt of the output.
 /// Returns true if a place elsewhere is better than the output.
-bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& points,
-                  Belief& belief) {
+bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& points, Belief& belief,
+                  ScheduledSearch& search) {
   const MhAmclModels& models = belief.models;
   const Hypothesis& output = *belief.populations.output();
   std::vector<WeighedPlace> elsewhere = places;
@@ -39,11 +39,13 @@ bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& poi
   const double lead = elsewhere.empty()
                           ? std::numeric_limits<double>::infinity()
                           : here.log_likelihood - elsewhere.front().newest.log_likelihood;
+  const std::size_t known = belief.populations.all.size();
   belief.add(new_places(models.context, belief.posterior.log().scans(), belief.populations.all,
                         models.config.destroy.behind_confident, places),
              points);
-  belief.posterior.take_watch({here.log_likelihood, here.endpoints, lead},
-                              !belief.lost_and_found.is_lost(), belief.populations.all);
+  if (belief.populations.all.size() > known) search.note_rescue(belief.populations.all[known].id);
+  belief.posterior.take_watch({here.log_likelihood, lead}, !belief.lost_and_found.is_lost(),
+                              belief.populations.all);
   merge(models.config.merge, belief.populations);
   return lead < 0.0;
 }
@@ -135,7 +137,7 @@ void MhAmcl::watch(const ScanTurn& scan) {
                            {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
                             posterior.doubt(), posterior.log().scans().back().arrival_cue},
                            searches_.budget);
-  if (places) searches_.watch.end(take_watched(*places, scan.points, belief_));
+  if (places) searches_.watch.end(take_watched(*places, scan.points, belief_, searches_.scheduled));
 }
 
 /// Continues the search of the map; once it is complete, creates populations where the scan fits.
@@ -148,7 +150,9 @@ void MhAmcl::create(const ScanTurn& scan) {
       new_places(models_.context, belief_.posterior.log().scans(), hypotheses,
                  models_.config.destroy.behind, *places);
   belief_.add(created, scan.points);
-  if (!places->empty()) belief_.posterior.take_search(best_of(*places), hypotheses);
+  if (!places->empty() && !searches_.scheduled.is_pending()) {
+    belief_.posterior.take_search(best_of(*places), hypotheses);
+  }
   merge(models_.config.merge, belief_.populations);
   select_output(belief_, searches_.scheduled);
   searches_.scheduled.end(!created.empty() && belief_.populations.output_id != before);

@@ -58,7 +58,7 @@ void bound_null(const NullHypothesisConfig& config, const BestFound& best, doubl
                 NullHypothesis& null) {
   const double lead = std::clamp(best.lead, 0.0, config.most_lead);
   const double missed =
-      config.missed - config.missed_slope * best.endpoints - config.missed_lead * lead;
+      config.missed - config.missed_slope * best.log_likelihood - config.missed_lead * lead;
   null.log_weight = std::min(null.log_weight, listed + missed);
 }
 

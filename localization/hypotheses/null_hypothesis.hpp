@@ -65,8 +65,7 @@ struct NullHypothesis {
 /// The best place of a search of the whole map.
 struct BestFound {
   double log_likelihood = 0.0;  ///< [nats] Of the newest scan.
-  double endpoints = 0.0;  ///< [nats] Of its end points alone, by which the search finds places.
-  double lead = 0.0;       ///< [nats] By which it is ahead of the next place.
+  double lead = 0.0;            ///< [nats] By which it is ahead of the next place.
 };
 
 /// What is new in a scan.
@@ -103,7 +102,7 @@ void doubt_output(const NullHypothesisConfig& config, double log_likelihood, dou
 
 /// Limits the weight after a search of the whole map, when an unlisted place is one that the search
 /// missed. The better the best place found fits, and the further it is ahead of the next one, the
-/// less likely that is. The search compares end points, so only their fit counts.
+/// less likely that is.
 void bound_null(const NullHypothesisConfig& config, const BestFound& best, double listed,
                 NullHypothesis& null);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 
 #include "localization/sensor/scan_points.hpp"
 
@@ -17,6 +18,9 @@ struct ScanMemory {
   double kidnap_cue = 0.0;  ///< [nats] Evidence for a kidnap just before the scan (`kidnap_cue`).
   /// [nats] The same evidence for a place where the scan fits, at least `kidnap_cue`.
   double arrival_cue = 0.0;
+  /// [nats] Log-likelihood of the scan at an unlisted place (`null_log_likelihood`); a place fits
+  /// if it has at least this.
+  double unlisted = -std::numeric_limits<double>::infinity();
 };
 
 /// Newest last.

@@ -30,8 +30,8 @@ void ScanLog::start() {
 }
 
 const ScanMemory& ScanLog::add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                               double null) {
-  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0, 0.0};
+                               double null, double unlisted) {
+  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0, 0.0, unlisted};
   if (!scans_.empty()) compare(scans_.back(), scan);
   recent_cue_ = std::max(scan.arrival_cue, recent_cue_ - scan.independence);
   scans_.push_back(std::move(scan));

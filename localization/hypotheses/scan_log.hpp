@@ -50,9 +50,9 @@ class ScanLog {
   void forget_motion() { scans_.clear(); }
   /// Adds a scan. Returns it with its independence and kidnap cue relative to the previous one.
   /// `listed` and `null` are the log-weights of all hypotheses and of the null hypothesis before
-  /// the scan.
+  /// the scan, `unlisted` is the log-likelihood of a scan at an unlisted place.
   const ScanMemory& add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                        double null);
+                        double null, double unlisted = ScanMemory{}.unlisted);
 
   [[nodiscard]] const ScanHistory& scans() const { return scans_; }
   /// Odometry at the newest scan, if any.

@@ -30,15 +30,30 @@ bool is_listed(const MergeConfig& config, const std::vector<Hypothesis>& hypothe
   });
 }
 
-/// Log-weight of a place by the scans before each scan of the history, if the robot arrived there
-/// just before that scan.
-std::vector<double> arrival_weights(const CreateContext& context, const ScanHistory& history) {
-  std::vector<double> weights;
+/// Log-weight of a place by the scans before a scan, if the robot arrived there just before it.
+struct Arrival {
+  double fitting = 0.0;  ///< If the scan fits at the place.
+  double other = 0.0;    ///< Otherwise.
+};
+
+/// The arrivals before each scan of the history.
+std::vector<Arrival> arrivals(const CreateContext& context, const ScanHistory& history) {
+  const double place = context.posterior.place;
+  std::vector<Arrival> all;
   for (const ScanMemory& scan : history) {
-    weights.push_back(log_sum_exp({scan.listed_before + scan.arrival_cue, scan.null_before}) +
-                      context.posterior.place);
+    const auto weight = [&](double cue) {
+      return log_sum_exp({scan.listed_before + cue, scan.null_before}) + place;
+    };
+    all.push_back({weight(scan.arrival_cue), weight(scan.kidnap_cue)});
   }
-  return weights;
+  return all;
+}
+
+/// The highest weight of an arrival before one of the first `count` scans.
+double best_arrival(const std::vector<Arrival>& all, std::size_t count) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count; ++k) best = std::max(best, all[k].fitting);
+  return best;
 }
 
 constexpr int kGlance = 24;  // Beams that screen long lists.
@@ -113,25 +128,23 @@ BestFound best_of(const std::vector<WeighedPlace>& places) {
   const Evidence& first = places.front().newest;
   const double lead = places.size() > 1 ? first.log_likelihood - places[1].newest.log_likelihood
                                         : std::numeric_limits<double>::infinity();
-  return {first.log_likelihood, first.endpoints, lead};
+  return {first.log_likelihood, lead};
 }
 
 double weigh_backwards(const CreateContext& context, const ScanHistory& history,
                        const WeighedPlace& place, double least) {
   assert(!history.empty());
-  const std::vector<double> origins = arrival_weights(context, history);
+  const std::vector<Arrival> all = arrivals(context, history);
   double best = -std::numeric_limits<double>::infinity();
   double increments = 0.0;  // Evidence of the scans after scan k.
   SE2 pose = place.T_map_base;
   double l = place.newest.log_likelihood;
   for (std::size_t k = history.size(); k-- > 0;) {
     const ScanMemory& scan = history[k];
-    best = std::max(best, origins[k] + l + increments);
+    const double arrival = l >= scan.unlisted ? all[k].fitting : all[k].other;
+    best = std::max(best, arrival + l + increments);
     if (k == 0) break;
-    const double earlier_bound =
-        *std::max_element(origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(k)) + l +
-        increments;
-    if (earlier_bound <= std::max(best, least)) break;
+    if (best_arrival(all, k) + l + increments <= std::max(best, least)) break;
     pose = step_back(context, pose, scan, history[k - 1]);
     const double earlier = context.evidence.evaluate(history[k - 1].points, pose).log_likelihood;
     increments += l - (1.0 - scan.independence) * earlier;

@@ -28,6 +28,8 @@ class ScheduledSearch {
 
   /// True if a search is in progress or due.
   [[nodiscard]] bool is_due(const MatchOccasion& occasion) const;
+  /// True if a search is in progress, or a deeper one is due with the next scan.
+  [[nodiscard]] bool is_pending() const { return search_.is_pending(); }
   /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
   /// places found, refined on this scan, once the search is complete.
   /// Spends the work from `budget`.

@@ -8,6 +8,7 @@ namespace {
 constexpr double kTilesPerMs = 8000.0;
 constexpr double kTrackingMs = 0.4;      // Of the mean, for everything but the search.
 constexpr double kFinishingShare = 0.5;  // Of the most, for weighing the places found.
+constexpr double kSaved = 60.0;          // [s] Time whose earnings can be saved.
 constexpr double kLeastShare = 0.1;      // Of the mean, always granted.
 
 std::int64_t tiles_of(double ms) { return static_cast<std::int64_t>(ms * kTilesPerMs); }
@@ -25,20 +26,22 @@ WorkBudget::WorkBudget(const WorkBudgetConfig& config, double rate_hz)
     : rate_hz_(rate_hz),
       per_scan_(tiles_of(std::max(config.mean_ms - kTrackingMs, kLeastShare * config.mean_ms))),
       most_(tiles_of((1.0 - kFinishingShare) * config.most_ms)),
+      capacity_(std::max(most_, static_cast<std::int64_t>(kSaved * rate_hz) * per_scan_)),
       least_(std::max<std::int64_t>(tiles_of(kLeastShare * config.mean_ms), 1)) {
   start();
 }
 
 void WorkBudget::start() {
-  saved_ = most_;
+  saved_ = capacity_;
   last_.reset();
 }
 
 void WorkBudget::earn(Stamp now) {
   const double due = last_ ? std::max(1.0, rate_hz_ * seconds(now - *last_)) : 1.0;
   last_ = now;
-  const double earned = std::min(due * static_cast<double>(per_scan_), static_cast<double>(most_));
-  saved_ = std::min(saved_ + static_cast<std::int64_t>(earned), most_);
+  const double earned =
+      std::min(due * static_cast<double>(per_scan_), static_cast<double>(capacity_));
+  saved_ = std::min(saved_ + static_cast<std::int64_t>(earned), capacity_);
 }
 
 }  // namespace castaway::localization

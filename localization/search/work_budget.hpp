@@ -2,7 +2,7 @@
 ///
 /// Simulated (or log) time earns a share for each scan at the rate of corrections, whether it comes
 /// or not, so that the load of the processor is what counts; a scan earns at least one share. What
-/// is not spent is saved up to what one scan may cost. Less budget finds places later.
+/// a minute earns can be saved. Less budget finds places later.
 #pragma once
 
 #include <algorithm>
@@ -34,15 +34,17 @@ class WorkBudget {
   void earn(Stamp now);
   /// Takes `tiles` off; the budget may become negative.
   void spend(std::int64_t tiles) { saved_ -= tiles; }
-  /// Tiles that may be searched now: at most `wanted`, and a few even if nothing is saved.
+  /// Tiles that may be searched now: at most `wanted` and what one scan may cost, and a few even if
+  /// nothing is saved.
   [[nodiscard]] std::int64_t grant(std::int64_t wanted) const {
-    return std::min(wanted, std::max(saved_, least_));
+    return std::min({wanted, most_, std::max(saved_, least_)});
   }
 
  private:
   double rate_hz_ = 1.0;
   std::int64_t per_scan_ = 0;
-  std::int64_t most_ = 0;
+  std::int64_t most_ = 0;      ///< Of one scan.
+  std::int64_t capacity_ = 0;  ///< Of the savings.
   std::int64_t least_ = 0;
   std::int64_t saved_ = 0;
   std::optional<Stamp> last_;  ///< Time of the scan before.

@@ -20,17 +20,14 @@ Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base
   const RayConsistency rays(distances_, T_map_base, config_.rays);
   const double floor = config_.endpoint.floor;
   double sum = 0.0;
-  double endpoints = 0.0;
   double hits = 0.0;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const double l = beams[i];
-    endpoints += l;
     sum += l > through_wall_ && rays.through_wall(points, i) ? through_wall_ : l;
     hits += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
   }
   return {scale_sum(sum, beams.size(), T_map_base),
-          std::min(1.0, hits / static_cast<double>(beams.size())),
-          scale_sum(endpoints, beams.size(), T_map_base)};
+          std::min(1.0, hits / static_cast<double>(beams.size()))};
 }
 
 double EvidenceModel::log_likelihood_above(double least, const ScanPoints& points,

@@ -21,8 +21,7 @@ struct EvidenceConfig {
 /// Log-likelihood of a scan and its quality.
 struct Evidence {
   double log_likelihood = 0.0;  ///< 0 is perfect, `minimum` at worst.
-  double quality = 0.0;    ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
-  double endpoints = 0.0;  ///< Log-likelihood of the end points alone, without rays.
+  double quality = 0.0;  ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
 };
 
 /// Evaluates scans against one map, which must outlive the model.

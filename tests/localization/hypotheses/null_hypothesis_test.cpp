@@ -76,20 +76,20 @@ TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
 }
 
 TEST(BoundNull, HoldsASearchToWhatItCanMiss) {
-  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3); the rays of the place do not matter.
+  // Odds of a miss: exp(-3 + 0.35 * 2) = exp(-2.3).
   NullHypothesis null{0.0, -2.0};
-  bound_null({}, {-9.0, -2.0, 0.0}, -15.0, null);
+  bound_null({}, {-2.0, 0.0}, -15.0, null);
   EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
   // Already smaller: nothing changes.
-  bound_null({}, {-20.0, -20.0, 0.0}, -15.0, null);
+  bound_null({}, {-20.0, 0.0}, -15.0, null);
   EXPECT_NEAR(null.log_weight, -17.3, 1e-12);
 }
 
 TEST(BoundNull, TrustsALeadUpToALimit) {
   NullHypothesis null{0.0, -2.0};
-  bound_null({}, {-2.0, -2.0, 5.0}, 0.0, null);
+  bound_null({}, {-2.0, 5.0}, 0.0, null);
   EXPECT_NEAR(null.log_weight, -3.0 + 0.7 - 1.5, 1e-12);
-  bound_null({}, {-2.0, -2.0, 1e9}, 0.0, null);
+  bound_null({}, {-2.0, 1e9}, 0.0, null);
   EXPECT_NEAR(null.log_weight, -3.0 + 0.7 - 3.6, 1e-12);
 }
 

@@ -96,18 +96,18 @@ TEST_F(PosteriorTest, LearnsOfAScanOnceItHasOne) {
 
 TEST_F(PosteriorTest, TakesASearchForWhatARightPoseIsWorthAndCanBeMissed) {
   const std::vector<Hypothesis> one = {at(0, here_, -1.0)};
-  posterior_.take_search({-7.0, -5.0, 2.0}, one);
+  posterior_.take_search({-7.0, 2.0}, one);
   EXPECT_NEAR(posterior_.usual(), -4.0, 1e-12);  // a quarter of the gap of 4
-  const double missed = std::exp(-3.0 + 0.35 * 5.0 - 0.3 * 2.0);
+  const double missed = std::exp(-3.0 + 0.35 * 7.0 - 0.3 * 2.0);
   EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + missed), 1e-12);
 }
 
 TEST_F(PosteriorTest, SettlesTheDoubtWhereTheOutputIsAhead) {
   const std::vector<Hypothesis> one = {at(0, here_, 0.0)};
-  posterior_.take_watch({-7.0, -5.0, 5.0}, false, one);
+  posterior_.take_watch({-7.0, 5.0}, false, one);
   EXPECT_NEAR(posterior_.usual(), -5.0, 1e-12);
   EXPECT_NEAR(posterior_.shares(one)[0], 0.5, 1e-12);
-  posterior_.take_watch({-5.0, -5.0, 5.0}, true, one);
+  posterior_.take_watch({-5.0, 5.0}, true, one);
   EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + std::exp(-3.0)), 1e-12);
 }
 
@@ -115,20 +115,20 @@ TEST_F(PosteriorTest, DoubtsAnOutputWhereAPlaceElsewhereIsBetter) {
   std::vector<Hypothesis> one = {at(0, here_, 0.0)};
   posterior_.weigh(points_, {}, 0, one);
   ASSERT_EQ(posterior_.doubt(), 0.0);
-  posterior_.take_watch({-7.0, -5.0, -2.0}, true, one);  // Ahead by too little.
+  posterior_.take_watch({-7.0, -2.0}, true, one);  // Ahead by too little.
   EXPECT_EQ(posterior_.doubt(), 0.0);
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-7.0, -5.0, -4.0}, true, one);
+  posterior_.take_watch({-7.0, -4.0}, true, one);
   EXPECT_NEAR(posterior_.doubt(), 5.0 * 0.15, 1e-12);  // A scan at rest has little news.
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-24.0, -20.0, -4.0}, true, one);  // The better place fits badly, too.
+  posterior_.take_watch({-24.0, -4.0}, true, one);  // The better place fits badly, too.
   EXPECT_LE(posterior_.doubt(), 5.0 * 0.15);
 }
 
 TEST_F(PosteriorTest, LearnsNothingFromAPoseInDoubt) {
   std::vector<Hypothesis> one = {at(0, here_, 0.0)};
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-7.0, -5.0, -4.0}, true, one);
+  posterior_.take_watch({-7.0, -4.0}, true, one);
   const double usual = posterior_.usual();
   posterior_.learn(-1.0);
   EXPECT_EQ(posterior_.usual(), usual);

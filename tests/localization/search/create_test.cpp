@@ -83,8 +83,26 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
     scan.null_before = -50.0;
   }
   const double before = weigh_backwards(context(), history, place);
-  for (ScanMemory& scan : history) scan.arrival_cue = -9.0;
+  for (ScanMemory& scan : history) scan.kidnap_cue = scan.arrival_cue = -9.0;
   EXPECT_NEAR(weigh_backwards(context(), history, place), before - 9.0, 1e-9);
+}
+
+TEST_F(CreateTest, CountsAJumpOfTheScansOnlyForAPlaceThatFits) {
+  ScanHistory history = drive_to({4.5, 3.0, 0.0});
+  const SE2 last{4.5, 3.0, 0.0};
+  const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
+  for (ScanMemory& scan : history) {
+    scan.listed_before = 0.0;
+    scan.null_before = -50.0;
+  }
+  const double before = weigh_backwards(context(), history, place);
+  for (ScanMemory& scan : history) {
+    scan.arrival_cue = 12.0;
+    scan.unlisted = -3.0;
+  }
+  EXPECT_NEAR(weigh_backwards(context(), history, place), before + 12.0, 1e-9);
+  for (ScanMemory& scan : history) scan.unlisted = 0.1;
+  EXPECT_NEAR(weigh_backwards(context(), history, place), before, 1e-9);
 }
 
 TEST_F(CreateTest, GivesAPlaceThatIsFarBehindUpEarly) {
@@ -99,7 +117,7 @@ TEST_F(CreateTest, GivesAPlaceThatIsFarBehindUpEarly) {
 
 TEST_F(CreateTest, IsUnclearWhereTheBestNeitherFitsNorLeads) {
   const auto places = [](double first, double second) {
-    return std::vector<WeighedPlace>{{{}, {first, 0.5, -1.0}, 0.0}, {{}, {second, 0.5}, 0.0}};
+    return std::vector<WeighedPlace>{{{}, {first, 0.5}, 0.0}, {{}, {second, 0.5}, 0.0}};
   };
   EXPECT_TRUE(is_unclear(config_, {}));
   EXPECT_FALSE(is_unclear(config_, places(-2.9, -3.0)));
@@ -107,7 +125,6 @@ TEST_F(CreateTest, IsUnclearWhereTheBestNeitherFitsNorLeads) {
   EXPECT_TRUE(is_unclear(config_, places(-9.0, -13.9)));
   const BestFound best = best_of(places(-9.0, -13.0));
   EXPECT_EQ(best.log_likelihood, -9.0);
-  EXPECT_EQ(best.endpoints, -1.0);
   EXPECT_EQ(best.lead, 4.0);
   EXPECT_TRUE(std::isinf(best_of({places(-9.0, -13.0)[0]}).lead));
 }

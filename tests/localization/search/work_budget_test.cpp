@@ -9,29 +9,30 @@ namespace {
 
 constexpr std::int64_t kAll = std::int64_t{1} << 40;
 
-TEST(WorkBudget, StartsWithWhatOneScanMayCost) {
+TEST(WorkBudget, GrantsAtMostWhatOneScanMayCost) {
   const WorkBudget budget({1.0, 50.0}, 10.0);
   EXPECT_EQ(budget.grant(kAll), 200000);  // Half of 50 ms; the rest weighs the places found.
   EXPECT_EQ(budget.grant(300), 300);
 }
 
-TEST(WorkBudget, EarnsAShareForEveryScanThatIsDue) {
+TEST(WorkBudget, SavesTheEarningsOfAMinute) {
   WorkBudget budget({1.0, 50.0}, 10.0);
+  budget.spend(600 * 4800 - 1000);  // 1 ms less 0.4 ms for tracking, for 600 scans.
+  EXPECT_EQ(budget.grant(kAll), 1000);
   budget.earn(from_seconds(1.0));
-  budget.spend(100000);
-  budget.earn(from_seconds(1.1));
-  EXPECT_EQ(budget.grant(kAll), 100000 + 4800);  // 1 ms less 0.4 ms for tracking.
-  budget.earn(from_seconds(1.12));
-  EXPECT_EQ(budget.grant(kAll), 100000 + 2 * 4800);
-  budget.earn(from_seconds(1.62));
-  EXPECT_EQ(budget.grant(kAll), 100000 + 7 * 4800);
+  EXPECT_EQ(budget.grant(kAll), 1000 + 4800);
+  budget.earn(from_seconds(1.02));
+  EXPECT_EQ(budget.grant(kAll), 1000 + 2 * 4800);
+  budget.earn(from_seconds(1.52));
+  EXPECT_EQ(budget.grant(kAll), 1000 + 7 * 4800);
   budget.earn(from_seconds(1000.0));
-  EXPECT_EQ(budget.grant(kAll), 200000);
+  budget.spend(599 * 4800);
+  EXPECT_EQ(budget.grant(kAll), 4800);
 }
 
 TEST(WorkBudget, GrantsALittleEvenInDebt) {
   WorkBudget budget({1.0, 50.0}, 10.0);
-  budget.spend(1000000);
+  budget.spend(1000 * 4800);
   EXPECT_EQ(budget.grant(kAll), 800);
   budget.earn(from_seconds(1.0));
   EXPECT_EQ(budget.grant(kAll), 800);
