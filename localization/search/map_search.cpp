@@ -68,7 +68,7 @@ std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
 std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
                                        const ScanPoints& points, const SE2& T_odom_base, int most,
                                        WorkBudget& budget) {
-  constexpr std::int64_t kTilesPerCandidate = 20;  // Measured: screening, and refining a place.
+  constexpr std::int64_t kTilesPerCandidate = 20;  // Estimates: to screen, and to refine.
   constexpr std::int64_t kTilesPerPlace = 800;
   std::vector<Candidate> found = search.candidates(T_odom_base);
   const auto listed = static_cast<std::int64_t>(found.size());
