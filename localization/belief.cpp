@@ -47,6 +47,7 @@ bool Belief::select() {
   const Hypothesis* before = populations.output();
   const bool same =
       before != nullptr && models.rescue.reaches(before->belief.mean, output.belief.mean);
+  if (!same) posterior.forget_doubt();
   populations.output_id = output.id;
   populations.probability = probability_at(output.belief.mean);
   lost_and_found.take({same, is_confident(), populations.probability}, posterior.log().recent_cue(),

@@ -26,7 +26,7 @@ struct NullHypothesisConfig {
   double hopeless = -24.0;
   double usual_start = -3.0;  ///< Initial value of the usual log-likelihood.
   /// Weight in the average of a search that finds nothing as good.
-  double usual_match_rate = 0.25;
+  double usual_match_rate = 0.5;
   /// Log-odds that a global search misses the right place if the best place found fits perfectly.
   double missed = -3.0;
   double missed_slope = 0.35;  ///< Growth of these log-odds per nat that the best place fits worse.

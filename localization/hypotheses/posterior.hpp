@@ -44,6 +44,9 @@ class Posterior {
   /// `bounds` is true if the null hypothesis is bounded as by `take_search`.
   void take_watch(const BestFound& output, bool bounds, const std::vector<Hypothesis>& hypotheses);
 
+  /// Ends the doubt, because the output is at another place now: it was doubt of the former one.
+  void forget_doubt() { null_.doubt = 0.0; }
+
   /// Posterior probabilities of the hypotheses; the remainder to 1 is the null hypothesis.
   [[nodiscard]] std::vector<double> shares(const std::vector<Hypothesis>& hypotheses) const;
   /// [nats] Usual log-likelihood of a scan at the right pose.

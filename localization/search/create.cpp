@@ -119,9 +119,7 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
 }
 
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places) {
-  if (places.empty()) return true;
-  const BestFound best = best_of(places);
-  return best.log_likelihood < config.deep_below && best.lead < config.clear_lead;
+  return places.empty() || places.front().newest.log_likelihood < config.deep_below;
 }
 
 BestFound best_of(const std::vector<WeighedPlace>& places) {

@@ -21,15 +21,12 @@ namespace castaway::localization {
 
 /// Parameters of creation.
 struct CreateConfig {
-  /// The map is searched a second time with this share of the end points, the farthest ones,
-  /// because people only shorten beams. 0: no second search.
+  /// A deep search uses this share of the end points, the farthest ones, because people only
+  /// shorten beams. 0: all points.
   double far_share = 0.5;
   /// Number of places of the first search, which is quick and uses all end points.
   int quick_candidates = 20;
-  /// [nats] If the best place scores less than this and leads by less than `clear_lead`, a more
-  /// thorough search follows: first the usual, then the deep one.
-  double deep_below = -3.0;
-  double clear_lead = 5.0;  ///< [nats] See `deep_below`.
+  double deep_below = -3.0;  ///< [nats] A deep search follows if the best place scores less.
   /// Number of places of a deep search, which uses the far end points: in a crowd the right place
   /// is far down the list, and rays find it there.
   int deep_candidates = 3000;
@@ -78,8 +75,8 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
                                      const std::vector<Hypothesis>& hypotheses, double behind,
                                      const std::vector<WeighedPlace>& places);
 
-/// True if the best place (the first one) neither fits well nor leads clearly, so that a more
-/// thorough search is due.
+/// True if there is no place, or the best one (the first) does not fit well, so that a deep search
+/// is due. Its lead does not count: in a crowd, chance puts a wrong place ahead.
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places);
 
 /// The first of the places, with its lead over the second. Requires a place.

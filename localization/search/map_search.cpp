@@ -1,67 +1,41 @@
 #include "localization/search/map_search.hpp"
 
-#include <array>
-#include <set>
-
 namespace castaway::localization {
 namespace {
 
-SearchDepth deeper(SearchDepth depth) {
-  return depth == SearchDepth::kQuick ? SearchDepth::kUsual : SearchDepth::kDeep;
+ScanPoints points_of(const CreateConfig& config, const ScanPoints& points, SearchDepth depth) {
+  const bool by_far = config.far_share > 0.0 && depth == SearchDepth::kDeep;
+  return by_far ? farthest_points(points, config.far_share) : points;
 }
 
 }  // namespace
 
 MapSearch::MapSearch(const CreateConfig& config, const CascadeMatcher& matcher,
                      const ScanPoints& points, const SE2& T_odom_base, SearchDepth depth)
-    : matcher_(&matcher), T_odom_base_(T_odom_base) {
-  const bool by_far = config.far_share > 0.0 && depth != SearchDepth::kQuick;
-  const ScanPoints far = by_far ? farthest_points(points, config.far_share) : ScanPoints{};
-  if (depth == SearchDepth::kDeep) {
-    add(by_far ? far : points, config.deep_candidates);
-    return;
-  }
-  add(points, depth == SearchDepth::kQuick ? config.quick_candidates : matcher.config().candidates);
-  if (by_far) add(far, matcher.config().candidates);
-}
+    : MapSearch(matcher, points_of(config, points, depth), T_odom_base,
+                depth == SearchDepth::kDeep ? config.deep_candidates : config.quick_candidates,
+                0.0) {}
 
 MapSearch::MapSearch(const CascadeMatcher& matcher, const ScanPoints& points,
                      const SE2& T_odom_base, int most, double least)
-    : matcher_(&matcher), T_odom_base_(T_odom_base) {
-  add(points, most, least);
-}
-
-void MapSearch::add(const ScanPoints& points, int most, double least) {
-  if (!points.empty()) parts_.push_back({matcher_->search(points, {}, most, least), points.size()});
+    : matcher_(&matcher), T_odom_base_(T_odom_base), points_(points.size()) {
+  if (!points.empty()) search_ = matcher.search(points, {}, most, least);
 }
 
 bool MapSearch::step(std::int64_t tiles, WorkBudget& budget) {
-  std::int64_t left = budget.grant(tiles);
-  for (Part& part : parts_) {
-    if (part.search.complete()) continue;
-    const std::int64_t before = part.search.tiles_scored();
-    const bool complete = part.search.step(left);
-    const std::int64_t done = part.search.tiles_scored() - before;
-    budget.spend(done);
-    if (!complete) return false;
-    left -= done;
-  }
-  return true;
+  if (!search_) return true;
+  const std::int64_t before = search_->tiles_scored();
+  const bool complete = search_->step(budget.grant(tiles));
+  budget.spend(search_->tiles_scored() - before);
+  return complete;
 }
 
-/// A place found by both parts is returned once.
 std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
+  if (!search_) return {};
   const SE2 u = T_odom_base_.inverse() * T_odom_base;
-  std::set<std::array<double, 3>> known;
-  std::vector<Candidate> all;
-  for (const Part& part : parts_) {
-    for (Candidate candidate : matcher_->candidates(part.search.best(), part.points)) {
-      const SE2 pose = candidate.T_map_base;
-      if (!known.insert({pose.x, pose.y, pose.yaw}).second) continue;
-      if (!(u == SE2{})) candidate.T_map_base = pose * u;
-      all.push_back(candidate);
-    }
-  }
+  std::vector<Candidate> all = matcher_->candidates(search_->best(), points_);
+  if (u == SE2{}) return all;
+  for (Candidate& candidate : all) candidate.T_map_base = candidate.T_map_base * u;
   return all;
 }
 
@@ -86,8 +60,9 @@ std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& 
   if (!search_->step(slice, budget)) return std::nullopt;
   std::vector<WeighedPlace> places =
       refine_found(context, *search_, points, T_odom_base, context.config.refined, budget);
-  const bool deepest = depth_ == SearchDepth::kDeep;
-  depth_ = !deepest && is_unclear(context.config, places) ? deeper(depth_) : SearchDepth::kQuick;
+  const bool unclear = is_unclear(context.config, places);
+  goes_on_ = unclear && depth_ == SearchDepth::kQuick;
+  depth_ = unclear ? SearchDepth::kDeep : SearchDepth::kQuick;
   search_.reset();
   return places;
 }
@@ -95,6 +70,7 @@ std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& 
 void PlaceSearch::cancel() {
   search_.reset();
   depth_ = SearchDepth::kQuick;
+  goes_on_ = false;
 }
 
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,

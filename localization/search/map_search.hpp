@@ -16,7 +16,6 @@ namespace castaway::localization {
 /// Thoroughness of a search.
 enum class SearchDepth {
   kQuick,  ///< With all end points, for `CreateConfig::quick_candidates` candidates.
-  kUsual,  ///< With all end points and with the far ones; the matcher's number of candidates each.
   kDeep,   ///< With the far end points, for `CreateConfig::deep_candidates` candidates.
 };
 
@@ -37,40 +36,35 @@ class MapSearch {
   [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
 
  private:
-  struct Part {
-    BranchAndBound search;
-    std::size_t points = 0;
-  };
-  void add(const ScanPoints& points, int most, double least = 0.0);
-
   const CascadeMatcher* matcher_;
   SE2 T_odom_base_;
-  std::vector<Part> parts_;
+  std::size_t points_ = 0;
+  std::optional<BranchAndBound> search_;  ///< None for a scan without points.
 };
 
-/// Searches the map scan by scan: quickly at first, then as usual, then deep, as long as the result
-/// is unclear. Stores the search in progress. The matcher must outlive it.
+/// Searches the map scan by scan: quickly at first, then deep if the result is unclear, and deep
+/// from then on until a result is clear. Stores the search in progress. The matcher must outlive
+/// it.
 class PlaceSearch {
  public:
   explicit PlaceSearch(const CascadeMatcher& matcher) : matcher_(matcher) {}
 
   /// True if a search is in progress, or a deeper one is due with the next scan.
-  [[nodiscard]] bool is_pending() const {
-    return search_.has_value() || depth_ != SearchDepth::kQuick;
-  }
+  [[nodiscard]] bool is_pending() const { return search_.has_value() || goes_on_; }
   /// Continues the search by about `slice` tiles; starts one with this scan if none is in progress.
   /// Returns the places found, refined on this scan, once the search is complete. `T_odom_base` is
   /// the odometry at the scan. Spends the work from `budget`.
   std::optional<std::vector<WeighedPlace>> step(const CreateContext& context,
                                                 const ScanPoints& points, const SE2& T_odom_base,
                                                 std::int64_t slice, WorkBudget& budget);
-  /// Drops the search in progress.
+  /// Drops the search in progress; the next one is quick.
   void cancel();
 
  private:
   const CascadeMatcher& matcher_;
   std::optional<MapSearch> search_;
   SearchDepth depth_ = SearchDepth::kQuick;  ///< Of the search in progress or the next one.
+  bool goes_on_ = false;                     ///< A deep search is due with the next scan.
 };
 
 /// Refines the candidates that a complete search has found on a scan, the best `most` of them.

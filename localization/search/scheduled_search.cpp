@@ -12,6 +12,11 @@ void ScheduledSearch::restart_clock() {
   schedule_.restart_clock();
 }
 
+void ScheduledSearch::raise_alarm() {
+  if (!search_.is_pending()) search_.cancel();
+  schedule_.raise_alarm();
+}
+
 bool ScheduledSearch::is_due(const MatchOccasion& occasion) const {
   return search_.is_pending() || schedule_.is_due(occasion);
 }

@@ -21,8 +21,9 @@ class ScheduledSearch {
   /// Drops the search in progress and forgets the time of the last one, because the clock was set
   /// back.
   void restart_clock();
-  /// Makes searches due with the next scans, because the output has lost its confidence.
-  void raise_alarm() { schedule_.raise_alarm(); }
+  /// Makes searches due with the next scans, because the output has lost its confidence. The first
+  /// one is quick, unless a search is in progress.
+  void raise_alarm();
   /// Stores the id of a population created by a rescue (`MatchSchedule`).
   void note_rescue(int id) { schedule_.note_rescue(id); }
 

@@ -92,6 +92,23 @@ TEST_F(BeliefTest, StaysFoundWhereTheOutputMovesANearbyStep) {
   EXPECT_FALSE(belief_.lost_and_found.is_lost());
 }
 
+TEST_F(BeliefTest, DropsTheDoubtOfAnOutputThatItLeaves) {
+  belief_.start(test::known_start(elsewhere_));  // where the scan does not fit
+  for (int scan = 0; scan < 5; ++scan) {
+    belief_.posterior.weigh(points_, {}, 0, belief_.populations.all);
+  }
+  const double doubt = belief_.posterior.doubt();
+  ASSERT_GT(doubt, 1.0);
+  belief_.add({{elsewhere_ * SE2{0.5, 0.0, 0.0}, {}, 20.0}}, points_);
+  belief_.select();
+  EXPECT_EQ(belief_.populations.output_id, 1);
+  EXPECT_EQ(belief_.posterior.doubt(), doubt);  // a nearby output is the same place
+  belief_.add({{here_, {}, 40.0}}, points_);
+  belief_.select();
+  EXPECT_EQ(belief_.populations.output_id, 2);
+  EXPECT_EQ(belief_.posterior.doubt(), 0.0);
+}
+
 TEST_F(BeliefTest, LearnsWhileConfidentOnly) {
   belief_.start(test::known_start(here_));
   belief_.posterior.weigh(points_, {}, 0, belief_.populations.all);

@@ -97,7 +97,7 @@ TEST_F(PosteriorTest, LearnsOfAScanOnceItHasOne) {
 TEST_F(PosteriorTest, TakesASearchForWhatARightPoseIsWorthAndCanBeMissed) {
   const std::vector<Hypothesis> one = {at(0, here_, -1.0)};
   posterior_.take_search({-7.0, 2.0}, one);
-  EXPECT_NEAR(posterior_.usual(), -4.0, 1e-12);  // a quarter of the gap of 4
+  EXPECT_NEAR(posterior_.usual(), -5.0, 1e-12);  // half of the gap of 4
   const double missed = std::exp(-3.0 + 0.35 * 7.0 - 0.3 * 2.0);
   EXPECT_NEAR(posterior_.shares(one)[0], 1.0 / (1.0 + missed), 1e-12);
 }

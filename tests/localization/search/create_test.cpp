@@ -115,14 +115,13 @@ TEST_F(CreateTest, GivesAPlaceThatIsFarBehindUpEarly) {
   EXPECT_LE(weigh_backwards(context(), history, place, 0.0), 0.0);
 }
 
-TEST_F(CreateTest, IsUnclearWhereTheBestNeitherFitsNorLeads) {
+TEST_F(CreateTest, IsUnclearWhereTheBestFitsBadlyHoweverFarAhead) {
   const auto places = [](double first, double second) {
     return std::vector<WeighedPlace>{{{}, {first, 0.5}, 0.0}, {{}, {second, 0.5}, 0.0}};
   };
   EXPECT_TRUE(is_unclear(config_, {}));
   EXPECT_FALSE(is_unclear(config_, places(-2.9, -3.0)));
-  EXPECT_FALSE(is_unclear(config_, places(-9.0, -14.1)));
-  EXPECT_TRUE(is_unclear(config_, places(-9.0, -13.9)));
+  EXPECT_TRUE(is_unclear(config_, places(-3.1, -24.0)));
   const BestFound best = best_of(places(-9.0, -13.0));
   EXPECT_EQ(best.log_likelihood, -9.0);
   EXPECT_EQ(best.lead, 4.0);

@@ -51,25 +51,16 @@ class MapSearchTest : public testing::Test {
   WorkBudget budget_{{1e9, 1e9}, 1.0};
 };
 
-TEST_F(MapSearchTest, FindsWhatTheMatcherFindsByAllAndByFarPoints) {
-  std::set<Pose> expected = poses(matcher_.match(points_));
-  expected.merge(poses(matcher_.match(farthest_points(points_, create_.far_share))));
-  const auto candidates = search_once(points_, SearchDepth::kUsual);
-  EXPECT_EQ(poses(candidates), expected);
-  EXPECT_EQ(candidates.size(), expected.size());  // without duplicates
-}
-
 TEST_F(MapSearchTest, FindsByFarPointsWhatPeopleHide) {
   const auto near_truth = [&](const std::vector<Candidate>& candidates) {
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return distance(c.T_map_base, truth_) < 0.3 && yaw_distance(c.T_map_base, truth_) < 0.1;
     });
   };
-  matcher_config_.candidates = 3;
-  matcher_ = CascadeMatcher(matcher_config_, grid_, distances_);
-  EXPECT_TRUE(near_truth(search_once(points_, SearchDepth::kUsual)));
+  create_.deep_candidates = 3;
+  EXPECT_TRUE(near_truth(search_once(points_, SearchDepth::kDeep)));
   create_.far_share = 0.0;
-  EXPECT_EQ(search_once(points_, SearchDepth::kUsual).size(), 3U);
+  EXPECT_FALSE(near_truth(search_once(points_, SearchDepth::kDeep)));
 }
 
 TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
@@ -82,17 +73,17 @@ TEST_F(MapSearchTest, ListsMoreByFarPointsAloneWhenDeep) {
 }
 
 TEST_F(MapSearchTest, FindsTheSameInSlices) {
-  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kUsual);
+  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kDeep);
   int slices = 1;
   while (!search.step(50, budget_)) ++slices;
   EXPECT_GT(slices, 10);
-  EXPECT_EQ(poses(search.candidates({})), poses(search_once(points_, SearchDepth::kUsual)));
+  EXPECT_EQ(poses(search.candidates({})), poses(search_once(points_, SearchDepth::kDeep)));
 }
 
 TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {
   const SE2 T_odom_scan{5.0, 1.0, 0.7};
   const SE2 u{0.3, 0.1, 0.5};
-  MapSearch search(create_, matcher_, points_, T_odom_scan, SearchDepth::kUsual);
+  MapSearch search(create_, matcher_, points_, T_odom_scan, SearchDepth::kDeep);
   ASSERT_TRUE(search.step(1 << 30, budget_));
   const auto then = search.candidates(T_odom_scan);
   const auto now = search.candidates(T_odom_scan * u);
@@ -105,7 +96,7 @@ TEST_F(MapSearchTest, CarriesWhatItFoundToWhereBaseIsNow) {
 }
 
 TEST_F(MapSearchTest, HasNothingToDoWithoutPoints) {
-  MapSearch search(create_, matcher_, {}, {}, SearchDepth::kUsual);
+  MapSearch search(create_, matcher_, {}, {}, SearchDepth::kDeep);
   EXPECT_TRUE(search.step(1, budget_));
   EXPECT_TRUE(search.candidates({}).empty());
 }
@@ -127,7 +118,7 @@ TEST_F(MapSearchTest, LeavesOutWhatScoresTooLittle) {
 }
 
 TEST_F(MapSearchTest, SpendsItsWorkAndStopsWhereTheBudgetEnds) {
-  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kUsual);
+  MapSearch search(create_, matcher_, points_, {}, SearchDepth::kDeep);
   WorkBudget budget({0.1, 0.1}, 0.001);  // Saves no more than one scan may cost.
   EXPECT_FALSE(search.step(1 << 30, budget));
   EXPECT_LT(budget.grant(1 << 30), 200);
@@ -139,7 +130,6 @@ TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingIsClear) {
   create_.deep_below = -100.0;
   EXPECT_LE(find_places(context(), matcher_, points_).size(), 3U);
   create_.deep_below = 1.0;
-  create_.clear_lead = 1e9;
   EXPECT_GT(find_places(context(), matcher_, points_).size(), 3U);
   EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
 }
@@ -175,14 +165,31 @@ TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
   EXPECT_LT(distance(places->front().T_map_base, truth_ * u), 0.05);
 }
 
-TEST_F(PlaceSearchTest, LooksDeeperTwiceWhereNothingIsClear) {
+TEST_F(PlaceSearchTest, GoesOnDeepWhereNothingIsClear) {
   create_.deep_below = 1.0;  // no score reaches it
-  create_.clear_lead = 1e9;
   PlaceSearch search(matcher_);
-  for (const bool pending : {true, true, false}) {
+  for (const bool pending : {true, false, false}) {
     ASSERT_TRUE(search.step(context(), points_, {}, 1 << 30, budget_));
     EXPECT_EQ(search.is_pending(), pending);
   }
+}
+
+TEST_F(PlaceSearchTest, StaysDeepUntilAPlaceIsClear) {
+  create_.quick_candidates = 1;
+  create_.deep_candidates = 2;
+  create_.far_share = 0.0;
+  points_ = test::with_people(points_);
+  const auto places = [&](PlaceSearch& search) {
+    return search.step(context(), points_, {}, 1 << 30, budget_)->size();
+  };
+  create_.deep_below = 1.0;
+  PlaceSearch search(matcher_);
+  EXPECT_EQ(places(search), 1U);
+  EXPECT_EQ(places(search), 2U);
+  create_.deep_below = -100.0;
+  EXPECT_EQ(places(search), 2U);  // it began when no place was clear
+  EXPECT_EQ(places(search), 1U);
+  EXPECT_FALSE(search.is_pending());
 }
 
 TEST_F(PlaceSearchTest, ForgetsWhatGoesOn) {
@@ -191,7 +198,6 @@ TEST_F(PlaceSearchTest, ForgetsWhatGoesOn) {
   search.cancel();
   EXPECT_FALSE(search.is_pending());
   create_.deep_below = 1.0;
-  create_.clear_lead = 1e9;
   search.step(context(), points_, {}, 1 << 30, budget_);
   EXPECT_TRUE(search.is_pending());
   search.cancel();

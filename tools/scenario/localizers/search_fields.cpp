@@ -117,20 +117,15 @@ void fields(Settings settings, localization::RescueConfig& rescue) {
 }
 
 void fields(Settings settings, localization::CreateConfig& create) {
-  settings.field({"far_share", "",
-                  "The map is searched again with this share of the end points, the farthest ones; "
-                  "0: not again.",
-                  kShare},
-                 create.far_share);
+  settings.field(
+      {"far_share", "",
+       "A deep search uses this share of the end points, the farthest ones; 0: all.", kShare},
+      create.far_share);
   settings.field({"quick_candidates", "", "Number of places of the first search.", kCount},
                  create.quick_candidates);
   settings.field(
-      {"deep_below", "nats",
-       "If the best place scores less and leads by less than clear_lead, a more thorough "
-       "search follows.",
-       kNats},
+      {"deep_below", "nats", "If the best place scores less, a deep search follows.", kNats},
       create.deep_below);
-  settings.field({"clear_lead", "nats", "See deep_below.", kNats}, create.clear_lead);
   settings.field({"deep_candidates", "", "Number of places of a deep search.", kCount},
                  create.deep_candidates);
   settings.field({"looked_at", "", "Number of candidates whose evidence is computed.", kCount},
