@@ -52,6 +52,24 @@ TEST_F(ScheduledSearchTest, FindsThePlaceInOneSliceAndThenPauses) {
   EXPECT_TRUE(search.is_due(occasion(1.2)));
 }
 
+TEST_F(ScheduledSearchTest, IsQuickAgainAfterANewAlarm) {
+  create_.deep_below = 1.0;  // no score reaches it
+  create_.quick_candidates = 1;
+  create_.deep_candidates = 2;
+  create_.far_share = 0.0;
+  points_ = test::with_people(points_);
+  ScheduledSearch search({}, matcher_);
+  const auto places = [&](double time_s) {
+    return search.step(context(), scan_at(time_s), budget_)->size();
+  };
+  EXPECT_EQ(places(1.0), 1U);
+  search.raise_alarm();  // A deep search is due; the alarm leaves it.
+  EXPECT_EQ(places(1.1), 2U);
+  EXPECT_EQ(places(1.2), 2U);
+  search.raise_alarm();
+  EXPECT_EQ(places(1.3), 1U);
+}
+
 TEST_F(ScheduledSearchTest, ContinuesASearchInProgressEvenWhenConfident) {
   MatchScheduleConfig config;
   config.slice = 100;
