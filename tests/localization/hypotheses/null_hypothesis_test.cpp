@@ -72,7 +72,7 @@ TEST(LowerUsual, FollowsASearchThatFindsNothingSoGood) {
   lower_usual({}, -1.0, null);
   EXPECT_DOUBLE_EQ(null.usual, -2.0);
   lower_usual({}, -8.0, null);
-  EXPECT_DOUBLE_EQ(null.usual, -3.5);
+  EXPECT_DOUBLE_EQ(null.usual, -5.0);
 }
 
 TEST(BoundNull, HoldsASearchToWhatItCanMiss) {
