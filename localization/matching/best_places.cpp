@@ -1,6 +1,7 @@
 #include "localization/matching/best_places.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +14,16 @@ bool better(const Place& a, const Place& b) {
 }
 
 }  // namespace
+
+std::vector<Place> SparsePlaces::listed(int least) const {
+  std::vector<Place> places;
+  for (const std::unique_ptr<Page>& page : pages_) {
+    if (!page) continue;
+    std::copy_if(page->begin(), page->end(), std::back_inserter(places),
+                 [least](const Place& place) { return place.score >= least; });
+  }
+  return places;
+}
 
 BestPlaces::BestPlaces(const GridFrame& frame, const BinSize& size, int count, int max_score,
                        int least)
@@ -27,7 +38,7 @@ void BestPlaces::offer(const Place& place) {
   if (place.score < threshold_) return;
   const int bin = ((place.yaw / size_.yaws) * rows_ + place.row / size_.cells) * columns_ +
                   place.column / size_.cells;
-  Place& best = bins_[bin];
+  Place& best = bins_.at(static_cast<std::size_t>(bin));
   if (!better(place, best)) return;
   raise_threshold(best.score, place.score);
   best = place;
@@ -44,14 +55,10 @@ void BestPlaces::raise_threshold(int before, int now) {
 }
 
 std::vector<Place> BestPlaces::list() const {
-  std::vector<std::pair<int, Place>> listed;
-  std::copy_if(bins_.begin(), bins_.end(), std::back_inserter(listed),
-               [&](const auto& entry) { return entry.second.score >= threshold_; });
-  std::stable_sort(listed.begin(), listed.end(),
-                   [](const auto& a, const auto& b) { return a.second.score > b.second.score; });
-  listed.resize(std::min(listed.size(), static_cast<std::size_t>(count_)));
-  std::vector<Place> places;
-  for (const auto& entry : listed) places.push_back(entry.second);
+  std::vector<Place> places = bins_.listed(threshold_);
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.score > b.score; });
+  places.resize(std::min(places.size(), static_cast<std::size_t>(count_)));
   return places;
 }
 

@@ -2,8 +2,9 @@
 /// order in which they are offered.
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "localization/map/occupancy_grid.hpp"
@@ -27,6 +28,27 @@ struct BinSize {
   int yaws = 3;
 };
 
+/// An array of places in which few are ever written: a large map has millions of bins. Storage is
+/// allocated in pages.
+class SparsePlaces {
+ public:
+  /// The place with an index, to be written; at first one without a score.
+  Place& at(std::size_t i) {
+    if (i / kPage >= pages_.size()) pages_.resize(i / kPage + 1);
+    std::unique_ptr<Page>& page = pages_[i / kPage];
+    if (!page) page = std::make_unique<Page>();
+    return (*page)[i % kPage];
+  }
+  /// All places written with a score of at least `least` (>= 1), in the order of their indices.
+  [[nodiscard]] std::vector<Place> listed(int least) const;
+
+ private:
+  static constexpr std::size_t kPage = 32;
+  using Page = std::array<Place, kPage>;
+
+  std::vector<std::unique_ptr<Page>> pages_;
+};
+
 /// The best `count` bins. A bin is represented by its highest score, and among equal scores by the
 /// first place in (yaw, row, column). Bins are listed by score, and among equal scores in (yaw,
 /// row, column) of bins. Scores of 0 are never listed.
@@ -42,6 +64,11 @@ class BestPlaces {
   /// Places with a lower score can no longer change the list.
   [[nodiscard]] int threshold() const { return threshold_; }
   void offer(const Place& place);
+  /// True if a tile of this size, whose first cell is a multiple of it, lies in one bin, so that
+  /// its best place is the only one that counts.
+  [[nodiscard]] bool holds_tiles(int columns, int rows) const {
+    return size_.cells % columns == 0 && size_.cells % rows == 0;
+  }
   /// The list, best first.
   [[nodiscard]] std::vector<Place> list() const;
 
@@ -50,8 +77,7 @@ class BestPlaces {
 
   BinSize size_;
   int columns_, rows_, count_;
-  /// The best place of every bin that was offered one; sparse, since a large map has millions.
-  std::map<int, Place> bins_;
+  SparsePlaces bins_;               ///< The best place of every bin; one without a score is empty.
   std::vector<int> bins_of_score_;  ///< Number of bins with this best score.
   int threshold_ = 1;
   int bins_above_ = 0;  ///< Number of bins above the threshold.

@@ -29,14 +29,23 @@ std::vector<Tile> tiles_within(const PooledField& level, const SearchSpace& spac
 void offer_tile(const PooledField& cells, const SearchSpace& space, const Tile& tile,
                 const TileSums& scores, BestPlaces& best) {
   const unsigned free = cells.free_nodes(tile.column, tile.row);
+  const bool in_one_bin = best.holds_tiles(kColumns, kRows);
+  int least = best.threshold();
+  Place found;  // The newest one; in one bin the first of the best.
   for (int j = 0; j < kColumns * kRows; ++j) {
     const int score = scores[static_cast<std::size_t>(j)];
-    if (score < best.threshold() || (free >> static_cast<unsigned>(j) & 1U) == 0) continue;
+    if (score < least || (free >> static_cast<unsigned>(j) & 1U) == 0) continue;
     const Eigen::Vector2i cell(kColumns * tile.column + j % kColumns,
                                kRows * tile.row + j / kColumns);
     if (!space.contains(cell)) continue;
-    best.offer({cell.x(), cell.y(), space.yaws[static_cast<std::size_t>(tile.yaw)], score});
+    found = {cell.x(), cell.y(), space.yaws[static_cast<std::size_t>(tile.yaw)], score};
+    if (in_one_bin) {
+      least = score + 1;
+    } else {
+      best.offer(found);
+    }
   }
+  if (in_one_bin && found.score > 0) best.offer(found);
 }
 
 }  // namespace castaway::localization
