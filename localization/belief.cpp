@@ -46,7 +46,8 @@ bool Belief::select() {
   const bool was_confident = is_confident();
   const Hypothesis* before = populations.output();
   const bool same =
-      before != nullptr && models.rescue.reaches(before->belief.mean, output.belief.mean);
+      before != nullptr && (output.replaces == before->id ||
+                            models.rescue.reaches(before->belief.mean, output.belief.mean));
   if (!same) posterior.forget_doubt();
   populations.output_id = output.id;
   populations.probability = probability_at(output.belief.mean);

@@ -21,7 +21,9 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
   const auto place = models.rescue.find(models.context, *output, belief.posterior.usual(),
                                         scan.points, T_odom_before.inverse() * scan.T_odom_base);
   if (!place) return;
+  const int output_id = output->id;  // Adding a population moves the output.
   belief.add({*place}, scan.points);
+  belief.populations.all.back().replaces = output_id;
   search.note_rescue(belief.populations.all.back().id);
 }
 

@@ -15,6 +15,7 @@ struct Hypothesis {
   double log_weight = 0.0;      ///< [nats] Accumulated evidence, on one scale for all hypotheses.
   double log_likelihood = 0.0;  ///< [nats] Of the newest scan.
   double quality = 0.0;         ///< Of the newest scan, in [0, 1].
+  int replaces = -1;            ///< Id of the output that it corrects after a rescue; -1: none.
 };
 
 }  // namespace castaway::localization

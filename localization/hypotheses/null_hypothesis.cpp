@@ -68,18 +68,40 @@ void bound_null_of_output(const NullHypothesisConfig& config, double lead, doubl
   null.log_weight = std::min(null.log_weight, listed + missed);
 }
 
+double even_doubt(const NullHypothesisConfig& config) {
+  constexpr double kScansPerHour = 14400.0;  // Of 10 a second, 4 are new on the move.
+  constexpr double kAlarm = 2.2;             // [nats] Log-odds of a probability of 0.9.
+  return std::log(kScansPerHour / config.false_alarms_per_h) + kAlarm;
+}
+
+double doubt_of(const NullHypothesisConfig& config, double log_likelihood,
+                const NullHypothesis& null) {
+  const double spread = std::max(null.spread, config.least_spread);
+  const double less = std::max(null.usual - log_likelihood, 0.0);
+  const double wrong = 1.0 / config.wrong_range;
+  const double right = (1.0 - config.rare_misfit) * std::exp(-less / spread) / (2.0 * spread) +
+                       config.rare_misfit * wrong;
+  return std::log(wrong / right);
+}
+
+double share_of_usual(const NullHypothesisConfig& config, double log_likelihood,
+                      const NullHypothesis& null) {
+  const double unlisted = null_log_likelihood(config, null);
+  if (null.usual <= unlisted) return log_likelihood > unlisted ? 1.0 : 0.0;
+  return std::clamp((log_likelihood - unlisted) / (null.usual - unlisted), 0.0, 1.0);
+}
+
 void take_doubt(const NullHypothesisConfig& config, double log_likelihood, double new_share,
                 double listed, NullHypothesis& null) {
-  const double slack = std::max(config.least_slack, config.slack_per_spread * null.spread);
-  const double less = null.usual - log_likelihood - slack;
-  null.doubt = std::max(null.doubt + new_share * less, 0.0);
+  const double nats = doubt_of(config, log_likelihood, null);
+  null.doubt = std::max(null.doubt + new_share * nats, 0.0);
   add_doubt(config, 0.0, listed, null);
 }
 
 void add_doubt(const NullHypothesisConfig& config, double nats, double listed,
                NullHypothesis& null) {
   null.doubt = std::min(null.doubt + nats, config.most_doubt);
-  null.log_weight = std::max(null.log_weight, listed + null.doubt - config.even_doubt);
+  null.log_weight = std::max(null.log_weight, listed + null.doubt - even_doubt(config));
 }
 
 void settle_doubt(const NullHypothesisConfig& config, double log_likelihood, NullHypothesis& null) {

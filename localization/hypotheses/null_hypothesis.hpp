@@ -34,17 +34,21 @@ struct NullHypothesisConfig {
   double missed_lead = 0.3;
   double output_lead = 0.6;  ///< The same per nat that a confident output is ahead.
   double most_lead = 12.0;   ///< [nats] Largest lead that counts.
-  /// The doubt grows by what a scan at the output is less likely than usual, beyond this multiple
-  /// of the spread; it falls where the scan is more likely.
-  double slack_per_spread = 1.5;
-  double least_slack = 1.0;  ///< [nats] Lower limit of this slack.
-  double even_doubt = 10.0;  ///< [nats] Doubt at which the null hypothesis is as likely as not.
-  double most_doubt = 25.0;  ///< [nats] Upper limit of the doubt.
+  /// Tolerated rate of false alarms: the doubt at which an alarm is raised follows from it
+  /// (`even_doubt`).
+  double false_alarms_per_h = 6.0;
+  /// Share of the scans at a right pose whose fit says nothing (`doubt_of`); it limits the doubt
+  /// that one scan adds to the logarithm of its inverse.
+  double rare_misfit = 0.01;
+  double least_spread = 0.7;  ///< [nats] Lower limit of the spread in `doubt_of`.
+  double wrong_range = 22.0;  ///< [nats] Range over which the fit at a wrong pose is spread evenly.
+  double most_doubt = 25.0;   ///< [nats] Upper limit of the doubt.
   /// Weights of the output's fit in the running averages when a search finds nothing better.
   double settle_rate = 0.5;
   double settle_spread_rate = 0.2;
-  double better = 3.0;        ///< [nats] A place is better than the output if it leads by this.
-  double better_doubt = 5.0;  ///< [nats] Doubt that a better place elsewhere adds.
+  double better = 3.0;  ///< [nats] A place is better than the output if it leads by this.
+  /// [nats] Doubt that a better place elsewhere adds if it fits as usual, less if it does not.
+  double better_doubt = 5.0;
   double usual_rate = 0.05;   ///< Weight of a scan in the running average of the log-likelihood.
   double spread_rate = 0.1;   ///< Weight of a scan in the running average of the spread.
   double spread_limit = 2.5;  ///< Largest deviation that counts, as a multiple of the spread.
@@ -112,9 +116,25 @@ void bound_null(const NullHypothesisConfig& config, const BestFound& best, doubl
 void bound_null_of_output(const NullHypothesisConfig& config, double lead, double listed,
                           NullHypothesis& null);
 
-/// Updates the doubt by a scan at the output, a change-point test of its log-likelihood, and raises
-/// the weight accordingly. Scan after scan that is moderately less likely than usual is strong
-/// evidence against the output.
+/// [nats] Doubt at which the null hypothesis is as likely as not. At a right pose, a cumulative sum
+/// of log-likelihood ratios exceeds a level h at most once in e^h scans on average; an alarm is
+/// raised at a probability of 0.9, which is log 9 nats below.
+double even_doubt(const NullHypothesisConfig& config);
+
+/// [nats] Logarithm of the likelihood ratio of a fit at a wrong pose to one at the right pose. At
+/// the right pose, fits scatter around the usual one by a Laplace distribution with the spread
+/// learned; a few (`rare_misfit`), and all at a wrong pose, are spread evenly.
+double doubt_of(const NullHypothesisConfig& config, double log_likelihood,
+                const NullHypothesis& null);
+
+/// How far a place fits as a right pose does: 0 at the log-likelihood of an unlisted place, 1 at
+/// the usual one. A place that fits only a little better than nothing is found by chance.
+double share_of_usual(const NullHypothesisConfig& config, double log_likelihood,
+                      const NullHypothesis& null);
+
+/// Updates the doubt by a scan at the output, a change-point test of its log-likelihood
+/// (`doubt_of`), and raises the weight accordingly. Scan after scan that is moderately less likely
+/// than usual is strong evidence against the output.
 ///
 /// E. S. Page, "Continuous inspection schemes", Biometrika 41 (1954): a cumulative sum that never
 /// falls below 0.

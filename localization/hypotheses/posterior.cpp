@@ -5,6 +5,22 @@
 
 namespace castaway::localization {
 
+namespace {
+
+/// The output, or the population that corrects it after a rescue if that is heavier; null if there
+/// is neither.
+const Hypothesis* output_or_correction(const std::vector<Hypothesis>& hypotheses, int output_id) {
+  const Hypothesis* heaviest = nullptr;
+  if (output_id < 0) return heaviest;
+  for (const Hypothesis& h : hypotheses) {
+    if (h.id != output_id && h.replaces != output_id) continue;
+    if (heaviest == nullptr || h.log_weight > heaviest->log_weight) heaviest = &h;
+  }
+  return heaviest;
+}
+
+}  // namespace
+
 Posterior::Posterior(const NullHypothesisConfig& config, ScanLog log, const EvidenceModel& evidence)
     : config_(config), log_(std::move(log)), evidence_(evidence) {
   start(false);
@@ -30,13 +46,13 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
     hypothesis.quality = evidence.quality;
   }
   advance_null(config_, scan.independence, listed, scan.kidnap_cue, null_);
-  for (const Hypothesis& h : hypotheses) {
-    if (h.id != output_id) continue;
+  if (const Hypothesis* output = output_or_correction(hypotheses, output_id)) {
+    const double l = output->log_likelihood;
     const double now = listed_log_weight(hypotheses);
-    limit_surprise(config_, h.log_likelihood, {scan.independence, scan.kidnap_cue},
-                   std::max(odds, -config_.even_doubt), now, null_);
-    doubt_output(config_, h.log_likelihood, now, null_);
-    take_doubt(config_, h.log_likelihood, scan.independence, now, null_);
+    limit_surprise(config_, l, {scan.independence, scan.kidnap_cue},
+                   std::max(odds, -even_doubt(config_)), now, null_);
+    doubt_output(config_, l, now, null_);
+    take_doubt(config_, l, scan.independence, now, null_);
   }
   new_since_watch_ += scan.independence;
 }
@@ -58,8 +74,9 @@ void Posterior::take_watch(const BestFound& output, bool bounds,
   if (output.lead > 0.0) {
     settle_doubt(config_, output.log_likelihood, null_);
     if (bounds) bound_null_of_output(config_, output.lead, listed, null_);
-  } else if (output.lead <= -config_.better && elsewhere > null_log_likelihood(config_, null_)) {
-    add_doubt(config_, config_.better_doubt * std::min(1.0, new_since_watch_), listed, null_);
+  } else if (output.lead <= -config_.better) {
+    const double doubt = config_.better_doubt * share_of_usual(config_, elsewhere, null_);
+    add_doubt(config_, doubt * std::min(1.0, new_since_watch_), listed, null_);
   }
   new_since_watch_ = 0.0;
 }

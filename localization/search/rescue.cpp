@@ -7,12 +7,14 @@ namespace castaway::localization {
 
 bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_map_base) {
   constexpr double kTurn = 0.1;
+  constexpr double kSteps = 2.0;   // The stamps of both scans jitter by up to a period.
+  constexpr double kBeside = 0.3;  // Of the step.
   const SE2 place = centre.inverse() * T_map_base;
-  if (std::abs(place.yaw) > std::abs(step.yaw) + kTurn) return false;
+  if (std::abs(place.yaw) > kSteps * std::abs(step.yaw) + kTurn) return false;
   const Eigen::Vector2d way = step.translation();
   const double length2 = std::max(way.squaredNorm(), 1e-12);
-  const double along = std::clamp(place.translation().dot(way) / length2, -1.0, 1.0);
-  return (place.translation() - along * way).norm() <= beside;
+  const double along = std::clamp(place.translation().dot(way) / length2, -kSteps, kSteps);
+  return (place.translation() - along * way).norm() <= beside + kBeside * way.norm();
 }
 
 std::optional<WeighedPlace> Rescue::find(const CreateContext& context, const Hypothesis& output,

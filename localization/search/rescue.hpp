@@ -20,11 +20,12 @@ struct RescueConfig {
   /// [nats] The same for a place on the way of the last step, where jitter of the time stamps moves
   /// a pose.
   double cost_on_way = 3.0;
-  double beside_way = 0.25;  ///< [m] Largest distance from that way.
+  double beside_way = 0.25;  ///< [m] Largest distance from that way, without the step's share.
 };
 
-/// True if `T_map_base` lies on the way that a step takes, which begins or ends at the pose
-/// `centre`: at most `beside` [m] away from it, and at most the step's turn (and 0.1 rad) off.
+/// True if `T_map_base` lies on the way of a step that passes the pose `centre`: at most twice the
+/// step before or behind it, at most `beside` [m] and 0.3 times the step away from that line, and
+/// at most twice the step's turn (and 0.1 rad) off.
 bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_map_base);
 
 /// Searches around outputs. The matcher must outlive it.

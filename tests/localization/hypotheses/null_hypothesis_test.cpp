@@ -116,25 +116,67 @@ TEST(LimitSurprise, LetsOneScanOfARobotAtRestGainLittle) {
   EXPECT_EQ(null.log_weight, -30.0);
 }
 
+TEST(EvenDoubt, FollowsFromTheToleratedRateOfFalseAlarms) {
+  NullHypothesisConfig config;
+  config.false_alarms_per_h = 14400.0;  // One a scan.
+  EXPECT_NEAR(even_doubt(config), 2.2, 1e-12);
+  config.false_alarms_per_h = 1440.0;
+  EXPECT_NEAR(even_doubt(config), 2.2 + std::log(10.0), 1e-12);
+}
+
+/// A right pose scatters by 2 nats around -2; a wrong one is even over 20 nats.
+const NullHypothesis kScattered{-50.0, -2.0, 2.0};
+NullHypothesisConfig without_rare_misfits() {
+  NullHypothesisConfig config;
+  config.wrong_range = 20.0;
+  config.rare_misfit = 1e-12;
+  return config;
+}
+
+TEST(DoubtOf, IsTheLogarithmOfTheRatioOfTheLikelihoods) {
+  const NullHypothesisConfig config = without_rare_misfits();
+  // At the usual value 1 / 20 against 1 / (2 * 2); each spread below it counts one nat more.
+  EXPECT_NEAR(doubt_of(config, -2.0, kScattered), std::log(4.0 / 20.0), 1e-6);
+  EXPECT_NEAR(doubt_of(config, -4.0, kScattered), std::log(4.0 / 20.0) + 1.0, 1e-6);
+  EXPECT_NEAR(doubt_of(config, -12.0, kScattered), std::log(4.0 / 20.0) + 5.0, 1e-6);
+  EXPECT_EQ(doubt_of(config, -0.5, kScattered), doubt_of(config, -2.0, kScattered));
+}
+
+TEST(DoubtOf, IsLimitedByRareMisfits) {
+  NullHypothesisConfig config = without_rare_misfits();
+  config.rare_misfit = 0.01;
+  EXPECT_NEAR(doubt_of(config, -100.0, kScattered), std::log(100.0), 1e-9);
+}
+
+TEST(DoubtOf, HasALeastSpread) {
+  const NullHypothesisConfig config = without_rare_misfits();
+  const NullHypothesis exact{0.0, -2.0, 0.1};
+  EXPECT_NEAR(doubt_of(config, -2.7, exact), std::log(1.4 / 20.0) + 1.0, 1e-6);
+}
+
 TEST(TakeDoubt, GrowsWhileScansAreLessLikelyThanUsual) {
-  NullHypothesis null{-50.0, -2.0, 2.0};  // A slack of 1.5 * 2 = 3.
-  take_doubt({}, -4.9, 1.0, 0.0, null);
+  const NullHypothesisConfig config;
+  NullHypothesis null = kScattered;
+  take_doubt(config, -2.0, 1.0, 0.0, null);
   EXPECT_EQ(null.doubt, 0.0);
-  take_doubt({}, -9.0, 1.0, 0.0, null);
-  EXPECT_NEAR(null.doubt, 4.0, 1e-12);
-  EXPECT_NEAR(null.log_weight, -6.0, 1e-12);  // Even odds at a doubt of 10.
-  take_doubt({}, -9.0, 0.5, 0.0, null);
-  EXPECT_NEAR(null.doubt, 6.0, 1e-12);
-  take_doubt({}, -1.0, 1.0, 0.0, null);
-  EXPECT_NEAR(null.doubt, 2.0, 1e-12);
-  for (int k = 0; k < 20; ++k) take_doubt({}, -20.0, 1.0, 0.0, null);
+  take_doubt(config, -9.0, 1.0, 0.0, null);
+  const double once = doubt_of(config, -9.0, kScattered);
+  EXPECT_GT(once, 0.0);
+  EXPECT_NEAR(null.doubt, once, 1e-12);
+  EXPECT_NEAR(null.log_weight, once - even_doubt(config), 1e-12);
+  take_doubt(config, -9.0, 0.5, 0.0, null);
+  EXPECT_NEAR(null.doubt, 1.5 * once, 1e-12);
+  take_doubt(config, -2.0, 1.0, 0.0, null);
+  EXPECT_NEAR(null.doubt, 1.5 * once + doubt_of(config, -2.0, kScattered), 1e-12);
+  for (int k = 0; k < 20; ++k) take_doubt(config, -20.0, 1.0, 0.0, null);
   EXPECT_EQ(null.doubt, 25.0);
 }
 
-TEST(TakeDoubt, HasALeastSlack) {
-  NullHypothesis null{0.0, -2.0, 0.1};
-  take_doubt({}, -4.0, 1.0, 0.0, null);
-  EXPECT_NEAR(null.doubt, 1.0, 1e-12);
+TEST(ShareOfUsual, IsOfTheWayFromAnUnlistedPlaceToARightOne) {
+  const NullHypothesis null{0.0, -2.0, 2.0};  // An unlisted place has -8.
+  EXPECT_EQ(share_of_usual({}, -9.0, null), 0.0);
+  EXPECT_NEAR(share_of_usual({}, -5.0, null), 0.5, 1e-12);
+  EXPECT_EQ(share_of_usual({}, -1.0, null), 1.0);
 }
 
 TEST(SettleDoubt, CorrectsWhatIsUsualDownwardsOnly) {

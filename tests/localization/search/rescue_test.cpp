@@ -54,15 +54,18 @@ TEST_F(RescueTest, CostsLittleOnTheWayOfTheStep) {
   EXPECT_GT(step.translation().norm(), 0.25);
 }
 
-TEST(IsOnWay, BetweenBothEndsOfTheStep) {
+TEST(IsOnWay, WithinTwoStepsOfThePose) {
   const SE2 centre{2.0, 1.0, 0.5};
   const SE2 step{0.8, 0.0, 0.1};
-  for (const double x : {-0.9, -0.4, 0.0, 0.4, 0.9}) {
+  for (const double x : {-1.9, -0.4, 0.0, 0.4, 1.9}) {
     EXPECT_TRUE(is_on_way(centre, step, 0.25, centre * SE2{x, 0.1, 0.15})) << x;
   }
-  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{1.1, 0.0, 0.0}));
-  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.3, 0.0}));
-  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.0, 0.25}));
+  EXPECT_TRUE(is_on_way(centre, step, 0.25, centre * SE2{2.08, 0.0, 0.0}));  // 0.49 m beside.
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{2.1, 0.0, 0.0}));
+  EXPECT_TRUE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.48, 0.0}));
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.50, 0.0}));
+  EXPECT_TRUE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.0, 0.29}));
+  EXPECT_FALSE(is_on_way(centre, step, 0.25, centre * SE2{0.4, 0.0, 0.31}));
   EXPECT_TRUE(is_on_way(centre, {}, 0.25, centre * SE2{0.2, 0.0, 0.0}));  // At rest.
 }
 

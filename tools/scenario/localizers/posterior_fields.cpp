@@ -9,21 +9,30 @@ void doubt_fields(Settings& settings, localization::PosteriorConfig& p) {
        "Maximum gain of an unlisted place by one scan of a robot that hardly moves.", kNats},
       p.null.surprise);
   settings.field(
-      {"slack_per_spread",
+      {"false_alarms_per_h",
        "",
-       "The doubt grows where a scan is less likely than usual by more than this multiple "
-       "of the spread.",
-       {0.0, 100.0}},
-      p.null.slack_per_spread);
-  settings.field({"least_slack", "nats", "Minimum of this slack.", kNats}, p.null.least_slack);
+       "Tolerated number of false alarms in an hour; sets the doubt that raises an alarm.",
+       {1e-6, 14400.0}},
+      p.null.false_alarms_per_h);
+  settings.field({"rare_misfit",
+                  "",
+                  "Share of the scans at a right pose whose fit says nothing.",
+                  {1e-6, 0.5}},
+                 p.null.rare_misfit);
   settings.field(
-      {"even_doubt", "nats", "Doubt at which the output is as likely right as wrong.", kNats},
-      p.null.even_doubt);
+      {"least_spread", "nats", "Minimum of the spread by which a misfit is judged.", {1e-3, 100.0}},
+      p.null.least_spread);
+  settings.field({"wrong_range",
+                  "nats",
+                  "Range over which the fit at a wrong pose is spread evenly.",
+                  {1.0, 1000.0}},
+                 p.null.wrong_range);
   settings.field({"most_doubt", "nats", "Maximum doubt.", kNats}, p.null.most_doubt);
   settings.field(
       {"better", "nats", "A place is better than the output if it leads by this.", kNats},
       p.null.better);
-  settings.field({"better_doubt", "nats", "Doubt that a better place elsewhere adds.", kNats},
+  settings.field({"better_doubt", "nats",
+                  "Doubt that a better place elsewhere adds if it fits as usual.", kNats},
                  p.null.better_doubt);
   settings.field({"settle_rate", "",
                   "Weight in the running average of a watch that finds nothing better.", kShare},
