@@ -92,6 +92,19 @@ TEST_F(BeliefTest, StaysFoundWhereTheOutputMovesANearbyStep) {
   EXPECT_FALSE(belief_.lost_and_found.is_lost());
 }
 
+TEST_F(BeliefTest, StaysFoundWhereARescueTurnsTheOutput) {
+  const SE2 turned = here_ * SE2{0.0, 0.0, 0.9};  // Farther than a rescue reaches.
+  for (const bool corrects : {true, false}) {
+    Belief belief(models_, 1);
+    belief.start(test::known_start(here_));
+    belief.add({{turned, {}, 5.0}}, points_);
+    if (corrects) belief.populations.all.back().replaces = 0;
+    belief.select();
+    EXPECT_EQ(belief.populations.output_id, 1);
+    EXPECT_EQ(belief.lost_and_found.is_lost(), !corrects);
+  }
+}
+
 TEST_F(BeliefTest, DropsTheDoubtOfAnOutputThatItLeaves) {
   belief_.start(test::known_start(elsewhere_));  // where the scan does not fit
   for (int scan = 0; scan < 5; ++scan) {

@@ -85,6 +85,19 @@ TEST_F(PosteriorTest, DoubtsAnOutputThatFitsNowhere) {
   EXPECT_FALSE(is_hopeless(config_, all));
 }
 
+TEST_F(PosteriorTest, TestsThePoseThatCorrectsTheOutput) {
+  const std::vector<Hypothesis> two = {at(0, elsewhere_, 0.0), at(1, here_, -3.0)};
+  for (const bool corrects : {true, false}) {
+    Posterior posterior = posterior_;
+    posterior.start(true);
+    std::vector<Hypothesis> all = two;
+    if (corrects) all[1].replaces = 0;
+    for (int scan = 0; scan < 3; ++scan) posterior.weigh(points_, {}, 0, all);
+    ASSERT_GT(all[1].log_weight, all[0].log_weight);
+    EXPECT_EQ(posterior.doubt() > 0.0, !corrects);
+  }
+}
+
 TEST_F(PosteriorTest, LearnsOfAScanOnceItHasOne) {
   posterior_.learn(-1.0);
   EXPECT_EQ(posterior_.usual(), -3.0);

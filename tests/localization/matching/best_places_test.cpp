@@ -45,6 +45,23 @@ TEST(BestPlaces, RaisesItsThresholdToTheLastOfTheList) {
   EXPECT_EQ(best.threshold(), 10);
 }
 
+TEST(SparsePlaces, ListsThePlacesOfAllPagesInOrder) {
+  SparsePlaces places;
+  for (const int i : {1000, 0, 63, 64, 7}) places.at(static_cast<std::size_t>(i)) = {i, 0, 0, i};
+  EXPECT_EQ(places.at(8), Place{});
+  std::vector<int> listed;
+  for (const Place& place : places.listed(7)) listed.push_back(place.score);
+  EXPECT_EQ(listed, (std::vector<int>{7, 63, 64, 1000}));
+}
+
+TEST(BestPlaces, HoldsTilesThatDivideABin) {
+  const BestPlaces best(kFrame, {8, 3}, 3, 100);
+  EXPECT_TRUE(best.holds_tiles(8, 2));
+  EXPECT_TRUE(best.holds_tiles(4, 2));
+  EXPECT_FALSE(best.holds_tiles(16, 2));
+  EXPECT_FALSE(best.holds_tiles(8, 3));
+}
+
 TEST(BestPlaces, ListsNoPlaceWithoutAScore) {
   BestPlaces best = nothing(3);
   best.offer({0, 0, 0, 0});
