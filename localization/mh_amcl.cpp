@@ -59,12 +59,16 @@ void select_output(Belief& belief, ScheduledSearch& search) {
 }  // namespace
 
 MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock)
-    : models_(config, std::move(map)),
-      input_(config.input),
-      belief_(models_, seed),
-      searches_{ScheduledSearch(config.match, models_.matcher),
-                PlaceWatch(config.watch, models_.matcher),
-                WorkBudget(config.budget, config.input.correct_rate_hz)},
+    : MhAmcl(std::make_shared<const MhAmclModels>(config, std::move(map)), seed, std::move(clock)) {
+}
+
+MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, StageClock clock)
+    : models_(std::move(models)),
+      input_(models_->config.input),
+      belief_(*models_, seed),
+      searches_{ScheduledSearch(models_->config.match, models_->matcher),
+                PlaceWatch(models_->config.watch, models_->matcher),
+                WorkBudget(models_->config.budget, models_->config.input.correct_rate_hz)},
       timer_(std::move(clock)) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
@@ -96,7 +100,7 @@ void MhAmcl::on_scan(const LaserScan& scan) {
 void MhAmcl::predict(const std::optional<SE2>& step) {
   if (!step) return;
   timer_.measure("predict", [&] {
-    predict_all(belief_.populations.all, *step, OdometryMotion(*step, models_.config.motion));
+    predict_all(belief_.populations.all, *step, OdometryMotion(*step, models_->config.motion));
   });
 }
 
@@ -105,26 +109,26 @@ void MhAmcl::take_scan(const ScanTurn& scan) {
   Populations& populations = belief_.populations;
   searches_.budget.earn(scan.now);
   timer_.measure("correct", [&] {
-    for (Hypothesis& hypothesis : populations.all) models_.filter.correct(hypothesis, scan.points);
+    for (Hypothesis& hypothesis : populations.all) models_->filter.correct(hypothesis, scan.points);
     rescue_output(scan, belief_, searches_.scheduled);
     belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all);
   });
-  timer_.measure("manage", [&] { merge(models_.config.merge, populations); });
+  timer_.measure("manage", [&] { merge(models_->config.merge, populations); });
   timer_.measure("match", [&] { watch(scan); });
   timer_.measure("manage", [&] { select_output(belief_, searches_.scheduled); });
   if (searches_.scheduled.is_due({scan.now, scan.T_odom_base, populations.output_id,
                                   belief_.is_confident(),
-                                  is_hopeless(models_.config.posterior.null, populations.all)})) {
+                                  is_hopeless(models_->config.posterior.null, populations.all)})) {
     timer_.measure("match", [&] { create(scan); });
   }
   timer_.measure("manage", [&] {
-    destroy(models_.config.destroy, belief_.is_confident(), populations.all);
+    destroy(models_->config.destroy, belief_.is_confident(), populations.all);
     if (populations.output() == nullptr) select_output(belief_, searches_.scheduled);
     belief_.learn();
   });
   if (!scan.reseeds) return;
   timer_.measure("reseed", [&] {
-    for (Hypothesis& hypothesis : populations.all) models_.filter.reseed(hypothesis);
+    for (Hypothesis& hypothesis : populations.all) models_->filter.reseed(hypothesis);
   });
 }
 
@@ -135,7 +139,7 @@ void MhAmcl::watch(const ScanTurn& scan) {
   if (output == nullptr || !belief_.is_confident()) return searches_.watch.start();
   const Posterior& posterior = belief_.posterior;
   const auto places =
-      searches_.watch.step(models_.context, scan,
+      searches_.watch.step(models_->context, scan,
                            {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
                             posterior.doubt(), posterior.log().scans().back().arrival_cue},
                            searches_.budget);
@@ -146,16 +150,16 @@ void MhAmcl::watch(const ScanTurn& scan) {
 void MhAmcl::create(const ScanTurn& scan) {
   std::vector<Hypothesis>& hypotheses = belief_.populations.all;
   const int before = belief_.populations.output_id;
-  const auto places = searches_.scheduled.step(models_.context, scan, searches_.budget);
+  const auto places = searches_.scheduled.step(models_->context, scan, searches_.budget);
   if (!places) return;
   const std::vector<WeighedPlace> created =
-      new_places(models_.context, belief_.posterior.log().scans(), hypotheses,
-                 models_.config.destroy.behind, *places);
+      new_places(models_->context, belief_.posterior.log().scans(), hypotheses,
+                 models_->config.destroy.behind, *places);
   belief_.add(created, scan.points);
   if (!places->empty() && !searches_.scheduled.is_pending()) {
     belief_.posterior.take_search(best_of(*places), hypotheses);
   }
-  merge(models_.config.merge, belief_.populations);
+  merge(models_->config.merge, belief_.populations);
   select_output(belief_, searches_.scheduled);
   searches_.scheduled.end(!created.empty() && belief_.populations.output_id != before);
 }

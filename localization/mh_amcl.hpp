@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "localization/belief.hpp"
@@ -26,6 +27,8 @@ class MhAmcl final : public Localizer {
  public:
   /// Starts at an unknown pose. @throws std::invalid_argument for an invalid map or settings.
   MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock = {});
+  /// The same with models that other localizers may use, too.
+  MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, StageClock clock = {});
 
   void initialize(const std::optional<PoseWithCovariance>& start) override;
   void on_odometry(const Odometry& odometry) override;
@@ -39,7 +42,9 @@ class MhAmcl final : public Localizer {
   void watch(const ScanTurn& scan);
   void create(const ScanTurn& scan);
 
-  MhAmclModels models_;
+  /// Shared: the models of a large map take longer to build than a short run takes, and none of
+  /// the localizers that use them outlives the others by design.
+  std::shared_ptr<const MhAmclModels> models_;
   SensorInput input_;
   Belief belief_;
   Searches searches_;

@@ -39,20 +39,23 @@ struct Trial {
   std::uint64_t seed = 1;
 };
 
+localization::OccupancyGrid damaged_map(const RecordedPlace& place,
+                                        const EvaluationConfig& config) {
+  localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
+  return to_occupancy_grid(damage_map(place.map, config.stress, rng));
+}
+
 /// Runs trials of one localizer on one place.
 class Evaluator {
  public:
   Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
-      : spec_(spec), config_(config) {
-    localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
-    map_ = to_occupancy_grid(damage_map(place.map, config.stress, rng));
-  }
+      : config_(config), localizers_({spec}, damaged_map(place, config)) {}
 
   RowsOfRun run(const Trial& trial) const {
     localization::Rng rng =
         localization::substream(config_.seed, "stress/" + std::to_string(trial.seed));
     RecordedSource source(apply_stress(trial.frames, config_.stress, rng));
-    std::vector<NamedLocalizer> localizers = build_localizers({spec_}, map_, trial.seed);
+    std::vector<NamedLocalizer> localizers = localizers_.build(trial.seed);
     LoopConfig loop;
     if (trial.known_start) loop.start = with_covariance(source.start_pose());
     RowsOfRun rows;
@@ -63,9 +66,8 @@ class Evaluator {
   }
 
  private:
-  LocalizerSpec spec_;
   EvaluationConfig config_;
-  localization::OccupancyGrid map_;
+  LocalizerFactory localizers_;
 };
 
 void add_alarms(const LocalizerMetrics& metrics, EvaluationRow& row) {

@@ -1,5 +1,8 @@
 #include "tools/sources/build_localizers.hpp"
 
+#include <utility>
+#include <variant>
+
 #include "localization/amcl.hpp"
 #include "localization/geometry/random.hpp"
 #include "localization/mh_amcl.hpp"
@@ -13,7 +16,8 @@ namespace {
 /// Visitor that builds the localizer of each settings type.
 struct Maker {
   std::unique_ptr<localization::Localizer> operator()(const localization::MhAmclConfig& c) const {
-    return std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);
+    return models ? std::make_unique<localization::MhAmcl>(models, seed, thread_cpu_time)
+                  : std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);
   }
   std::unique_ptr<localization::Localizer> operator()(
       const localization::PaperMhAmclConfig& c) const {
@@ -30,7 +34,16 @@ struct Maker {
 
   const localization::OccupancyGrid& map;
   std::uint64_t seed;
+  std::shared_ptr<const localization::MhAmclModels> models;  ///< Null: built here.
 };
+
+NamedLocalizer build_localizer(const LocalizerSpec& spec, const localization::OccupancyGrid& map,
+                               std::uint64_t seed,
+                               std::shared_ptr<const localization::MhAmclModels> models) {
+  localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
+  return {spec.name, std::visit(Maker{map, stream(), std::move(models)}, spec.config),
+          spec.relocalize_at_kidnap};
+}
 
 }  // namespace
 
@@ -39,9 +52,25 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
                                              std::uint64_t seed) {
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
-    localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
-    localizers.push_back(
-        {spec.name, std::visit(Maker{map, stream()}, spec.config), spec.relocalize_at_kidnap});
+    localizers.push_back(build_localizer(spec, map, seed, nullptr));
+  }
+  return localizers;
+}
+
+LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs,
+                                   localization::OccupancyGrid map)
+    : specs_(std::move(specs)), map_(std::move(map)) {
+  for (const LocalizerSpec& spec : specs_) {
+    const auto* config = std::get_if<localization::MhAmclConfig>(&spec.config);
+    models_.push_back(config ? std::make_shared<const localization::MhAmclModels>(*config, map_)
+                             : nullptr);
+  }
+}
+
+std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {
+  std::vector<NamedLocalizer> localizers;
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    localizers.push_back(build_localizer(specs_[i], map_, seed, models_[i]));
   }
   return localizers;
 }

@@ -59,25 +59,28 @@ class TrialSink final : public RunSink {
   Stamp kidnapped_ = Stamp::max();
 };
 
-/// The map, with its search.
+/// The map, with its search and the localizers.
 struct Stage {
   localization::OccupancyGrid map;
   PlaceFinder finder;
+  LocalizerFactory localizers;
 
-  explicit Stage(const RosMap& ros_map)
-      : map(to_occupancy_grid(ros_map)), finder(localization::MhAmclConfig{}, map) {}
+  Stage(const RosMap& ros_map, const std::vector<LocalizerSpec>& specs)
+      : map(to_occupancy_grid(ros_map)),
+        finder(localization::MhAmclConfig{}, map),
+        localizers(specs, map) {}
 };
 
-PlayedTrial play(const Stage& stage, KidnapTrial trial, const std::vector<LocalizerSpec>& specs) {
+PlayedTrial play(const Stage& stage, KidnapTrial trial) {
+  std::vector<NamedLocalizer> localizers = stage.localizers.build(trial.seed);
   RunInfo info;
-  info.localizers = names_of(specs);
+  for (const NamedLocalizer& localizer : localizers) info.localizers.push_back(localizer.name);
   PlayedTrial played(info);
   const std::vector<sim::LidarConfig> lidars = trial.simulation.lidars;
   const Stamp duration = trial.simulation.duration;
   SimulatorSource source(
       sim::Simulation(std::move(trial.simulation), simulation_streams(trial.seed)), lidars,
       duration);
-  std::vector<NamedLocalizer> localizers = build_localizers(specs, stage.map, trial.seed);
   std::vector<std::unique_ptr<RunSink>> sinks;
   sinks.push_back(std::make_unique<TrialSink>(stage.finder.evidence(), played));
   LoopConfig loop;
@@ -128,10 +131,10 @@ std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
                                        const std::vector<LocalizerSpec>& localizers, int kidnaps,
                                        int obstacles,
                                        const std::function<void(const KidnapReport&)>& on_trial) {
-  const Stage stage(trials.map());
+  const Stage stage(trials.map(), localizers);
   std::vector<KidnapReport> reports;
   for (int index = 0; index < kidnaps; ++index) {
-    reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles), localizers)));
+    reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles))));
     reports.back().index = index;
     reports.back().obstacles = obstacles;
     on_trial(reports.back());

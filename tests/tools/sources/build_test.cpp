@@ -38,6 +38,30 @@ TEST(BuildLocalizers, MakesOneForEachSpecification) {
   EXPECT_EQ(localizers[1].localizer->diagnostics().populations.at(0).particles.size(), 2000U);
 }
 
+TEST(LocalizerFactory, BuildsWhatBuildLocalizersBuilds) {
+  const std::vector<LocalizerSpec> specs = {{"a", localization::MhAmclConfig{}},
+                                            {"b", localization::AmclConfig{}}};
+  std::vector<NamedLocalizer> shared;  // Outlives the factory.
+  {
+    const LocalizerFactory factory(specs, test::office());
+    (void)factory.build(3);  // Leaves nothing behind in the models.
+    shared = factory.build(4);
+  }
+  std::vector<NamedLocalizer> own = build_localizers(specs, test::office(), 4);
+  for (auto* localizers : {&shared, &own}) {
+    for (NamedLocalizer& named : *localizers) {
+      named.localizer->initialize(localization::PoseWithCovariance{
+          {2.0, 2.0, 0.1}, Eigen::Vector3d(0.04, 0.04, 0.01).asDiagonal()});
+    }
+  }
+  ASSERT_EQ(shared.size(), own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(shared[i].name, own[i].name);
+    EXPECT_EQ(shared[i].localizer->diagnostics().populations.at(0).particles,
+              own[i].localizer->diagnostics().populations.at(0).particles);
+  }
+}
+
 TEST(BuildLocalizers, SayWhenTheMapIsOfNoUse) {
   EXPECT_THROW((void)build_localizers({{"a", localization::AmclConfig{}}}, {}, 1),
                std::invalid_argument);
