@@ -5,6 +5,19 @@
 #include "localization/hypotheses/select.hpp"
 
 namespace castaway::localization {
+namespace {
+
+/// Weight of the particles at the same place as a pose, in [0, 1].
+double share_near(const MergeConfig& config, const ParticleSet& particles, const SE2& T_map_base) {
+  const std::vector<double> weights = normalized_weights(particles);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (same_place(config, particles.poses[i], T_map_base)) sum += weights[i];
+  }
+  return sum;
+}
+
+}  // namespace
 
 Belief::Belief(const MhAmclModels& mh_amcl_models, std::uint64_t seed)
     : models(mh_amcl_models),
@@ -57,11 +70,12 @@ bool Belief::select() {
 }
 
 double Belief::probability_at(const SE2& T_map_base) const {
+  constexpr double kNegligible = 1e-7;
   const std::vector<double> share = shares();
   double sum = 0.0;
   for (std::size_t i = 0; i < share.size(); ++i) {
-    const SE2& other = populations.all[i].belief.mean;
-    if (same_place(models.config.same, other, T_map_base)) sum += share[i];
+    if (share[i] < kNegligible) continue;
+    sum += share[i] * share_near(models.config.same, populations.all[i].particles, T_map_base);
   }
   return std::min(sum, 1.0);
 }

@@ -111,7 +111,8 @@ void MhAmcl::take_scan(const ScanTurn& scan) {
   timer_.measure("correct", [&] {
     for (Hypothesis& hypothesis : populations.all) models_->filter.correct(hypothesis, scan.points);
     rescue_output(scan, belief_, searches_.scheduled);
-    belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all);
+    belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all,
+                            scan.periods);
   });
   timer_.measure("manage", [&] { merge(models_->config.merge, populations); });
   timer_.measure("match", [&] { watch(scan); });
@@ -138,11 +139,11 @@ void MhAmcl::watch(const ScanTurn& scan) {
   const Hypothesis* output = belief_.populations.output();
   if (output == nullptr || !belief_.is_confident()) return searches_.watch.start();
   const Posterior& posterior = belief_.posterior;
-  const auto places =
-      searches_.watch.step(models_->context, scan,
-                           {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
-                            posterior.doubt(), posterior.log().scans().back().arrival_cue},
-                           searches_.budget);
+  const auto places = searches_.watch.step(
+      models_->context, scan,
+      {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
+       posterior.suspicion(output->log_likelihood), posterior.log().scans().back().arrival_cue},
+      searches_.budget);
   if (places) searches_.watch.end(take_watched(*places, scan.points, belief_, searches_.scheduled));
 }
 

@@ -31,8 +31,9 @@ struct MhAmclConfig {
   RescueConfig rescue;
   CreateConfig create;
   MergeConfig merge;
-  /// Populations that are this near to the output share its stated probability.
-  MergeConfig same{0.4, 0.3};
+  /// The stated probability is that the robot is this near to the output: the weight of all
+  /// particles that are.
+  MergeConfig same{0.5, 0.35};
   DestroyConfig destroy;
   ScanAgreementConfig agreement;    ///< Detects a kidnap between two scans.
   ScanContinuityConfig continuity;  ///< Detects a kidnap to a place that looks alike.

@@ -31,7 +31,10 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
 void limit_surprise(const NullHypothesisConfig& config, double log_likelihood, const ScanNews& news,
                     double odds, double listed, NullHypothesis& null) {
   const double less = std::max(0.0, null_log_likelihood(config, null) - log_likelihood);
-  const double gain = config.surprise + news.share * less + std::max(0.0, news.kidnap_cue);
+  const double misfit =
+      std::clamp(misfit_of(config, log_likelihood, null), 0.0, news.periods * config.surprise);
+  const double gain =
+      misfit + std::log(news.periods) + news.share * less + std::max(0.0, news.kidnap_cue);
   null.log_weight = std::min(null.log_weight, listed + odds + gain);
 }
 
@@ -65,13 +68,20 @@ void bound_null(const NullHypothesisConfig& config, const BestFound& best, doubl
 void bound_null_of_output(const NullHypothesisConfig& config, double lead, double listed,
                           NullHypothesis& null) {
   const double missed = -config.output_lead * std::clamp(lead, 0.0, config.most_lead);
-  null.log_weight = std::min(null.log_weight, listed + missed);
+  null.log_weight = std::min(null.log_weight + config.watch_missed, listed + missed);
 }
 
-double even_doubt(const NullHypothesisConfig& config) {
+double even_doubt(const NullHypothesisConfig& config, const NullHypothesis& null) {
   constexpr double kScansPerHour = 14400.0;  // Of 10 a second, 4 are new on the move.
   constexpr double kAlarm = 2.2;             // [nats] Log-odds of a probability of 0.9.
-  return std::log(kScansPerHour / config.false_alarms_per_h) + kAlarm;
+  return std::max(0.0, std::log(kScansPerHour / null.periods / config.false_alarms_per_h)) + kAlarm;
+}
+
+double misfit_of(const NullHypothesisConfig& config, double log_likelihood,
+                 const NullHypothesis& null) {
+  const double spread = std::max(null.spread, config.least_spread);
+  const double less = std::max(null.usual - log_likelihood, 0.0);
+  return less / spread - std::log(config.wrong_range / (2.0 * spread));
 }
 
 double doubt_of(const NullHypothesisConfig& config, double log_likelihood,
@@ -84,11 +94,9 @@ double doubt_of(const NullHypothesisConfig& config, double log_likelihood,
   return std::log(wrong / right);
 }
 
-double share_of_usual(const NullHypothesisConfig& config, double log_likelihood,
-                      const NullHypothesis& null) {
-  const double unlisted = null_log_likelihood(config, null);
-  if (null.usual <= unlisted) return log_likelihood > unlisted ? 1.0 : 0.0;
-  return std::clamp((log_likelihood - unlisted) / (null.usual - unlisted), 0.0, 1.0);
+double doubt_of_better(const NullHypothesisConfig& config, double log_likelihood) {
+  if (log_likelihood <= config.better_fits) return 0.0;
+  return config.better_doubt * (1.0 - log_likelihood / config.better_fits);
 }
 
 void take_doubt(const NullHypothesisConfig& config, double log_likelihood, double new_share,
@@ -101,7 +109,7 @@ void take_doubt(const NullHypothesisConfig& config, double log_likelihood, doubl
 void add_doubt(const NullHypothesisConfig& config, double nats, double listed,
                NullHypothesis& null) {
   null.doubt = std::min(null.doubt + nats, config.most_doubt);
-  null.log_weight = std::max(null.log_weight, listed + null.doubt - even_doubt(config));
+  null.log_weight = std::max(null.log_weight, listed + null.doubt - even_doubt(config, null));
 }
 
 void settle_doubt(const NullHypothesisConfig& config, double log_likelihood, NullHypothesis& null) {

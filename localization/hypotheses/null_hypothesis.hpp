@@ -33,7 +33,9 @@ struct NullHypothesisConfig {
   /// Fall of these log-odds per nat that the best place is ahead of the next one.
   double missed_lead = 0.3;
   double output_lead = 0.6;  ///< The same per nat that a confident output is ahead.
-  double most_lead = 12.0;   ///< [nats] Largest lead that counts.
+  /// Log-probability that a search for places as good as the output misses the right place.
+  double watch_missed = -2.3;
+  double most_lead = 12.0;  ///< [nats] Largest lead that counts.
   /// Tolerated rate of false alarms: the doubt at which an alarm is raised follows from it
   /// (`even_doubt`).
   double false_alarms_per_h = 6.0;
@@ -47,8 +49,10 @@ struct NullHypothesisConfig {
   double settle_rate = 0.5;
   double settle_spread_rate = 0.2;
   double better = 3.0;  ///< [nats] A place is better than the output if it leads by this.
-  /// [nats] Doubt that a better place elsewhere adds if it fits as usual, less if it does not.
-  double better_doubt = 5.0;
+  /// [nats] Doubt that a better place elsewhere adds if the scan fits perfectly there, less if it
+  /// does not.
+  double better_doubt = 8.0;
+  double better_fits = -3.0;  ///< [nats] A better place where the scan fits worse adds no doubt.
   double usual_rate = 0.05;   ///< Weight of a scan in the running average of the log-likelihood.
   double spread_rate = 0.1;   ///< Weight of a scan in the running average of the spread.
   double spread_limit = 2.5;  ///< Largest deviation that counts, as a multiple of the spread.
@@ -64,6 +68,7 @@ struct NullHypothesis {
   double usual = -3.0;      ///< [nats] Running average of the log-likelihood while confident.
   double spread = 2.0;      ///< [nats] Running average of the absolute deviation from `usual`.
   double doubt = 0.0;       ///< [nats] Evidence that the output has become wrong (`take_doubt`).
+  double periods = 1.0;     ///< Running average of `ScanNews::periods`.
 };
 
 /// The best place of a search of the whole map.
@@ -76,6 +81,7 @@ struct BestFound {
 struct ScanNews {
   double share = 1.0;       ///< Of the scan, in (0, 1] (`independence`).
   double kidnap_cue = 0.0;  ///< [nats] Log-odds of a kidnap since the previous scan.
+  double periods = 1.0;     ///< Since the previous scan (`ScanTurn::periods`).
 };
 
 /// Log-likelihood of a scan at an unlisted place.
@@ -112,14 +118,19 @@ void bound_null(const NullHypothesisConfig& config, const BestFound& best, doubl
 
 /// The same after a search of the whole map for places as good as the output. A wrong output is
 /// hardly ever ahead of all other places by chance, however badly it fits, so its `lead` [nats]
-/// alone counts.
+/// limits the weight; the weight also falls by the probability that the search missed the right
+/// place.
 void bound_null_of_output(const NullHypothesisConfig& config, double lead, double listed,
                           NullHypothesis& null);
 
 /// [nats] Doubt at which the null hypothesis is as likely as not. At a right pose, a cumulative sum
 /// of log-likelihood ratios exceeds a level h at most once in e^h scans on average; an alarm is
 /// raised at a probability of 0.9, which is log 9 nats below.
-double even_doubt(const NullHypothesisConfig& config);
+double even_doubt(const NullHypothesisConfig& config, const NullHypothesis& null);
+
+/// [nats] The same as `doubt_of` if no fit at the right pose were rare: it grows without limit.
+double misfit_of(const NullHypothesisConfig& config, double log_likelihood,
+                 const NullHypothesis& null);
 
 /// [nats] Logarithm of the likelihood ratio of a fit at a wrong pose to one at the right pose. At
 /// the right pose, fits scatter around the usual one by a Laplace distribution with the spread
@@ -127,10 +138,9 @@ double even_doubt(const NullHypothesisConfig& config);
 double doubt_of(const NullHypothesisConfig& config, double log_likelihood,
                 const NullHypothesis& null);
 
-/// How far a place fits as a right pose does: 0 at the log-likelihood of an unlisted place, 1 at
-/// the usual one. A place that fits only a little better than nothing is found by chance.
-double share_of_usual(const NullHypothesisConfig& config, double log_likelihood,
-                      const NullHypothesis& null);
+/// [nats] Doubt that a better place adds at which a scan has this log-likelihood. A place where it
+/// fits nearly perfectly is hardly found by chance; one that is only better than the output is.
+double doubt_of_better(const NullHypothesisConfig& config, double log_likelihood);
 
 /// Updates the doubt by a scan at the output, a change-point test of its log-likelihood
 /// (`doubt_of`), and raises the weight accordingly. Scan after scan that is moderately less likely

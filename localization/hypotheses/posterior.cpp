@@ -33,7 +33,7 @@ void Posterior::start(bool known) {
 }
 
 void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int output_id,
-                      std::vector<Hypothesis>& hypotheses) {
+                      std::vector<Hypothesis>& hypotheses, double periods) {
   const double listed = listed_log_weight(hypotheses);
   const double odds = null_.log_weight - listed;
   const ScanMemory& scan =
@@ -45,12 +45,13 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
     hypothesis.log_likelihood = evidence.log_likelihood;
     hypothesis.quality = evidence.quality;
   }
+  null_.periods += 0.1 * (periods - null_.periods);
   advance_null(config_, scan.independence, listed, scan.kidnap_cue, null_);
   if (const Hypothesis* output = output_or_correction(hypotheses, output_id)) {
     const double l = output->log_likelihood;
     const double now = listed_log_weight(hypotheses);
-    limit_surprise(config_, l, {scan.independence, scan.kidnap_cue},
-                   std::max(odds, -even_doubt(config_)), now, null_);
+    limit_surprise(config_, l, {scan.independence, scan.kidnap_cue, periods},
+                   std::max(odds, -even_doubt(config_, null_)), now, null_);
     doubt_output(config_, l, now, null_);
     take_doubt(config_, l, scan.independence, now, null_);
   }
@@ -70,15 +71,18 @@ void Posterior::take_search(const BestFound& best, const std::vector<Hypothesis>
 void Posterior::take_watch(const BestFound& output, bool bounds,
                            const std::vector<Hypothesis>& hypotheses) {
   const double listed = listed_log_weight(hypotheses);
-  const double elsewhere = output.log_likelihood - output.lead;
   if (output.lead > 0.0) {
     settle_doubt(config_, output.log_likelihood, null_);
     if (bounds) bound_null_of_output(config_, output.lead, listed, null_);
   } else if (output.lead <= -config_.better) {
-    const double doubt = config_.better_doubt * share_of_usual(config_, elsewhere, null_);
+    const double doubt = doubt_of_better(config_, output.log_likelihood - output.lead);
     add_doubt(config_, doubt * std::min(1.0, new_since_watch_), listed, null_);
   }
   new_since_watch_ = 0.0;
+}
+
+double Posterior::suspicion(double log_likelihood) const {
+  return std::max(null_.doubt, misfit_of(config_, log_likelihood, null_));
 }
 
 std::vector<double> Posterior::shares(const std::vector<Hypothesis>& hypotheses) const {

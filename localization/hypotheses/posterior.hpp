@@ -32,8 +32,9 @@ class Posterior {
   void forget_motion() { log_.forget_motion(); }
 
   /// Adds the evidence of a scan to all hypotheses and to the null hypothesis.
+  /// `periods` of the rate of corrections have passed since the previous scan.
   void weigh(const ScanPoints& points, const SE2& T_odom_base, int output_id,
-             std::vector<Hypothesis>& hypotheses);
+             std::vector<Hypothesis>& hypotheses, double periods = 1.0);
   /// Learns the usual log-likelihood from that of the newest scan, if any, at a confident output.
   void learn(double log_likelihood);
   /// Updates the null hypothesis by the best place that a search of the whole map has found.
@@ -53,6 +54,9 @@ class Posterior {
   [[nodiscard]] double usual() const { return null_.usual; }
   /// [nats] Evidence that the output has become wrong (`take_doubt`).
   [[nodiscard]] double doubt() const { return null_.doubt; }
+  /// [nats] The larger of the doubt and of the evidence of the newest scan alone, which has this
+  /// log-likelihood at the output.
+  [[nodiscard]] double suspicion(double log_likelihood) const;
   [[nodiscard]] const ScanLog& log() const { return log_; }
 
  private:

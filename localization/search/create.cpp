@@ -44,7 +44,7 @@ std::vector<Arrival> arrivals(const CreateContext& context, const ScanHistory& h
     const auto weight = [&](double cue) {
       return log_sum_exp({scan.listed_before + cue, scan.null_before}) + place;
     };
-    all.push_back({weight(scan.arrival_cue), weight(scan.kidnap_cue)});
+    all.push_back({weight(std::max(scan.arrival_cue, 0.0)), weight(scan.kidnap_cue)});
   }
   return all;
 }

@@ -21,8 +21,9 @@ bool PlaceWatch::is_suspicious(Stamp now, const WatchOccasion& occasion) const {
 }
 
 bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
-  if (occasion.output.log_likelihood >= std::min(config_.fits, occasion.usual)) return false;
-  return !last_ || seconds(now - *last_) >= pause_s_;
+  if (occasion.output.log_likelihood >= config_.fits) return false;
+  const bool unusual = occasion.output.log_likelihood < occasion.usual;
+  return !last_ || seconds(now - *last_) >= (unusual ? pause_s_ : config_.longest_pause_s);
 }
 
 std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& context,
@@ -38,13 +39,20 @@ std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& c
     urgent_ = suspicious;
     begin(scan, occasion.output.belief.mean);
   }
-  if (!search_->step(urgent_ ? config_.burst : config_.slice, budget)) return std::nullopt;
+  if (!search_->step(slice(scan.periods), budget)) return std::nullopt;
   std::vector<WeighedPlace> places =
       refine_found(context, *search_, scan.points, scan.T_odom_base, config_.refined, budget);
   search_.reset();
   urgent_ = false;
   last_ = scan.now;
   return places;
+}
+
+/// Tiles searched with a scan: more after a long time without one, as far as a scan may cost.
+std::int64_t PlaceWatch::slice(double periods) const {
+  constexpr double kMost = 4.0;
+  const auto tiles = static_cast<double>(urgent_ ? config_.burst : config_.slice);
+  return static_cast<std::int64_t>(tiles * std::min(periods, kMost));
 }
 
 void PlaceWatch::begin(const ScanTurn& scan, const SE2& T_map_base) {

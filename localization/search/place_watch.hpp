@@ -21,18 +21,18 @@ struct PlaceWatchConfig {
   double score_share = 0.95;    ///< A place is found if it scores this share of the output's score.
   int candidates = 16;          ///< Maximum number of places found.
   int refined = 6;              ///< Number of places refined; the best by evidence.
-  std::int64_t slice = 3000;    ///< Tiles searched per scan in the background.
-  std::int64_t burst = 60000;   ///< Tiles searched per scan on suspicion.
+  std::int64_t slice = 3000;    ///< Tiles searched per period in the background.
+  std::int64_t burst = 60000;   ///< Tiles searched per period on suspicion.
   double suspicious_cue = 3.0;  ///< [nats] Arrival cue of a scan that is suspicious.
-  double suspicious_doubt = 2.0;  ///< [nats] Doubt that is suspicious.
+  double suspicious_doubt = 1.0;  ///< [nats] Doubt that is suspicious.
   double alarming = 0.98;         ///< A smaller probability of the output is suspicious.
   double pause_s = 0.5;           ///< [s] Minimum time between searches on suspicion.
-  /// [nats] No search in the background while the scan at the output is more likely than this, or
-  /// than usual.
+  /// [nats] No search in the background while the scan at the output is more likely than this.
   double fits = -1.0;
-  /// [s] Minimum time between searches in the background; doubles while they find nothing better.
+  /// [s] Minimum time between searches in the background while the scan is less likely than usual;
+  /// doubles while they find nothing better.
   double first_pause_s = 1.0;
-  double longest_pause_s = 8.0;  ///< [s] Upper limit of this time.
+  double longest_pause_s = 2.0;  ///< [s] Upper limit of this time, and the time otherwise.
 };
 
 /// State of a confident output.
@@ -40,7 +40,7 @@ struct WatchOccasion {
   const Hypothesis& output;
   double probability = 1.0;  ///< After the newest scan.
   double usual = 0.0;        ///< [nats] Usual log-likelihood at the right pose.
-  double doubt = 0.0;        ///< [nats] Evidence that the output has become wrong.
+  double doubt = 0.0;        ///< [nats] Evidence that the output has become wrong (`suspicion`).
   double cue = 0.0;          ///< [nats] Arrival cue of the newest scan.
 };
 
@@ -63,6 +63,7 @@ class PlaceWatch {
  private:
   [[nodiscard]] bool is_suspicious(Stamp now, const WatchOccasion& occasion) const;
   [[nodiscard]] bool is_due(Stamp now, const WatchOccasion& occasion) const;
+  [[nodiscard]] std::int64_t slice(double periods) const;
   void begin(const ScanTurn& scan, const SE2& T_map_base);
 
   PlaceWatchConfig config_;

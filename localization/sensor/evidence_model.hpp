@@ -15,6 +15,8 @@ struct EvidenceConfig {
   double through_wall = 0.02;
   /// Subtracted from the mean log-likelihood if base is not on a free cell.
   double off_free_penalty = 0.5;
+  /// A beam counts as at most this many independent ones: a scan with few beams says little.
+  double per_beam = 0.4;
   double minimum = -25.0;  ///< Lower limit: one bad scan must not outweigh a long confident track.
 };
 
@@ -39,6 +41,7 @@ class EvidenceModel {
   [[nodiscard]] double bound(const ScanPoints& points, const SE2& T_map_base) const;
 
  private:
+  [[nodiscard]] double independent(std::size_t beams) const;
   [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
 
   EvidenceConfig config_;

@@ -1,5 +1,6 @@
 #include "localization/sensor/sensor_input.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -20,7 +21,8 @@ void validate(const SensorInputConfig& config) {
 }
 
 SensorInput::SensorInput(const SensorInputConfig& config)
-    : beams_(config.beams),
+    : correct_rate_hz_(config.correct_rate_hz),
+      beams_(config.beams),
       intake_(config.intake),
       panorama_(config.lidar_memory),
       predict_rate_(config.predict_rate_hz, Stamp{}),
@@ -51,6 +53,7 @@ std::optional<ScanTurn> SensorInput::take(const LaserScan& scan) {
   turn.points = panorama_.add(scan.lidar, *seen, turn.now, turn.T_odom_base);
   turn.step = step_to(turn.T_odom_base);
   turn.counts = !turn.points.empty() && correct_rate_.take_turn(turn.now);
+  if (turn.counts) turn.periods = count(turn.now);
   turn.reseeds = turn.counts && reseed_rate_.take_turn(turn.now);
   return turn;
 }
@@ -65,7 +68,15 @@ void SensorInput::restart() {
   predict_rate_.restart();
   correct_rate_.restart();
   reseed_rate_.restart();
+  counted_.reset();
   panorama_.clear();
+}
+
+/// Notes a scan that counts. Returns the periods since the last one.
+double SensorInput::count(Stamp now) {
+  const double periods = counted_ ? correct_rate_hz_ * seconds(now - *counted_) : 1.0;
+  counted_ = now;
+  return std::max(periods, 1.0);
 }
 
 /// Returns nothing if the robot has not moved.

@@ -40,7 +40,10 @@ struct ScanTurn {
   std::optional<SE2> step;  ///< As in `OdometryTurn`.
   ScanPoints points;        ///< Of all lidars, in base at `now`.
   bool counts = false;      ///< It has points, and a correction is due.
-  bool reseeds = false;     ///< It counts, and a reseed is due.
+  /// Periods of the rate of corrections since the last scan that counts, at least 1; also 1 for the
+  /// first one.
+  double periods = 1.0;
+  bool reseeds = false;  ///< It counts, and a reseed is due.
 };
 
 /// Checks readings and tracks the odometry by which the particles have been moved.
@@ -61,13 +64,16 @@ class SensorInput {
  private:
   void restart();
   std::optional<SE2> step_to(const SE2& T_odom_base);
+  double count(Stamp now);
 
+  double correct_rate_hz_;
   BeamSelection beams_;
   Intake intake_;
   LidarPanorama panorama_;
   Rate predict_rate_;
   Rate correct_rate_;
   Rate reseed_rate_;
+  std::optional<Stamp> counted_;  ///< Time of the last scan that counts.
   /// Odometry pose up to which the particles have been moved.
   std::optional<SE2> T_odom_particles_;
 };

@@ -12,6 +12,10 @@ namespace {
 
 class BeliefTest : public testing::Test {
  protected:
+  /// Puts all particles of a population at its mean.
+  static void gather(Belief& belief) {
+    for (Hypothesis& h : belief.populations.all) h.particles = {{h.belief.mean}, {0.0}};
+  }
   const SE2 here_{3.0, 3.0, 0.4};
   const SE2 elsewhere_{8.0, 6.5, 2.0};
   MhAmclModels models_{{}, test::office()};
@@ -64,6 +68,7 @@ TEST_F(BeliefTest, AddsPopulationsWithTheCovarianceOfTheScan) {
 TEST_F(BeliefTest, SelectsTheHeaviestAndSaysWhenConfidenceIsLost) {
   belief_.start(test::known_start(here_));
   belief_.add({{elsewhere_, {}, 1.5}}, points_);
+  gather(belief_);
   EXPECT_TRUE(belief_.select());  // Kept within the margin of 2, but no longer probable.
   EXPECT_EQ(belief_.populations.output_id, 0);
   EXPECT_FALSE(belief_.is_confident());
@@ -72,21 +77,32 @@ TEST_F(BeliefTest, SelectsTheHeaviestAndSaysWhenConfidenceIsLost) {
   belief_.populations.all[1].log_weight = 9.0;
   EXPECT_FALSE(belief_.select());
   EXPECT_EQ(belief_.populations.output_id, 1);
-  EXPECT_EQ(belief_.populations.probability, belief_.shares()[1]);
+  EXPECT_NEAR(belief_.populations.probability, belief_.shares()[1], 1e-12);
   EXPECT_TRUE(belief_.is_confident());
 }
 
 TEST_F(BeliefTest, StatesTheProbabilityOfAPlaceNotOfAPopulation) {
   belief_.start(test::known_start(here_));
   belief_.add({{here_ * SE2{0.35, 0.0, 0.1}, {}, 0.0}, {elsewhere_, {}, 0.0}}, points_);
+  gather(belief_);
   const std::vector<double> share = belief_.shares();
   EXPECT_NEAR(belief_.probability_at(here_), share[0] + share[1], 1e-12);
   EXPECT_NEAR(belief_.probability_at(elsewhere_), share[2], 1e-12);
 }
 
+TEST_F(BeliefTest, StatesTheShareOfTheParticlesThatAreNear) {
+  belief_.start(test::known_start(here_));
+  Hypothesis& output = belief_.populations.all[0];
+  const SE2 near = here_ * SE2{0.49, 0.0, 0.3};
+  output.particles = {{near, here_ * SE2{0.51, 0.0, 0.0}, here_ * SE2{0.0, 0.0, 0.36}, here_},
+                      {std::log(3.0), 0.0, 0.0, 0.0}};
+  EXPECT_NEAR(belief_.probability_at(here_), belief_.shares()[0] * 4.0 / 6.0, 1e-12);
+}
+
 TEST_F(BeliefTest, StaysFoundWhereTheOutputMovesANearbyStep) {
   belief_.start(test::known_start(here_));
   belief_.add({{here_ * SE2{0.8, 0.0, 0.0}, {}, 9.0}}, points_);
+  gather(belief_);
   belief_.select();
   EXPECT_EQ(belief_.populations.output_id, 1);
   EXPECT_FALSE(belief_.lost_and_found.is_lost());
@@ -98,6 +114,7 @@ TEST_F(BeliefTest, StaysFoundWhereARescueTurnsTheOutput) {
     Belief belief(models_, 1);
     belief.start(test::known_start(here_));
     belief.add({{turned, {}, 5.0}}, points_);
+    gather(belief);
     if (corrects) belief.populations.all.back().replaces = 0;
     belief.select();
     EXPECT_EQ(belief.populations.output_id, 1);

@@ -94,17 +94,26 @@ TEST(BoundNull, TrustsALeadUpToALimit) {
 }
 
 TEST(BoundNullOfOutput, CountsItsLeadAlone) {
+  NullHypothesisConfig config;
+  config.watch_missed = 0.0;
   NullHypothesis null{5.0, -2.0};
-  bound_null_of_output({}, 5.0, 1.0, null);
+  bound_null_of_output(config, 5.0, 1.0, null);
   EXPECT_NEAR(null.log_weight, 1.0 - 3.0, 1e-12);
-  bound_null_of_output({}, -4.0, 1.0, null);  // Already smaller.
+  bound_null_of_output(config, -4.0, 1.0, null);  // Already smaller.
   EXPECT_NEAR(null.log_weight, -2.0, 1e-12);
-  bound_null_of_output({}, 50.0, 1.0, null);
+  bound_null_of_output(config, 50.0, 1.0, null);
   EXPECT_NEAR(null.log_weight, 1.0 - 7.2, 1e-12);
 }
 
+TEST(BoundNullOfOutput, CountsThatTheSearchFoundNothing) {
+  NullHypothesis null{-1.0, -2.0};
+  bound_null_of_output({}, 0.5, 0.0, null);
+  EXPECT_NEAR(null.log_weight, -1.0 - 2.3, 1e-12);
+}
+
 TEST(LimitSurprise, LetsOneScanOfARobotAtRestGainLittle) {
-  // An unlisted place has -2 - 6 = -8; the scan at the output is 10 nats below that.
+  // An unlisted place has -2 - 6 = -8; the scan at the output is 10 nats below that. Its misfit is
+  // 8 - log(22 / 4) = 6.3 nats, more than a scan may count.
   NullHypothesis null{3.0, -2.0, 2.0};
   limit_surprise({}, -18.0, {0.15, -3.0}, -10.0, 1.0, null);
   EXPECT_NEAR(null.log_weight, 1.0 - 10.0 + 4.0 + 1.5, 1e-12);
@@ -116,12 +125,37 @@ TEST(LimitSurprise, LetsOneScanOfARobotAtRestGainLittle) {
   EXPECT_EQ(null.log_weight, -30.0);
 }
 
+TEST(LimitSurprise, LetsAScanAfterALongTimeGainWhatItsMisfitSays) {
+  const NullHypothesisConfig config;
+  const double misfit = 8.0 - std::log(22.0 / 4.0);
+  for (const double periods : {1.0, 1.3, 2.0, 50.0}) {
+    NullHypothesis null{3.0, -2.0, 2.0};
+    limit_surprise(config, -18.0, {0.15, -3.0, periods}, -10.0, 1.0, null);
+    const double gain = std::min(misfit, 4.0 * periods) + std::log(periods) + 1.5;
+    EXPECT_NEAR(null.log_weight, std::min(3.0, 1.0 - 10.0 + gain), 1e-12) << periods;
+  }
+}
+
+TEST(LimitSurprise, LetsAMisfitGainNothingWhereFitsScatterAsMuch) {
+  NullHypothesis null{3.0, -12.0, 3.0};  // As in a crowd: 5 nats less than usual are common.
+  limit_surprise({}, -17.0, {0.15, -3.0}, -10.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 10.0 + 5.0 / 3.0 - std::log(22.0 / 6.0), 1e-12);
+  null.log_weight = 3.0;
+  limit_surprise({}, -13.0, {0.15, -3.0}, -10.0, 1.0, null);
+  EXPECT_NEAR(null.log_weight, 1.0 - 10.0, 1e-12);
+}
+
 TEST(EvenDoubt, FollowsFromTheToleratedRateOfFalseAlarms) {
   NullHypothesisConfig config;
+  NullHypothesis null;
   config.false_alarms_per_h = 14400.0;  // One a scan.
-  EXPECT_NEAR(even_doubt(config), 2.2, 1e-12);
+  EXPECT_NEAR(even_doubt(config, null), 2.2, 1e-12);
   config.false_alarms_per_h = 1440.0;
-  EXPECT_NEAR(even_doubt(config), 2.2 + std::log(10.0), 1e-12);
+  EXPECT_NEAR(even_doubt(config, null), 2.2 + std::log(10.0), 1e-12);
+  null.periods = 5.0;  // A fifth of the scans in an hour.
+  EXPECT_NEAR(even_doubt(config, null), 2.2 + std::log(2.0), 1e-12);
+  null.periods = 50.0;
+  EXPECT_NEAR(even_doubt(config, null), 2.2, 1e-12);
 }
 
 /// A right pose scatters by 2 nats around -2; a wrong one is even over 20 nats.
@@ -148,6 +182,13 @@ TEST(DoubtOf, IsLimitedByRareMisfits) {
   EXPECT_NEAR(doubt_of(config, -100.0, kScattered), std::log(100.0), 1e-9);
 }
 
+TEST(MisfitOf, IsTheDoubtWithoutItsLimit) {
+  NullHypothesisConfig config = without_rare_misfits();
+  EXPECT_NEAR(misfit_of(config, -12.0, kScattered), doubt_of(config, -12.0, kScattered), 1e-6);
+  config.rare_misfit = 0.01;
+  EXPECT_NEAR(misfit_of(config, -102.0, kScattered), std::log(4.0 / 20.0) + 50.0, 1e-9);
+}
+
 TEST(DoubtOf, HasALeastSpread) {
   const NullHypothesisConfig config = without_rare_misfits();
   const NullHypothesis exact{0.0, -2.0, 0.1};
@@ -163,7 +204,7 @@ TEST(TakeDoubt, GrowsWhileScansAreLessLikelyThanUsual) {
   const double once = doubt_of(config, -9.0, kScattered);
   EXPECT_GT(once, 0.0);
   EXPECT_NEAR(null.doubt, once, 1e-12);
-  EXPECT_NEAR(null.log_weight, once - even_doubt(config), 1e-12);
+  EXPECT_NEAR(null.log_weight, once - even_doubt(config, null), 1e-12);
   take_doubt(config, -9.0, 0.5, 0.0, null);
   EXPECT_NEAR(null.doubt, 1.5 * once, 1e-12);
   take_doubt(config, -2.0, 1.0, 0.0, null);
@@ -172,11 +213,11 @@ TEST(TakeDoubt, GrowsWhileScansAreLessLikelyThanUsual) {
   EXPECT_EQ(null.doubt, 25.0);
 }
 
-TEST(ShareOfUsual, IsOfTheWayFromAnUnlistedPlaceToARightOne) {
-  const NullHypothesis null{0.0, -2.0, 2.0};  // An unlisted place has -8.
-  EXPECT_EQ(share_of_usual({}, -9.0, null), 0.0);
-  EXPECT_NEAR(share_of_usual({}, -5.0, null), 0.5, 1e-12);
-  EXPECT_EQ(share_of_usual({}, -1.0, null), 1.0);
+TEST(DoubtOfBetter, FallsToNothingWhereTheBetterPlaceFitsBadlyToo) {
+  EXPECT_EQ(doubt_of_better({}, 0.0), 8.0);
+  EXPECT_NEAR(doubt_of_better({}, -1.5), 4.0, 1e-12);
+  EXPECT_EQ(doubt_of_better({}, -3.0), 0.0);
+  EXPECT_EQ(doubt_of_better({}, -9.0), 0.0);
 }
 
 TEST(SettleDoubt, CorrectsWhatIsUsualDownwardsOnly) {

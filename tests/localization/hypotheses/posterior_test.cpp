@@ -128,20 +128,54 @@ TEST_F(PosteriorTest, DoubtsAnOutputWhereAPlaceElsewhereIsBetter) {
   std::vector<Hypothesis> one = {at(0, here_, 0.0)};
   posterior_.weigh(points_, {}, 0, one);
   ASSERT_EQ(posterior_.doubt(), 0.0);
-  posterior_.take_watch({-7.0, -2.0}, true, one);  // Ahead by too little.
+  posterior_.take_watch({-2.4, -2.0}, true, one);  // Ahead by too little.
   EXPECT_EQ(posterior_.doubt(), 0.0);
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-7.0, -4.0}, true, one);
-  EXPECT_NEAR(posterior_.doubt(), 5.0 * 0.15, 1e-12);  // A scan at rest has little news.
+  posterior_.take_watch({-7.0, -6.4}, true, one);            // It fits well: -0.6 nats.
+  EXPECT_NEAR(posterior_.doubt(), 8.0 * 0.8 * 0.15, 1e-12);  // A scan at rest has little news.
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-24.0, -4.0}, true, one);  // The better place fits badly, too.
-  EXPECT_LE(posterior_.doubt(), 5.0 * 0.15);
+  posterior_.take_watch({-24.0, -20.9}, true, one);  // It fits badly, too: -3.1 nats.
+  EXPECT_LE(posterior_.doubt(), 8.0 * 0.8 * 0.15);
+}
+
+TEST_F(PosteriorTest, KeepsTheDoubtWhereAPlaceElsewhereIsBetterUntilTheOutputIsAhead) {
+  std::vector<Hypothesis> one = {at(0, elsewhere_, 0.0)};
+  posterior_.start(true);
+  for (int scan = 0; scan < 3; ++scan) posterior_.weigh(points_, {}, 0, one);
+  const double doubt = posterior_.doubt();
+  ASSERT_GT(doubt, 0.0);
+  posterior_.take_watch({-20.0, -4.0}, true, one);
+  EXPECT_EQ(posterior_.doubt(), doubt);
+  posterior_.take_watch({-20.0, 1.0}, true, one);
+  EXPECT_EQ(posterior_.doubt(), 0.0);
+}
+
+TEST_F(PosteriorTest, SuspectsAnOutputAtOnceWhereAScanFitsFarWorseThanUsual) {
+  EXPECT_LT(posterior_.suspicion(-3.0), 0.1);  // usual: -3, spread 2
+  EXPECT_NEAR(posterior_.suspicion(-13.0), 5.0 - std::log(22.0 / 4.0), 1e-9);
+  std::vector<Hypothesis> one = {at(0, elsewhere_, 0.0)};
+  for (int scan = 0; scan < 10; ++scan) posterior_.weigh(points_, {}, 0, one);
+  ASSERT_GT(posterior_.doubt(), 1.0);
+  EXPECT_EQ(posterior_.suspicion(-3.0), posterior_.doubt());
+}
+
+TEST_F(PosteriorTest, AScanAfterALongTimeCountsMoreAgainstTheOutput) {
+  const auto share_after = [&](double periods) {
+    Posterior posterior = posterior_;
+    posterior.start(true);
+    std::vector<Hypothesis> one = {at(0, here_, 0.0)};
+    for (int scan = 0; scan < 3; ++scan) posterior.weigh(points_, {}, 0, one);
+    one[0].belief.mean = elsewhere_;  // Kidnapped, seen from the robot.
+    posterior.weigh(points_, {}, 0, one, periods);
+    return posterior.shares(one)[0];
+  };
+  EXPECT_GT(share_after(1.0), share_after(20.0) + 0.1);
 }
 
 TEST_F(PosteriorTest, LearnsNothingFromAPoseInDoubt) {
-  std::vector<Hypothesis> one = {at(0, here_, 0.0)};
+  std::vector<Hypothesis> one = {at(0, elsewhere_, 0.0)};
   posterior_.weigh(points_, {}, 0, one);
-  posterior_.take_watch({-7.0, -4.0}, true, one);
+  ASSERT_GT(posterior_.doubt(), 0.0);
   const double usual = posterior_.usual();
   posterior_.learn(-1.0);
   EXPECT_EQ(posterior_.usual(), usual);

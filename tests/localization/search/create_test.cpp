@@ -83,8 +83,14 @@ TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {
     scan.null_before = -50.0;
   }
   const double before = weigh_backwards(context(), history, place);
-  for (ScanMemory& scan : history) scan.kidnap_cue = scan.arrival_cue = -9.0;
+  for (ScanMemory& scan : history) {
+    scan.kidnap_cue = scan.arrival_cue = -9.0;
+    scan.unlisted = 0.1;
+  }
   EXPECT_NEAR(weigh_backwards(context(), history, place), before - 9.0, 1e-9);
+  // Where the scans fit, they would agree after a kidnap to a place that looks alike, too.
+  for (ScanMemory& scan : history) scan.unlisted = -3.0;
+  EXPECT_NEAR(weigh_backwards(context(), history, place), before, 1e-9);
 }
 
 TEST_F(CreateTest, CountsAJumpOfTheScansOnlyForAPlaceThatFits) {

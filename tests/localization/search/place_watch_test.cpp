@@ -27,7 +27,15 @@ class PlaceWatchTest : public testing::Test {
     ScanTurn scan;
     scan.now = from_seconds(time_s);
     scan.points = points_;
-    return watch_.step(context, scan, {output, probability_, -0.5, doubt_, cue_}, budget_);
+    return watch_.step(context, scan, {output, probability_, usual_, doubt_, cue_}, budget_);
+  }
+  /// A scan after a number of periods, with evidence for a kidnap. True if it ends a search.
+  bool step_of(PlaceWatch& watch, double periods, const Hypothesis& output) {
+    const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
+    ScanTurn scan;
+    scan.points = points_;
+    scan.periods = periods;
+    return watch.step(context, scan, {output, 1.0, usual_, 0.0, 4.0}, budget_).has_value();
   }
   Hypothesis output_at(const SE2& pose) const {
     Hypothesis h;
@@ -49,6 +57,7 @@ class PlaceWatchTest : public testing::Test {
   SE2 twin_{6.5, 1.2, 0.4};
   ScanPoints points_ = test::points_from(grid_, truth_);
   double probability_ = 1.0;
+  double usual_ = -0.5;
   double doubt_ = 0.0;
   double cue_ = 0.0;
   WorkBudget budget_{{1e6, 1e6}, 10.0};
@@ -121,6 +130,37 @@ TEST_F(PlaceWatchTest, SearchesInTheBackgroundWhereTheOutputFitsBadly) {
   ASSERT_GE(times.size(), 4U);
   EXPECT_GT(times[3] - times[2], times[1] - times[0]);  // The pauses grow.
   EXPECT_LT(times[0], 2.0);
+}
+
+TEST_F(PlaceWatchTest, SearchesInTheBackgroundLessOftenWhereTheOutputFitsAsUsual) {
+  Hypothesis bad = output_at(truth_);
+  const auto searches_of = [&](double log_likelihood) {
+    watch_.start();
+    step(-10.0, bad);  // The output is new.
+    bad.log_likelihood = log_likelihood;
+    int searches = 0;
+    for (int k = 0; k < 39; ++k) searches += step(0.1 * k, bad).has_value() ? 1 : 0;
+    return searches;
+  };
+  usual_ = -5.0;
+  EXPECT_EQ(searches_of(-5.5), 4);  // After pauses of 1 s,
+  EXPECT_EQ(searches_of(-4.5), 2);  // of 2 s,
+  EXPECT_EQ(searches_of(-0.9), 0);  // or not at all.
+}
+
+TEST_F(PlaceWatchTest, SearchesMoreWithAScanAfterALongTime) {
+  const auto scans_of = [&](double periods) {
+    PlaceWatchConfig slow;
+    slow.burst = 20;
+    PlaceWatch watch(slow, matcher_);
+    int scans = 1;
+    while (scans < 10000 && !step_of(watch, periods, output_at(truth_))) ++scans;
+    return scans;
+  };
+  const int often = scans_of(1.0);
+  ASSERT_GT(often, 8);
+  EXPECT_NEAR(scans_of(3.0), often / 3.0, 2.0);
+  EXPECT_EQ(scans_of(50.0), scans_of(4.0));
 }
 
 TEST_F(PlaceWatchTest, ContinuesOverScansWithinTheBudget) {

@@ -78,7 +78,23 @@ TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
   ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F},
                  {0.0F}, {0.0F}, {0.0F}};  // an end point at the origin of base
   const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
-  EXPECT_NEAR(on_wall, -12.0 * config.off_free_penalty, 1e-5);
+  EXPECT_NEAR(on_wall, -config.per_beam * config.off_free_penalty, 1e-5);
+}
+
+TEST_F(EvidenceModelTest, CountsFewBeamsLess) {
+  const SE2 pose{3.0, 3.0, 0.4};
+  const SE2 beside{3.1, 3.05, 0.42};
+  EvidenceConfig config;
+  config.per_beam = 1000.0;
+  const EvidenceModel full(config, grid_, distances_);
+  for (const double share : {0.06, 0.2, 0.8}) {
+    const ScanPoints points = farthest_points(scan_from(pose), share);
+    const double l = model_.evaluate(points, beside).log_likelihood;
+    const double counted = std::min(12.0, 0.4 * static_cast<double>(points.size())) / 12.0;
+    EXPECT_EQ(counted < 1.0, share < 0.5);
+    EXPECT_NEAR(l, counted * full.evaluate(points, beside).log_likelihood, 1e-9);
+    EXPECT_LE(l, model_.bound(points, beside));
+  }
 }
 
 TEST_F(EvidenceModelTest, IsNeutralWithoutBeamsAndNeverBelowTheMinimum) {

@@ -76,6 +76,19 @@ TEST(SensorInput, CountsScansAtTheirRateIfTheySeeAnything) {
   EXPECT_TRUE(input.take(beam(milliseconds(300)))->counts);
 }
 
+TEST(SensorInput, TellsThePeriodsSinceTheLastScanThatCounts) {
+  SensorInput input(config());
+  const auto periods_at = [&](Stamp stamp) {
+    input.take(Odometry{stamp, {}});
+    return input.take(beam(stamp))->periods;
+  };
+  EXPECT_EQ(periods_at(milliseconds(5000)), 1.0);  // the first one
+  EXPECT_EQ(periods_at(milliseconds(5190)), 1.0);  // early, but not less
+  EXPECT_EQ(periods_at(milliseconds(5250)), 1.0);  // not counted
+  EXPECT_NEAR(periods_at(milliseconds(6190)), 5.0, 1e-9);
+  EXPECT_EQ(periods_at(milliseconds(100)), 1.0);  // the clock was set back
+}
+
 TEST(SensorInput, ReseedsWithScansThatCount) {
   SensorInput input(config());
   input.take(Odometry{milliseconds(1750), {}});

@@ -35,7 +35,13 @@ class DistinguishabilityTest : public ::testing::Test {
   const SE2 other_{13.0, 2.0, 0.0};
   localization::OccupancyGrid map_ = test::string_map(rooms(), 0.5);
   localization::DistanceField distances_{map_, 5.0};
-  localization::EvidenceModel evidence_{{}, map_, distances_};
+  /// Scans of one beam count in full.
+  static localization::EvidenceConfig full() {
+    localization::EvidenceConfig config;
+    config.per_beam = config.endpoint.independent_beams;
+    return config;
+  }
+  localization::EvidenceModel evidence_{full(), map_, distances_};
 };
 
 TEST_F(DistinguishabilityTest, AreTwinsNever) {

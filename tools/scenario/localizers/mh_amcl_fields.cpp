@@ -45,6 +45,11 @@ void evidence_fields(Settings& settings, MhAmclConfig& config) {
                  config.evidence.through_wall);
   evidence.field({"off_free_penalty", "nats", "Penalty if base is not on a free cell.", kNats},
                  config.evidence.off_free_penalty);
+  evidence.field({"per_beam",
+                  "",
+                  "A beam counts as at most this many independent ones: few beams say little.",
+                  {0.001, 1000.0}},
+                 config.evidence.per_beam);
   evidence.field({"minimum", "nats", "Minimum log-likelihood of a scan.", kNats},
                  config.evidence.minimum);
 }

@@ -4,10 +4,9 @@ namespace castaway::testbed {
 namespace {
 
 void doubt_fields(Settings& settings, localization::PosteriorConfig& p) {
-  settings.field(
-      {"surprise", "nats",
-       "Maximum gain of an unlisted place by one scan of a robot that hardly moves.", kNats},
-      p.null.surprise);
+  settings.field({"surprise", "nats",
+                  "Maximum gain of an unlisted place by the misfit of a scan, per period.", kNats},
+                 p.null.surprise);
   settings.field(
       {"false_alarms_per_h",
        "",
@@ -31,9 +30,15 @@ void doubt_fields(Settings& settings, localization::PosteriorConfig& p) {
   settings.field(
       {"better", "nats", "A place is better than the output if it leads by this.", kNats},
       p.null.better);
-  settings.field({"better_doubt", "nats",
-                  "Doubt that a better place elsewhere adds if it fits as usual.", kNats},
-                 p.null.better_doubt);
+  settings.field(
+      {"better_doubt", "nats",
+       "Doubt that a better place elsewhere adds if the scan fits perfectly there.", kNats},
+      p.null.better_doubt);
+  settings.field({"better_fits",
+                  "nats",
+                  "A better place where the scan fits worse adds no doubt.",
+                  {-1000.0, -0.001}},
+                 p.null.better_fits);
   settings.field({"settle_rate", "",
                   "Weight in the running average of a watch that finds nothing better.", kShare},
                  p.null.settle_rate);
@@ -52,6 +57,9 @@ void missed_fields(Settings& settings, localization::PosteriorConfig& p) {
                   "The same per nat that a confident output is ahead of all other places.",
                   {0.0, 100.0}},
                  p.null.output_lead);
+  settings.field(
+      {"watch_missed", "nats", "Log-probability that a watch misses the right place.", kNats},
+      p.null.watch_missed);
   settings.field({"most_lead", "nats", "Maximum lead that counts.", kNats}, p.null.most_lead);
 }
 

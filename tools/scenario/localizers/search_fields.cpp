@@ -15,15 +15,17 @@ void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
   settings.field({"pause_s", "s", "Minimum time between searches on suspicion.", kTime},
                  watch.pause_s);
   settings.field(
-      {"fits", "nats",
-       "No search in the background while the scan at the output is more likely, or than usual.",
+      {"fits", "nats", "No search in the background while the scan at the output is more likely.",
        kNats},
       watch.fits);
   settings.field({"first_pause_s", "s",
-                  "Minimum time between searches in the background; doubles each time.", kTime},
+                  "Minimum time between searches in the background while the scan fits worse than "
+                  "usual; doubles each time.",
+                  kTime},
                  watch.first_pause_s);
-  settings.field({"longest_pause_s", "s", "Upper limit of this time.", kTime},
-                 watch.longest_pause_s);
+  settings.field(
+      {"longest_pause_s", "s", "Upper limit of this time, and the time otherwise.", kTime},
+      watch.longest_pause_s);
 }
 
 }  // namespace
@@ -78,9 +80,9 @@ void fields(Settings settings, localization::PlaceWatchConfig& watch) {
                  watch.score_share);
   settings.field({"candidates", "", "Maximum number of places found.", kCount}, watch.candidates);
   settings.field({"refined", "", "Number of places that are refined.", kCount}, watch.refined);
-  settings.field({"slice", "", "Number of tiles searched per scan in the background.", {1.0, 1e9}},
-                 slice);
-  settings.field({"burst", "", "Number of tiles searched per scan on suspicion.", {1.0, 1e9}},
+  settings.field(
+      {"slice", "", "Number of tiles searched per period in the background.", {1.0, 1e9}}, slice);
+  settings.field({"burst", "", "Number of tiles searched per period on suspicion.", {1.0, 1e9}},
                  burst);
   settings.field(
       {"suspicious_cue", "nats", "Evidence for a kidnap in a scan that is suspicious.", kNats},
