@@ -1,38 +1,71 @@
 #include "localization/map/pooled_field.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace castaway::localization {
 namespace {
 
-/// Largest byte of the square of cells that starts at (column, row), within the map.
-std::uint8_t best_of_square(const ByteField& field, int column, int row, int edge) {
-  const int columns_end = std::min(column + edge, field.frame().width);
-  const int rows_end = std::min(row + edge, field.frame().height);
-  std::uint8_t best = 0;
-  for (int y = std::max(row, 0); y < rows_end; ++y) {
-    for (int x = std::max(column, 0); x < columns_end; ++x)
-      best = std::max(best, *field.cell(x, y));
+/// Bytes of all cells that a layout covers, row by row: those of its nodes and their padding, and
+/// of one more row of nodes. Bytes outside of the field are 0.
+struct Plane {
+  Plane(const ByteField& field, const PooledLayout& layout);
+
+  std::ptrdiff_t width;
+  std::vector<std::uint8_t> bytes;
+};
+
+Plane::Plane(const ByteField& field, const PooledLayout& layout)
+    : width(layout.stride / PooledLayout::kTileRows * layout.edge) {
+  constexpr int kRows = PooledLayout::kTileRows;
+  const std::ptrdiff_t rows = kRows * (layout.phase_size / layout.stride) + 1;
+  bytes.assign(static_cast<std::size_t>(rows * layout.edge * width), 0);
+  for (int row = 0; row < field.frame().height; ++row) {
+    const std::uint8_t* from = field.cell(0, row);
+    const std::ptrdiff_t to = (row + layout.padding_rows * kRows * layout.edge) * width +
+                              layout.padding_columns * layout.edge;
+    std::copy(from, from + field.frame().width, bytes.begin() + to);
   }
-  return best;
 }
 
-/// The maxima of all nodes at all shifts.
-std::vector<std::uint8_t> pool(const ByteField& field, const PooledLayout& layout) {
-  const int edge = layout.edge;
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(layout.phase_size * edge * edge), 0);
-  const int columns = static_cast<int>(layout.stride);
-  const int rows = static_cast<int>(layout.phase_size / layout.stride);
-  std::uint8_t* byte = bytes.data();
-  for (int phase = 0; phase < edge * edge; ++phase) {
-    for (int Y = 0; Y < rows; ++Y) {
-      for (int X = 0; X < columns; ++X) {
-        *byte++ = best_of_square(field, (X - layout.padding_nodes) * edge + phase % edge,
-                                 (Y - layout.padding_nodes) * edge + phase / edge, edge);
+/// Replaces the maxima of squares of `edge` by those of squares of twice the edge. A square is
+/// stored at its first cell. Needs padding on the left of twice the edge.
+void double_edge(Plane& plane, std::ptrdiff_t edge) {
+  for (const std::ptrdiff_t ahead : {edge, edge * plane.width}) {
+    const std::ptrdiff_t end = std::ssize(plane.bytes) - ahead;
+    std::uint8_t* byte = plane.bytes.data();
+    for (std::ptrdiff_t i = 0; i < end; ++i) byte[i] = std::max(byte[i], byte[i + ahead]);
+  }
+}
+
+/// Sorts the bytes of a plane by phase.
+std::vector<std::uint8_t> sort_by_phase(const Plane& plane, const PooledLayout& layout) {
+  std::vector<std::uint8_t> sorted(static_cast<std::size_t>(layout.phase_size * layout.phases()));
+  const std::ptrdiff_t above = layout.edge * plane.width;  // To the upper row of a tile.
+  const std::ptrdiff_t tile_rows = layout.phase_size / layout.stride;
+  std::uint8_t* to = sorted.data();
+  for (std::ptrdiff_t phase = 0; phase < layout.phases(); ++phase) {
+    const std::uint8_t* first =
+        plane.bytes.data() + phase / layout.edge * plane.width + phase % layout.edge;
+    for (std::ptrdiff_t row = 0; row < tile_rows; ++row) {
+      const std::uint8_t* from = first + PooledLayout::kTileRows * above * row;
+      for (std::ptrdiff_t column = 0; column < plane.width; column += layout.edge) {
+        *to++ = from[column];
+        *to++ = from[column + above];
       }
     }
   }
-  return bytes;
+  return sorted;
+}
+
+/// The deficits of all nodes at all shifts.
+std::vector<std::uint8_t> pool(const ByteField& field, const PooledLayout& layout, int step) {
+  Plane plane(field, layout);
+  for (int edge = 1; edge < layout.edge; edge *= 2) double_edge(plane, edge);
+  for (std::uint8_t& byte : plane.bytes) {
+    byte = static_cast<std::uint8_t>((PooledField::kBest - byte) / step);
+  }
+  return sort_by_phase(plane, layout);
 }
 
 /// The bits of the free nodes of every tile.
@@ -55,9 +88,9 @@ std::vector<std::uint16_t> find_free_nodes(const ByteField& field, const PooledL
 
 }  // namespace
 
-PooledField::PooledField(const ByteField& field, int edge)
-    : layout_(field.frame().width, field.frame().height, field.padding(), edge),
-      bytes_(pool(field, layout_)),
+PooledField::PooledField(const ByteField& field, int level)
+    : layout_(field.frame().width, field.frame().height, field.padding(), level),
+      deficits_(pool(field, layout_, step())),
       free_(find_free_nodes(field, layout_)) {}
 
 }  // namespace castaway::localization

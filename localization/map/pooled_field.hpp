@@ -3,7 +3,8 @@
 ///
 /// The sliding-window maximum follows W. Hess, D. Kohler, H. Rapp, D. Andor, "Real-Time Loop
 /// Closure in 2D LIDAR SLAM", ICRA 2016, section V-B. We store it by phase, so that the bounds of
-/// neighbouring nodes are adjacent in memory at every level, like the scores at the finest.
+/// neighbouring nodes are adjacent in memory at every level, like the scores at the finest, and
+/// quantised at the coarse levels, so that the bytes of 16 end points can be summed in bytes.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,25 @@
 namespace castaway::localization {
 
 /// One level of a pyramid. Node (X, Y) covers the cells `[edge X, edge (X + 1))` x `[edge Y, edge
-/// (Y + 1))`; shifted by (dx, dy) cells, its byte is the maximum of the shifted square.
+/// (Y + 1))`; shifted by (dx, dy) cells, its value is the maximum of the shifted square. Stored is
+/// its deficit, `(255 - value) / step` rounded down.
 ///
 /// Nodes are scored in tiles of 8 x 2: tile (i, j) has the nodes 8 i ... 8 i + 7 of the rows 2 j
 /// and 2 j + 1.
 class PooledField {
  public:
-  /// `edge` >= 1 [cells]; an edge of 1 gives the field itself.
-  PooledField(const ByteField& field, int edge);
+  static constexpr int kBest = 255;       ///< Value of a perfect fit.
+  static constexpr int kCoarseStep = 17;  ///< A divisor of 255: deficits of 0 and 255 are exact.
+
+  /// `level` >= 0: nodes have an edge of 2^level cells. Level 0 is the field itself.
+  PooledField(const ByteField& field, int level);
 
   [[nodiscard]] const PooledLayout& layout() const { return layout_; }
-  /// The byte of a tile's first node, without shift.
+  /// Value of a deficit of 1: 1 at level 0, `kCoarseStep` at the others.
+  [[nodiscard]] int step() const { return layout_.level == 0 ? 1 : kCoarseStep; }
+  /// Deficits of a tile, without shift: of node (c, r) at 2 c + r.
   [[nodiscard]] const std::uint8_t* tile(int column, int row) const {
-    return bytes_.data() + layout_.tile_offset(column, row);
+    return deficits_.data() + layout_.tile_offset(column, row);
   }
   /// Bit 8 r + c is set if node (c, r) of the tile covers a free cell.
   [[nodiscard]] unsigned free_nodes(int column, int row) const {
@@ -36,7 +43,7 @@ class PooledField {
 
  private:
   PooledLayout layout_;
-  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint8_t> deficits_;
   std::vector<std::uint16_t> free_;  ///< For each tile.
 };
 

@@ -26,21 +26,24 @@ class BranchAndBound {
   bool step(std::int64_t tiles);
   /// True if the list is final.
   [[nodiscard]] bool complete() const { return complete_; }
-  /// Work so far, in tiles of 64 end points (`TileScorer::scored`).
+  /// Work so far, in tiles of the finest level (`TileScorer::scored`).
   [[nodiscard]] std::int64_t tiles_scored() const { return scorer_.scored(); }
   /// The best places so far, best first.
   [[nodiscard]] const BestPlaces& best() const { return best_; }
 
  private:
+  void visit_next_root();
   void expand(std::size_t level, const BoundedTile& parent);
   void descend(std::size_t level, const Tile& tile);
 
   TileScorer scorer_;
   SearchSpace space_;
   BestPlaces best_;
-  std::vector<BoundedTile> roots_;  ///< Tiles of the coarsest level.
-  std::size_t bounded_ = 0;         ///< Number of roots whose bounds are computed.
-  std::size_t expanded_ = 0;        ///< Number of finished roots.
+  std::vector<Tile> tiles_;           ///< Tiles of the coarsest level.
+  std::size_t visited_ = 0;           ///< Number of these visited, counted at every yaw.
+  std::vector<BoundedTile> roots_;    ///< Those with a sufficient bound.
+  std::vector<std::uint32_t> order_;  ///< Indices of the roots, best first, once all are visited.
+  std::size_t expanded_ = 0;          ///< Number of finished roots.
   bool complete_ = false;
 };
 

@@ -32,6 +32,7 @@ std::vector<CellOffset> rotate_scan(const ScanPoints& points, int count, double 
   const double c = std::cos(yaw_grid) / resolution;
   const double s = std::sin(yaw_grid) / resolution;
   std::vector<CellOffset> offsets;
+  offsets.reserve(static_cast<std::size_t>(count));
   for (const std::size_t i : even_indices(points.size(), count)) {
     const double px = points.x[i];
     const double py = points.y[i];

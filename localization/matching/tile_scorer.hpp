@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "localization/map/pooled_field.hpp"
+#include "localization/matching/scan_shifts.hpp"
 #include "localization/matching/search_space.hpp"
 #include "localization/matching/tile_sums.hpp"
 
@@ -18,13 +19,13 @@ using Pyramid = std::vector<PooledField>;
 /// Builds a pyramid of `levels` >= 1.
 Pyramid make_pyramid(const ByteField& field, int levels);
 
-/// A tile and the upper bounds of its children: lower left, lower right, upper left, upper right.
+/// A tile and the upper bounds of its children.
 struct BoundedTile {
   Tile tile;
-  std::array<std::uint16_t, 4> bounds{};
+  ChildBounds children;
 
   /// The largest bound.
-  [[nodiscard]] int bound() const { return *std::max_element(bounds.begin(), bounds.end()); }
+  [[nodiscard]] int bound() const { return *std::max_element(children.begin(), children.end()); }
 };
 
 /// The end points of a scan at every yaw of a search, on every level of a pyramid, which must
@@ -36,18 +37,21 @@ class TileScorer {
 
   [[nodiscard]] std::size_t top_level() const { return pyramid_->size() - 1; }
   [[nodiscard]] const PooledField& level(std::size_t level) const { return (*pyramid_)[level]; }
-  /// Sums of all nodes of a tile; partial ones if all are below `least`.
-  TileSums score(std::size_t level, const Tile& tile, int least);
-  /// Bounds of the free nodes of a tile. A child covers four nodes of one row. If no bound reaches
-  /// `least`, they are partial.
+  /// Scores of a tile of the finest level (`tile_sums`).
+  TileSums score(const Tile& tile, int least);
+  /// Bounds of a tile of a coarse level (`tile_bounds`).
   BoundedTile bound(std::size_t level, const Tile& tile, int least);
-  /// Work so far, in tiles of 64 end points: 1024 byte sums each.
-  [[nodiscard]] std::int64_t scored() const { return points_ / 64; }
+  /// Work so far, in tiles of the finest level with 64 end points. In the same time, 96 end points
+  /// of a coarse level are summed.
+  [[nodiscard]] std::int64_t scored() const { return work_ / (64 * kFineWork); }
 
  private:
+  static constexpr std::int64_t kFineWork = 3;  ///< Of an end point at the finest level.
+  static constexpr std::int64_t kCoarseWork = 2;
+
   const Pyramid* pyramid_;
-  std::vector<ScanShifts> shifts_;  ///< For each level.
-  std::int64_t points_ = 0;         ///< End points of all tiles.
+  ScanShifts shifts_;
+  std::int64_t work_ = 0;  ///< Of the end points of all tiles.
 };
 
 }  // namespace castaway::localization

@@ -1,92 +1,103 @@
 #include "localization/matching/tile_sums.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cassert>
 #include <cstring>
-#include <numeric>
+#include <utility>
+
+#include "localization/matching/deficit_sums.hpp"
 
 namespace castaway::localization {
 namespace {
 
-constexpr int kByteLimit = 255;
+/// The largest sum of deficits that leaves `least`; negative if none does.
+template <int kStep>
+int limit_of(std::size_t points, int least) {
+  const int spare = PooledField::kBest * static_cast<int>(points) - least;
+  return spare < 0 ? -1 : spare / kStep;
+}
 
-using Words = std::uint16_t __attribute__((vector_size(16)));
-
-/// The 16-bit sums of the bytes at even and odd positions of both rows, in one register each. They
-/// cannot overflow: 256 * 255 < 2^16.
-struct Sums {
-  Words even{};
-  Words odd{};
-
-  void add(const std::uint8_t* lower, const std::uint8_t* upper) {
-    static_assert(std::endian::native == std::endian::little);
-    static_assert(PooledLayout::kTileColumns * PooledLayout::kTileRows == sizeof(Words));
-    std::array<std::uint8_t, sizeof(Words)> bytes;
-    std::memcpy(bytes.data(), lower, sizeof(Words) / 2);
-    std::memcpy(bytes.data() + sizeof(Words) / 2, upper, sizeof(Words) / 2);
-    Words words;
-    std::memcpy(&words, bytes.data(), sizeof words);
-    even += words & 0xFF;
-    odd += words >> 8;
+/// The deficits of a tile under some end points. Stops as soon as all are above `limit`; returns
+/// the number of points summed, too. Inlined so that the sums stay in registers.
+template <int kStep>
+[[gnu::always_inline]] inline std::pair<DeficitSums, std::size_t> sum_deficits(
+    const std::uint8_t* tile, std::span<const std::int32_t> shifts, int limit) {
+  DeficitSums total;
+  std::size_t points = 0;
+  while (points < shifts.size()) {
+    const std::size_t size = std::min(DeficitSums::kBlock, shifts.size() - points);
+    if constexpr (kStep == 1) {
+      total.add_fine(tile, shifts.subspan(points, size));
+    } else {
+      total.add_coarse(tile, shifts.subspan(points, size));
+    }
+    points += size;
+    if (!total.any_within(limit)) break;
   }
-  [[nodiscard]] bool any_reaches(int least) const {
-    if (least <= 0) return true;
-    const Words needed = Words{} + static_cast<std::uint16_t>(least);
-    const auto reached = (even >= needed) | (odd >= needed);
-    std::array<std::uint64_t, 2> bits;
-    std::memcpy(bits.data(), &reached, sizeof reached);
-    return (bits[0] | bits[1]) != 0;
-  }
-};
+  return {total, points};
+}
 
-/// A step through `size` items that visits each once and neighbours far apart: coprime, near the
-/// golden section.
-std::size_t mixing_step(std::size_t size) {
-  auto step = static_cast<std::size_t>(0.618 * static_cast<double>(size));
-  while (step > 1 && std::gcd(step, size) != 1) --step;
-  return std::max<std::size_t>(step, 1);
+/// What `deficits` leave of the sums of `points` perfect values.
+template <int kStep>
+TileWords sums_of(const TileWords& deficits, std::size_t points) {
+  const Words8 perfect = Words8{} + static_cast<std::uint16_t>(PooledField::kBest * points);
+  constexpr auto kFactor = static_cast<std::uint16_t>(kStep);
+  return {perfect - deficits.lower * kFactor, perfect - deficits.upper * kFactor};
+}
+
+template <int kStep>
+TileScore score_tile(const std::uint8_t* tile, std::span<const std::int32_t> shifts, int least) {
+  const int limit = limit_of<kStep>(shifts.size(), least);
+  const auto [deficits, points] = sum_deficits<kStep>(tile, shifts, limit);
+  const TileWords sums = sums_of<kStep>(deficits.words(), shifts.size());
+  TileScore score;
+  static_assert(sizeof sums == sizeof score.sums);
+  std::memcpy(score.sums.data(), &sums, sizeof sums);
+  score.points = points;
+  return score;
+}
+
+/// Ones in the words of the nodes whose bits are set.
+Words8 mask_of(unsigned nodes) {
+  constexpr Words8 kBits{1, 2, 4, 8, 16, 32, 64, 128};
+  return static_cast<Words8>((kBits & static_cast<std::uint16_t>(nodes & 0xFFU)) == kBits);
+}
+
+/// The largest word of every child.
+ChildBounds best_of_children(const TileWords& tile) {
+  using Pairs = std::uint32_t __attribute__((vector_size(16)));
+  const auto a = __builtin_shufflevector(tile.lower, tile.upper, 0, 1, 4, 5, 8, 9, 12, 13);
+  const auto b = __builtin_shufflevector(tile.lower, tile.upper, 2, 3, 6, 7, 10, 11, 14, 15);
+  const Words8 best = a > b ? a : b;
+  Pairs pairs;
+  std::memcpy(&pairs, &best, sizeof pairs);
+  const Pairs low = pairs & 0xFFFFU;
+  const Pairs high = pairs >> 16;
+  const Pairs bounds = low > high ? low : high;
+  return {static_cast<std::uint16_t>(bounds[0]), static_cast<std::uint16_t>(bounds[1]),
+          static_cast<std::uint16_t>(bounds[2]), static_cast<std::uint16_t>(bounds[3])};
 }
 
 }  // namespace
 
-ScanShifts::ScanShifts(const PooledField& level, const std::vector<std::vector<CellOffset>>& scans)
-    : first_{0} {
-  for (const auto& scan : scans) first_.push_back(first_.back() + scan.size());
-  shifts_.reserve(first_.back());
-  for (const auto& scan : scans) {
-    const std::size_t step = mixing_step(scan.size());
-    for (std::size_t i = 0; i < scan.size(); ++i) {
-      const CellOffset& o = scan[i * step % scan.size()];
-      shifts_.push_back(level.layout().shift(o.dx, o.dy));
-    }
-  }
-}
-
 TileScore tile_sums(const PooledField& level, const Tile& tile,
                     std::span<const std::int32_t> shifts, int least) {
-  assert(shifts.size() <= 256);
-  static_assert(PooledLayout::kTileRows == 2);
-  constexpr std::size_t kBlock = 8;  // Points from one check to the next.
-  const std::uint8_t* base = level.tile(tile.column, tile.row);
-  const std::ptrdiff_t stride = level.layout().stride;
-  Sums total;
-  TileScore score;
-  while (score.points < shifts.size()) {
-    const std::size_t end = std::min(score.points + kBlock, shifts.size());
-    for (; score.points < end; ++score.points) {
-      const std::uint8_t* lower = base + shifts[score.points];
-      total.add(lower, lower + stride);
-    }
-    const auto left = static_cast<int>(shifts.size() - end);
-    if (!total.any_reaches(least - left * kByteLimit)) break;
-  }
-  for (std::size_t pair = 0; pair < score.sums.size() / 2; ++pair) {
-    score.sums[2 * pair] = total.even[pair];
-    score.sums[2 * pair + 1] = total.odd[pair];
-  }
-  return score;
+  assert(shifts.size() <= 256 && least >= 0);
+  const std::uint8_t* bytes = level.tile(tile.column, tile.row);
+  if (level.step() == 1) return score_tile<1>(bytes, shifts, least);
+  return score_tile<PooledField::kCoarseStep>(bytes, shifts, least);
+}
+
+TileBounds tile_bounds(const PooledField& level, const Tile& tile,
+                       std::span<const std::int32_t> shifts, int least) {
+  assert(shifts.size() <= 256 && least >= 0 && level.step() == PooledField::kCoarseStep);
+  constexpr int kStep = PooledField::kCoarseStep;
+  const int limit = limit_of<kStep>(shifts.size(), least);
+  const auto [deficits, points] =
+      sum_deficits<kStep>(level.tile(tile.column, tile.row), shifts, limit);
+  const TileWords sums = sums_of<kStep>(deficits.words(), shifts.size());
+  const unsigned free = level.free_nodes(tile.column, tile.row);
+  return {best_of_children({sums.lower & mask_of(free), sums.upper & mask_of(free >> 8U)}), points};
 }
 
 }  // namespace castaway::localization

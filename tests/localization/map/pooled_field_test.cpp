@@ -18,12 +18,15 @@ int naive_best(const ByteField& field, int column, int row, int edge) {
   return best;
 }
 
-TEST(PooledField, HoldsTheBestOfEveryShiftedSquare) {
+TEST(PooledField, HoldsTheDeficitOfEveryShiftedSquare) {
   Rng rng = substream(1, "pooled_field");
   const OccupancyGrid grid = test::random_room(rng);
   const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 3.0});
-  for (const int edge : {1, 2, 3, 4, 8}) {
-    const PooledField pooled(field, edge);
+  for (int level = 0; level < 5; ++level) {
+    const PooledField pooled(field, level);
+    const int edge = 1 << level;
+    EXPECT_EQ(pooled.layout().edge, edge);
+    EXPECT_EQ(pooled.step(), level == 0 ? 1 : 17);
     for (int k = 0; k < 20000; ++k) {
       const auto between = [&](int low, int high) {
         return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
@@ -34,10 +37,10 @@ TEST(PooledField, HoldsTheBestOfEveryShiftedSquare) {
       const int r = between(0, 1);
       const int dx = between(1 - pooled.layout().reach, pooled.layout().reach - 1);
       const int dy = between(1 - pooled.layout().reach, pooled.layout().reach - 1);
-      const std::uint8_t byte =
-          pooled.tile(column, row)[j + r * pooled.layout().stride + pooled.layout().shift(dx, dy)];
-      ASSERT_EQ(byte,
-                naive_best(field, (8 * column + j) * edge + dx, (2 * row + r) * edge + dy, edge));
+      const int deficit = pooled.tile(column, row)[2 * j + r + pooled.layout().shift(dx, dy)];
+      const int best =
+          naive_best(field, (8 * column + j) * edge + dx, (2 * row + r) * edge + dy, edge);
+      ASSERT_EQ(deficit, (255 - best) / pooled.step());
     }
   }
 }
@@ -45,13 +48,13 @@ TEST(PooledField, HoldsTheBestOfEveryShiftedSquare) {
 TEST(PooledField, KnowsWhichNodesCoverFreeCells) {
   const OccupancyGrid grid = test::string_map({"#########.", "##########", "####.#####"}, 0.2);
   const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 1.0});
-  const PooledField cells(field, 1);
+  const PooledField cells(field, 0);
   EXPECT_EQ(cells.layout().tile_columns, 2);
   EXPECT_EQ(cells.layout().tile_rows, 2);
   EXPECT_EQ(cells.free_nodes(0, 0), 1U << 4U);
   EXPECT_EQ(cells.free_nodes(1, 0), 0U);
   EXPECT_EQ(cells.free_nodes(1, 1), 1U << 1U);
-  const PooledField coarse(field, 2);
+  const PooledField coarse(field, 1);
   EXPECT_EQ(coarse.layout().tile_columns, 1);
   EXPECT_EQ(coarse.free_nodes(0, 0), 1U << 2U | 1U << 12U);
 }

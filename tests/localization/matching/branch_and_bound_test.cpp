@@ -92,12 +92,12 @@ TEST(BranchAndBound, BoundsAreAdmissibleAtEveryLevel) {
   const SearchSpace space = map.space();
   const auto scans =
       map.rotate_scans(test::scan_from(grid, FreeSpace(grid).sample(rng), 24), space);
+  ScanShifts shifts(map.pyramid.size(), scans);
   for (const PooledField& level : map.pyramid) {
-    const ScanShifts shifts(level, scans);
     for (std::size_t yaw = 0; yaw < scans.size(); yaw += 7) {
       for (int k = 0; k < level.layout().tile_columns * level.layout().tile_rows; ++k) {
         const Tile tile{k % level.layout().tile_columns, k / level.layout().tile_columns, 0};
-        const TileSums bounds = tile_sums(level, tile, shifts.at(yaw)).sums;
+        const TileSums bounds = tile_sums(level, tile, shifts.at(level.layout(), yaw)).sums;
         for (int j = 0; j < 16; ++j) {
           const int column = (8 * tile.column + j % 8) * level.layout().edge;
           const int row = (2 * tile.row + j / 8) * level.layout().edge;

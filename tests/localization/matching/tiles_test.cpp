@@ -17,7 +17,7 @@ ByteField three_free_cells() {
 }
 
 TEST(Tiles, AreThoseWithFreeCellsInTheSpace) {
-  const PooledField cells(three_free_cells(), 1);
+  const PooledField cells(three_free_cells(), 0);
   SearchSpace space{{0, 0}, {19, 4}, {0}};
   const std::vector<Tile> all = tiles_within(cells, space);
   ASSERT_EQ(all.size(), 3U);
@@ -31,7 +31,7 @@ TEST(Tiles, AreThoseWithFreeCellsInTheSpace) {
 
 TEST(Tiles, OfferTheirFreeCellsInTheSpace) {
   const ByteField field = three_free_cells();
-  const PooledField cells(field, 1);
+  const PooledField cells(field, 0);
   SearchSpace space{{0, 0}, {19, 4}, {7}};
   TileSums scores{};
   scores.fill(9);
