@@ -10,14 +10,14 @@ EvidenceModel::EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& 
                              const DistanceField& distances)
     : config_(config),
       grid_(grid),
-      distances_(distances),
+      walls_(distances),
       endpoint_(config.endpoint, distances),
       through_wall_(std::log(config.through_wall) - std::log1p(config.through_wall)) {}
 
 Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return {};
   const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
-  const RayConsistency rays(distances_, T_map_base, config_.rays);
+  const RayConsistency rays(walls_, T_map_base, config_.rays);
   const double floor = config_.endpoint.floor;
   double sum = 0.0;
   double hits = 0.0;
@@ -34,7 +34,7 @@ double EvidenceModel::log_likelihood_above(double least, const ScanPoints& point
                                            const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
   const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
-  const RayConsistency rays(distances_, T_map_base, config_.rays);
+  const RayConsistency rays(walls_, T_map_base, config_.rays);
   double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
   double value = scale_sum(sum, beams.size(), T_map_base);
   for (std::size_t i = 0; i < beams.size() && value > least; ++i) {

@@ -26,7 +26,7 @@ struct Evidence {
   double quality = 0.0;  ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
 };
 
-/// Evaluates scans against one map, which must outlive the model.
+/// Evaluates scans against one map; `grid` must outlive the model.
 class EvidenceModel {
  public:
   EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
@@ -46,7 +46,7 @@ class EvidenceModel {
 
   EvidenceConfig config_;
   const OccupancyGrid& grid_;
-  const DistanceField& distances_;
+  WallClearance walls_;
   EndpointModel endpoint_;
   double through_wall_ = 0.0;  ///< [nats] Log-likelihood of a beam through a wall.
 };

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "localization/map/distance_field.hpp"
+#include "localization/map/wall_clearance.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 
@@ -15,10 +15,11 @@ struct RayConsistencyConfig {
   double margin_share = 0.02;  ///< The same as a share of the range; the larger one counts.
 };
 
-/// Checks single beams from one pose by stepping through the distance field, which must outlive it.
+/// Checks single beams from one pose by stepping through the clearances of a map, which must
+/// outlive it.
 class RayConsistency {
  public:
-  RayConsistency(const DistanceField& distances, const SE2& T_map_base,
+  RayConsistency(const WallClearance& walls, const SE2& T_map_base,
                  const RayConsistencyConfig& config);
 
   /// True if beam `i` passes through a mapped wall before its end point. An object in which the
@@ -26,7 +27,7 @@ class RayConsistency {
   [[nodiscard]] bool through_wall(const ScanPoints& points, std::size_t i) const;
 
  private:
-  const DistanceField& distances_;
+  const WallClearance& walls_;
   RayConsistencyConfig config_;
   PoseInCells pose_;
 };
