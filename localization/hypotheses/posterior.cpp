@@ -36,8 +36,12 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
                       std::vector<Hypothesis>& hypotheses, double periods) {
   const double listed = listed_log_weight(hypotheses);
   const double odds = null_.log_weight - listed;
-  const ScanMemory& scan =
-      log_.add(points, T_odom_base, listed, null_.log_weight, null_log_likelihood(config_, null_));
+  const ScanMemory& scan = log_.add({.points = points,
+                                     .T_odom_base = T_odom_base,
+                                     .periods = periods,
+                                     .listed_before = listed,
+                                     .null_before = null_.log_weight,
+                                     .unlisted = null_log_likelihood(config_, null_)});
   for (Hypothesis& hypothesis : hypotheses) {
     const Evidence evidence = evidence_.evaluate(points, hypothesis.belief.mean);
     hypothesis.log_weight +=

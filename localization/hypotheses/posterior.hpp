@@ -17,7 +17,9 @@ namespace castaway::localization {
 struct PosteriorConfig {
   ScanComparisonConfig scans;
   NullHypothesisConfig null;
-  double place = -15.0;  ///< [nats] Log-probability of one place among all unlisted ones.
+  /// [nats] Log-probability that the robot was brought to one given place in one period of the rate
+  /// of corrections.
+  double place = -14.0;
 };
 
 /// Weighs hypotheses against each other and against the null hypothesis.

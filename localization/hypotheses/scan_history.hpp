@@ -12,6 +12,7 @@ namespace castaway::localization {
 struct ScanMemory {
   ScanPoints points;           ///< In base at the scan's reference time.
   SE2 T_odom_base;             ///< Odometry at that time.
+  double periods = 1.0;        ///< Periods of the rate of corrections since the scan before.
   double independence = 1.0;   ///< Share of the scan that counted as new, in (0, 1].
   double listed_before = 0.0;  ///< [nats] Log-weight of all hypotheses together before the scan.
   double null_before = 0.0;    ///< [nats] Log-weight of the null hypothesis before the scan.

@@ -29,9 +29,7 @@ void ScanLog::start() {
   recent_cue_ = 0.0;
 }
 
-const ScanMemory& ScanLog::add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                               double null, double unlisted) {
-  ScanMemory scan{points, T_odom_base, 1.0, listed, null, 0.0, 0.0, unlisted};
+const ScanMemory& ScanLog::add(ScanMemory scan) {
   if (!scans_.empty()) compare(scans_.back(), scan);
   recent_cue_ = std::max(scan.arrival_cue, recent_cue_ - scan.independence);
   scans_.push_back(std::move(scan));

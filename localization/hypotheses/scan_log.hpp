@@ -48,11 +48,9 @@ class ScanLog {
   void start();
   /// Removes all scans, because odometry is not continuous with them any more.
   void forget_motion() { scans_.clear(); }
-  /// Adds a scan. Returns it with its independence and kidnap cue relative to the previous one.
-  /// `listed` and `null` are the log-weights of all hypotheses and of the null hypothesis before
-  /// the scan, `unlisted` is the log-likelihood of a scan at an unlisted place.
-  const ScanMemory& add(const ScanPoints& points, const SE2& T_odom_base, double listed,
-                        double null, double unlisted = ScanMemory{}.unlisted);
+  /// Adds a scan. Returns it with its independence and cues relative to the previous one, which
+  /// replace those given.
+  const ScanMemory& add(ScanMemory scan);
 
   [[nodiscard]] const ScanHistory& scans() const { return scans_; }
   /// Odometry at the newest scan, if any.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -38,9 +39,9 @@ struct Arrival {
 
 /// The arrivals before each scan of the history.
 std::vector<Arrival> arrivals(const CreateContext& context, const ScanHistory& history) {
-  const double place = context.posterior.place;
   std::vector<Arrival> all;
   for (const ScanMemory& scan : history) {
+    const double place = context.posterior.place + std::log(scan.periods);
     const auto weight = [&](double cue) {
       return log_sum_exp({scan.listed_before + cue, scan.null_before}) + place;
     };

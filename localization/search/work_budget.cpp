@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kTilesPerMs = 8000.0;
 constexpr double kTrackingMs = 0.4;      // Of the mean, for everything but the search.
-constexpr double kFinishingShare = 0.5;  // Of the most, for weighing the places found.
+constexpr double kFinishingShare = 0.6;  // Of the most, for weighing the places found.
 constexpr double kSaved = 60.0;          // [s] Time whose earnings can be saved.
 constexpr double kLeastShare = 0.1;      // Of the mean, always granted.
 

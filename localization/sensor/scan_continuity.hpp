@@ -17,13 +17,13 @@ struct ScanContinuityConfig {
   ScanAgreementConfig agreement{0.04, 0.015, 0.2, 15};
   double tolerance_per_m = 0.1;    ///< [m] Growth of the tolerance per metre moved.
   double tolerance_per_rad = 0.1;  ///< Growth of the tolerance's share of the range per radian.
-  double most_moved = 0.6;         ///< [m] Scans that are farther apart are not compared.
-  double most_turned = 0.3;        ///< [rad] Scans that are turned by more are not compared.
+  double most_moved = 2.5;         ///< [m] Scans that are farther apart are not compared.
+  double most_turned = 1.2;        ///< [rad] Scans that are turned by more are not compared.
   double spread_start = 0.05;      ///< Initial value of the spread.
   double least_spread = 0.01;      ///< Lower limit of the spread.
   double rate = 0.05;              ///< Least weight of a scan in both running averages.
   double limit = 2.5;              ///< Largest deviation learned, as a multiple of the spread.
-  double free = 5.0;               ///< Deviation without an effect, as a multiple of the spread.
+  double free = 3.0;               ///< Deviation without an effect, as a multiple of the spread.
   double most = 15.0;              ///< [nats] Upper limit of the cue.
 };
 

@@ -26,6 +26,7 @@ class CreateTest : public testing::Test {
       history.push_back({scan_from(pose),
                          {0.3 * k, 0.0, 0.0},
                          1.0,
+                         1.0,
                          -std::numeric_limits<double>::infinity(),
                          -6.0 * k});
     }
@@ -71,6 +72,15 @@ TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
   const double weight = weigh_backwards(context(), history, place);
   EXPECT_GT(weight, posterior_.place - 18.0 + 2 * -1.5);
   EXPECT_LT(weight, posterior_.place - 6.0);
+}
+
+TEST_F(CreateTest, ExpectsAKidnapRatherInALongGapBetweenScans) {
+  ScanHistory history = drive_to({4.5, 3.0, 0.0});
+  const SE2 last{4.5, 3.0, 0.0};
+  const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
+  const double before = weigh_backwards(context(), history, place);
+  for (ScanMemory& scan : history) scan.periods = 20.0;
+  EXPECT_NEAR(weigh_backwards(context(), history, place), before + std::log(20.0), 1e-9);
 }
 
 TEST_F(CreateTest, CountsAKidnapLessWhereTheScansAgreed) {

@@ -11,7 +11,7 @@ constexpr std::int64_t kAll = std::int64_t{1} << 40;
 
 TEST(WorkBudget, GrantsAtMostWhatOneScanMayCost) {
   const WorkBudget budget({1.0, 50.0}, 10.0);
-  EXPECT_EQ(budget.grant(kAll), 200000);  // Half of 50 ms; the rest weighs the places found.
+  EXPECT_EQ(budget.grant(kAll), 160000);  // 0.4 of 50 ms; the rest weighs the places found.
   EXPECT_EQ(budget.grant(300), 300);
 }
 
@@ -37,7 +37,7 @@ TEST(WorkBudget, GrantsALittleEvenInDebt) {
   budget.earn(from_seconds(1.0));
   EXPECT_EQ(budget.grant(kAll), 800);
   budget.start();
-  EXPECT_EQ(budget.grant(kAll), 200000);
+  EXPECT_EQ(budget.grant(kAll), 160000);
 }
 
 TEST(WorkBudgetConfig, RefusesFiguresOutOfRange) {

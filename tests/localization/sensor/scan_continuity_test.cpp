@@ -51,15 +51,26 @@ TEST_F(ScanContinuityTest, IsOneNatForEachSpreadBeyondTheFreeOnes) {
 
 TEST_F(ScanContinuityTest, FollowsAStepOfOdometry) {
   rest(30);
-  const SE2 u{0.3, 0.0, 0.1};
-  EXPECT_EQ(continuity_.take(here_, scan_from(pose_ * u), u), 0.0);
+  for (const SE2& u : {SE2{0.3, 0.0, 0.1}, SE2{2.0, 0.3, 0.4}}) {
+    EXPECT_EQ(continuity_.take(here_, scan_from(pose_ * u), u), 0.0);
+  }
+}
+
+TEST_F(ScanContinuityTest, NoticesAJumpInALongStep) {
+  const SE2 u{1.0, 0.0, 0.2};
+  SE2 pose = pose_;
+  for (int k = 0; k < 3; ++k, pose = pose * u) {
+    EXPECT_EQ(continuity_.take(scan_from(pose), scan_from(pose * u), u), 0.0);
+  }
+  const ScanPoints elsewhere = scan_from(pose * u * SE2{0.0, 0.0, 3.1});
+  EXPECT_GT(continuity_.take(scan_from(pose), elsewhere, u), 3.0);
 }
 
 TEST_F(ScanContinuityTest, SaysNothingOfScansFarApart) {
   rest(30);
   const ScanPoints elsewhere = scan_from({8.0, 6.5, 2.0});
-  EXPECT_EQ(continuity_.take(here_, elsewhere, {0.7, 0.0, 0.0}), 0.0);
-  EXPECT_EQ(continuity_.take(here_, elsewhere, {0.0, 0.0, 0.35}), 0.0);
+  EXPECT_EQ(continuity_.take(here_, elsewhere, {2.6, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(continuity_.take(here_, elsewhere, {0.0, 0.0, 1.25}), 0.0);
   EXPECT_EQ(continuity_.take(here_, {}, {}), 0.0);
 }
 

@@ -76,8 +76,10 @@ void unlisted_fields(Settings& settings, localization::PosteriorConfig& p) {
   settings.field(
       {"unlisted_minimum", "nats", "Minimum log-likelihood of an unlisted place.", kNats},
       p.null.unlisted_minimum);
-  settings.field({"place", "nats", "Log-probability of one place among all unlisted ones.", kNats},
-                 p.place);
+  settings.field(
+      {"place", "nats", "Log-probability per period that the robot was brought to one given place.",
+       kNats},
+      p.place);
   settings.field(
       {"wrong_start", "nats", "Log-probability that a given start pose is wrong.", kNats},
       p.null.wrong_start);
