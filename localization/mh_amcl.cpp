@@ -18,8 +18,9 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
   if (output == nullptr) return;
   const MhAmclModels& models = belief.models;
   const SE2 T_odom_before = belief.posterior.log().T_odom_base().value_or(scan.T_odom_base);
-  const auto place = models.rescue.find(models.context, *output, belief.posterior.usual(),
-                                        scan.points, T_odom_before.inverse() * scan.T_odom_base);
+  const LastStep step{T_odom_before.inverse() * scan.T_odom_base, scan.periods};
+  const auto place =
+      models.rescue.find(models.context, *output, belief.posterior.usual(), scan.points, step);
   if (!place) return;
   const int output_id = output->id;  // Adding a population moves the output.
   belief.add({*place}, scan.points);

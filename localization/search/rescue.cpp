@@ -17,21 +17,55 @@ bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_m
   return (place.translation() - along * way).norm() <= beside + kBeside * way.norm();
 }
 
+std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& points,
+                               const SE2& centre, const SE2& step, double spacing) {
+  constexpr double kSteps = 1.5;  // Before and behind the pose.
+  const double size = std::max(step.translation().norm(), std::abs(step.yaw));
+  const int count = static_cast<int>(std::ceil(kSteps * size / spacing));
+  std::optional<SE2> best;
+  double highest = model.log_likelihood(points, centre);
+  for (int k = -count; k <= count; ++k) {
+    const SE2 pose = centre * interpolate(SE2{}, step, kSteps * k / std::max(count, 1));
+    const double l = model.log_likelihood(points, pose);
+    if (l <= highest) continue;
+    highest = l;
+    best = pose;
+  }
+  return best;
+}
+
+std::vector<Candidate> Rescue::candidates(const CreateContext& context, const SE2& centre,
+                                          double below_usual, const ScanPoints& points,
+                                          const SE2& step) const {
+  std::vector<Candidate> found;
+  if (below_usual > config_.drop) {
+    found = matcher_.match(points, MatchWindow{centre, config_.radius, config_.yaw_radius});
+    found.resize(std::min(found.size(), static_cast<std::size_t>(config_.candidates)));
+  }
+  constexpr int kBeams = 45;
+  const double size = std::max(step.translation().norm(), std::abs(step.yaw));
+  if (size < config_.long_step) return found;
+  if (below_usual <= 0.0) return found;
+  const auto place =
+      best_on_way(context.model, thin(points, kBeams), centre, step, config_.spacing);
+  if (place) found.push_back({*place, 1.0});
+  return found;
+}
+
 std::optional<WeighedPlace> Rescue::find(const CreateContext& context, const Hypothesis& output,
                                          double usual, const ScanPoints& points,
-                                         const SE2& step) const {
+                                         const LastStep& step) const {
   const SE2& centre = output.belief.mean;
   const double now = context.evidence.evaluate(points, centre).log_likelihood;
-  if (now > usual - config_.drop) return std::nullopt;
-  const MatchWindow window{centre, config_.radius, config_.yaw_radius};
-  std::vector<Candidate> candidates = matcher_.match(points, window);
-  candidates.resize(std::min(candidates.size(), static_cast<std::size_t>(config_.candidates)));
-  const std::vector<WeighedPlace> places = refine_candidates(context, candidates, points);
+  if (now > -config_.gain) return std::nullopt;
+  const std::vector<WeighedPlace> places =
+      refine_candidates(context, candidates(context, centre, usual - now, points, step.u), points);
   if (places.empty() || places[0].newest.log_likelihood < now + config_.gain) return std::nullopt;
   const Evidence before{output.log_likelihood, output.quality};
   const SE2& place = places[0].T_map_base;
-  const bool on_way = is_on_way(centre, step, config_.beside_way, place);
-  const double cost = on_way ? config_.cost_on_way : config_.cost;
+  const bool on_way = is_on_way(centre, step.u, config_.beside_way, place);
+  const double slip = std::max(config_.cost_on_way, config_.cost - std::log(step.periods));
+  const double cost = on_way ? config_.cost_on_way : slip;
   return WeighedPlace{place, before, output.log_weight - cost};
 }
 

@@ -1,5 +1,5 @@
 /// Rescue: a local search around an output that suddenly fits badly (after wheel slip, or a long
-/// time without scans).
+/// time without scans), and on the way of a long step, where time stamps may jitter.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@ namespace castaway::localization {
 
 /// Conditions and range of a rescue.
 struct RescueConfig {
-  /// [nats] A rescue starts if the scan at the output is less likely than usual by more than this.
+  /// [nats] The surroundings are searched if the scan at the output is less likely than usual by
+  /// more than this.
   double drop = 6.0;
   double radius = 1.1;      ///< [m] Half edge of the square that is searched.
   double yaw_radius = 0.6;  ///< [rad]
@@ -20,13 +21,27 @@ struct RescueConfig {
   /// [nats] The same for a place on the way of the last step, where jitter of the time stamps moves
   /// a pose.
   double cost_on_way = 3.0;
+  /// [m] or [rad] The way of a longer step is searched where the output fits worse than usual.
+  double long_step = 0.2;
+  double spacing = 0.1;      ///< [m] or [rad] Between the poses searched on the way.
   double beside_way = 0.25;  ///< [m] Largest distance from that way, without the step's share.
+};
+
+/// The motion since the previous scan.
+struct LastStep {
+  SE2 u;                 ///< Odometry's step of base.
+  double periods = 1.0;  ///< As in `ScanTurn`.
 };
 
 /// True if `T_map_base` lies on the way of a step that passes the pose `centre`: at most twice the
 /// step before or behind it, at most `beside` [m] and 0.3 times the step away from that line, and
 /// at most twice the step's turn (and 0.1 rad) off.
 bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_map_base);
+
+/// The pose on the way of a step that passes the pose `centre` at which the end points fit best;
+/// nothing if none fits better than `centre`. Poses are `spacing` [m] or [rad] apart.
+std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& points,
+                               const SE2& centre, const SE2& step, double spacing);
 
 /// Searches around outputs. The matcher must outlive it.
 class Rescue {
@@ -35,16 +50,21 @@ class Rescue {
       : config_(config), matcher_(matcher) {}
 
   /// Returns a nearby place where the scan fits better than at the output; nothing if the output
-  /// fits about as well as `usual` [nats], or no better place is found. The place starts with the
-  /// output's evidence minus the cost of the slip, so that one scan in a crowd does not move the
-  /// output away. `step` is odometry's step of base since the previous scan.
+  /// fits about as well as `usual` [nats], or nearly perfectly, or no better place is found. The
+  /// place starts with the output's evidence minus the cost of the slip, so that one scan in a
+  /// crowd does not move the output away. A slip is the more likely the longer the step took.
   [[nodiscard]] std::optional<WeighedPlace> find(const CreateContext& context,
                                                  const Hypothesis& output, double usual,
-                                                 const ScanPoints& points, const SE2& step) const;
+                                                 const ScanPoints& points,
+                                                 const LastStep& step) const;
   /// True if a place is so near that a rescue could have moved the output there.
   [[nodiscard]] bool reaches(const SE2& output, const SE2& place) const;
 
  private:
+  [[nodiscard]] std::vector<Candidate> candidates(const CreateContext& context, const SE2& centre,
+                                                  double below_usual, const ScanPoints& points,
+                                                  const SE2& step) const;
+
   RescueConfig config_;
   const CascadeMatcher& matcher_;
 };

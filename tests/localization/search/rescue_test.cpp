@@ -1,5 +1,7 @@
 #include "localization/search/rescue.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
@@ -10,14 +12,15 @@ namespace {
 
 class RescueTest : public testing::Test {
  protected:
-  std::optional<WeighedPlace> find(const SE2& output, double usual, const SE2& step = {}) const {
+  std::optional<WeighedPlace> find(const SE2& output, double usual, const SE2& step = {},
+                                   double periods = 1.0) const {
     const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
     Hypothesis h;
     h.belief.mean = output;
     h.log_weight = -2.0;
     h.log_likelihood = -4.0;
     h.quality = 0.7;
-    return Rescue(config_, matcher_).find(context, h, usual, points_, step);
+    return Rescue(config_, matcher_).find(context, h, usual, points_, {step, periods});
   }
   double likelihood(const SE2& pose) const {
     return evidence_.evaluate(points_, pose).log_likelihood;
@@ -52,6 +55,37 @@ TEST_F(RescueTest, CostsLittleOnTheWayOfTheStep) {
   EXPECT_EQ(find(slipped_, -1.0, slipped_.inverse() * truth_)->log_weight, -5.0);
   EXPECT_EQ(find(slipped_, -1.0, SE2{0.0, 1.0, 0.0})->log_weight, -16.0);
   EXPECT_GT(step.translation().norm(), 0.25);
+}
+
+TEST_F(RescueTest, CostsLessAfterALongTimeButNotLessThanOnTheWay) {
+  EXPECT_NEAR(find(slipped_, -1.0, {}, 20.0)->log_weight, -16.0 + std::log(20.0), 1e-12);
+  EXPECT_EQ(find(slipped_, -1.0, {}, 1e9)->log_weight, -5.0);
+}
+
+TEST_F(RescueTest, SearchesTheWayOfALongStepWhereverTheOutputFitsWorseThanUsual) {
+  const SE2 late = truth_ * SE2{0.45, 0.0, 0.0};
+  const double now = likelihood(late);
+  ASSERT_LT(now, -5.0);
+  const auto place = find(late, now + 0.1, {0.5, 0.0, 0.0});
+  ASSERT_TRUE(place);
+  EXPECT_LT(distance(place->T_map_base, truth_), 0.05);
+  EXPECT_EQ(place->log_weight, -5.0);
+  EXPECT_FALSE(find(late, now - 0.1, {0.5, 0.0, 0.0}));  // It fits as usual.
+  EXPECT_FALSE(find(late, now + 0.1, {0.15, 0.0, 0.0}));
+}
+
+TEST_F(RescueTest, LeavesAnOutputAloneThatFitsNearlyPerfectly) {
+  EXPECT_FALSE(find(truth_, 20.0, {0.5, 0.0, 0.0}));
+}
+
+TEST_F(RescueTest, FindsTheBestPoseOnACurvedWay) {
+  const SE2 step{0.6, 0.1, 0.5};
+  const SE2 early = truth_ * interpolate(SE2{}, step, 0.8).inverse();
+  const auto best = best_on_way(endpoint_, points_, early, step, 0.05);
+  ASSERT_TRUE(best);
+  EXPECT_LT(distance(*best, truth_), 0.15);
+  EXPECT_GT(endpoint_.log_likelihood(points_, *best), endpoint_.log_likelihood(points_, early));
+  EXPECT_FALSE(best_on_way(endpoint_, points_, truth_, step, 0.05));
 }
 
 TEST(IsOnWay, WithinTwoStepsOfThePose) {
