@@ -93,6 +93,8 @@ std::vector<Candidate> screen_candidates(const CreateContext& context,
     screen(context.evidence, thin(points, kGlance), config.looked_at, candidates);
   }
   screen(context.evidence, points, most, candidates);
+  const double least = candidates.empty() ? 0.0 : candidates.front().score - config.refined_behind;
+  std::erase_if(candidates, [&](const Candidate& c) { return c.score < least; });
   return candidates;
 }
 
@@ -121,6 +123,17 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
 
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places) {
   return places.empty() || places.front().newest.log_likelihood < config.deep_below;
+}
+
+int deep_candidates(const CreateConfig& config, const std::vector<WeighedPlace>& places,
+                    int before) {
+  constexpr double kAgain = 4.0;
+  if (!is_unclear(config, places)) return 0;
+  if (places.empty()) return config.deep_candidates;
+  const double misfit = config.deep_below - places.front().newest.log_likelihood;
+  const double wanted =
+      std::max(config.first_deep * std::exp(config.deep_growth * misfit), kAgain * before);
+  return static_cast<int>(std::min<double>(wanted, config.deep_candidates));
 }
 
 BestFound best_of(const std::vector<WeighedPlace>& places) {

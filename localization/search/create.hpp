@@ -30,10 +30,14 @@ struct CreateConfig {
   /// Number of places of a deep search, which uses the far end points: in a crowd the right place
   /// is far down the list, and rays find it there.
   int deep_candidates = 3000;
+  int first_deep = 100;      ///< Number of a deep search where the best place nearly fits.
+  double deep_growth = 0.7;  ///< [1/nat] Growth of its logarithm as the best place fits worse.
   /// Number of candidates whose evidence is computed with all beams; the best by the evidence of a
   /// few beams.
   int looked_at = 150;
-  int refined = 40;     ///< Number of candidates refined; the best by evidence before refinement.
+  int refined = 40;  ///< Number of candidates refined; the best by evidence before refinement.
+  /// [nats] Candidates further behind the best one before refinement are not refined.
+  double refined_behind = 8.0;
   int keep = 30;        ///< Number of places weighted by older scans; the best by the newest one.
   RefineConfig refine;  ///< From the pose of a coarse cell.
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction, in older scans.
@@ -78,6 +82,11 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
 /// True if there is no place, or the best one (the first) does not fit well, so that a deep search
 /// is due. Its lead does not count: in a crowd, chance puts a wrong place ahead.
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places);
+
+/// Number of places of the deep search that is due after a search has found these places; `before`:
+/// that of the last one, 0 if it was quick.
+int deep_candidates(const CreateConfig& config, const std::vector<WeighedPlace>& places,
+                    int before);
 
 /// The first of the places, with its lead over the second. Requires a place.
 BestFound best_of(const std::vector<WeighedPlace>& places);

@@ -42,8 +42,8 @@ std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
 std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
                                        const ScanPoints& points, const SE2& T_odom_base, int most,
                                        WorkBudget& budget) {
-  constexpr std::int64_t kTilesPerCandidate = 20;  // Estimates: to screen, and to refine.
-  constexpr std::int64_t kTilesPerPlace = 800;
+  constexpr std::int64_t kTilesPerCandidate = 40;  // Estimates: to screen, and to refine.
+  constexpr std::int64_t kTilesPerPlace = 500;
   std::vector<Candidate> found = search.candidates(T_odom_base);
   const auto listed = static_cast<std::int64_t>(found.size());
   found = screen_candidates(context, std::move(found), points, most);
@@ -56,11 +56,16 @@ std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& 
                                                            const ScanPoints& points,
                                                            const SE2& T_odom_base,
                                                            std::int64_t slice, WorkBudget& budget) {
-  if (!search_) search_.emplace(context.config, matcher_, points, T_odom_base, depth_);
+  if (!search_) {
+    CreateConfig config = context.config;
+    if (depth_ == SearchDepth::kDeep) config.deep_candidates = deep_candidates_;
+    search_.emplace(config, matcher_, points, T_odom_base, depth_);
+  }
   if (!search_->step(slice, budget)) return std::nullopt;
   std::vector<WeighedPlace> places =
       refine_found(context, *search_, points, T_odom_base, context.config.refined, budget);
   const bool unclear = is_unclear(context.config, places);
+  deep_candidates_ = deep_candidates(context.config, places, deep_candidates_);
   goes_on_ = unclear && depth_ == SearchDepth::kQuick;
   depth_ = unclear ? SearchDepth::kDeep : SearchDepth::kQuick;
   search_.reset();
@@ -70,6 +75,7 @@ std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& 
 void PlaceSearch::cancel() {
   search_.reset();
   depth_ = SearchDepth::kQuick;
+  deep_candidates_ = 0;
   goes_on_ = false;
 }
 

@@ -64,6 +64,7 @@ class PlaceSearch {
   const CascadeMatcher& matcher_;
   std::optional<MapSearch> search_;
   SearchDepth depth_ = SearchDepth::kQuick;  ///< Of the search in progress or the next one.
+  int deep_candidates_ = 0;                  ///< Of the next deep search.
   bool goes_on_ = false;                     ///< A deep search is due with the next scan.
 };
 

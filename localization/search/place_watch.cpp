@@ -48,11 +48,11 @@ std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& c
   return places;
 }
 
-/// Tiles searched with a scan: more after a long time without one, as far as a scan may cost.
+/// Tiles searched with a scan. On suspicion, more after a long time without one.
 std::int64_t PlaceWatch::slice(double periods) const {
   constexpr double kMost = 4.0;
-  const auto tiles = static_cast<double>(urgent_ ? config_.burst : config_.slice);
-  return static_cast<std::int64_t>(tiles * std::min(periods, kMost));
+  if (!urgent_) return config_.slice;
+  return static_cast<std::int64_t>(static_cast<double>(config_.burst) * std::min(periods, kMost));
 }
 
 void PlaceWatch::begin(const ScanTurn& scan, const SE2& T_map_base) {

@@ -33,12 +33,14 @@ WorkBudget::WorkBudget(const WorkBudgetConfig& config, double rate_hz)
 
 void WorkBudget::start() {
   saved_ = capacity_;
+  spent_ = 0;
   last_.reset();
 }
 
 void WorkBudget::earn(Stamp now) {
   const double due = last_ ? std::max(1.0, rate_hz_ * seconds(now - *last_)) : 1.0;
   last_ = now;
+  spent_ = 0;
   const double earned =
       std::min(due * static_cast<double>(per_scan_), static_cast<double>(capacity_));
   saved_ = std::min(saved_ + static_cast<std::int64_t>(earned), capacity_);

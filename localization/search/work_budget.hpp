@@ -33,11 +33,14 @@ class WorkBudget {
   /// Adds the share of the time since the scan before.
   void earn(Stamp now);
   /// Takes `tiles` off; the budget may become negative.
-  void spend(std::int64_t tiles) { saved_ -= tiles; }
-  /// Tiles that may be searched now: at most `wanted` and what one scan may cost, and a few even if
-  /// nothing is saved.
+  void spend(std::int64_t tiles) {
+    saved_ -= tiles;
+    spent_ += tiles;
+  }
+  /// Tiles that may be searched now: at most `wanted` and what is left of the most that one scan
+  /// may cost, and a few even if nothing is saved.
   [[nodiscard]] std::int64_t grant(std::int64_t wanted) const {
-    return std::min({wanted, most_, std::max(saved_, least_)});
+    return std::min({wanted, std::max<std::int64_t>(most_ - spent_, 0), std::max(saved_, least_)});
   }
 
  private:
@@ -47,6 +50,7 @@ class WorkBudget {
   std::int64_t capacity_ = 0;  ///< Of the savings.
   std::int64_t least_ = 0;
   std::int64_t saved_ = 0;
+  std::int64_t spent_ = 0;     ///< With this scan.
   std::optional<Stamp> last_;  ///< Time of the scan before.
 };
 

@@ -144,6 +144,26 @@ TEST_F(CreateTest, IsUnclearWhereTheBestFitsBadlyHoweverFarAhead) {
   EXPECT_TRUE(std::isinf(best_of({places(-9.0, -13.0)[0]}).lead));
 }
 
+TEST_F(CreateTest, SearchesDeeperTheWorseTheBestPlaceFitsAndTheOftenerItMust) {
+  const auto fits = [](double l) { return std::vector<WeighedPlace>{{{}, {l, 0.5}, 0.0}}; };
+  EXPECT_EQ(deep_candidates(config_, fits(-2.9), 0), 0);
+  EXPECT_EQ(deep_candidates(config_, fits(-3.001), 0), 100);
+  EXPECT_EQ(deep_candidates(config_, fits(-5.0), 0), 405);  // 100 exp(1.4)
+  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 0), 3000);
+  EXPECT_EQ(deep_candidates(config_, {}, 0), 3000);
+  EXPECT_EQ(deep_candidates(config_, fits(-3.001), 200), 800);
+  EXPECT_EQ(deep_candidates(config_, fits(-5.0), 2000), 3000);
+}
+
+TEST_F(CreateTest, RefinesNoCandidateFarBehindTheBest) {
+  const SE2 truth{3.0, 3.0, 0.4};
+  const ScanPoints points = scan_from(truth);
+  const std::vector<Candidate> candidates{{truth, 0.5}, {{8.0, 6.5, 2.0}, 0.5}};
+  EXPECT_EQ(screen_candidates(context(), candidates, points, 20).size(), 1U);
+  config_.refined_behind = 30.0;
+  EXPECT_EQ(screen_candidates(context(), candidates, points, 20).size(), 2U);
+}
+
 TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
   const ScanPoints points = test::with_people(scan_from({3.0, 3.0, 0.4}));
   std::vector<Candidate> candidates;
@@ -151,6 +171,7 @@ TEST_F(CreateTest, SortsOutWhatAnEvaluationOfAllWouldKeep) {
     for (double yaw = -3.0; yaw < 3.0; yaw += 0.4) candidates.push_back({{x, 3.0, yaw}, 0.5});
   }
   config_.looked_at = 1000;
+  config_.refined_behind = 30.0;
   const std::vector<Candidate> kept = screen_candidates(context(), candidates, points, 20);
   std::vector<double> all;
   for (const Candidate& c : candidates) {
@@ -167,6 +188,7 @@ TEST_F(CreateTest, SortsOutLongListsByAFewBeamsFirst) {
   std::vector<Candidate> candidates = {{truth, 0.5}};
   for (double x = 0.6; x < 9.0; x += 0.4) candidates.push_back({{x, 5.0, 2.0}, 0.5});
   config_.looked_at = 3;
+  config_.refined_behind = 30.0;
   const auto kept =
       screen_candidates(context(), candidates, test::with_people(scan_from(truth)), 2);
   ASSERT_EQ(kept.size(), 2U);

@@ -15,10 +15,19 @@ TEST(WorkBudget, GrantsAtMostWhatOneScanMayCost) {
   EXPECT_EQ(budget.grant(300), 300);
 }
 
+TEST(WorkBudget, LimitsAllSearchesOfAScanTogether) {
+  WorkBudget budget({1.0, 50.0}, 10.0);
+  budget.spend(100000);
+  EXPECT_EQ(budget.grant(kAll), 60000);
+  budget.spend(70000);
+  EXPECT_EQ(budget.grant(kAll), 0);
+  budget.earn(from_seconds(1.0));
+  EXPECT_EQ(budget.grant(kAll), 160000);
+}
+
 TEST(WorkBudget, SavesTheEarningsOfAMinute) {
   WorkBudget budget({1.0, 50.0}, 10.0);
   budget.spend(600 * 4800 - 1000);  // 1 ms less 0.4 ms for tracking, for 600 scans.
-  EXPECT_EQ(budget.grant(kAll), 1000);
   budget.earn(from_seconds(1.0));
   EXPECT_EQ(budget.grant(kAll), 1000 + 4800);
   budget.earn(from_seconds(1.02));
@@ -27,13 +36,13 @@ TEST(WorkBudget, SavesTheEarningsOfAMinute) {
   EXPECT_EQ(budget.grant(kAll), 1000 + 7 * 4800);
   budget.earn(from_seconds(1000.0));
   budget.spend(599 * 4800);
-  EXPECT_EQ(budget.grant(kAll), 4800);
+  budget.earn(from_seconds(1000.1));
+  EXPECT_EQ(budget.grant(kAll), 2 * 4800);
 }
 
 TEST(WorkBudget, GrantsALittleEvenInDebt) {
   WorkBudget budget({1.0, 50.0}, 10.0);
   budget.spend(1000 * 4800);
-  EXPECT_EQ(budget.grant(kAll), 800);
   budget.earn(from_seconds(1.0));
   EXPECT_EQ(budget.grant(kAll), 800);
   budget.start();

@@ -80,8 +80,8 @@ void fields(Settings settings, localization::PlaceWatchConfig& watch) {
                  watch.score_share);
   settings.field({"candidates", "", "Maximum number of places found.", kCount}, watch.candidates);
   settings.field({"refined", "", "Number of places that are refined.", kCount}, watch.refined);
-  settings.field(
-      {"slice", "", "Number of tiles searched per period in the background.", {1.0, 1e9}}, slice);
+  settings.field({"slice", "", "Number of tiles searched per scan in the background.", {1.0, 1e9}},
+                 slice);
   settings.field({"burst", "", "Number of tiles searched per period on suspicion.", {1.0, 1e9}},
                  burst);
   settings.field(
@@ -114,6 +114,13 @@ void fields(Settings settings, localization::RescueConfig& rescue) {
   settings.field(
       {"cost_on_way", "nats", "The same for a place on the way of the last step.", kNats},
       rescue.cost_on_way);
+  settings.field(
+      {"long_step", "m or rad",
+       "The way of a longer step is searched where the output fits worse than usual.", kLength},
+      rescue.long_step);
+  settings.field(
+      {"spacing", "m or rad", "Distance between the poses searched on the way.", {0.001, 10.0}},
+      rescue.spacing);
   settings.field({"beside_way", "m", "Maximum distance from that way.", kLength},
                  rescue.beside_way);
 }
@@ -128,11 +135,21 @@ void fields(Settings settings, localization::CreateConfig& create) {
   settings.field(
       {"deep_below", "nats", "If the best place scores less, a deep search follows.", kNats},
       create.deep_below);
-  settings.field({"deep_candidates", "", "Number of places of a deep search.", kCount},
+  settings.field({"deep_candidates", "", "Maximum number of places of a deep search.", kCount},
                  create.deep_candidates);
+  settings.field({"first_deep", "", "Number of places if the best one nearly fits.", kCount},
+                 create.first_deep);
+  settings.field({"deep_growth",
+                  "",
+                  "Growth of the logarithm of that number per nat that the best place fits worse.",
+                  {0.0, 100.0}},
+                 create.deep_growth);
   settings.field({"looked_at", "", "Number of candidates whose evidence is computed.", kCount},
                  create.looked_at);
   settings.field({"refined", "", "Number of candidates that are refined.", kCount}, create.refined);
+  settings.field(
+      {"refined_behind", "nats", "Candidates further behind the best one are not refined.", kNats},
+      create.refined_behind);
   settings.field({"keep", "", "Number of candidates that are weighted by older scans.", kCount},
                  create.keep);
   fields(settings.group("refine"), create.refine);
