@@ -20,8 +20,9 @@ bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_m
 std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& points,
                                const SE2& centre, const SE2& step, double spacing) {
   constexpr double kSteps = 1.5;  // Before and behind the pose.
+  constexpr double kMost = 50.0;  // Poses before and behind it, however long the step.
   const double size = std::max(step.translation().norm(), std::abs(step.yaw));
-  const int count = static_cast<int>(std::ceil(kSteps * size / spacing));
+  const int count = static_cast<int>(std::min(std::ceil(kSteps * size / spacing), kMost));
   std::optional<SE2> best;
   double highest = model.log_likelihood(points, centre);
   for (int k = -count; k <= count; ++k) {

@@ -39,7 +39,8 @@ struct LastStep {
 bool is_on_way(const SE2& centre, const SE2& step, double beside, const SE2& T_map_base);
 
 /// The pose on the way of a step that passes the pose `centre` at which the end points fit best;
-/// nothing if none fits better than `centre`. Poses are `spacing` [m] or [rad] apart.
+/// nothing if none fits better than `centre`. Poses are `spacing` [m] or [rad] apart, or more if
+/// the step is very long.
 std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& points,
                                const SE2& centre, const SE2& step, double spacing);
 

@@ -88,6 +88,14 @@ TEST_F(RescueTest, FindsTheBestPoseOnACurvedWay) {
   EXPECT_FALSE(best_on_way(endpoint_, points_, truth_, step, 0.05));
 }
 
+TEST_F(RescueTest, SearchesTheWayOfAnAbsurdlyLongStepInNoTime) {
+  const SE2 step{1e6, 0.0, 0.0};
+  const SE2 early = truth_ * interpolate(SE2{}, step, 0.3).inverse();
+  const auto best = best_on_way(endpoint_, points_, early, step, 0.05);
+  ASSERT_TRUE(best);
+  EXPECT_LT(distance(*best, truth_), 1e-3);  // A multiple of 1.5 / 50 of the step.
+}
+
 TEST(IsOnWay, WithinTwoStepsOfThePose) {
   const SE2 centre{2.0, 1.0, 0.5};
   const SE2 step{0.8, 0.0, 0.1};
