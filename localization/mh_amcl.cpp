@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "localization/filter/particle_set.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/merge.hpp"
 #include "localization/output.hpp"
@@ -105,12 +106,17 @@ void MhAmcl::predict(const std::optional<SE2>& step) {
   });
 }
 
+void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
+  const SE2 predicted = moments(hypothesis.particles).mean;
+  models_->filter.correct(hypothesis, models_->distance_filter.expected(points, predicted));
+}
+
 /// Processes one scan in the phases of the paper: correct, merge, create, destroy, select, reseed.
 void MhAmcl::take_scan(const ScanTurn& scan) {
   Populations& populations = belief_.populations;
   searches_.budget.earn(scan.now);
   timer_.measure("correct", [&] {
-    for (Hypothesis& hypothesis : populations.all) models_->filter.correct(hypothesis, scan.points);
+    for (Hypothesis& hypothesis : populations.all) correct(hypothesis, scan.points);
     rescue_output(scan, belief_, searches_.scheduled);
     belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all,
                             scan.periods);

@@ -38,6 +38,7 @@ class MhAmcl final : public Localizer {
 
  private:
   void predict(const std::optional<SE2>& step);
+  void correct(Hypothesis& hypothesis, const ScanPoints& points);
   void take_scan(const ScanTurn& scan);
   void watch(const ScanTurn& scan);
   void create(const ScanTurn& scan);

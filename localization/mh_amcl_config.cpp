@@ -26,6 +26,7 @@ void validate(const MhAmclConfig& config) {
   validate(config.motion);
   validate(config.tracking);
   validate(config.evidence.endpoint);
+  validate(config.refinement);
   validate(config.reseed);
   validate(config.matcher);
   validate(config.budget);

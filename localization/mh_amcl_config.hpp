@@ -10,6 +10,7 @@
 #include "localization/search/match_schedule.hpp"
 #include "localization/search/place_watch.hpp"
 #include "localization/search/rescue.hpp"
+#include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/scan_agreement.hpp"
 #include "localization/sensor/sensor_input.hpp"
 
@@ -20,7 +21,9 @@ struct MhAmclConfig {
   SensorInputConfig input;
   OdometryNoiseConfig motion;
   EndpointConfig tracking{0.08, 0.05, 30.0};  ///< Weighs particles within a population; sharp.
-  EvidenceConfig evidence;                    ///< Weighs populations against each other; wide.
+  EvidenceConfig evidence;                    ///< Weighs populations against each other.
+  EndpointConfig refinement;  ///< Refines places from a coarse cell; wide, to reach the maximum.
+  DistanceFilterConfig distance_filter;  ///< Leaves people out of the tracking.
   SpawnConfig spawn;
   ReseedConfig reseed;
   RefineConfig refine{0.04, 0.02, 3};  ///< From the best particle to the winner of a reseed.

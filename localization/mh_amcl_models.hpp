@@ -6,6 +6,7 @@
 #include "localization/mh_amcl_config.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/rescue.hpp"
+#include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/evidence_model.hpp"
 #include "localization/tracking_filter.hpp"
 
@@ -23,6 +24,7 @@ struct MhAmclModels {
   DistanceField distances;
   EndpointModel endpoint;
   EvidenceModel evidence;
+  DistanceFilter distance_filter;
   CascadeMatcher matcher;
   TrackingFilter filter;
   Rescue rescue;

@@ -40,7 +40,8 @@ void TrackingFilter::reseed(Hypothesis& hypothesis,
 
 PoseMoments TrackingFilter::belief_at(const SE2& T_map_base, const ScanPoints& points) const {
   Eigen::Matrix3d information = scan_information(model_, points, T_map_base);
-  information += Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();  // Limits sigma to 1 m and 1 rad.
+  constexpr double kMost = 0.3;  // [m] or [rad] Standard deviation where the scan says nothing.
+  information += Eigen::Vector3d::Constant(1.0 / (kMost * kMost)).asDiagonal();
   return {T_map_base, information.inverse()};
 }
 

@@ -103,8 +103,10 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const ScanPoints& points) {
   std::vector<WeighedPlace> places;
   for (const Candidate& candidate : candidates) {
-    const SE2 pose = refine_pose(context.model, points, candidate.T_map_base, std::nullopt,
+    const SE2 near = refine_pose(context.model, points, candidate.T_map_base, std::nullopt,
                                  context.config.refine);
+    const SE2 pose = refine_pose(context.evidence.endpoint(), points, near, std::nullopt,
+                                 context.config.refine_last);
     places.push_back({pose, context.evidence.evaluate(points, pose), 0.0});
   }
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {

@@ -40,6 +40,7 @@ struct CreateConfig {
   double refined_behind = 8.0;
   int keep = 30;        ///< Number of places weighted by older scans; the best by the newest one.
   RefineConfig refine;  ///< From the pose of a coarse cell.
+  RefineConfig refine_last{0.02, 0.01, 2};   ///< From there, by the sharper model of the evidence.
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction, in older scans.
 };
 
@@ -49,7 +50,7 @@ struct CreateContext {
   const MergeConfig& merge;
   const PosteriorConfig& posterior;
   const OdometryNoiseConfig& noise;
-  const EndpointModel& model;
+  const EndpointModel& model;  ///< For refinement.
   const EvidenceModel& evidence;
 };
 

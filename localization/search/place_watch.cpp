@@ -48,11 +48,14 @@ std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& c
   return places;
 }
 
-/// Tiles searched with a scan. On suspicion, more after a long time without one.
+/// Tiles searched with a scan; more after a long time without one.
 std::int64_t PlaceWatch::slice(double periods) const {
-  constexpr double kMost = 4.0;
-  if (!urgent_) return config_.slice;
-  return static_cast<std::int64_t>(static_cast<double>(config_.burst) * std::min(periods, kMost));
+  constexpr double kMost = 10.0;  // Periods that count.
+  constexpr double kMostOnSuspicion = 4.0;
+  const double tiles =
+      urgent_ ? static_cast<double>(config_.burst) * std::min(periods, kMostOnSuspicion)
+              : static_cast<double>(config_.slice) * std::clamp(periods, 1.0, kMost);
+  return static_cast<std::int64_t>(tiles);
 }
 
 void PlaceWatch::begin(const ScanTurn& scan, const SE2& T_map_base) {

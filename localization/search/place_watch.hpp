@@ -21,7 +21,7 @@ struct PlaceWatchConfig {
   double score_share = 0.95;    ///< A place is found if it scores this share of the output's score.
   int candidates = 16;          ///< Maximum number of places found.
   int refined = 6;              ///< Number of places refined; the best by evidence.
-  std::int64_t slice = 2000;    ///< Tiles searched per scan in the background.
+  std::int64_t slice = 2000;    ///< Tiles searched per period in the background.
   std::int64_t burst = 60000;   ///< Tiles searched per period on suspicion.
   double suspicious_cue = 3.0;  ///< [nats] Arrival cue of a scan that is suspicious.
   double suspicious_doubt = 1.0;  ///< [nats] Doubt that is suspicious.

@@ -37,18 +37,19 @@ std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& poi
 
 std::vector<Candidate> Rescue::candidates(const CreateContext& context, const SE2& centre,
                                           double below_usual, const ScanPoints& points,
-                                          const SE2& step) const {
+                                          const LastStep& step) const {
   std::vector<Candidate> found;
-  if (below_usual > config_.drop) {
-    found = matcher_.match(points, MatchWindow{centre, config_.radius, config_.yaw_radius});
+  if (below_usual > config_.drop / std::max(step.periods, 1.0)) {
+    const double yaw_radius = config_.yaw_radius + std::abs(step.u.yaw);
+    found = matcher_.match(points, MatchWindow{centre, config_.radius, yaw_radius});
     found.resize(std::min(found.size(), static_cast<std::size_t>(config_.candidates)));
   }
   constexpr int kBeams = 45;
-  const double size = std::max(step.translation().norm(), std::abs(step.yaw));
+  const double size = std::max(step.u.translation().norm(), std::abs(step.u.yaw));
   if (size < config_.long_step) return found;
   if (below_usual <= 0.0) return found;
   const auto place =
-      best_on_way(context.model, thin(points, kBeams), centre, step, config_.spacing);
+      best_on_way(context.model, thin(points, kBeams), centre, step.u, config_.spacing);
   if (place) found.push_back({*place, 1.0});
   return found;
 }
@@ -60,14 +61,23 @@ std::optional<WeighedPlace> Rescue::find(const CreateContext& context, const Hyp
   const double now = context.evidence.evaluate(points, centre).log_likelihood;
   if (now > -config_.gain) return std::nullopt;
   const std::vector<WeighedPlace> places =
-      refine_candidates(context, candidates(context, centre, usual - now, points, step.u), points);
+      refine_candidates(context, candidates(context, centre, usual - now, points, step), points);
   if (places.empty() || places[0].newest.log_likelihood < now + config_.gain) return std::nullopt;
   const Evidence before{output.log_likelihood, output.quality};
   const SE2& place = places[0].T_map_base;
-  const bool on_way = is_on_way(centre, step.u, config_.beside_way, place);
-  const double slip = std::max(config_.cost_on_way, config_.cost - std::log(step.periods));
-  const double cost = on_way ? config_.cost_on_way : slip;
-  return WeighedPlace{place, before, output.log_weight - cost};
+  return WeighedPlace{place, before, output.log_weight - cost_of(centre, place, usual - now, step)};
+}
+
+/// [nats] Of a slip or of jitter that moved the output from `centre` to `place`.
+double Rescue::cost_of(const SE2& centre, const SE2& place, double below_usual,
+                       const LastStep& step) const {
+  if (is_on_way(centre, step.u, config_.beside_way, place)) {
+    return below_usual > config_.drop ? config_.cost_on_way : config_.cost_on_way_unnoticed;
+  }
+  const double share = std::max(distance(centre, place) / config_.radius,
+                                yaw_distance(centre, place) / config_.yaw_radius);
+  const double slip = config_.cost_near + std::min(share, 1.0) * (config_.cost - config_.cost_near);
+  return std::max(config_.cost_on_way, slip - std::log(step.periods));
 }
 
 bool Rescue::reaches(const SE2& output, const SE2& place) const {

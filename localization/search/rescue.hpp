@@ -11,16 +11,20 @@ namespace castaway::localization {
 /// Conditions and range of a rescue.
 struct RescueConfig {
   /// [nats] The surroundings are searched if the scan at the output is less likely than usual by
-  /// more than this.
+  /// more than this, divided by the periods since the scan before: sparse scans leave time for it,
+  /// and jitter of their stamps moves a pose farther.
   double drop = 6.0;
   double radius = 1.1;      ///< [m] Half edge of the square that is searched.
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Maximum number of candidates that are refined.
   double gain = 3.0;        ///< [nats] Minimum improvement by the place found.
-  double cost = 14.0;       ///< [nats] The place starts with the output's weight minus this.
+  /// [nats] A place at the edge of the search starts with the output's weight minus this.
+  double cost = 14.0;
+  double cost_near = 7.0;  ///< [nats] The same next to the output; short slips are likelier.
   /// [nats] The same for a place on the way of the last step, where jitter of the time stamps moves
-  /// a pose.
+  /// a pose, if the output fits worse than usual by more than `drop`.
   double cost_on_way = 3.0;
+  double cost_on_way_unnoticed = 7.0;  ///< [nats] The same if it does not.
   /// [m] or [rad] The way of a longer step is searched where the output fits worse than usual.
   double long_step = 0.2;
   double spacing = 0.1;      ///< [m] or [rad] Between the poses searched on the way.
@@ -64,7 +68,9 @@ class Rescue {
  private:
   [[nodiscard]] std::vector<Candidate> candidates(const CreateContext& context, const SE2& centre,
                                                   double below_usual, const ScanPoints& points,
-                                                  const SE2& step) const;
+                                                  const LastStep& step) const;
+  [[nodiscard]] double cost_of(const SE2& centre, const SE2& place, double below_usual,
+                               const LastStep& step) const;
 
   RescueConfig config_;
   const CascadeMatcher& matcher_;

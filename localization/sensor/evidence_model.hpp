@@ -9,7 +9,9 @@ namespace castaway::localization {
 
 /// Parameters of the evidence.
 struct EvidenceConfig {
-  EndpointConfig endpoint;  ///< A short beam (a person) costs at most log(floor).
+  /// Sharp, since the place of a wall distinguishes the right pose from look-alikes. A short beam
+  /// (a person) costs at most log(floor).
+  EndpointConfig endpoint{0.05, 0.1, 10.0};
   RayConsistencyConfig rays;
   /// Likelihood of a beam through a mapped wall, relative to one on a wall.
   double through_wall = 0.02;
@@ -39,6 +41,10 @@ class EvidenceModel {
                                             const SE2& T_map_base) const;
   /// Upper bound of the log-likelihood at a tenth of its cost: rays are not evaluated.
   [[nodiscard]] double bound(const ScanPoints& points, const SE2& T_map_base) const;
+
+  /// The part of the evidence without rays.
+  [[nodiscard]] const EndpointModel& endpoint() const { return endpoint_; }
+  [[nodiscard]] const WallClearance& walls() const { return walls_; }
 
  private:
   [[nodiscard]] double independent(std::size_t beams) const;

@@ -12,7 +12,7 @@ struct CellRay {
   float length;
 };
 
-bool meets_wall(const CellRay& ray, const WallClearance& walls) {
+bool ray_meets_wall(const CellRay& ray, const WallClearance& walls) {
   const GridFrame& frame = walls.frame();
   const auto width = static_cast<float>(frame.width);
   const auto height = static_cast<float>(frame.height);
@@ -36,15 +36,25 @@ RayConsistency::RayConsistency(const WallClearance& walls, const SE2& T_map_base
     : walls_(walls), config_(config), pose_(walls.frame(), T_map_base) {}
 
 bool RayConsistency::through_wall(const ScanPoints& points, std::size_t i) const {
+  const double r = points.range[i];
+  const double margin = std::max(config_.margin, config_.margin_share * r);
+  return r > margin && meets_wall(points, i, -margin);
+}
+
+bool RayConsistency::ends_before_wall(const ScanPoints& points, std::size_t i,
+                                      double beyond) const {
+  return !meets_wall(points, i, beyond);
+}
+
+/// True if beam `i`, made longer by `longer` [m], meets a wall.
+bool RayConsistency::meets_wall(const ScanPoints& points, std::size_t i, double longer) const {
   const auto scale = static_cast<float>(1.0 / walls_.frame().resolution);
   const float r = points.range[i];
-  const float margin =
-      std::max(static_cast<float>(config_.margin), static_cast<float>(config_.margin_share) * r);
-  if (r <= margin) return false;
   const Eigen::Vector2f from(pose_.x(points.origin_x[i], points.origin_y[i]),
                              pose_.y(points.origin_x[i], points.origin_y[i]));
   const Eigen::Vector2f to(pose_.x(points.x[i], points.y[i]), pose_.y(points.x[i], points.y[i]));
-  return meets_wall({from, (to - from) / (r * scale), (r - margin) * scale}, walls_);
+  const float length = (r + static_cast<float>(longer)) * scale;
+  return ray_meets_wall({from, (to - from) / (r * scale), length}, walls_);
 }
 
 }  // namespace castaway::localization

@@ -25,8 +25,13 @@ class RayConsistency {
   /// True if beam `i` passes through a mapped wall before its end point. An object in which the
   /// beam starts (base is inside of it on the map) does not count.
   [[nodiscard]] bool through_wall(const ScanPoints& points, std::size_t i) const;
+  /// True if beam `i`, made longer by `beyond` [m], meets no mapped wall: it ended on something
+  /// that is not on the map.
+  [[nodiscard]] bool ends_before_wall(const ScanPoints& points, std::size_t i, double beyond) const;
 
  private:
+  [[nodiscard]] bool meets_wall(const ScanPoints& points, std::size_t i, double longer) const;
+
   const WallClearance& walls_;
   RayConsistencyConfig config_;
   PoseInCells pose_;

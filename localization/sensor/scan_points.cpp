@@ -81,11 +81,16 @@ std::vector<std::size_t> even_indices(std::size_t size, int count) {
   return indices;
 }
 
+ScanPoints points_at(const ScanPoints& points, const std::vector<std::size_t>& indices) {
+  ScanPoints some;
+  some.valid_share = points.valid_share;
+  for (const std::size_t i : indices) copy_point(points, i, some);
+  return some;
+}
+
 ScanPoints thin(const ScanPoints& points, int count) {
   if (points.size() <= static_cast<std::size_t>(count)) return points;
-  ScanPoints even;
-  for (const std::size_t i : even_indices(points.size(), count)) copy_point(points, i, even);
-  return even;
+  return points_at(points, even_indices(points.size(), count));
 }
 
 ScanPoints farthest_points(const ScanPoints& points, double share) {

@@ -1,6 +1,7 @@
 /// A scan as points in base coordinates, which can be compared with a map from any pose.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -45,6 +46,9 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
 
 /// Indices of at most `count` of `size` items, evenly spread, in ascending order.
 std::vector<std::size_t> even_indices(std::size_t size, int count);
+
+/// The points of these indices, in their order.
+ScanPoints points_at(const ScanPoints& points, const std::vector<std::size_t>& indices);
 
 /// Returns at most `count` of the points, evenly spread over the scan.
 ScanPoints thin(const ScanPoints& points, int count);

@@ -59,7 +59,7 @@ TEST_F(CreateTest, CountsTheWholeHistoryOfARightPlace) {
   WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
   // All five scans fit, so it counts as listed since the first one, whose unlisted mass was 0.
   const double weight = weigh_backwards(context(), history, place);
-  EXPECT_GT(weight, posterior_.place + 5 * -1.5);
+  EXPECT_GT(weight, posterior_.place + 5 * -2.5);
   EXPECT_LE(weight, posterior_.place);
 }
 
@@ -70,7 +70,7 @@ TEST_F(CreateTest, TakesAPlaceAsNewSinceTheKidnap) {
   const SE2 last{4.5, 3.0, 0.0};
   const WeighedPlace place{last, evidence_.evaluate(history.back().points, last), 0.0};
   const double weight = weigh_backwards(context(), history, place);
-  EXPECT_GT(weight, posterior_.place - 18.0 + 2 * -1.5);
+  EXPECT_GT(weight, posterior_.place - 18.0 + 2 * -2.5);
   EXPECT_LT(weight, posterior_.place - 6.0);
 }
 

@@ -36,9 +36,23 @@ void fields(Settings settings, LostAndFoundConfig& lost) {
                  lost.proving_m);
 }
 
+void fields(Settings settings, localization::DistanceFilterConfig& filter) {
+  settings.field(
+      {"before_wall", "m", "Beams that end by more than this before a wall do not track.", kLength},
+      filter.before_wall);
+  settings.field(
+      {"misfits", "", "Minimum share of end points off the walls to leave beams out.", kShare},
+      filter.misfits);
+  settings.field({"off_wall", "m", "An end point farther from all walls is off them.", kLength},
+                 filter.off_wall);
+  settings.field({"least", "", "With fewer beams left, all of them track.", kCount}, filter.least);
+}
+
 void evidence_fields(Settings& settings, MhAmclConfig& config) {
   Settings evidence = settings.group("evidence");
   fields(settings.group("tracking"), config.tracking);
+  fields(settings.group("refinement"), config.refinement);
+  fields(settings.group("distance_filter"), config.distance_filter);
   fields(evidence.group("endpoint"), config.evidence.endpoint);
   fields(evidence.group("rays"), config.evidence.rays);
   evidence.field({"through_wall", "", "Likelihood of a beam through a mapped wall.", kShare},

@@ -80,8 +80,8 @@ void fields(Settings settings, localization::PlaceWatchConfig& watch) {
                  watch.score_share);
   settings.field({"candidates", "", "Maximum number of places found.", kCount}, watch.candidates);
   settings.field({"refined", "", "Number of places that are refined.", kCount}, watch.refined);
-  settings.field({"slice", "", "Number of tiles searched per scan in the background.", {1.0, 1e9}},
-                 slice);
+  settings.field(
+      {"slice", "", "Number of tiles searched per period in the background.", {1.0, 1e9}}, slice);
   settings.field({"burst", "", "Number of tiles searched per period on suspicion.", {1.0, 1e9}},
                  burst);
   settings.field(
@@ -99,7 +99,9 @@ void fields(Settings settings, localization::PlaceWatchConfig& watch) {
 void fields(Settings settings, localization::RescueConfig& rescue) {
   settings.field(
       {"drop", "nats",
-       "A rescue starts if the scan at the output is less likely than usual by this.", kNats},
+       "A rescue starts if the scan at the output is less likely than usual by this, divided by "
+       "the periods since the scan before.",
+       kNats},
       rescue.drop);
   settings.field({"radius", "m", "Position range of the search around the output.", kLength},
                  rescue.radius);
@@ -109,11 +111,17 @@ void fields(Settings settings, localization::RescueConfig& rescue) {
                  rescue.candidates);
   settings.field({"gain", "nats", "Minimum improvement by the place found.", kNats}, rescue.gain);
   settings.field(
-      {"cost", "nats", "The place found starts with the output's weight minus this.", kNats},
+      {"cost", "nats",
+       "A place at the edge of the search starts with the output's weight minus this.", kNats},
       rescue.cost);
+  settings.field({"cost_near", "nats", "The same next to the output.", kNats}, rescue.cost_near);
   settings.field(
-      {"cost_on_way", "nats", "The same for a place on the way of the last step.", kNats},
+      {"cost_on_way", "nats",
+       "The same on the way of the last step, if the output fits worse than usual by `drop`.",
+       kNats},
       rescue.cost_on_way);
+  settings.field({"cost_on_way_unnoticed", "nats", "The same if it does not.", kNats},
+                 rescue.cost_on_way_unnoticed);
   settings.field(
       {"long_step", "m or rad",
        "The way of a longer step is searched where the output fits worse than usual.", kLength},
@@ -153,6 +161,7 @@ void fields(Settings settings, localization::CreateConfig& create) {
   settings.field({"keep", "", "Number of candidates that are weighted by older scans.", kCount},
                  create.keep);
   fields(settings.group("refine"), create.refine);
+  fields(settings.group("refine_last"), create.refine_last);
   fields(settings.group("refine_back"), create.refine_back);
 }
 
