@@ -132,16 +132,6 @@ TEST_F(RescueTest, LooksSoonerWhereScansAreSparse) {
   EXPECT_FALSE(find(slipped_, now + 0.59, {}, 10.0));
 }
 
-TEST_F(RescueTest, LooksFartherRoundWhereTheStepTurned) {
-  const SE2 turned = truth_ * SE2{0.0, 0.0, 0.8};
-  const auto finds = [&](const SE2& step) {
-    const auto place = find(turned, -1.0, step);
-    return place && yaw_distance(place->T_map_base, truth_) < 0.05;
-  };
-  EXPECT_FALSE(finds({}));
-  EXPECT_TRUE(finds({0.0, 0.0, 0.4}));
-}
-
 TEST_F(RescueTest, WantsAPlaceThatIsBetterByTheGain) {
   config_.gain = 30.0;
   EXPECT_FALSE(find(slipped_, -1.0));
