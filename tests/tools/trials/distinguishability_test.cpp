@@ -38,6 +38,7 @@ class DistinguishabilityTest : public ::testing::Test {
   /// Scans of one beam count in full.
   static localization::EvidenceConfig full() {
     localization::EvidenceConfig config;
+    config.endpoint = {0.12, 0.08, 12.0};  // The other place is at the minimum.
     config.per_beam = config.endpoint.independent_beams;
     return config;
   }
