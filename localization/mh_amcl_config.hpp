@@ -43,8 +43,11 @@ struct MhAmclConfig {
   PosteriorConfig posterior;
   LostAndFoundConfig lost_and_found;
   double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.
-  int history = 8;             ///< Number of scans by which a new hypothesis is weighted.
+  /// Number of scans by which a new hypothesis is weighted. More than a second: a look-alike place
+  /// of a kidnap is often found late.
+  int history = 24;
   double max_distance = 5.0;   ///< [m] Largest value of the distance field.
+  double surface_depth = 0.1;  ///< [m] No beam ends deeper inside of an obstacle (`hollow`).
 };
 
 /// @throws std::invalid_argument naming a value that is out of range.

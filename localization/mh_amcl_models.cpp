@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "localization/map/hollow.hpp"
+
 namespace castaway::localization {
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
     : config((validate(mh_amcl), mh_amcl)),
       map((validate(grid), std::move(grid))),
-      distances(map, config.max_distance),
+      distances(hollow(map, config.surface_depth), config.max_distance),
       endpoint(config.refinement, distances),
       evidence(config.evidence, map, distances),
       distance_filter(config.distance_filter, evidence.walls()),

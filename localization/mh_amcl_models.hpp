@@ -21,7 +21,7 @@ struct MhAmclModels {
 
   MhAmclConfig config;
   OccupancyGrid map;
-  DistanceField distances;
+  DistanceField distances;  ///< To the surfaces of obstacles.
   EndpointModel endpoint;
   EvidenceModel evidence;
   DistanceFilter distance_filter;

@@ -46,23 +46,23 @@ double EvidenceModel::log_likelihood_above(double least, const ScanPoints& point
   return value;
 }
 
-/// Number of independent beams that a scan counts as.
-double EvidenceModel::independent(std::size_t beams) const {
-  return std::min(config_.endpoint.independent_beams,
-                  config_.per_beam * static_cast<double>(beams));
+/// Share of the independent beams that a scan counts as.
+double EvidenceModel::share(std::size_t beams) const {
+  return std::min(1.0, config_.per_beam * static_cast<double>(beams) /
+                           config_.endpoint.independent_beams);
 }
 
 double EvidenceModel::scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const {
   double mean = sum / static_cast<double>(beams);
   if (grid_.at(T_map_base.translation()) != CellState::kFree) mean -= config_.off_free_penalty;
-  return std::max(independent(beams) * mean, config_.minimum);
+  return std::max(share(beams) * (config_.endpoint.independent_beams * mean - config_.right_pose),
+                  config_.minimum);
 }
 
 double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {
   constexpr double kRounding = 1e-3;  // Rounding of sums in single precision.
-  const double share = independent(points.size()) / config_.endpoint.independent_beams;
-  return std::max(share * endpoint_.log_likelihood(points, T_map_base) + kRounding,
-                  config_.minimum);
+  const double sum = endpoint_.log_likelihood(points, T_map_base) - config_.right_pose;
+  return std::max(share(points.size()) * sum + kRounding, config_.minimum);
 }
 
 }  // namespace castaway::localization

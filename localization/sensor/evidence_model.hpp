@@ -19,12 +19,15 @@ struct EvidenceConfig {
   double off_free_penalty = 0.5;
   /// A beam counts as at most this many independent ones: a scan with few beams says little.
   double per_beam = 0.4;
+  /// [nats] Log-likelihood of a scan at a right pose on a right map: end points scatter by the
+  /// lidar's noise and the map's cells. Subtracted.
+  double right_pose = -1.2;
   double minimum = -25.0;  ///< Lower limit: one bad scan must not outweigh a long confident track.
 };
 
 /// Log-likelihood of a scan and its quality.
 struct Evidence {
-  double log_likelihood = 0.0;  ///< 0 is perfect, `minimum` at worst.
+  double log_likelihood = 0.0;  ///< About 0 at a right pose, `minimum` at worst.
   double quality = 0.0;  ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
 };
 
@@ -47,7 +50,7 @@ class EvidenceModel {
   [[nodiscard]] const WallClearance& walls() const { return walls_; }
 
  private:
-  [[nodiscard]] double independent(std::size_t beams) const;
+  [[nodiscard]] double share(std::size_t beams) const;
   [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
 
   EvidenceConfig config_;

@@ -29,7 +29,9 @@ class Distinguishability {
 
   /// Takes the next scan after the kidnap, with the true pose at which it was taken. Adds the
   /// evidence for that pose over the pose without the kidnap, times the new share of the scan: by
-  /// the true motion since the previous scan, or for the first one since the kidnap.
+  /// the true motion since the previous scan, or for the first one since the kidnap. Both poses are
+  /// refined on the scan, and the one without the kidnap is tracked, as by a localizer that has not
+  /// noticed it.
   void take(localization::Stamp stamp, const localization::ScanPoints& points,
             const localization::SE2& T_map_base_true);
 
@@ -40,6 +42,9 @@ class Distinguishability {
   [[nodiscard]] double sum() const { return sum_; }
 
  private:
+  [[nodiscard]] localization::SE2 refined(const localization::ScanPoints& points,
+                                          const localization::SE2& T_map_base) const;
+
   const localization::EvidenceModel& evidence_;
   DistinguishabilityConfig config_;
   localization::SE2 T_unkidnapped_map_;    ///< From true poses to poses without the kidnap.

@@ -14,19 +14,11 @@ constexpr double kBlocked = 0.3;  // [m]
 
 PlaceFinder::PlaceFinder(const localization::MhAmclConfig& config,
                          const localization::OccupancyGrid& map)
-    : config_(config),
-      map_(map),
-      distances_(map, config.max_distance),
-      endpoint_(config.evidence.endpoint, distances_),
-      evidence_(config.evidence, map, distances_),
-      matcher_(config.matcher, map, distances_) {}
+    : models_(config, map) {}
 
 std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points) const {
-  if (points.empty()) return {};
-  const localization::CreateContext context{config_.create, config_.merge, config_.posterior,
-                                            config_.motion, endpoint_,     evidence_};
   std::vector<FoundPlace> found;
-  for (const auto& place : find_places(context, matcher_, points)) {
+  for (const auto& place : find_places(models_.context, models_.matcher, points)) {
     found.push_back({place.T_map_base, place.newest.log_likelihood});
   }
   return found;
@@ -34,22 +26,22 @@ std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points
 
 FoundPlace PlaceFinder::refine(const localization::ScanPoints& points,
                                const SE2& T_map_base) const {
-  const SE2 pose = refine_pose(endpoint_, points, T_map_base, std::nullopt, config_.create.refine);
-  return {pose, evidence_.evaluate(points, pose).log_likelihood};
+  const auto places = refine_candidates(models_.context, {{T_map_base, 0.0}}, points);
+  return {places.front().T_map_base, places.front().newest.log_likelihood};
 }
 
 double PlaceFinder::blocked_share(const localization::ScanPoints& points,
                                   const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
-  const double resolution = map_.frame.resolution;
-  const SE2 T_grid_base = map_.frame.T_map_grid.inverse() * T_map_base;
+  const double resolution = models_.map.frame.resolution;
+  const SE2 T_grid_base = models_.map.frame.T_map_grid.inverse() * T_map_base;
   int blocked = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d from =
         T_grid_base * Eigen::Vector2d(points.origin_x[i], points.origin_y[i]);
     const Eigen::Vector2d to = T_grid_base * Eigen::Vector2d(points.x[i], points.y[i]);
     const double longest = static_cast<double>(points.range[i]) + kBlocked;
-    const double way = resolution * cast_ray(map_, from / resolution, (to - from).normalized(),
+    const double way = resolution * cast_ray(models_.map, from / resolution, (to - from).normalized(),
                                              longest / resolution);
     if (way >= longest) ++blocked;
   }

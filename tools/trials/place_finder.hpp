@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl_models.hpp"
 
 namespace castaway::testbed {
 
@@ -14,7 +14,7 @@ struct FoundPlace {
 };
 
 /// Searches one map as mode `improved` does, without earlier scans: matcher, refinement, evidence
-/// by end points and rays. The map must outlive it.
+/// by end points and rays.
 class PlaceFinder {
  public:
   PlaceFinder(const localization::MhAmclConfig& config, const localization::OccupancyGrid& map);
@@ -27,15 +27,12 @@ class PlaceFinder {
   /// Share of the beams that end at least 0.3 m before the first wall on the map.
   [[nodiscard]] double blocked_share(const localization::ScanPoints& points,
                                      const localization::SE2& T_map_base) const;
-  [[nodiscard]] const localization::EvidenceModel& evidence() const { return evidence_; }
+  [[nodiscard]] const localization::EvidenceModel& evidence() const {
+    return models_.evidence;
+  }
 
  private:
-  localization::MhAmclConfig config_;
-  const localization::OccupancyGrid& map_;
-  localization::DistanceField distances_;
-  localization::EndpointModel endpoint_;
-  localization::EvidenceModel evidence_;
-  localization::CascadeMatcher matcher_;
+  localization::MhAmclModels models_;
 };
 
 }  // namespace castaway::testbed

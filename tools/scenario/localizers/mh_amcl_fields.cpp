@@ -64,6 +64,9 @@ void evidence_fields(Settings& settings, MhAmclConfig& config) {
                   "A beam counts as at most this many independent ones: few beams say little.",
                   {0.001, 1000.0}},
                  config.evidence.per_beam);
+  evidence.field({"right_pose", "nats", "Log-likelihood of a scan at a right pose; subtracted.",
+                  kNats},
+                 config.evidence.right_pose);
   evidence.field({"minimum", "nats", "Minimum log-likelihood of a scan.", kNats},
                  config.evidence.minimum);
 }
@@ -95,6 +98,11 @@ void fields(Settings settings, MhAmclConfig& config) {
       config.history);
   settings.field({"max_distance", "m", "Upper bound of the distance field.", {0.01, 1000.0}},
                  config.max_distance);
+  settings.field({"surface_depth",
+                  "m",
+                  "No beam ends deeper inside of an obstacle of the map.",
+                  {0.0, 1000.0}},
+                 config.surface_depth);
   evidence_fields(settings, config);
   fields(settings.group("refine"), config.refine);
   fields(settings.group("spawn"), config.spawn);
