@@ -1,6 +1,8 @@
 #include "localization/mh_amcl.hpp"
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,10 +31,21 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
   search.note_rescue(belief.populations.all.back().id);
 }
 
+/// Log-weight of the places that a search left out, if any fits as well: as many again as those
+/// found, with the weight of the median one.
+std::optional<double> left_out(const FoundPlaces& found, const Belief& belief) {
+  const std::vector<WeighedPlace>& places = found.places;
+  if (!found.more || places.empty()) return std::nullopt;
+  return weigh_backwards(belief.models.context, belief.posterior.log().scans(),
+                         places[places.size() / 2]) +
+         std::log(static_cast<double>(places.size()));
+}
+
 /// Creates populations at the places that a watch has found, and settles the doubt of the output.
 /// Returns true if a place elsewhere is better than the output.
-bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& points, Belief& belief,
+bool take_watched(const FoundPlaces& found, const ScanPoints& points, Belief& belief,
                   ScheduledSearch& search) {
+  const std::vector<WeighedPlace>& places = found.places;
   const MhAmclModels& models = belief.models;
   const Hypothesis& output = *belief.populations.output();
   std::vector<WeighedPlace> elsewhere = places;
@@ -43,6 +56,7 @@ bool take_watched(const std::vector<WeighedPlace>& places, const ScanPoints& poi
   const double lead = elsewhere.empty()
                           ? std::numeric_limits<double>::infinity()
                           : here.log_likelihood - elsewhere.front().newest.log_likelihood;
+  if (!found.more) belief.posterior.take_left_out(std::nullopt);
   const std::size_t known = belief.populations.all.size();
   belief.add(new_places(models.context, belief.posterior.log().scans(), belief.populations.all,
                         models.config.destroy.behind_confident, places),
@@ -146,26 +160,27 @@ void MhAmcl::watch(const ScanTurn& scan) {
   const Hypothesis* output = belief_.populations.output();
   if (output == nullptr || !belief_.is_confident()) return searches_.watch.start();
   const Posterior& posterior = belief_.posterior;
-  const auto places = searches_.watch.step(
+  const auto found = searches_.watch.step(
       models_->context, scan,
       {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
        posterior.suspicion(output->log_likelihood), posterior.log().scans().back().arrival_cue},
       searches_.budget);
-  if (places) searches_.watch.end(take_watched(*places, scan.points, belief_, searches_.scheduled));
+  if (found) searches_.watch.end(take_watched(*found, scan.points, belief_, searches_.scheduled));
 }
 
 /// Continues the search of the map; once it is complete, creates populations where the scan fits.
 void MhAmcl::create(const ScanTurn& scan) {
   std::vector<Hypothesis>& hypotheses = belief_.populations.all;
   const int before = belief_.populations.output_id;
-  const auto places = searches_.scheduled.step(models_->context, scan, searches_.budget);
-  if (!places) return;
+  const auto found = searches_.scheduled.step(models_->context, scan, searches_.budget);
+  if (!found) return;
   const std::vector<WeighedPlace> created =
       new_places(models_->context, belief_.posterior.log().scans(), hypotheses,
-                 models_->config.destroy.behind, *places);
+                 models_->config.destroy.behind, found->places);
   belief_.add(created, scan.points);
-  if (!places->empty() && !searches_.scheduled.is_pending()) {
-    belief_.posterior.take_search(best_of(*places), hypotheses);
+  belief_.posterior.take_left_out(left_out(*found, belief_));
+  if (!found->places.empty() && !searches_.scheduled.is_pending()) {
+    belief_.posterior.take_search(best_of(found->places), hypotheses);
   }
   merge(models_->config.merge, belief_.populations);
   select_output(belief_, searches_.scheduled);

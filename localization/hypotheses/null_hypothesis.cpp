@@ -28,6 +28,14 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
       {null.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
 }
 
+void advance_left_out(double new_share, const std::vector<Hypothesis>& hypotheses,
+                      NullHypothesis& null) {
+  const auto best = std::max_element(
+      hypotheses.begin(), hypotheses.end(),
+      [](const auto& a, const auto& b) { return a.log_likelihood < b.log_likelihood; });
+  if (best != hypotheses.end()) null.left_out += new_share * best->log_likelihood;
+}
+
 void limit_surprise(const NullHypothesisConfig& config, double log_likelihood, const ScanNews& news,
                     double odds, double listed, NullHypothesis& null) {
   const double less = std::max(0.0, null_log_likelihood(config, null) - log_likelihood);
@@ -133,7 +141,7 @@ double listed_log_weight(const std::vector<Hypothesis>& hypotheses) {
 }
 
 std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const NullHypothesis& null) {
-  const double all = log_sum_exp({listed_log_weight(hypotheses), null.log_weight});
+  const double all = log_sum_exp({listed_log_weight(hypotheses), null.log_weight, null.left_out});
   std::vector<double> result;
   for (const Hypothesis& hypothesis : hypotheses) {
     result.push_back(std::exp(hypothesis.log_weight - all));

@@ -2,6 +2,7 @@
 /// alarm follow from its weight.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
@@ -69,6 +70,9 @@ struct NullHypothesis {
   double spread = 2.0;      ///< [nats] Running average of the absolute deviation from `usual`.
   double doubt = 0.0;       ///< [nats] Evidence that the output has become wrong (`take_doubt`).
   double periods = 1.0;     ///< Running average of `ScanNews::periods`.
+  /// [nats] Log-weight of places that the last search left out although they fit as well as those
+  /// found.
+  double left_out = -std::numeric_limits<double>::infinity();
 };
 
 /// The best place of a search of the whole map.
@@ -91,6 +95,11 @@ double null_log_likelihood(const NullHypothesisConfig& config, const NullHypothe
 /// `kidnap_cue` the log-odds of a kidnap since the previous scan.
 void advance_null(const NullHypothesisConfig& config, double new_share, double listed_before,
                   double kidnap_cue, NullHypothesis& null);
+
+/// Updates the weight of the places left out by a scan: where so many fit as well, one of them goes
+/// on to fit as well as the best of the hypotheses.
+void advance_left_out(double new_share, const std::vector<Hypothesis>& hypotheses,
+                      NullHypothesis& null);
 
 /// Limits the gain over the hypotheses by a scan. `odds` is the log-odds against them before the
 /// scan, `listed` their log-weight after it, `log_likelihood` that of the scan at the output.
@@ -165,7 +174,8 @@ bool is_hopeless(const NullHypothesisConfig& config, const std::vector<Hypothesi
 /// Log-weight of all hypotheses together.
 double listed_log_weight(const std::vector<Hypothesis>& hypotheses);
 
-/// Posterior probabilities of the hypotheses; the remainder to 1 is the null hypothesis.
+/// Posterior probabilities of the hypotheses; the remainder to 1 is the null hypothesis, with the
+/// places left out.
 std::vector<double> shares(const std::vector<Hypothesis>& hypotheses, const NullHypothesis& null);
 
 }  // namespace castaway::localization

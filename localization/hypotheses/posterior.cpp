@@ -1,6 +1,7 @@
 #include "localization/hypotheses/posterior.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace castaway::localization {
@@ -27,7 +28,7 @@ Posterior::Posterior(const NullHypothesisConfig& config, ScanLog log, const Evid
 }
 
 void Posterior::start(bool known) {
-  null_ = {known ? config_.wrong_start : 0.0, config_.usual_start};
+  null_ = {.log_weight = known ? config_.wrong_start : 0.0, .usual = config_.usual_start};
   new_since_watch_ = 0.0;
   log_.start();
 }
@@ -59,6 +60,7 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
     doubt_output(config_, l, now, null_);
     take_doubt(config_, l, scan.independence, now, null_);
   }
+  advance_left_out(scan.independence, hypotheses, null_);
   new_since_watch_ += scan.independence;
 }
 
@@ -70,6 +72,10 @@ void Posterior::learn(double log_likelihood) {
 void Posterior::take_search(const BestFound& best, const std::vector<Hypothesis>& hypotheses) {
   lower_usual(config_, best.log_likelihood, null_);
   bound_null(config_, best, listed_log_weight(hypotheses), null_);
+}
+
+void Posterior::take_left_out(const std::optional<double>& log_weight) {
+  null_.left_out = log_weight.value_or(-std::numeric_limits<double>::infinity());
 }
 
 void Posterior::take_watch(const BestFound& output, bool bounds,

@@ -61,6 +61,12 @@ struct WeighedPlace {
   double log_weight = 0.0;
 };
 
+/// Result of a search of the whole map.
+struct FoundPlaces {
+  std::vector<WeighedPlace> places;  ///< Best first by evidence.
+  bool more = false;  ///< The list was too short for all that score about as well as the best.
+};
+
 /// Returns the best candidates by the evidence of end points and rays, at most `most`. Long lists
 /// are first reduced by a few beams.
 std::vector<Candidate> screen_candidates(const CreateContext& context,

@@ -1,11 +1,24 @@
 #include "localization/search/map_search.hpp"
 
+#include <algorithm>
+
 namespace castaway::localization {
 namespace {
 
 ScanPoints points_of(const CreateConfig& config, const ScanPoints& points, SearchDepth depth) {
   const bool by_far = config.far_share > 0.0 && depth == SearchDepth::kDeep;
   return by_far ? farthest_points(points, config.far_share) : points;
+}
+
+double separation(const SE2& a, const SE2& b) { return distance(a, b) + yaw_distance(a, b); }
+
+/// True if the last of the candidates scores about as well as the one next to a pose.
+bool last_is_as_good(const std::vector<Candidate>& candidates, const SE2& T_map_base) {
+  constexpr double kAsGood = 0.95;  // Share of the score.
+  const auto next = std::min_element(candidates.begin(), candidates.end(), [&](auto& a, auto& b) {
+    return separation(a.T_map_base, T_map_base) < separation(b.T_map_base, T_map_base);
+  });
+  return candidates.back().score >= kAsGood * next->score;
 }
 
 }  // namespace
@@ -18,7 +31,7 @@ MapSearch::MapSearch(const CreateConfig& config, const CascadeMatcher& matcher,
 
 MapSearch::MapSearch(const CascadeMatcher& matcher, const ScanPoints& points,
                      const SE2& T_odom_base, int most, double least)
-    : matcher_(&matcher), T_odom_base_(T_odom_base), points_(points.size()) {
+    : matcher_(&matcher), most_(most), T_odom_base_(T_odom_base), points_(points.size()) {
   if (!points.empty()) search_ = matcher.search(points, {}, most, least);
 }
 
@@ -39,37 +52,38 @@ std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
   return all;
 }
 
-std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
-                                       const ScanPoints& points, const SE2& T_odom_base, int most,
-                                       WorkBudget& budget) {
+FoundPlaces refine_found(const CreateContext& context, const MapSearch& search,
+                         const ScanPoints& points, const SE2& T_odom_base, int most,
+                         WorkBudget& budget) {
   constexpr std::int64_t kTilesPerCandidate = 40;  // Estimates: to screen, and to refine.
   constexpr std::int64_t kTilesPerPlace = 500;
-  std::vector<Candidate> found = search.candidates(T_odom_base);
-  const auto listed = static_cast<std::int64_t>(found.size());
-  found = screen_candidates(context, std::move(found), points, most);
-  const auto refined = static_cast<std::int64_t>(found.size());
-  budget.spend(kTilesPerCandidate * listed + kTilesPerPlace * refined);
-  return refine_candidates(context, found, points);
+  const std::vector<Candidate> listed = search.candidates(T_odom_base);
+  const std::vector<Candidate> screened = screen_candidates(context, listed, points, most);
+  budget.spend(kTilesPerCandidate * static_cast<std::int64_t>(listed.size()) +
+               kTilesPerPlace * static_cast<std::int64_t>(screened.size()));
+  FoundPlaces found{refine_candidates(context, screened, points)};
+  found.more = !found.places.empty() && listed.size() == static_cast<std::size_t>(search.most()) &&
+               last_is_as_good(listed, found.places.front().T_map_base);
+  return found;
 }
 
-std::optional<std::vector<WeighedPlace>> PlaceSearch::step(const CreateContext& context,
-                                                           const ScanPoints& points,
-                                                           const SE2& T_odom_base,
-                                                           std::int64_t slice, WorkBudget& budget) {
+std::optional<FoundPlaces> PlaceSearch::step(const CreateContext& context, const ScanPoints& points,
+                                             const SE2& T_odom_base, std::int64_t slice,
+                                             WorkBudget& budget) {
   if (!search_) {
     CreateConfig config = context.config;
     if (depth_ == SearchDepth::kDeep) config.deep_candidates = deep_candidates_;
     search_.emplace(config, matcher_, points, T_odom_base, depth_);
   }
   if (!search_->step(slice, budget)) return std::nullopt;
-  std::vector<WeighedPlace> places =
+  FoundPlaces found =
       refine_found(context, *search_, points, T_odom_base, context.config.refined, budget);
-  const bool unclear = is_unclear(context.config, places);
-  deep_candidates_ = deep_candidates(context.config, places, deep_candidates_);
+  const bool unclear = is_unclear(context.config, found.places);
+  deep_candidates_ = deep_candidates(context.config, found.places, deep_candidates_);
   goes_on_ = unclear && depth_ == SearchDepth::kQuick;
   depth_ = unclear ? SearchDepth::kDeep : SearchDepth::kQuick;
   search_.reset();
-  return places;
+  return found;
 }
 
 void PlaceSearch::cancel() {
@@ -88,7 +102,7 @@ std::vector<WeighedPlace> find_places(const CreateContext& context, const Cascad
   std::vector<WeighedPlace> places;
   do {
     WorkBudget budget({kUnlimited, kUnlimited}, 1.0);
-    places = *search.step(context, points, {}, kWhole, budget);
+    places = search.step(context, points, {}, kWhole, budget)->places;
   } while (search.is_pending());
   return places;
 }

@@ -34,9 +34,12 @@ class MapSearch {
   bool step(std::int64_t tiles, WorkBudget& budget);
   /// Candidates found so far, as poses of base at the time of the odometry `T_odom_base`.
   [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
+  /// Maximum number of candidates.
+  [[nodiscard]] int most() const { return most_; }
 
  private:
   const CascadeMatcher* matcher_;
+  int most_ = 0;
   SE2 T_odom_base_;
   std::size_t points_ = 0;
   std::optional<BranchAndBound> search_;  ///< None for a scan without points.
@@ -54,9 +57,8 @@ class PlaceSearch {
   /// Continues the search by about `slice` tiles; starts one with this scan if none is in progress.
   /// Returns the places found, refined on this scan, once the search is complete. `T_odom_base` is
   /// the odometry at the scan. Spends the work from `budget`.
-  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context,
-                                                const ScanPoints& points, const SE2& T_odom_base,
-                                                std::int64_t slice, WorkBudget& budget);
+  std::optional<FoundPlaces> step(const CreateContext& context, const ScanPoints& points,
+                                  const SE2& T_odom_base, std::int64_t slice, WorkBudget& budget);
   /// Drops the search in progress; the next one is quick.
   void cancel();
 
@@ -70,9 +72,9 @@ class PlaceSearch {
 
 /// Refines the candidates that a complete search has found on a scan, the best `most` of them.
 /// Spends the work from `budget`.
-std::vector<WeighedPlace> refine_found(const CreateContext& context, const MapSearch& search,
-                                       const ScanPoints& points, const SE2& T_odom_base, int most,
-                                       WorkBudget& budget);
+FoundPlaces refine_found(const CreateContext& context, const MapSearch& search,
+                         const ScanPoints& points, const SE2& T_odom_base, int most,
+                         WorkBudget& budget);
 
 /// Searches the whole map at once, as deep as `PlaceSearch`. Returns the places found, refined.
 std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,

@@ -26,10 +26,8 @@ bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
   return !last_ || seconds(now - *last_) >= (unusual ? pause_s_ : config_.longest_pause_s);
 }
 
-std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& context,
-                                                          const ScanTurn& scan,
-                                                          const WatchOccasion& occasion,
-                                                          WorkBudget& budget) {
+std::optional<FoundPlaces> PlaceWatch::step(const CreateContext& context, const ScanTurn& scan,
+                                            const WatchOccasion& occasion, WorkBudget& budget) {
   const bool suspicious = is_suspicious(scan.now, occasion);
   probability_ = occasion.probability;
   output_id_ = occasion.output.id;
@@ -40,12 +38,12 @@ std::optional<std::vector<WeighedPlace>> PlaceWatch::step(const CreateContext& c
     begin(scan, occasion.output.belief.mean);
   }
   if (!search_->step(slice(scan.periods), budget)) return std::nullopt;
-  std::vector<WeighedPlace> places =
+  FoundPlaces found =
       refine_found(context, *search_, scan.points, scan.T_odom_base, config_.refined, budget);
   search_.reset();
   urgent_ = false;
   last_ = scan.now;
-  return places;
+  return found;
 }
 
 /// Tiles searched with a scan; more after a long time without one.

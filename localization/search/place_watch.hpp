@@ -55,8 +55,8 @@ class PlaceWatch {
   /// Begins or continues a search, if one is due. Returns the places found, refined on this scan,
   /// once a search is complete; the place of the output is one of them. Spends the work from
   /// `budget`.
-  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan,
-                                                const WatchOccasion& occasion, WorkBudget& budget);
+  std::optional<FoundPlaces> step(const CreateContext& context, const ScanTurn& scan,
+                                  const WatchOccasion& occasion, WorkBudget& budget);
   /// Notes that the places of a complete search were used; `better`: one is better than the output.
   void end(bool better);
 

@@ -21,9 +21,8 @@ bool ScheduledSearch::is_due(const MatchOccasion& occasion) const {
   return search_.is_pending() || schedule_.is_due(occasion);
 }
 
-std::optional<std::vector<WeighedPlace>> ScheduledSearch::step(const CreateContext& context,
-                                                               const ScanTurn& scan,
-                                                               WorkBudget& budget) {
+std::optional<FoundPlaces> ScheduledSearch::step(const CreateContext& context, const ScanTurn& scan,
+                                                 WorkBudget& budget) {
   schedule_.begin(scan.now, scan.T_odom_base, !search_.is_pending());
   return search_.step(context, scan.points, scan.T_odom_base, slice_, budget);
 }

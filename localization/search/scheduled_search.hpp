@@ -34,8 +34,8 @@ class ScheduledSearch {
   /// Continues the search by a slice; starts one with this scan if none is in progress. Returns the
   /// places found, refined on this scan, once the search is complete.
   /// Spends the work from `budget`.
-  std::optional<std::vector<WeighedPlace>> step(const CreateContext& context, const ScanTurn& scan,
-                                                WorkBudget& budget);
+  std::optional<FoundPlaces> step(const CreateContext& context, const ScanTurn& scan,
+                                  WorkBudget& budget);
   /// Notes that the places of a complete search were used; `changed` is true if the output changed.
   void end(bool changed) { schedule_.end(changed); }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "localization/map/hollow.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
 
@@ -24,12 +25,21 @@ TEST(MhAmclModels, UseTheSettingsAndTheMapTheyHold) {
   EXPECT_EQ(&models.context.evidence, &models.evidence);
   const SE2 pose{3.0, 3.0, 0.4};
   const ScanPoints points = test::points_from(grid, pose);
-  const DistanceField distances(grid, 3.0);
+  const DistanceField distances(hollow(grid, config.surface_depth), 3.0);
   EXPECT_EQ(models.evidence.evaluate(points, pose).log_likelihood,
             EvidenceModel(config.evidence, grid, distances).evaluate(points, pose).log_likelihood);
   const TrackingFilter filter({config.tracking, distances}, config.reseed, config.refine);
   EXPECT_EQ(models.filter.belief_at(pose, points).covariance,
             filter.belief_at(pose, points).covariance);
+}
+
+TEST(MhAmclModels, MeasureDistancesToTheSurfacesOfSolidObstacles) {
+  OccupancyGrid grid = test::office();
+  test::fill(grid, 2.0, 2.0, 4.0, 4.0, CellState::kOccupied);
+  const MhAmclModels models({}, grid);
+  EXPECT_EQ(models.distances.at({2.05, 3.0}), 0.0);
+  EXPECT_NEAR(models.distances.at({3.0, 3.0}), 0.9, 0.06);
+  EXPECT_EQ(models.map.cells, grid.cells);
 }
 
 TEST(MhAmclModels, CannotBeCopied) { EXPECT_FALSE(std::is_copy_constructible_v<MhAmclModels>); }

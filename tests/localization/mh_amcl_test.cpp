@@ -47,6 +47,33 @@ TEST(MhAmcl, FindsItselfFromAnUnknownStart) {
   EXPECT_FALSE(localizer.estimate()->lost);
 }
 
+/// Rooms side by side that look alike.
+OccupancyGrid like_rooms(int count) {
+  OccupancyGrid grid;
+  grid.frame = {80 * count, 80, 0.05, {}};
+  grid.cells.assign(grid.frame.size(), CellState::kOccupied);
+  for (int i = 0; i < count; ++i) {
+    const double x = 4.0 * i;
+    test::fill(grid, x + 0.2, 0.2, x + 3.8, 3.8, CellState::kFree);
+    test::fill(grid, x + 0.8, 2.0, x + 1.4, 2.4, CellState::kOccupied);
+  }
+  return grid;
+}
+
+TEST(MhAmcl, IsNotSureWhereItsListIsTooShortForAllLookAlikes) {
+  MhAmclConfig config;
+  config.create.quick_candidates = 1;
+  config.watch.candidates = 1;
+  MhAmcl localizer(config, like_rooms(3), 1);
+  test::GridDrive drive(like_rooms(3), {6.5, 1.2, 0.4});
+  for (int i = 0; i < 20; ++i) {  // As long as the history remembers the start.
+    drive.step(localizer, {0.01, 0.0, 0.03});
+    ASSERT_TRUE(localizer.estimate());
+    EXPECT_LT(localizer.estimate()->probability, 0.7) << i;
+    EXPECT_TRUE(localizer.estimate()->lost);
+  }
+}
+
 TEST(MhAmcl, FindsItselfOnTheMoveThoughTheSearchTakesManyScans) {
   MhAmclConfig config;
   config.match.slice = 200;

@@ -107,7 +107,7 @@ double plain_evidence(const EvidenceConfig& config, const OccupancyGrid& grid,
   }
   double mean = sum / static_cast<double>(scan.range.size());
   if (grid.at({at.x, at.y}) != CellState::kFree) mean -= config.off_free_penalty;
-  return std::max(config.endpoint.independent_beams * mean, config.minimum);
+  return std::max(config.endpoint.independent_beams * mean - config.right_pose, config.minimum);
 }
 
 SE2 plain_mean(const std::vector<PlainParticle>& particles) {

@@ -32,6 +32,26 @@ TEST(Shares, SumToOneWithTheNullHypothesis) {
   EXPECT_NEAR(all[1], 0.3, 1e-12);
 }
 
+TEST(Shares, LeaveRoomForPlacesLeftOut) {
+  NullHypothesis null{kNothing};
+  null.left_out = std::log(3.0);
+  EXPECT_NEAR(shares(make_hypotheses({0.0}), null)[0], 0.25, 1e-12);
+}
+
+TEST(AdvanceLeftOut, FollowsTheBestHypothesis) {
+  std::vector<Hypothesis> two = make_hypotheses({0.0, 0.0});
+  two[0].log_likelihood = -7.0;
+  two[1].log_likelihood = -1.0;
+  NullHypothesis null;
+  advance_left_out(0.5, two, null);
+  EXPECT_EQ(null.left_out, kNothing);
+  null.left_out = -2.0;
+  advance_left_out(0.5, two, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -2.5);
+  advance_left_out(0.5, {}, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -2.5);
+}
+
 TEST(AdvanceNull, AddsKidnapsFromTheListedMass) {
   const NullHypothesisConfig config;
   NullHypothesis null{-4.0, -2.0};

@@ -129,7 +129,7 @@ TEST_F(MapSearchTest, LooksDeeperInOneGoWhereNothingIsClear) {
   create_.quick_candidates = 3;
   create_.deep_below = -100.0;
   EXPECT_LE(find_places(context(), matcher_, points_).size(), 3U);
-  create_.deep_below = 1.0;
+  create_.deep_below = 2.0;
   EXPECT_GT(find_places(context(), matcher_, points_).size(), 3U);
   EXPECT_TRUE(find_places(context(), matcher_, {}).empty());
 }
@@ -145,10 +145,15 @@ class PlaceSearchTest : public MapSearchTest {
 
 TEST_F(PlaceSearchTest, FindsTheScanInOneGo) {
   PlaceSearch search(matcher_);
-  const auto places = search.step(context(), points_, {}, 1 << 30, budget_);
-  ASSERT_TRUE(places && !places->empty());
-  EXPECT_LT(distance(places->front().T_map_base, truth_), 0.05);
+  const auto found = search.step(context(), points_, {}, 1 << 30, budget_);
+  ASSERT_TRUE(found && !found->places.empty());
+  EXPECT_LT(distance(found->places.front().T_map_base, truth_), 0.05);
   EXPECT_FALSE(search.is_pending());
+}
+
+TEST_F(PlaceSearchTest, LeavesNothingAsGoodOutWhereAPlaceIsUnique) {
+  PlaceSearch search(matcher_);  // The list is full.
+  EXPECT_FALSE(search.step(context(), points_, {}, 1 << 30, budget_)->more);
 }
 
 TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
@@ -157,16 +162,16 @@ TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
   EXPECT_TRUE(search.is_pending());
   const SE2 u{0.5, 0.2, 0.3};
   const ScanPoints later = test::points_from(grid_, truth_ * u);
-  std::optional<std::vector<WeighedPlace>> places;
-  for (int i = 0; i < 10000 && !places; ++i) {
-    places = search.step(context(), later, u, 100, budget_);
+  std::optional<FoundPlaces> found;
+  for (int i = 0; i < 10000 && !found; ++i) {
+    found = search.step(context(), later, u, 100, budget_);
   }
-  ASSERT_TRUE(places && !places->empty());
-  EXPECT_LT(distance(places->front().T_map_base, truth_ * u), 0.05);
+  ASSERT_TRUE(found && !found->places.empty());
+  EXPECT_LT(distance(found->places.front().T_map_base, truth_ * u), 0.05);
 }
 
 TEST_F(PlaceSearchTest, GoesOnDeepWhereNothingIsClear) {
-  create_.deep_below = 1.0;  // no score reaches it
+  create_.deep_below = 2.0;  // no score reaches it
   PlaceSearch search(matcher_);
   for (const bool pending : {true, false, false}) {
     ASSERT_TRUE(search.step(context(), points_, {}, 1 << 30, budget_));
@@ -180,9 +185,9 @@ TEST_F(PlaceSearchTest, StaysDeepUntilAPlaceIsClear) {
   create_.far_share = 0.0;
   points_ = test::with_people(points_);
   const auto places = [&](PlaceSearch& search) {
-    return search.step(context(), points_, {}, 1 << 30, budget_)->size();
+    return search.step(context(), points_, {}, 1 << 30, budget_)->places.size();
   };
-  create_.deep_below = 1.0;
+  create_.deep_below = 2.0;
   PlaceSearch search(matcher_);
   EXPECT_EQ(places(search), 1U);
   EXPECT_EQ(places(search), 2U);
@@ -197,7 +202,7 @@ TEST_F(PlaceSearchTest, ForgetsWhatGoesOn) {
   EXPECT_FALSE(search.step(context(), points_, {}, 100, budget_));
   search.cancel();
   EXPECT_FALSE(search.is_pending());
-  create_.deep_below = 1.0;
+  create_.deep_below = 2.0;
   search.step(context(), points_, {}, 1 << 30, budget_);
   EXPECT_TRUE(search.is_pending());
   search.cancel();

@@ -22,12 +22,15 @@ OccupancyGrid twin_rooms() {
 
 class PlaceWatchTest : public testing::Test {
  protected:
-  std::optional<std::vector<WeighedPlace>> step(double time_s, const Hypothesis& output) {
+  std::optional<FoundPlaces> step(double time_s, const Hypothesis& output) {
+    return step(watch_, time_s, output);
+  }
+  std::optional<FoundPlaces> step(PlaceWatch& watch, double time_s, const Hypothesis& output) {
     const CreateContext context{create_, merge_, posterior_, noise_, endpoint_, evidence_};
     ScanTurn scan;
     scan.now = from_seconds(time_s);
     scan.points = points_;
-    return watch_.step(context, scan, {output, probability_, usual_, doubt_, cue_}, budget_);
+    return watch.step(context, scan, {output, probability_, usual_, doubt_, cue_}, budget_);
   }
   /// A scan after a number of periods, with evidence for a kidnap. True if it ends a search.
   bool step_of(PlaceWatch& watch, double periods, const Hypothesis& output) {
@@ -74,11 +77,11 @@ TEST_F(PlaceWatchTest, RestsWhileTheOutputFits) {
 
 TEST_F(PlaceWatchTest, FindsATwinAtOnceOnSuspicion) {
   cue_ = 3.1;
-  const auto places = step(0.0, output_at(truth_));
-  ASSERT_TRUE(places);
-  ASSERT_GE(places->size(), 2U);
+  const auto found = step(0.0, output_at(truth_));
+  ASSERT_TRUE(found);
+  ASSERT_GE(found->places.size(), 2U);
   const auto near = [&](const SE2& pose) {
-    return std::any_of(places->begin(), places->end(), [&](const WeighedPlace& place) {
+    return std::any_of(found->places.begin(), found->places.end(), [&](const WeighedPlace& place) {
       return distance(place.T_map_base, pose) < 0.1;
     });
   };
@@ -86,11 +89,20 @@ TEST_F(PlaceWatchTest, FindsATwinAtOnceOnSuspicion) {
   EXPECT_TRUE(near(twin_));
 }
 
+TEST_F(PlaceWatchTest, KnowsThatAShortListLeavesPlacesOut) {
+  cue_ = 3.1;
+  EXPECT_FALSE(step(0.0, output_at(truth_))->more);
+  PlaceWatchConfig config;
+  config.candidates = 1;
+  PlaceWatch with_short_list(config, matcher_);
+  EXPECT_TRUE(step(with_short_list, 0.0, output_at(truth_))->more);
+}
+
 TEST_F(PlaceWatchTest, FindsTheBetterPlaceOfABadOutput) {
   doubt_ = 2.5;
-  const auto places = step(0.0, output_at(twin_ * SE2{0.0, 0.0, 1.6}));
-  ASSERT_TRUE(places && !places->empty());
-  EXPECT_GT(places->front().newest.log_likelihood, -2.0);
+  const auto found = step(0.0, output_at(twin_ * SE2{0.0, 0.0, 1.6}));
+  ASSERT_TRUE(found && !found->places.empty());
+  EXPECT_GT(found->places.front().newest.log_likelihood, -2.0);
 }
 
 TEST_F(PlaceWatchTest, LooksAgainOnceWhereTheOutputIsNew) {

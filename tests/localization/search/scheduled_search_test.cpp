@@ -42,9 +42,9 @@ TEST_F(ScheduledSearchTest, FindsThePlaceInOneSliceAndThenPauses) {
   EXPECT_TRUE(search.is_due(occasion(1.0)));
   EXPECT_FALSE(search.is_due(occasion(1.0, true)));
   for (const double time_s : {1.0, 1.1}) {
-    const auto places = search.step(context(), scan_at(time_s), budget_);
-    ASSERT_TRUE(places);
-    EXPECT_LT(distance(places->front().T_map_base, truth_), 0.05);
+    const auto found = search.step(context(), scan_at(time_s), budget_);
+    ASSERT_TRUE(found);
+    EXPECT_LT(distance(found->places.front().T_map_base, truth_), 0.05);
     search.end(false);
   }
   EXPECT_FALSE(search.is_due(occasion(1.2)));
@@ -53,14 +53,14 @@ TEST_F(ScheduledSearchTest, FindsThePlaceInOneSliceAndThenPauses) {
 }
 
 TEST_F(ScheduledSearchTest, IsQuickAgainAfterANewAlarm) {
-  create_.deep_below = 1.0;  // no score reaches it
+  create_.deep_below = 2.0;  // no score reaches it
   create_.quick_candidates = 1;
   create_.deep_candidates = 2;
   create_.far_share = 0.0;
   points_ = test::with_people(points_);
   ScheduledSearch search({}, matcher_);
   const auto places = [&](double time_s) {
-    return search.step(context(), scan_at(time_s), budget_)->size();
+    return search.step(context(), scan_at(time_s), budget_)->places.size();
   };
   EXPECT_EQ(places(1.0), 1U);
   search.raise_alarm();  // A deep search is due; the alarm leaves it.

@@ -26,6 +26,20 @@ TEST_F(EvidenceModelTest, IsNearPerfectAtTheTruePose) {
   EXPECT_GT(evidence.quality, 0.75);
 }
 
+TEST_F(EvidenceModelTest, IsRelativeToARightPose) {
+  const SE2 pose{3.0, 3.0, 0.4};
+  const ScanPoints points = scan_from(pose);
+  EvidenceConfig config;
+  config.right_pose -= 0.7;
+  const EvidenceModel shifted(config, grid_, distances_);
+  const double before = model_.evaluate(points, pose).log_likelihood;
+  EXPECT_NEAR(shifted.evaluate(points, pose).log_likelihood, before + 0.7, 1e-9);
+  EXPECT_NEAR(shifted.bound(points, pose), model_.bound(points, pose) + 0.7, 1e-6);
+  const ScanPoints few = thin(points, 5);  // 0.4 * 5 of 10 independent beams.
+  EXPECT_NEAR(shifted.evaluate(few, pose).log_likelihood,
+              model_.evaluate(few, pose).log_likelihood + 0.14, 1e-9);
+}
+
 TEST_F(EvidenceModelTest, IsHopelessInAnotherRoom) {
   const Evidence evidence = model_.evaluate(scan_from({3.0, 3.0, 0.4}), {8.0, 6.0, 1.9});
   EXPECT_LT(evidence.log_likelihood, -12.0);
@@ -78,7 +92,10 @@ TEST_F(EvidenceModelTest, TakesThePenaltyOffFreeCells) {
   ScanPoints one{{0.0F}, {0.0F}, {0.0F}, {0.0F},
                  {0.0F}, {0.0F}, {0.0F}};  // an end point at the origin of base
   const double on_wall = model_.evaluate(one, {6.0, 1.0, 0.0}).log_likelihood;
-  EXPECT_NEAR(on_wall, -config.per_beam * config.off_free_penalty, 1e-5);
+  EXPECT_NEAR(on_wall,
+              -config.per_beam *
+                  (config.off_free_penalty + config.right_pose / config.endpoint.independent_beams),
+              1e-5);
 }
 
 TEST_F(EvidenceModelTest, CountsFewBeamsLess) {
