@@ -48,8 +48,8 @@ double EvidenceModel::log_likelihood_above(double least, const ScanPoints& point
 
 /// Share of the independent beams that a scan counts as.
 double EvidenceModel::share(std::size_t beams) const {
-  return std::min(1.0, config_.per_beam * static_cast<double>(beams) /
-                           config_.endpoint.independent_beams);
+  return std::min(
+      1.0, config_.per_beam * static_cast<double>(beams) / config_.endpoint.independent_beams);
 }
 
 double EvidenceModel::scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const {

@@ -64,9 +64,9 @@ void evidence_fields(Settings& settings, MhAmclConfig& config) {
                   "A beam counts as at most this many independent ones: few beams say little.",
                   {0.001, 1000.0}},
                  config.evidence.per_beam);
-  evidence.field({"right_pose", "nats", "Log-likelihood of a scan at a right pose; subtracted.",
-                  kNats},
-                 config.evidence.right_pose);
+  evidence.field(
+      {"right_pose", "nats", "Log-likelihood of a scan at a right pose; subtracted.", kNats},
+      config.evidence.right_pose);
   evidence.field({"minimum", "nats", "Minimum log-likelihood of a scan.", kNats},
                  config.evidence.minimum);
 }
