@@ -41,8 +41,8 @@ double PlaceFinder::blocked_share(const localization::ScanPoints& points,
         T_grid_base * Eigen::Vector2d(points.origin_x[i], points.origin_y[i]);
     const Eigen::Vector2d to = T_grid_base * Eigen::Vector2d(points.x[i], points.y[i]);
     const double longest = static_cast<double>(points.range[i]) + kBlocked;
-    const double way = resolution * cast_ray(models_.map, from / resolution, (to - from).normalized(),
-                                             longest / resolution);
+    const double way = resolution * cast_ray(models_.map, from / resolution,
+                                             (to - from).normalized(), longest / resolution);
     if (way >= longest) ++blocked;
   }
   return static_cast<double>(blocked) / static_cast<double>(points.size());

@@ -27,9 +27,7 @@ class PlaceFinder {
   /// Share of the beams that end at least 0.3 m before the first wall on the map.
   [[nodiscard]] double blocked_share(const localization::ScanPoints& points,
                                      const localization::SE2& T_map_base) const;
-  [[nodiscard]] const localization::EvidenceModel& evidence() const {
-    return models_.evidence;
-  }
+  [[nodiscard]] const localization::EvidenceModel& evidence() const { return models_.evidence; }
 
  private:
   localization::MhAmclModels models_;

@@ -35,7 +35,9 @@ TEST(Hollow, HasNoSurfaceAtTheBorderOfTheMap) {
   EXPECT_EQ(hollowed({"####."}, 1.0), cells({"   #."}));
 }
 
-TEST(Hollow, IsEmptyWithoutSurfaces) { EXPECT_EQ(hollowed({"##", "##"}, 9.0), cells({"  ", "  "})); }
+TEST(Hollow, IsEmptyWithoutSurfaces) {
+  EXPECT_EQ(hollowed({"##", "##"}, 9.0), cells({"  ", "  "}));
+}
 
 }  // namespace
 }  // namespace castaway::localization
