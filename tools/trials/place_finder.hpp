@@ -10,7 +10,7 @@ namespace castaway::testbed {
 /// A place where a scan fits.
 struct FoundPlace {
   localization::SE2 T_map_base;
-  double log_likelihood = 0.0;  ///< Evidence of the scan, 0 at best (`Evidence`).
+  double log_likelihood = 0.0;  ///< Evidence of the scan (`Evidence`).
 };
 
 /// Searches one map as mode `improved` does, without earlier scans: matcher, refinement, evidence
