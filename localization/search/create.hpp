@@ -34,7 +34,7 @@ struct CreateConfig {
   double deep_growth = 0.7;  ///< [1/nat] Growth of its logarithm as the best place fits worse.
   /// Number of candidates whose evidence is computed with all beams; the best by the evidence of a
   /// few beams.
-  int looked_at = 150;
+  int looked_at = 60;
   int refined = 40;  ///< Number of candidates refined; the best by evidence before refinement.
   /// [nats] Candidates further behind the best one before refinement are not refined.
   double refined_behind = 8.0;
@@ -91,7 +91,7 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places);
 
 /// Number of places of the deep search that is due after a search has found these places; `before`:
-/// that of the last one, 0 if it was quick.
+/// that of the last one, 0 if it was quick. The first one is limited, because most find the place.
 int deep_candidates(const CreateConfig& config, const std::vector<WeighedPlace>& places,
                     int before);
 

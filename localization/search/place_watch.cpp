@@ -7,6 +7,7 @@ namespace castaway::localization {
 void PlaceWatch::start() {
   search_.reset();
   last_.reset();
+  scans_ = 0;
   pause_s_ = config_.first_pause_s;
   probability_ = 1.0;
   output_id_ = -1;
@@ -22,8 +23,10 @@ bool PlaceWatch::is_suspicious(Stamp now, const WatchOccasion& occasion) const {
 
 bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
   if (occasion.output.log_likelihood >= config_.fits) return false;
+  if (!last_) return true;
   const bool unusual = occasion.output.log_likelihood < occasion.usual;
-  return !last_ || seconds(now - *last_) >= (unusual ? pause_s_ : config_.longest_pause_s);
+  if (!unusual && scans_ < config_.usual_scans) return false;
+  return seconds(now - *last_) >= (unusual ? pause_s_ : config_.longest_pause_s);
 }
 
 std::optional<FoundPlaces> PlaceWatch::step(const CreateContext& context, const ScanTurn& scan,
@@ -31,6 +34,7 @@ std::optional<FoundPlaces> PlaceWatch::step(const CreateContext& context, const 
   const bool suspicious = is_suspicious(scan.now, occasion);
   probability_ = occasion.probability;
   output_id_ = occasion.output.id;
+  ++scans_;
   if (suspicious && !urgent_) search_.reset();
   if (!search_) {
     if (!suspicious && !is_due(scan.now, occasion)) return std::nullopt;
@@ -43,6 +47,7 @@ std::optional<FoundPlaces> PlaceWatch::step(const CreateContext& context, const 
   search_.reset();
   urgent_ = false;
   last_ = scan.now;
+  scans_ = 0;
   return found;
 }
 

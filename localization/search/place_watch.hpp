@@ -33,6 +33,9 @@ struct PlaceWatchConfig {
   /// doubles while they find nothing better.
   double first_pause_s = 1.0;
   double longest_pause_s = 2.0;  ///< [s] Upper limit of this time, and the time otherwise.
+  /// Minimum number of scans from one search to one in the background while the scan is as likely
+  /// as usual: evidence for a twin comes in scan by scan, however far apart scans are.
+  int usual_scans = 9;
 };
 
 /// State of a confident output.
@@ -72,6 +75,7 @@ class PlaceWatch {
   bool urgent_ = false;        ///< The search in progress began on suspicion.
   std::optional<Stamp> last_;  ///< End of the last search.
   double pause_s_ = 0.0;       ///< Of searches in the background.
+  int scans_ = 0;              ///< Number of scans since the last search.
   double probability_ = 1.0;   ///< Of the output at the previous scan.
   int output_id_ = -1;         ///< Output at the previous scan.
 };

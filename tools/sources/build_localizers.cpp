@@ -16,7 +16,7 @@ namespace {
 /// Visitor that builds the localizer of each settings type.
 struct Maker {
   std::unique_ptr<localization::Localizer> operator()(const localization::MhAmclConfig& c) const {
-    return models ? std::make_unique<localization::MhAmcl>(models, seed, thread_cpu_time)
+    return models ? std::make_unique<localization::MhAmcl>(models, seed)
                   : std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);
   }
   std::unique_ptr<localization::Localizer> operator()(
@@ -34,7 +34,7 @@ struct Maker {
 
   const localization::OccupancyGrid& map;
   std::uint64_t seed;
-  std::shared_ptr<const localization::MhAmclModels> models;  ///< Null: built here.
+  std::shared_ptr<const localization::MhAmclModels> models;  ///< Null: built here, timed.
 };
 
 NamedLocalizer build_localizer(const LocalizerSpec& spec, const localization::OccupancyGrid& map,

@@ -149,7 +149,8 @@ TEST_F(CreateTest, SearchesDeeperTheWorseTheBestPlaceFitsAndTheOftenerItMust) {
   EXPECT_EQ(deep_candidates(config_, fits(-2.9), 0), 0);
   EXPECT_EQ(deep_candidates(config_, fits(-3.001), 0), 100);
   EXPECT_EQ(deep_candidates(config_, fits(-5.0), 0), 405);  // 100 exp(1.4)
-  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 0), 3000);
+  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 0), 600);
+  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 600), 2400);
   EXPECT_EQ(deep_candidates(config_, {}, 0), 3000);
   EXPECT_EQ(deep_candidates(config_, fits(-3.001), 200), 800);
   EXPECT_EQ(deep_candidates(config_, fits(-5.0), 2000), 3000);

@@ -75,6 +75,19 @@ TEST_F(PlaceWatchTest, RestsWhileTheOutputFits) {
   for (double t = 0.0; t < 20.0; t += 0.1) EXPECT_FALSE(step(t, output));
 }
 
+TEST_F(PlaceWatchTest, SearchesEveryNinthSparseScanThatFitsAsUsual) {
+  Hypothesis output = output_at(truth_);
+  output.log_likelihood = -2.0;
+  usual_ = -2.0;
+  step(-5.0, output);  // On suspicion: the output is new.
+  int searches = 0;
+  for (int k = 0; k < 18; ++k) searches += step(5.0 * k, output) ? 1 : 0;
+  EXPECT_EQ(searches, 2);
+  usual_ = -1.5;
+  for (int k = 18; k < 36; ++k) searches += step(5.0 * k, output) ? 1 : 0;
+  EXPECT_EQ(searches, 2 + 18);
+}
+
 TEST_F(PlaceWatchTest, FindsATwinAtOnceOnSuspicion) {
   cue_ = 3.1;
   const auto found = step(0.0, output_at(truth_));

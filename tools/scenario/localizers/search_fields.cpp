@@ -26,6 +26,9 @@ void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
   settings.field(
       {"longest_pause_s", "s", "Upper limit of this time, and the time otherwise.", kTime},
       watch.longest_pause_s);
+  settings.field(
+      {"usual_scans", "", "Scans from a search to the next while they fit as usual.", kCount},
+      watch.usual_scans);
 }
 
 }  // namespace
