@@ -2,8 +2,8 @@
 set(CASTAWAY_TEST_SHARDS 0 CACHE STRING "Processes that run the tests of a program; 0: one for each test")
 mark_as_advanced(CASTAWAY_TEST_SHARDS)
 
-# Environment of tests that load Mesa, for LeakSanitizer. Its record of thread-local storage allocated at run time takes what
-# lies before a block for the size of it, and LeakSanitizer crashes at exit on some layouts of memory.
+# LeakSanitizer's options for tests that load Mesa. With `intercept_tls_get_addr` it misreads the sizes of some thread-local
+# blocks, and crashes at exit.
 set(CASTAWAY_MESA_ENVIRONMENT
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan_mesa.supp:print_suppressions=0:intercept_tls_get_addr=0")
 

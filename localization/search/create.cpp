@@ -130,13 +130,12 @@ bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& pla
 int deep_candidates(const CreateConfig& config, const std::vector<WeighedPlace>& places,
                     int before) {
   constexpr double kAgain = 4.0;
-  constexpr double kMostAtFirst = 600.0;
+  constexpr double kMostAtFirst = 6.0;
   if (!is_unclear(config, places)) return 0;
   if (places.empty()) return config.deep_candidates;
   const double misfit = config.deep_below - places.front().newest.log_likelihood;
-  const double first =
-      std::min(config.first_deep * std::exp(config.deep_growth * misfit), kMostAtFirst);
-  const double wanted = std::max(first, kAgain * before);
+  const double growth = std::min(std::exp(config.deep_growth * misfit), kMostAtFirst);
+  const double wanted = std::max(config.first_deep * growth, kAgain * before);
   return static_cast<int>(std::min<double>(wanted, config.deep_candidates));
 }
 

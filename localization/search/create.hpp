@@ -91,7 +91,7 @@ std::vector<WeighedPlace> new_places(const CreateContext& context, const ScanHis
 bool is_unclear(const CreateConfig& config, const std::vector<WeighedPlace>& places);
 
 /// Number of places of the deep search that is due after a search has found these places; `before`:
-/// that of the last one, 0 if it was quick. The first one is limited, because most find the place.
+/// that of the last one, 0 if it was quick. The first one has at most six times `first_deep`.
 int deep_candidates(const CreateConfig& config, const std::vector<WeighedPlace>& places,
                     int before);
 

@@ -33,8 +33,8 @@ struct PlaceWatchConfig {
   /// doubles while they find nothing better.
   double first_pause_s = 1.0;
   double longest_pause_s = 2.0;  ///< [s] Upper limit of this time, and the time otherwise.
-  /// Minimum number of scans from one search to one in the background while the scan is as likely
-  /// as usual: evidence for a twin comes in scan by scan, however far apart scans are.
+  /// Minimum number of scans from a search to the next one in the background while the scan is as
+  /// likely as usual. Evidence for a twin comes with scans, so sparse scans need fewer searches.
   int usual_scans = 9;
 };
 

@@ -34,7 +34,8 @@ struct Maker {
 
   const localization::OccupancyGrid& map;
   std::uint64_t seed;
-  std::shared_ptr<const localization::MhAmclModels> models;  ///< Null: built here, timed.
+  /// Null: built here, and the stages of the localizer are timed.
+  std::shared_ptr<const localization::MhAmclModels> models;
 };
 
 NamedLocalizer build_localizer(const LocalizerSpec& spec, const localization::OccupancyGrid& map,

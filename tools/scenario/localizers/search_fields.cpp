@@ -26,9 +26,11 @@ void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
   settings.field(
       {"longest_pause_s", "s", "Upper limit of this time, and the time otherwise.", kTime},
       watch.longest_pause_s);
-  settings.field(
-      {"usual_scans", "", "Scans from a search to the next while they fit as usual.", kCount},
-      watch.usual_scans);
+  settings.field({"usual_scans", "",
+                  "Minimum number of scans from a search to the next one in the background while "
+                  "they fit as usual.",
+                  kCount},
+                 watch.usual_scans);
 }
 
 }  // namespace
