@@ -84,7 +84,8 @@ MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, S
       belief_(*models_, seed),
       searches_{ScheduledSearch(models_->config.match, models_->matcher),
                 PlaceWatch(models_->config.watch, models_->matcher),
-                WorkBudget(models_->config.budget, models_->config.input.correct_rate_hz)},
+                WorkBudget(models_->config.budget, models_->config.input.correct_rate_hz,
+                           models_->matcher.cells())},
       timer_(std::move(clock)) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
@@ -162,7 +163,7 @@ void MhAmcl::watch(const ScanTurn& scan) {
   const Posterior& posterior = belief_.posterior;
   const auto found = searches_.watch.step(
       models_->context, scan,
-      {*output, belief_.probability_at(output->belief.mean), posterior.usual(),
+      {*output, belief_.probability_at(output->belief.mean), posterior.least_usual(),
        posterior.suspicion(output->log_likelihood), posterior.log().scans().back().arrival_cue},
       searches_.budget);
   if (found) searches_.watch.end(take_watched(*found, scan.points, belief_, searches_.scheduled));

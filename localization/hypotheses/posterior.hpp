@@ -58,6 +58,8 @@ class Posterior {
   [[nodiscard]] std::vector<double> shares(const std::vector<Hypothesis>& hypotheses) const;
   /// [nats] Usual log-likelihood of a scan at the right pose.
   [[nodiscard]] double usual() const { return null_.usual; }
+  /// [nats] Scans at the right pose are seldom less likely: by more than their mean deviation.
+  [[nodiscard]] double least_usual() const { return null_.usual - null_.spread; }
   /// [nats] Evidence that the output has become wrong (`take_doubt`).
   [[nodiscard]] double doubt() const { return null_.doubt; }
   /// [nats] The larger of the doubt and of the evidence of the newest scan alone, which has this

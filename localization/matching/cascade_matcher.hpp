@@ -48,6 +48,8 @@ class CascadeMatcher {
                  const DistanceField& distances);
 
   [[nodiscard]] const MatcherConfig& config() const { return config_; }
+  /// Size of the map in coarse cells.
+  [[nodiscard]] std::size_t cells() const { return field_.frame().size(); }
   /// Returns candidates on free cells, best first; none for a scan without points. `most` overrides
   /// the configured number.
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points,

@@ -5,6 +5,9 @@
 namespace castaway::localization {
 namespace {
 
+constexpr std::int64_t kTilesPerCandidate = 60;  // Estimates: to screen, and to refine.
+constexpr std::int64_t kTilesPerPlace = 800;
+
 ScanPoints points_of(const CreateConfig& config, const ScanPoints& points, SearchDepth depth) {
   const bool by_far = config.far_share > 0.0 && depth == SearchDepth::kDeep;
   return by_far ? farthest_points(points, config.far_share) : points;
@@ -52,11 +55,13 @@ std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
   return all;
 }
 
+std::int64_t MapSearch::tiles_to_refine(int most) const {
+  return kTilesPerCandidate * most_ + kTilesPerPlace * std::min(most_, most);
+}
+
 FoundPlaces refine_found(const CreateContext& context, const MapSearch& search,
                          const ScanPoints& points, const SE2& T_odom_base, int most,
                          WorkBudget& budget) {
-  constexpr std::int64_t kTilesPerCandidate = 40;  // Estimates: to screen, and to refine.
-  constexpr std::int64_t kTilesPerPlace = 500;
   const std::vector<Candidate> listed = search.candidates(T_odom_base);
   const std::vector<Candidate> screened = screen_candidates(context, listed, points, most);
   budget.spend(kTilesPerCandidate * static_cast<std::int64_t>(listed.size()) +
@@ -76,6 +81,7 @@ std::optional<FoundPlaces> PlaceSearch::step(const CreateContext& context, const
     search_.emplace(config, matcher_, points, T_odom_base, depth_);
   }
   if (!search_->step(slice, budget)) return std::nullopt;
+  if (!budget.affords(search_->tiles_to_refine(context.config.refined))) return std::nullopt;
   FoundPlaces found =
       refine_found(context, *search_, points, T_odom_base, context.config.refined, budget);
   const bool unclear = is_unclear(context.config, found.places);

@@ -36,6 +36,8 @@ class MapSearch {
   [[nodiscard]] std::vector<Candidate> candidates(const SE2& T_odom_base) const;
   /// Maximum number of candidates.
   [[nodiscard]] int most() const { return most_; }
+  /// Estimate of the work of `refine_found` for `most` of them. [tiles]
+  [[nodiscard]] std::int64_t tiles_to_refine(int most) const;
 
  private:
   const CascadeMatcher* matcher_;

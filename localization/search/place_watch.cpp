@@ -24,7 +24,8 @@ bool PlaceWatch::is_suspicious(Stamp now, const WatchOccasion& occasion) const {
 bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
   if (occasion.output.log_likelihood >= config_.fits) return false;
   if (!last_) return true;
-  const bool unusual = occasion.output.log_likelihood < occasion.usual;
+  const double least_usual = std::max(occasion.least_usual, config_.fits_badly);
+  const bool unusual = occasion.output.log_likelihood < least_usual;
   if (!unusual && scans_ < config_.usual_scans) return false;
   return seconds(now - *last_) >= (unusual ? pause_s_ : config_.longest_pause_s);
 }
@@ -42,6 +43,7 @@ std::optional<FoundPlaces> PlaceWatch::step(const CreateContext& context, const 
     begin(scan, occasion.output.belief.mean);
   }
   if (!search_->step(slice(scan.periods), budget)) return std::nullopt;
+  if (!budget.affords(search_->tiles_to_refine(config_.refined))) return std::nullopt;
   FoundPlaces found =
       refine_found(context, *search_, scan.points, scan.T_odom_base, config_.refined, budget);
   search_.reset();

@@ -29,12 +29,14 @@ struct PlaceWatchConfig {
   double pause_s = 0.5;           ///< [s] Minimum time between searches on suspicion.
   /// [nats] No search in the background while the scan at the output is more likely than this.
   double fits = -1.0;
-  /// [s] Minimum time between searches in the background while the scan is less likely than usual;
-  /// doubles while they find nothing better.
+  /// [nats] A less likely scan is unusual, however badly scans fit here.
+  double fits_badly = -8.0;
+  /// [s] Minimum time between searches in the background while the scan is unusual; doubles while
+  /// they find nothing better.
   double first_pause_s = 1.0;
   double longest_pause_s = 2.0;  ///< [s] Upper limit of this time, and the time otherwise.
-  /// Minimum number of scans from a search to the next one in the background while the scan is as
-  /// likely as usual. Evidence for a twin comes with scans, so sparse scans need fewer searches.
+  /// Minimum number of scans from a search to the next one in the background while the scan is not
+  /// unusual. Evidence for a twin comes with scans, so sparse scans need fewer searches.
   int usual_scans = 9;
 };
 
@@ -42,7 +44,7 @@ struct PlaceWatchConfig {
 struct WatchOccasion {
   const Hypothesis& output;
   double probability = 1.0;  ///< After the newest scan.
-  double usual = 0.0;        ///< [nats] Usual log-likelihood at the right pose.
+  double least_usual = 0.0;  ///< [nats] A less likely scan is unusual (`Posterior::least_usual`).
   double doubt = 0.0;        ///< [nats] Evidence that the output has become wrong (`suspicion`).
   double cue = 0.0;          ///< [nats] Arrival cue of the newest scan.
 };

@@ -54,6 +54,16 @@ std::vector<Candidate> Rescue::candidates(const CreateContext& context, const SE
   return found;
 }
 
+std::vector<WeighedPlace> Rescue::refine(const CreateContext& context,
+                                         std::vector<Candidate> candidates, double now,
+                                         const ScanPoints& points) const {
+  const double least = now - config_.refined_behind;
+  std::erase_if(candidates, [&](const Candidate& c) {
+    return context.evidence.log_likelihood_above(least, points, c.T_map_base) <= least;
+  });
+  return refine_candidates(context, candidates, points);
+}
+
 std::optional<WeighedPlace> Rescue::find(const CreateContext& context, const Hypothesis& output,
                                          double usual, const ScanPoints& points,
                                          const LastStep& step) const {
@@ -61,7 +71,7 @@ std::optional<WeighedPlace> Rescue::find(const CreateContext& context, const Hyp
   const double now = context.evidence.evaluate(points, centre).log_likelihood;
   if (now > -config_.gain) return std::nullopt;
   const std::vector<WeighedPlace> places =
-      refine_candidates(context, candidates(context, centre, usual - now, points, step), points);
+      refine(context, candidates(context, centre, usual - now, points, step), now, points);
   if (places.empty() || places[0].newest.log_likelihood < now + config_.gain) return std::nullopt;
   const Evidence before{output.log_likelihood, output.quality};
   const SE2& place = places[0].T_map_base;

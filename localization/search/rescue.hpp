@@ -17,7 +17,10 @@ struct RescueConfig {
   double radius = 1.1;      ///< [m] Half edge of the square that is searched.
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Maximum number of candidates that are refined.
-  double gain = 3.0;        ///< [nats] Minimum improvement by the place found.
+  /// [nats] Candidates where the scan fits worse than at the output by more than this before
+  /// refinement are not refined.
+  double refined_behind = 3.0;
+  double gain = 3.0;  ///< [nats] Minimum improvement by the place found.
   /// [nats] A place at the edge of the search starts with the output's weight minus this.
   double cost = 14.0;
   double cost_near = 7.0;  ///< [nats] The same next to the output; short slips are likelier.
@@ -69,6 +72,11 @@ class Rescue {
   [[nodiscard]] std::vector<Candidate> candidates(const CreateContext& context, const SE2& centre,
                                                   double below_usual, const ScanPoints& points,
                                                   const LastStep& step) const;
+  /// The places where the candidates converge, best first; `now` is the scan's log-likelihood at
+  /// the output.
+  [[nodiscard]] std::vector<WeighedPlace> refine(const CreateContext& context,
+                                                 std::vector<Candidate> candidates, double now,
+                                                 const ScanPoints& points) const;
   [[nodiscard]] double cost_of(const SE2& centre, const SE2& place, double below_usual,
                                const LastStep& step) const;
 

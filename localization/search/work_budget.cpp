@@ -5,13 +5,13 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kTilesPerMs = 8000.0;
-constexpr double kTrackingMs = 0.4;      // Of the mean, for everything but the search.
-constexpr double kFinishingShare = 0.6;  // Of the most, for weighing the places found.
-constexpr double kSaved = 60.0;          // [s] Time whose earnings can be saved.
-constexpr double kLeastShare = 0.1;      // Of the mean, always granted.
+constexpr double kTrackingMs = 0.4;   // Of the mean, for everything but the search.
+constexpr double kSearchShare = 0.4;  // Of the most, for the searches,
+constexpr double kPlacesShare = 0.8;  // and for these and the weighing of the places found.
+constexpr double kSaved = 60.0;       // [s] Time whose earnings can be saved.
+constexpr double kLeastShare = 0.1;   // Of the mean, always granted.
 
-std::int64_t tiles_of(double ms) { return static_cast<std::int64_t>(ms * kTilesPerMs); }
+std::int64_t tiles_of(double ms, double rate) { return static_cast<std::int64_t>(ms * rate); }
 
 }  // namespace
 
@@ -22,12 +22,21 @@ void validate(const WorkBudgetConfig& config) {
   }
 }
 
-WorkBudget::WorkBudget(const WorkBudgetConfig& config, double rate_hz)
-    : rate_hz_(rate_hz),
-      per_scan_(tiles_of(std::max(config.mean_ms - kTrackingMs, kLeastShare * config.mean_ms))),
-      most_(tiles_of((1.0 - kFinishingShare) * config.most_ms)),
-      capacity_(std::max(most_, static_cast<std::int64_t>(kSaved * rate_hz) * per_scan_)),
-      least_(std::max<std::int64_t>(tiles_of(kLeastShare * config.mean_ms), 1)) {
+double tiles_per_ms(std::size_t cells) {
+  constexpr double kSmall = 8000.0;
+  constexpr double kHalf = 2e6;  // Cells of a map that takes twice the time.
+  return kSmall / (1.0 + static_cast<double>(cells) / kHalf);
+}
+
+WorkBudget::WorkBudget(const WorkBudgetConfig& config, double rate_hz, std::size_t cells)
+    : rate_hz_(rate_hz) {
+  const double rate = tiles_per_ms(cells);
+  const double least_ms = kLeastShare * config.mean_ms;
+  per_scan_ = tiles_of(std::max(config.mean_ms - kTrackingMs, least_ms), rate);
+  most_ = tiles_of(kPlacesShare * config.most_ms, rate);
+  most_of_search_ = tiles_of(kSearchShare * config.most_ms, rate);
+  capacity_ = std::max(most_of_search_, static_cast<std::int64_t>(kSaved * rate_hz) * per_scan_);
+  least_ = std::max<std::int64_t>(tiles_of(least_ms, rate), 1);
   start();
 }
 

@@ -170,6 +170,22 @@ TEST_F(PlaceSearchTest, GoesOnOverScansAndCarriesAlongWhatItFinds) {
   EXPECT_LT(distance(found->places.front().T_map_base, truth_ * u), 0.05);
 }
 
+TEST_F(PlaceSearchTest, WeighsThePlacesWithTheNextScanWhereThisOneHasCostEnough) {
+  MapSearch quick(create_, matcher_, points_, {}, SearchDepth::kQuick);
+  const std::int64_t all = budget_.grant(std::int64_t{1} << 60);
+  ASSERT_TRUE(quick.step(1 << 30, budget_));
+  const auto tiles = static_cast<double>(all - budget_.grant(std::int64_t{1} << 60));
+  const auto places = static_cast<double>(quick.tiles_to_refine(create_.refined));
+  ASSERT_GT(places, 1.2 * tiles);
+  const double most_ms = 1.1 * tiles / (0.4 * tiles_per_ms(0));  // Enough for the search alone.
+  WorkBudget budget({most_ms, most_ms}, 10.0);
+  PlaceSearch search(matcher_);
+  EXPECT_FALSE(search.step(context(), points_, {}, 1 << 30, budget));
+  EXPECT_TRUE(search.is_pending());
+  budget.earn(from_seconds(0.1));
+  EXPECT_TRUE(search.step(context(), points_, {}, 1 << 30, budget));
+}
+
 TEST_F(PlaceSearchTest, GoesOnDeepWhereNothingIsClear) {
   create_.deep_below = 2.0;  // no score reaches it
   PlaceSearch search(matcher_);

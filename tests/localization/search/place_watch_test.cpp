@@ -30,7 +30,7 @@ class PlaceWatchTest : public testing::Test {
     ScanTurn scan;
     scan.now = from_seconds(time_s);
     scan.points = points_;
-    return watch.step(context, scan, {output, probability_, usual_, doubt_, cue_}, budget_);
+    return watch.step(context, scan, {output, probability_, least_usual_, doubt_, cue_}, budget_);
   }
   /// A scan after a number of periods, with evidence for a kidnap. True if it ends a search.
   bool step_of(PlaceWatch& watch, double periods, const Hypothesis& output) {
@@ -38,7 +38,7 @@ class PlaceWatchTest : public testing::Test {
     ScanTurn scan;
     scan.points = points_;
     scan.periods = periods;
-    return watch.step(context, scan, {output, 1.0, usual_, 0.0, 4.0}, budget_).has_value();
+    return watch.step(context, scan, {output, 1.0, least_usual_, 0.0, 4.0}, budget_).has_value();
   }
   Hypothesis output_at(const SE2& pose) const {
     Hypothesis h;
@@ -61,7 +61,7 @@ class PlaceWatchTest : public testing::Test {
   SE2 twin_{6.5, 1.2, 0.4};
   ScanPoints points_ = test::points_from(grid_, truth_);
   double probability_ = 1.0;
-  double usual_ = -0.5;
+  double least_usual_ = -0.5;
   double doubt_ = 0.0;
   double cue_ = 0.0;
   WorkBudget budget_{{1e6, 1e6}, 10.0};
@@ -78,12 +78,12 @@ TEST_F(PlaceWatchTest, RestsWhileTheOutputFits) {
 TEST_F(PlaceWatchTest, SearchesEveryNinthSparseScanThatFitsAsUsual) {
   Hypothesis output = output_at(truth_);
   output.log_likelihood = -2.0;
-  usual_ = -2.0;
+  least_usual_ = -2.0;
   step(-5.0, output);  // On suspicion: the output is new.
   int searches = 0;
   for (int k = 0; k < 18; ++k) searches += step(5.0 * k, output) ? 1 : 0;
   EXPECT_EQ(searches, 2);
-  usual_ = -1.5;
+  least_usual_ = -1.5;
   for (int k = 18; k < 36; ++k) searches += step(5.0 * k, output) ? 1 : 0;
   EXPECT_EQ(searches, 2 + 18);
 }
@@ -170,10 +170,25 @@ TEST_F(PlaceWatchTest, SearchesInTheBackgroundLessOftenWhereTheOutputFitsAsUsual
     for (int k = 0; k < 39; ++k) searches += step(0.1 * k, bad).has_value() ? 1 : 0;
     return searches;
   };
-  usual_ = -5.0;
+  least_usual_ = -5.0;
   EXPECT_EQ(searches_of(-5.5), 4);  // After pauses of 1 s,
   EXPECT_EQ(searches_of(-4.5), 2);  // of 2 s,
   EXPECT_EQ(searches_of(-0.9), 0);  // or not at all.
+}
+
+TEST_F(PlaceWatchTest, SearchesWithEverySparseScanThatFitsBadlyEvenIfThatIsUsual) {
+  Hypothesis output = output_at(truth_);
+  least_usual_ = -15.0;
+  const auto searches_of = [&](double log_likelihood) {
+    PlaceWatch watch({}, matcher_);
+    output.log_likelihood = log_likelihood;
+    step(watch, -5.0, output);
+    int searches = 0;
+    for (int k = 0; k < 18; ++k) searches += step(watch, 5.0 * k, output) ? 1 : 0;
+    return searches;
+  };
+  EXPECT_EQ(searches_of(-8.1), 18);
+  EXPECT_EQ(searches_of(-7.9), 2);
 }
 
 TEST_F(PlaceWatchTest, SearchesMoreWithAScanAfterALongTime) {
@@ -196,8 +211,11 @@ TEST_F(PlaceWatchTest, ContinuesOverScansWithinTheBudget) {
   budget_ = WorkBudget({0.01, 0.01}, 10.0);
   EXPECT_FALSE(step(0.0, output_at(truth_)));
   cue_ = 0.0;
-  int scans = 1;
-  while (scans < 10000 && !step(0.1 * scans, output_at(truth_))) ++scans;
+  int scans = 0;
+  do {
+    ++scans;
+    budget_.earn(from_seconds(0.1 * scans));
+  } while (scans < 10000 && !step(0.1 * scans, output_at(truth_)));
   EXPECT_GT(scans, 2);
   EXPECT_LT(scans, 10000);
 }

@@ -76,6 +76,13 @@ TEST_F(RescueTest, SearchesTheWayOfALongStepWhereverTheOutputFitsWorseThanUsual)
   EXPECT_FALSE(find(late, now + 0.1, {0.15, 0.0, 0.0}));
 }
 
+TEST_F(RescueTest, RefinesNoCandidateThatFitsMuchWorse) {
+  config_.refined_behind = -100.0;  // No candidate is so much better than the output.
+  EXPECT_FALSE(find(slipped_, -1.0));
+  config_.refined_behind = 100.0;
+  EXPECT_TRUE(find(slipped_, -1.0));
+}
+
 TEST_F(RescueTest, LeavesAnOutputAloneThatFitsNearlyPerfectly) {
   EXPECT_FALSE(find(truth_, 20.0, {0.5, 0.0, 0.0}));
 }

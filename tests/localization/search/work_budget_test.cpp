@@ -25,6 +25,25 @@ TEST(WorkBudget, LimitsAllSearchesOfAScanTogether) {
   EXPECT_EQ(budget.grant(kAll), 160000);
 }
 
+TEST(WorkBudget, LeavesPlacesToTheNextScanWhereASearchHasSpentTooMuch) {
+  WorkBudget budget({1.0, 50.0}, 10.0);
+  EXPECT_TRUE(budget.affords(kAll));  // They cannot be divided.
+  budget.spend(160000);
+  EXPECT_TRUE(budget.affords(160000));  // 0.8 of 50 ms together.
+  EXPECT_FALSE(budget.affords(160001));
+  budget.earn(from_seconds(1.0));
+  EXPECT_TRUE(budget.affords(kAll));
+}
+
+TEST(WorkBudget, GrantsLessOnLargeMaps) {
+  EXPECT_EQ(tiles_per_ms(0), 8000.0);
+  EXPECT_EQ(tiles_per_ms(2000000), 4000.0);
+  WorkBudget budget({1.0, 50.0}, 10.0, 2000000);
+  EXPECT_EQ(budget.grant(kAll), 80000);
+  budget.spend(80000);
+  EXPECT_FALSE(budget.affords(80001));
+}
+
 TEST(WorkBudget, SavesTheEarningsOfAMinute) {
   WorkBudget budget({1.0, 50.0}, 10.0);
   budget.spend(600 * 4800 - 1000);  // 1 ms less 0.4 ms for tracking, for 600 scans.

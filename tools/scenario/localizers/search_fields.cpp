@@ -18,9 +18,14 @@ void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
       {"fits", "nats", "No search in the background while the scan at the output is more likely.",
        kNats},
       watch.fits);
+  settings.field({"fits_badly", "nats",
+                  "A less likely scan is unusual, as is one that is less likely than usual by more "
+                  "than the mean deviation.",
+                  kNats},
+                 watch.fits_badly);
   settings.field({"first_pause_s", "s",
-                  "Minimum time between searches in the background while the scan fits worse than "
-                  "usual; doubles each time.",
+                  "Minimum time between searches in the background while the scan is unusual; "
+                  "doubles each time.",
                   kTime},
                  watch.first_pause_s);
   settings.field(
@@ -28,7 +33,7 @@ void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
       watch.longest_pause_s);
   settings.field({"usual_scans", "",
                   "Minimum number of scans from a search to the next one in the background while "
-                  "they fit as usual.",
+                  "they are not unusual.",
                   kCount},
                  watch.usual_scans);
 }
@@ -114,6 +119,11 @@ void fields(Settings settings, localization::RescueConfig& rescue) {
                  rescue.yaw_radius);
   settings.field({"candidates", "", "Maximum number of candidates that are refined.", kCount},
                  rescue.candidates);
+  settings.field({"refined_behind", "nats",
+                  "Candidates that fit worse than the output by more before refinement are not "
+                  "refined.",
+                  kNats},
+                 rescue.refined_behind);
   settings.field({"gain", "nats", "Minimum improvement by the place found.", kNats}, rescue.gain);
   settings.field(
       {"cost", "nats",
