@@ -58,7 +58,7 @@ class Posterior {
   [[nodiscard]] std::vector<double> shares(const std::vector<Hypothesis>& hypotheses) const;
   /// [nats] Usual log-likelihood of a scan at the right pose.
   [[nodiscard]] double usual() const { return null_.usual; }
-  /// [nats] Scans at the right pose are seldom less likely: by more than their mean deviation.
+  /// [nats] The usual log-likelihood minus the mean deviation from it.
   [[nodiscard]] double least_usual() const { return null_.usual - null_.spread; }
   /// [nats] Evidence that the output has become wrong (`take_doubt`).
   [[nodiscard]] double doubt() const { return null_.doubt; }

@@ -29,7 +29,7 @@ struct PlaceWatchConfig {
   double pause_s = 0.5;           ///< [s] Minimum time between searches on suspicion.
   /// [nats] No search in the background while the scan at the output is more likely than this.
   double fits = -1.0;
-  /// [nats] A less likely scan is unusual, however badly scans fit here.
+  /// [nats] A less likely scan is unusual even where scans usually fit badly.
   double fits_badly = -8.0;
   /// [s] Minimum time between searches in the background while the scan is unusual; doubles while
   /// they find nothing better.

@@ -101,6 +101,7 @@ TEST_F(PosteriorTest, TestsThePoseThatCorrectsTheOutput) {
 TEST_F(PosteriorTest, LearnsOfAScanOnceItHasOne) {
   posterior_.learn(-1.0);
   EXPECT_EQ(posterior_.usual(), -3.0);
+  EXPECT_EQ(posterior_.least_usual(), -5.0);  // The spread is 2 at first.
   std::vector<Hypothesis> none;
   posterior_.weigh(points_, {}, -1, none);
   posterior_.learn(-1.0);
