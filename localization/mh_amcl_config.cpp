@@ -18,6 +18,7 @@ void validate(const MhAmclConfig& config) {
   if (!(config.max_distance > 0.0)) throw std::invalid_argument("max_distance must be positive");
   require_probability(config.match.confident, "confident");
   require_probability(config.lost_and_found.found, "found");
+  require_probability(config.lost_and_found.stays, "stays");
   if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
   if (config.watch.slice < 1 || config.watch.burst < 1) {
     throw std::invalid_argument("watch slice and burst must be at least 1");

@@ -17,9 +17,8 @@ void LostAndFound::take(const OutputClaim& output, double cue,
     const bool is_explained = cue >= config_.unexplained_cue;
     T_odom_jump_ = was_found_ && !is_explained ? T_odom_base : std::nullopt;
   }
-  const bool stays = found_ && output.same;
-  found_ =
-      output.confident && is_proven(T_odom_base) && (stays || output.probability >= config_.found);
+  const double least = found_ && output.same ? config_.stays : config_.found;
+  found_ = output.confident && is_proven(T_odom_base) && output.probability >= least;
   was_found_ = was_found_ || found_;
 }
 

@@ -14,6 +14,7 @@ namespace castaway::localization {
 /// Conditions for being found.
 struct LostAndFoundConfig {
   double found = 0.998;  ///< Minimum probability at which a lost output counts as found.
+  double stays = 0.95;   ///< Minimum probability at which a found output stays found.
   /// [nats] A jump of the output is unexplained if no recent kidnap cue (which decays by 1 per new
   /// scan) reaches this.
   double unexplained_cue = -5.0;
@@ -23,7 +24,7 @@ struct LostAndFoundConfig {
 /// State of the output after a selection.
 struct OutputClaim {
   bool same = false;         ///< The selection kept the previous output.
-  bool confident = false;    ///< Probable enough to stay found.
+  bool confident = false;    ///< Probable enough not to be searched for.
   double probability = 0.0;  ///< In [0, 1].
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace castaway::localization {
 
@@ -34,6 +35,12 @@ void advance_left_out(double new_share, const std::vector<Hypothesis>& hypothese
       hypotheses.begin(), hypotheses.end(),
       [](const auto& a, const auto& b) { return a.log_likelihood < b.log_likelihood; });
   if (best != hypotheses.end()) null.left_out += new_share * best->log_likelihood;
+}
+
+void take_left_out(const std::optional<double>& left_out, NullHypothesis& null) {
+  constexpr double kHalf = std::numbers::ln2;
+  null.left_out = left_out ? std::max(*left_out, null.left_out - kHalf)
+                           : -std::numeric_limits<double>::infinity();
 }
 
 void limit_surprise(const NullHypothesisConfig& config, double log_likelihood, const ScanNews& news,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
@@ -70,8 +71,7 @@ struct NullHypothesis {
   double spread = 2.0;      ///< [nats] Running average of the absolute deviation from `usual`.
   double doubt = 0.0;       ///< [nats] Evidence that the output has become wrong (`take_doubt`).
   double periods = 1.0;     ///< Running average of `ScanNews::periods`.
-  /// [nats] Log-weight of places that the last search left out although they fit as well as those
-  /// found.
+  /// [nats] Log-weight of places that searches left out although they fit as well as those found.
   double left_out = -std::numeric_limits<double>::infinity();
 };
 
@@ -100,6 +100,11 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
 /// on to fit as well as the best of the hypotheses.
 void advance_left_out(double new_share, const std::vector<Hypothesis>& hypotheses,
                       NullHypothesis& null);
+
+/// Updates the weight of the places left out by a search. `left_out` is the log-weight of those
+/// that it left out itself; nothing: it left out none that fits as well as those found. A list that
+/// was cut holds half of the places, so half the weight of those left out before remains.
+void take_left_out(const std::optional<double>& left_out, NullHypothesis& null);
 
 /// Limits the gain over the hypotheses by a scan. `odds` is the log-odds against them before the
 /// scan, `listed` their log-weight after it, `log_likelihood` that of the scan at the output.
@@ -133,8 +138,8 @@ void bound_null_of_output(const NullHypothesisConfig& config, double lead, doubl
                           NullHypothesis& null);
 
 /// [nats] Doubt at which the null hypothesis is as likely as not. At a right pose, a cumulative sum
-/// of log-likelihood ratios exceeds a level h at most once in e^h scans on average; an alarm is
-/// raised at a probability of 0.9, which is log 9 nats below.
+/// of log-likelihood ratios exceeds a level h at most once in e^h scans on average; the output
+/// stops being confident at a probability of 0.9, which is log 9 nats below.
 double even_doubt(const NullHypothesisConfig& config, const NullHypothesis& null);
 
 /// [nats] The same as `doubt_of` if no fit at the right pose were rare: it grows without limit.

@@ -1,7 +1,6 @@
 #include "localization/hypotheses/posterior.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace castaway::localization {
@@ -75,7 +74,7 @@ void Posterior::take_search(const BestFound& best, const std::vector<Hypothesis>
 }
 
 void Posterior::take_left_out(const std::optional<double>& log_weight) {
-  null_.left_out = log_weight.value_or(-std::numeric_limits<double>::infinity());
+  localization::take_left_out(log_weight, null_);
 }
 
 void Posterior::take_watch(const BestFound& output, bool bounds,

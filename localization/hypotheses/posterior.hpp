@@ -43,8 +43,8 @@ class Posterior {
   /// Updates the null hypothesis by the best place that a search of the whole map has found.
   /// `hypotheses` include the places found.
   void take_search(const BestFound& best, const std::vector<Hypothesis>& hypotheses);
-  /// Sets the log-weight [nats] of the places that the last search left out; nothing: it left out
-  /// none that fits as well as those found.
+  /// Updates the weight of the places left out by that of those which a search left out [nats];
+  /// nothing: it left out none that fits as well as those found.
   void take_left_out(const std::optional<double>& log_weight);
   /// Updates the doubt by a search of the whole map for places as good as the output. `output` is
   /// the output, with its lead over the best place elsewhere (negative if that place is better);

@@ -22,7 +22,6 @@ bool PlaceWatch::is_suspicious(Stamp now, const WatchOccasion& occasion) const {
 }
 
 bool PlaceWatch::is_due(Stamp now, const WatchOccasion& occasion) const {
-  if (occasion.output.log_likelihood >= config_.fits) return false;
   if (!last_) return true;
   const double least_usual = std::max(occasion.least_usual, config_.fits_badly);
   const bool unusual = occasion.output.log_likelihood < least_usual;

@@ -27,8 +27,6 @@ struct PlaceWatchConfig {
   double suspicious_doubt = 1.0;  ///< [nats] Doubt that is suspicious.
   double alarming = 0.98;         ///< A smaller probability of the output is suspicious.
   double pause_s = 0.5;           ///< [s] Minimum time between searches on suspicion.
-  /// [nats] No search in the background while the scan at the output is more likely than this.
-  double fits = -1.0;
   /// [nats] A less likely scan is unusual even where scans usually fit badly.
   double fits_badly = -8.0;
   /// [s] Minimum time between searches in the background while the scan is unusual; doubles while
@@ -53,7 +51,7 @@ struct WatchOccasion {
 class PlaceWatch {
  public:
   PlaceWatch(const PlaceWatchConfig& config, const CascadeMatcher& matcher)
-      : config_(config), matcher_(matcher) {}
+      : config_(config), matcher_(matcher), pause_s_(config.first_pause_s) {}
 
   /// Drops the search in progress and forgets the last one.
   void start();
@@ -76,7 +74,7 @@ class PlaceWatch {
   std::optional<MapSearch> search_;
   bool urgent_ = false;        ///< The search in progress began on suspicion.
   std::optional<Stamp> last_;  ///< End of the last search.
-  double pause_s_ = 0.0;       ///< Of searches in the background.
+  double pause_s_;             ///< Of searches in the background.
   int scans_ = 0;              ///< Number of scans since the last search.
   double probability_ = 1.0;   ///< Of the output at the previous scan.
   int output_id_ = -1;         ///< Output at the previous scan.

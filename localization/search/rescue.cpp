@@ -39,7 +39,8 @@ std::vector<Candidate> Rescue::candidates(const CreateContext& context, const SE
                                           double below_usual, const ScanPoints& points,
                                           const LastStep& step) const {
   std::vector<Candidate> found;
-  if (below_usual > config_.drop / std::max(step.periods, 1.0)) {
+  const bool sparse = step.periods >= config_.sparse_periods;
+  if (sparse || below_usual > config_.drop / std::max(step.periods, 1.0)) {
     const double yaw_radius = config_.yaw_radius + std::abs(step.u.yaw);
     found = matcher_.match(points, MatchWindow{centre, config_.radius, yaw_radius});
     found.resize(std::min(found.size(), static_cast<std::size_t>(config_.candidates)));

@@ -14,6 +14,9 @@ struct RescueConfig {
   /// more than this, divided by the periods since the scan before: sparse scans leave time for it,
   /// and jitter of their stamps moves a pose farther.
   double drop = 6.0;
+  /// After so many periods without a scan, the surroundings are searched even if the scan fits as
+  /// usual, which may have been learned beside the right pose.
+  double sparse_periods = 8.0;
   double radius = 1.1;      ///< [m] Half edge of the square that is searched.
   double yaw_radius = 0.6;  ///< [rad]
   int candidates = 10;      ///< Maximum number of candidates that are refined.
@@ -58,7 +61,8 @@ class Rescue {
       : config_(config), matcher_(matcher) {}
 
   /// Returns a nearby place where the scan fits better than at the output; nothing if the output
-  /// fits about as well as `usual` [nats], or nearly perfectly, or no better place is found. The
+  /// fits nearly perfectly, or about as well as `usual` [nats] unless scans are sparse, or if no
+  /// better place is found. The
   /// place starts with the output's evidence minus the cost of the slip, so that one scan in a
   /// crowd does not move the output away. A slip is the more likely the longer the step took.
   [[nodiscard]] std::optional<WeighedPlace> find(const CreateContext& context,

@@ -190,8 +190,7 @@ KidnapBatch play_batch(const KidnapTrials& trials, const std::vector<LocalizerSp
 int bench_kidnaps(KidnapArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl", "amcl"};
   if (arguments.obstacles.empty()) arguments.obstacles = {0};
-  std::vector<LocalizerSpec> specs;
-  for (const std::string& name : arguments.localizers) specs.push_back(parse_localizer(name));
+  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
   arguments.localizers = names_of(specs);
   arguments.trials.kind = kKinds.at(arguments.kind);
   const KidnapTrials trials(arguments.trials);
@@ -253,7 +252,8 @@ void add_bench_kidnaps(Command& bench) {
       .show_default();
   command
       .add_option("--localizer", a->localizers,
-                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl and amcl)")
+                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
+                  "(default: mh_amcl and amcl)")
       .repeatable();
   command.add_option("--seed", a->trials.seed, "Root seed").show_default();
   command.add_flag("--verbose", a->verbose,

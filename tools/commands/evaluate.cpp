@@ -78,8 +78,7 @@ void print_row(const EvaluationRow& row) {
 
 int evaluate_logs(EvaluateArguments arguments) {
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
-  std::vector<LocalizerSpec> specs;
-  for (const std::string& text : arguments.localizers) specs.push_back(parse_localizer(text));
+  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
   arguments.config.kidnap_to = parse_splice_kind(arguments.kidnap_to);
   validate(arguments.config);
   auto rows = nlohmann::ordered_json::array();
@@ -109,7 +108,8 @@ void add_evaluate_command(Command& app) {
   command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
   command
       .add_option("--localizer", a->localizers,
-                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
+                  "(default: mh_amcl)")
       .repeatable();
   command.add_option("--starts", config.starts, "Unknown starts in each log")
       .range(0, 100000)

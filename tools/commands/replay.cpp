@@ -220,12 +220,6 @@ Run build_run(const ReplayArguments& arguments, const std::vector<LocalizerSpec>
   return run;
 }
 
-std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts) {
-  std::vector<LocalizerSpec> specs;
-  for (const std::string& text : texts) specs.push_back(parse_localizer(text));
-  return specs;
-}
-
 int replay_log(ReplayArguments arguments) {
   const std::chrono::nanoseconds begin = wall_time();
   if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
@@ -275,7 +269,8 @@ void add_replay_command(Command& app) {
       .show_default();
   command
       .add_option("--localizer", a->localizers,
-                  "NAME or NAME:PRESET; repeat for several (default: mh_amcl)")
+                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
+                  "(default: mh_amcl)")
       .repeatable();
   command.add_option("--seed", a->seed, "Root seed").show_default();
   command.add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");

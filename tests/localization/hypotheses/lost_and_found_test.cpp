@@ -15,11 +15,18 @@ TEST(LostAndFound, TakesMoreToBeFoundThanToStaySo) {
   EXPECT_TRUE(alarm.is_lost());
   alarm.take({true, true, 0.998}, kCue, SE2{});
   EXPECT_FALSE(alarm.is_lost());
-  alarm.take({true, true, 0.91}, kCue, SE2{});
+  alarm.take({true, true, 0.95}, kCue, SE2{});
   EXPECT_FALSE(alarm.is_lost());
-  alarm.take({true, false, 0.89}, kCue, SE2{});
+  alarm.take({true, true, 0.949}, kCue, SE2{});
   EXPECT_TRUE(alarm.is_lost());
-  alarm.take({true, true, 0.91}, kCue, SE2{});
+  alarm.take({true, true, 0.95}, kCue, SE2{});
+  EXPECT_TRUE(alarm.is_lost());
+}
+
+TEST(LostAndFound, LosesAnOutputThatIsSearchedFor) {
+  LostAndFound alarm({});
+  alarm.start(true);
+  alarm.take({true, false, 0.97}, kCue, SE2{});
   EXPECT_TRUE(alarm.is_lost());
 }
 
@@ -27,7 +34,7 @@ TEST(LostAndFound, BelievesTheUser) {
   LostAndFound alarm({});
   alarm.start(true);
   EXPECT_FALSE(alarm.is_lost());
-  alarm.take({true, true, 0.91}, kNoCue, std::nullopt);
+  alarm.take({true, true, 0.96}, kNoCue, std::nullopt);
   EXPECT_FALSE(alarm.is_lost());
   alarm.start(false);
   EXPECT_TRUE(alarm.is_lost());

@@ -52,6 +52,18 @@ TEST(AdvanceLeftOut, FollowsTheBestHypothesis) {
   EXPECT_DOUBLE_EQ(null.left_out, -2.5);
 }
 
+TEST(TakeLeftOut, HalvesTheWeightBeforeUnlessAListIsComplete) {
+  NullHypothesis null;
+  take_left_out(-5.0, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -5.0);
+  take_left_out(-9.0, null);  // What this list left out fits the scans before badly.
+  EXPECT_NEAR(null.left_out, -5.0 + std::log(0.5), 1e-12);
+  take_left_out(-3.0, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -3.0);
+  take_left_out(std::nullopt, null);
+  EXPECT_EQ(null.left_out, kNothing);
+}
+
 TEST(AdvanceNull, AddsKidnapsFromTheListedMass) {
   const NullHypothesisConfig config;
   NullHypothesis null{-4.0, -2.0};

@@ -135,8 +135,15 @@ TEST_F(RescueTest, LooksOnlyWhereTheOutputFitsWorseThanUsual) {
 
 TEST_F(RescueTest, LooksSoonerWhereScansAreSparse) {
   const double now = likelihood(slipped_);
-  EXPECT_TRUE(find(slipped_, now + 0.61, {}, 10.0));
-  EXPECT_FALSE(find(slipped_, now + 0.59, {}, 10.0));
+  EXPECT_TRUE(find(slipped_, now + 1.21, {}, 5.0));
+  EXPECT_FALSE(find(slipped_, now + 1.19, {}, 5.0));
+}
+
+TEST_F(RescueTest, LooksAroundWithEverySparseScanThatFitsBadly) {
+  const double usual = likelihood(slipped_) - 5.0;
+  EXPECT_FALSE(find(slipped_, usual, {}, 7.9));
+  EXPECT_TRUE(find(slipped_, usual, {}, 8.0));
+  EXPECT_FALSE(find(truth_, usual, {}, 8.0));
 }
 
 TEST_F(RescueTest, WantsAPlaceThatIsBetterByTheGain) {

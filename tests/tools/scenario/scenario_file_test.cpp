@@ -297,6 +297,31 @@ TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);
 }
 
+TEST(ParseLocalizers, TakesNamesAndFiles) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.put("tuned.yaml", "localizers: [amcl, mh_amcl: {stays: 0.5, name: tuned}]\n");
+  const auto specs = parse_localizers({"mh_amcl", file});
+  ASSERT_EQ(specs.size(), 3U);
+  EXPECT_EQ(specs[0].name, "mh_amcl");
+  EXPECT_EQ(specs[1].name, "amcl");
+  EXPECT_EQ(specs[2].name, "tuned");
+  EXPECT_EQ(std::get<localization::MhAmclConfig>(specs[2].config).lost_and_found.stays, 0.5);
+}
+
+TEST(ParseLocalizers, RefusesOneNameTwiceAndKeysThatAreNotALocalizers) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::vector<std::string>& texts) {
+    return error_of([&] { (void)parse_localizers(texts); });
+  };
+  EXPECT_TRUE(contains(error({"amcl", "amcl"}), "two localizers are called 'amcl'"));
+  const std::string whole = folder.put("whole.yaml", "localizers: [amcl]\nduration_s: 3\n");
+  EXPECT_TRUE(contains(error({whole}), "whole.yaml:2: unknown key 'duration_s'"));
+  const std::string wrong = folder.put("wrong.yaml", "localizers:\n- mh_amcl: {stayz: 0.5}\n");
+  EXPECT_TRUE(contains(error({wrong}), "wrong.yaml:2: "));
+  EXPECT_TRUE(contains(error({(folder.path() / "none.yaml").string()}), "none.yaml"));
+}
+
 TEST_F(ScenarioFileTest, HasADefaultForEveryKey) {
   const LoadedScenario loaded = load("{}\n");
   ASSERT_EQ(loaded.scenario.localizers.size(), 2U);

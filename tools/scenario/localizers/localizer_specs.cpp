@@ -1,6 +1,7 @@
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "tools/scenario/localizers/amcl_spec.hpp"
@@ -33,6 +34,18 @@ LocalizerSpec read_localizer(YamlReader item) {
   spec.name = get_name(body, "name", spec.name);
   if (spec.name == "truth") body.fail("a localizer cannot be called 'truth': truth.tum is taken");
   return spec;
+}
+
+std::vector<LocalizerSpec> load_localizers(const std::string& file) {
+  YamlDocument document = YamlDocument::load(file);
+  YamlReader root = document.root();
+  std::vector<LocalizerSpec> specs = read_localizers(root, "localizers");
+  document.reject_unknown_keys();
+  return specs;
+}
+
+bool names_a_file(const std::string& text) {
+  return text.ends_with(".yaml") || text.ends_with(".yml");
 }
 
 }  // namespace
@@ -96,6 +109,21 @@ LocalizerSpec parse_localizer(const std::string& text) {
   }
   throw std::invalid_argument("unknown localizer '" + text + "'; " +
                               suggestion(kind, kLocalizerKinds));
+}
+
+std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts) {
+  std::vector<LocalizerSpec> specs;
+  for (const std::string& text : texts) {
+    const auto more = names_a_file(text) ? load_localizers(text)
+                                         : std::vector<LocalizerSpec>{parse_localizer(text)};
+    specs.insert(specs.end(), more.begin(), more.end());
+  }
+  std::set<std::string> names;
+  for (const LocalizerSpec& spec : specs) {
+    if (names.insert(spec.name).second) continue;
+    throw std::invalid_argument("two localizers are called '" + spec.name + "'");
+  }
+  return specs;
 }
 
 }  // namespace castaway::testbed

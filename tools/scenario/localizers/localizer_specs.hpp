@@ -19,4 +19,9 @@ std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& 
 /// Parses a localizer from the command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
 LocalizerSpec parse_localizer(const std::string& text);
 
+/// The same of several; a text that ends with .yaml or .yml is a file with a list `localizers`, as
+/// in a scenario. Throws std::runtime_error (`YamlDocument`) or std::invalid_argument; two
+/// localizers of one name are an error.
+std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts);
+
 }  // namespace castaway::testbed

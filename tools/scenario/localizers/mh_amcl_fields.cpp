@@ -80,6 +80,8 @@ void fields(Settings settings, MhAmclConfig& config) {
                  config.match.confident);
   settings.field({"found", "", "Minimum probability at which a lost output counts as found."},
                  config.lost_and_found.found);
+  settings.field({"stays", "", "Minimum probability at which a found output stays found."},
+                 config.lost_and_found.stays);
   settings.field({"budget_ms",
                   "ms",
                   "CPU time of a scan in the mean, on a processor that scores 8000 tiles in a "

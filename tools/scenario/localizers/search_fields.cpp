@@ -14,10 +14,6 @@ void fields(Settings settings, localization::ByteFieldConfig& field) {
 void pause_fields(Settings& settings, localization::PlaceWatchConfig& watch) {
   settings.field({"pause_s", "s", "Minimum time between searches on suspicion.", kTime},
                  watch.pause_s);
-  settings.field(
-      {"fits", "nats", "No search in the background while the scan at the output is more likely.",
-       kNats},
-      watch.fits);
   settings.field({"fits_badly", "nats",
                   "A less likely scan is unusual, as is one that is less likely than usual by more "
                   "than the mean deviation.",
@@ -113,6 +109,10 @@ void fields(Settings settings, localization::RescueConfig& rescue) {
        "the periods since the scan before.",
        kNats},
       rescue.drop);
+  settings.field(
+      {"sparse_periods", "",
+       "After so many periods without a scan, it starts wherever the scan fits badly.", kCount},
+      rescue.sparse_periods);
   settings.field({"radius", "m", "Position range of the search around the output.", kLength},
                  rescue.radius);
   settings.field({"yaw_radius", "rad", "Yaw range of the search around the output.", kAngle},
