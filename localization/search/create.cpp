@@ -159,9 +159,14 @@ double weigh_backwards(const CreateContext& context, const ScanHistory& history,
     const double arrival = l >= scan.unlisted ? all[k].fitting : all[k].other;
     best = std::max(best, arrival + l + increments);
     if (k == 0) break;
-    if (best_arrival(all, k) + l + increments <= std::max(best, least)) break;
+    const double wanted = std::max(best, least) - best_arrival(all, k) - l - increments;
+    if (wanted >= 0.0) break;
     pose = step_back(context, pose, scan, history[k - 1]);
-    const double earlier = context.evidence.evaluate(history[k - 1].points, pose).log_likelihood;
+    // The weight grows by the independent share of the earlier scan's log-likelihood.
+    const double limit = wanted / std::max(scan.independence, 1e-9);
+    const double earlier =
+        context.evidence.log_likelihood_above(limit, history[k - 1].points, pose);
+    if (earlier <= limit) break;
     increments += l - (1.0 - scan.independence) * earlier;
     l = earlier;
   }

@@ -29,7 +29,7 @@ struct CreateConfig {
   double deep_below = -3.0;  ///< [nats] A deep search follows if the best place scores less.
   /// Number of places of a deep search, which uses the far end points: in a crowd the right place
   /// is far down the list, and rays find it there.
-  int deep_candidates = 3000;
+  int deep_candidates = 2000;
   int first_deep = 100;      ///< Number of a deep search where the best place nearly fits.
   double deep_growth = 0.7;  ///< [1/nat] Growth of its logarithm as the best place fits worse.
   /// Number of candidates whose evidence is computed with all beams; the best by the evidence of a
@@ -38,7 +38,7 @@ struct CreateConfig {
   int refined = 40;  ///< Number of candidates refined; the best by evidence before refinement.
   /// [nats] Candidates further behind the best one before refinement are not refined.
   double refined_behind = 8.0;
-  int keep = 30;        ///< Number of places weighted by older scans; the best by the newest one.
+  int keep = 20;        ///< Number of places weighted by older scans; the best by the newest one.
   RefineConfig refine;  ///< From the pose of a coarse cell.
   RefineConfig refine_last{0.02, 0.01, 2};   ///< From there, by the sharper model of the evidence.
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction, in older scans.

@@ -5,11 +5,11 @@
 namespace castaway::localization {
 namespace {
 
-constexpr double kTrackingMs = 0.4;   // Of the mean, for everything but the search.
-constexpr double kSearchShare = 0.4;  // Of the most, for the searches,
-constexpr double kPlacesShare = 0.8;  // and for these and the weighing of the places found.
-constexpr double kSaved = 60.0;       // [s] Time whose earnings can be saved.
-constexpr double kLeastShare = 0.1;   // Of the mean, always granted.
+constexpr double kTrackingMs = 0.4;    // Of the mean, for everything but the search.
+constexpr double kSearchShare = 0.35;  // Of the most, for the searches,
+constexpr double kPlacesShare = 0.65;  // and for these and the weighing of the places found.
+constexpr double kSaved = 60.0;        // [s] Time whose earnings can be saved.
+constexpr double kLeastShare = 0.1;    // Of the mean, always granted.
 
 std::int64_t tiles_of(double ms, double rate) { return static_cast<std::int64_t>(ms * rate); }
 

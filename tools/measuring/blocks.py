@@ -37,6 +37,7 @@ BLOCKS = {
     "published-defects": Block(LOCALIZATION, localizers.published_defects, SIMULATOR),
     "kidnaps-among-people": Block(LOCALIZATION, localizers.kidnaps_among_people, SIMULATOR + ["worlds/office"]),
     "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True, times=True),
+    "designs": Block("docs/localization.md", localizers.designs, REPLAY + WORLD + ["worlds/hall", "tools/measuring/designs.yaml"], logs=True),
     "localization-speed": Block(SPEED, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"], times=True),
     "odometry-profiles": Block(SIMULATION, sensors.odometry_profiles,
                                ["sim/sensor", "tools/bench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),

@@ -1,6 +1,7 @@
 """Runs and benches of localizers: in the simulator and on recorded logs."""
 
 import json
+import pathlib
 
 from measuring.lab import LOGS, fence, figure, percent, percentile, share, table
 
@@ -112,6 +113,34 @@ def stressed_evaluations(lab):
         ])
     return table(["", "unknown start found (intel, freiburg-079, aces)", "kidnap recovered", "90 % right within",
                   "wrong without saying so", "longest", "Brier score", "false alarms per hour", "CPU per scan, mean"], table_rows)
+
+
+DESIGN_CASES = [("as recorded", []), ("`--blocked 0.3`", ["--blocked", "0.3"]),
+                ("`--kidnap-to look-alike --max-range 8`", ["--kidnap-to", "look-alike", "--max-range", "8"])]
+DESIGN_HALL = ["--world", "hall", "--kind", "look-alike", "--min-distance", "1", "--kidnaps", "100"]
+
+
+def designs(lab):
+    file = str(pathlib.Path(__file__).parent / "designs.yaml")
+    rows = {}
+    for words, options in DESIGN_CASES:
+        logs = json.loads(lab.run(["evaluate", *(str(lab.logs / name) for name in LOGS), "--localizer", file, "--no-tracking", *options, "--json"]))
+        for name in dict.fromkeys(row["localizer"] for row in logs):
+            own = [row for row in logs if row["localizer"] == name]
+            total = lambda value: sum(value(row) for row in own)
+            found = total(lambda row: row["starts"]["recovered"] + row["kidnaps"]["recovered"])
+            rows.setdefault(name, []).append([
+                words, f"`{name}`", f"{found} of {total(lambda row: row['starts']['trials'] + row['kidnaps']['trials'])}",
+                percent(total(lambda row: row["wrong_scans"]) / total(lambda row: row["scans"]), 2),
+                f"{max(row['longest_wrong_s'] for row in own):.1f} s",
+                f"{3600 * total(lambda row: row['false_alarms']) / total(lambda row: row['watched_s']):.1f}"])
+    hall = json.loads(lab.run(["bench", "kidnaps", *DESIGN_HALL, "--localizer", file, "--json"]))[0]
+    for name, each in hall["localizers"].items():
+        told = each["distinguishable"]
+        rows[name].append(["hall, look-alikes", f"`{name}`", f"{each['recovered']['count']} of {hall['kidnaps']}",
+                           percent(told["wrong_share"], 2), f"{told['longest_wrong_s']:.1f} s", "-"])
+    ordered = [row for case in zip(*rows.values()) for row in case]
+    return table(["", "design", "recovered", "wrong without saying so", "longest", "false alarms per hour"], ordered)
 
 
 def kidnaps_among_people(lab):

@@ -150,10 +150,11 @@ TEST_F(CreateTest, SearchesDeeperTheWorseTheBestPlaceFitsAndTheOftenerItMust) {
   EXPECT_EQ(deep_candidates(config_, fits(-3.001), 0), 100);
   EXPECT_EQ(deep_candidates(config_, fits(-5.0), 0), 405);  // 100 exp(1.4)
   EXPECT_EQ(deep_candidates(config_, fits(-20.0), 0), 600);
-  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 600), 2400);
-  EXPECT_EQ(deep_candidates(config_, {}, 0), 3000);
+  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 400), 1600);
+  EXPECT_EQ(deep_candidates(config_, fits(-20.0), 600), 2000);
+  EXPECT_EQ(deep_candidates(config_, {}, 0), 2000);
   EXPECT_EQ(deep_candidates(config_, fits(-3.001), 200), 800);
-  EXPECT_EQ(deep_candidates(config_, fits(-5.0), 2000), 3000);
+  EXPECT_EQ(deep_candidates(config_, fits(-5.0), 1500), 2000);
 }
 
 TEST_F(CreateTest, RefinesNoCandidateFarBehindTheBest) {

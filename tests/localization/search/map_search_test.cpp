@@ -177,7 +177,7 @@ TEST_F(PlaceSearchTest, WeighsThePlacesWithTheNextScanWhereThisOneHasCostEnough)
   const auto tiles = static_cast<double>(all - budget_.grant(std::int64_t{1} << 60));
   const auto places = static_cast<double>(quick.tiles_to_refine(create_.refined));
   ASSERT_GT(places, 1.2 * tiles);
-  const double most_ms = 1.1 * tiles / (0.4 * tiles_per_ms(0));  // Enough for the search alone.
+  const double most_ms = 1.1 * tiles / (0.35 * tiles_per_ms(0));  // Enough for the search alone.
   WorkBudget budget({most_ms, most_ms}, 10.0);
   PlaceSearch search(matcher_);
   EXPECT_FALSE(search.step(context(), points_, {}, 1 << 30, budget));

@@ -11,26 +11,26 @@ constexpr std::int64_t kAll = std::int64_t{1} << 40;
 
 TEST(WorkBudget, GrantsAtMostWhatOneScanMayCost) {
   const WorkBudget budget({1.0, 50.0}, 10.0);
-  EXPECT_EQ(budget.grant(kAll), 160000);  // 0.4 of 50 ms; the rest weighs the places found.
+  EXPECT_EQ(budget.grant(kAll), 140000);  // 0.35 of 50 ms; the rest weighs the places found.
   EXPECT_EQ(budget.grant(300), 300);
 }
 
 TEST(WorkBudget, LimitsAllSearchesOfAScanTogether) {
   WorkBudget budget({1.0, 50.0}, 10.0);
   budget.spend(100000);
-  EXPECT_EQ(budget.grant(kAll), 60000);
+  EXPECT_EQ(budget.grant(kAll), 40000);
   budget.spend(70000);
   EXPECT_EQ(budget.grant(kAll), 0);
   budget.earn(from_seconds(1.0));
-  EXPECT_EQ(budget.grant(kAll), 160000);
+  EXPECT_EQ(budget.grant(kAll), 140000);
 }
 
 TEST(WorkBudget, LeavesPlacesToTheNextScanWhereASearchHasSpentTooMuch) {
   WorkBudget budget({1.0, 50.0}, 10.0);
   EXPECT_TRUE(budget.affords(kAll));  // They cannot be divided.
-  budget.spend(160000);
-  EXPECT_TRUE(budget.affords(160000));  // 0.8 of 50 ms together.
-  EXPECT_FALSE(budget.affords(160001));
+  budget.spend(140000);
+  EXPECT_TRUE(budget.affords(120000));  // 0.65 of 50 ms together.
+  EXPECT_FALSE(budget.affords(120001));
   budget.earn(from_seconds(1.0));
   EXPECT_TRUE(budget.affords(kAll));
 }
@@ -39,9 +39,10 @@ TEST(WorkBudget, GrantsLessOnLargeMaps) {
   EXPECT_EQ(tiles_per_ms(0), 8000.0);
   EXPECT_EQ(tiles_per_ms(2000000), 4000.0);
   WorkBudget budget({1.0, 50.0}, 10.0, 2000000);
-  EXPECT_EQ(budget.grant(kAll), 80000);
-  budget.spend(80000);
-  EXPECT_FALSE(budget.affords(80001));
+  EXPECT_EQ(budget.grant(kAll), 70000);
+  budget.spend(70000);
+  EXPECT_TRUE(budget.affords(60000));
+  EXPECT_FALSE(budget.affords(60001));
 }
 
 TEST(WorkBudget, SavesTheEarningsOfAMinute) {
@@ -65,7 +66,7 @@ TEST(WorkBudget, GrantsALittleEvenInDebt) {
   budget.earn(from_seconds(1.0));
   EXPECT_EQ(budget.grant(kAll), 800);
   budget.start();
-  EXPECT_EQ(budget.grant(kAll), 160000);
+  EXPECT_EQ(budget.grant(kAll), 140000);
 }
 
 TEST(WorkBudgetConfig, RefusesFiguresOutOfRange) {
