@@ -12,8 +12,7 @@ namespace castaway::testbed {
 
 /// Thresholds for a right output and a recovery.
 struct RecoveryConfig {
-  double position_m = 0.5;                      ///< [m] An output is right if its position error is
-                                                ///< below this...
+  double position_m = 0.5;                      ///< [m] The position error of a right output is
                                                 ///< below this.
   double yaw_rad = 0.35;                        ///< [rad] The yaw error of a right output is below
                                                 ///< this.
