@@ -317,6 +317,8 @@ TEST(ParseLocalizers, RefusesOneNameTwiceAndKeysThatAreNotALocalizers) {
   EXPECT_TRUE(contains(error({"amcl", "amcl"}), "two localizers are called 'amcl'"));
   const std::string whole = folder.put("whole.yaml", "localizers: [amcl]\nduration_s: 3\n");
   EXPECT_TRUE(contains(error({whole}), "whole.yaml:2: unknown key 'duration_s'"));
+  const std::string none = folder.put("empty.yaml", "localizers: []\n");
+  EXPECT_TRUE(contains(error({none}), "empty.yaml: lists no localizer"));
   const std::string wrong = folder.put("wrong.yaml", "localizers:\n- mh_amcl: {stayz: 0.5}\n");
   EXPECT_TRUE(contains(error({wrong}), "wrong.yaml:2: "));
   EXPECT_TRUE(contains(error({(folder.path() / "none.yaml").string()}), "none.yaml"));

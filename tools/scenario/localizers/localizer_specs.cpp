@@ -41,6 +41,7 @@ std::vector<LocalizerSpec> load_localizers(const std::string& file) {
   YamlReader root = document.root();
   std::vector<LocalizerSpec> specs = read_localizers(root, "localizers");
   document.reject_unknown_keys();
+  if (specs.empty()) throw std::runtime_error(file + ": lists no localizer; name at least one");
   return specs;
 }
 
