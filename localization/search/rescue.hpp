@@ -62,9 +62,9 @@ class Rescue {
 
   /// Returns a nearby place where the scan fits better than at the output; nothing if the output
   /// fits nearly perfectly, or about as well as `usual` [nats] unless scans are sparse, or if no
-  /// better place is found. The
-  /// place starts with the output's evidence minus the cost of the slip, so that one scan in a
-  /// crowd does not move the output away. A slip is the more likely the longer the step took.
+  /// better place is found. The place starts with the output's evidence minus the cost of the slip,
+  /// so that one scan in a crowd does not move the output away. A slip is the more likely the
+  /// longer the step took.
   [[nodiscard]] std::optional<WeighedPlace> find(const CreateContext& context,
                                                  const Hypothesis& output, double usual,
                                                  const ScanPoints& points,
