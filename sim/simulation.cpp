@@ -35,6 +35,9 @@ nanoseconds period_of(double hz, const char* what) {
 
 SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose2& start,
                     nanoseconds step) {
+  if (!config.drive.path.empty()) {
+    return SimRobot(PathRobot(config.robot, config.drive.path, step));
+  }
   const TwistLimits limits = limits_of(config.drive, config.robot);
   if (config.drive_model == DriveModel::kPhysics) {
     return SimRobot(RobotPhysics(config.world, config.robot, start, limits, step));

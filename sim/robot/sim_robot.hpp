@@ -1,4 +1,4 @@
-/// The robot of a run, with or without physics.
+/// The robot of a run: with physics, without, or on a recorded path.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,17 @@
 #include <variant>
 
 #include "sim/robot/bodies/kinematic_robot.hpp"
+#include "sim/robot/bodies/path_robot.hpp"
 #include "sim/robot/bodies/robot_physics.hpp"
 
 namespace castaway::sim {
 
-/// Either kind of robot behind one interface.
+/// Each kind of robot behind one interface.
 class SimRobot {
  public:
   explicit SimRobot(RobotPhysics robot) : robot_(std::move(robot)) {}
   explicit SimRobot(KinematicRobot robot) : robot_(std::move(robot)) {}
+  explicit SimRobot(PathRobot robot) : robot_(std::move(robot)) {}
 
   /// Sets the velocity to ramp to from the next step on.
   void set_command(const Twist2& command) {
@@ -45,7 +47,7 @@ class SimRobot {
   }
 
  private:
-  std::variant<RobotPhysics, KinematicRobot> robot_;
+  std::variant<RobotPhysics, KinematicRobot, PathRobot> robot_;
 };
 
 }  // namespace castaway::sim

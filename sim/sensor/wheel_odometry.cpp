@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,11 @@ void validate(const OdometryConfig& c) {
                    "give 0 to 0.2");
   require_odometry(c.track_sigma >= 0.0 && c.track_sigma < 0.2, "track_sigma", c.track_sigma,
                    "give 0 to 0.2");
+  for (const auto& [field, error] : {std::pair{"radius_error_left", c.radius_error_left},
+                                     std::pair{"radius_error_right", c.radius_error_right},
+                                     std::pair{"track_error", c.track_error}}) {
+    require_odometry(std::abs(error) <= 0.5, field, error, "give -0.5 to 0.5");
+  }
   require_odometry(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
   require_odometry(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
   validate(c.slip);
@@ -51,9 +57,10 @@ OdometryConfig ideal_odometry() {
 WheelOdometry::WheelOdometry(const OdometryConfig& config, const DriveGeometry& truth, Rng& rng)
     : config_(config), believed_(truth) {
   validate(config);
-  believed_.radius_left *= 1.0 + config.radius_sigma * draw_normal(rng);
-  believed_.radius_right *= 1.0 + config.radius_sigma * draw_normal(rng);
-  believed_.track *= 1.0 + config.track_sigma * draw_normal(rng);
+  believed_.radius_left *= 1.0 + config.radius_error_left + config.radius_sigma * draw_normal(rng);
+  believed_.radius_right *=
+      1.0 + config.radius_error_right + config.radius_sigma * draw_normal(rng);
+  believed_.track *= 1.0 + config.track_error + config.track_sigma * draw_normal(rng);
   reset();
 }
 

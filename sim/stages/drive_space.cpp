@@ -41,6 +41,7 @@ Grid landing_grid(const SimulationConfig& config, Grid drive_grid) {
 }
 
 Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng) {
+  if (!config.drive.path.empty()) return pose_at(config.drive.path, 0.0);
   const double radius = config.robot.footprint_radius;
   if (config.random_start) {
     const auto pose = FreeSpace(drive_grid, radius + kDriveMargin).sample(rng);

@@ -16,6 +16,7 @@
 #include "sim/map/grid.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
+#include "sim/robot/bodies/path_robot.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
@@ -29,6 +30,8 @@ struct DriveConfig {
   std::vector<Eigen::Vector2d> waypoints;  ///< [m] In map; if empty, the robot stands still.
   bool loop = true;                        ///< Starts again after the last waypoint.
   std::vector<TimedTwist> log{};           ///< Driven instead of the waypoints if not empty.
+  /// Followed exactly if not empty, without physics, from its first pose on.
+  std::vector<TimedPose> path{};
   bool by_estimate = false;  ///< Drives by the pose of `set_drive_pose`; false: by the true pose.
   TwistLimits limits;        ///< The limits of the wheels apply, too.
   double wait_s = 0.0;       ///< [s] Time for which the robot stands still at first.

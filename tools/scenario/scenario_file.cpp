@@ -178,6 +178,9 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.localizers = read_localizers(root, "localizers");
   check_driver(root, scenario);
   choose_watched(root, scenario);
+  if (!scenario.drive.path.empty() && !scenario.events.kidnaps.empty()) {
+    root.fail("'drive.path' leads the robot to the end: kidnaps need another drive");
+  }
   scenario.outputs = read_outputs(root);
   if (scenario.localizers.empty() && scenario.outputs.report) {
     root.fail("'outputs.report' shows localizers, and there are none: set it to false");

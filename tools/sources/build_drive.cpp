@@ -8,8 +8,10 @@
 
 #include "localization/geometry/random.hpp"
 #include "sim/map/free_space.hpp"
+#include "tools/formats/tum.hpp"
 #include "tools/formats/twist_log.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
+#include "tools/sources/sim_conversion.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -75,6 +77,17 @@ Route route_of(const Scenario& scenario, const RouteWorld& world, const sim::Rob
                                        name, suggestion(name, known)));
 }
 
+/// The poses of a file, with times since its first one.
+std::vector<sim::TimedPose> read_path(const std::filesystem::path& file) {
+  std::vector<sim::TimedPose> path;
+  std::optional<std::chrono::nanoseconds> first;
+  for (const StampedPose& pose : read_tum(file)) {
+    if (!first) first = pose.stamp;
+    path.push_back({localization::seconds(pose.stamp - *first), to_pose2(pose.T_map_base)});
+  }
+  return path;
+}
+
 /// The path as given, or else relative to `base`.
 std::filesystem::path resolve_file(const std::string& text, const std::filesystem::path& base) {
   return std::filesystem::exists(text) ? std::filesystem::path(text) : base / text;
@@ -89,7 +102,9 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   drive.by_estimate = spec.by != "truth";
   drive.limits = spec.limits;
   drive.wait_s = spec.wait_s;
-  if (spec.twist_log.empty()) {
+  if (!spec.path.empty()) {
+    drive.path = read_path(resolve_file(spec.path, base));
+  } else if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);
   } else {
     for (const TwistLine& line : read_twist_log(resolve_file(spec.twist_log, base))) {

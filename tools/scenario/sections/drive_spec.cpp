@@ -71,6 +71,9 @@ void fields(Settings settings, DriveSpec& drive) {
                  drive.by);
   settings.field({"twist_log", "", "File of recorded commands that replace the route."},
                  drive.twist_log);
+  settings.field({"path", "",
+                  "File of recorded poses (TUM) that the robot follows exactly, without physics."},
+                 drive.path);
   settings.field(
       {"max_speed", "m/s", "Maximum speed; the wheels' own limit also applies.", {1e-3, 100.0}},
       drive.limits.max_speed);
@@ -93,6 +96,10 @@ DriveSpec read_drive(YamlReader& root) {
   fields(Settings::reading(map), drive);
   if (!drive.twist_log.empty() && (drive.by != "truth" || !drive.route.empty())) {
     map.fail("'twist_log' drives by itself; leave out 'by' and 'route'");
+  }
+  if (!drive.path.empty() &&
+      (drive.by != "truth" || !drive.route.empty() || !drive.twist_log.empty())) {
+    map.fail("'path' leads the robot; leave out 'by', 'route' and 'twist_log'");
   }
   return drive;
 }

@@ -67,6 +67,7 @@ struct DriveSpec {
   std::string route;         ///< A route of the world, "random", "explore" or "none"; empty: the
                              ///< world's first one, else random.
   std::string twist_log;     ///< File of recorded commands that replace the route; empty for none.
+  std::string path;          ///< File of recorded poses that the robot follows; empty for none.
   std::string by = "truth";  ///< Pose that drives the robot: "truth" or the name of a localizer.
   sim::TwistLimits limits;
   double wait_s = 0.0;  ///< [s] Standstill at the beginning.
