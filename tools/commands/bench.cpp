@@ -7,6 +7,7 @@ void add_bench_command(Command& app) {
   Command bench =
       app.add_command("bench", "Measure the localizers and the simulator: one table a command");
   bench.require_command();
+  add_bench_calibration(bench);
   add_bench_crowds(bench);
   add_bench_kidnaps(bench);
   add_bench_localization(bench);

@@ -6,6 +6,7 @@
 
 namespace castaway::testbed {
 
+void add_bench_calibration(Command& bench);
 void add_bench_crowds(Command& bench);
 void add_bench_kidnaps(Command& bench);
 void add_bench_localization(Command& bench);

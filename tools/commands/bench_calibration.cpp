@@ -1,0 +1,125 @@
+// castaway bench calibration: settings that `castaway calibrate` finds in simulated logs.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/commands/bench.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/twin/calibration_trials.hpp"
+#include "tools/workers/worker_notes.hpp"
+#include "tools/workers/worker_pool.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+struct CalibrationArguments {
+  CalibrationTrialConfig config;
+  int workers = 1;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const FoundSetting& setting, int trial) {
+  return {{"trial", trial},
+          {"name", setting.name},
+          {"truth", setting.truth},
+          {"found", setting.found.value},
+          {"interval", {setting.found.interval.low, setting.found.interval.high}},
+          {"near", setting.is_near()},
+          {"held", setting.is_held()}};
+}
+
+/// Runs all trials. Returns their settings, trial by trial.
+Json run_calibrations(const CalibrationArguments& arguments) {
+  const int trials = arguments.config.trials;
+  std::vector<Json> found(static_cast<std::size_t>(trials));
+  WorkerNotes notes;
+  const auto job = [&](int trial) {
+    Json settings = Json::array();
+    for (const FoundSetting& setting : try_calibration(arguments.config, trial)) {
+      settings.push_back(to_json(setting, trial));
+    }
+    notes.leave(settings.dump());
+    return static_cast<int>(kDone);
+  };
+  run_jobs(trials, arguments.workers, job, [&](int, int) {
+    for (const std::string& note : notes.take()) {
+      const Json settings = Json::parse(note);
+      if (!settings.empty()) found[settings.front()["trial"].get<std::size_t>()] = settings;
+    }
+  });
+  Json all = Json::array();
+  for (const Json& settings : found) {
+    if (settings.is_null()) throw std::runtime_error("a trial failed; run with -j 1 to see why");
+    all.insert(all.end(), settings.begin(), settings.end());
+  }
+  return all;
+}
+
+void print_settings(const Json& all) {
+  struct Row {
+    int count = 0;
+    int near = 0;
+    int held = 0;
+    std::vector<double> errors;
+  };
+  std::vector<std::string> names;
+  std::map<std::string, Row> rows;
+  for (const Json& setting : all) {
+    const auto name = setting["name"].get<std::string>();
+    if (!rows.contains(name)) names.push_back(name);
+    Row& row = rows[name];
+    ++row.count;
+    row.near += setting["near"].get<bool>() ? 1 : 0;
+    row.held += setting["held"].get<bool>() ? 1 : 0;
+    row.errors.push_back(std::abs(setting["found"].get<double>() - setting["truth"].get<double>()) /
+                         std::abs(setting["truth"].get<double>()));
+  }
+  fmt::print("{:<24} {:>9} {:>10} {:>14} {:>14}\n", "setting", "near", "in interval",
+             "median error", "largest error");
+  for (const std::string& name : names) {
+    Row& row = rows[name];
+    std::sort(row.errors.begin(), row.errors.end());
+    fmt::print("{:<24} {:>9} {:>11} {:>12.1f} % {:>12.1f} %\n", name,
+               fmt::format("{}/{}", row.near, row.count), fmt::format("{}/{}", row.held, row.count),
+               100.0 * percentile(row.errors, 0.5), 100.0 * row.errors.back());
+  }
+}
+
+int bench_calibration(const CalibrationArguments& arguments) {
+  const Json all = run_calibrations(arguments);
+  if (arguments.json) {
+    fmt::print("{}\n", all.dump(1));
+  } else {
+    print_settings(all);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_calibration(Command& bench) {
+  auto arguments = std::make_shared<CalibrationArguments>();
+  Command command = bench.add_command(
+      "calibration", "Settings that `calibrate` finds in simulated logs, against the true ones");
+  CalibrationTrialConfig& config = arguments->config;
+  command.add_option("--trials", config.trials, "Simulated logs").range(1, 10000).show_default();
+  command.add_option("--duration", config.duration_s, "Simulated time of each [s]")
+      .range(60.0, 1e5)
+      .show_default();
+  command.add_option("--seed", config.seed, "Seed of the settings").show_default();
+  command.add_option("-j,--jobs", arguments->workers, "Trials at a time").range(1, 1024);
+  command.add_flag("--json", arguments->json, "Print JSON instead of words");
+  command.footer(
+      "Near: systematic errors of odometry, noise and lost shares within 10 %, random errors of "
+      "odometry within 20 %, clock within 5 ms, people within 30 %.\n"
+      "Example:\n  castaway bench calibration --trials 4 -j 2");
+  command.action([arguments] { return bench_calibration(*arguments); });
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,236 @@
+#include "tools/twin/aligned_log.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "localization/map/distance_field.hpp"
+#include "localization/map/hollow.hpp"
+#include "localization/matching/refine.hpp"
+#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/scenario/localizers/localizer_specs.hpp"
+#include "tools/sources/build_localizers.hpp"
+#include "tools/sources/map_conversion.hpp"
+#include "tools/twin/expected_scan.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using localization::PosePrior;
+using localization::ScanPoints;
+using localization::TransformBuffer;
+
+constexpr double kFieldReach = 1.0;  // [m]
+
+/// A scan before its alignment.
+struct RawScan {
+  LaserScan scan;
+  std::optional<SE2> T_map_base;  ///< Where to begin.
+  bool breaks = false;
+};
+
+/// Matches scans to the surfaces of the map of a log near a pose. The inside of walls does not
+/// count: it would draw every scan into the nearest wall.
+class Aligner {
+ public:
+  Aligner(const AlignedLog& log, const std::optional<WallOffsets>& walls)
+      : log_(log),
+        walls_(walls),
+        distances_(localization::hollow(log.grid, 0.0), kFieldReach),
+        model_({.sigma = 0.05, .floor = 0.05, .independent_beams = 40.0}, distances_) {}
+
+  /// The best pose near `start`, or nothing if the motion at that time is unknown or no beam
+  /// returned. `sigma` [m] is the uncertainty of the start.
+  std::optional<SE2> align(const LaserScan& scan, const SE2& start, double sigma) const {
+    const auto points =
+        project_scan(walls_ ? move_to_centres(scan, start) : scan, log_.T_path_base, scan.stamp,
+                     {.max_beams = 180, .max_range = 40.0});
+    if (!points || points->empty()) return std::nullopt;
+    const double yaw_sigma = 0.4 * sigma;
+    Eigen::Vector3d information(sigma, sigma, yaw_sigma);
+    information = information.array().square().inverse();
+    const PosePrior prior{start, information.asDiagonal()};
+    return refine_pose(model_, *points, start, prior, {0.04, 0.01, 6});
+  }
+
+ private:
+  /// The scan with its end points moved from the surfaces of walls to the centres of their cells.
+  LaserScan move_to_centres(LaserScan scan, const SE2& T_map_base) const {
+    constexpr double kLeastCosine = 0.3;
+    const double half = 0.5 * log_.grid.frame.resolution;
+    const std::vector<ExpectedBeam> expected =
+        expect_scan(log_, {scan, T_map_base}, std::min(scan.range_max, 40.0));
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      double shift = half - walls_->usual();
+      if (i < expected.size() && expected[i].straight) {
+        shift = (half - walls_->at(expected[i].cell)) /
+                std::max<double>(expected[i].cosine, kLeastCosine);
+      }
+      scan.ranges[i] += static_cast<float>(shift);
+    }
+    return scan;
+  }
+
+  const AlignedLog& log_;
+  const std::optional<WallOffsets>& walls_;
+  localization::DistanceField distances_;
+  localization::EndpointModel model_;
+};
+
+/// Accumulates corrected odometry.
+class CorrectedPath {
+ public:
+  explicit CorrectedPath(const OdometryErrors& errors) : errors_(errors) {}
+
+  void add(const Odometry& odometry, TransformBuffer& T_path_base) {
+    constexpr double kAnyTrack = 0.3;
+    if (before_) {
+      const SE2 u = before_->inverse() * odometry.T_odom_base;
+      T_path_base_ = T_path_base_ * correct_motion({step_of(u, kAnyTrack)}, errors_);
+    }
+    before_ = odometry.T_odom_base;
+    before_stamp_ = odometry.stamp;
+    T_path_base.add(odometry.stamp, T_path_base_);
+  }
+  /// True if no robot drives so fast: odometry was reset.
+  [[nodiscard]] bool jumps_to(const Odometry& odometry) const {
+    constexpr double kFastest = 10.0;  // [m/s]
+    constexpr double kSlack = 0.5;     // [m]
+    if (!before_) return false;
+    const double way = localization::distance(*before_, odometry.T_odom_base);
+    return way > kSlack + kFastest * std::max(seconds(odometry.stamp - before_stamp_), 0.0);
+  }
+
+ private:
+  OdometryErrors errors_;
+  std::optional<SE2> before_;
+  Stamp before_stamp_{};
+  SE2 T_path_base_;
+};
+
+/// Reads the scans of the first lidar and the odometry.
+std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection& correction,
+                                AlignedLog& log) {
+  std::vector<RawScan> scans;
+  std::vector<double> periods;
+  std::optional<Stamp> before;
+  bool breaks = false;
+  CorrectedPath path(correction.odometry);
+  for (const Frame& frame : place.frames) {
+    if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+      const Stamp now = odometry->odometry.stamp;
+      if (before && now > *before) periods.push_back(seconds(now - *before));
+      before = now;
+      breaks = breaks || path.jumps_to(odometry->odometry);
+      if (log.T_odom_base.add(now, odometry->odometry.T_odom_base)) {
+        path.add(odometry->odometry, log.T_path_base);
+      }
+    } else if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
+      breaks = breaks || event->kind == EventKind::kKidnap;
+    } else {
+      const auto& scan = std::get<ScanFrame>(frame.data);
+      if (!scans.empty() && scan.scan.lidar != scans.front().scan.lidar) continue;
+      scans.push_back({scan.scan, scan.T_map_base_true, breaks});
+      scans.back().scan.stamp += correction.stamp;
+      breaks = false;
+    }
+  }
+  std::sort(periods.begin(), periods.end());
+  if (!periods.empty()) log.odometry_period_s = percentile(periods, 0.5);
+  return scans;
+}
+
+/// Replaces the poses of the scans by those of `mh_amcl`, where it is sure.
+void localize(const RecordedPlace& place, const localization::OccupancyGrid& grid, Stamp shift,
+              std::vector<RawScan>& scans) {
+  constexpr double kSure = 0.9;
+  const LocalizerFactory factory(parse_localizers({"mh_amcl"}), grid);
+  std::vector<NamedLocalizer> localizers = factory.build(1);
+  localization::Localizer& localizer = *localizers.front().localizer;
+  localizer.initialize(std::nullopt);
+  std::size_t next = 0;
+  for (const Frame& frame : place.frames) {
+    if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+      localizer.on_odometry(odometry->odometry);
+    } else if (const auto* data = std::get_if<ScanFrame>(&frame.data)) {
+      localizer.on_scan(data->scan);
+      if (next == scans.size() || data->scan.stamp + shift != scans[next].scan.stamp) continue;
+      const auto estimate = localizer.estimate();
+      const bool sure = estimate && !estimate->lost && estimate->probability >= kSure &&
+                        estimate->stamp == data->scan.stamp;
+      scans[next++].T_map_base = sure ? std::optional(estimate->T_map_base) : std::nullopt;
+    }
+  }
+}
+
+std::optional<SE2> motion(const TransformBuffer& T_odom_base, Stamp from, Stamp to) {
+  const auto T_odom_from = T_odom_base.at(from);
+  const auto T_odom_to = T_odom_base.at(to);
+  if (!T_odom_from || !T_odom_to) return std::nullopt;
+  return T_odom_from->inverse() * *T_odom_to;
+}
+
+/// Tracks scans without a pose backwards from the next one that has one.
+void track_backwards(const Aligner& aligner, const TransformBuffer& T_path_base,
+                     std::vector<RawScan>& scans) {
+  constexpr double kStepSigma = 0.2;  // [m]
+  for (std::size_t i = scans.size() - 1; i-- > 0;) {
+    const RawScan& next = scans[i + 1];
+    if (scans[i].T_map_base || !next.T_map_base || next.breaks) continue;
+    const auto u = motion(T_path_base, next.scan.stamp, scans[i].scan.stamp);
+    if (!u) continue;
+    scans[i].T_map_base = aligner.align(scans[i].scan, *next.T_map_base * *u, kStepSigma);
+  }
+}
+
+bool has_reference_poses(const std::vector<RawScan>& scans) {
+  const auto known =
+      std::count_if(scans.begin(), scans.end(), [](const auto& s) { return s.T_map_base; });
+  return 2 * static_cast<std::size_t>(known) > scans.size();
+}
+
+}  // namespace
+
+AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrection& correction) {
+  constexpr double kReferenceSigma = 0.05;  // [m]
+  AlignedLog log;
+  log.name = place.name;
+  log.grid = to_occupancy_grid(place.map);
+  log.T_odom_base = TransformBuffer({.length = Stamp::max() / 4});
+  log.T_path_base = log.T_odom_base;
+  std::vector<RawScan> scans = take_scans(place, correction, log);
+  log.by_truth = by != AlignBy::kMhAmcl && has_reference_poses(scans);
+  if (by == AlignBy::kTruth && !log.by_truth) {
+    throw std::runtime_error(place.name +
+                             ": most of its scans have no reference pose; leave out --align");
+  }
+  if (!log.by_truth) localize(place, log.grid, correction.stamp, scans);
+  const Aligner aligner(log, correction.walls);
+  if (!scans.empty()) track_backwards(aligner, log.T_path_base, scans);
+  const std::size_t stride = (scans.size() + kMostAligned - 1) / kMostAligned;
+  bool breaks = false;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    RawScan& raw = scans[i];
+    breaks = breaks || raw.breaks;
+    if (i % stride != 0) continue;
+    const auto pose = raw.T_map_base ? aligner.align(raw.scan, *raw.T_map_base, kReferenceSigma)
+                                     : std::nullopt;
+    if (!pose) {
+      ++log.left_out;
+      continue;
+    }
+    log.scans.push_back({std::move(raw.scan), *pose, breaks});
+    breaks = false;
+  }
+  if (log.scans.size() < kFewestAligned) {
+    throw std::runtime_error(fmt::format(
+        "{}: {} scans can be aligned with the map, and at least {} are needed; check that log and "
+        "map belong together (castaway replay shows it)",
+        place.name, log.scans.size(), kFewestAligned));
+  }
+  return log;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,315 @@
+#include "tools/twin/building_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+#include "localization/map/distance_field.hpp"
+#include "tools/twin/seen_cells.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr std::size_t kBuildingScans = 1500;
+constexpr double kLongestView = 20.0;  // [m]
+constexpr double kOffWall = 0.25;      // [m] Returns closer to a wall are the wall's.
+
+/// A beam of a scan against the map, in cells of the grid's frame.
+struct View {
+  Eigen::Vector2d from;
+  Eigen::Vector2d end;     ///< Of the measured range, or of the expected one if it was lost.
+  double range_m = 0.0;    ///< To `end`.
+  double turn_rad = 0.0;   ///< Width of the beam's sector.
+  bool returns = false;    ///< It was measured.
+  bool foreign = false;    ///< It ends where the map has neither a wall nor the unknown.
+  bool through = false;    ///< It passes through a wall of the map, at `wall`.
+  bool confirms = false;   ///< It ends at that wall.
+  Eigen::Vector2d wall;    ///< Just behind the surface.
+};
+
+/// The beams of a scan up to `kLongestView`.
+class Viewer {
+ public:
+  explicit Viewer(const AlignedLog& log) : log_(log), distances_(log.grid, 1.0) {}
+
+  [[nodiscard]] std::vector<View> view(const AlignedScan& aligned) const {
+    const LaserScan& scan = aligned.scan;
+    const double longest = std::min(scan.range_max, kLongestView);
+    const std::vector<ExpectedBeam> expected = expect_scan(log_, aligned, longest);
+    std::vector<View> views;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const float r = scan.ranges[i];
+      if (std::isnan(r) || r < scan.range_min) continue;
+      views.push_back(view_of(aligned, i, expected[i], std::min<double>(r, longest)));
+    }
+    return views;
+  }
+
+ private:
+  [[nodiscard]] View view_of(const AlignedScan& aligned, std::size_t i, const ExpectedBeam& beam,
+                             double r) const {
+    const LaserScan& scan = aligned.scan;
+    const localization::GridFrame& frame = log_.grid.frame;
+    View view;
+    view.returns = r < std::min(scan.range_max, kLongestView);
+    view.range_m = view.returns ? r : std::min<double>(r, beam.range);
+    view.turn_rad = std::abs(scan.angle_increment);
+    const auto first = log_.T_path_base.at(scan.stamp);
+    const auto now = log_.T_path_base.at(scan.beam_stamp(i));
+    const SE2 T_base_now = first->inverse() * *now;
+    const Eigen::Isometry3d T_grid_laser =
+        localization::to_se3(frame.T_map_grid.inverse() * aligned.T_map_base * T_base_now) *
+        scan.T_base_laser;
+    const double angle = scan.beam_angle(i);
+    const Eigen::Vector3d d =
+        T_grid_laser.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    const Eigen::Vector2d direction = d.head<2>().normalized();
+    view.from = T_grid_laser.translation().head<2>() / frame.resolution;
+    view.end = view.from + (view.range_m / frame.resolution) * direction;
+    view.wall = view.from + (beam.range / frame.resolution + 0.5) * direction;
+    const double margin = std::max(kOffWall, 0.02 * r);
+    view.foreign = view.returns && r < beam.range - margin &&
+                   distances_.at(view.end * frame.resolution) > kOffWall;
+    view.through = view.returns && beam.wall && r > beam.range + 2.0 * margin;
+    view.confirms = view.returns && beam.wall && std::abs(r - beam.range) < margin;
+    return view;
+  }
+
+  const AlignedLog& log_;
+  localization::DistanceField distances_;
+};
+
+/// Where something stands that is not on the map: most of the scans that saw the cell saw a return.
+bool stands_at(const SeenCells& seen, const Eigen::Vector2d& p_cells) {
+  constexpr int kFewest = 4;
+  int returns = 0;
+  int passes = 0;
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      const Eigen::Vector2d p = p_cells + Eigen::Vector2d(dx, dy);
+      returns = std::max(returns, seen.returns(p));
+      if (dx == 0 && dy == 0) passes = seen.passes(p);
+    }
+  }
+  return returns >= kFewest && 2 * returns > passes;
+}
+
+/// Sums of the beams of some scans.
+struct Tally {
+  double beams = 0.0;
+  double moving = 0.0;
+  double standing = 0.0;
+  double through = 0.0;
+  double objects = 0.0;   ///< Moving ones within `kWatched`.
+  double area_m2 = 0.0;   ///< Seen within `kWatched`.
+  double scans = 0.0;
+
+  void add(const Tally& other) {
+    beams += other.beams;
+    moving += other.moving;
+    standing += other.standing;
+    through += other.through;
+    objects += other.objects;
+    area_m2 += other.area_m2;
+    scans += other.scans;
+  }
+};
+
+/// Counts groups of moving returns: neighbouring beams whose ends are less than a stride apart.
+class ObjectCounter {
+ public:
+  explicit ObjectCounter(double resolution) : resolution_(resolution) {}
+
+  void add(const View& view) {
+    if (view.range_m < kNearest || view.range_m > BuildingFit::kWatched) return;
+    const bool same = size_ > 0 && (view.end - last_).norm() * resolution_ < kStride;
+    last_ = view.end;
+    size_ = same ? size_ + 1 : 1;
+    if (size_ == kFewestReturns) ++count_;
+  }
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  static constexpr double kStride = 0.7;   // [m]
+  static constexpr double kNearest = 1.5;  // [m] A robot that waits for people sees them closer.
+  static constexpr int kFewestReturns = 2;
+
+  double resolution_;
+  Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
+  int size_ = 0;
+  int count_ = 0;
+};
+
+Tally tally_scan(const std::vector<View>& views, const SeenCells& seen, double resolution) {
+  Tally tally;
+  tally.scans = 1.0;
+  ObjectCounter objects(resolution);
+  for (const View& view : views) {
+    tally.beams += 1.0;
+    const double r = std::min(view.range_m, BuildingFit::kWatched);
+    tally.area_m2 += 0.5 * r * r * view.turn_rad;
+    if (view.through) tally.through += 1.0;
+    if (!view.foreign) continue;
+    if (stands_at(seen, view.end)) {
+      tally.standing += 1.0;
+    } else {
+      tally.moving += 1.0;
+      objects.add(view);
+    }
+  }
+  tally.objects = objects.count();
+  return tally;
+}
+
+/// Area of the free cells connected with the robot's path. [m^2]
+double connected_area(const AlignedLog& log) {
+  const localization::GridFrame& frame = log.grid.frame;
+  std::vector<char> reached(frame.size());
+  std::queue<Eigen::Vector2i> open;
+  const auto visit = [&](const Eigen::Vector2i& cell) {
+    if (!frame.contains(cell) || reached[frame.index(cell)] != 0) return;
+    if (log.grid.cells[frame.index(cell)] != localization::CellState::kFree) return;
+    reached[frame.index(cell)] = 1;
+    open.push(cell);
+  };
+  for (const AlignedScan& scan : log.scans) {
+    visit(frame.cell_of((frame.T_map_grid.inverse() * scan.T_map_base).translation()));
+  }
+  std::size_t cells = 0;
+  while (!open.empty()) {
+    const Eigen::Vector2i cell = open.front();
+    open.pop();
+    ++cells;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      visit(cell + Eigen::Vector2i(dx, dy));
+    }
+  }
+  return static_cast<double>(cells) * frame.resolution * frame.resolution;
+}
+
+/// The box from one corner of a cell to another.
+MapBox box_of(const localization::GridFrame& frame, const Eigen::Vector2i& low,
+              const Eigen::Vector2i& high) {
+  const Eigen::Vector2d centre = 0.5 * frame.resolution * (low + high).cast<double>();
+  return {frame.T_map_grid * SE2{centre.x(), centre.y(), 0.0},
+          frame.resolution * (high - low).cast<double>()};
+}
+
+/// Boxes around groups of marked cells that touch each other, with at least `fewest` cells.
+std::vector<MapBox> box_groups(const localization::GridFrame& frame, std::vector<char> marked,
+                               std::size_t fewest) {
+  std::vector<MapBox> boxes;
+  for (std::size_t first = 0; first < marked.size(); ++first) {
+    if (marked[first] == 0) continue;
+    std::vector<Eigen::Vector2i> group;
+    const auto take = [&](const Eigen::Vector2i& cell) {
+      if (!frame.contains(cell) || marked[frame.index(cell)] == 0) return;
+      marked[frame.index(cell)] = 0;
+      group.push_back(cell);
+    };
+    const auto width = static_cast<std::size_t>(frame.width);
+    take({static_cast<int>(first % width), static_cast<int>(first / width)});
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const Eigen::Vector2i cell = group[k];
+      for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy) take(cell + Eigen::Vector2i(dx, dy));
+      }
+    }
+    if (group.size() < fewest) continue;
+    Eigen::Vector2i low = group.front();
+    Eigen::Vector2i high = low;
+    for (const Eigen::Vector2i& cell : group) {
+      low = low.cwiseMin(cell);
+      high = high.cwiseMax(cell);
+    }
+    boxes.push_back(box_of(frame, low, high + Eigen::Vector2i(1, 1)));
+  }
+  return boxes;
+}
+
+/// Cells of free space where something stands.
+std::vector<char> standing_cells(const AlignedLog& log, const SeenCells& returns) {
+  constexpr int kFewest = 4;
+  std::vector<char> marked(log.grid.frame.size());
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (returns.returns(i) >= kFewest && 2 * returns.returns(i) > returns.passes(i)) marked[i] = 1;
+  }
+  return marked;
+}
+
+/// Wall cells that most of the scans saw through. `walls`: returns are scans that saw through a
+/// wall's cell, passes those that saw its surface.
+std::vector<char> gone_cells(const AlignedLog& log, const SeenCells& walls) {
+  constexpr int kFewest = 4;
+  std::vector<char> marked(log.grid.frame.size());
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (walls.returns(i) >= kFewest && walls.returns(i) > 2 * walls.passes(i)) marked[i] = 1;
+  }
+  return marked;
+}
+
+void mark_walls(const std::vector<View>& views, SeenCells& walls) {
+  walls.begin_scan();
+  for (const View& view : views) {
+    if (view.through) walls.mark(view.wall, true);
+  }
+  for (const View& view : views) {
+    if (view.confirms) walls.mark(view.wall, false);
+  }
+}
+
+/// Beams of a scan as seen cells. Foreign returns count as returns.
+std::vector<SeenCells::Beam> foreign_beams(const std::vector<View>& views) {
+  std::vector<SeenCells::Beam> beams;
+  for (const View& view : views) beams.push_back({view.from, view.end, view.foreign});
+  return beams;
+}
+
+}  // namespace
+
+std::optional<BuildingFit> fit_building(const AlignedLog& log) {
+  const Viewer viewer(log);
+  const double resolution = log.grid.frame.resolution;
+  SeenCells seen(log.grid.frame);
+  const std::vector<std::size_t> indices = spread_scans(log, kBuildingScans);
+  SeenCells walls(log.grid.frame);
+  for (const std::size_t i : indices) {
+    const std::vector<View> views = viewer.view(log.scans[i]);
+    seen.add_scan(foreign_beams(views));
+    mark_walls(views, walls);
+  }
+  std::array<Tally, Blocks::kCount> blocks;
+  for (const std::size_t i : indices) {
+    blocks[i * Blocks::kCount / log.scans.size()].add(
+        tally_scan(viewer.view(log.scans[i]), seen, resolution));
+  }
+  BuildingFit fit;
+  fit.free_area_m2 = connected_area(log);
+  const auto total = [&](std::size_t left_out) {
+    Tally sum;
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      if (k != left_out) sum.add(blocks[k]);
+    }
+    return sum;
+  };
+  const Tally all = total(Blocks::kCount);
+  if (all.beams == 0.0 || all.area_m2 == 0.0) return std::nullopt;
+  const std::vector<Figure> figures = jackknife([&](std::size_t left_out) {
+    const Tally sum = total(left_out);
+    const double beams = std::max(sum.beams, 1.0);
+    return std::vector{sum.moving / beams, sum.standing / beams, sum.through / beams,
+                       sum.objects / std::max(sum.area_m2, 1e-9) * fit.free_area_m2};
+  });
+  fit.moving_share = figures[0];
+  fit.standing_share = figures[1];
+  fit.through_share = figures[2];
+  fit.moving_count = figures[3];
+  fit.watched_m2 = all.area_m2 / all.scans;
+  fit.beams = static_cast<std::size_t>(all.beams);
+  fit.standing = box_groups(log.grid.frame, standing_cells(log, seen), 2);
+  fit.gone = box_groups(log.grid.frame, gone_cells(log, walls), 2);
+  return fit;
+}
+
+}  // namespace castaway::testbed

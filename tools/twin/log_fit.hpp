@@ -1,0 +1,46 @@
+/// Everything that a log and its map tell about the robot, its sensors and its building.
+#pragma once
+
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/twin/building_fit.hpp"
+#include "tools/twin/clock_fit.hpp"
+#include "tools/twin/loss_fit.hpp"
+#include "tools/twin/odometry_fit.hpp"
+#include "tools/twin/range_noise_fit.hpp"
+#include "tools/twin/stamp_fit.hpp"
+
+namespace castaway::testbed {
+
+/// Fitted models; those that the log cannot tell are missing.
+struct LogFit {
+  StampFit stamps;
+  std::optional<ClockFit> clock;
+  std::optional<OdometryFit> odometry;
+  std::optional<RangeNoiseFit> noise;
+  std::optional<LossFit> loss;
+  std::optional<BuildingFit> building;
+};
+
+/// Parameters of a fit.
+struct LogFitConfig {
+  AlignBy align = AlignBy::kAuto;
+  double track = 0.3;  ///< [m] Between the wheels of the robot that odometry's errors are stated
+                       ///< for.
+};
+
+/// An aligned log and what was fitted to it.
+struct FittedLog {
+  AlignedLog log;  ///< With the stamps of the scans on odometry's clock.
+  LogFit fit;
+};
+
+/// Aligns a log and fits all models. Throws as `align_log`.
+FittedLog fit_log(const RecordedPlace& place, const LogFitConfig& config);
+
+nlohmann::ordered_json to_json(const Figure& figure);
+nlohmann::ordered_json to_json(const FittedLog& fitted);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,23 @@
+/// Motion between aligned scans, by odometry and by the map.
+#pragma once
+
+#include <vector>
+
+#include "tools/twin/aligned_log.hpp"
+#include "tools/twin/odometry_step.hpp"
+
+namespace castaway::testbed {
+
+/// Motion from one aligned scan to the next.
+struct Leg {
+  std::vector<OdometryStep> steps;
+  SE2 T_start_end;      ///< Of base, by the map.
+  double way = 0.0;     ///< [m] Mean travel of the wheels.
+  bool breaks = false;  ///< The motion is unknown.
+};
+
+/// The legs between the scans of a log, one less than scans. Odometry is split into steps of at
+/// most 0.1 s. `track` [m] is the distance between the wheels.
+std::vector<Leg> take_legs(const AlignedLog& log, double track);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,39 @@
+/// Fits the noise of a lidar's ranges to a log.
+///
+/// Neighbouring beams on a straight wall lie on a line, whose parameters are fitted to each group of
+/// seven. What is left is noise: it depends neither on the map's resolution nor on the pose.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tools/twin/aligned_log.hpp"
+#include "tools/twin/figure.hpp"
+
+namespace castaway::testbed {
+
+/// Noise of ranges with intervals.
+struct RangeNoiseFit {
+  Figure sigma_m;         ///< [m] Standard deviation at range 0.
+  Figure sigma_relative;  ///< [m/m] Its increase per metre.
+  Figure sigma_typical;   ///< [m] At `typical_range_m`, the median range of the walls.
+  double typical_range_m = 0.0;
+  double resolution_m = 0.0;  ///< [m] Ranges are multiples of it; 0: no step was found.
+  Figure bias_m;              ///< [m] Median of measured minus expected ranges.
+  std::size_t groups = 0;     ///< Groups of beams on straight walls.
+  /// Standard deviation by range, for the plot.
+  struct Bin {
+    double range_m = 0.0;
+    double sigma_m = 0.0;
+  };
+  std::vector<Bin> bins;
+};
+
+/// Nothing if too few beams hit straight walls.
+std::optional<RangeNoiseFit> fit_range_noise(const AlignedLog& log);
+
+/// The step of quantised ranges: the largest usual step of which nearly all are multiples; 0 if
+/// there is none. [m]
+double find_resolution(const std::vector<float>& ranges);
+
+}  // namespace castaway::testbed

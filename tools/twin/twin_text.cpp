@@ -1,0 +1,159 @@
+#include "tools/twin/twin_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "tools/formats/tum.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kObjectHeight = 1.0;  // [m]
+constexpr double kLidarHeight = 0.3;   // [m] A log does not tell it.
+
+/// A value of a key, rounded to six digits; small ones are 0.
+std::string number(double value) {
+  return fmt::format("{:.6g}", std::abs(value) < 1e-9 ? 0.0 : value);
+}
+
+double not_negative(const Figure& figure) { return std::max(figure.value, 0.0); }
+
+/// Indents every line.
+std::string indent(const std::string& text) {
+  std::string result;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t end = text.find('\n', from);
+    result += "  " + text.substr(from, end - from) + "\n";
+    from = end + 1;
+  }
+  return result;
+}
+
+std::string noise_text(const LogFit& fit) {
+  std::string text = "noise:\n";
+  if (fit.noise) {
+    text += "  sigma_m: " + number(not_negative(fit.noise->sigma_m)) + "\n";
+    text += "  sigma_relative: " + number(not_negative(fit.noise->sigma_relative)) + "\n";
+    text += "  resolution_m: " + number(fit.noise->resolution_m) + "\n";
+  } else {
+    text += "  sigma_m: 0\n";
+  }
+  if (fit.loss) {
+    text += "  dropout: " + number(not_negative(fit.loss->dropout)) + "\n";
+    text += "  dropout_far: " + number(not_negative(fit.loss->dropout_far)) + "\n";
+    text += "  dropout_grazing: " + number(not_negative(fit.loss->dropout_grazing)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TwinMotion motion_of(const AlignedLog& log) {
+  TwinMotion motion;
+  double product = 0.0;
+  double square = 0.0;
+  for (const Leg& leg : take_legs(log, kTwinTrack)) {
+    for (const OdometryStep& step : leg.steps) {
+      product += step.across * step.turn;
+      square += step.turn * step.turn;
+    }
+  }
+  constexpr double kFewestTurns = 1.0;  // [rad^2]
+  if (square > kFewestTurns) motion.axle_m = product / square;
+  motion.duration_s = seconds(log.scans.back().scan.stamp - log.scans.front().scan.stamp);
+  return motion;
+}
+
+std::string lidar_text(const FittedLog& fitted) {
+  const LaserScan& scan = fitted.log.scans.front().scan;
+  const Eigen::Vector3d mount = scan.T_base_laser.translation();
+  const double yaw = std::atan2(scan.T_base_laser(1, 0), scan.T_base_laser(0, 0));
+  const auto beams = static_cast<double>(scan.ranges.size());
+  const double increment = std::abs(scan.angle_increment);
+  const double first = scan.angle_increment < 0.0
+                           ? scan.angle_min + scan.angle_increment * (beams - 1.0)
+                           : scan.angle_min;
+  std::string text = "profile: ideal\n";
+  text += fmt::format("beams: {}\n", scan.ranges.size());
+  text += "fov_deg: " + number(std::max(increment * (beams - 1.0) * kDegrees, 0.001)) + "\n";
+  text += "angle_min_deg: " + number(first * kDegrees) + "\n";
+  text += "range_min: " + number(std::max(scan.range_min, 0.0)) + "\n";
+  text += "range_max: " + number(scan.range_max) + "\n";
+  text += "rate_hz: " + number(std::clamp(fitted.fit.stamps.rate_hz, 0.01, 1000.0)) + "\n";
+  text += fmt::format("sweep: {}\n", scan.time_increment != Stamp::zero());
+  text += fmt::format("mount_xyz: [{}, {}, {}]\n",
+                      number(mount.x() + motion_of(fitted.log).axle_m), number(mount.y()),
+                      number(mount.z() > 0.0 ? mount.z() : kLidarHeight));
+  text += fmt::format("mount_rpy: [0, 0, {}]\n", number(yaw));
+  return text + noise_text(fitted.fit);
+}
+
+std::string odometry_text(const FittedLog& fitted) {
+  std::string text = "profile: ideal\n";
+  if (!fitted.fit.odometry) return text;
+  const OdometryFit& fit = *fitted.fit.odometry;
+  text += "radius_error_left: " + number(fit.radius_error_left.value) + "\n";
+  text += "radius_error_right: " + number(fit.radius_error_right.value) + "\n";
+  text += "track_error: " + number(fit.track_error.value) + "\n";
+  text += "drift_along: " + number(not_negative(fit.drift_along)) + "\n";
+  text += "drift_yaw_deg: " + number(not_negative(fit.drift_yaw_deg)) + "\n";
+  return text;
+}
+
+std::string people_text(int count) { return fmt::format("count: {}\n", count); }
+
+std::string differences_text(const FittedLog& fitted) {
+  if (!fitted.fit.building || fitted.fit.building->standing.empty()) return "";
+  std::string text = "changes:\n";
+  for (const MapBox& box : fitted.fit.building->standing) {
+    text += fmt::format("  - add: {{box: {{at: [{}, {}], yaw_deg: {}, size: [{}, {}, {}]}}}}\n",
+                        number(box.T_map_box.x), number(box.T_map_box.y),
+                        number(box.T_map_box.yaw * kDegrees), number(box.size.x()),
+                        number(box.size.y()), number(kObjectHeight));
+  }
+  return text;
+}
+
+std::string twin_scenario(const FittedLog& fitted, int people) {
+  std::string text = fmt::format(
+      "# The twin of a recorded log: its path, with the models that were fitted to it.\n"
+      "name: twin\n"
+      "duration_s: {}\n",
+      number(motion_of(fitted.log).duration_s));
+  text += "world:\n  name: map.yaml\n";
+  const std::string differences = differences_text(fitted);
+  if (!differences.empty()) text += "  differences:\n" + indent(indent(differences));
+  text += fmt::format("robot: {}\n", kTwinRobot);
+  text += "drive: {path: path.tum}\n";
+  text += "lidar:\n" + indent(lidar_text(fitted));
+  text += "odometry:\n" + indent(odometry_text(fitted));
+  text += "people:\n" + indent(people_text(people));
+  if (fitted.fit.clock) {
+    text += fmt::format(
+        "events:\n  - fault: {{kind: lidar-clock, at_s: 0, for_s: {}, offset_s: {}}}\n",
+        number(motion_of(fitted.log).duration_s + 1.0),
+        number(fitted.fit.clock->offset_s.value));
+  }
+  return text + "localizers: [mh_amcl, amcl]\n";
+}
+
+std::string path_text(const FittedLog& fitted) {
+  const SE2 T_base_axle{-motion_of(fitted.log).axle_m, 0.0, 0.0};
+  const Stamp first = fitted.log.scans.front().scan.stamp;
+  std::string text;
+  std::optional<Stamp> before;
+  for (const AlignedScan& scan : fitted.log.scans) {
+    const Stamp stamp = scan.scan.stamp - first;
+    if (before && stamp <= *before) continue;
+    before = stamp;
+    text += tum_line({stamp, scan.T_map_base * T_base_axle});
+  }
+  return text;
+}
+
+}  // namespace castaway::testbed
