@@ -156,7 +156,7 @@ const Layers kToolsLayers = {
     {"tools/scenario", "tools/sources"},
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/evaluate", "tools/play"},
-    {"tools/dataset"},
+    {"tools/dataset", "tools/twin"},
     {"tools/commands"},
 };
 
