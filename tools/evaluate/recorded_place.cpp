@@ -109,4 +109,18 @@ RecordedPlace load_recorded_place(const std::string& folder) {
   return place;
 }
 
+RecordedPlace load_recorded_log(const std::string& log, const std::string& map) {
+  RecordedPlace place;
+  place.name = fs::path(log).filename().string();
+  if (!map.empty()) place.map = load_ros_map(map);
+  if (is_bag(log)) {
+    take_bag(log, !map.empty(), place);
+  } else if (map.empty()) {
+    throw std::runtime_error(log + ": a CARMEN log has no map; give one with --map MAP.yaml");
+  } else {
+    take_log(log, place);
+  }
+  return place;
+}
+
 }  // namespace castaway::testbed

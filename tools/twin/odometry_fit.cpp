@@ -137,18 +137,22 @@ struct Square {
 };
 
 /// Estimates variance components by iterated weighted least squares of the squares, which is
-/// maximum likelihood for normal misses. Outliers are left out.
+/// maximum likelihood for normal misses. Outliers are left out, and squares that are mostly known
+/// otherwise: they say more about that than about the components.
 Components fit_components(const std::vector<Square>& squares, Components at) {
+  constexpr double kTrim = 2.5;       // Standard deviations.
+  constexpr double kUntrim = 1.0974;  // Makes up for the tails of normal misses beyond.
   for (int round = 0; round < 20; ++round) {
     Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
     Eigen::Vector2d b = Eigen::Vector2d::Zero();
     for (const Square& s : squares) {
       const double variance = at.per_m * s.way + 2.0 * at.match + s.known;
-      if (s.value > kOutlier * kOutlier * variance) continue;
+      if (s.value > kTrim * kTrim * variance || 2.0 * s.known > variance) continue;
       const Eigen::Vector2d row(s.way, 2.0);
       A += row * row.transpose() / (variance * variance);
-      b += row * (s.value - s.known) / (variance * variance);
+      b += row * (kUntrim * s.value - s.known) / (variance * variance);
     }
+    if (!(A.determinant() > 0.0)) return at;
     Eigen::Vector2d x = A.ldlt().solve(b);
     if (x(0) < 0.0) x << 0.0, b(1) / A(1, 1);
     if (x(1) < 0.0) x << b(0) / A(0, 0), 0.0;
@@ -248,8 +252,11 @@ std::optional<OdometryFit> fit_odometry(const std::vector<Leg>& legs, double tra
                          &fit.scale}) {
     *figure = widen(*figure, kMapScale);
   }
+  // A walk that is small beside the alignment's error cannot be told from none.
+  fit.drift_along = widen(fit.drift_along, 0.5 * fit.match_sigma_m.value / std::sqrt(kLong));
   for (Figure* figure : {&fit.drift_along, &fit.drift_yaw_deg}) {
     *figure = widen(*figure, kDriftModel * figure->value);
+    figure->interval.low = std::max(figure->interval.low, 0.0);
   }
   const Fit whole = fit_stretches(brief, far, track);
   fit.errors = whole.errors;

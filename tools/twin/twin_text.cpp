@@ -20,6 +20,10 @@ std::string number(double value) {
   return fmt::format("{:.6g}", std::abs(value) < 1e-9 ? 0.0 : value);
 }
 
+bool holds(const Figure& figure, double value) {
+  return figure.interval.low <= value && value <= figure.interval.high;
+}
+
 double not_negative(const Figure& figure) { return std::max(figure.value, 0.0); }
 
 /// Indents every line.
@@ -39,6 +43,7 @@ std::string noise_text(const LogFit& fit) {
   if (fit.noise) {
     text += "  sigma_m: " + number(not_negative(fit.noise->sigma_m)) + "\n";
     text += "  sigma_relative: " + number(not_negative(fit.noise->sigma_relative)) + "\n";
+    text += "  bias_m: " + number(fit.noise->bias_m.value) + "\n";
     text += "  resolution_m: " + number(fit.noise->resolution_m) + "\n";
   } else {
     text += "  sigma_m: 0\n";
@@ -133,7 +138,7 @@ std::string twin_scenario(const FittedLog& fitted, int people) {
   text += "lidar:\n" + indent(lidar_text(fitted));
   text += "odometry:\n" + indent(odometry_text(fitted));
   text += "people:\n" + indent(people_text(people));
-  if (fitted.fit.clock) {
+  if (fitted.fit.clock && !holds(fitted.fit.clock->offset_s, 0.0)) {
     text += fmt::format(
         "events:\n  - fault: {{kind: lidar-clock, at_s: 0, for_s: {}, offset_s: {}}}\n",
         number(motion_of(fitted.log).duration_s + 1.0),

@@ -1,0 +1,30 @@
+/// How alike a log and its twin are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/twin/log_fit.hpp"
+
+namespace castaway::testbed {
+
+/// Values of one quantity in a log and in its twin, ascending.
+struct LikeSamples {
+  std::string name;
+  std::string unit;
+  std::vector<double> log;
+  std::vector<double> twin;
+};
+
+/// Distance between two distributions: the area between their cumulative distribution functions, in
+/// the unit of the samples, which are ascending and not empty.
+///
+/// L. N. Wasserstein, "Markov processes over denumerable products of spaces", Problems of Information
+/// Transmission 5, 1969, for exponent 1.
+double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Residuals of ranges on walls, error of odometry over 10 m, share of beams blocked in a scan, and
+/// evidence of `mh_amcl` at the aligned poses. A quantity without values on one side is left out.
+std::vector<LikeSamples> compare_logs(const AlignedLog& log, const AlignedLog& twin);
+
+}  // namespace castaway::testbed

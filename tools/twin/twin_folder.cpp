@@ -1,0 +1,58 @@
+#include "tools/twin/twin_folder.hpp"
+
+#include <cmath>
+
+#include "tools/files/file.hpp"
+#include "tools/twin/twin_run.hpp"
+#include "tools/twin/twin_text.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+nlohmann::ordered_json to_json(const LikeSamples& samples) {
+  return {{"name", samples.name},
+          {"unit", samples.unit},
+          {"log_median", percentile(samples.log, 0.5)},
+          {"log_p90", percentile(samples.log, 0.9)},
+          {"twin_median", percentile(samples.twin, 0.5)},
+          {"twin_p90", percentile(samples.twin, 0.9)},
+          {"wasserstein", wasserstein_distance(samples.log, samples.twin)}};
+}
+
+void write_parts(const FittedLog& fitted, int people, const std::filesystem::path& folder) {
+  write_file(folder / "lidar.yaml", lidar_text(fitted));
+  write_file(folder / "odometry.yaml", odometry_text(fitted));
+  write_file(folder / "people.yaml", people_text(people));
+  const std::string differences = differences_text(fitted);
+  if (!differences.empty()) write_file(folder / "differences.yaml", differences);
+}
+
+}  // namespace
+
+Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::path& folder) {
+  Twin twin{fit_log(place, {.align = by, .track = kTwinTrack}), {}, {}};
+  write_ros_map(place.map, folder / "map.yaml");
+  write_file(folder / "path.tum", path_text(twin.fitted));
+  twin.people = fit_people(folder, twin.fitted);
+  const int people = static_cast<int>(std::lround(twin.people.value));
+  const std::string scenario = twin_scenario(twin.fitted, people);
+  write_parts(twin.fitted, people, folder);
+  write_file(folder / "scenario.yaml", scenario);
+  ScanCorrection correction;
+  const double bias = twin.fitted.fit.noise ? twin.fitted.fit.noise->bias_m.value : 0.0;
+  correction.walls.emplace(twin.fitted.log.grid.frame, bias);
+  twin.likeness = compare_logs(
+      twin.fitted.log, align_log(run_twin(folder, scenario, 1), AlignBy::kTruth, correction));
+  write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
+  return twin;
+}
+
+nlohmann::ordered_json to_json(const Twin& twin) {
+  nlohmann::ordered_json json = to_json(twin.fitted);
+  json["people"] = to_json(twin.people);
+  json["likeness"] = nlohmann::ordered_json::array();
+  for (const LikeSamples& samples : twin.likeness) json["likeness"].push_back(to_json(samples));
+  return json;
+}
+
+}  // namespace castaway::testbed
