@@ -33,15 +33,15 @@ void validate(const SlipConfig& config);
 
 /// Error model of odometry. Defaults: a well-maintained indoor robot.
 struct OdometryConfig {
-  double rate_hz = 100.0;       ///< [Hz] Readings per second.
-  int ticks_per_turn = 4096;    ///< Encoder resolution; 0: continuous.
-  double radius_sigma = 0.005;  ///< Relative error of each wheel's radius, drawn once.
-  double track_sigma = 0.01;    ///< Relative error of the track, drawn once.
+  double rate_hz = 100.0;           ///< [Hz] Readings per second.
+  int ticks_per_turn = 4096;        ///< Encoder resolution; 0: continuous.
+  double radius_sigma = 0.005;      ///< Relative error of each wheel's radius, drawn once.
+  double track_sigma = 0.01;        ///< Relative error of the track, drawn once.
   double radius_error_left = 0.0;   ///< Relative error of the left wheel's radius, besides.
   double radius_error_right = 0.0;  ///< Relative error of the right wheel's radius, besides.
   double track_error = 0.0;         ///< Relative error of the track, besides.
-  double drift_along = 0.012;   ///< [m/sqrt(m)] Random walk along the heading.
-  double drift_yaw_deg = 0.7;   ///< [deg/sqrt(m)] Random walk of the heading.
+  double drift_along = 0.012;       ///< [m/sqrt(m)] Random walk along the heading.
+  double drift_yaw_deg = 0.7;       ///< [deg/sqrt(m)] Random walk of the heading.
   SlipConfig slip{};
   /// With a gyro, headings come from it, and the wheels only give the distance.
   std::optional<GyroConfig> gyro{};

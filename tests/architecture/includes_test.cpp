@@ -156,8 +156,10 @@ const Layers kToolsLayers = {
     {"tools/scenario", "tools/sources"},
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/evaluate", "tools/play"},
-    {"tools/dataset", "tools/twin"},
+    {"tools/alignment", "tools/dataset"},
+    {"tools/twin"},
     {"tools/commands"},
+    {"tools/commands/bench"},
 };
 
 const Layers kLocalizationLayers = {

@@ -125,8 +125,9 @@ void add_calibrate_command(Command& app) {
   Command command =
       app.add_command("calibrate", "Fit lidar, odometry and people to a log, and build its twin");
   command
-      .add_option("log", a->log,
-                  "CARMEN log (.log, .carmen, .gz), rosbag2, or a folder that holds a log and a map")
+      .add_option(
+          "log", a->log,
+          "CARMEN log (.log, .carmen, .gz), rosbag2, or a folder that holds a log and a map")
       .required();
   command.add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
   command.add_option("--out", a->out, "Folder of the twin").required();

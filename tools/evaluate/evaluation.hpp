@@ -45,8 +45,8 @@ struct RecordedPlace {
 /// missing.
 RecordedPlace load_recorded_place(const std::string& folder);
 
-/// Reads a CARMEN log or a bag, and a ROS map by its YAML file; without one, the map of a bag. Throws
-/// std::runtime_error naming what is missing.
+/// Reads a CARMEN log or a bag, and a ROS map by its YAML file; without one, the map of a bag.
+/// Throws std::runtime_error naming what is missing.
 RecordedPlace load_recorded_log(const std::string& log, const std::string& map);
 
 /// Runs all trials of one localizer. Trials begin at evenly spaced scans; kidnaps lead to these

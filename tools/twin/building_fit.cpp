@@ -5,80 +5,14 @@
 #include <cmath>
 #include <queue>
 
-#include "localization/map/distance_field.hpp"
-#include "tools/twin/seen_cells.hpp"
+#include "tools/alignment/beam_view.hpp"
+#include "tools/alignment/seen_cells.hpp"
 
 namespace castaway::testbed {
 namespace {
 
+constexpr double kNearest = 1.5;  // [m] A robot that waits for people sees them closer.
 constexpr std::size_t kBuildingScans = 1500;
-constexpr double kLongestView = 20.0;  // [m]
-constexpr double kOffWall = 0.25;      // [m] Returns closer to a wall are the wall's.
-
-/// A beam of a scan against the map, in cells of the grid's frame.
-struct View {
-  Eigen::Vector2d from;
-  Eigen::Vector2d end;     ///< Of the measured range, or of the expected one if it was lost.
-  double range_m = 0.0;    ///< To `end`.
-  double turn_rad = 0.0;   ///< Width of the beam's sector.
-  bool returns = false;    ///< It was measured.
-  bool foreign = false;    ///< It ends where the map has neither a wall nor the unknown.
-  bool through = false;    ///< It passes through a wall of the map, at `wall`.
-  bool confirms = false;   ///< It ends at that wall.
-  Eigen::Vector2d wall;    ///< Just behind the surface.
-};
-
-/// The beams of a scan up to `kLongestView`.
-class Viewer {
- public:
-  explicit Viewer(const AlignedLog& log) : log_(log), distances_(log.grid, 1.0) {}
-
-  [[nodiscard]] std::vector<View> view(const AlignedScan& aligned) const {
-    const LaserScan& scan = aligned.scan;
-    const double longest = std::min(scan.range_max, kLongestView);
-    const std::vector<ExpectedBeam> expected = expect_scan(log_, aligned, longest);
-    std::vector<View> views;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      const float r = scan.ranges[i];
-      if (std::isnan(r) || r < scan.range_min) continue;
-      views.push_back(view_of(aligned, i, expected[i], std::min<double>(r, longest)));
-    }
-    return views;
-  }
-
- private:
-  [[nodiscard]] View view_of(const AlignedScan& aligned, std::size_t i, const ExpectedBeam& beam,
-                             double r) const {
-    const LaserScan& scan = aligned.scan;
-    const localization::GridFrame& frame = log_.grid.frame;
-    View view;
-    view.returns = r < std::min(scan.range_max, kLongestView);
-    view.range_m = view.returns ? r : std::min<double>(r, beam.range);
-    view.turn_rad = std::abs(scan.angle_increment);
-    const auto first = log_.T_path_base.at(scan.stamp);
-    const auto now = log_.T_path_base.at(scan.beam_stamp(i));
-    const SE2 T_base_now = first->inverse() * *now;
-    const Eigen::Isometry3d T_grid_laser =
-        localization::to_se3(frame.T_map_grid.inverse() * aligned.T_map_base * T_base_now) *
-        scan.T_base_laser;
-    const double angle = scan.beam_angle(i);
-    const Eigen::Vector3d d =
-        T_grid_laser.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
-    const Eigen::Vector2d direction = d.head<2>().normalized();
-    view.from = T_grid_laser.translation().head<2>() / frame.resolution;
-    view.end = view.from + (view.range_m / frame.resolution) * direction;
-    view.wall = view.from + (beam.range / frame.resolution + 0.5) * direction;
-    const double margin = std::max(kOffWall, 0.02 * r);
-    view.foreign = view.returns && r < beam.range - margin &&
-                   distances_.at(view.end * frame.resolution) > kOffWall;
-    view.through = view.returns && beam.wall && r > beam.range + 2.0 * margin;
-    view.confirms = view.returns && beam.wall && std::abs(r - beam.range) < margin;
-    return view;
-  }
-
-  const AlignedLog& log_;
-  localization::DistanceField distances_;
-};
 
 /// Where something stands that is not on the map: most of the scans that saw the cell saw a return.
 bool stands_at(const SeenCells& seen, const Eigen::Vector2d& p_cells) {
@@ -101,8 +35,8 @@ struct Tally {
   double moving = 0.0;
   double standing = 0.0;
   double through = 0.0;
-  double objects = 0.0;   ///< Moving ones within `kWatched`.
-  double area_m2 = 0.0;   ///< Seen within `kWatched`.
+  double objects = 0.0;  ///< Moving ones within `kWatched`.
+  double area_m2 = 0.0;  ///< Seen within `kWatched`.
   double scans = 0.0;
 
   void add(const Tally& other) {
@@ -121,34 +55,46 @@ class ObjectCounter {
  public:
   explicit ObjectCounter(double resolution) : resolution_(resolution) {}
 
-  void add(const View& view) {
+  void add(const BeamView& view) {
     if (view.range_m < kNearest || view.range_m > BuildingFit::kWatched) return;
-    const bool same = size_ > 0 && (view.end - last_).norm() * resolution_ < kStride;
+    if (sizes_.empty() || !are_close(view.end, last_)) sizes_.push_back(0);
+    if (sizes_.size() == 1 && sizes_.back() == 0) first_ = view.end;
+    ++sizes_.back();
     last_ = view.end;
-    size_ = same ? size_ + 1 : 1;
-    if (size_ == kFewestReturns) ++count_;
   }
-  [[nodiscard]] int count() const { return count_; }
+  /// Groups of at least two returns. The last one is also the first if a circle closes in it.
+  [[nodiscard]] int count() const {
+    std::vector<int> sizes = sizes_;
+    if (sizes.size() > 1 && are_close(first_, last_)) {
+      sizes.front() += sizes.back();
+      sizes.pop_back();
+    }
+    constexpr int kFewest = 2;
+    return static_cast<int>(
+        std::count_if(sizes.begin(), sizes.end(), [](int size) { return size >= kFewest; }));
+  }
 
  private:
-  static constexpr double kStride = 0.7;   // [m]
-  static constexpr double kNearest = 1.5;  // [m] A robot that waits for people sees them closer.
-  static constexpr int kFewestReturns = 2;
+  static constexpr double kStride = 0.7;  // [m]
+
+  [[nodiscard]] bool are_close(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
+    return (a - b).norm() * resolution_ < kStride;
+  }
 
   double resolution_;
-  Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
-  int size_ = 0;
-  int count_ = 0;
+  Eigen::Vector2d first_ = Eigen::Vector2d::Zero();  ///< End of the first beam,
+  Eigen::Vector2d last_ = Eigen::Vector2d::Zero();   ///< and of the last one.
+  std::vector<int> sizes_;                           ///< Beams of each group.
 };
 
-Tally tally_scan(const std::vector<View>& views, const SeenCells& seen, double resolution) {
+Tally tally_scan(const std::vector<BeamView>& views, const SeenCells& seen, double resolution) {
   Tally tally;
   tally.scans = 1.0;
   ObjectCounter objects(resolution);
-  for (const View& view : views) {
+  for (const BeamView& view : views) {
     tally.beams += 1.0;
-    const double r = std::min(view.range_m, BuildingFit::kWatched);
-    tally.area_m2 += 0.5 * r * r * view.turn_rad;
+    const double r = std::clamp(view.range_m, kNearest, BuildingFit::kWatched);
+    tally.area_m2 += 0.5 * (r * r - kNearest * kNearest) * view.turn_rad;
     if (view.through) tally.through += 1.0;
     if (!view.foreign) continue;
     if (stands_at(seen, view.end)) {
@@ -249,33 +195,33 @@ std::vector<char> gone_cells(const AlignedLog& log, const SeenCells& walls) {
   return marked;
 }
 
-void mark_walls(const std::vector<View>& views, SeenCells& walls) {
+void mark_walls(const std::vector<BeamView>& views, SeenCells& walls) {
   walls.begin_scan();
-  for (const View& view : views) {
+  for (const BeamView& view : views) {
     if (view.through) walls.mark(view.wall, true);
   }
-  for (const View& view : views) {
+  for (const BeamView& view : views) {
     if (view.confirms) walls.mark(view.wall, false);
   }
 }
 
 /// Beams of a scan as seen cells. Foreign returns count as returns.
-std::vector<SeenCells::Beam> foreign_beams(const std::vector<View>& views) {
+std::vector<SeenCells::Beam> foreign_beams(const std::vector<BeamView>& views) {
   std::vector<SeenCells::Beam> beams;
-  for (const View& view : views) beams.push_back({view.from, view.end, view.foreign});
+  for (const BeamView& view : views) beams.push_back({view.from, view.end, view.foreign});
   return beams;
 }
 
 }  // namespace
 
 std::optional<BuildingFit> fit_building(const AlignedLog& log) {
-  const Viewer viewer(log);
+  const BeamViewer viewer(log);
   const double resolution = log.grid.frame.resolution;
   SeenCells seen(log.grid.frame);
   const std::vector<std::size_t> indices = spread_scans(log, kBuildingScans);
   SeenCells walls(log.grid.frame);
   for (const std::size_t i : indices) {
-    const std::vector<View> views = viewer.view(log.scans[i]);
+    const std::vector<BeamView> views = viewer.view(log.scans[i]);
     seen.add_scan(foreign_beams(views));
     mark_walls(views, walls);
   }

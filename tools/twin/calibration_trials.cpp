@@ -6,8 +6,8 @@
 
 #include <unistd.h>
 
-#include <boost/random/uniform_real_distribution.hpp>
 #include <fmt/format.h>
+#include <boost/random/uniform_real_distribution.hpp>
 
 #include "localization/geometry/random.hpp"
 #include "tools/files/file.hpp"
@@ -91,8 +91,8 @@ FoundSetting relative(const char* name, double truth, const Figure& found, doubl
 
 /// The number of people, from twins in a folder of their own.
 Figure people_of(const FittedLog& fitted, const RosMap& map) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
-                                       fmt::format("castaway-calibration-{}", ::getpid());
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("castaway-calibration-{}", ::getpid());
   std::filesystem::create_directories(folder);
   write_ros_map(map, folder / "map.yaml");
   write_file(folder / "path.tum", path_text(fitted));

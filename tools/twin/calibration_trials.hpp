@@ -29,8 +29,8 @@ struct FoundSetting {
 };
 
 /// Simulates log `index` and calibrates on it: systematic errors of odometry, lidar noise at the
-/// typical range and the share of lost beams within 10 %, random errors of odometry within 20 %, the
-/// clock's offset within 5 ms, the number of people within 30 %. Deterministic. Throws as
+/// typical range and the share of lost beams within 10 %, random errors of odometry within 20 %,
+/// the clock's offset within 5 ms, the number of people within 30 %. Deterministic. Throws as
 /// `build_simulation`.
 std::vector<FoundSetting> try_calibration(const CalibrationTrialConfig& config, int index);
 

@@ -54,8 +54,8 @@ std::vector<TurnSample> take_samples(const AlignedLog& log, const OdometryErrors
                                     std::max(swept, end + kHalf), swept + kAside);
     if (!change || !around) continue;
     const double by_odometry = correct_motion(legs[i].steps, errors).yaw;
-    samples.push_back({localization::wrap_angle(by_odometry - legs[i].T_start_end.yaw), *change,
-                       *around, i});
+    samples.push_back(
+        {localization::wrap_angle(by_odometry - legs[i].T_start_end.yaw), *change, *around, i});
   }
   return samples;
 }
@@ -98,10 +98,9 @@ std::optional<ClockFit> fit_clock(const AlignedLog& log, const OdometryErrors& e
   fit.turn_changes = std::sqrt(std::max(fit.turn_changes, 0.0));
   if (fit.turn_changes < kFewestChanges) return std::nullopt;
   const Blocks blocks(log.scans.size());
-  fit.offset_s =
-      jackknife([&](std::size_t left_out) {
-        return std::vector{fit_offset(samples, blocks, left_out)};
-      }).front();
+  fit.offset_s = jackknife([&](std::size_t left_out) {
+                   return std::vector{fit_offset(samples, blocks, left_out)};
+                 }).front();
   return fit;
 }
 

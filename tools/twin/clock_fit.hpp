@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "tools/alignment/motion_samples.hpp"
 #include "tools/twin/figure.hpp"
-#include "tools/twin/motion_samples.hpp"
 
 namespace castaway::testbed {
 
@@ -12,7 +12,7 @@ namespace castaway::testbed {
 struct ClockFit {
   Figure offset_s;          ///< [s] Stamp of a scan minus the time of odometry at that moment.
   double turn_changes = 0;  ///< [rad/s] Root of the sum over scans of products of changes of the
-                             ///< turn rate, measured twice.
+                            ///< turn rate, measured twice.
 };
 
 /// Compares the turn between two scans by the map with that by corrected odometry: an offset shows

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "localization/mh_amcl_models.hpp"
-#include "tools/twin/expected_scan.hpp"
-#include "tools/twin/motion_samples.hpp"
+#include "tools/alignment/expected_scan.hpp"
+#include "tools/alignment/motion_samples.hpp"
 #include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {
@@ -76,7 +76,8 @@ LogSamples sample_log(const AlignedLog& log) {
     add_ranges(log, aligned, samples);
     const auto points = project_scan(aligned.scan, log.T_path_base, aligned.scan.stamp, {});
     if (!points || points->empty()) continue;
-    samples.evidence.push_back(models.evidence.evaluate(*points, aligned.T_map_base).log_likelihood);
+    samples.evidence.push_back(
+        models.evidence.evaluate(*points, aligned.T_map_base).log_likelihood);
   }
   add_drift(log, samples);
   for (auto* values :
@@ -110,7 +111,8 @@ std::vector<LikeSamples> compare_logs(const AlignedLog& log, const AlignedLog& t
   LogSamples a = sample_log(log);
   LogSamples b = sample_log(twin);
   std::vector<LikeSamples> all;
-  const auto add = [&](const char* name, const char* unit, std::vector<double> LogSamples::* values) {
+  const auto add = [&](const char* name, const char* unit,
+                       std::vector<double> LogSamples::*values) {
     if ((a.*values).empty() || (b.*values).empty()) return;
     all.push_back({name, unit, std::move(a.*values), std::move(b.*values)});
   };

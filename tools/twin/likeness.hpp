@@ -19,8 +19,8 @@ struct LikeSamples {
 /// Distance between two distributions: the area between their cumulative distribution functions, in
 /// the unit of the samples, which are ascending and not empty.
 ///
-/// L. N. Wasserstein, "Markov processes over denumerable products of spaces", Problems of Information
-/// Transmission 5, 1969, for exponent 1.
+/// L. N. Wasserstein, "Markov processes over denumerable products of spaces", Problems of
+/// Information Transmission 5, 1969, for exponent 1.
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Residuals of ranges on walls, error of odometry over 10 m, share of beams blocked in a scan, and

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/twin/expected_scan.hpp"
+#include "tools/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -78,7 +78,8 @@ Json to_json(const OdometryFit& fit) {
 
 Json to_json(const RangeNoiseFit& fit) {
   Json bins = Json::array();
-  for (const auto& bin : fit.bins) bins.push_back({{"range_m", bin.range_m}, {"sigma_m", bin.sigma_m}});
+  for (const auto& bin : fit.bins)
+    bins.push_back({{"range_m", bin.range_m}, {"sigma_m", bin.sigma_m}});
   return {{"sigma_m", to_json(fit.sigma_m)},
           {"sigma_relative", to_json(fit.sigma_relative)},
           {"sigma_typical_m", to_json(fit.sigma_typical)},

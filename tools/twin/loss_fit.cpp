@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "tools/twin/expected_scan.hpp"
+#include "tools/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -29,7 +29,7 @@ double log_likelihood(const LossShares& s, const std::vector<LossCell>& cells) {
 }
 
 /// The best value in [0, 1] of one share by golden sections; the likelihood has one maximum in it.
-double best_share(const LossShares& at, double LossShares::* share,
+double best_share(const LossShares& at, double LossShares::*share,
                   const std::vector<LossCell>& cells) {
   constexpr double kGolden = 0.6180339887498949;
   const auto value = [&](double x) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 #include "tools/twin/figure.hpp"
 
 namespace castaway::testbed {

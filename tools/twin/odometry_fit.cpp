@@ -12,15 +12,16 @@ namespace {
 
 constexpr double kShort = 1.0;  // [m] Lengths of stretches.
 constexpr double kLong = 4.0;
-constexpr double kOutlier = 4.0;  // Standard deviations.
+constexpr double kOutlier = 4.0;      // Standard deviations.
 constexpr double kDriftModel = 0.06;  // Standard deviation of a drift by the model; relative.
 
 /// Successive legs.
 struct Stretch {
   std::vector<OdometryStep> steps;
   SE2 T_start_end;
-  double way = 0.0;     ///< [m]
-  Eigen::Vector2d walk{0.0, 0.0};  ///< [m] Travel whose errors move the end along x and y of its frame.
+  double way = 0.0;  ///< [m]
+  Eigen::Vector2d walk{0.0,
+                       0.0};  ///< [m] Travel whose errors move the end along x and y of its frame.
   Eigen::Vector2d sway{0.0, 0.0};  ///< [m^3] The same for errors of the yaw.
   std::size_t leg = 0;             ///< Index of the first leg.
 };
@@ -108,8 +109,9 @@ OdometryErrors to_errors(const Parameters& p, double track) {
 Parameters improve(const std::vector<Stretch>& stretches, const Noise& noise, const Parameters& p,
                    double track) {
   constexpr double kStep = 1e-5;
-  Eigen::Matrix3d H = 1e-9 * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  constexpr double kUsual = 0.1;  // Size of usual errors, for paths that cannot tell them apart.
+  Eigen::Matrix3d H = Eigen::Matrix3d::Identity() / (kUsual * kUsual);
+  Eigen::Vector3d g = p / (kUsual * kUsual);
   for (const Stretch& s : stretches) {
     const Miss miss = miss_of(s, to_errors(p, track));
     Eigen::Matrix<double, 2, 3> J;
@@ -142,15 +144,18 @@ struct Square {
 Components fit_components(const std::vector<Square>& squares, Components at) {
   constexpr double kTrim = 2.5;       // Standard deviations.
   constexpr double kUntrim = 1.0974;  // Makes up for the tails of normal misses beyond.
+  constexpr int kWide = 6;            // Rounds without the trim: the first variance may be small.
   for (int round = 0; round < 20; ++round) {
     Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
     Eigen::Vector2d b = Eigen::Vector2d::Zero();
     for (const Square& s : squares) {
       const double variance = at.per_m * s.way + 2.0 * at.match + s.known;
-      if (s.value > kTrim * kTrim * variance || 2.0 * s.known > variance) continue;
+      const bool is_trimmed = round >= kWide && s.value > kTrim * kTrim * variance;
+      if (is_trimmed || 2.0 * s.known > variance) continue;
       const Eigen::Vector2d row(s.way, 2.0);
       A += row * row.transpose() / (variance * variance);
-      b += row * (kUntrim * s.value - s.known) / (variance * variance);
+      const double value = round >= kWide ? kUntrim * s.value : s.value;
+      b += row * (value - s.known) / (variance * variance);
     }
     if (!(A.determinant() > 0.0)) return at;
     Eigen::Vector2d x = A.ldlt().solve(b);
@@ -162,8 +167,8 @@ Components fit_components(const std::vector<Square>& squares, Components at) {
   return at;
 }
 
-Noise fit_noise(const std::array<const std::vector<Stretch>*, 2>& both, const OdometryErrors& errors,
-                Noise noise) {
+Noise fit_noise(const std::array<const std::vector<Stretch>*, 2>& both,
+                const OdometryErrors& errors, Noise noise) {
   std::vector<Square> along;
   std::vector<Square> yaw;
   for (const auto* stretches : both) {
@@ -224,8 +229,11 @@ std::vector<double> values_of(const Fit& fit, double track) {
 double outlier_share(const std::vector<Stretch>& stretches, const Fit& fit) {
   const auto outliers = std::count_if(stretches.begin(), stretches.end(), [&](const Stretch& s) {
     const Miss miss = miss_of(s, fit.errors);
-    return std::abs(miss.along) > kOutlier * std::sqrt(fit.noise.along_variance(s)) ||
-           std::abs(miss.yaw) > kOutlier * std::sqrt(fit.noise.yaw_variance(s));
+    constexpr double kSmall = 1e-3;  // [m], [rad] No alignment is more accurate.
+    const double along = kOutlier * std::sqrt(fit.noise.along_variance(s));
+    const double yaw = kOutlier * std::sqrt(fit.noise.yaw_variance(s));
+    return std::abs(miss.along) > std::max(along, kSmall) ||
+           std::abs(miss.yaw) > std::max(yaw, kSmall);
   });
   return static_cast<double>(outliers) / static_cast<double>(stretches.size());
 }
@@ -248,8 +256,8 @@ std::optional<OdometryFit> fit_odometry(const std::vector<Leg>& legs, double tra
                              &fit.drift_along,       &fit.drift_yaw_deg,      &fit.scale,
                              &fit.yaw_scale,         &fit.curvature,          &fit.match_sigma_m};
   for (std::size_t k = 0; k < fields.size(); ++k) *fields[k] = figures[k];
-  for (Figure* figure : {&fit.radius_error_left, &fit.radius_error_right, &fit.track_error,
-                         &fit.scale}) {
+  for (Figure* figure :
+       {&fit.radius_error_left, &fit.radius_error_right, &fit.track_error, &fit.scale}) {
     *figure = widen(*figure, kMapScale);
   }
   // A walk that is small beside the alignment's error cannot be told from none.

@@ -8,19 +8,19 @@
 #include <optional>
 #include <vector>
 
+#include "tools/alignment/motion_samples.hpp"
 #include "tools/twin/figure.hpp"
-#include "tools/twin/motion_samples.hpp"
 
 namespace castaway::testbed {
 
 /// Errors of odometry with intervals, in the terms of `sim::OdometryConfig`.
 struct OdometryFit {
-  Figure radius_error_left;   ///< Relative; of a drive with the track asked for.
+  Figure radius_error_left;  ///< Relative; of a drive with the track asked for.
   Figure radius_error_right;
-  Figure track_error;         ///< Relative.
-  Figure drift_along;         ///< [m/sqrt(m)]
-  Figure drift_yaw_deg;       ///< [deg/sqrt(m)]
-  Figure scale;               ///< As in `OdometryErrors`.
+  Figure track_error;    ///< Relative.
+  Figure drift_along;    ///< [m/sqrt(m)]
+  Figure drift_yaw_deg;  ///< [deg/sqrt(m)]
+  Figure scale;          ///< As in `OdometryErrors`.
   Figure yaw_scale;
   Figure curvature;           ///< [rad/m]
   Figure match_sigma_m;       ///< [m] Error of an aligned pose along its heading.
@@ -33,7 +33,8 @@ struct OdometryFit {
 inline constexpr double kMapScale = 0.001;  ///< Standard deviation; relative.
 
 /// Fits legs of a robot with the given track [m]. The intervals of the errors of distance include
-/// the scale of the map, which is known within `kMapScale`. Nothing with fewer than 24 stretches of 4 m.
+/// the scale of the map, which is known within `kMapScale`. Nothing with fewer than 24 stretches of
+/// 4 m.
 std::optional<OdometryFit> fit_odometry(const std::vector<Leg>& legs, double track);
 
 }  // namespace castaway::testbed

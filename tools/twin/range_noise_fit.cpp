@@ -7,15 +7,15 @@
 #include <Eigen/Dense>
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "tools/twin/expected_scan.hpp"
+#include "tools/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 constexpr std::size_t kNoiseScans = 1000;
-constexpr std::size_t kBeams = 7;         // In a group,
-constexpr double kFreedom = kBeams - 2.0; // less two parameters of the line.
-constexpr double kNearWall = 0.25;        // [m] Farther from the map's wall it is something else.
+constexpr std::size_t kBeams = 7;          // In a group,
+constexpr double kFreedom = kBeams - 2.0;  // less two parameters of the line.
+constexpr double kNearWall = 0.25;         // [m] Farther from the map's wall it is something else.
 constexpr std::size_t kNoiseBins = 10;
 constexpr std::size_t kFewestInBin = 20;
 /// Quantile of the groups' variances that is compared with chi squared: low, because groups at
@@ -84,8 +84,7 @@ Samples take_samples(const AlignedLog& log) {
       if (run < kBeams) continue;
       const std::size_t first = i + 1 - kBeams;
       const std::size_t middle = first + kBeams / 2;
-      samples.groups.push_back(
-          {scan.ranges[middle], variance_about_line(scan, first), index});
+      samples.groups.push_back({scan.ranges[middle], variance_about_line(scan, first), index});
       samples.residuals.push_back({scan.ranges[middle] - expected[middle].range, index});
       run = 0;
     }
@@ -178,8 +177,8 @@ std::vector<float> some_ranges(const AlignedLog& log) {
 }  // namespace
 
 double find_resolution(const std::vector<float>& ranges) {
-  constexpr std::array kSteps = {0.1,    0.05,  0.04,  0.025,  0.02,  0.01,
-                                 0.005,  0.004, 0.0025, 0.002, 0.001, 0.0005};
+  constexpr std::array kSteps = {0.1,   0.05,  0.04,   0.025, 0.02,  0.01,
+                                 0.005, 0.004, 0.0025, 0.002, 0.001, 0.0005};
   constexpr double kNearly = 0.05;  // Of a step.
   constexpr double kMost = 0.99;
   if (ranges.empty()) return 0.0;

@@ -1,13 +1,13 @@
 /// Fits the noise of a lidar's ranges to a log.
 ///
-/// Neighbouring beams on a straight wall lie on a line, whose parameters are fitted to each group of
-/// seven. What is left is noise: it depends neither on the map's resolution nor on the pose.
+/// Neighbouring beams on a straight wall lie on a line, whose parameters are fitted to each group
+/// of seven. What is left is noise: it depends neither on the map's resolution nor on the pose.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 #include "tools/twin/figure.hpp"
 
 namespace castaway::testbed {

@@ -20,12 +20,10 @@ StampFit fit_stamps(const std::vector<Stamp>& stamps) {
   fit.rate_hz = median > 0.0 ? 1.0 / median : 0.0;
   fit.longest_s = periods.back();
   const auto gap = std::upper_bound(periods.begin(), periods.end(), kGap * median);
-  fit.gap_share =
-      static_cast<double>(periods.end() - gap) / static_cast<double>(periods.size());
+  fit.gap_share = static_cast<double>(periods.end() - gap) / static_cast<double>(periods.size());
   const std::vector<double> regular(periods.begin(), gap);
   if (!regular.empty()) {
-    fit.jitter_s =
-        kQuartilesToSigma * (percentile(regular, 0.75) - percentile(regular, 0.25));
+    fit.jitter_s = kQuartilesToSigma * (percentile(regular, 0.75) - percentile(regular, 0.25));
   }
   return fit;
 }

@@ -1,7 +1,7 @@
 /// Rate, jitter and gaps of the scans of a log.
 #pragma once
 
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 #include "tools/twin/figure.hpp"
 
 namespace castaway::testbed {

@@ -59,6 +59,7 @@ Figure fit_people(const std::filesystem::path& folder, const FittedLog& fitted) 
   }
   const double per_object = people / seen;
   constexpr double kModel = 0.1;  // Relative; people in the twin do not meet the same robot.
+  count = std::min(count, kMostPeople);
   const Figure figure{count, {per_object * wanted.interval.low, per_object * wanted.interval.high}};
   Figure wide = widen(figure, kModel * count);
   wide.interval.low = std::max(wide.interval.low, 0.0);

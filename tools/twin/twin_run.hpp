@@ -13,8 +13,8 @@ namespace castaway::testbed {
 RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& scenario,
                        std::uint64_t seed);
 
-/// The number of people with whom as many moving objects are seen in the twin as in the log, with an
-/// interval. Runs the twin with some people, at most three times.
+/// The number of people with whom as many moving objects are seen in the twin as in the log, with
+/// an interval. Runs the twin with some people, at most three times.
 Figure fit_people(const std::filesystem::path& folder, const FittedLog& fitted);
 
 }  // namespace castaway::testbed

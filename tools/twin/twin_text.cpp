@@ -38,6 +38,14 @@ std::string indent(const std::string& text) {
   return result;
 }
 
+/// The field of view that spreads the beams by `increment`: from the first one to the last, or, for
+/// a full circle, by one increment more.
+double field_of_view_deg(double increment, double beams) {
+  constexpr double kFull = 359.9995;  // Becomes 360 with six digits.
+  const double open = increment * (beams - 1.0);
+  return open < kFull ? std::max(open, 0.001) : increment * beams;
+}
+
 std::string noise_text(const LogFit& fit) {
   std::string text = "noise:\n";
   if (fit.noise) {
@@ -62,14 +70,16 @@ TwinMotion motion_of(const AlignedLog& log) {
   TwinMotion motion;
   double product = 0.0;
   double square = 0.0;
+  double turned = 0.0;
   for (const Leg& leg : take_legs(log, kTwinTrack)) {
     for (const OdometryStep& step : leg.steps) {
       product += step.across * step.turn;
       square += step.turn * step.turn;
+      turned += std::abs(step.turn);
     }
   }
-  constexpr double kFewestTurns = 1.0;  // [rad^2]
-  if (square > kFewestTurns) motion.axle_m = product / square;
+  constexpr double kFewestTurns = 3.0;  // [rad]
+  if (turned > kFewestTurns) motion.axle_m = product / square;
   motion.duration_s = seconds(log.scans.back().scan.stamp - log.scans.front().scan.stamp);
   return motion;
 }
@@ -77,7 +87,10 @@ TwinMotion motion_of(const AlignedLog& log) {
 std::string lidar_text(const FittedLog& fitted) {
   const LaserScan& scan = fitted.log.scans.front().scan;
   const Eigen::Vector3d mount = scan.T_base_laser.translation();
-  const double yaw = std::atan2(scan.T_base_laser(1, 0), scan.T_base_laser(0, 0));
+  const Eigen::Matrix3d R = scan.T_base_laser.linear();
+  const Eigen::Vector3d rpy(std::atan2(R(2, 1), R(2, 2)),
+                            std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
+                            std::atan2(R(1, 0), R(0, 0)));
   const auto beams = static_cast<double>(scan.ranges.size());
   const double increment = std::abs(scan.angle_increment);
   const double first = scan.angle_increment < 0.0
@@ -85,16 +98,16 @@ std::string lidar_text(const FittedLog& fitted) {
                            : scan.angle_min;
   std::string text = "profile: ideal\n";
   text += fmt::format("beams: {}\n", scan.ranges.size());
-  text += "fov_deg: " + number(std::max(increment * (beams - 1.0) * kDegrees, 0.001)) + "\n";
+  text += "fov_deg: " + number(field_of_view_deg(increment * kDegrees, beams)) + "\n";
   text += "angle_min_deg: " + number(first * kDegrees) + "\n";
   text += "range_min: " + number(std::max(scan.range_min, 0.0)) + "\n";
   text += "range_max: " + number(scan.range_max) + "\n";
   text += "rate_hz: " + number(std::clamp(fitted.fit.stamps.rate_hz, 0.01, 1000.0)) + "\n";
   text += fmt::format("sweep: {}\n", scan.time_increment != Stamp::zero());
-  text += fmt::format("mount_xyz: [{}, {}, {}]\n",
-                      number(mount.x() + motion_of(fitted.log).axle_m), number(mount.y()),
-                      number(mount.z() > 0.0 ? mount.z() : kLidarHeight));
-  text += fmt::format("mount_rpy: [0, 0, {}]\n", number(yaw));
+  text += fmt::format("mount_xyz: [{}, {}, {}]\n", number(mount.x() + motion_of(fitted.log).axle_m),
+                      number(mount.y()), number(mount.z() > 0.0 ? mount.z() : kLidarHeight));
+  text +=
+      fmt::format("mount_rpy: [{}, {}, {}]\n", number(rpy.x()), number(rpy.y()), number(rpy.z()));
   return text + noise_text(fitted.fit);
 }
 
@@ -102,9 +115,12 @@ std::string odometry_text(const FittedLog& fitted) {
   std::string text = "profile: ideal\n";
   if (!fitted.fit.odometry) return text;
   const OdometryFit& fit = *fitted.fit.odometry;
-  text += "radius_error_left: " + number(fit.radius_error_left.value) + "\n";
-  text += "radius_error_right: " + number(fit.radius_error_right.value) + "\n";
-  text += "track_error: " + number(fit.track_error.value) + "\n";
+  const auto error = [](const Figure& figure) {
+    return number(std::clamp(figure.value, -0.5, 0.5));
+  };
+  text += "radius_error_left: " + error(fit.radius_error_left) + "\n";
+  text += "radius_error_right: " + error(fit.radius_error_right) + "\n";
+  text += "track_error: " + error(fit.track_error) + "\n";
   text += "drift_along: " + number(not_negative(fit.drift_along)) + "\n";
   text += "drift_yaw_deg: " + number(not_negative(fit.drift_yaw_deg)) + "\n";
   return text;
@@ -141,8 +157,7 @@ std::string twin_scenario(const FittedLog& fitted, int people) {
   if (fitted.fit.clock && !holds(fitted.fit.clock->offset_s, 0.0)) {
     text += fmt::format(
         "events:\n  - fault: {{kind: lidar-clock, at_s: 0, for_s: {}, offset_s: {}}}\n",
-        number(motion_of(fitted.log).duration_s + 1.0),
-        number(fitted.fit.clock->offset_s.value));
+        number(motion_of(fitted.log).duration_s + 1.0), number(fitted.fit.clock->offset_s.value));
   }
   return text + "localizers: [mh_amcl, amcl]\n";
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -60,6 +62,50 @@ TEST(WheelOdometry, CountsWholeTicks) {
   EXPECT_DOUBLE_EQ(driven(config, kDrive, {0.9 * tick, 0.9 * tick}, 1, 1).x, 0.0);
   EXPECT_NEAR(driven(config, kDrive, {7.5 * tick, 7.5 * tick}, 1, 50).x, 7 * tick * 0.05, 1e-12);
   EXPECT_NEAR(driven(config, kDrive, {-1.5 * tick, -1.5 * tick}, 1, 50).x, -2 * tick * 0.05, 1e-12);
+}
+
+// A wheel that is believed to be larger than it is seems to roll farther.
+TEST(WheelOdometry, MisjudgesEachRadiusByItsError) {
+  OdometryConfig both = ideal_odometry();
+  both.radius_error_left = both.radius_error_right = 0.02;
+  const Pose2 straight = driven(both, kDrive, {20.0, 20.0}, 1);
+  EXPECT_NEAR(straight.x, 1.02, 1e-12);
+  EXPECT_NEAR(straight.yaw, 0.0, 1e-12);
+  OdometryConfig left = ideal_odometry();
+  left.radius_error_left = 0.02;
+  EXPECT_NEAR(driven(left, kDrive, {20.0, 20.0}, 1).yaw, -0.02 / 0.4, 1e-12);
+  EXPECT_NEAR(driven(left, kDrive, {20.0, 0.0}, 1).yaw, -1.02 / 0.4, 1e-12);
+  EXPECT_NEAR(driven(left, kDrive, {0.0, 20.0}, 1).yaw, 1.0 / 0.4, 1e-12);
+  OdometryConfig right = ideal_odometry();
+  right.radius_error_right = -0.03;
+  EXPECT_NEAR(driven(right, kDrive, {20.0, 20.0}, 1).yaw, -0.03 / 0.4, 1e-12);
+  EXPECT_NEAR(driven(right, kDrive, {0.0, 20.0}, 1).yaw, 0.97 / 0.4, 1e-12);
+  EXPECT_NEAR(driven(right, kDrive, {20.0, 0.0}, 1).yaw, -1.0 / 0.4, 1e-12);
+}
+
+// A track that is believed to be wider than it is seems to turn less.
+TEST(WheelOdometry, MisjudgesTheTrackByItsError) {
+  for (const double error : {0.05, -0.05}) {
+    OdometryConfig config = ideal_odometry();
+    config.track_error = error;
+    const Pose2 turn = driven(config, kDrive, {-4.0, 4.0}, 1);
+    EXPECT_NEAR(turn.yaw, 1.0 / (1.0 + error), 1e-12);
+    EXPECT_NEAR(turn.x, 0.0, 1e-12);
+    EXPECT_NEAR(driven(config, kDrive, {20.0, 20.0}, 1).x, 1.0, 1e-12);
+  }
+}
+
+TEST(WheelOdometry, AddsFixedErrorsToThoseThatAreDrawn) {
+  OdometryConfig config = ideal_odometry();
+  config.radius_sigma = 0.005;
+  const double drawn = driven(config, kDrive, {1.0, 1.0}, 7, 1).x / 0.05 - 1.0;
+  config.radius_error_left = config.radius_error_right = 0.04;
+  EXPECT_NEAR(driven(config, kDrive, {1.0, 1.0}, 7, 1).x / 0.05, 1.0 + drawn + 0.04, 1e-6);
+  OdometryConfig track = ideal_odometry();
+  track.track_sigma = 0.01;
+  const double believed = 0.1 / driven(track, kDrive, {-1.0, 1.0}, 7, 1).yaw;
+  track.track_error = 0.04;
+  EXPECT_NEAR(0.1 / driven(track, kDrive, {-1.0, 1.0}, 7, 1).yaw, believed + 0.04 * 0.4, 1e-12);
 }
 
 TEST(WheelOdometry, MisjudgesRadiiByTheirSigma) {
@@ -124,6 +170,30 @@ TEST(OdometryConfig, RefusesWhatCannotBe) {
   OdometryConfig config;
   config.track_sigma = -0.1;
   EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
+TEST(OdometryConfig, RefusesFixedErrorsThatCannotBeAndNamesThem) {
+  const auto refusal = [](double OdometryConfig::*field, double value) -> std::string {
+    OdometryConfig config;
+    config.*field = value;
+    try {
+      validate(config);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::vector<std::pair<std::string, double OdometryConfig::*>> fields = {
+      {"radius_error_left", &OdometryConfig::radius_error_left},
+      {"radius_error_right", &OdometryConfig::radius_error_right},
+      {"track_error", &OdometryConfig::track_error}};
+  for (const auto& [name, field] : fields) {
+    for (const double value : {0.51, -0.51, std::nan("")}) {
+      EXPECT_NE(refusal(field, value).find(name + " is "), std::string::npos) << name << value;
+    }
+    EXPECT_NE(refusal(field, 0.51).find("0.51"), std::string::npos);
+    for (const double value : {0.5, -0.5, 0.0}) EXPECT_EQ(refusal(field, value), "") << name;
+  }
 }
 
 }  // namespace

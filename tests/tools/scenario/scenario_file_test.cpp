@@ -332,6 +332,27 @@ TEST_F(ScenarioFileTest, HasADefaultForEveryKey) {
   EXPECT_EQ(load(loaded.effective).effective, loaded.effective);
 }
 
+TEST_F(ScenarioFileTest, FollowsAPathAlone) {
+  EXPECT_EQ(load("drive: {path: a.tum}\n").scenario.drive.path, "a.tum");
+  EXPECT_EQ(load("{}\n").scenario.drive.path, "");
+  for (const char* other : {"route: loop", "route: none", "by: mh_amcl", "twist_log: b.csv"}) {
+    const std::string error = error_of("\ndrive: {path: a.tum, " + std::string(other) + "}\n");
+    expect_contains(error, "trial.yaml:2");
+    expect_contains(error, "'path' leads the robot; leave out 'by', 'route' and 'twist_log'");
+  }
+  EXPECT_NO_THROW((void)load("drive: {path: a.tum, by: truth}\n"));
+}
+
+TEST_F(ScenarioFileTest, RefusesToKidnapARobotFromItsPath) {
+  const std::string kidnap = "events: [{kidnap: {at_s: 3}}]\n";
+  const std::string error = error_of("drive: {path: a.tum}\n" + kidnap);
+  expect_contains(error, "trial.yaml");
+  expect_contains(error, "'drive.path' leads the robot to the end: kidnaps need another drive");
+  EXPECT_NO_THROW((void)load(kidnap));
+  EXPECT_NO_THROW((void)load(
+      "drive: {path: a.tum}\nevents: [{fault: {kind: lidar-late, at_s: 3, for_s: 2}}]\n"));
+}
+
 TEST_F(ScenarioFileTest, RefusesADriverThatIsNotOfTheRun) {
   expect_contains(error_of("drive: {by: amlc}\n"), "did you mean 'amcl'?");
   EXPECT_NO_THROW((void)load("drive: {by: amcl}\n"));

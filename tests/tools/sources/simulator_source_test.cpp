@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "localization/geometry/stamp.hpp"
+#include "tests/tools/support/temporary.hpp"
+#include "tools/formats/tum.hpp"
 #include "tools/sources/build_sensors.hpp"
 #include "tools/sources/build_simulation.hpp"
 
@@ -73,6 +75,71 @@ TEST(BuildLidar, HonoursTheMountOfTheScenario) {
   EXPECT_NEAR(lidar.T_base_laser.linear()(0, 0), std::cos(0.5), 1e-12);
   EXPECT_EQ(lidar.beams, 90);
   EXPECT_NEAR(lidar.angle_increment * 90, 2.0 * 3.141592653589793, 1e-12);
+}
+
+/// A drive along a file in the folder, without physics' errors: ideal odometry.
+Scenario path_scenario(const std::string& file) {
+  Scenario scenario;
+  scenario.duration_s = 3.0;
+  scenario.drive.path = file;
+  scenario.odometry = sim::ideal_odometry();
+  return scenario;
+}
+
+SE2 T_map_base_of(const std::vector<sim::TimedPose>& path, Stamp stamp) {
+  const sim::Pose2 pose = sim::pose_at(path, localization::seconds(stamp));
+  return {pose.x, pose.y, pose.yaw};
+}
+
+/// 1 m straight on, a turn on the spot, and 0.5 m on, through whatever stands in the lab.
+const std::vector<sim::TimedPose> kLabPath = {
+    {0.0, {1.0, 1.0, 0.0}},
+    {1.0, {2.0, 1.0, 0.0}},
+    {2.0, {2.0, 1.0, 1.0}},
+    {2.5, {2.0 + 0.5 * std::cos(1.0), 1.0 + 0.5 * std::sin(1.0), 1.0}}};
+
+TEST(SimulatorSource, FollowsTheFileOfAPath) {
+  const TemporaryFolder folder;
+  std::string text = "# a path\n";
+  for (const sim::TimedPose& pose : kLabPath) {
+    const sim::Pose2& p = pose.T_map_base;
+    text += tum_line({localization::from_seconds(100.0 + pose.t_s), {p.x, p.y, p.yaw}});
+  }
+  folder.put("lab.tum", text);
+  PreparedSimulation prepared = build_simulation(path_scenario("lab.tum"), folder.path());
+  const std::vector<sim::LidarConfig> configs = prepared.config.lidars;
+  SimulatorSource source(sim::Simulation(std::move(prepared.config), simulation_streams(1)),
+                         configs, localization::from_seconds(3.0));
+  int scans = 0;
+  Stamp last{};
+  SE2 T_odom_base;
+  while (const auto frame = source.next()) {
+    if (const auto* scan = std::get_if<ScanFrame>(&frame->data)) {
+      ++scans;
+      ASSERT_TRUE(scan->T_map_base_true);
+      const SE2 expected = T_map_base_of(kLabPath, scan->scan.stamp);
+      EXPECT_LT(distance(*scan->T_map_base_true, expected), 1e-3);
+      EXPECT_LT(localization::yaw_distance(*scan->T_map_base_true, expected), 1e-3);
+    } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
+      last = odometry->odometry.stamp;
+      T_odom_base = odometry->odometry.T_odom_base;
+      const SE2 moved = T_map_base_of(kLabPath, {}).inverse() * T_map_base_of(kLabPath, last);
+      EXPECT_LT(distance(T_odom_base, moved), 5e-3);
+      EXPECT_LT(localization::yaw_distance(T_odom_base, moved), 5e-3);
+    }
+  }
+  EXPECT_GE(scans, 14);
+  EXPECT_GE(localization::seconds(last), 2.9);
+}
+
+TEST(BuildSimulation, NamesAPathThatIsMissingOrMalformed) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& file) {
+    return error_of([&] { (void)build_simulation(path_scenario(file), folder.path()); });
+  };
+  EXPECT_TRUE(contains(error("missing.tum"), "missing.tum: cannot be read"));
+  folder.put("bad.tum", "0 1 1 0 0 0 0 1\n1 2 1\n");
+  EXPECT_TRUE(contains(error("bad.tum"), "bad.tum:2: "));
 }
 
 TEST(BuildSimulation, NamesRoutesThatAreNotThere) {

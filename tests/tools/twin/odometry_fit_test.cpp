@@ -16,7 +16,7 @@ using localization::Rng;
 using localization::substream;
 
 constexpr double kFitTrack = 0.36;  // [m]
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kFitDegree = std::numbers::pi / 180.0;
 
 /// Random errors of a synthetic drive.
 struct DriveNoise {
@@ -50,7 +50,7 @@ std::vector<Leg> curvy_legs(int count, double bend, const OdometryErrors& errors
     leg.way = kWay;
     const double root = std::sqrt(kWay);
     const double yaw = (1.0 + errors.yaw_scale) * turn + errors.curvature * kWay +
-                       noise.drift_yaw_deg * kDegree * root * normal(rng);
+                       noise.drift_yaw_deg * kFitDegree * root * normal(rng);
     const double chord = kWay * (std::abs(yaw) < 1e-9 ? 1.0 : std::sin(0.5 * yaw) / (0.5 * yaw));
     const double along = (1.0 + errors.scale) * chord + noise.drift_along * root * normal(rng);
     T_map_base = T_map_base * SE2{0.0, 0.0, 0.5 * yaw} * SE2{along, 0.0, 0.5 * yaw};
@@ -225,7 +225,7 @@ TEST(OdometryFit, SeparatesTheRandomWalkFromTheAlignment) {
   const double along = std::sqrt(noise.drift_along * noise.drift_along / 4.0 +
                                  2.0 * noise.match_m * noise.match_m / 16.0);
   EXPECT_NEAR(fit->scale.value, 0.0, 5.0 * along / std::sqrt(n));
-  EXPECT_NEAR(fit->curvature.value, 0.0, 5.0 * 1.0 * kDegree / std::sqrt(4.0 * n));
+  EXPECT_NEAR(fit->curvature.value, 0.0, 5.0 * 1.0 * kFitDegree / std::sqrt(4.0 * n));
   for (const Figure& figure : {fit->drift_along, fit->drift_yaw_deg, fit->match_sigma_m}) {
     EXPECT_LT(figure.interval.low, figure.value);
     EXPECT_GT(figure.interval.high, figure.value);

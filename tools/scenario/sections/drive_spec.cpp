@@ -71,9 +71,9 @@ void fields(Settings settings, DriveSpec& drive) {
                  drive.by);
   settings.field({"twist_log", "", "File of recorded commands that replace the route."},
                  drive.twist_log);
-  settings.field({"path", "",
-                  "File of recorded poses (TUM) that the robot follows exactly, without physics."},
-                 drive.path);
+  settings.field(
+      {"path", "", "File of recorded poses (TUM) that the robot follows exactly, without physics."},
+      drive.path);
   settings.field(
       {"max_speed", "m/s", "Maximum speed; the wheels' own limit also applies.", {1e-3, 100.0}},
       drive.limits.max_speed);

@@ -45,12 +45,12 @@ void fields(Settings settings, sim::OdometryConfig& odometry) {
   settings.field({"track_sigma", "", "Relative error of the track, drawn once.", {0.0, 1.0}},
                  odometry.track_sigma);
   constexpr NumberRange kError{-0.5, 0.5};
-  settings.field({"radius_error_left", "", "Relative error of the left wheel's radius, besides.",
-                  kError},
-                 odometry.radius_error_left);
-  settings.field({"radius_error_right", "", "Relative error of the right wheel's radius, besides.",
-                  kError},
-                 odometry.radius_error_right);
+  settings.field(
+      {"radius_error_left", "", "Relative error of the left wheel's radius, besides.", kError},
+      odometry.radius_error_left);
+  settings.field(
+      {"radius_error_right", "", "Relative error of the right wheel's radius, besides.", kError},
+      odometry.radius_error_right);
   settings.field({"track_error", "", "Relative error of the track, besides.", kError},
                  odometry.track_error);
   settings.field({"drift_along", "m/sqrt(m)", "Random walk along the heading.", {0.0, 10.0}},

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-std::vector<LidarSpec> read_all(const std::string& text) {
+std::vector<LidarSpec> read_lidar_list(const std::string& text) {
   YamlDocument document = YamlDocument::parse(text, "scenario.yaml");
   YamlReader root = document.root();
   std::vector<LidarSpec> lidars = read_lidars(root);
@@ -20,7 +20,7 @@ std::vector<LidarSpec> read_all(const std::string& text) {
 }
 
 sim::LidarConfig lidar_with(const std::string& settings) {
-  return apply_changes({}, read_all("lidar: {" + settings + "}").back().changes);
+  return apply_changes({}, read_lidar_list("lidar: {" + settings + "}").back().changes);
 }
 
 TEST(LidarSpec, WithoutKeysChangesNothing) {
@@ -79,8 +79,8 @@ TEST(LidarSpec, ReadsLayersAndIntensity) {
 }
 
 TEST(LidarSpec, SeveralHaveNamesAndProfiles) {
-  const auto lidars =
-      read_all("lidars: [front, {rear: {profile: tim571, mount_xyz: [-0.3, 0, 0.2], rate_hz: 5}}]");
+  const auto lidars = read_lidar_list(
+      "lidars: [front, {rear: {profile: tim571, mount_xyz: [-0.3, 0, 0.2], rate_hz: 5}}]");
   ASSERT_EQ(lidars.size(), 2U);
   EXPECT_EQ(lidars[0].name, "front");
   EXPECT_EQ(lidars[0].profile, "robot");
@@ -92,7 +92,7 @@ TEST(LidarSpec, SeveralHaveNamesAndProfiles) {
 TEST(LidarSpec, SaysWhatIsWrong) {
   const auto error_of = [](const std::string& text) -> std::string {
     try {
-      (void)read_all(text);
+      (void)read_lidar_list(text);
     } catch (const std::exception& error) {
       return error.what();
     }

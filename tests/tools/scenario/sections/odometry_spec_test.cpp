@@ -52,6 +52,18 @@ TEST(OdometrySpec, WritesEverySettingOfItsProfile) {
   EXPECT_EQ(odometry_of(document.effective()).slip.rate, odometry.slip.rate);
 }
 
+TEST(OdometrySpec, ReadsFixedErrorsOfWheelsAndTrack) {
+  const sim::OdometryConfig odometry = odometry_of(
+      "odometry: {profile: ideal, radius_error_left: -0.01, radius_error_right: 0.02, "
+      "track_error: 0.03}");
+  EXPECT_EQ(odometry.radius_error_left, -0.01);
+  EXPECT_EQ(odometry.radius_error_right, 0.02);
+  EXPECT_EQ(odometry.track_error, 0.03);
+  EXPECT_EQ(odometry_of("{}").track_error, 0.0);
+  EXPECT_THROW((void)odometry_of("odometry: {track_error: 0.6}"), std::runtime_error);
+  EXPECT_THROW((void)odometry_of("odometry: {radius_error_left: -0.6}"), std::runtime_error);
+}
+
 TEST(OdometrySpec, RefusesWhatCannotBe) {
   EXPECT_THROW((void)odometry_of("odometry: {slip: {share: 0.9}}"), std::runtime_error);
   EXPECT_THROW((void)odometry_of("odometry: {slip: {share: 1.5}}"), std::runtime_error);

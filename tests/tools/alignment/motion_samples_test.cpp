@@ -1,4 +1,4 @@
-#include "tools/twin/motion_samples.hpp"
+#include "tools/alignment/motion_samples.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tools/twin/aligned_log.hpp"
-#include "tools/twin/odometry_step.hpp"
+#include "tools/alignment/aligned_log.hpp"
+#include "tools/alignment/odometry_step.hpp"
 
 namespace castaway::testbed {
 

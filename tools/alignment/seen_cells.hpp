@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/twin/expected_scan.hpp"
+#include "tools/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 

@@ -6,17 +6,17 @@
 
 #include "localization/geometry/transform_buffer.hpp"
 #include "localization/map/occupancy_grid.hpp"
+#include "tools/alignment/odometry_step.hpp"
+#include "tools/alignment/wall_offsets.hpp"
 #include "tools/evaluate/evaluation.hpp"
-#include "tools/twin/odometry_step.hpp"
-#include "tools/twin/wall_offsets.hpp"
 
 namespace castaway::testbed {
 
 /// Poses that the alignment begins with.
 enum class AlignBy {
-  kAuto,     ///< Those of the log where most of its scans have one, otherwise `mh_amcl`.
-  kTruth,    ///< Reference poses of the log (TRUEPOS, ground truth of a bag).
-  kMhAmcl,   ///< `mh_amcl` from an unknown start, and backwards from its first certain pose.
+  kAuto,    ///< Those of the log where most of its scans have one, otherwise `mh_amcl`.
+  kTruth,   ///< Reference poses of the log (TRUEPOS, ground truth of a bag).
+  kMhAmcl,  ///< `mh_amcl` from an unknown start, and backwards from its first certain pose.
 };
 
 /// A scan and its pose on the map.
@@ -34,14 +34,14 @@ struct AlignedLog {
   localization::TransformBuffer T_odom_base;  ///< Of the whole log, as measured.
   /// The same with the systematic errors corrected; the poses of a scan's beams come from it.
   localization::TransformBuffer T_path_base;
-  double odometry_period_s = 0.0;             ///< [s] Median between two readings.
-  bool by_truth = false;                      ///< Aligned from reference poses.
-  std::size_t left_out = 0;                   ///< Scans whose pose is unknown.
+  double odometry_period_s = 0.0;  ///< [s] Median between two readings.
+  bool by_truth = false;           ///< Aligned from reference poses.
+  std::size_t left_out = 0;        ///< Scans whose pose is unknown.
 };
 
 /// Corrections of the scans before they are matched.
 struct ScanCorrection {
-  Stamp stamp{};         ///< Added to the stamps.
+  Stamp stamp{};  ///< Added to the stamps.
   /// Surfaces of the walls. Matching puts end points on the centres of wall cells, and walls
   /// reflect at their surface: without this the robot seems to drive too far between two walls.
   std::optional<WallOffsets> walls;

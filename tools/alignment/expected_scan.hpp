@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 
 namespace castaway::testbed {
 
 /// A beam against the map.
 struct ExpectedBeam {
-  float range = 0.0F;   ///< [m] To the first cell that is not free, at most the range asked for.
-  float cosine = 0.0F;  ///< Of the angle of incidence on the wall; 0 where `straight` is false.
-  bool wall = false;    ///< The range ends at an occupied cell.
-  std::size_t cell = 0; ///< Index of that cell in the grid.
+  float range = 0.0F;    ///< [m] To the first cell that is not free, at most the range asked for.
+  float cosine = 0.0F;   ///< Of the angle of incidence on the wall; 0 where `straight` is false.
+  bool wall = false;     ///< The range ends at an occupied cell.
+  std::size_t cell = 0;  ///< Index of that cell in the grid.
   /// The wall is straight for at least 0.15 m on both sides, and its incidence is known.
   bool straight = false;
 };

@@ -1,5 +1,5 @@
 // castaway bench: the project's own benchmarks, one command each.
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 
 namespace castaway::testbed {
 

@@ -1,4 +1,4 @@
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -9,11 +9,11 @@
 #include "localization/map/distance_field.hpp"
 #include "localization/map/hollow.hpp"
 #include "localization/matching/refine.hpp"
+#include "tools/alignment/expected_scan.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
-#include "tools/twin/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -44,9 +44,8 @@ class Aligner {
   /// The best pose near `start`, or nothing if the motion at that time is unknown or no beam
   /// returned. `sigma` [m] is the uncertainty of the start.
   std::optional<SE2> align(const LaserScan& scan, const SE2& start, double sigma) const {
-    const auto points =
-        project_scan(walls_ ? move_to_centres(scan, start) : scan, log_.T_path_base, scan.stamp,
-                     {.max_beams = 180, .max_range = 40.0});
+    const auto points = project_scan(walls_ ? move_to_centres(scan, start) : scan, log_.T_path_base,
+                                     scan.stamp, {.max_beams = 180, .max_range = 40.0});
     if (!points || points->empty()) return std::nullopt;
     const double yaw_sigma = 0.4 * sigma;
     Eigen::Vector3d information(sigma, sigma, yaw_sigma);
@@ -215,8 +214,8 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
     RawScan& raw = scans[i];
     breaks = breaks || raw.breaks;
     if (i % stride != 0) continue;
-    const auto pose = raw.T_map_base ? aligner.align(raw.scan, *raw.T_map_base, kReferenceSigma)
-                                     : std::nullopt;
+    const auto pose =
+        raw.T_map_base ? aligner.align(raw.scan, *raw.T_map_base, kReferenceSigma) : std::nullopt;
     if (!pose) {
       ++log.left_out;
       continue;

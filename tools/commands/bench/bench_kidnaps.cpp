@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"

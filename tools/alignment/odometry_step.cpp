@@ -1,4 +1,4 @@
-#include "tools/twin/odometry_step.hpp"
+#include "tools/alignment/odometry_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tools/twin/expected_scan.hpp"
+#include "tools/alignment/expected_scan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "sim/sensor/odometry_profiles.hpp"
 #include "tools/bench/odometry_bench.hpp"
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {

@@ -9,7 +9,7 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/bench/crowd_hours.hpp"
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {

@@ -1,4 +1,4 @@
-#include "tools/twin/wall_offsets.hpp"
+#include "tools/alignment/wall_offsets.hpp"
 
 namespace castaway::testbed {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/twin/calibration_trials.hpp"
 #include "tools/workers/worker_notes.hpp"

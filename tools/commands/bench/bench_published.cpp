@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/play/progress.hpp"

@@ -1,4 +1,4 @@
-#include "tools/twin/odometry_step.hpp"
+#include "tools/alignment/odometry_step.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bench/localization_bench.hpp"
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/twin/motion_samples.hpp"
+#include "tools/alignment/motion_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ Leg take_leg(const AlignedLog& log, const AlignedScan& from, const AlignedScan& 
   leg.T_start_end = from.T_map_base.inverse() * to.T_map_base;
   leg.breaks = to.breaks;
   const Stamp gap = to.scan.stamp - from.scan.stamp;
-  const auto count = std::max<std::int64_t>(std::llround(std::ceil(seconds(gap) / kLongestStep)), 1);
+  const auto count =
+      std::max<std::int64_t>(std::llround(std::ceil(seconds(gap) / kLongestStep)), 1);
   std::optional<SE2> before = log.T_odom_base.at(from.scan.stamp);
   for (std::int64_t k = 1; k <= count; ++k) {
     const std::optional<SE2> now = log.T_odom_base.at(from.scan.stamp + gap * k / count);

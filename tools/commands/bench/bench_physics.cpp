@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bench/physics_bench.hpp"
-#include "tools/commands/bench.hpp"
+#include "tools/commands/bench/bench.hpp"
 #include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {

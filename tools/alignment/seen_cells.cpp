@@ -1,4 +1,4 @@
-#include "tools/twin/seen_cells.hpp"
+#include "tools/alignment/seen_cells.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "tools/twin/aligned_log.hpp"
+#include "tools/alignment/aligned_log.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr float kNoReturn = std::numeric_limits<float>::infinity();
+constexpr float kNothingSeen = std::numeric_limits<float>::infinity();
 constexpr double kWithin = 0.01;  // [m] Distances of aligned poses from exact ones, at most.
 
 /// The scans of a log with their frames.
@@ -61,7 +61,7 @@ ScanCorrection at_borders(Stamp shift = {}) {
   return correction;
 }
 
-void blind(ScanFrame& frame) { frame.scan.ranges.assign(frame.scan.ranges.size(), kNoReturn); }
+void blind(ScanFrame& frame) { frame.scan.ranges.assign(frame.scan.ranges.size(), kNothingSeen); }
 
 TEST(AlignedLog, HasTheScansAndTheOdometryOfTheLog) {
   const RecordedPlace place = recorded_office(60);
@@ -115,7 +115,7 @@ TEST(AlignedLog, WithTheSurfacesOfWallsIsRightWhereOneOfTwoOppositeWallsIsSeen) 
     for (std::size_t i = 0; i < frame->scan.ranges.size(); ++i) {
       const double to_corner =
           T_map_base.yaw + frame->scan.beam_angle(i) - 1.25 * std::numbers::pi;  // left, below
-      if (std::cos(to_corner) < 0.6) frame->scan.ranges[i] = kNoReturn;
+      if (std::cos(to_corner) < 0.6) frame->scan.ranges[i] = kNothingSeen;
     }
   }
   expect_aligned(align_log(place, AlignBy::kTruth, at_borders()), truth, kWithin);
