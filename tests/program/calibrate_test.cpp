@@ -71,6 +71,10 @@ TEST(Calibrate, RefusesWhatItCannotUse) {
   expect_refused(castaway(folder, "calibrate nowhere --map office/map.yaml --out twin"),
                  {"nowhere"});
   expect_refused(castaway(folder, "calibrate office --align exact --out twin"), {"--align"});
+  EXPECT_EQ(castaway(folder, "map home --out home.yaml").exit_code, 0);
+  testbed::write_office(testbed::recorded_office(60), folder / "office");
+  expect_refused(castaway(folder, "calibrate office/log.carmen --map home.yaml --out twin"),
+                 {"log.carmen", "% of the scans' end points", "belong together"});
   write(folder / "mine/notes.txt", "keep");
   expect_refused(castaway(folder, "calibrate office --out mine"), {"mine"});
   EXPECT_EQ(text_of(folder / "mine/notes.txt"), "keep");

@@ -67,6 +67,7 @@ std::string small(std::string line) {
   if (line.starts_with("evaluate")) line += " --starts 1 --kidnaps 0 --window 2 --no-tracking";
   if (line.starts_with("replay")) line += " --no-pictures --out replay --force --scans 3";
   if (line.starts_with("dataset")) line = replaced(line, R"(-n \d+)", "-n 1");
+  if (line.starts_with("bench calibration")) line = "bench calibration --trials 1 --duration 120";
   if (line.starts_with("bench crowds")) line = "bench crowds --hours 0.01";
   if (line.starts_with("bench kidnaps"))
     line = replaced(line, R"(--kidnaps \d+)", "") + " --kidnaps 1";

@@ -54,6 +54,21 @@ class Aligner {
     return refine_pose(model_, *points, start, prior, {0.04, 0.01, 6});
   }
 
+  /// The share of a scan's end points that lie near walls.
+  double on_walls(const AlignedScan& aligned) const {
+    constexpr double kNear = 0.2;  // [m]
+    const auto points = project_scan(aligned.scan, log_.T_path_base, aligned.scan.stamp,
+                                     {.max_beams = 90, .max_range = 40.0});
+    if (!points || points->empty()) return 0.0;
+    const SE2 T_grid_base = log_.grid.frame.T_map_grid.inverse() * aligned.T_map_base;
+    double near = 0.0;
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      const Eigen::Vector2d p = T_grid_base * Eigen::Vector2d(points->x[i], points->y[i]);
+      if (distances_.at(p) < kNear) near += 1.0;
+    }
+    return near / static_cast<double>(points->size());
+  }
+
  private:
   /// The scan with its end points moved from the surfaces of walls to the centres of their cells.
   LaserScan move_to_centres(LaserScan scan, const SE2& T_map_base) const {
@@ -184,6 +199,22 @@ void track_backwards(const Aligner& aligner, const TransformBuffer& T_path_base,
   }
 }
 
+/// Sets and checks how much of the scans lies on walls.
+void check_fit(const Aligner& aligner, AlignedLog& log) {
+  constexpr std::size_t kChecked = 200;  // Scans.
+  std::vector<double> shares;
+  for (const std::size_t i : spread_scans(log, kChecked)) {
+    shares.push_back(aligner.on_walls(log.scans[i]));
+  }
+  std::sort(shares.begin(), shares.end());
+  log.on_walls = percentile(shares, 0.5);
+  if (log.on_walls >= kLeastOnWalls) return;
+  throw std::runtime_error(
+      fmt::format("{}: {:.0f} % of the scans' end points lie on walls of the map: check that log "
+                  "and map belong together (castaway replay shows it)",
+                  log.name, 100.0 * log.on_walls));
+}
+
 bool has_reference_poses(const std::vector<RawScan>& scans) {
   const auto known =
       std::count_if(scans.begin(), scans.end(), [](const auto& s) { return s.T_map_base; });
@@ -229,6 +260,7 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
         "map belong together (castaway replay shows it)",
         place.name, log.scans.size(), kFewestAligned));
   }
+  check_fit(aligner, log);
   return log;
 }
 

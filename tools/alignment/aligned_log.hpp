@@ -37,6 +37,7 @@ struct AlignedLog {
   double odometry_period_s = 0.0;  ///< [s] Median between two readings.
   bool by_truth = false;           ///< Aligned from reference poses.
   std::size_t left_out = 0;        ///< Scans whose pose is unknown.
+  double on_walls = 0.0;  ///< Share of end points within 0.2 m of a wall, median over scans.
 };
 
 /// Corrections of the scans before they are matched.
@@ -50,12 +51,13 @@ struct ScanCorrection {
 
 /// Aligns a log: reference poses, or those of `mh_amcl`, are refined by matching each scan to the
 /// map, within some centimetres. The scans of the result have corrected stamps, and ranges as
-/// measured. Throws
-/// std::runtime_error if the log has fewer than `kFewestAligned` scans with a pose, or if reference
-/// poses are wanted and missing.
+/// measured. Throws std::runtime_error if the log has fewer than `kFewestAligned` scans with a
+/// pose, if reference poses are wanted and missing, or if the scans do not lie on walls
+/// (`kLeastOnWalls`).
 AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrection& correction = {});
 
 inline constexpr std::size_t kFewestAligned = 50;
 inline constexpr std::size_t kMostAligned = 6000;
+inline constexpr double kLeastOnWalls = 0.55;
 
 }  // namespace castaway::testbed

@@ -90,8 +90,9 @@ void print_likeness(const Twin& twin) {
 
 void print_twin(const Twin& twin) {
   const AlignedLog& log = twin.fitted.log;
-  fmt::print("{}: {} scans aligned by {}, {} left out\n", log.name, log.scans.size(),
-             log.by_truth ? "reference poses" : "mh_amcl", log.left_out);
+  fmt::print("{}: {} scans aligned by {}, {} left out; {:.0f} % of the end points on walls\n",
+             log.name, log.scans.size(), log.by_truth ? "reference poses" : "mh_amcl", log.left_out,
+             100.0 * log.on_walls);
   print_odometry(twin.fitted.fit);
   print_lidar(twin.fitted.fit);
   print_building(twin);

@@ -3,7 +3,7 @@
 import dataclasses
 import typing
 
-from measuring import localizers, people, robots, sensors, speed, worlds
+from measuring import localizers, people, robots, sensors, speed, twins, worlds
 from measuring.lab import bench
 
 LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/sources/build_localizers.cpp"]
@@ -26,6 +26,7 @@ class Block:
 
 
 LOCALIZATION, SIMULATION = "docs/figures/localization.md", "docs/figures/simulation.md"
+TRUTH = "docs/truth.md"
 EXPERIMENTS, SPEED = "docs/figures/experiments.md", "docs/figures/speed.md"
 
 BLOCKS = {
@@ -52,6 +53,8 @@ BLOCKS = {
     "discrimination": Block(EXPERIMENTS, people.discrimination, SIMULATOR),
     "kidnap-kinds": Block(LOCALIZATION, people.kidnap_kinds, SIMULATOR),
     "among-people": Block(LOCALIZATION, people.among_people, SIMULATOR),
+    "calibration": Block(TRUTH, twins.calibration, SIMULATOR + ["tools/alignment", "tools/twin", "robots/butler", "worlds"]),
+    "likeness": Block(TRUTH, twins.likeness, SIMULATOR + ["tools/alignment", "tools/twin", "robots/disc"], logs=True),
     "simulation-speed": Block(SPEED, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"], times=True),
     "moved": Block(LOCALIZATION, worlds.moved, SIMULATOR + ["worlds"]),
     "twins": Block(SIMULATION, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),

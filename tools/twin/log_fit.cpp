@@ -151,6 +151,7 @@ Json to_json(const FittedLog& fitted) {
   Json json = {{"log", fitted.log.name},
                {"scans", fitted.log.scans.size()},
                {"scans_left_out", fitted.log.left_out},
+               {"end_points_on_walls", fitted.log.on_walls},
                {"aligned_by", fitted.log.by_truth ? "reference poses" : "mh_amcl"},
                {"stamps", to_json(fit.stamps)}};
   if (fit.clock) {
