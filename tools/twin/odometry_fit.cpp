@@ -20,8 +20,8 @@ struct Stretch {
   std::vector<OdometryStep> steps;
   SE2 T_start_end;
   double way = 0.0;  ///< [m]
-  Eigen::Vector2d walk{0.0,
-                       0.0};  ///< [m] Travel whose errors move the end along x and y of its frame.
+  /// [m] Travel whose errors move the end along x and y of its frame.
+  Eigen::Vector2d walk{0.0, 0.0};
   Eigen::Vector2d sway{0.0, 0.0};  ///< [m^3] The same for errors of the yaw.
   std::size_t leg = 0;             ///< Index of the first leg.
 };

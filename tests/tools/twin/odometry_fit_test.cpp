@@ -203,10 +203,9 @@ TEST(OdometryFit, FindsTheErrorsOfSimulatedWheels) {
     const auto fit =
         fit_odometry(take_legs(simulated_drive(config, 1000, 1.0), kFitTrack), kFitTrack);
     ASSERT_TRUE(fit);
-    // The fit neglects that turning moves a robot with unequal wheels.
-    EXPECT_NEAR(fit->radius_error_left.value, 0.01 * sign, 5e-4);
-    EXPECT_NEAR(fit->radius_error_right.value, -0.02 * sign, 5e-4);
-    EXPECT_NEAR(fit->track_error.value, 0.04 * sign, 5e-4);
+    EXPECT_NEAR(fit->radius_error_left.value, 0.01 * sign, 1e-4);
+    EXPECT_NEAR(fit->radius_error_right.value, -0.02 * sign, 1e-4);
+    EXPECT_NEAR(fit->track_error.value, 0.04 * sign, 1e-4);
     EXPECT_EQ(fit->outliers, 0.0);
   }
 }
