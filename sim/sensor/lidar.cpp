@@ -90,6 +90,7 @@ LidarSweeper::LidarSweeper(const LidarConfig& config, const Surfaces& surfaces,
       draws_(draws),
       period_(to_nanoseconds(1.0 / config.rate_hz)),
       last_primitives_(config.elevations.size(), kNoPrimitive) {
+  if (!config.scan_times.empty()) scan_stamp_ = config.scan_times.front();
   if (!config.sweep) return;
   const double turn = std::abs(config.angle_increment) / (2.0 * std::numbers::pi);
   time_increment_ = std::chrono::nanoseconds(
@@ -123,6 +124,20 @@ void LidarSweeper::cast_column(const Surroundings& around, const Eigen::Isometry
   }
 }
 
+/// Sets the time of the next scan; `end` is that of the last beam before.
+void LidarSweeper::end_scan(std::chrono::nanoseconds end) {
+  const auto& times = lidar_.config().scan_times;
+  next_beam_ = 0;
+  ++scans_;
+  if (times.empty()) {
+    scan_stamp_ += period_;
+  } else if (scans_ < times.size()) {
+    scan_stamp_ = std::max(times[scans_], end + std::chrono::nanoseconds(1));
+  } else {
+    scan_stamp_ = std::chrono::nanoseconds::max() / 2;
+  }
+}
+
 std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motion& motion) {
   std::vector<Sweep> done;
   if (scan_stamp_ + time_increment_ * next_beam_ >= motion.end) return done;
@@ -134,8 +149,7 @@ std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motio
     if (!covered_) cast_column(around, path.at(motion.fraction(stamp)));
     if (++next_beam_ < lidar_.config().beams) continue;
     done.push_back({stamp, std::move(reading_)});
-    next_beam_ = 0;
-    scan_stamp_ += period_;
+    end_scan(stamp);
   }
 }
 

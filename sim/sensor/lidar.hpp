@@ -66,7 +66,8 @@ struct Sweep {
   LidarReading reading;
 };
 
-/// Collects beams into scans while the robot moves. The first scan starts at time 0.
+/// Collects beams into scans while the robot moves. The first scan starts at time 0, or
+/// at the first scan time.
 class LidarSweeper {
  public:
   /// @throws as `Lidar`.
@@ -81,6 +82,7 @@ class LidarSweeper {
 
  private:
   void begin_scan(const Motion& motion);
+  void end_scan(std::chrono::nanoseconds end);
   void cast_column(const Surroundings& around, const Eigen::Isometry3d& T_map_base);
 
   Lidar lidar_;
@@ -88,7 +90,8 @@ class LidarSweeper {
   std::chrono::nanoseconds period_{};
   std::chrono::nanoseconds time_increment_{};
   std::chrono::nanoseconds scan_stamp_{};
-  int next_beam_ = 0;  ///< Common to all layers.
+  std::size_t scans_ = 0;  ///< Number of complete scans.
+  int next_beam_ = 0;      ///< Common to all layers.
   bool covered_ = false;
   std::vector<std::uint32_t> last_primitives_;  ///< By layer.
   LidarReading reading_;

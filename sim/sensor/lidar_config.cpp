@@ -39,6 +39,12 @@ void validate(const LidarConfig& c) {
   const int planar = c.planar_layer.value_or(0);
   require(planar >= 0 && planar < layers, "localize_layer", planar,
           "give the index of a layer, counted from 0");
+  if (!std::is_sorted(c.scan_times.begin(), c.scan_times.end())) {
+    throw std::invalid_argument("lidar: its scan times go back: sort them");
+  }
+  if (!c.scan_times.empty() && c.scan_times.front().count() < 0) {
+    throw std::invalid_argument("lidar: a scan time is negative: count from the start of the run");
+  }
   validate(c.noise);
   validate(c.light);
 }

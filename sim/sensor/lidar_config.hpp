@@ -1,6 +1,7 @@
 /// Configuration of a lidar.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -29,7 +30,10 @@ struct LidarConfig {
   double range_min = 0.12;  ///< [m] Shorter returns are reported as -inf.
   double range_max = 12.0;  ///< [m] Longer returns are reported as +inf.
   double rate_hz = 10.0;    ///< [Hz] Revolutions per second.
-  bool sweep = true;        ///< Each beam has its own time; false: all have the scan's stamp.
+  /// Times at which scans begin, ascending; empty: all the time. A scan begins after the end of the
+  /// one before.
+  std::vector<std::chrono::nanoseconds> scan_times{};
+  bool sweep = true;  ///< Each beam has its own time; false: all have the scan's stamp.
   RangeNoise noise;
   LightEffects light{};
   Intensity intensity = Intensity::kNone;

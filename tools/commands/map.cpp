@@ -37,8 +37,7 @@ int make_map(const MapArguments& arguments) {
   SurveyOptions options;
   options.lidar_height = height;
   options.strict = arguments.strict;
-  const LoadedWorld loaded =
-      build_world({arguments.world, arguments.search_paths, {}}, ".", options);
+  const LoadedWorld loaded = build_world({arguments.world, arguments.search_paths}, ".", options);
   for (const std::string& warning : loaded.warnings) {
     fmt::print(stderr, "castaway: warning: {}\n", warning);
   }

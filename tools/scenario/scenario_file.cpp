@@ -67,6 +67,7 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
   }
   YamlReader map = root.child("world");
   world.file = map.require<std::string>("name");
+  if (map.has("map")) world.map = map.require<std::string>("map");
   if (map.has("search_paths")) {
     world.search_paths = map.require<std::vector<std::string>>("search_paths");
   }
@@ -121,7 +122,7 @@ std::vector<SettingText> scenario_settings() {
   Scenario scenario;
   Settings root = under("");
   root.form({"name", "", "Name of the run folder."}, "the file's");
-  root.form({"world", "", "A world's name or file, or a map {name, search_paths, differences}."},
+  root.form({"world", "", "A world's name or file, or a map {name, map, search_paths, differences}."},
             "lab");
   root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},
             "waffle");
@@ -129,6 +130,9 @@ std::vector<SettingText> scenario_settings() {
   fields(under("start."), scenario.start);
   fields(under("drive."), scenario.drive);
   under("lidar.").form({"profile", "", "robot, ideal, or a device of `castaway lidars`."}, "robot");
+  under("lidar.").form(
+      {"scan_times", "", "File of the times at which scans begin, in seconds, one per line."},
+      "all the time");
   sim::LidarConfig lidar;
   fields(under("lidar."), lidar);
   under("odometry.")

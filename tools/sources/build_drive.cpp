@@ -10,6 +10,7 @@
 #include "sim/map/free_space.hpp"
 #include "tools/formats/tum.hpp"
 #include "tools/formats/twist_log.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/sources/sim_conversion.hpp"
 
@@ -88,11 +89,6 @@ std::vector<sim::TimedPose> read_path(const std::filesystem::path& file) {
   return path;
 }
 
-/// The path as given, or else relative to `base`.
-std::filesystem::path resolve_file(const std::string& text, const std::filesystem::path& base) {
-  return std::filesystem::exists(text) ? std::filesystem::path(text) : base / text;
-}
-
 }  // namespace
 
 sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::path& base,
@@ -103,11 +99,11 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
   drive.limits = spec.limits;
   drive.wait_s = spec.wait_s;
   if (!spec.path.empty()) {
-    drive.path = read_path(resolve_file(spec.path, base));
+    drive.path = read_path(find_file(spec.path, base));
   } else if (spec.twist_log.empty()) {
     drive.waypoints = route_of(scenario, world, robot);
   } else {
-    for (const TwistLine& line : read_twist_log(resolve_file(spec.twist_log, base))) {
+    for (const TwistLine& line : read_twist_log(find_file(spec.twist_log, base))) {
       drive.log.push_back({line.t_s, {line.v, line.w}});
     }
   }

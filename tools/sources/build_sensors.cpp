@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "sim/robot/robot_sensors.hpp"
+#include "tools/formats/time_list.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
@@ -42,19 +44,22 @@ std::vector<LidarSpec> for_each_lidar(const LidarSpec& all, const sim::RobotMode
 
 }  // namespace
 
-sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot) {
+sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot,
+                             const std::filesystem::path& base) {
   sim::LidarConfig lidar =
       apply_changes(with_profile(described_lidar(spec, robot), spec.profile), spec.changes);
   if (!spec.name.empty()) lidar.name = spec.name;
+  if (!spec.scan_times.empty()) lidar.scan_times = read_times(find_file(spec.scan_times, base));
   sim::validate(lidar);
   return lidar;
 }
 
-std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot) {
+std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot,
+                                           const std::filesystem::path& base) {
   std::vector<LidarSpec> specs = scenario.lidars;
   if (specs.size() == 1 && specs.front().name.empty()) specs = for_each_lidar(specs.front(), robot);
   std::vector<sim::LidarConfig> lidars;
-  for (const LidarSpec& spec : specs) lidars.push_back(build_lidar(spec, robot));
+  for (const LidarSpec& spec : specs) lidars.push_back(build_lidar(spec, robot, base));
   return lidars;
 }
 

@@ -1,6 +1,7 @@
 /// Builds the sensors of a simulation from a scenario.
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "sim/robot/urdf/robot_model.hpp"
@@ -9,13 +10,17 @@
 
 namespace castaway::testbed {
 
-/// Builds a lidar of the robot with a profile and a scenario's changes. A lidar with the name of
+/// Builds a lidar of the robot with a profile and a scenario's changes. `base`: folder that a
+/// file of scan times may start from, besides the current one. A lidar with the name of
 /// one of the robot's lidars has that one's mount; without a name, it is the first. Throws
-/// std::invalid_argument if a value is out of range, std::runtime_error for an unknown profile.
-sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot);
+/// std::invalid_argument if a value is out of range, std::runtime_error for an unknown profile or an
+/// unreadable file.
+sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot,
+                             const std::filesystem::path& base = {});
 
 /// Builds all lidars of a run: those that the scenario lists, or all that the robot has.
-std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot);
+std::vector<sim::LidarConfig> build_lidars(const Scenario& scenario, const sim::RobotModel& robot,
+                                           const std::filesystem::path& base = {});
 
 /// Throws std::invalid_argument, naming the nearest lidar, if a fault refers to a lidar that does
 /// not exist.

@@ -36,7 +36,7 @@ struct LoadedRobot {
 LoadedRobot load_any_robot(const Scenario& scenario, const std::filesystem::path& base) {
   LoadedRobot loaded;
   loaded.robot = build_robot(scenario.robot, base);
-  loaded.lidars = build_lidars(scenario, loaded.robot);
+  loaded.lidars = build_lidars(scenario, loaded.robot, base);
   return loaded;
 }
 

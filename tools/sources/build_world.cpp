@@ -189,6 +189,7 @@ LoadedWorld world_of_map(RosMap map, const SurveyOptions& options) {
 LoadedWorld build_world(const WorldChoice& choice, const std::filesystem::path& base,
                         const SurveyOptions& options) {
   LoadedWorld world = load_undisturbed(choice, base, options);
+  if (!choice.map.empty()) world.map = load_ros_map(find_file(choice.map, base));
   apply(choice.differences.value_or(world.file.differences), options.seed, world);
   return world;
 }

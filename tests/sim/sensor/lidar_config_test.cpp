@@ -63,5 +63,24 @@ TEST(LidarConfig, BeamsPointByLayerAndAngle) {
   EXPECT_LT(off(beam_point(config, 6, 2.0), {0.1 - std::sqrt(3.0), 0.0, 1.3}), 1e-15);
 }
 
+TEST(LidarConfig, RefusesScanTimesThatGoBackOrAreNegative) {
+  using std::chrono::milliseconds;
+  LidarConfig config;
+  const auto error_with = [&](std::vector<std::chrono::nanoseconds> times) -> std::string {
+    config.scan_times = std::move(times);
+    try {
+      validate(config);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_with({}), "");
+  EXPECT_EQ(error_with({milliseconds(0), milliseconds(5), milliseconds(5), milliseconds(6)}), "");
+  EXPECT_THAT(error_with({milliseconds(1), milliseconds(3), milliseconds(2)}),
+              HasSubstr("scan times go back"));
+  EXPECT_THAT(error_with({milliseconds(-1), milliseconds(2)}), HasSubstr("scan time is negative"));
+}
+
 }  // namespace
 }  // namespace castaway::sim

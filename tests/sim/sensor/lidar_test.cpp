@@ -174,5 +174,43 @@ TEST(LidarSweeper, SplittingTheMotionChangesNothing) {
   }
 }
 
+/// Stamps of the scans that are complete after `end` of standing, in steps of 2 ms. [ms]
+std::vector<double> scan_stamps(const LidarConfig& config, int end_ms) {
+  const RayScene scene = two_walls();
+  LidarSweeper sweeper(config);
+  std::vector<double> stamps;
+  for (int ms = 0; ms < end_ms; ms += 2) {
+    for (const Sweep& s :
+         sweeper.advance(scene, {milliseconds(ms), milliseconds(ms + 2), {}, {}})) {
+      stamps.push_back(std::chrono::duration<double, std::milli>(s.reading.stamp).count());
+    }
+  }
+  return stamps;
+}
+
+TEST(LidarSweeper, BeginsScansAtGivenTimes) {
+  LidarConfig config = four_beams();  // A scan takes 75 ms.
+  config.scan_times = {milliseconds(33), milliseconds(150), milliseconds(500)};
+  EXPECT_EQ(scan_stamps(config, 2000), (std::vector<double>{33.0, 150.0, 500.0}));
+  EXPECT_EQ(scan_stamps(config, 150 + 74), (std::vector<double>{33.0}));
+  config.sweep = false;
+  EXPECT_EQ(scan_stamps(config, 2000), (std::vector<double>{33.0, 150.0, 500.0}));
+}
+
+TEST(LidarSweeper, BeginsAScanAfterTheEndOfTheOneBefore) {
+  LidarConfig config = four_beams();
+  config.scan_times = {milliseconds(0), milliseconds(10), milliseconds(20), milliseconds(300)};
+  EXPECT_EQ(scan_stamps(config, 1000),
+            (std::vector<double>{0.0, 75.000001, 150.000002, 300.0}));  // ends and a nanosecond
+  config.sweep = false;
+  EXPECT_EQ(scan_stamps(config, 1000), (std::vector<double>{0.0, 10.0, 20.0, 300.0}));
+  config.scan_times = {milliseconds(5), milliseconds(5)};
+  EXPECT_EQ(scan_stamps(config, 1000), (std::vector<double>{5.0, 5.000001}));
+}
+
+TEST(LidarSweeper, WithoutTimesScansAllTheTime) {
+  EXPECT_EQ(scan_stamps(four_beams(), 400), (std::vector<double>{0.0, 100.0, 200.0, 300.0}));
+}
+
 }  // namespace
 }  // namespace castaway::sim

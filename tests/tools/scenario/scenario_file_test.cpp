@@ -73,6 +73,20 @@ TEST_F(ScenarioFileTest, NamesTheWorldInOneWordOrWithItsDifferences) {
   expect_contains(error_of("{world: {nam: lab}, localizers: [mh_amcl]}"), "'name'");
 }
 
+TEST_F(ScenarioFileTest, NamesAnotherMapThanTheWorlds) {
+  const LoadedScenario loaded = load("{world: {name: w.yaml, map: m.yaml}, localizers: [amcl]}");
+  EXPECT_EQ(loaded.scenario.world.file, "w.yaml");
+  EXPECT_EQ(loaded.scenario.world.map, "m.yaml");
+  EXPECT_EQ(load(loaded.effective).scenario.world.map, "m.yaml");
+  EXPECT_EQ(load("{world: {name: w.yaml}, localizers: [amcl]}").scenario.world.map, "");
+}
+
+TEST_F(ScenarioFileTest, KeepsTheScanTimesOfALidar) {
+  const LoadedScenario loaded = load("{lidar: {scan_times: times.txt}, localizers: [amcl]}");
+  EXPECT_EQ(loaded.scenario.lidars.at(0).scan_times, "times.txt");
+  EXPECT_EQ(load(loaded.effective).scenario.lidars.at(0).scan_times, "times.txt");
+}
+
 TEST_F(ScenarioFileTest, NamesTheRobotInOneWordOrWithItsArguments) {
   EXPECT_EQ(load("localizers: [mh_amcl]").scenario.robot.file, "waffle");
   EXPECT_EQ(load("{robot: mule, localizers: [mh_amcl]}").scenario.robot.file, "mule");

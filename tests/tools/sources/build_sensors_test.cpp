@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/temporary.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -74,6 +76,33 @@ TEST(BuildLidars, RefusesFiguresOutOfRange) {
   Scenario scenario;
   scenario.lidars.front().set("noise.dropout", 2.0);
   EXPECT_NE(sensor_error(scenario, two_eyed()).find("noise.dropout is 2"), std::string::npos);
+}
+
+TEST(BuildLidars, ReadScanTimesFromTheFolderOfTheScenario) {
+  using Times = std::vector<std::chrono::nanoseconds>;
+  const TemporaryFolder folder;
+  const std::filesystem::path times = folder.put("times.txt", "0.5\n0.75\n");
+  const Times expected{std::chrono::milliseconds(500), std::chrono::milliseconds(750)};
+  Scenario scenario;
+  scenario.lidars.front().scan_times = "times.txt";
+  const auto lidars = build_lidars(scenario, two_eyed(), folder.path());
+  ASSERT_EQ(lidars.size(), 2U);
+  for (const sim::LidarConfig& lidar : lidars) EXPECT_EQ(lidar.scan_times, expected);
+  LidarSpec elsewhere;
+  elsewhere.scan_times = times.string();
+  EXPECT_EQ(build_lidar(elsewhere, {}).scan_times, expected);
+  EXPECT_EQ(build_lidar({}, {}, folder.path()).scan_times, Times{});
+}
+
+TEST(BuildLidars, NameTheFileOfScanTimesThatIsWrong) {
+  const TemporaryFolder folder;
+  LidarSpec lidar;
+  lidar.scan_times = "gone.txt";
+  EXPECT_TRUE(contains(error_of([&] { build_lidar(lidar, {}, folder.path()); }),
+                       (folder.path() / "gone.txt").string()));
+  folder.put("back.txt", "2\n1\n");
+  lidar.scan_times = "back.txt";
+  EXPECT_TRUE(contains(error_of([&] { build_lidar(lidar, {}, folder.path()); }), "back.txt:2: "));
 }
 
 TEST(CheckFaults, NamesTheLidarThatIsMeant) {

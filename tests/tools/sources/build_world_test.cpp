@@ -47,6 +47,30 @@ TEST(BuildWorld, TakesTheScenariosDifferencesInPlaceOfTheFiles) {
   EXPECT_FALSE(plain.difference.has_value());
 }
 
+TEST(BuildWorld, GivesLocalizersAnotherMapIfAsked) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom);
+  RosMap map;
+  map.width = 3;
+  map.height = 2;
+  map.resolution = 0.2;
+  map.cells = {0, 100, 0, 100, 100, 0};
+  write_ros_map(map, folder.path() / "m.yaml");
+  const LoadedWorld world = build_world({.file = "w.yaml", .map = "m.yaml"}, folder.path(), {});
+  EXPECT_EQ(world.map.cells, map.cells);
+  EXPECT_EQ(world.map.resolution, 0.2);
+  EXPECT_EQ(world.grid.width, 120);  // the world's own survey
+  EXPECT_EQ(sim::cell_at(world.grid, {4.0, 3.0}), sim::Cell::kOccupied);
+}
+
+TEST(BuildWorld, NamesAMapThatIsMissing) {
+  const TemporaryFolder folder;
+  folder.put("w.yaml", kRoom);
+  const std::string error =
+      error_of([&] { build_world({.file = "w.yaml", .map = "gone.yaml"}, folder.path(), {}); });
+  EXPECT_TRUE(contains(error, (folder.path() / "gone.yaml").string()));
+}
+
 TEST(BuildWorld, SaysWhatANameCouldMean) {
   const TemporaryFolder folder;
   folder.put("w.yaml", kRoom + "differences: {changes: [{remove: {name: crates}}]}\n");

@@ -114,4 +114,8 @@ fs::path find_robot(const std::string& text, const fs::path& base) {
   return find("robot", text, base, {name + ".urdf", name + ".urdf.xacro", name + ".xacro"});
 }
 
+fs::path find_file(const std::string& text, const fs::path& base) {
+  return fs::exists(text) ? fs::path(text) : base / text;
+}
+
 }  // namespace castaway::testbed

@@ -27,6 +27,9 @@ std::filesystem::path find_robot(const std::string& text, const std::filesystem:
 /// with the nearest name.
 std::filesystem::path find_scenario(const std::string& text, const std::filesystem::path& base);
 
+/// `text` itself if it exists, else relative to `base`.
+std::filesystem::path find_file(const std::string& text, const std::filesystem::path& base);
+
 /// Sorted names of the shipped worlds, robots and scenarios.
 std::vector<std::string> world_names();
 std::vector<std::string> robot_names();

@@ -15,6 +15,7 @@ LidarSpec read_named_lidar(const std::string& name, YamlReader body) {
   lidar.name = name;
   lidar.changes = read_lidar_changes(body);
   lidar.profile = body.get("profile", lidar.profile);
+  lidar.scan_times = body.get_optional<std::string>("scan_times").value_or("");
   return lidar;
 }
 

@@ -39,8 +39,10 @@ struct RobotSpec {
 
 struct WorldChoice {
   std::string file = "lab";  ///< A world's name or path, an SDF world, or a ROS map's YAML file.
-  std::vector<std::string> search_paths;  ///< Folders in which an SDF's models are searched.
-  std::optional<sim::DifferenceSpec> differences;  ///< Overrides those of the world's file.
+  std::vector<std::string> search_paths{};  ///< Folders in which an SDF's models are searched.
+  std::optional<sim::DifferenceSpec> differences{};  ///< Overrides those of the world's file.
+  /// ROS map given to the localizers; empty: a map of the world as it was.
+  std::string map{};
   bool strict = false;  ///< An unreadable part of an SDF world is an error.
 };
 
@@ -79,6 +81,7 @@ struct LidarSpec {
                                   ///< description.
   std::string profile = "robot";  ///< "robot": as described; "ideal": the same without errors; or a
                                   ///< device of `lidars/`.
+  std::string scan_times;         ///< File with the times of the scans; empty: all the time.
   YamlNode changes;               ///< Settings by key (`fields` of a lidar).
 
   /// Changes a setting and returns the specification.

@@ -89,6 +89,14 @@ TEST(LidarSpec, SeveralHaveNamesAndProfiles) {
   EXPECT_EQ(apply_changes({}, lidars[1].changes).T_base_laser.translation().x(), -0.3);
 }
 
+TEST(LidarSpec, NamesAFileOfScanTimes) {
+  EXPECT_EQ(read_lidar_list("lidar: {scan_times: times.txt}").at(0).scan_times, "times.txt");
+  EXPECT_EQ(read_lidar_list("lidar: {beams: 90}").at(0).scan_times, "");
+  const auto lidars = read_lidar_list("lidars: [front, {rear: {scan_times: times.txt}}]");
+  EXPECT_EQ(lidars.at(0).scan_times, "");
+  EXPECT_EQ(lidars.at(1).scan_times, "times.txt");
+}
+
 TEST(LidarSpec, SaysWhatIsWrong) {
   const auto error_of = [](const std::string& text) -> std::string {
     try {
