@@ -148,6 +148,7 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
       if (!scans.empty() && scan.scan.lidar != scans.front().scan.lidar) continue;
       scans.push_back({scan.scan, scan.T_map_base_true, breaks});
       scans.back().scan.stamp += correction.stamp;
+      log.stamps.push_back(scans.back().scan.stamp);
       breaks = false;
     }
   }
@@ -223,10 +224,18 @@ bool has_reference_poses(const std::vector<RawScan>& scans) {
 
 }  // namespace
 
+AlignBy parse_align(const std::string& text) {
+  if (text == "auto") return AlignBy::kAuto;
+  if (text == "truth") return AlignBy::kTruth;
+  if (text == "mh_amcl") return AlignBy::kMhAmcl;
+  throw std::invalid_argument("no alignment '" + text + "'; there are auto, truth, mh_amcl");
+}
+
 AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrection& correction) {
   constexpr double kReferenceSigma = 0.05;  // [m]
   AlignedLog log;
   log.name = place.name;
+  log.stamp_correction = correction.stamp;
   log.grid = to_occupancy_grid(place.map);
   log.T_odom_base = TransformBuffer({.length = Stamp::max() / 4});
   log.T_path_base = log.T_odom_base;

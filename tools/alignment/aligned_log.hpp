@@ -19,6 +19,9 @@ enum class AlignBy {
   kMhAmcl,  ///< `mh_amcl` from an unknown start, and backwards from its first certain pose.
 };
 
+/// Of "auto", "truth" and "mh_amcl". Throws std::invalid_argument for any other text.
+AlignBy parse_align(const std::string& text);
+
 /// A scan and its pose on the map.
 struct AlignedScan {
   LaserScan scan;
@@ -31,6 +34,8 @@ struct AlignedLog {
   std::string name;
   localization::OccupancyGrid grid;
   std::vector<AlignedScan> scans;
+  std::vector<Stamp> stamps;                  ///< Of all scans of this lidar, those left out, too.
+  Stamp stamp_correction{};                   ///< Added to the stamps of the log.
   localization::TransformBuffer T_odom_base;  ///< Of the whole log, as measured.
   /// The same with the systematic errors corrected; the poses of a scan's beams come from it.
   localization::TransformBuffer T_path_base;

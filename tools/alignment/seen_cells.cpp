@@ -30,9 +30,8 @@ void SeenCells::mark(const Eigen::Vector2d& p_cells, bool returns) {
   count_up(returns ? returns_[*index] : passes_[*index]);
 }
 
-void SeenCells::add_scan(const std::vector<Beam>& beams) {
-  constexpr double kStep = 0.7;    // cells
-  constexpr double kBefore = 1.5;  // cells before the end that are not counted as passed
+void SeenCells::add_scan(const std::vector<Beam>& beams, double before) {
+  constexpr double kStep = 0.7;  // cells
   begin_scan();
   for (const Beam& beam : beams) {
     if (beam.returns) mark(beam.end, true);
@@ -40,7 +39,7 @@ void SeenCells::add_scan(const std::vector<Beam>& beams) {
   for (const Beam& beam : beams) {
     const Eigen::Vector2d way = beam.end - beam.from;
     const double length = way.norm();
-    for (double t = 0.0; t < length - kBefore; t += kStep) {
+    for (double t = 0.0; t < length - before; t += kStep) {
       mark(beam.from + (t / length) * way, false);
     }
   }

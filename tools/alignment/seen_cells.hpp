@@ -19,8 +19,9 @@ class SeenCells {
     Eigen::Vector2d end;
     bool returns = false;  ///< It ended there; false: it only passed up to there.
   };
-  /// Counts each cell once that the beams of a scan pass, or in which they end.
-  void add_scan(const std::vector<Beam>& beams);
+  /// Counts each cell once that the beams of a scan pass, or in which they end. The last `before`
+  /// cells are not passed: they may be noise.
+  void add_scan(const std::vector<Beam>& beams, double before = 1.5);
 
   /// The next scan; cells are counted once in each.
   void begin_scan() { ++scan_; }

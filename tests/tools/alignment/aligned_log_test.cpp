@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <boost/random/normal_distribution.hpp>
@@ -265,6 +266,36 @@ TEST(AlignedLog, IsLocalizedDespiteReferencePosesIfAskedTo) {
   std::map<Stamp, SE2> shifted;
   for (const auto& [stamp, T_map_base] : truth) shifted[stamp + milliseconds(20)] = T_map_base;
   expect_aligned(log, shifted, kWithin);
+}
+
+TEST(AlignedLog, KnowsTheStampsOfScansThatAreLeftOut) {
+  RecordedPlace place = recorded_office(60);
+  blind(*scans_in(place.frames)[30]);
+  Frames both;
+  for (const Frame& frame : place.frames) {
+    both.push_back(frame);
+    if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) {
+      ScanFrame other = *scan;
+      other.scan.lidar = "rear";
+      other.scan.stamp += milliseconds(1);
+      both.push_back({frame.stamp, other});
+    }
+  }
+  place.frames = both;
+  const AlignedLog log = align_log(place, AlignBy::kTruth, at_borders(milliseconds(50)));
+  EXPECT_EQ(log.stamp_correction, milliseconds(50));
+  EXPECT_EQ(log.left_out, 1U);
+  ASSERT_EQ(log.stamps.size(), 60U);
+  for (std::size_t k = 0; k < 60; ++k) EXPECT_EQ(log.stamps[k], milliseconds(200 * k + 50));
+}
+
+TEST(ParseAlign, KnowsThreeWays) {
+  EXPECT_EQ(parse_align("auto"), AlignBy::kAuto);
+  EXPECT_EQ(parse_align("truth"), AlignBy::kTruth);
+  EXPECT_EQ(parse_align("mh_amcl"), AlignBy::kMhAmcl);
+  EXPECT_EQ(error_of([] { parse_align("amcl"); }),
+            "no alignment 'amcl'; there are auto, truth, mh_amcl");
+  EXPECT_THROW(parse_align(""), std::invalid_argument);
 }
 
 TEST(AlignedLog, OfNoisyScansIsAsPreciseAsTheirMean) {
