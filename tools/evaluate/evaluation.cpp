@@ -21,12 +21,6 @@ namespace {
 
 constexpr std::size_t kTail = 40;  // No trial begins within this many scans of the log's end.
 
-/// Evenly spaced scans, away from the end of the log.
-std::size_t place_of(std::size_t scans, int k, int count) {
-  const std::size_t usable = scans > kTail ? scans - kTail : 1;
-  return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
-}
-
 std::optional<localization::PoseWithCovariance> with_covariance(const std::optional<SE2>& pose) {
   if (!pose) return std::nullopt;
   return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
@@ -134,7 +128,7 @@ void add_scored(const RowsOfRun& rows, bool known_start, TrialSummary& trials, E
 
 EvaluationRow try_start(const Evaluator& evaluator, const Frames& frames,
                         const EvaluationConfig& config, int k) {
-  const std::size_t first = place_of(scan_positions(frames).size(), k, config.starts);
+  const std::size_t first = scan_of_trial(scan_positions(frames).size(), k, config.starts);
   const Stamp window = localization::from_seconds(config.window_s);
   const auto seed = static_cast<std::uint64_t>(k) + 1;
   EvaluationRow row;
@@ -148,8 +142,8 @@ EvaluationRow try_kidnap(const Evaluator& evaluator, const Frames& frames,
   choice.kind = config.kidnap_to;
   choice.lead = static_cast<std::size_t>(config.scans_before_kidnap);
   choice.range_max = config.stress.range_max;
-  Splice at =
-      choose_splice(frames, place_of(scan_positions(frames).size(), k, config.kidnaps), choice);
+  Splice at = choose_splice(frames, scan_of_trial(scan_positions(frames).size(), k, config.kidnaps),
+                            choice);
   at.window = localization::from_seconds(config.window_s);
   const auto seed = static_cast<std::uint64_t>(k) + 1001;
   EvaluationRow row;
@@ -157,11 +151,25 @@ EvaluationRow try_kidnap(const Evaluator& evaluator, const Frames& frames,
   return row;
 }
 
+/// Mean position error of the scans without the alarm. [m]
+std::optional<double> error_without_alarm(const std::vector<MetricRow>& rows) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const MetricRow& row : rows) {
+    const auto error = pose_error(row);
+    if (!error || row.lost) continue;
+    sum += error->position_m;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::optional(sum / count) : std::nullopt;
+}
+
 EvaluationRow try_tracking(const Evaluator& evaluator, const Frames& frames) {
   const RowsOfRun rows = evaluator.run({stretch(frames, 0, Stamp::max()), true, 1});
   const LocalizerMetrics metrics = measure(rows.rows, rows.events, true, rows.end);
   EvaluationRow row;
   if (metrics.position_error_m) row.tracking_m = metrics.position_error_m->mean;
+  row.tracking_no_alarm_m = error_without_alarm(rows.rows);
   if (metrics.yaw_error_rad) row.tracking_yaw_rad = metrics.yaw_error_rad->mean;
   add_alarms(metrics, row);
   return row;
@@ -223,29 +231,56 @@ void validate(const EvaluationConfig& config) {
   validate(config.stress);
 }
 
-EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localizer,
-                       const EvaluationConfig& config, const std::function<void()>& on_trial) {
+std::size_t scan_of_trial(std::size_t scans, int k, int count) {
+  const std::size_t usable = scans > kTail ? scans - kTail : 1;
+  return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
+}
+
+std::vector<std::vector<EvaluationRow>> evaluate_trials(
+    const RecordedPlace& place, const std::vector<const Frames*>& recordings,
+    const LocalizerSpec& localizer, const EvaluationConfig& config,
+    const std::function<void()>& on_trial) {
   validate(config);
   const Evaluator evaluator(place, localizer, config);
+  const auto count = static_cast<int>(recordings.size());
   const auto run_trial = [&](int index) {
-    if (index < config.starts) return try_start(evaluator, place.frames, config, index);
-    const int kidnap = index - config.starts;
-    if (kidnap < config.kidnaps) return try_kidnap(evaluator, place.frames, config, kidnap);
-    return try_tracking(evaluator, place.frames);
+    const Frames& frames = *recordings[static_cast<std::size_t>(index % count)];
+    // Tracking takes longest: it is first.
+    const int trial = index / count - (config.tracking ? 1 : 0);
+    if (trial < 0) return try_tracking(evaluator, frames);
+    if (trial < config.starts) return try_start(evaluator, frames, config, trial);
+    return try_kidnap(evaluator, frames, config, trial - config.starts);
   };
   const int trials = config.starts + config.kidnaps + (config.tracking ? 1 : 0);
+  std::vector<std::vector<EvaluationRow>> by_recording(recordings.size());
+  std::size_t next = 0;
+  for (EvaluationRow& row : run_all(trials * count, config.workers, run_trial, on_trial)) {
+    by_recording[next++ % recordings.size()].push_back(std::move(row));
+  }
+  for (auto& rows : by_recording) {
+    if (config.tracking) std::rotate(rows.begin(), rows.begin() + 1, rows.end());
+  }
+  return by_recording;
+}
+
+EvaluationRow sum_trials(const RecordedPlace& place, const LocalizerSpec& localizer,
+                         const std::vector<EvaluationRow>& trials) {
   EvaluationRow sum;
   sum.log = place.name;
   sum.localizer = localizer.name;
-  for (const EvaluationRow& row : run_all(trials, config.workers, run_trial, on_trial)) {
-    add(row, sum);
-  }
+  for (const EvaluationRow& row : trials) add(row, sum);
   for (std::vector<double>* values :
        {&sum.starts.time_s, &sum.starts.distance_m, &sum.kidnaps.time_s, &sum.kidnaps.distance_m,
         &sum.detection_delay_s}) {
     std::sort(values->begin(), values->end());
   }
   return sum;
+}
+
+EvaluationRow evaluate(const RecordedPlace& place, const LocalizerSpec& localizer,
+                       const EvaluationConfig& config, const std::function<void()>& on_trial) {
+  const auto trials = evaluate_trials(place, {&place.frames}, localizer, config, on_trial);
+  return sum_trials(place, localizer, trials.front());
 }
 
 }  // namespace castaway::testbed

@@ -49,9 +49,24 @@ RecordedPlace load_recorded_place(const std::string& folder);
 /// Throws std::runtime_error naming what is missing.
 RecordedPlace load_recorded_log(const std::string& log, const std::string& map);
 
-/// Runs all trials of one localizer. Trials begin at evenly spaced scans; kidnaps lead to these
-/// scans. `on_trial` is called after each trial. The results, except for CPU times, do not depend
-/// on the number of workers. Throws std::runtime_error if a worker fails.
+/// Runs all trials of one localizer on several recordings of a place, in place of its own frames.
+/// Returns for each recording the starts, the kidnaps, then tracking, a row each. Trials begin at
+/// evenly spaced scans; kidnaps lead to these scans. `on_trial` is called after each trial. The
+/// results, except for CPU times, do not depend on the number of workers. Throws std::runtime_error
+/// if a worker fails.
+std::vector<std::vector<EvaluationRow>> evaluate_trials(
+    const RecordedPlace& place, const std::vector<const Frames*>& recordings,
+    const LocalizerSpec& localizer, const EvaluationConfig& config,
+    const std::function<void()>& on_trial = [] {});
+
+/// The index of the scan at which trial `k` of `count` begins, in a recording of `scans` scans.
+std::size_t scan_of_trial(std::size_t scans, int k, int count);
+
+/// The sum over all trials, with ascending times.
+EvaluationRow sum_trials(const RecordedPlace& place, const LocalizerSpec& localizer,
+                         const std::vector<EvaluationRow>& trials);
+
+/// Runs all trials of one localizer and sums them.
 EvaluationRow evaluate(
     const RecordedPlace& place, const LocalizerSpec& localizer, const EvaluationConfig& config,
     const std::function<void()>& on_trial = [] {});

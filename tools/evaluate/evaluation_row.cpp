@@ -84,6 +84,7 @@ std::optional<double> false_alarms_per_h(const EvaluationRow& row) {
 void add(const EvaluationRow& trials, EvaluationRow& sum) {
   if (trials.tracking_m) sum.tracking_m = trials.tracking_m;
   if (trials.tracking_yaw_rad) sum.tracking_yaw_rad = trials.tracking_yaw_rad;
+  if (trials.tracking_no_alarm_m) sum.tracking_no_alarm_m = trials.tracking_no_alarm_m;
   add_trials(trials.starts, sum.starts);
   add_trials(trials.kidnaps, sum.kidnaps);
   sum.scans += trials.scans;
@@ -112,7 +113,8 @@ std::string pack_row(const EvaluationRow& row) {
                      row.watched_s,
                      row.cpu_total_ms,
                      row.updates,
-                     row.cpu_max_ms};
+                     row.cpu_max_ms,
+                     packed(row.tracking_no_alarm_m)};
   return json.dump();
 }
 
@@ -133,6 +135,7 @@ EvaluationRow unpack_row(const std::string& text) try {
   row.cpu_total_ms = json.at(11).get<double>();
   row.updates = json.at(12).get<std::int64_t>();
   row.cpu_max_ms = json.at(13).get<double>();
+  row.tracking_no_alarm_m = unpacked(json.at(14));
   return row;
 } catch (const Json::exception& error) {
   throw std::runtime_error(std::string("not the results of a trial: ") + error.what());
@@ -156,6 +159,7 @@ nlohmann::ordered_json to_json(const EvaluationRow& row) {
   if (row.tracking_m) {
     json["tracking_m"] = *row.tracking_m;
     json["tracking_yaw_rad"] = packed(row.tracking_yaw_rad);
+    json["tracking_no_alarm_m"] = packed(row.tracking_no_alarm_m);
   }
   return json;
 }

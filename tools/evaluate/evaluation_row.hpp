@@ -24,8 +24,9 @@ struct TrialSummary {
 struct EvaluationRow {
   std::string log;
   std::string localizer;
-  std::optional<double> tracking_m;        ///< [m] Mean position error from the true start.
-  std::optional<double> tracking_yaw_rad;  ///< [rad]
+  std::optional<double> tracking_m;           ///< [m] Mean position error from the true start.
+  std::optional<double> tracking_yaw_rad;     ///< [rad]
+  std::optional<double> tracking_no_alarm_m;  ///< [m] `tracking_m` of the scans without the alarm.
   TrialSummary starts;
   TrialSummary kidnaps;
   std::int64_t scans = 0;        ///< Scored scans of starts and kidnaps.

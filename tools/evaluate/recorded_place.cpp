@@ -110,6 +110,7 @@ RecordedPlace load_recorded_place(const std::string& folder) {
 }
 
 RecordedPlace load_recorded_log(const std::string& log, const std::string& map) {
+  if (!fs::exists(log)) throw std::runtime_error(log + ": no such file");
   RecordedPlace place;
   place.name = fs::path(log).filename().string();
   if (!map.empty()) place.map = load_ros_map(map);

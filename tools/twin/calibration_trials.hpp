@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {
 

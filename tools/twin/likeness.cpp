@@ -6,8 +6,7 @@
 
 #include "localization/mh_amcl_models.hpp"
 #include "tools/alignment/expected_scan.hpp"
-#include "tools/alignment/motion_samples.hpp"
-#include "tools/twin/twin_text.hpp"
+#include "tools/twin/drift.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -42,32 +41,6 @@ void add_ranges(const AlignedLog& log, const AlignedScan& aligned, LogSamples& s
   if (beams > 0.0) samples.blocked.push_back(blocked / beams);
 }
 
-/// Adds the error of odometry over successive stretches, as it is measured.
-void add_drift(const AlignedLog& log, LogSamples& samples) {
-  constexpr double kLength = 10.0;  // [m]
-  std::vector<OdometryStep> steps;
-  SE2 T_start_end;
-  double way = 0.0;
-  const auto restart = [&] {
-    steps.clear();
-    T_start_end = {};
-    way = 0.0;
-  };
-  for (const Leg& leg : take_legs(log, kTwinTrack)) {
-    if (leg.breaks) {
-      restart();
-      continue;
-    }
-    steps.insert(steps.end(), leg.steps.begin(), leg.steps.end());
-    T_start_end = T_start_end * leg.T_start_end;
-    way += leg.way;
-    if (way < kLength) continue;
-    const SE2 miss = T_start_end.inverse() * correct_motion(steps, {});
-    samples.drift_percent.push_back(100.0 * std::hypot(miss.x, miss.y) / way);
-    restart();
-  }
-}
-
 LogSamples sample_log(const AlignedLog& log) {
   const localization::MhAmclModels models({}, log.grid);
   LogSamples samples;
@@ -79,12 +52,25 @@ LogSamples sample_log(const AlignedLog& log) {
     samples.evidence.push_back(
         models.evidence.evaluate(*points, aligned.T_map_base).log_likelihood);
   }
-  add_drift(log, samples);
+  constexpr double kLength = 10.0;  // [m]
+  for (const Drift& drift : drifts_over(log, kLength)) {
+    samples.drift_percent.push_back(100.0 * drift.miss_m / drift.way_m);
+  }
   for (auto* values :
        {&samples.residuals_m, &samples.blocked, &samples.drift_percent, &samples.evidence}) {
     std::sort(values->begin(), values->end());
   }
   return samples;
+}
+
+std::vector<DriftPoint> compare_drift(const AlignedLog& log, const AlignedLog& twin) {
+  std::vector<DriftPoint> points;
+  for (const double length : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
+    const auto in_log = drift_rms(drifts_over(log, length));
+    const auto in_twin = drift_rms(drifts_over(twin, length));
+    if (in_log && in_twin) points.push_back({length, *in_log, *in_twin});
+  }
+  return points;
 }
 
 }  // namespace
@@ -107,10 +93,11 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
   return area;
 }
 
-std::vector<LikeSamples> compare_logs(const AlignedLog& log, const AlignedLog& twin) {
+Likeness compare_logs(const AlignedLog& log, const AlignedLog& twin) {
   LogSamples a = sample_log(log);
   LogSamples b = sample_log(twin);
-  std::vector<LikeSamples> all;
+  Likeness likeness{{}, compare_drift(log, twin)};
+  std::vector<LikeSamples>& all = likeness.samples;
   const auto add = [&](const char* name, const char* unit,
                        std::vector<double> LogSamples::*values) {
     if ((a.*values).empty() || (b.*values).empty()) return;
@@ -120,7 +107,7 @@ std::vector<LikeSamples> compare_logs(const AlignedLog& log, const AlignedLog& t
   add("beams blocked", "", &LogSamples::blocked);
   add("odometry error over 10 m", "%", &LogSamples::drift_percent);
   add("evidence", "nats", &LogSamples::evidence);
-  return all;
+  return likeness;
 }
 
 }  // namespace castaway::testbed

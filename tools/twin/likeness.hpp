@@ -16,6 +16,19 @@ struct LikeSamples {
   std::vector<double> twin;
 };
 
+/// Error of odometry over stretches of one length, root of the mean square.
+struct DriftPoint {
+  double length_m = 0.0;
+  double log_m = 0.0;
+  double twin_m = 0.0;
+};
+
+/// How alike a log and its twin are, by quantity.
+struct Likeness {
+  std::vector<LikeSamples> samples;
+  std::vector<DriftPoint> drift;  ///< By length.
+};
+
 /// Distance between two distributions: the area between their cumulative distribution functions, in
 /// the unit of the samples, which are ascending and not empty.
 ///
@@ -25,6 +38,6 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
 
 /// Residuals of ranges on walls, error of odometry over 10 m, share of beams blocked in a scan, and
 /// evidence of `mh_amcl` at the aligned poses. A quantity without values on one side is left out.
-std::vector<LikeSamples> compare_logs(const AlignedLog& log, const AlignedLog& twin);
+Likeness compare_logs(const AlignedLog& log, const AlignedLog& twin);
 
 }  // namespace castaway::testbed

@@ -10,12 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<Stamp> stamps_of(const AlignedLog& log) {
-  std::vector<Stamp> stamps;
-  for (const AlignedScan& scan : log.scans) stamps.push_back(scan.scan.stamp);
-  return stamps;
-}
-
 /// Fits odometry and the offset of the lidar's clock.
 void fit_motion(const AlignedLog& log, double track, LogFit& fit) {
   fit.odometry = fit_odometry(take_legs(log, track), track);
@@ -132,12 +126,14 @@ FittedLog fit_log(const RecordedPlace& place, const LogFitConfig& config) {
     fit_motion(fitted.log, config.track, fitted.fit);
     fitted.fit.noise = fit_range_noise(fitted.log);
   }
+  fitted.walls = std::move(correction.walls);
   if (fitted.fit.clock) {
     Figure& offset = fitted.fit.clock->offset_s;
     offset = shift_figure(offset, -seconds(correction.stamp));
   }
-  fitted.fit.stamps = fit_stamps(stamps_of(fitted.log));
+  fitted.fit.stamps = fit_stamps(fitted.log.stamps);
   fitted.fit.loss = fit_loss(fitted.log);
+  fitted.fit.mixed = fit_mixed(fitted.log);
   fitted.fit.building = fit_building(fitted.log);
   return fitted;
 }
@@ -161,6 +157,11 @@ Json to_json(const FittedLog& fitted) {
   if (fit.odometry) json["odometry"] = to_json(*fit.odometry);
   if (fit.noise) json["range_noise"] = to_json(*fit.noise);
   if (fit.loss) json["loss"] = to_json(*fit.loss);
+  if (fit.mixed) {
+    json["mixed_pixels"] = {{"divergence_deg", to_json(fit.mixed->divergence_deg)},
+                            {"reach_m", fit.mixed->reach_m},
+                            {"steps", fit.mixed->steps}};
+  }
   if (fit.building) json["building"] = to_json(*fit.building);
   return json;
 }

@@ -5,12 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/twin/building_fit.hpp"
-#include "tools/twin/clock_fit.hpp"
-#include "tools/twin/loss_fit.hpp"
-#include "tools/twin/odometry_fit.hpp"
-#include "tools/twin/range_noise_fit.hpp"
-#include "tools/twin/stamp_fit.hpp"
+#include "tools/twin/fits/building_fit.hpp"
+#include "tools/twin/fits/clock_fit.hpp"
+#include "tools/twin/fits/loss_fit.hpp"
+#include "tools/twin/fits/mixed_fit.hpp"
+#include "tools/twin/fits/odometry_fit.hpp"
+#include "tools/twin/fits/range_noise_fit.hpp"
+#include "tools/twin/fits/stamp_fit.hpp"
 
 namespace castaway::testbed {
 
@@ -21,7 +22,9 @@ struct LogFit {
   std::optional<OdometryFit> odometry;
   std::optional<RangeNoiseFit> noise;
   std::optional<LossFit> loss;
+  std::optional<MixedFit> mixed;
   std::optional<BuildingFit> building;
+  double world_bias_m = 0.0;  ///< [m] Ranges behind the walls of the twin's world.
 };
 
 /// Parameters of a fit.
@@ -33,7 +36,8 @@ struct LogFitConfig {
 
 /// An aligned log and what was fitted to it.
 struct FittedLog {
-  AlignedLog log;  ///< With the stamps of the scans on odometry's clock.
+  AlignedLog log;                    ///< With the stamps of the scans on odometry's clock.
+  std::optional<WallOffsets> walls;  ///< Surfaces of the walls that it was aligned with.
   LogFit fit;
 };
 

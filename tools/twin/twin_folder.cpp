@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "tools/alignment/seen_building.hpp"
 #include "tools/files/file.hpp"
+#include "tools/sources/map_conversion.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
 
@@ -27,20 +29,31 @@ void write_parts(const FittedLog& fitted, int people, const std::filesystem::pat
   if (!differences.empty()) write_file(folder / "differences.yaml", differences);
 }
 
+/// How far the ranges of a log lie behind the walls of its building. [m]
+double bias_against(const RosMap& building, const FittedLog& fitted) {
+  AlignedLog log = fitted.log;
+  log.grid = to_occupancy_grid(building);
+  const auto noise = fit_range_noise(log);
+  return noise ? noise->bias_m.value : 0.0;
+}
+
 }  // namespace
 
 Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::path& folder) {
   Twin twin{fit_log(place, {.align = by, .track = kTwinTrack}), {}, {}};
   write_ros_map(place.map, folder / "map.yaml");
+  const RosMap building = see_building(place.map, twin.fitted.log);
+  write_ros_map(building, folder / "world.yaml");
+  twin.fitted.fit.world_bias_m = bias_against(building, twin.fitted);
   write_file(folder / "path.tum", path_text(twin.fitted));
+  write_file(folder / "scan_times.txt", scan_times_text(twin.fitted.log));
   twin.people = fit_people(folder, twin.fitted);
   const int people = static_cast<int>(std::lround(twin.people.value));
   const std::string scenario = twin_scenario(twin.fitted, people);
   write_parts(twin.fitted, people, folder);
   write_file(folder / "scenario.yaml", scenario);
   ScanCorrection correction;
-  const double bias = twin.fitted.fit.noise ? twin.fitted.fit.noise->bias_m.value : 0.0;
-  correction.walls.emplace(twin.fitted.log.grid.frame, bias);
+  correction.walls = twin.fitted.walls;
   twin.likeness = compare_logs(
       twin.fitted.log, align_log(run_twin(folder, scenario, 1), AlignBy::kTruth, correction));
   write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
@@ -51,7 +64,8 @@ nlohmann::ordered_json to_json(const Twin& twin) {
   nlohmann::ordered_json json = to_json(twin.fitted);
   json["people"] = to_json(twin.people);
   json["likeness"] = nlohmann::ordered_json::array();
-  for (const LikeSamples& samples : twin.likeness) json["likeness"].push_back(to_json(samples));
+  for (const LikeSamples& samples : twin.likeness.samples)
+    json["likeness"].push_back(to_json(samples));
   return json;
 }
 

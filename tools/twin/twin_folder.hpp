@@ -15,13 +15,14 @@ namespace castaway::testbed {
 struct Twin {
   FittedLog fitted;
   Figure people;
-  std::vector<LikeSamples> likeness;
+  Likeness likeness;
 };
 
-/// Fits a log and writes its twin into a folder: `scenario.yaml` with `map.yaml` and `path.tum`,
-/// the parts of the scenario in files of their own (`lidar.yaml`, `odometry.yaml`, `people.yaml`,
-/// and `differences.yaml` if the building differs from its map), and all figures in
-/// `calibration.json`. Throws as `fit_log` and `build_simulation`.
+/// Fits a log and writes its twin into a folder: `scenario.yaml` with `world.yaml` (the building as
+/// the log saw it), `map.yaml`, `path.tum` and `scan_times.txt`; parts to use elsewhere
+/// (`lidar.yaml`, `odometry.yaml`, `people.yaml`, and `differences.yaml` if the building differs
+/// from its map); and all figures in `calibration.json`. Throws as `fit_log` and
+/// `build_simulation`.
 Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::path& folder);
 
 nlohmann::ordered_json to_json(const Twin& twin);

@@ -15,6 +15,14 @@ RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& s
                        std::uint64_t seed) {
   YamlDocument document = YamlDocument::parse(scenario, (folder / "scenario.yaml").string());
   document.set("seed=" + std::to_string(seed));
+  const auto set_file = [&](const std::string& key, const char* name) {
+    const std::string path = std::filesystem::absolute(folder / name).string();
+    document.set(key + "=" + nlohmann::json(path).dump());  // Quoted, as YAML reads it, too.
+  };
+  set_file("world.name", "world.yaml");
+  set_file("world.map", "map.yaml");
+  set_file("drive.path", "path.tum");
+  set_file("lidar.scan_times", "scan_times.txt");
   const LoadedScenario loaded = read_scenario(std::move(document), folder, "twin");
   PreparedSimulation prepared = build_simulation(loaded.scenario, folder);
   RecordedPlace place;

@@ -6,14 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "tools/alignment/aligned_path.hpp"
+#include "tools/formats/time_list.hpp"
 #include "tools/formats/tum.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kObjectHeight = 1.0;  // [m]
-constexpr double kLidarHeight = 0.3;   // [m] A log does not tell it.
+constexpr double kObjectHeight = 1.0;   // [m]
+constexpr double kAfterLastScan = 0.5;  // [s]
+constexpr double kLidarHeight = 0.3;    // [m] A log does not tell it.
 
 /// A value of a key, rounded to six digits; small ones are 0.
 std::string number(double value) {
@@ -51,7 +54,7 @@ std::string noise_text(const LogFit& fit) {
   if (fit.noise) {
     text += "  sigma_m: " + number(not_negative(fit.noise->sigma_m)) + "\n";
     text += "  sigma_relative: " + number(not_negative(fit.noise->sigma_relative)) + "\n";
-    text += "  bias_m: " + number(fit.noise->bias_m.value) + "\n";
+    text += "  bias_m: " + number(fit.world_bias_m) + "\n";
     text += "  resolution_m: " + number(fit.noise->resolution_m) + "\n";
   } else {
     text += "  sigma_m: 0\n";
@@ -60,6 +63,10 @@ std::string noise_text(const LogFit& fit) {
     text += "  dropout: " + number(not_negative(fit.loss->dropout)) + "\n";
     text += "  dropout_far: " + number(not_negative(fit.loss->dropout_far)) + "\n";
     text += "  dropout_grazing: " + number(not_negative(fit.loss->dropout_grazing)) + "\n";
+  }
+  if (fit.mixed && fit.mixed->divergence_deg.value > 0.0) {
+    text += "  divergence_deg: " + number(fit.mixed->divergence_deg.value) + "\n";
+    text += "  mixed_reach_m: " + number(fit.mixed->reach_m) + "\n";
   }
   return text;
 }
@@ -145,13 +152,12 @@ std::string twin_scenario(const FittedLog& fitted, int people) {
       "# The twin of a recorded log: its path, with the models that were fitted to it.\n"
       "name: twin\n"
       "duration_s: {}\n",
-      number(motion_of(fitted.log).duration_s));
-  text += "world:\n  name: map.yaml\n";
-  const std::string differences = differences_text(fitted);
-  if (!differences.empty()) text += "  differences:\n" + indent(indent(differences));
+      number(motion_of(fitted.log).duration_s + kAfterLastScan));
+  text += "world:\n  name: world.yaml\n  map: map.yaml\n";
   text += fmt::format("robot: {}\n", kTwinRobot);
   text += "drive: {path: path.tum}\n";
   text += "lidar:\n" + indent(lidar_text(fitted));
+  text += "  scan_times: scan_times.txt\n";
   text += "odometry:\n" + indent(odometry_text(fitted));
   text += "people:\n" + indent(people_text(people));
   if (fitted.fit.clock && !holds(fitted.fit.clock->offset_s, 0.0)) {
@@ -166,14 +172,17 @@ std::string path_text(const FittedLog& fitted) {
   const SE2 T_base_axle{-motion_of(fitted.log).axle_m, 0.0, 0.0};
   const Stamp first = fitted.log.scans.front().scan.stamp;
   std::string text;
-  std::optional<Stamp> before;
-  for (const AlignedScan& scan : fitted.log.scans) {
-    const Stamp stamp = scan.scan.stamp - first;
-    if (before && stamp <= *before) continue;
-    before = stamp;
-    text += tum_line({stamp, scan.T_map_base * T_base_axle});
+  for (const PathPose& pose : path_of(fitted.log)) {
+    text += tum_line({pose.stamp - first, pose.T_map_base * T_base_axle});
   }
   return text;
+}
+
+std::string scan_times_text(const AlignedLog& log) {
+  const Stamp first = log.scans.front().scan.stamp;
+  std::vector<Stamp> times;
+  for (const Stamp stamp : played_stamps(log)) times.push_back(stamp - first);
+  return times_text(times);
 }
 
 }  // namespace castaway::testbed

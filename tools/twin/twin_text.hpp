@@ -29,6 +29,9 @@ std::string twin_scenario(const FittedLog& fitted, int people);
 /// The poses of the axle in TUM format, with times since the first scan.
 std::string path_text(const FittedLog& fitted);
 
+/// The times at which the twin's scans begin, since the first one.
+std::string scan_times_text(const AlignedLog& log);
+
 /// The robot of a twin, and the distance between its wheels.
 inline constexpr const char* kTwinRobot = "disc";
 inline constexpr double kTwinTrack = 0.233;  // [m]

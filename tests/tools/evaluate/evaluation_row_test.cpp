@@ -32,6 +32,7 @@ TEST(EvaluationRow, AddsUp) {
   EvaluationRow tracking;
   tracking.tracking_m = 0.02;
   tracking.tracking_yaw_rad = 0.01;
+  tracking.tracking_no_alarm_m = 0.015;
   add(tracking, sum);
   EXPECT_EQ(sum.kidnaps.trials, 2);
   EXPECT_EQ(sum.kidnaps.recovered, 2);
@@ -49,16 +50,21 @@ TEST(EvaluationRow, AddsUp) {
   EXPECT_EQ(sum.cpu_mean_ms(), 0.5);
   EXPECT_EQ(sum.cpu_max_ms, 3.0);
   EXPECT_EQ(sum.tracking_m, 0.02);
+  add(EvaluationRow{}, sum);
+  EXPECT_EQ(sum.tracking_no_alarm_m, 0.015);
 }
 
 TEST(EvaluationRow, IsTransferredExactly) {
   EvaluationRow row = kidnap(0.1 + 0.2, true);
   row.tracking_m = 1.0 / 3.0;
+  row.tracking_no_alarm_m = 1.0 / 7.0;
   const std::string text = pack_row(row);
   EXPECT_EQ(pack_row(unpack_row(text)), text);
   const EvaluationRow same = unpack_row(text);
   EXPECT_EQ(same.tracking_m, row.tracking_m);
   EXPECT_FALSE(same.tracking_yaw_rad);
+  EXPECT_EQ(same.tracking_no_alarm_m, row.tracking_no_alarm_m);
+  EXPECT_EQ(to_json(same).at("tracking_no_alarm_m"), 1.0 / 7.0);
   EXPECT_EQ(same.kidnaps.time_s, row.kidnaps.time_s);
   EXPECT_EQ(same.detection_delay_s, row.detection_delay_s);
   EXPECT_EQ(to_json(same), to_json(row));

@@ -1,4 +1,4 @@
-#include "tools/twin/building_fit.hpp"
+#include "tools/twin/fits/building_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tools/twin/clock_fit.hpp"
+#include "tools/twin/fits/clock_fit.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "tools/twin/loss_fit.hpp"
+#include "tools/twin/fits/loss_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

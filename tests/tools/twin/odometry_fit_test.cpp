@@ -1,4 +1,4 @@
-#include "tools/twin/odometry_fit.hpp"
+#include "tools/twin/fits/odometry_fit.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "tools/twin/range_noise_fit.hpp"
+#include "tools/twin/fits/range_noise_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 #include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 
 #include "tests/tools/twin/room_log.hpp"
 
@@ -56,40 +55,6 @@ LineErrors line_errors(const RangeNoiseFit& fit) {
   return {std::sqrt(xx / determinant), std::sqrt(w / determinant)};
 }
 
-TEST(FindResolution, IsTheLargestStepOfAllRanges) {
-  std::vector<float> ranges;
-  for (int k = 1; k < 1000; ++k) ranges.push_back(static_cast<float>(0.01 * k));
-  EXPECT_EQ(find_resolution(ranges), 0.01);
-  for (float& r : ranges) r *= 2.0F;
-  EXPECT_EQ(find_resolution(ranges), 0.02);
-  for (float& r : ranges) r *= 0.05F;
-  EXPECT_EQ(find_resolution(ranges), 0.001);
-}
-
-TEST(FindResolution, IsZeroForContinuousAndMissingRanges) {
-  EXPECT_EQ(find_resolution({}), 0.0);
-  localization::Rng rng = localization::substream(1, "continuous");
-  boost::random::uniform_real_distribution<double> uniform(0.1, 10.0);
-  std::vector<float> ranges;
-  for (int k = 0; k < 1000; ++k) ranges.push_back(static_cast<float>(uniform(rng)));
-  EXPECT_EQ(find_resolution(ranges), 0.0);
-}
-
-TEST(FindResolution, ForgivesOneInAHundred) {
-  std::vector<float> ranges;
-  for (int k = 1; k <= 1000; ++k) ranges.push_back(static_cast<float>(0.005 * k));
-  for (std::size_t k = 0; k < 10; ++k) ranges[100 * k] += 0.0017F;
-  EXPECT_EQ(find_resolution(ranges), 0.005);
-  for (std::size_t k = 0; k < 10; ++k) ranges[100 * k + 50] += 0.0017F;
-  EXPECT_NE(find_resolution(ranges), 0.005);
-}
-
-TEST(FindResolution, WorksFarAway) {
-  std::vector<float> ranges;
-  for (int k = 0; k < 5000; ++k) ranges.push_back(static_cast<float>(40.0 + 0.001 * k));
-  EXPECT_EQ(find_resolution(ranges), 0.001);
-}
-
 TEST(RangeNoise, OfExactScansIsZero) {
   const auto fit = fit_range_noise(room_log(60));
   ASSERT_TRUE(fit);
@@ -113,11 +78,30 @@ TEST(RangeNoise, LeavesABiasOfEitherSignToItself) {
   }
 }
 
-TEST(RangeNoise, NeedsGroupsOnStraightWalls) {
+TEST(RangeNoise, NeedsGroups) {
   EXPECT_FALSE(fit_range_noise(room_log(2)));  // about 90 groups
   EXPECT_FALSE(fit_range_noise(pillars_log(60)));
   EXPECT_FALSE(fit_range_noise(change_ranges(room_log(60), [](double r) { return r + 0.3; })));
   EXPECT_FALSE(fit_range_noise(change_ranges(room_log(60), [](double) { return 12.0; })));
+}
+
+TEST(RangeNoise, TakesNeighbouringRangesWhereTheMapHasNoStraightWalls) {
+  AlignedLog log = noisy_log(60, 0.012, 0.0);
+  const auto on_straight = fit_range_noise(log);
+  // Teeth of 0.1 m on all walls of the map.
+  for (double at = 0.2; at < 7.8; at += 0.2) {
+    for (const double wall : {0.2, 5.7}) {
+      test::fill(log.grid, at, wall, at + 0.1, wall + 0.1, localization::CellState::kOccupied);
+    }
+    for (const double wall : {0.2, 7.7}) {
+      test::fill(log.grid, wall, at, wall + 0.1, at + 0.1, localization::CellState::kOccupied);
+    }
+  }
+  const auto fit = fit_range_noise(log);
+  ASSERT_TRUE(fit && on_straight);
+  EXPECT_GT(fit->groups, on_straight->groups);  // there are more: they need no wall of the map
+  const double error = quantile_error(static_cast<double>(fit->groups)) * 0.012;
+  EXPECT_NEAR(fit->sigma_typical.value, 0.012, 4.0 * error);
 }
 
 TEST(RangeNoise, IsThatOfTheRangesAtAllDistances) {

@@ -1,90 +1,16 @@
 #include "tools/twin/twin_text.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "tests/tools/support/temporary.hpp"
-#include "tests/tools/twin/room_log.hpp"
-#include "tools/formats/tum.hpp"
-#include "tools/scenario/scenario_file.hpp"
-#include "tools/scenario/sections/lidar_spec.hpp"
+#include "tests/tools/twin/twin_logs.hpp"
+#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-using std::chrono::milliseconds;
-
-constexpr double kTwinDegree = std::numbers::pi / 180.0;
-
-Figure figure_of(double value, double half = 1e-3) { return {value, {value - half, value + half}}; }
-
-/// 0.1 s between scans of 181 beams to the front, by a lidar that is mounted ahead and turned.
-AlignedScan front_scan(int index) {
-  AlignedScan aligned;
-  LaserScan& scan = aligned.scan;
-  scan.stamp = milliseconds(5000 + 100 * index);
-  scan.angle_min = -90.0 * kTwinDegree;
-  scan.angle_increment = kTwinDegree;
-  scan.range_min = 0.15;
-  scan.range_max = 25.0;
-  scan.ranges.assign(181, 2.0F);
-  scan.T_base_laser = localization::to_se3({0.12, -0.03, 0.2});
-  scan.T_base_laser.translation().z() = 0.45;
-  return aligned;
-}
-
-/// A log of a robot that stands for 10 s, without models.
-FittedLog standing_twin() {
-  FittedLog fitted;
-  fitted.log = standing_log(room_grid());
-  for (int k = 0; k <= 100; ++k) {
-    fitted.log.scans.push_back(front_scan(k));
-    fitted.log.scans.back().T_map_base = {1.0, 2.0, 0.5};
-  }
-  fitted.fit.stamps.rate_hz = 10.0;
-  return fitted;
-}
-
-/// A log of a robot that turns at 2 rad/s about its axle for 10 s while it drives on by `speed`
-/// [m/s]; base is `ahead` [m] of the axle.
-FittedLog turning_twin(double ahead, double speed = 0.0) {
-  constexpr double kRate = 2.0;  // [rad/s]
-  FittedLog fitted = standing_twin();
-  fitted.log.T_odom_base = localization::TransformBuffer({.length = std::chrono::hours(1)});
-  const SE2 T_axle_base{ahead, 0.0, 0.0};
-  const SE2 T_map_odom{1.0, 2.0, 0.5};
-  for (int k = 0; k <= 1000; ++k) {
-    const double turn = kRate * 0.01 * k;
-    const double radius = speed / kRate;
-    const SE2 T_odom_axle{radius * std::sin(turn), radius * (1.0 - std::cos(turn)), turn};
-    fitted.log.T_odom_base.add(milliseconds(5000 + 10 * k), T_odom_axle * T_axle_base);
-    if (k % 10 == 0) {
-      fitted.log.scans[static_cast<std::size_t>(k) / 10].T_map_base =
-          T_map_odom * T_odom_axle * T_axle_base;
-    }
-  }
-  return fitted;
-}
-
-Scenario read_twin(const FittedLog& fitted, int people = 0) {
-  YamlDocument document = YamlDocument::parse(twin_scenario(fitted, people), "scenario.yaml");
-  return read_scenario(std::move(document), ".", "other").scenario;
-}
-
-/// The lidar of a twin, on a robot that describes another one.
-sim::LidarConfig read_twin_lidar(const FittedLog& fitted) {
-  const Scenario scenario = read_twin(fitted);
-  EXPECT_EQ(scenario.lidars.size(), 1U);
-  EXPECT_EQ(scenario.lidars.front().profile, "ideal");
-  return apply_changes(sim::LidarConfig{}, scenario.lidars.front().changes);
-}
-
-std::vector<StampedPose> read_twin_path(const FittedLog& fitted) {
-  const TemporaryFolder folder;
-  return read_tum(folder.put("path.tum", path_text(fitted)));
-}
 
 /// Every beam of the twin's lidar points as in the log, within its plane.
 void expect_beams(const sim::LidarConfig& lidar, const LaserScan& scan) {
@@ -93,18 +19,26 @@ void expect_beams(const sim::LidarConfig& lidar, const LaserScan& scan) {
   EXPECT_NEAR(lidar.angle_increment, scan.angle_increment, 1e-5 / lidar.beams);
 }
 
-void expect_differs(const FittedLog& fitted, bool differs) {
-  EXPECT_EQ(!differences_text(fitted).empty(), differs);
-  EXPECT_EQ(read_twin(fitted).world.differences.has_value(), differs);
+sim::DifferenceSpec read_twin_differences(const FittedLog& fitted) {
+  std::string text = "differences:";
+  for (const char c : "\n" + differences_text(fitted)) {
+    text += c == '\n' ? "\n  " : std::string(1, c);
+  }
+  YamlDocument document = YamlDocument::parse(text, "differences.yaml");
+  YamlReader root = document.root();
+  return read_differences(root, ".");
 }
 
-TEST(TwinText, FollowsThePathOfTheLogOnItsMap) {
+TEST(TwinText, FollowsTheLogInItsBuildingWithItsMap) {
   const Scenario scenario = read_twin(standing_twin());
   EXPECT_EQ(scenario.name, "twin");
-  EXPECT_EQ(scenario.world.file, "map.yaml");
+  EXPECT_EQ(scenario.world.file, "world.yaml");
+  EXPECT_EQ(scenario.world.map, "map.yaml");
   EXPECT_EQ(scenario.drive.path, "path.tum");
+  ASSERT_EQ(scenario.lidars.size(), 1U);
+  EXPECT_EQ(scenario.lidars.front().scan_times, "scan_times.txt");
   EXPECT_EQ(scenario.robot.file, kTwinRobot);
-  EXPECT_DOUBLE_EQ(scenario.duration_s, 10.0);
+  EXPECT_DOUBLE_EQ(scenario.duration_s, 10.5);  // the last scan begins at 10 s
   EXPECT_EQ(names_of(scenario.localizers), (std::vector<std::string>{"mh_amcl", "amcl"}));
 }
 
@@ -123,7 +57,7 @@ TEST(TwinText, WithoutModelsIsIdeal) {
   EXPECT_TRUE(scenario.events.faults.empty());
   EXPECT_TRUE(scenario.events.kidnaps.empty());
   EXPECT_EQ(scenario.people.config.walking, 0);
-  expect_differs(fitted, false);
+  EXPECT_EQ(differences_text(fitted), "");
 }
 
 TEST(TwinText, ReadsBackTheLidar) {
@@ -208,7 +142,8 @@ TEST(TwinText, ReadsBackNoiseAndDropout) {
   RangeNoiseFit noise;
   noise.sigma_m = figure_of(0.0123);
   noise.sigma_relative = figure_of(0.0045);
-  noise.bias_m = figure_of(-0.021);
+  noise.bias_m = figure_of(0.037);  // behind the walls of the map
+  fitted.fit.world_bias_m = -0.021;
   noise.resolution_m = 0.01;
   fitted.fit.noise = noise;
   LossFit loss;
@@ -224,6 +159,18 @@ TEST(TwinText, ReadsBackNoiseAndDropout) {
   EXPECT_DOUBLE_EQ(lidar.light.dropout, 0.017);
   EXPECT_DOUBLE_EQ(lidar.light.dropout_far, 0.21);
   EXPECT_DOUBLE_EQ(lidar.light.dropout_grazing, 0.13);
+}
+
+TEST(TwinText, ReadsBackMixedPixels) {
+  FittedLog fitted = standing_twin();
+  EXPECT_EQ(read_twin_lidar(fitted).light.divergence_deg, 0.0);
+  MixedFit mixed;
+  mixed.divergence_deg = figure_of(0.25);
+  mixed.reach_m = 0.6;
+  fitted.fit.mixed = mixed;
+  const sim::LidarConfig lidar = read_twin_lidar(fitted);
+  EXPECT_DOUBLE_EQ(lidar.light.divergence_deg, 0.25);
+  EXPECT_DOUBLE_EQ(lidar.light.mixed_reach, 0.6);
 }
 
 TEST(TwinText, ReadsBackTheErrorsOfOdometry) {
@@ -253,6 +200,7 @@ TEST(TwinText, WhatCannotBeNegativeIsZero) {
   LossFit loss;
   loss.dropout = loss.dropout_far = loss.dropout_grazing = figure_of(-0.001);
   fitted.fit.loss = loss;
+  fitted.fit.mixed.emplace().divergence_deg = figure_of(-0.001);
   OdometryFit odometry;
   odometry.drift_along = odometry.drift_yaw_deg = figure_of(-0.001);
   fitted.fit.odometry = odometry;
@@ -262,6 +210,7 @@ TEST(TwinText, WhatCannotBeNegativeIsZero) {
   EXPECT_EQ(lidar.light.dropout, 0.0);
   EXPECT_EQ(lidar.light.dropout_far, 0.0);
   EXPECT_EQ(lidar.light.dropout_grazing, 0.0);
+  EXPECT_EQ(lidar.light.divergence_deg, 0.0);
   EXPECT_EQ(read_twin(fitted).odometry.drift_along, 0.0);
   EXPECT_EQ(read_twin(fitted).odometry.drift_yaw_deg, 0.0);
 }
@@ -295,16 +244,15 @@ TEST(TwinText, AClockThatMayBeRightIsRight) {
   EXPECT_EQ(read_twin(fitted).events.faults.size(), 1U);
 }
 
-TEST(TwinText, AddsTheObjectsThatStand) {
+TEST(TwinText, ListsTheObjectsThatStand) {
   FittedLog fitted = standing_twin();
   BuildingFit building;
   fitted.fit.building = building;
-  expect_differs(fitted, false);
+  EXPECT_EQ(differences_text(fitted), "");
   building.standing = {{{1.5, -2.25, 0.3}, {0.4, 0.65}}, {{-3.0, 4.0, -1.2}, {0.1, 0.2}}};
   building.gone = {{{0.0, 0.0, 0.0}, {1.0, 0.1}}};
   fitted.fit.building = building;
-  expect_differs(fitted, true);
-  const std::vector<sim::Change> changes = read_twin(fitted).world.differences->changes;
+  const std::vector<sim::Change> changes = read_twin_differences(fitted).changes;
   ASSERT_EQ(changes.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(changes[i].kind, sim::Change::Kind::kAdd);
@@ -318,72 +266,7 @@ TEST(TwinText, AddsTheObjectsThatStand) {
     EXPECT_NEAR(shape.size.x(), box.size.x(), 1e-6);
     EXPECT_NEAR(shape.size.y(), box.size.y(), 1e-6);
   }
-}
-
-TEST(TwinMotion, LastsFromTheFirstScanToTheLast) {
-  EXPECT_DOUBLE_EQ(motion_of(standing_twin().log).duration_s, 10.0);
-}
-
-TEST(TwinMotion, FindsHowFarBaseIsAheadOfTheAxle) {
-  for (const double ahead : {0.25, -0.15, 0.0}) {
-    EXPECT_NEAR(motion_of(turning_twin(ahead).log).axle_m, ahead, 1e-4);
-    EXPECT_NEAR(motion_of(turning_twin(ahead, 0.4).log).axle_m, ahead, 1e-4);
-  }
-}
-
-TEST(TwinMotion, DoesNotTellTheAxleOfARobotThatHardlyTurns) {
-  EXPECT_EQ(motion_of(standing_twin().log).axle_m, 0.0);
-}
-
-TEST(TwinText, MountsTheLidarAsFarFromTheAxleAsItWas) {
-  const sim::LidarConfig ahead = read_twin_lidar(turning_twin(0.25));
-  EXPECT_NEAR(ahead.T_base_laser.translation().x(), 0.12 + 0.25, 1e-4);
-  EXPECT_NEAR(ahead.T_base_laser.translation().y(), -0.03, 1e-6);
-  const sim::LidarConfig behind = read_twin_lidar(turning_twin(-0.15));
-  EXPECT_NEAR(behind.T_base_laser.translation().x(), 0.12 - 0.15, 1e-4);
-}
-
-TEST(TwinPath, IsReadBackWithTimesFromZero) {
-  const FittedLog fitted = turning_twin(0.0, 0.4);
-  const std::vector<StampedPose> path = read_twin_path(fitted);
-  ASSERT_EQ(path.size(), 101U);
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    const SE2& T_map_base = fitted.log.scans[k].T_map_base;
-    EXPECT_EQ(path[k].stamp, milliseconds(100 * k));
-    EXPECT_LT(localization::distance(path[k].T_map_base, T_map_base), 1e-4);
-    EXPECT_LT(localization::yaw_distance(path[k].T_map_base, T_map_base), 1e-6);
-  }
-}
-
-TEST(TwinPath, IsThatOfTheAxle) {
-  const FittedLog fitted = turning_twin(0.25);
-  for (const StampedPose& pose : read_twin_path(fitted)) {
-    EXPECT_NEAR(pose.T_map_base.x, 1.0, 1e-4);
-    EXPECT_NEAR(pose.T_map_base.y, 2.0, 1e-4);
-  }
-}
-
-TEST(TwinPath, KeepsTheLidarWhereItWas) {
-  const FittedLog fitted = turning_twin(-0.15, 0.4);
-  const sim::LidarConfig lidar = read_twin_lidar(fitted);
-  const std::vector<StampedPose> path = read_twin_path(fitted);
-  ASSERT_EQ(path.size(), fitted.log.scans.size());
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    const AlignedScan& aligned = fitted.log.scans[k];
-    const Eigen::Isometry3d in_log =
-        localization::to_se3(aligned.T_map_base) * aligned.scan.T_base_laser;
-    const Eigen::Isometry3d in_twin = localization::to_se3(path[k].T_map_base) * lidar.T_base_laser;
-    EXPECT_TRUE(in_twin.isApprox(in_log, 1e-5));
-  }
-}
-
-TEST(TwinPath, LeavesOutScansThatAreNotLater) {
-  FittedLog fitted = standing_twin();
-  fitted.log.scans[3].scan.stamp = fitted.log.scans[2].scan.stamp;
-  fitted.log.scans[7].scan.stamp = fitted.log.scans[5].scan.stamp;
-  const std::vector<StampedPose> path = read_twin_path(fitted);
-  ASSERT_EQ(path.size(), 99U);
-  EXPECT_EQ(path[3].stamp, milliseconds(400));
+  EXPECT_FALSE(read_twin(fitted).world.differences);  // its world has them
 }
 
 }  // namespace

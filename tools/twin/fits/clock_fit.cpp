@@ -1,4 +1,4 @@
-#include "tools/twin/clock_fit.hpp"
+#include "tools/twin/fits/clock_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,10 @@ std::optional<ClockFit> fit_clock(const AlignedLog& log, const OdometryErrors& e
   if (!(log.odometry_period_s > 0.0) || log.odometry_period_s > kLongestPeriod) return std::nullopt;
   const std::vector<TurnSample> samples = take_samples(log, errors);
   ClockFit fit;
-  for (const TurnSample& s : samples) fit.turn_changes += s.change * s.around;
+  for (const TurnSample& s : samples) {
+    fit.turn_changes += s.change * s.around;
+    fit.samples.push_back({s.change, s.miss});
+  }
   fit.turn_changes = std::sqrt(std::max(fit.turn_changes, 0.0));
   if (fit.turn_changes < kFewestChanges) return std::nullopt;
   const Blocks blocks(log.scans.size());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tools/alignment/motion_samples.hpp"
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {
 

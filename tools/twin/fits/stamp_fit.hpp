@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/alignment/aligned_log.hpp"
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/alignment/aligned_log.hpp"
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {
 
@@ -29,11 +29,8 @@ struct RangeNoiseFit {
   std::vector<Bin> bins;
 };
 
-/// Nothing if too few beams hit straight walls.
+/// Where too few beams hit straight walls of the map, groups are taken wherever neighbouring ranges
+/// are alike. Nothing if there are too few of these, too.
 std::optional<RangeNoiseFit> fit_range_noise(const AlignedLog& log);
-
-/// The step of quantised ranges: the largest usual step of which nearly all are multiples; 0 if
-/// there is none. [m]
-double find_resolution(const std::vector<float>& ranges);
 
 }  // namespace castaway::testbed

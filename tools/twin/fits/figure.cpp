@@ -1,4 +1,4 @@
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
 
 #include <cmath>
 

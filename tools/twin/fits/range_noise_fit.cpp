@@ -1,13 +1,13 @@
-#include "tools/twin/range_noise_fit.hpp"
+#include "tools/twin/fits/range_noise_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/fits/range_resolution.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -66,12 +66,22 @@ bool on_straight_wall(const LaserScan& scan, const std::vector<ExpectedBeam>& ex
          std::abs(r - expected[i].range) < kNearWall;
 }
 
+/// For maps with sparse walls: true if the beam returned something near the one before.
+bool on_any_wall(const LaserScan& scan, const std::vector<ExpectedBeam>&, std::size_t i) {
+  const double r = scan.ranges[i];
+  const bool measured = std::isfinite(r) && r > scan.range_min && r < scan.range_max;
+  return measured && (i == 0 || std::abs(r - scan.ranges[i - 1]) < kNearWall);
+}
+
 struct Samples {
   std::vector<Group> groups;
   std::vector<Residual> residuals;
 };
 
-Samples take_samples(const AlignedLog& log) {
+using BeamTest = bool (*)(const LaserScan&, const std::vector<ExpectedBeam>&, std::size_t);
+
+/// Groups of successive beams that pass `is_on_wall`; residuals of those where the map has a wall.
+Samples take_samples(const AlignedLog& log, BeamTest is_on_wall) {
   Samples samples;
   for (const std::size_t index : spread_scans(log, kNoiseScans)) {
     const LaserScan& scan = log.scans[index].scan;
@@ -80,12 +90,15 @@ Samples take_samples(const AlignedLog& log) {
     if (expected.empty()) continue;
     std::size_t run = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      run = on_straight_wall(scan, expected, i) ? run + 1 : 0;
+      run = is_on_wall(scan, expected, i) ? run + 1 : 0;
       if (run < kBeams) continue;
       const std::size_t first = i + 1 - kBeams;
       const std::size_t middle = first + kBeams / 2;
       samples.groups.push_back({scan.ranges[middle], variance_about_line(scan, first), index});
-      samples.residuals.push_back({scan.ranges[middle] - expected[middle].range, index});
+      const double residual = scan.ranges[middle] - expected[middle].range;
+      if (expected[middle].wall && std::abs(residual) < kNearWall) {
+        samples.residuals.push_back({residual, index});
+      }
       run = 0;
     }
   }
@@ -163,42 +176,17 @@ double median_residual(const std::vector<Residual>& residuals, const Blocks& blo
   return kept.empty() ? 0.0 : percentile(kept, 0.5);
 }
 
-std::vector<float> some_ranges(const AlignedLog& log) {
-  std::vector<float> ranges;
-  for (const std::size_t index : spread_scans(log, 100)) {
-    const LaserScan& scan = log.scans[index].scan;
-    for (const float r : scan.ranges) {
-      if (std::isfinite(r) && r > 0.0F && r < 0.999 * scan.range_max) ranges.push_back(r);
-    }
-  }
-  return ranges;
-}
-
 }  // namespace
-
-double find_resolution(const std::vector<float>& ranges) {
-  constexpr std::array kSteps = {0.1,   0.05,  0.04,   0.025, 0.02,  0.01,
-                                 0.005, 0.004, 0.0025, 0.002, 0.001, 0.0005};
-  constexpr double kNearly = 0.05;  // Of a step.
-  constexpr double kMost = 0.99;
-  if (ranges.empty()) return 0.0;
-  for (const double step : kSteps) {
-    const auto multiples = std::count_if(ranges.begin(), ranges.end(), [&](double r) {
-      return std::abs(r / step - std::round(r / step)) < std::max(kNearly, 1e-6 * r / step);
-    });
-    if (static_cast<double>(multiples) >= kMost * static_cast<double>(ranges.size())) return step;
-  }
-  return 0.0;
-}
 
 std::optional<RangeNoiseFit> fit_range_noise(const AlignedLog& log) {
   constexpr std::size_t kFewestGroups = 200;
-  const Samples samples = take_samples(log);
-  if (samples.groups.size() < kFewestGroups) return std::nullopt;
+  Samples samples = take_samples(log, &on_straight_wall);
+  if (samples.groups.size() < kFewestGroups) samples = take_samples(log, &on_any_wall);
+  if (samples.groups.size() < kFewestGroups || samples.residuals.empty()) return std::nullopt;
   const Blocks blocks(log.scans.size());
   RangeNoiseFit fit;
   fit.groups = samples.groups.size();
-  fit.resolution_m = find_resolution(some_ranges(log));
+  fit.resolution_m = find_resolution(log);
   std::vector<double> ranges;
   for (const Group& g : samples.groups) ranges.push_back(g.range_m);
   std::sort(ranges.begin(), ranges.end());

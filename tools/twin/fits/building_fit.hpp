@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "tools/alignment/aligned_log.hpp"
-#include "tools/twin/figure.hpp"
+#include "tools/twin/fits/figure.hpp"
+#include "tools/twin/fits/grid_boxes.hpp"
 
 namespace castaway::testbed {
-
-/// A rectangle on the floor, centred on its frame.
-struct MapBox {
-  SE2 T_map_box;
-  Eigen::Vector2d size{0.0, 0.0};  ///< [m] Along x and y of its frame.
-};
 
 /// Differences between building and map, with intervals.
 struct BuildingFit {
@@ -23,8 +18,9 @@ struct BuildingFit {
   Figure moving_count;        ///< Number of moving objects (people) in the whole free space.
   double free_area_m2 = 0.0;  ///< Free space connected with the robot's path.
   double watched_m2 = 0.0;    ///< Mean area watched at once, from 1.5 m to `kWatched`.
-  std::vector<MapBox> standing;  ///< Objects that are not on the map.
-  std::vector<MapBox> gone;      ///< Parts of walls that are not in the building.
+  std::vector<Eigen::Vector2d> moving_at;  ///< [m] In map: ends of some beams on what moves.
+  std::vector<MapBox> standing;            ///< Objects that are not on the map.
+  std::vector<MapBox> gone;                ///< Parts of walls that are not in the building.
   std::size_t beams = 0;
 
   static constexpr double kWatched = 6.0;  ///< [m] Moving objects are counted this far.

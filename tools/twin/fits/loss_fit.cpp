@@ -1,4 +1,4 @@
-#include "tools/twin/loss_fit.hpp"
+#include "tools/twin/fits/loss_fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,6 @@ constexpr std::size_t kLossScans = 1000;
 constexpr int kSide = 12;            // Cells by range and by cosine.
 constexpr double kBeforeWall = 0.3;  // [m] A return this much before the wall is something else's.
 constexpr double kWithinMax = 0.95;  // Of the range limit; walls beyond may be out of range.
-
-double lost_share(const LossShares& s, const LossCell& cell) {
-  return 1.0 - (1.0 - s.dropout) * (1.0 - s.far * cell.range_per_max * cell.range_per_max) *
-                   (1.0 - s.grazing * (1.0 - cell.cosine));
-}
 
 double log_likelihood(const LossShares& s, const std::vector<LossCell>& cells) {
   double sum = 0.0;
@@ -149,6 +144,11 @@ double total_share(const std::vector<LossCell>& cells) {
 
 }  // namespace
 
+double lost_share(const LossShares& s, const LossCell& cell) {
+  return 1.0 - (1.0 - s.dropout) * (1.0 - s.far * cell.range_per_max * cell.range_per_max) *
+                   (1.0 - s.grazing * (1.0 - cell.cosine));
+}
+
 LossShares fit_loss(const std::vector<LossCell>& cells) {
   LossShares s;
   for (int round = 0; round < 100; ++round) {
@@ -174,7 +174,8 @@ std::optional<LossFit> fit_loss(const AlignedLog& log) {
     count_scan(log, log.scans[index], blocks[index * Blocks::kCount / log.scans.size()]);
   }
   LossFit fit;
-  for (const LossCell& cell : sum_blocks(blocks, Blocks::kCount)) {
+  fit.cells = sum_blocks(blocks, Blocks::kCount);
+  for (const LossCell& cell : fit.cells) {
     fit.beams += static_cast<std::size_t>(cell.beams);
   }
   if (fit.beams < kFewestBeams) return std::nullopt;

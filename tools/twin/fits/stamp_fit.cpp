@@ -1,4 +1,4 @@
-#include "tools/twin/stamp_fit.hpp"
+#include "tools/twin/fits/stamp_fit.hpp"
 
 #include <algorithm>
 #include <cassert>

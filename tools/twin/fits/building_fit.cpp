@@ -1,12 +1,12 @@
-#include "tools/twin/building_fit.hpp"
+#include "tools/twin/fits/building_fit.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 
 #include "tools/alignment/beam_view.hpp"
 #include "tools/alignment/seen_cells.hpp"
+#include "tools/twin/fits/grid_boxes.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -87,7 +87,9 @@ class ObjectCounter {
   std::vector<int> sizes_;                           ///< Beams of each group.
 };
 
-Tally tally_scan(const std::vector<BeamView>& views, const SeenCells& seen, double resolution) {
+/// Adds the ends of beams at moving things to `moving`. [cells]
+Tally tally_scan(const std::vector<BeamView>& views, const SeenCells& seen, double resolution,
+                 std::vector<Eigen::Vector2d>& moving) {
   Tally tally;
   tally.scans = 1.0;
   ObjectCounter objects(resolution);
@@ -101,6 +103,7 @@ Tally tally_scan(const std::vector<BeamView>& views, const SeenCells& seen, doub
       tally.standing += 1.0;
     } else {
       tally.moving += 1.0;
+      moving.push_back(view.end);
       objects.add(view);
     }
   }
@@ -108,70 +111,14 @@ Tally tally_scan(const std::vector<BeamView>& views, const SeenCells& seen, doub
   return tally;
 }
 
-/// Area of the free cells connected with the robot's path. [m^2]
-double connected_area(const AlignedLog& log) {
-  const localization::GridFrame& frame = log.grid.frame;
-  std::vector<char> reached(frame.size());
-  std::queue<Eigen::Vector2i> open;
-  const auto visit = [&](const Eigen::Vector2i& cell) {
-    if (!frame.contains(cell) || reached[frame.index(cell)] != 0) return;
-    if (log.grid.cells[frame.index(cell)] != localization::CellState::kFree) return;
-    reached[frame.index(cell)] = 1;
-    open.push(cell);
-  };
-  for (const AlignedScan& scan : log.scans) {
-    visit(frame.cell_of((frame.T_map_grid.inverse() * scan.T_map_base).translation()));
+/// At most 2000 points, evenly spread. `cells`: [cells] in the grid. [m] In map.
+std::vector<Eigen::Vector2d> some_points(const localization::GridFrame& frame,
+                                         const std::vector<Eigen::Vector2d>& cells) {
+  std::vector<Eigen::Vector2d> points;
+  for (const std::size_t i : localization::even_indices(cells.size(), 2000)) {
+    points.push_back(frame.T_map_grid * Eigen::Vector2d(frame.resolution * cells[i]));
   }
-  std::size_t cells = 0;
-  while (!open.empty()) {
-    const Eigen::Vector2i cell = open.front();
-    open.pop();
-    ++cells;
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      visit(cell + Eigen::Vector2i(dx, dy));
-    }
-  }
-  return static_cast<double>(cells) * frame.resolution * frame.resolution;
-}
-
-/// The box from one corner of a cell to another.
-MapBox box_of(const localization::GridFrame& frame, const Eigen::Vector2i& low,
-              const Eigen::Vector2i& high) {
-  const Eigen::Vector2d centre = 0.5 * frame.resolution * (low + high).cast<double>();
-  return {frame.T_map_grid * SE2{centre.x(), centre.y(), 0.0},
-          frame.resolution * (high - low).cast<double>()};
-}
-
-/// Boxes around groups of marked cells that touch each other, with at least `fewest` cells.
-std::vector<MapBox> box_groups(const localization::GridFrame& frame, std::vector<char> marked,
-                               std::size_t fewest) {
-  std::vector<MapBox> boxes;
-  for (std::size_t first = 0; first < marked.size(); ++first) {
-    if (marked[first] == 0) continue;
-    std::vector<Eigen::Vector2i> group;
-    const auto take = [&](const Eigen::Vector2i& cell) {
-      if (!frame.contains(cell) || marked[frame.index(cell)] == 0) return;
-      marked[frame.index(cell)] = 0;
-      group.push_back(cell);
-    };
-    const auto width = static_cast<std::size_t>(frame.width);
-    take({static_cast<int>(first % width), static_cast<int>(first / width)});
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      const Eigen::Vector2i cell = group[k];
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) take(cell + Eigen::Vector2i(dx, dy));
-      }
-    }
-    if (group.size() < fewest) continue;
-    Eigen::Vector2i low = group.front();
-    Eigen::Vector2i high = low;
-    for (const Eigen::Vector2i& cell : group) {
-      low = low.cwiseMin(cell);
-      high = high.cwiseMax(cell);
-    }
-    boxes.push_back(box_of(frame, low, high + Eigen::Vector2i(1, 1)));
-  }
-  return boxes;
+  return points;
 }
 
 /// Cells of free space where something stands.
@@ -226,9 +173,10 @@ std::optional<BuildingFit> fit_building(const AlignedLog& log) {
     mark_walls(views, walls);
   }
   std::array<Tally, Blocks::kCount> blocks;
+  std::vector<Eigen::Vector2d> moving;
   for (const std::size_t i : indices) {
     blocks[i * Blocks::kCount / log.scans.size()].add(
-        tally_scan(viewer.view(log.scans[i]), seen, resolution));
+        tally_scan(viewer.view(log.scans[i]), seen, resolution, moving));
   }
   BuildingFit fit;
   fit.free_area_m2 = connected_area(log);
@@ -253,6 +201,7 @@ std::optional<BuildingFit> fit_building(const AlignedLog& log) {
   fit.moving_count = figures[3];
   fit.watched_m2 = all.area_m2 / all.scans;
   fit.beams = static_cast<std::size_t>(all.beams);
+  fit.moving_at = some_points(log.grid.frame, moving);
   fit.standing = box_groups(log.grid.frame, standing_cells(log, seen), 2);
   fit.gone = box_groups(log.grid.frame, gone_cells(log, walls), 2);
   return fit;
