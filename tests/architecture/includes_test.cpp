@@ -157,7 +157,9 @@ const Layers kToolsLayers = {
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/evaluate", "tools/play"},
     {"tools/alignment", "tools/dataset"},
+    {"tools/twin/fits"},
     {"tools/twin"},
+    {"tools/prediction"},
     {"tools/commands"},
     {"tools/commands/bench"},
 };

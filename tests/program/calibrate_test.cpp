@@ -28,7 +28,8 @@ TEST(Calibrate, WritesATwinThatRuns) {
   expect_contains(outcome.out, "1200 scans aligned by reference poses, 0 left out");
   expect_contains(outcome.out, "castaway run twin/scenario.yaml");
   for (const char* name : {"scenario.yaml", "map.yaml", "map.pgm", "path.tum", "lidar.yaml",
-                           "odometry.yaml", "people.yaml", "calibration.json"}) {
+                           "odometry.yaml", "people.yaml", "calibration.json", "world.yaml",
+                           "world.pgm", "scan_times.txt", "calibration.html"}) {
     EXPECT_TRUE(fs::exists(folder / "twin" / name)) << name;
   }
   const Json figures = Json::parse(text_of(folder / "twin/calibration.json"));
@@ -69,7 +70,7 @@ TEST(Calibrate, RefusesWhatItCannotUse) {
   EXPECT_FALSE(fs::exists(folder / "twin"));
   expect_refused(castaway(folder, "calibrate office/log.carmen --out twin"), {"--map"});
   expect_refused(castaway(folder, "calibrate nowhere --map office/map.yaml --out twin"),
-                 {"nowhere"});
+                 {"nowhere", "no such file"});
   expect_refused(castaway(folder, "calibrate office --align exact --out twin"), {"--align"});
   EXPECT_EQ(castaway(folder, "map home --out home.yaml").exit_code, 0);
   testbed::write_office(testbed::recorded_office(60), folder / "office");

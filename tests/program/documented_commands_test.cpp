@@ -65,6 +65,7 @@ std::string small(std::string line) {
   }
   if (line.starts_with("experiment")) line = replaced(line, "--seeds 2", "") + " --quick";
   if (line.starts_with("evaluate")) line += " --starts 1 --kidnaps 0 --window 2 --no-tracking";
+  if (line.starts_with("twin ")) line += " --starts 1 --kidnaps 0 --window 2";
   if (line.starts_with("replay")) line += " --no-pictures --out replay --force --scans 3";
   if (line.starts_with("dataset")) line = replaced(line, R"(-n \d+)", "-n 1");
   if (line.starts_with("bench calibration")) line = "bench calibration --trials 1 --duration 120";

@@ -24,6 +24,7 @@ void add_commands(Command app) {
   add_replay_command(app);
   add_evaluate_command(app);
   add_calibrate_command(app);
+  add_twin_command(app);
   add_bag_command(app);
   add_report_command(app);
   add_map_command(app);

@@ -1,10 +1,13 @@
-"""Figures of `castaway calibrate`."""
+"""Figures of `castaway calibrate` and `castaway twin`."""
 
 import json
 
 from measuring.lab import LOGS, table
 
 BENCH = ["bench", "calibration", "--trials", "20", "--seed", "2", "-j", "2", "--json"]
+
+
+LOCALIZERS = ["mh_amcl", "mh_amcl:paper", "mh_amcl:published", "amcl", "amcl:amcl-recovery", "amcl:amcl-prob", "amcl:amcl-global"]
 
 
 def calibration(lab):
@@ -27,3 +30,18 @@ def likeness(lab):
             values = [f"{each[key]:.3g}" for key in ["log_median", "log_p90", "twin_median", "twin_p90", "wasserstein"]]
             rows.append([name, f"{each['name']} {'[' + each['unit'] + ']' if each['unit'] else ''}".strip(), *values])
     return table(["log", "", "log: median", "90 %", "twin: median", "90 %", "Wasserstein distance"], rows)
+
+
+def predictions(lab):
+    logs = sorted(str(folder) for folder in lab.logs.iterdir() if (folder / "map.yaml").exists())
+    choice = [part for name in LOCALIZERS for part in ("--localizer", name)]
+    found = json.loads(lab.run(["twin", *logs, *choice, "--out", "twins", "-j", "2", "--json"]))
+    rows = [[each["localizer"], *(f"{100 * each[key]:.1f} %" for key in ["measured", "predicted"]), f"{100 * each['bias']:+.1f}",
+             f"{100 * each['apart']:.1f}", f"{each['tracked_near']} of {each['tracked']}"] for each in found["localizers"]]
+    tau = found["kendall_tau"]
+    low, high = tau["interval"]
+    tracking = [[row["log"], *(f"{row[side]['tracking_no_alarm_m']:.3f}" for side in ["on_log", "in_twin"])]
+                for row in found["rows"] if row["localizer"] == "mh_amcl"]
+    return (table(["localizer", "success: logs", "twins", "bias [points]", "apart, mean over logs [points]", "tracking within 25 %"], rows) +
+            f"\nKendall's tau of both rankings: {tau['value']:.2f} ({low:.2f} to {high:.2f}).\n\n" +
+            table(["tracking error of `mh_amcl` [m]", "log", "twin"], tracking))

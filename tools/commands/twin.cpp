@@ -1,0 +1,120 @@
+// castaway twin: how well the twins of logs predict what localizers do on the logs.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/commands/commands.hpp"
+#include "tools/files/file.hpp"
+#include "tools/output/output_folder.hpp"
+#include "tools/play/progress.hpp"
+#include "tools/prediction/predict_logs.hpp"
+#include "tools/prediction/prediction_page.hpp"
+#include "tools/prediction/prediction_tables.hpp"
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// Arguments of the command.
+struct TwinArguments {
+  std::vector<std::string> folders;
+  std::vector<std::string> localizers;
+  std::string out = "twin";
+  std::string align = "auto";
+  PredictionConfig config;
+  bool force = false;
+  bool json = false;
+};
+
+/// The places of all logs, the worst ones first.
+std::vector<DifferingPlace> worst_places(const std::vector<LogPrediction>& logs) {
+  constexpr std::size_t kShown = 12;
+  std::vector<DifferingPlace> places;
+  for (const LogPrediction& log : logs) {
+    places.insert(places.end(), log.places.begin(), log.places.end());
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const auto& a, const auto& b) { return a.apart > b.apart; });
+  if (places.size() > kShown) places.resize(kShown);
+  return places;
+}
+
+int compare_twins(TwinArguments a) {
+  if (a.localizers.empty()) a.localizers = {"mh_amcl"};
+  const std::vector<LocalizerSpec> specs = parse_localizers(a.localizers);
+  a.config.align = parse_align(a.align);
+  validate(a.config.evaluation);
+  OutputFolder out({.target = a.out,
+                    .made_by = "twin",
+                    .settings = "",
+                    .inputs = {a.folders.begin(), a.folders.end()},
+                    .force = a.force});
+  CampaignProgress progress(static_cast<int>(a.folders.size()), "logs");
+  const std::vector<LogPrediction> logs =
+      predict_logs(a.folders, specs, a.config, out.folder() / "twins",
+                   [&](const std::string& name) { progress.next(name); });
+  std::vector<PredictionRow> rows;
+  for (const LogPrediction& log : logs) rows.insert(rows.end(), log.rows.begin(), log.rows.end());
+  const std::vector<DifferingPlace> places = worst_places(logs);
+  const std::string json = to_json(rows, places).dump(1) + "\n";
+  write_file(out.folder() / "twin.json", json);
+  write_file(out.folder() / "twin.html", render_prediction(rows, places));
+  out.commit();
+  if (a.json) {
+    fmt::print("{}", json);
+    return kDone;
+  }
+  fmt::print("{}\n{}\n{}\nPage: {}/twin.html\n", as_text(results_table(rows)),
+             as_text(agreement_table(rows)), agreement_sentence(rows), a.out);
+  return kDone;
+}
+
+}  // namespace
+
+void add_twin_command(Command& app) {
+  auto a = std::make_shared<TwinArguments>();
+  EvaluationConfig& config = a->config.evaluation;
+  Command command = app.add_command(
+      "twin", "Compare what localizers do on recorded logs with what they do in the logs' twins");
+  command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
+  command
+      .add_option("--localizer", a->localizers,
+                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
+                  "(default: mh_amcl)")
+      .repeatable();
+  command.add_option("--out", a->out, "Folder of the results").show_default();
+  command.add_option("--starts", config.starts, "Unknown starts in each log")
+      .range(0, 100000)
+      .show_default();
+  command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
+      .range(0, 100000)
+      .show_default();
+  command.add_option("--replays", a->config.replays, "Replays of each log in its twin")
+      .range(1, 1000)
+      .show_default();
+  command.add_option("--window", config.window_s, "Length of a trial [s]")
+      .range(0.1, 1e6)
+      .show_default();
+  command
+      .add_option("--align", a->align,
+                  "Poses of the scans: truth (reference poses of the log), mh_amcl, or auto (truth "
+                  "where most scans have it)")
+      .one_of({"auto", "truth", "mh_amcl"})
+      .show_default();
+  command.add_option("-j,--jobs", config.workers, "Logs at a time; of one log, trials")
+      .range(1, 1024)
+      .show_default();
+  command.add_flag("--force", a->force, "Write beside files that castaway did not write");
+  command.add_flag("--json", a->json, "Print JSON");
+  command.footer(
+      "Starts and kidnaps are those of castaway evaluate. The twin of each log is that of castaway "
+      "calibrate; it is replayed at the log's times and poses.\n"
+      "Example:\n"
+      "  castaway twin logs/intel logs/aces --localizer mh_amcl --localizer amcl --out twins -j 2");
+  command.action([a] { return compare_twins(*a); });
+}
+
+}  // namespace castaway::testbed
