@@ -79,8 +79,9 @@ CalibrationGroup building_group(const BuildingFit& fit, const Figure& people) {
       {line_of("beams on what moves", fit.moving_share, "%", kPercent),
        line_of("beams on new objects", fit.standing_share, "%", kPercent),
        line_of("beams through walls", fit.through_share, "%", kPercent),
-       {"objects", fmt::format("{} new, {} walls gone", fit.standing.size(), fit.gone.size()), ""},
-       line_of("people", people, "")}};
+       {"objects",
+        fmt::format("{} new; parts of walls gone: {}", fit.standing.size(), fit.gone.size()), ""},
+       line_of("people", people, "walking")}};
 }
 
 }  // namespace

@@ -92,11 +92,21 @@ std::string places_section(const std::vector<DifferingPlace>& places) {
   return html_section("Where log and twin differ most", html + "</div>\n");
 }
 
+/// A name as part of a link.
+std::string in_link(const std::string& name) {
+  std::string link;
+  for (const char c : name) {
+    const bool reserved = c == '%' || c == '#' || c == '?';
+    link += reserved ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
+  }
+  return escape_html(link);
+}
+
 std::string twins_section(const std::vector<PredictionRow>& rows) {
   std::string items;
   for (const std::string& log : logs_of(rows)) {
-    items +=
-        fmt::format("<li><a href=\"twins/{0}/calibration.html\">{0}</a></li>\n", escape_html(log));
+    items += fmt::format("<li><a href=\"twins/{}/calibration.html\">{}</a></li>\n", in_link(log),
+                         escape_html(log));
   }
   return html_section("The twins", "<ul>\n" + items + "</ul>\n");
 }

@@ -49,6 +49,7 @@ std::string pack_prediction(const LogPrediction& prediction) {
 
 LogPrediction unpack_prediction(const std::string& text) try {
   const PackedJson json = PackedJson::parse(text);
+  if (!json.at(0).is_array()) throw std::runtime_error("not a prediction: it has no rows");
   LogPrediction prediction;
   for (const PackedJson& row : json.at(0)) prediction.rows.push_back(unpacked_row(row));
   for (const PackedJson& place : json.at(1)) prediction.places.push_back(unpacked_place(place));

@@ -14,7 +14,7 @@ namespace {
 using localization::TransformBuffer;
 
 /// Odometry a little before the first scan and after the last one is kept: it may be theirs.
-constexpr Stamp kAround = std::chrono::milliseconds(200);
+constexpr Stamp kAround = std::chrono::seconds(1);
 
 /// Time span of the scans that a twin plays, on odometry's clock.
 struct PlayedTime {
@@ -81,6 +81,8 @@ RecordedPlace played_part(const RecordedPlace& place, const AlignedLog& log) {
       const Stamp stamp = scan->scan.stamp + log.stamp_correction;
       if (scan->scan.lidar != lidar || !time.has_scan(stamp)) continue;
       if (!log.by_truth) scan->T_map_base_true = T_map_base.at(stamp);
+    } else if (!time.has(frame.stamp)) {
+      continue;
     }
     played.frames.push_back(std::move(copy));
   }

@@ -11,6 +11,7 @@
 
 #include "localization/geometry/random.hpp"
 #include "tools/files/file.hpp"
+#include "tools/twin/twin_folder.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
 
@@ -89,16 +90,32 @@ FoundSetting relative(const char* name, double truth, const Figure& found, doubl
   return {name, truth, found, share * std::abs(truth)};
 }
 
+/// A folder that is removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              fmt::format("castaway-calibration-{}", ::getpid())) {
+    std::filesystem::create_directories(path_);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// The number of people, from twins in a folder of their own.
-Figure people_of(const FittedLog& fitted, const RosMap& map) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / fmt::format("castaway-calibration-{}", ::getpid());
-  std::filesystem::create_directories(folder);
-  write_ros_map(map, folder / "map.yaml");
-  write_file(folder / "path.tum", path_text(fitted));
-  const Figure people = fit_people(folder, fitted);
-  std::filesystem::remove_all(folder);
-  return people;
+Figure people_of(FittedLog fitted, const RosMap& map) {
+  const ScratchFolder folder;
+  write_twin_inputs(map, folder.path(), fitted);
+  return fit_people(folder.path(), fitted);
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ bool FoundSetting::is_held() const {
 std::vector<FoundSetting> try_calibration(const CalibrationTrialConfig& config, int index) {
   const TrialSettings s = draw_settings(config, index);
   const std::uint64_t seed = config.seed * 1000 + static_cast<std::uint64_t>(index);
-  const RecordedPlace place = run_twin(".", scenario_of(s, config.duration_s), seed);
+  const RecordedPlace place = run_scenario(scenario_of(s, config.duration_s), seed);
   const FittedLog fitted = fit_log(place, {.align = AlignBy::kAuto, .track = kTrialTrack});
   std::vector<FoundSetting> found;
   if (const auto& o = fitted.fit.odometry) {

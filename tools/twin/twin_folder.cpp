@@ -39,14 +39,18 @@ double bias_against(const RosMap& building, const FittedLog& fitted) {
 
 }  // namespace
 
+void write_twin_inputs(const RosMap& map, const std::filesystem::path& folder, FittedLog& fitted) {
+  write_ros_map(map, folder / "map.yaml");
+  const RosMap building = see_building(map, fitted.log);
+  write_ros_map(building, folder / "world.yaml");
+  fitted.fit.world_bias_m = bias_against(building, fitted);
+  write_file(folder / "path.tum", path_text(fitted));
+  write_file(folder / "scan_times.txt", scan_times_text(fitted.log));
+}
+
 Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::path& folder) {
   Twin twin{fit_log(place, {.align = by, .track = kTwinTrack}), {}, {}};
-  write_ros_map(place.map, folder / "map.yaml");
-  const RosMap building = see_building(place.map, twin.fitted.log);
-  write_ros_map(building, folder / "world.yaml");
-  twin.fitted.fit.world_bias_m = bias_against(building, twin.fitted);
-  write_file(folder / "path.tum", path_text(twin.fitted));
-  write_file(folder / "scan_times.txt", scan_times_text(twin.fitted.log));
+  write_twin_inputs(place.map, folder, twin.fitted);
   twin.people = fit_people(folder, twin.fitted);
   const int people = static_cast<int>(std::lround(twin.people.value));
   const std::string scenario = twin_scenario(twin.fitted, people);

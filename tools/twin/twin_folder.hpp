@@ -18,6 +18,10 @@ struct Twin {
   Likeness likeness;
 };
 
+/// Writes what a twin's scenario reads: `world.yaml`, `map.yaml`, `path.tum`, `scan_times.txt`.
+/// Sets how far the ranges of the log lie behind the walls of that world.
+void write_twin_inputs(const RosMap& map, const std::filesystem::path& folder, FittedLog& fitted);
+
 /// Fits a log and writes its twin into a folder: `scenario.yaml` with `world.yaml` (the building as
 /// the log saw it), `map.yaml`, `path.tum` and `scan_times.txt`; parts to use elsewhere
 /// (`lidar.yaml`, `odometry.yaml`, `people.yaml`, and `differences.yaml` if the building differs

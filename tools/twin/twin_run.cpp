@@ -11,18 +11,11 @@
 
 namespace castaway::testbed {
 
-RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& scenario,
-                       std::uint64_t seed) {
-  YamlDocument document = YamlDocument::parse(scenario, (folder / "scenario.yaml").string());
+namespace {
+
+RecordedPlace run_document(YamlDocument document, const std::filesystem::path& folder,
+                           std::uint64_t seed) {
   document.set("seed=" + std::to_string(seed));
-  const auto set_file = [&](const std::string& key, const char* name) {
-    const std::string path = std::filesystem::absolute(folder / name).string();
-    document.set(key + "=" + nlohmann::json(path).dump());  // Quoted, as YAML reads it, too.
-  };
-  set_file("world.name", "world.yaml");
-  set_file("world.map", "map.yaml");
-  set_file("drive.path", "path.tum");
-  set_file("lidar.scan_times", "scan_times.txt");
   const LoadedScenario loaded = read_scenario(std::move(document), folder, "twin");
   PreparedSimulation prepared = build_simulation(loaded.scenario, folder);
   RecordedPlace place;
@@ -34,6 +27,26 @@ RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& s
                          std::move(lidars), duration);
   while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
   return place;
+}
+
+}  // namespace
+
+RecordedPlace run_scenario(const std::string& scenario, std::uint64_t seed) {
+  return run_document(YamlDocument::parse(scenario, "scenario"), ".", seed);
+}
+
+RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& scenario,
+                       std::uint64_t seed) {
+  YamlDocument document = YamlDocument::parse(scenario, (folder / "scenario.yaml").string());
+  const auto set_file = [&](const std::string& key, const char* name) {
+    const std::string path = std::filesystem::absolute(folder / name).string();
+    document.set(key + "=" + nlohmann::json(path).dump());  // Quoted, as YAML reads it, too.
+  };
+  set_file("world.name", "world.yaml");
+  set_file("world.map", "map.yaml");
+  set_file("drive.path", "path.tum");
+  set_file("lidar.scan_times", "scan_times.txt");
+  return run_document(std::move(document), folder, seed);
 }
 
 namespace {

@@ -8,8 +8,11 @@
 
 namespace castaway::testbed {
 
-/// The frames of a twin, with its true poses. `folder` holds `map.yaml` and `path.tum`; `scenario`
-/// is the text of its scenario. Throws as `build_simulation`.
+/// The frames of a scenario, given as text, with its true poses. Throws as `build_simulation`.
+RecordedPlace run_scenario(const std::string& scenario, std::uint64_t seed);
+
+/// The frames of a twin. `folder` holds what `write_twin_inputs` writes, whatever the current
+/// folder holds; `scenario` is the text of its scenario. Throws as `build_simulation`.
 RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& scenario,
                        std::uint64_t seed);
 

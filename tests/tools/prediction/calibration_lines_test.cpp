@@ -49,8 +49,8 @@ TEST(CalibrationLines, OfTheBuildingCountObjectsAndPeople) {
   EXPECT_EQ(groups[2].heading, "Building against map, 43 m^2");
   EXPECT_EQ(texts_of(groups[2]),
             (Texts{"beams on what moves: 3 %, 2.9 to 3.1", "beams on new objects: 2 %, 1.9 to 2.1",
-                   "beams through walls: 1 %, 0.9 to 1.1", "objects: 2 new, 1 walls gone",
-                   "people: 4, 3 to 5"}));
+                   "beams through walls: 1 %, 0.9 to 1.1", "objects: 2 new; parts of walls gone: 1",
+                   "people: 4 walking, 3 to 5"}));
 }
 
 TEST(CalibrationLines, SayWhatCouldNotBeFitted) {

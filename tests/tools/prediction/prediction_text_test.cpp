@@ -79,8 +79,8 @@ TEST(PredictionText, RefusesOtherTexts) {
   const std::string text = pack_prediction(packable_prediction());
   for (const std::string& other :
        {std::string(), std::string("log"), std::string("[]"), std::string("[[]]"),
-        std::string("[1, 2]"), std::string("[[[\"a\", \"b\"]], []]"), text.substr(1),
-        text.substr(0, text.size() - 1)}) {
+        std::string("[1, 2]"), std::string("[null, null]"), std::string("[[[\"a\", \"b\"]], []]"),
+        text.substr(1), text.substr(0, text.size() - 1)}) {
     EXPECT_THROW(unpack_prediction(other), std::runtime_error) << other;
   }
   EXPECT_TRUE(contains(error_of([] { unpack_prediction("log"); }), "not a prediction: "));

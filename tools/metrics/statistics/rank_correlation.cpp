@@ -7,7 +7,11 @@
 namespace castaway::testbed {
 namespace {
 
-int sign(double value) { return (value > 0.0) - (value < 0.0); }
+/// Sign of a difference; 0 for what is rounding.
+int sign(double difference) {
+  constexpr double kRounding = 1e-9;
+  return (difference > kRounding) - (difference < -kRounding);
+}
 
 }  // namespace
 

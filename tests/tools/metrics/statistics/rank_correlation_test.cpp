@@ -49,5 +49,7 @@ TEST(KendallTau, IsNothingWhereAllAreEqual) {
   EXPECT_FALSE(kendall_tau({}, {}));
 }
 
+TEST(KendallTau, TakesRoundingForATie) { EXPECT_FALSE(kendall_tau({0.1 + 0.2, 0.3}, {1.0, 2.0})); }
+
 }  // namespace
 }  // namespace castaway::testbed
