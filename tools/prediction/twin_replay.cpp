@@ -14,7 +14,7 @@ namespace {
 using localization::TransformBuffer;
 
 /// Odometry a little before the first scan and after the last one is kept: it may be theirs.
-constexpr Stamp kAround = std::chrono::seconds(1);
+constexpr Stamp kAround = std::chrono::milliseconds(200);
 
 /// Time span of the scans that a twin plays, on odometry's clock.
 struct PlayedTime {
@@ -64,10 +64,22 @@ std::vector<float> ranges_for(const LaserScan& scan, const std::vector<float>& t
   return {twin.rbegin(), twin.rend()};
 }
 
+/// Stamp of the last odometry up to a time; that time if there is none.
+Stamp last_odometry_before(const Frames& frames, Stamp time) {
+  std::optional<Stamp> last;
+  for (const Frame& frame : frames) {
+    const auto* odometry = std::get_if<OdometryFrame>(&frame.data);
+    if (odometry == nullptr || odometry->odometry.stamp > time) continue;
+    last = std::max(last.value_or(odometry->odometry.stamp), odometry->odometry.stamp);
+  }
+  return last.value_or(time);
+}
+
 }  // namespace
 
 RecordedPlace played_part(const RecordedPlace& place, const AlignedLog& log) {
   const PlayedTime time = played_time(log);
+  const Stamp last_before = last_odometry_before(place.frames, time.first);
   const std::string& lidar = log.scans.front().scan.lidar;
   const TransformBuffer T_map_base = log.by_truth ? unlimited() : aligned_poses(log);
   RecordedPlace played{place.name, {}, place.map};
@@ -75,7 +87,7 @@ RecordedPlace played_part(const RecordedPlace& place, const AlignedLog& log) {
     Frame copy = frame;
     if (auto* odometry = std::get_if<OdometryFrame>(&copy.data)) {
       const Stamp stamp = odometry->odometry.stamp;
-      if (!time.has(stamp)) continue;
+      if (!time.has(stamp) && stamp != last_before) continue;
       if (!log.by_truth) odometry->T_map_base_true = T_map_base.at(time.clamp(stamp));
     } else if (auto* scan = std::get_if<ScanFrame>(&copy.data)) {
       const Stamp stamp = scan->scan.stamp + log.stamp_correction;

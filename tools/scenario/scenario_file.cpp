@@ -122,8 +122,9 @@ std::vector<SettingText> scenario_settings() {
   Scenario scenario;
   Settings root = under("");
   root.form({"name", "", "Name of the run folder."}, "the file's");
-  root.form({"world", "", "A world's name or file, or a map {name, map, search_paths, differences}."},
-            "lab");
+  root.form(
+      {"world", "", "A world's name or file, or a map {name, map, search_paths, differences}."},
+      "lab");
   root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},
             "waffle");
   run_fields(root, scenario);

@@ -13,8 +13,8 @@ namespace castaway::testbed {
 /// Builds a lidar of the robot with a profile and a scenario's changes. `base`: folder that a
 /// file of scan times may start from, besides the current one. A lidar with the name of
 /// one of the robot's lidars has that one's mount; without a name, it is the first. Throws
-/// std::invalid_argument if a value is out of range, std::runtime_error for an unknown profile or an
-/// unreadable file.
+/// std::invalid_argument if a value is out of range, std::runtime_error for an unknown profile or
+/// an unreadable file.
 sim::LidarConfig build_lidar(const LidarSpec& spec, const sim::RobotModel& robot,
                              const std::filesystem::path& base = {});
 

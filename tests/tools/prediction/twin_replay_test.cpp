@@ -82,6 +82,21 @@ TEST(PlayedPart, IsFromTheFirstAlignedScanToTheLast) {
   EXPECT_EQ(odometry.back()->odometry.stamp, milliseconds(11200));
 }
 
+// Odometry may come seldom: the first scan needs the one before it.
+TEST(PlayedPart, KeepsTheLastOdometryBeforeTheFirstScan) {
+  RecordedPlace place = straight_place();
+  std::erase_if(place.frames, [](const Frame& frame) {
+    const auto* odometry = std::get_if<OdometryFrame>(&frame.data);
+    const bool seldom = odometry != nullptr && odometry->odometry.stamp > milliseconds(10000) &&
+                        odometry->odometry.stamp < milliseconds(11000);
+    return seldom;
+  });
+  const RecordedPlace played = played_part(place, aligned_part(place, true));
+  const auto odometry = all_of<OdometryFrame>(played.frames);
+  ASSERT_FALSE(odometry.empty());
+  EXPECT_EQ(odometry.front()->odometry.stamp, milliseconds(10000));
+}
+
 TEST(PlayedPart, KeepsReferencePosesWhereTheLogWasAlignedByThem) {
   const RecordedPlace place = straight_place();
   const RecordedPlace played = played_part(place, aligned_part(place, true));
