@@ -19,6 +19,7 @@ struct LidarDraws {
   Rng glass{};
   Rng dust{};
   Rng dropout{};
+  Rng stamps{};
 };
 
 /// Applies the light effects to a beam.

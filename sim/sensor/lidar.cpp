@@ -124,6 +124,16 @@ void LidarSweeper::cast_column(const Surroundings& around, const Eigen::Isometry
   }
 }
 
+/// Adds the error of the stamp. Stamps neither go back nor before the start of the run.
+void LidarSweeper::misstate_stamp() {
+  const double sigma = lidar_.config().stamp_sigma;
+  if (sigma > 0.0) {
+    reading_.stamp = std::max(reading_.stamp + to_nanoseconds(sigma * draw_normal(draws_.stamps)),
+                              stated_stamp_ + std::chrono::nanoseconds(1));
+  }
+  stated_stamp_ = reading_.stamp;
+}
+
 /// Sets the time of the next scan; `end` is that of the last beam before.
 void LidarSweeper::end_scan(std::chrono::nanoseconds end) {
   const auto& times = lidar_.config().scan_times;
@@ -148,6 +158,7 @@ std::vector<Sweep> LidarSweeper::advance(const Surroundings& around, const Motio
     if (next_beam_ == 0) begin_scan(motion);
     if (!covered_) cast_column(around, path.at(motion.fraction(stamp)));
     if (++next_beam_ < lidar_.config().beams) continue;
+    misstate_stamp();
     done.push_back({stamp, std::move(reading_)});
     end_scan(stamp);
   }

@@ -83,6 +83,7 @@ class LidarSweeper {
  private:
   void begin_scan(const Motion& motion);
   void end_scan(std::chrono::nanoseconds end);
+  void misstate_stamp();
   void cast_column(const Surroundings& around, const Eigen::Isometry3d& T_map_base);
 
   Lidar lidar_;
@@ -90,8 +91,9 @@ class LidarSweeper {
   std::chrono::nanoseconds period_{};
   std::chrono::nanoseconds time_increment_{};
   std::chrono::nanoseconds scan_stamp_{};
-  std::size_t scans_ = 0;  ///< Number of complete scans.
-  int next_beam_ = 0;      ///< Common to all layers.
+  std::chrono::nanoseconds stated_stamp_{-1};  ///< Of the last scan.
+  std::size_t scans_ = 0;                      ///< Number of complete scans.
+  int next_beam_ = 0;                          ///< Common to all layers.
   bool covered_ = false;
   std::vector<std::uint32_t> last_primitives_;  ///< By layer.
   LidarReading reading_;

@@ -45,6 +45,8 @@ void validate(const LidarConfig& c) {
   if (!c.scan_times.empty() && c.scan_times.front().count() < 0) {
     throw std::invalid_argument("lidar: a scan time is negative: count from the start of the run");
   }
+  require(c.stamp_sigma >= 0.0 && c.stamp_sigma <= 10.0, "stamp_sigma_s", c.stamp_sigma,
+          "give 0 to 10");
   validate(c.noise);
   validate(c.light);
 }

@@ -33,7 +33,8 @@ struct LidarConfig {
   /// Times at which scans begin, ascending; empty: all the time. A scan begins after the end of the
   /// one before.
   std::vector<std::chrono::nanoseconds> scan_times{};
-  bool sweep = true;  ///< Each beam has its own time; false: all have the scan's stamp.
+  double stamp_sigma = 0.0;  ///< [s] Standard deviation of the error of a scan's stamp.
+  bool sweep = true;         ///< Each beam has its own time; false: all have the scan's stamp.
   RangeNoise noise;
   LightEffects light{};
   Intensity intensity = Intensity::kNone;

@@ -41,6 +41,7 @@ void validate(const OdometryConfig& c) {
   }
   require_odometry(c.drift_along >= 0.0, "drift_along", c.drift_along, "give 0 or more");
   require_odometry(c.drift_yaw_deg >= 0.0, "drift_yaw_deg", c.drift_yaw_deg, "give 0 or more");
+  require_odometry(c.drift_turn_deg >= 0.0, "drift_turn_deg", c.drift_turn_deg, "give 0 or more");
   validate(c.slip);
   if (c.gyro) validate(*c.gyro);
 }
@@ -80,9 +81,14 @@ void WheelOdometry::update(const WheelAngles& angles, Rng& rng, std::optional<do
   const double right = (now.right - last_.right) * believed_.radius_right;
   last_ = now;
   const double root = std::sqrt(0.5 * (std::abs(left) + std::abs(right)));
-  const double yaw_sigma = config_.drift_yaw_deg * std::numbers::pi / 180.0;
-  const double way = 0.5 * (left + right) + config_.drift_along * root * draw_normal(rng);
-  const double by_wheels = (right - left) / believed_.track + yaw_sigma * root * draw_normal(rng);
+  const double driven = 0.5 * (left + right);
+  const double turned = (right - left) / believed_.track;
+  const double by_travel = config_.drift_yaw_deg * std::numbers::pi / 180.0 * root;
+  const double by_turn =
+      config_.drift_turn_deg * std::numbers::pi / 180.0 * std::sqrt(std::abs(turned));
+  const double way = (config_.unsigned_distance ? std::abs(driven) : driven) +
+                     config_.drift_along * root * draw_normal(rng);
+  const double by_wheels = turned + std::hypot(by_travel, by_turn) * draw_normal(rng);
   T_odom_axle_ = T_odom_axle_ * arc(way, turn.value_or(by_wheels));
 }
 

@@ -41,7 +41,9 @@ struct OdometryConfig {
   double radius_error_right = 0.0;  ///< Relative error of the right wheel's radius, besides.
   double track_error = 0.0;         ///< Relative error of the track, besides.
   double drift_along = 0.012;       ///< [m/sqrt(m)] Random walk along the heading.
-  double drift_yaw_deg = 0.7;       ///< [deg/sqrt(m)] Random walk of the heading.
+  double drift_yaw_deg = 0.7;       ///< [deg/sqrt(m)] Random walk of the heading by travel,
+  double drift_turn_deg = 0.0;      ///< [deg/sqrt(rad)] and by turn.
+  bool unsigned_distance = false;   ///< Reversing is counted as driving ahead.
   SlipConfig slip{};
   /// With a gyro, headings come from it, and the wheels only give the distance.
   std::optional<GyroConfig> gyro{};

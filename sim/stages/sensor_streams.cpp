@@ -17,6 +17,7 @@ LidarDraws lidar_draws(const SimulationStreams& streams, const LidarConfig& lida
   draws.noise = first ? streams.lidar : named_stream(streams, prefix + "noise");
   const bool pattern = lidar.noise.beam_bias_sigma > 0.0;
   if (pattern) draws.pattern = named_stream(streams, prefix + "pattern");
+  if (lidar.stamp_sigma > 0.0) draws.stamps = named_stream(streams, prefix + "stamps");
   if (!any(lidar.light)) return draws;
   draws.edges = named_stream(streams, prefix + "edges");
   draws.glass = named_stream(streams, prefix + "glass");

@@ -158,6 +158,7 @@ const Layers kToolsLayers = {
     {"tools/bench", "tools/evaluate", "tools/play"},
     {"tools/alignment", "tools/dataset"},
     {"tools/twin/fits"},
+    {"tools/twin/odometry"},
     {"tools/twin"},
     {"tools/prediction"},
     {"tools/commands"},

@@ -6,10 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "localization/map/distance_field.hpp"
-#include "localization/map/hollow.hpp"
-#include "localization/matching/refine.hpp"
 #include "tools/alignment/expected_scan.hpp"
+#include "tools/alignment/scan_aligner.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/sources/build_localizers.hpp"
@@ -18,11 +16,7 @@
 namespace castaway::testbed {
 namespace {
 
-using localization::PosePrior;
-using localization::ScanPoints;
 using localization::TransformBuffer;
-
-constexpr double kFieldReach = 1.0;  // [m]
 
 /// A scan before its alignment.
 struct RawScan {
@@ -31,78 +25,16 @@ struct RawScan {
   bool breaks = false;
 };
 
-/// Matches scans to the surfaces of the map of a log near a pose. The inside of walls does not
-/// count: it would draw every scan into the nearest wall.
-class Aligner {
- public:
-  Aligner(const AlignedLog& log, const std::optional<WallOffsets>& walls)
-      : log_(log),
-        walls_(walls),
-        distances_(localization::hollow(log.grid, 0.0), kFieldReach),
-        model_({.sigma = 0.05, .floor = 0.05, .independent_beams = 40.0}, distances_) {}
-
-  /// The best pose near `start`, or nothing if the motion at that time is unknown or no beam
-  /// returned. `sigma` [m] is the uncertainty of the start.
-  std::optional<SE2> align(const LaserScan& scan, const SE2& start, double sigma) const {
-    const auto points = project_scan(walls_ ? move_to_centres(scan, start) : scan, log_.T_path_base,
-                                     scan.stamp, {.max_beams = 180, .max_range = 40.0});
-    if (!points || points->empty()) return std::nullopt;
-    const double yaw_sigma = 0.4 * sigma;
-    Eigen::Vector3d information(sigma, sigma, yaw_sigma);
-    information = information.array().square().inverse();
-    const PosePrior prior{start, information.asDiagonal()};
-    return refine_pose(model_, *points, start, prior, {0.04, 0.01, 6});
-  }
-
-  /// The share of a scan's end points that lie near walls.
-  double on_walls(const AlignedScan& aligned) const {
-    constexpr double kNear = 0.2;  // [m]
-    const auto points = project_scan(aligned.scan, log_.T_path_base, aligned.scan.stamp,
-                                     {.max_beams = 90, .max_range = 40.0});
-    if (!points || points->empty()) return 0.0;
-    const SE2 T_grid_base = log_.grid.frame.T_map_grid.inverse() * aligned.T_map_base;
-    double near = 0.0;
-    for (std::size_t i = 0; i < points->size(); ++i) {
-      const Eigen::Vector2d p = T_grid_base * Eigen::Vector2d(points->x[i], points->y[i]);
-      if (distances_.at(p) < kNear) near += 1.0;
-    }
-    return near / static_cast<double>(points->size());
-  }
-
- private:
-  /// The scan with its end points moved from the surfaces of walls to the centres of their cells.
-  LaserScan move_to_centres(LaserScan scan, const SE2& T_map_base) const {
-    constexpr double kLeastCosine = 0.3;
-    const double half = 0.5 * log_.grid.frame.resolution;
-    const std::vector<ExpectedBeam> expected =
-        expect_scan(log_, {scan, T_map_base}, std::min(scan.range_max, 40.0));
-    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-      double shift = half - walls_->usual();
-      if (i < expected.size() && expected[i].straight) {
-        shift = (half - walls_->at(expected[i].cell)) /
-                std::max<double>(expected[i].cosine, kLeastCosine);
-      }
-      scan.ranges[i] += static_cast<float>(shift);
-    }
-    return scan;
-  }
-
-  const AlignedLog& log_;
-  const std::optional<WallOffsets>& walls_;
-  localization::DistanceField distances_;
-  localization::EndpointModel model_;
-};
-
 /// Accumulates corrected odometry.
 class CorrectedPath {
  public:
-  explicit CorrectedPath(const OdometryErrors& errors) : errors_(errors) {}
+  explicit CorrectedPath(const DriveErrors& errors) : errors_(errors) {}
 
   void add(const Odometry& odometry, TransformBuffer& T_path_base) {
     constexpr double kAnyTrack = 0.3;
     if (before_) {
       const SE2 u = before_->inverse() * odometry.T_odom_base;
-      T_path_base_ = T_path_base_ * correct_motion({step_of(u, kAnyTrack)}, errors_);
+      T_path_base_ = T_path_base_ * correct_base_motion({step_of(u, kAnyTrack)}, errors_);
     }
     before_ = odometry.T_odom_base;
     before_stamp_ = odometry.stamp;
@@ -118,7 +50,7 @@ class CorrectedPath {
   }
 
  private:
-  OdometryErrors errors_;
+  DriveErrors errors_;
   std::optional<SE2> before_;
   Stamp before_stamp_{};
   SE2 T_path_base_;
@@ -131,7 +63,7 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
   std::vector<double> periods;
   std::optional<Stamp> before;
   bool breaks = false;
-  CorrectedPath path(correction.odometry);
+  CorrectedPath path(correction.drive);
   for (const Frame& frame : place.frames) {
     if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
       const Stamp now = odometry->odometry.stamp;
@@ -188,7 +120,7 @@ std::optional<SE2> motion(const TransformBuffer& T_odom_base, Stamp from, Stamp 
 }
 
 /// Tracks scans without a pose backwards from the next one that has one.
-void track_backwards(const Aligner& aligner, const TransformBuffer& T_path_base,
+void track_backwards(const ScanAligner& aligner, const TransformBuffer& T_path_base,
                      std::vector<RawScan>& scans) {
   constexpr double kStepSigma = 0.2;  // [m]
   for (std::size_t i = scans.size() - 1; i-- > 0;) {
@@ -201,7 +133,7 @@ void track_backwards(const Aligner& aligner, const TransformBuffer& T_path_base,
 }
 
 /// Sets and checks how much of the scans lies on walls.
-void check_fit(const Aligner& aligner, AlignedLog& log) {
+void check_fit(const ScanAligner& aligner, AlignedLog& log) {
   constexpr std::size_t kChecked = 200;  // Scans.
   std::vector<double> shares;
   for (const std::size_t i : spread_scans(log, kChecked)) {
@@ -215,6 +147,29 @@ void check_fit(const Aligner& aligner, AlignedLog& log) {
                   "and map belong together (castaway replay shows it)",
                   log.name, 100.0 * log.on_walls));
 }
+
+void correct_references(const SE2& T_reference_base, std::vector<RawScan>& scans) {
+  for (RawScan& scan : scans) {
+    if (scan.T_map_base) scan.T_map_base = *scan.T_map_base * T_reference_base;
+  }
+}
+
+/// Mean of small motions.
+class MeanMotion {
+ public:
+  void add(const SE2& motion) {
+    sum_ += Eigen::Vector3d(motion.x, motion.y, motion.yaw);
+    count_ += 1.0;
+  }
+  [[nodiscard]] SE2 mean() const {
+    const Eigen::Vector3d mean = sum_ / std::max(count_, 1.0);
+    return {mean.x(), mean.y(), mean.z()};
+  }
+
+ private:
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  double count_ = 0.0;
+};
 
 bool has_reference_poses(const std::vector<RawScan>& scans) {
   const auto known =
@@ -245,11 +200,16 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
     throw std::runtime_error(place.name +
                              ": most of its scans have no reference pose; leave out --align");
   }
-  if (!log.by_truth) localize(place, log.grid, correction.stamp, scans);
-  const Aligner aligner(log, correction.walls);
+  if (log.by_truth) {
+    correct_references(correction.T_reference_base, scans);
+  } else {
+    localize(place, log.grid, correction.stamp, scans);
+  }
+  const ScanAligner aligner(log, correction.walls);
   if (!scans.empty()) track_backwards(aligner, log.T_path_base, scans);
   const std::size_t stride = (scans.size() + kMostAligned - 1) / kMostAligned;
   bool breaks = false;
+  MeanMotion shift;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     RawScan& raw = scans[i];
     breaks = breaks || raw.breaks;
@@ -260,6 +220,7 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
       ++log.left_out;
       continue;
     }
+    shift.add(raw.T_map_base->inverse() * *pose);
     log.scans.push_back({std::move(raw.scan), *pose, breaks});
     breaks = false;
   }
@@ -269,6 +230,7 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
         "map belong together (castaway replay shows it)",
         place.name, log.scans.size(), kFewestAligned));
   }
+  log.T_start_base = shift.mean();
   check_fit(aligner, log);
   return log;
 }

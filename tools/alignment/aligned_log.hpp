@@ -42,6 +42,7 @@ struct AlignedLog {
   double odometry_period_s = 0.0;  ///< [s] Median between two readings.
   bool by_truth = false;           ///< Aligned from reference poses.
   std::size_t left_out = 0;        ///< Scans whose pose is unknown.
+  SE2 T_start_base;                ///< Mean of the aligned poses, seen from where they began.
   double on_walls = 0.0;  ///< Share of end points within 0.2 m of a wall, median over scans.
 };
 
@@ -51,7 +52,10 @@ struct ScanCorrection {
   /// Surfaces of the walls. Matching puts end points on the centres of wall cells, and walls
   /// reflect at their surface: without this the robot seems to drive too far between two walls.
   std::optional<WallOffsets> walls;
-  OdometryErrors odometry;  ///< Of the motion within a scan.
+  DriveErrors drive;  ///< Of the motion within a scan.
+  /// Where aligned poses usually are, seen from the reference poses: reference poses are those of
+  /// the robot, and aligned ones rest on the stated mount of the lidar.
+  SE2 T_reference_base;
 };
 
 /// Aligns a log: reference poses, or those of `mh_amcl`, are refined by matching each scan to the

@@ -1,7 +1,6 @@
 #include "tools/alignment/aligned_path.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace castaway::testbed {
 namespace {
@@ -42,14 +41,15 @@ std::vector<PathPose> path_of(const AlignedLog& log) {
   return path;
 }
 
-std::vector<Stamp> played_stamps(const AlignedLog& log) {
+std::vector<Stamp> played_times(const AlignedLog& log) {
   const Stamp first = log.scans.front().scan.stamp;
   const Stamp last = log.scans.back().scan.stamp;
-  std::vector<Stamp> stamps;
-  std::copy_if(log.stamps.begin(), log.stamps.end(), std::back_inserter(stamps),
-               [&](Stamp stamp) { return first <= stamp && stamp <= last; });
-  std::sort(stamps.begin(), stamps.end());
-  return stamps;
+  std::vector<Stamp> times;
+  for (const Stamp stamp : log.stamps) {
+    if (first <= stamp && stamp <= last) times.push_back(stamp - first);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 }  // namespace castaway::testbed

@@ -17,7 +17,7 @@ struct PathPose {
 /// odometry, bent so that it ends at the next scan. Stamps increase.
 std::vector<PathPose> path_of(const AlignedLog& log);
 
-/// Stamps of all scans from the first aligned one to the last, those left out, too; ascending.
-std::vector<Stamp> played_stamps(const AlignedLog& log);
+/// Times since the first aligned scan of all scans up to the last, those left out, too; ascending.
+std::vector<Stamp> played_times(const AlignedLog& log);
 
 }  // namespace castaway::testbed

@@ -8,12 +8,20 @@
 
 namespace castaway::testbed {
 
+/// How fast odometry changes.
+struct OdometryRate {
+  double along = 0.0;  ///< [m/s]
+  double turn = 0.0;   ///< [rad/s]
+};
+
 /// Motion from one aligned scan to the next.
 struct Leg {
   std::vector<OdometryStep> steps;
   SE2 T_start_end;      ///< Of base, by the map.
   double way = 0.0;     ///< [m] Mean travel of the wheels.
   bool breaks = false;  ///< The motion is unknown.
+  OdometryRate rate_at_start;
+  OdometryRate rate_at_end;
 };
 
 /// The legs between the scans of a log, one less than scans. Odometry is split into steps of at

@@ -43,4 +43,9 @@ SE2 correct_motion(const std::vector<OdometryStep>& steps, const OdometryErrors&
   return pose;
 }
 
+SE2 correct_base_motion(const std::vector<OdometryStep>& steps, const DriveErrors& errors) {
+  return errors.T_base_drive * correct_motion(steps, errors.odometry) *
+         errors.T_base_drive.inverse();
+}
+
 }  // namespace castaway::testbed

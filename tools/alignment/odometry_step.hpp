@@ -19,6 +19,14 @@ struct OdometryErrors {
 /// and by `curvature` between the sides. `track` [m] is the distance between the wheels.
 OdometryErrors errors_of(double scale, double yaw_scale, double curvature, double track);
 
+/// What the motion of a base by odometry errs by systematically.
+struct DriveErrors {
+  OdometryErrors odometry;
+  /// Pose of odometry's frame in base, which the stated mount of the lidar defines: where the
+  /// wheels turn about, and where they roll to. The identity if the mount is stated correctly.
+  localization::SE2 T_base_drive;
+};
+
 /// A short step of odometry as a twist: a constant velocity over the unit of time.
 struct OdometryStep {
   double along = 0.0;   ///< [m]
@@ -33,5 +41,8 @@ OdometryStep step_of(const localization::SE2& u, double track);
 /// The motion that corrected odometry states for some steps.
 localization::SE2 correct_motion(const std::vector<OdometryStep>& steps,
                                  const OdometryErrors& errors);
+/// The motion of base.
+localization::SE2 correct_base_motion(const std::vector<OdometryStep>& steps,
+                                      const DriveErrors& errors);
 
 }  // namespace castaway::testbed

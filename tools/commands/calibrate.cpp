@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/log_arguments.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/prediction/calibration_lines.hpp"
@@ -80,12 +81,7 @@ void add_calibrate_command(Command& app) {
       .required();
   command.add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
   command.add_option("--out", a->out, "Folder of the twin").required();
-  command
-      .add_option("--align", a->align,
-                  "Poses of the scans: truth (reference poses of the log), mh_amcl, or auto (truth "
-                  "where most scans have it)")
-      .one_of({"auto", "truth", "mh_amcl"})
-      .show_default();
+  add_align_option(command, a->align);
   command.add_flag("--force", a->force, "Write beside files that castaway did not write");
   command.add_flag("--json", a->json, "Print JSON");
   command.footer(

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/log_arguments.hpp"
 #include "tools/evaluate/evaluation.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
@@ -105,26 +106,13 @@ void add_evaluate_command(Command& app) {
   Command command = app.add_command(
       "evaluate",
       "Evaluate localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
-  command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
-  command
-      .add_option("--localizer", a->localizers,
-                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
-                  "(default: mh_amcl)")
-      .repeatable();
-  command.add_option("--starts", config.starts, "Unknown starts in each log")
-      .range(0, 100000)
-      .show_default();
-  command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
-      .range(0, 100000)
-      .show_default();
+  add_log_arguments(command, a->folders, a->localizers);
+  add_trial_options(command, config);
   command
       .add_option("--kidnap-to", a->kidnap_to,
                   "Where kidnaps lead from the place before: far (half a log away), near (the "
                   "nearest other place), look-alike (the other place with the most similar scan)")
       .one_of({std::begin(kSpliceKinds), std::end(kSpliceKinds)})
-      .show_default();
-  command.add_option("--window", config.window_s, "Length of a trial [s]")
-      .range(0.1, 1e6)
       .show_default();
   command.add_option("--seed", config.seed, "Seed of the stress").show_default();
   command.add_option("-j,--jobs", config.workers, "Trials at a time").range(1, 1024).show_default();

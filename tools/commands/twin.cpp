@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/log_arguments.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/play/progress.hpp"
@@ -79,31 +80,13 @@ void add_twin_command(Command& app) {
   EvaluationConfig& config = a->config.evaluation;
   Command command = app.add_command(
       "twin", "Compare what localizers do on recorded logs with what they do in the logs' twins");
-  command.add_option("folders", a->folders, "Folders that hold a log and a map").required();
-  command
-      .add_option("--localizer", a->localizers,
-                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
-                  "(default: mh_amcl)")
-      .repeatable();
+  add_log_arguments(command, a->folders, a->localizers);
   command.add_option("--out", a->out, "Folder of the results").show_default();
-  command.add_option("--starts", config.starts, "Unknown starts in each log")
-      .range(0, 100000)
-      .show_default();
-  command.add_option("--kidnaps", config.kidnaps, "Kidnaps in each log")
-      .range(0, 100000)
-      .show_default();
+  add_trial_options(command, config);
   command.add_option("--replays", a->config.replays, "Replays of each log in its twin")
       .range(1, 1000)
       .show_default();
-  command.add_option("--window", config.window_s, "Length of a trial [s]")
-      .range(0.1, 1e6)
-      .show_default();
-  command
-      .add_option("--align", a->align,
-                  "Poses of the scans: truth (reference poses of the log), mh_amcl, or auto (truth "
-                  "where most scans have it)")
-      .one_of({"auto", "truth", "mh_amcl"})
-      .show_default();
+  add_align_option(command, a->align);
   command.add_option("-j,--jobs", config.workers, "Logs at a time; of one log, trials")
       .range(1, 1024)
       .show_default();

@@ -58,6 +58,7 @@ BLOCKS = {
     "predictions": Block(TRUTH, twins.predictions,
                          SIMULATOR + ["localization", "tools/alignment", "tools/twin", "tools/evaluate", "tools/prediction", "robots/disc"],
                          logs=True),
+    "fits": Block(TRUTH, twins.fits, SIMULATOR + ["localization", "tools/alignment", "tools/twin", "robots/disc"], logs=True),
     "simulation-speed": Block(SPEED, bench("bench", "simulation"), ["sim", "tools/bench/simulation_bench.cpp"], times=True),
     "moved": Block(LOCALIZATION, worlds.moved, SIMULATOR + ["worlds"]),
     "twins": Block(SIMULATION, worlds.twins, ["sim/world", "sim/map", "sim/difference", "worlds"]),

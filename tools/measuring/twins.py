@@ -6,8 +6,7 @@ from measuring.lab import LOGS, table
 
 BENCH = ["bench", "calibration", "--trials", "20", "--seed", "2", "-j", "2", "--json"]
 LOCALIZERS = ["mh_amcl", "mh_amcl:paper", "mh_amcl:published", "amcl", "amcl:amcl-recovery", "amcl:amcl-prob", "amcl:amcl-global"]
-# The others take ten minutes each.
-PREDICTED = ["fhw", "intel", "aces", "edmonton", "belgioioso", "csail", "freiburg-101", "seattle"]
+PREDICTED = ["fhw", "intel", "aces", "edmonton", "belgioioso", "csail", "freiburg-101", "seattle", "acapulco", "freiburg-079", "infinite-corridor"]
 
 
 def calibration(lab):
@@ -35,7 +34,7 @@ def likeness(lab):
 def predictions(lab):
     logs = [str(lab.logs / name) for name in PREDICTED]
     choice = [part for name in LOCALIZERS for part in ("--localizer", name)]
-    found = json.loads(lab.run(["twin", *logs, *choice, "--starts", "12", "--kidnaps", "12", "--out", "twins", "-j", "2", "--json"]))
+    found = json.loads(lab.run(["twin", *logs, *choice, "--starts", "24", "--kidnaps", "24", "--out", "twins", "-j", "2", "--json"]))
     rows = [[each["localizer"], *(f"{100 * each[key]:.1f} %" for key in ["measured", "predicted"]), f"{100 * each['bias']:+.1f}",
              f"{100 * each['apart']:.1f}", f"{each['tracked_near']} of {each['tracked']}"] for each in found["localizers"]]
     tau = found["kendall_tau"]
@@ -45,3 +44,20 @@ def predictions(lab):
     return (table(["localizer", "success: logs", "twins", "bias [points]", "apart, mean over logs [points]", "tracking within 25 %"], rows) +
             f"\nKendall's tau of both rankings: {tau['value']:.2f} ({low:.2f} to {high:.2f}).\n\n" +
             table(["tracking error of `mh_amcl` [m]", "log", "twin"], tracking))
+
+
+def fits(lab):
+    """What `predictions` fitted to each log."""
+    if not (lab.folder / "twins").exists():
+        predictions(lab)
+    rows = []
+    for name in PREDICTED:
+        fit = lab.json_of(f"twins/twins/{name}/calibration.json")
+        odometry, mixed = fit["odometry"], fit["mixed_pixels"]
+        with_interval = lambda value, scale: f"{scale * value['value']:.0f} ({scale * value['interval'][0]:.0f} to {scale * value['interval'][1]:.0f})"
+        rows.append([name, *(f"{odometry[key]['value']:.{digits}f}" for key, digits in [("drift_along", 3), ("drift_yaw_deg", 2), ("drift_turn_deg", 2)]),
+                     with_interval(odometry["stamp_sigma_s"], 1000), with_interval(odometry["drive_in_base"]["x_m"], 1000),
+                     f"{100 * odometry['outlier_share']:.1f}", f"{fit['range_noise']['sigma_typical_m']['value'] * 1000:.0f}",
+                     f"{mixed['divergence_deg']['value']:.2f}"])
+    return table(["log", "walk along [m/√m]", "yaw by travel [°/√m]", "by turn [°/√rad]", "error of stamps [ms]", "drive ahead of stated base [mm]",
+                  "outliers [%]", "noise [mm]", "beam [°]"], rows)

@@ -29,7 +29,13 @@ CalibrationGroup odometry_group(const LogFit& fit) {
            line_of("turn, true over measured", odometry.yaw_scale, "% more", kPercent),
            line_of("curvature", odometry.curvature, "deg/m", kDegrees),
            line_of("random walk along", odometry.drift_along, "m/sqrt(m)"),
-           line_of("random walk of the yaw", odometry.drift_yaw_deg, "deg/sqrt(m)")}};
+           line_of("walk of the yaw by travel", odometry.drift_yaw_deg, "deg/sqrt(m)"),
+           line_of("walk of the yaw by turn", odometry.drift_turn_deg, "deg/sqrt(rad)"),
+           line_of("slips of each wheel", odometry.slip.rate_per_m, "/m"),
+           line_of("drive ahead of stated base", odometry.drive_x_m, "mm", kMilli),
+           line_of("drive left of stated base", odometry.drive_y_m, "mm", kMilli),
+           line_of("drive turned against base", odometry.drive_yaw_deg, "deg"),
+           {"reversing", odometry.unsigned_distance ? "counted as driving ahead" : "counted", ""}}};
 }
 
 void add_noise(const LogFit& fit, CalibrationGroup& group) {
@@ -53,6 +59,23 @@ void add_mixed(const LogFit& fit, CalibrationGroup& group) {
   group.lines.push_back({"mixed steps, up to", fmt::format("{:.4g} m", fit.mixed->reach_m), ""});
 }
 
+/// Errors that many lidars do not have.
+void add_rare(const LogFit& fit, CalibrationGroup& group) {
+  if (fit.dust) {
+    group.lines.push_back(line_of("dust", fit.dust->per_m, "/m"));
+  } else {
+    group.lines.push_back({"dust", "not fitted: too few beams on straight walls", ""});
+  }
+  if (fit.beam_bias) {
+    group.lines.push_back(line_of("offsets of beams", fit.beam_bias->sigma_m, "mm", kMilli));
+  } else {
+    group.lines.push_back({"offsets of beams", "not fitted: too few straight surfaces", ""});
+  }
+  if (fit.range_limit) {
+    group.lines.push_back(line_of("nothing is seen beyond", fit.range_limit->limit_m, "m"));
+  }
+}
+
 CalibrationGroup lidar_group(const LogFit& fit) {
   CalibrationGroup group{fmt::format("Lidar, {:.2f} scans a second", fit.stamps.rate_hz), {}};
   if (fit.clock) {
@@ -61,8 +84,12 @@ CalibrationGroup lidar_group(const LogFit& fit) {
     group.lines.push_back(
         {"clock", "not fitted: odometry comes too seldom or turns too evenly", ""});
   }
+  if (fit.odometry) {
+    group.lines.push_back(
+        line_of("error of the stamps", fit.odometry->stamp_sigma_s, "ms", kMilli));
+  }
   group.lines.push_back(
-      {"jitter of the stamps", fmt::format("{:.4g} ms", kMilli * fit.stamps.jitter_s), ""});
+      {"jitter of the periods", fmt::format("{:.4g} ms", kMilli * fit.stamps.jitter_s), ""});
   add_noise(fit, group);
   if (fit.loss) {
     group.lines.push_back(line_of("lost on walls", fit.loss->lost, "% of beams", kPercent));
@@ -70,6 +97,7 @@ CalibrationGroup lidar_group(const LogFit& fit) {
     group.lines.push_back({"losses", "not fitted: too few beams on straight walls", ""});
   }
   add_mixed(fit, group);
+  add_rare(fit, group);
   return group;
 }
 

@@ -20,7 +20,8 @@ TwinPlaces play_twin(const RecordedPlace& place, const Twin& twin,
   const auto people = static_cast<int>(std::lround(twin.people.value));
   const std::string scenario = twin_scenario(twin.fitted, people);
   TwinPlaces places{played_part(place, log), {}};
-  for (int k = 0; k < replays; ++k) {
+  places.replays.push_back(replay_in_twin(places.log, log, twin.run.frames));
+  for (int k = 1; k < replays; ++k) {
     const auto seed = static_cast<std::uint64_t>(k) + 1;
     places.replays.push_back(
         replay_in_twin(places.log, log, run_twin(folder, scenario, seed).frames));

@@ -40,9 +40,9 @@ TransformBuffer aligned_poses(const AlignedLog& log) {
   return T_map_base;
 }
 
-/// What a twin measured.
+/// What a twin measured, by time of the twin.
 struct TwinData {
-  TransformBuffer T_odom_axle = unlimited();  ///< By time of the twin.
+  TransformBuffer T_odom_axle = unlimited();
   std::vector<const LaserScan*> scans;
 };
 
@@ -57,6 +57,39 @@ TwinData data_of(const Frames& twin) {
   }
   return data;
 }
+
+/// Errors of the stamps of a twin's scans, as what the log's odometry is late at its scans: there
+/// the scans have their stamps, and the poses that were aligned.
+class ScanClock {
+ public:
+  /// `times`: when the scans of the twin began.
+  ScanClock(std::vector<Stamp> times, const std::vector<const LaserScan*>& scans)
+      : times_(std::move(times)) {
+    const std::size_t count = std::min(times_.size(), scans.size());
+    times_.resize(count);
+    Stamp sum{};
+    for (std::size_t i = 0; i < count; ++i) {
+      errors_.push_back(scans[i]->stamp - times_[i]);
+      sum += errors_.back();
+    }
+    const Stamp mean = count > 0 ? sum / static_cast<std::int64_t>(count) : Stamp{};
+    for (Stamp& error : errors_) error -= mean;  // A constant one is in the log's own stamps.
+  }
+
+  /// Time of the twin's odometry that the log's odometry of a time shows.
+  [[nodiscard]] Stamp at(Stamp time) const {
+    const auto next = std::upper_bound(times_.begin(), times_.end(), time);
+    if (next == times_.begin() || next == times_.end()) return time;
+    const auto i = static_cast<std::size_t>(next - times_.begin());
+    const double part = seconds(time - times_[i - 1]) / seconds(times_[i] - times_[i - 1]);
+    const double error = seconds(errors_[i - 1]) + part * seconds(errors_[i] - errors_[i - 1]);
+    return time + localization::from_seconds(error);
+  }
+
+ private:
+  std::vector<Stamp> times_;
+  std::vector<Stamp> errors_;
+};
 
 /// Ranges of the twin by beam of the log: the twin's beams all turn counter-clockwise.
 std::vector<float> ranges_for(const LaserScan& scan, const std::vector<float>& twin) {
@@ -104,13 +137,15 @@ RecordedPlace played_part(const RecordedPlace& place, const AlignedLog& log) {
 Frames replay_in_twin(const RecordedPlace& played, const AlignedLog& log, const Frames& twin) {
   const PlayedTime time = played_time(log);
   const TwinData data = data_of(twin);
-  const SE2 T_axle_base{motion_of(log).axle_m, 0.0, 0.0};
+  const ScanClock clock(played_times(log), data.scans);
+  const SE2 T_axle_drive{motion_of(log).axle_m, 0.0, 0.0};
   Frames replay = played.frames;
   std::size_t scans = 0;
   for (Frame& frame : replay) {
     if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
       const Stamp at = time.clamp(odometry->odometry.stamp) - time.first;
-      odometry->odometry.T_odom_base = data.T_odom_axle.at(at).value() * T_axle_base;
+      const Stamp shown = std::clamp(clock.at(at), Stamp{}, time.last - time.first);
+      odometry->odometry.T_odom_base = data.T_odom_axle.at(shown).value() * T_axle_drive;
     } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
       if (scans < data.scans.size()) {
         scan->scan.ranges = ranges_for(scan->scan, data.scans[scans]->ranges);

@@ -28,10 +28,10 @@ struct FoundSetting {
   [[nodiscard]] bool is_held() const;
 };
 
-/// Simulates log `index` and calibrates on it: systematic errors of odometry, lidar noise at the
-/// typical range and the share of lost beams within 10 %, random errors of odometry within 20 %,
-/// the clock's offset within 5 ms, the number of people within 30 %. Deterministic. Throws as
-/// `build_simulation`.
+/// Simulates log `index` and calibrates on it. Tolerances: 10 % of systematic errors of odometry,
+/// of lidar noise, losses, dust and offsets of beams; 20 % of random errors of odometry and stamps;
+/// 5 ms of the clock's offset; 15 mm and 0.3 degrees of the mount; 30 % of the people.
+/// Deterministic. Throws as `build_simulation`.
 std::vector<FoundSetting> try_calibration(const CalibrationTrialConfig& config, int index);
 
 }  // namespace castaway::testbed

@@ -1,21 +1,14 @@
 #include "tools/twin/log_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tools/alignment/expected_scan.hpp"
+#include "tools/alignment/seen_building.hpp"
+#include "tools/sources/map_conversion.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Fits odometry and the offset of the lidar's clock.
-void fit_motion(const AlignedLog& log, double track, LogFit& fit) {
-  fit.odometry = fit_odometry(take_legs(log, track), track);
-  const OdometryErrors errors = fit.odometry ? fit.odometry->errors : OdometryErrors{};
-  fit.clock = fit_clock(log, errors);
-}
 
 WallOffsets learn_walls(const AlignedLog& log, double usual) {
   constexpr std::size_t kMostScans = 4000;
@@ -33,137 +26,70 @@ WallOffsets learn_walls(const AlignedLog& log, double usual) {
   return walls;
 }
 
-/// Improves the corrections of the scans by what was fitted to the scans as they are.
-void correct(const FittedLog& fitted, ScanCorrection& correction) {
-  if (fitted.fit.clock) {
-    correction.stamp -= localization::from_seconds(fitted.fit.clock->offset_s.value);
+/// Improves the corrections of the scans by what fits the scans that were aligned with them.
+void improve(const AlignedLog& log, double track, ScanCorrection& correction) {
+  correction.T_reference_base = correction.T_reference_base * log.T_start_base;
+  correction.drive = fit_drive_errors(take_legs(log, track), track);
+  if (const auto clock = fit_clock(log, correction.drive.odometry)) {
+    correction.stamp -= localization::from_seconds(clock->offset_s.value);
   }
-  if (fitted.fit.odometry) correction.odometry = fitted.fit.odometry->errors;
-  if (fitted.fit.noise) {
-    correction.walls = learn_walls(fitted.log, fitted.fit.noise->bias_m.value);
+  if (const auto noise = fit_range_noise(log)) {
+    correction.walls = learn_walls(log, noise->bias_m.value);
   }
+}
+
+/// How far the ranges of a log lie behind the walls of its building. [m]
+double bias_against(const RosMap& building, AlignedLog log) {
+  log.grid = to_occupancy_grid(building);
+  const auto noise = fit_range_noise(log);
+  return noise ? noise->bias_m.value : 0.0;
 }
 
 Figure shift_figure(Figure figure, double by) {
   return {figure.value + by, {figure.interval.low + by, figure.interval.high + by}};
 }
 
-Json to_json(const StampFit& fit) {
-  return {{"rate_hz", fit.rate_hz},
-          {"jitter_s", fit.jitter_s},
-          {"gap_share", fit.gap_share},
-          {"longest_s", fit.longest_s}};
+/// A standard deviation without a part of it.
+Figure without(const Figure& sigma, double part) {
+  const auto less = [part](double x) { return std::sqrt(std::max(x * x - part * part, 0.0)); };
+  return {less(sigma.value), {less(std::max(sigma.interval.low, 0.0)), less(sigma.interval.high)}};
 }
 
-Json to_json(const OdometryFit& fit) {
-  return {{"radius_error_left", to_json(fit.radius_error_left)},
-          {"radius_error_right", to_json(fit.radius_error_right)},
-          {"track_error", to_json(fit.track_error)},
-          {"drift_along", to_json(fit.drift_along)},
-          {"drift_yaw_deg", to_json(fit.drift_yaw_deg)},
-          {"scale", to_json(fit.scale)},
-          {"yaw_scale", to_json(fit.yaw_scale)},
-          {"curvature_rad_per_m", to_json(fit.curvature)},
-          {"alignment_sigma_m", to_json(fit.match_sigma_m)},
-          {"way_m", fit.way_m},
-          {"stretches", fit.stretches},
-          {"outlier_share", fit.outliers}};
-}
-
-Json to_json(const RangeNoiseFit& fit) {
-  Json bins = Json::array();
-  for (const auto& bin : fit.bins)
-    bins.push_back({{"range_m", bin.range_m}, {"sigma_m", bin.sigma_m}});
-  return {{"sigma_m", to_json(fit.sigma_m)},
-          {"sigma_relative", to_json(fit.sigma_relative)},
-          {"sigma_typical_m", to_json(fit.sigma_typical)},
-          {"typical_range_m", fit.typical_range_m},
-          {"resolution_m", fit.resolution_m},
-          {"bias_m", to_json(fit.bias_m)},
-          {"groups", fit.groups},
-          {"by_range", bins}};
-}
-
-Json to_json(const LossFit& fit) {
-  return {{"dropout", to_json(fit.dropout)},
-          {"dropout_far", to_json(fit.dropout_far)},
-          {"dropout_grazing", to_json(fit.dropout_grazing)},
-          {"lost", to_json(fit.lost)},
-          {"beams", fit.beams}};
-}
-
-Json to_json(const std::vector<MapBox>& boxes) {
-  Json list = Json::array();
-  for (const MapBox& box : boxes) {
-    list.push_back({{"at", {box.T_map_box.x, box.T_map_box.y}},
-                    {"yaw_deg", box.T_map_box.yaw * 180.0 / std::numbers::pi},
-                    {"size", {box.size.x(), box.size.y()}}});
-  }
-  return list;
-}
-
-Json to_json(const BuildingFit& fit) {
-  return {{"moving_share", to_json(fit.moving_share)},
-          {"standing_share", to_json(fit.standing_share)},
-          {"through_share", to_json(fit.through_share)},
-          {"moving_count", to_json(fit.moving_count)},
-          {"free_area_m2", fit.free_area_m2},
-          {"watched_m2", fit.watched_m2},
-          {"beams", fit.beams},
-          {"standing", to_json(fit.standing)},
-          {"gone", to_json(fit.gone)}};
+/// Takes the offsets of the beams, which are a model of their own, out of the noise.
+void separate(const BeamBiasFit& bias, RangeNoiseFit& noise) {
+  if (bias.sigma_m.interval.low <= 0.0) return;
+  noise.sigma_m = without(noise.sigma_m, bias.sigma_m.value);
+  noise.sigma_typical = without(noise.sigma_typical, bias.sigma_m.value);
 }
 
 }  // namespace
 
 FittedLog fit_log(const RecordedPlace& place, const LogFitConfig& config) {
-  constexpr int kRounds = 4;
+  constexpr int kImprovements = 3;
   ScanCorrection correction;
-  FittedLog fitted;
-  for (int round = 0; round < kRounds; ++round) {
-    if (round > 0) correct(fitted, correction);
-    fitted.log = align_log(place, config.align, correction);
-    fit_motion(fitted.log, config.track, fitted.fit);
-    fitted.fit.noise = fit_range_noise(fitted.log);
+  AlignedLog log = align_log(place, config.align, correction);
+  for (int round = 0; round < kImprovements; ++round) {
+    improve(log, config.track, correction);
+    log = align_log(place, config.align, correction);
   }
-  fitted.walls = std::move(correction.walls);
-  if (fitted.fit.clock) {
-    Figure& offset = fitted.fit.clock->offset_s;
-    offset = shift_figure(offset, -seconds(correction.stamp));
-  }
-  fitted.fit.stamps = fit_stamps(fitted.log.stamps);
-  fitted.fit.loss = fit_loss(fitted.log);
-  fitted.fit.mixed = fit_mixed(fitted.log);
-  fitted.fit.building = fit_building(fitted.log);
-  return fitted;
-}
-
-Json to_json(const Figure& figure) {
-  return {{"value", figure.value}, {"interval", {figure.interval.low, figure.interval.high}}};
-}
-
-Json to_json(const FittedLog& fitted) {
-  const LogFit& fit = fitted.fit;
-  Json json = {{"log", fitted.log.name},
-               {"scans", fitted.log.scans.size()},
-               {"scans_left_out", fitted.log.left_out},
-               {"end_points_on_walls", fitted.log.on_walls},
-               {"aligned_by", fitted.log.by_truth ? "reference poses" : "mh_amcl"},
-               {"stamps", to_json(fit.stamps)}};
+  LogFit fit;
+  fit.odometry = fit_odometry(take_legs(log, config.track), config.track);
+  fit.clock = fit_clock(log, fit.odometry ? fit.odometry->errors.odometry : OdometryErrors{});
   if (fit.clock) {
-    json["lidar_clock"] = {{"offset_s", to_json(fit.clock->offset_s)},
-                           {"turn_changes_rad_s", fit.clock->turn_changes}};
+    fit.clock->offset_s = shift_figure(fit.clock->offset_s, -seconds(correction.stamp));
   }
-  if (fit.odometry) json["odometry"] = to_json(*fit.odometry);
-  if (fit.noise) json["range_noise"] = to_json(*fit.noise);
-  if (fit.loss) json["loss"] = to_json(*fit.loss);
-  if (fit.mixed) {
-    json["mixed_pixels"] = {{"divergence_deg", to_json(fit.mixed->divergence_deg)},
-                            {"reach_m", fit.mixed->reach_m},
-                            {"steps", fit.mixed->steps}};
-  }
-  if (fit.building) json["building"] = to_json(*fit.building);
-  return json;
+  fit.stamps = fit_stamps(log.stamps);
+  fit.noise = fit_range_noise(log);
+  fit.loss = fit_loss(log);
+  fit.mixed = fit_mixed(log);
+  fit.dust = fit_dust(log);
+  fit.beam_bias = fit_beam_bias(log);
+  fit.range_limit = fit_range_limit(log);
+  if (fit.noise && fit.beam_bias) separate(*fit.beam_bias, *fit.noise);
+  fit.building = fit_building(log);
+  RosMap building = see_building(place.map, log);
+  fit.world_bias_m = bias_against(building, log);
+  return {std::move(log), std::move(correction.walls), std::move(building), std::move(fit)};
 }
 
 }  // namespace castaway::testbed

@@ -5,13 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/twin/fits/beam_bias_fit.hpp"
 #include "tools/twin/fits/building_fit.hpp"
 #include "tools/twin/fits/clock_fit.hpp"
+#include "tools/twin/fits/dust_fit.hpp"
 #include "tools/twin/fits/loss_fit.hpp"
 #include "tools/twin/fits/mixed_fit.hpp"
-#include "tools/twin/fits/odometry_fit.hpp"
+#include "tools/twin/fits/range_limit_fit.hpp"
 #include "tools/twin/fits/range_noise_fit.hpp"
 #include "tools/twin/fits/stamp_fit.hpp"
+#include "tools/twin/odometry/odometry_fit.hpp"
 
 namespace castaway::testbed {
 
@@ -23,8 +26,11 @@ struct LogFit {
   std::optional<RangeNoiseFit> noise;
   std::optional<LossFit> loss;
   std::optional<MixedFit> mixed;
+  std::optional<DustFit> dust;
+  std::optional<BeamBiasFit> beam_bias;
+  std::optional<RangeLimitFit> range_limit;
   std::optional<BuildingFit> building;
-  double world_bias_m = 0.0;  ///< [m] Ranges behind the walls of the twin's world.
+  double world_bias_m = 0.0;  ///< [m] Ranges behind the walls of the building.
 };
 
 /// Parameters of a fit.
@@ -38,6 +44,7 @@ struct LogFitConfig {
 struct FittedLog {
   AlignedLog log;                    ///< With the stamps of the scans on odometry's clock.
   std::optional<WallOffsets> walls;  ///< Surfaces of the walls that it was aligned with.
+  RosMap building;                   ///< As the log saw it.
   LogFit fit;
 };
 

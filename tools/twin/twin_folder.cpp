@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "tools/alignment/seen_building.hpp"
 #include "tools/files/file.hpp"
-#include "tools/sources/map_conversion.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
 
@@ -29,28 +27,19 @@ void write_parts(const FittedLog& fitted, int people, const std::filesystem::pat
   if (!differences.empty()) write_file(folder / "differences.yaml", differences);
 }
 
-/// How far the ranges of a log lie behind the walls of its building. [m]
-double bias_against(const RosMap& building, const FittedLog& fitted) {
-  AlignedLog log = fitted.log;
-  log.grid = to_occupancy_grid(building);
-  const auto noise = fit_range_noise(log);
-  return noise ? noise->bias_m.value : 0.0;
-}
-
 }  // namespace
 
-void write_twin_inputs(const RosMap& map, const std::filesystem::path& folder, FittedLog& fitted) {
+void write_twin_inputs(const RosMap& map, const FittedLog& fitted,
+                       const std::filesystem::path& folder) {
   write_ros_map(map, folder / "map.yaml");
-  const RosMap building = see_building(map, fitted.log);
-  write_ros_map(building, folder / "world.yaml");
-  fitted.fit.world_bias_m = bias_against(building, fitted);
+  write_ros_map(fitted.building, folder / "world.yaml");
   write_file(folder / "path.tum", path_text(fitted));
   write_file(folder / "scan_times.txt", scan_times_text(fitted.log));
 }
 
 Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::path& folder) {
-  Twin twin{fit_log(place, {.align = by, .track = kTwinTrack}), {}, {}};
-  write_twin_inputs(place.map, folder, twin.fitted);
+  Twin twin{fit_log(place, {.align = by, .track = kTwinTrack}), {}, {}, {}};
+  write_twin_inputs(place.map, twin.fitted, folder);
   twin.people = fit_people(folder, twin.fitted);
   const int people = static_cast<int>(std::lround(twin.people.value));
   const std::string scenario = twin_scenario(twin.fitted, people);
@@ -58,8 +47,8 @@ Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::p
   write_file(folder / "scenario.yaml", scenario);
   ScanCorrection correction;
   correction.walls = twin.fitted.walls;
-  twin.likeness = compare_logs(
-      twin.fitted.log, align_log(run_twin(folder, scenario, 1), AlignBy::kTruth, correction));
+  twin.run = run_twin(folder, scenario, 1);
+  twin.likeness = compare_logs(twin.fitted.log, align_log(twin.run, AlignBy::kTruth, correction));
   write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
   return twin;
 }

@@ -16,11 +16,13 @@ struct Twin {
   FittedLog fitted;
   Figure people;
   Likeness likeness;
+  RecordedPlace run;  ///< Of the twin, with seed 1.
 };
 
 /// Writes what a twin's scenario reads: `world.yaml`, `map.yaml`, `path.tum`, `scan_times.txt`.
-/// Sets how far the ranges of the log lie behind the walls of that world.
-void write_twin_inputs(const RosMap& map, const std::filesystem::path& folder, FittedLog& fitted);
+/// `map`: of the log.
+void write_twin_inputs(const RosMap& map, const FittedLog& fitted,
+                       const std::filesystem::path& folder);
 
 /// Fits a log and writes its twin into a folder: `scenario.yaml` with `world.yaml` (the building as
 /// the log saw it), `map.yaml`, `path.tum` and `scan_times.txt`; parts to use elsewhere

@@ -68,33 +68,31 @@ std::string noise_text(const LogFit& fit) {
     text += "  divergence_deg: " + number(fit.mixed->divergence_deg.value) + "\n";
     text += "  mixed_reach_m: " + number(fit.mixed->reach_m) + "\n";
   }
+  if (fit.dust && fit.dust->per_m.interval.low > 0.0) {
+    text += "  dust_per_m: " + number(fit.dust->per_m.value) + "\n";
+    text += "  dust_range_m: " + number(fit.dust->range_m) + "\n";
+  }
+  if (fit.beam_bias && fit.beam_bias->sigma_m.interval.low > 0.0) {
+    text += "  beam_bias_sigma_m: " + number(fit.beam_bias->sigma_m.value) + "\n";
+  }
   return text;
+}
+
+double range_limit(const FittedLog& fitted) {
+  const auto& limit = fitted.fit.range_limit;
+  return limit ? limit->limit_m.value : fitted.log.scans.front().scan.range_max;
 }
 
 }  // namespace
 
-TwinMotion motion_of(const AlignedLog& log) {
-  TwinMotion motion;
-  double product = 0.0;
-  double square = 0.0;
-  double turned = 0.0;
-  for (const Leg& leg : take_legs(log, kTwinTrack)) {
-    for (const OdometryStep& step : leg.steps) {
-      product += step.across * step.turn;
-      square += step.turn * step.turn;
-      turned += std::abs(step.turn);
-    }
-  }
-  constexpr double kFewestTurns = 3.0;  // [rad]
-  if (turned > kFewestTurns) motion.axle_m = product / square;
-  motion.duration_s = seconds(log.scans.back().scan.stamp - log.scans.front().scan.stamp);
-  return motion;
-}
-
 std::string lidar_text(const FittedLog& fitted) {
   const LaserScan& scan = fitted.log.scans.front().scan;
-  const Eigen::Vector3d mount = scan.T_base_laser.translation();
-  const Eigen::Matrix3d R = scan.T_base_laser.linear();
+  const SE2 T_axle_base = axle_in_base(fitted).inverse();
+  const Eigen::Isometry3d T_axle_laser =
+      Eigen::Translation3d(T_axle_base.x, T_axle_base.y, 0.0) *
+      Eigen::AngleAxisd(T_axle_base.yaw, Eigen::Vector3d::UnitZ()) * scan.T_base_laser;
+  const Eigen::Vector3d mount = T_axle_laser.translation();
+  const Eigen::Matrix3d R = T_axle_laser.linear();
   const Eigen::Vector3d rpy(std::atan2(R(2, 1), R(2, 2)),
                             std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
                             std::atan2(R(1, 0), R(0, 0)));
@@ -108,11 +106,15 @@ std::string lidar_text(const FittedLog& fitted) {
   text += "fov_deg: " + number(field_of_view_deg(increment * kDegrees, beams)) + "\n";
   text += "angle_min_deg: " + number(first * kDegrees) + "\n";
   text += "range_min: " + number(std::max(scan.range_min, 0.0)) + "\n";
-  text += "range_max: " + number(scan.range_max) + "\n";
+  text += "range_max: " + number(range_limit(fitted)) + "\n";
   text += "rate_hz: " + number(std::clamp(fitted.fit.stamps.rate_hz, 0.01, 1000.0)) + "\n";
+  if (fitted.fit.odometry) {
+    text +=
+        "stamp_sigma_s: " + number(std::min(fitted.fit.odometry->stamp_sigma_s.value, 10.0)) + "\n";
+  }
   text += fmt::format("sweep: {}\n", scan.time_increment != Stamp::zero());
-  text += fmt::format("mount_xyz: [{}, {}, {}]\n", number(mount.x() + motion_of(fitted.log).axle_m),
-                      number(mount.y()), number(mount.z() > 0.0 ? mount.z() : kLidarHeight));
+  text += fmt::format("mount_xyz: [{}, {}, {}]\n", number(mount.x()), number(mount.y()),
+                      number(mount.z() > 0.0 ? mount.z() : kLidarHeight));
   text +=
       fmt::format("mount_rpy: [{}, {}, {}]\n", number(rpy.x()), number(rpy.y()), number(rpy.z()));
   return text + noise_text(fitted.fit);
@@ -130,6 +132,13 @@ std::string odometry_text(const FittedLog& fitted) {
   text += "track_error: " + error(fit.track_error) + "\n";
   text += "drift_along: " + number(not_negative(fit.drift_along)) + "\n";
   text += "drift_yaw_deg: " + number(not_negative(fit.drift_yaw_deg)) + "\n";
+  text += "drift_turn_deg: " + number(not_negative(fit.drift_turn_deg)) + "\n";
+  if (fit.slip.rate_per_m.value > 0.0) {
+    text +=
+        fmt::format("slip: {{rate_per_m: {}, length_m: {}, share: {}}}\n",
+                    number(fit.slip.rate_per_m.value), number(fit.slip.length_m), SlipFit::kShare);
+  }
+  if (fit.unsigned_distance) text += "unsigned_distance: true\n";
   return text;
 }
 
@@ -169,7 +178,7 @@ std::string twin_scenario(const FittedLog& fitted, int people) {
 }
 
 std::string path_text(const FittedLog& fitted) {
-  const SE2 T_base_axle{-motion_of(fitted.log).axle_m, 0.0, 0.0};
+  const SE2 T_base_axle = axle_in_base(fitted);
   const Stamp first = fitted.log.scans.front().scan.stamp;
   std::string text;
   for (const PathPose& pose : path_of(fitted.log)) {
@@ -178,11 +187,6 @@ std::string path_text(const FittedLog& fitted) {
   return text;
 }
 
-std::string scan_times_text(const AlignedLog& log) {
-  const Stamp first = log.scans.front().scan.stamp;
-  std::vector<Stamp> times;
-  for (const Stamp stamp : played_stamps(log)) times.push_back(stamp - first);
-  return times_text(times);
-}
+std::string scan_times_text(const AlignedLog& log) { return times_text(played_times(log)); }
 
 }  // namespace castaway::testbed

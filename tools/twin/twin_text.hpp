@@ -3,18 +3,9 @@
 
 #include <string>
 
-#include "tools/twin/log_fit.hpp"
+#include "tools/twin/twin_motion.hpp"
 
 namespace castaway::testbed {
-
-/// How the twin follows the log.
-struct TwinMotion {
-  double axle_m = 0.0;      ///< [m] Base of the log is this far ahead of the wheels' axle.
-  double duration_s = 0.0;  ///< [s] From the first aligned scan to the last one.
-};
-
-/// The log's motion. The axle is where odometry's sideways motion vanishes when the robot turns.
-TwinMotion motion_of(const AlignedLog& log);
 
 /// Fragments of a scenario in YAML. A model that the log cannot tell is ideal in the twin.
 std::string lidar_text(const FittedLog& fitted);
@@ -31,9 +22,5 @@ std::string path_text(const FittedLog& fitted);
 
 /// The times at which the twin's scans begin, since the first one.
 std::string scan_times_text(const AlignedLog& log);
-
-/// The robot of a twin, and the distance between its wheels.
-inline constexpr const char* kTwinRobot = "disc";
-inline constexpr double kTwinTrack = 0.233;  // [m]
 
 }  // namespace castaway::testbed

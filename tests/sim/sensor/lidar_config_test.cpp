@@ -82,5 +82,17 @@ TEST(LidarConfig, RefusesScanTimesThatGoBackOrAreNegative) {
   EXPECT_THAT(error_with({milliseconds(-1), milliseconds(2)}), HasSubstr("scan time is negative"));
 }
 
+TEST(LidarConfig, RefusesErrorsOfStampsThatCannotBe) {
+  LidarConfig config;
+  for (const double sigma : {-0.01, 10.1, std::nan("")}) {
+    config.stamp_sigma = sigma;
+    EXPECT_THROW(validate(config), std::invalid_argument) << sigma;
+  }
+  for (const double sigma : {0.0, 10.0}) {
+    config.stamp_sigma = sigma;
+    EXPECT_NO_THROW(validate(config)) << sigma;
+  }
+}
+
 }  // namespace
 }  // namespace castaway::sim

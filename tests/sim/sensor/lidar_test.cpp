@@ -212,5 +212,79 @@ TEST(LidarSweeper, WithoutTimesScansAllTheTime) {
   EXPECT_EQ(scan_stamps(four_beams(), 400), (std::vector<double>{0.0, 100.0, 200.0, 300.0}));
 }
 
+/// Scans of a robot that drives past walls for `seconds`; a scan every 0.1 s.
+std::vector<LidarReading> readings_with(double stamp_sigma, int seconds) {
+  LidarConfig config = four_beams();
+  config.noise.sigma = 0.01;
+  config.stamp_sigma = stamp_sigma;
+  LidarDraws draws{Rng(3)};
+  draws.stamps = Rng(5);
+  LidarSweeper sweeper(config, {}, draws);
+  const RayScene scene = two_walls();
+  std::vector<LidarReading> readings;
+  for (int s = 0; s < seconds; ++s) {
+    const double x = 1e-3 * s;
+    const Motion motion{std::chrono::seconds(s), std::chrono::seconds(s + 1),
+                        to_isometry({x, 0.0, 0.1}), to_isometry({x + 1e-3, 0.0, 0.1})};
+    for (Sweep& sweep : sweeper.advance(scene, motion)) {
+      readings.push_back(std::move(sweep.reading));
+    }
+  }
+  return readings;
+}
+
+/// Stated stamps less the true ones. [s]
+std::vector<double> stamp_errors(const std::vector<LidarReading>& readings) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const nanoseconds truth = static_cast<int>(k) * milliseconds(100);
+    errors.push_back(std::chrono::duration<double>(readings[k].stamp - truth).count());
+  }
+  return errors;
+}
+
+TEST(LidarSweeper, ErrorsOfStampsChangeNothingElse) {
+  const auto exact = readings_with(0.0, 20);
+  const auto wrong = readings_with(0.02, 20);
+  ASSERT_EQ(exact.size(), 200U);
+  ASSERT_EQ(wrong.size(), exact.size());
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    EXPECT_EQ(exact[k].stamp, static_cast<int>(k) * milliseconds(100));
+    EXPECT_EQ(wrong[k].ranges, exact[k].ranges);
+    EXPECT_EQ(wrong[k].T_map_base_true.x, exact[k].T_map_base_true.x);
+    EXPECT_EQ(wrong[k].T_map_base_true.yaw, exact[k].T_map_base_true.yaw);
+    EXPECT_EQ(wrong[k].time_increment, exact[k].time_increment);
+  }
+}
+
+TEST(LidarSweeper, ErrorsOfStampsHaveTheirSigma) {
+  const std::vector<double> errors = stamp_errors(readings_with(0.01, 400));
+  const auto count = static_cast<double>(errors.size());
+  ASSERT_EQ(count, 4000.0);
+  double sum = 0.0;
+  double squares = 0.0;
+  double products = 0.0;
+  for (std::size_t k = 1; k < errors.size(); ++k) {  // The first stamp is never before 0.
+    sum += errors[k];
+    squares += errors[k] * errors[k];
+    products += errors[k] * errors[k - 1];
+  }
+  EXPECT_NEAR(sum / count, 0.0, 4.0 * 0.01 / std::sqrt(count));
+  EXPECT_NEAR(std::sqrt(squares / count), 0.01, 4.0 * 0.01 / std::sqrt(2.0 * count));
+  EXPECT_NEAR(products / squares, 0.0, 4.0 / std::sqrt(count));  // Each is drawn anew.
+}
+
+TEST(LidarSweeper, StampsAscendFromTheStartOfTheRunEvenIfTheirErrorsAreLarge) {
+  const auto readings = readings_with(0.5, 100);
+  ASSERT_EQ(readings.size(), 1000U);
+  nanoseconds before{-1};
+  for (const LidarReading& reading : readings) {
+    EXPECT_GT(reading.stamp, before);
+    before = reading.stamp;
+  }
+  EXPECT_GT(before, std::chrono::seconds(99));  // Errors do not add up.
+  EXPECT_LT(before, std::chrono::seconds(103));
+}
+
 }  // namespace
 }  // namespace castaway::sim

@@ -160,8 +160,84 @@ TEST(WheelOdometry, HeadingDriftsByItsSigma) {
   EXPECT_NEAR(std::sqrt(squares / kRuns), expected, expected * 4.0 / std::sqrt(2.0 * kRuns));
 }
 
+/// Standard deviation of the yaw over `kYawRuns` drives to the same wheel angles, about its mean.
+constexpr unsigned kYawRuns = 3000;
+double yaw_spread(const OdometryConfig& config, const WheelAngles& end) {
+  const double exact = driven(ideal_odometry(), kDrive, end, 1, 20).yaw;
+  double squares = 0.0;
+  for (unsigned run = 0; run < kYawRuns; ++run) {
+    squares += std::pow(driven(config, kDrive, end, run, 20).yaw - exact, 2);
+  }
+  return std::sqrt(squares / kYawRuns);
+}
+
+constexpr double kYawShare = 4.0 / 77.0;  // Of a standard deviation: 4 / sqrt(2 * kYawRuns).
+
+TEST(WheelOdometry, HeadingDriftsByTurn) {
+  OdometryConfig config = ideal_odometry();
+  config.drift_turn_deg = 1.5;
+  for (const double turn : {2.25, -2.25}) {
+    const double expected = 1.5 * 1.5 * pi / 180.0;  // Times the root of the turn.
+    EXPECT_NEAR(yaw_spread(config, arc_angles(kDrive, 0.0, turn)), expected, kYawShare * expected);
+    const double on_arc = yaw_spread(config, arc_angles(kDrive, 2.0, turn));
+    EXPECT_NEAR(on_arc, expected, kYawShare * expected);
+  }
+  EXPECT_EQ(driven(config, kDrive, {80.0, 80.0}, 1).yaw, 0.0);  // Straight on.
+}
+
+TEST(WheelOdometry, DriftsByTravelAndByTurnAddInQuadrature) {
+  OdometryConfig config = ideal_odometry();
+  config.drift_yaw_deg = 0.8;
+  config.drift_turn_deg = 1.2;
+  const double expected = std::hypot(0.8 * std::sqrt(4.0), 1.2 * std::sqrt(1.6)) * pi / 180.0;
+  EXPECT_NEAR(yaw_spread(config, arc_angles(kDrive, 2.5, 1.6)), expected, kYawShare * expected);
+}
+
+TEST(WheelOdometry, DriftOfTheHeadingKeepsTheDistance) {
+  OdometryConfig config = ideal_odometry();
+  config.drift_turn_deg = 5.0;
+  EXPECT_NEAR(driven(config, kDrive, {-40.0, 40.0}, 1).x, 0.0, 1e-12);
+}
+
+TEST(WheelOdometry, WithUnsignedDistancesReversingIsDrivingAhead) {
+  OdometryConfig config = ideal_odometry();
+  config.unsigned_distance = true;
+  for (const double sign : {1.0, -1.0}) {
+    const Pose2 straight = driven(config, kDrive, {20.0 * sign, 20.0 * sign}, 1);
+    EXPECT_NEAR(straight.x, 1.0, 1e-12);
+    EXPECT_NEAR(straight.yaw, 0.0, 1e-12);
+    const Pose2 ahead = driven(config, kDrive, arc_angles(kDrive, 2.0 * sign, sign * pi / 2), 1);
+    EXPECT_NEAR(ahead.x, 2.0, 1e-12);
+    EXPECT_NEAR(ahead.y, 2.0 * sign, 1e-12);
+    EXPECT_NEAR(ahead.yaw, sign * pi / 2, 1e-12);
+    const Pose2 back = driven(config, kDrive, arc_angles(kDrive, -2.0 * sign, sign * pi / 2), 1);
+    EXPECT_NEAR(back.x, 2.0, 1e-12);
+    EXPECT_NEAR(back.y, 2.0 * sign, 1e-12);
+    EXPECT_NEAR(back.yaw, sign * pi / 2, 1e-12);
+    const Pose2 turn = driven(config, kDrive, {-4.0 * sign, 4.0 * sign}, 1);
+    EXPECT_NEAR(turn.x, 0.0, 1e-12);
+    EXPECT_NEAR(turn.yaw, sign, 1e-12);
+  }
+  EXPECT_NEAR(driven(ideal_odometry(), kDrive, {-20.0, -20.0}, 1).x, -1.0, 1e-12);
+}
+
+// The walk along the heading is not made positive.
+TEST(WheelOdometry, WithUnsignedDistancesDriftsToBothSides) {
+  OdometryConfig config = ideal_odometry();
+  config.unsigned_distance = true;
+  config.drift_along = 0.1;
+  double sum = 0.0;
+  constexpr unsigned kRuns = 2000;
+  for (unsigned run = 0; run < kRuns; ++run) {
+    sum += driven(config, kDrive, {-20.0, -20.0}, run, 20).x - 1.0;
+  }
+  EXPECT_NEAR(sum / kRuns, 0.0, 4.0 * 0.1 / std::sqrt(kRuns));
+}
+
 TEST(WheelOdometry, StandingStillDoesNotDrift) {
-  const Pose2 pose = driven(OdometryConfig{}, kDrive, {0.0, 0.0}, 3);
+  OdometryConfig config;
+  config.drift_turn_deg = 1.0;
+  const Pose2 pose = driven(config, kDrive, {0.0, 0.0}, 3);
   EXPECT_EQ(pose.x, 0.0);
   EXPECT_EQ(pose.yaw, 0.0);
 }
@@ -170,6 +246,21 @@ TEST(OdometryConfig, RefusesWhatCannotBe) {
   OdometryConfig config;
   config.track_sigma = -0.1;
   EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
+TEST(OdometryConfig, RefusesANegativeDriftByTurnAndNamesIt) {
+  OdometryConfig config;
+  config.drift_turn_deg = -0.25;
+  try {
+    validate(config);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("drift_turn_deg is -0.25"), std::string::npos);
+  }
+  config.drift_turn_deg = std::nan("");
+  EXPECT_THROW(validate(config), std::invalid_argument);
+  config.drift_turn_deg = 0.0;
+  EXPECT_NO_THROW(validate(config));
 }
 
 TEST(OdometryConfig, RefusesFixedErrorsThatCannotBeAndNamesThem) {

@@ -206,7 +206,7 @@ TEST(AlignedLog, CorrectsThePathByTheErrorsOfOdometry) {
   const RecordedPlace place = recorded_office(60);
   const OdometryErrors errors{0.1, -0.2, 0.05};
   ScanCorrection correction;
-  correction.odometry = errors;
+  correction.drive.odometry = errors;
   const AlignedLog log = align_log(place, AlignBy::kTruth, correction);
   const auto motion = [](const localization::TransformBuffer& buffer, int scan) {
     const Stamp stamp = scan * milliseconds(200);
@@ -223,6 +223,70 @@ TEST(AlignedLog, CorrectsThePathByTheErrorsOfOdometry) {
   const AlignedLog plain = align_log(place, AlignBy::kTruth);
   EXPECT_LT(localization::distance(motion(plain.T_path_base, 7), motion(plain.T_odom_base, 7)),
             1e-12);
+}
+
+TEST(AlignedLog, CorrectsThePathByThePoseOfTheDrive) {
+  const RecordedPlace place = recorded_office(60);
+  ScanCorrection correction;
+  correction.drive.T_base_drive = {-0.4, 0.1, 0.3};
+  const AlignedLog log = align_log(place, AlignBy::kTruth, correction);
+  const SE2 T_base_drive = correction.drive.T_base_drive;
+  for (const int scan : {0, 30, 58}) {
+    const Stamp stamp = scan * milliseconds(200);
+    const auto motion = [&](const localization::TransformBuffer& buffer) {
+      return buffer.at(stamp)->inverse() * *buffer.at(stamp + milliseconds(200));
+    };
+    const SE2 expected = T_base_drive * motion(log.T_odom_base) * T_base_drive.inverse();
+    EXPECT_LT(localization::distance(motion(log.T_path_base), expected), 1e-9);
+    EXPECT_LT(localization::yaw_distance(motion(log.T_path_base), expected), 1e-9);
+  }
+}
+
+/// Reference poses of the office's log that are off by `off`, seen from the robot.
+RecordedPlace misplaced_office(int scans, const SE2& off) {
+  RecordedPlace place = recorded_office(scans);
+  for (ScanFrame* scan : scans_in(place.frames)) {
+    scan->T_map_base_true = *scan->T_map_base_true * off;
+  }
+  return place;
+}
+
+TEST(AlignedLog, KnowsHowFarItMovedTheReferencePoses) {
+  for (const SE2& off : {SE2{0.03, -0.02, 0.01}, SE2{-0.02, 0.03, -0.015}, SE2{}}) {
+    const AlignedLog log = align_log(misplaced_office(60, off), AlignBy::kTruth, at_borders());
+    const SE2 back = off.inverse();
+    EXPECT_NEAR(log.T_start_base.x, back.x, 0.003);
+    EXPECT_NEAR(log.T_start_base.y, back.y, 0.003);
+    EXPECT_NEAR(log.T_start_base.yaw, back.yaw, 0.003);
+  }
+}
+
+TEST(AlignedLog, BeginsAtReferencePosesThatAreCorrected) {
+  const SE2 off{0.25, -0.2, 0.12};  // farther than an alignment reaches
+  const auto truth = true_poses(recorded_office(60).frames);
+  const RecordedPlace place = misplaced_office(60, off);
+  ScanCorrection correction = at_borders();
+  correction.T_reference_base = off.inverse();
+  const AlignedLog log = align_log(place, AlignBy::kTruth, correction);
+  ASSERT_EQ(log.scans.size(), 60U);
+  expect_aligned(log, truth, kWithin);
+  EXPECT_LT(log.T_start_base.translation().norm(), 0.003);
+  EXPECT_NEAR(log.T_start_base.yaw, 0.0, 0.003);
+}
+
+// Poses that are tracked backwards are aligned already.
+TEST(AlignedLog, DoesNotCorrectPosesThatItTracksBackwards) {
+  const SE2 off{0.25, -0.2, 0.12};
+  const auto truth = true_poses(recorded_office(65).frames);
+  RecordedPlace place = misplaced_office(65, off);
+  const std::vector<ScanFrame*> scans = scans_in(place.frames);
+  for (std::size_t k = 0; k < 20; ++k) scans[k]->T_map_base_true.reset();
+  ScanCorrection correction = at_borders();
+  correction.T_reference_base = off.inverse();
+  const AlignedLog log = align_log(place, AlignBy::kTruth, correction);
+  ASSERT_EQ(log.scans.size(), 65U);
+  expect_aligned(log, truth, kWithin);
+  EXPECT_LT(log.T_start_base.translation().norm(), 0.003);
 }
 
 TEST(AlignedLog, TakesTheFirstLidarOnly) {

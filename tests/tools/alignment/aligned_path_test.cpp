@@ -121,13 +121,20 @@ TEST(AlignedPath, LeavesOutScansThatAreNotLater) {
   EXPECT_EQ(path[1].T_map_base.x, 4.0);
 }
 
-TEST(PlayedStamps, AreThoseFromTheFirstAlignedScanToTheLast) {
+TEST(PlayedTimes, AreThoseFromTheFirstAlignedScanToTheLast) {
   AlignedLog log;
   add_aligned(milliseconds(200), {}, log);
   add_aligned(milliseconds(500), {}, log);
   for (const int ms : {100, 200, 400, 300, 500, 600}) log.stamps.push_back(milliseconds(ms));
-  EXPECT_EQ(played_stamps(log), (std::vector<Stamp>{milliseconds(200), milliseconds(300),
-                                                    milliseconds(400), milliseconds(500)}));
+  EXPECT_EQ(played_times(log), (std::vector<Stamp>{milliseconds(0), milliseconds(100),
+                                                   milliseconds(200), milliseconds(300)}));
+}
+
+TEST(PlayedTimes, OfALogWithOneScanIsItsBeginning) {
+  AlignedLog log;
+  add_aligned(milliseconds(200), {}, log);
+  for (const int ms : {100, 200, 300}) log.stamps.push_back(milliseconds(ms));
+  EXPECT_EQ(played_times(log), std::vector<Stamp>{Stamp{}});
 }
 
 }  // namespace

@@ -92,5 +92,34 @@ TEST(Legs, WithoutErrorsReproduceOdometry) {
   }
 }
 
+TEST(Legs, KnowHowFastOdometryIsAtBothEnds) {
+  AlignedLog log = log_of({{500, {}}, {1500, {}}});
+  SE2 T_odom_base{1.0, 2.0, 3.0};
+  for (int ms = 0; ms <= 2000; ms += 50) {  // ahead to the left, then back to the right
+    log.T_odom_base.add(milliseconds(ms), T_odom_base);
+    const double along = ms < 1000 ? 0.8 : -0.4;
+    const double turn = ms < 1000 ? 0.5 : -1.0;
+    T_odom_base = T_odom_base * correct_motion({{0.05 * along, 0.0, 0.05 * turn, 0.0}}, {});
+  }
+  const std::vector<Leg> legs = take_legs(log, kLegTrack);
+  ASSERT_EQ(legs.size(), 1U);
+  EXPECT_NEAR(legs[0].rate_at_start.along, 0.8, 1e-9);
+  EXPECT_NEAR(legs[0].rate_at_start.turn, 0.5, 1e-9);
+  EXPECT_NEAR(legs[0].rate_at_end.along, -0.4, 1e-9);
+  EXPECT_NEAR(legs[0].rate_at_end.turn, -1.0, 1e-9);
+}
+
+TEST(Legs, HaveNoRateWhereOdometryBeginsOrEnds) {
+  AlignedLog log = log_of({{1000, {}}, {1200, {}}, {1400, {}}});
+  log.T_odom_base.add(milliseconds(1000), {});
+  log.T_odom_base.add(milliseconds(1400), {0.4, 0.0, 0.0});
+  const std::vector<Leg> legs = take_legs(log, kLegTrack);
+  ASSERT_EQ(legs.size(), 2U);
+  EXPECT_FALSE(legs[0].breaks);
+  EXPECT_EQ(legs[0].rate_at_start.along, 0.0);
+  EXPECT_NEAR(legs[0].rate_at_end.along, 1.0, 1e-9);
+  EXPECT_NEAR(legs[1].rate_at_start.along, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace castaway::testbed

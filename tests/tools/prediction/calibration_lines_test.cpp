@@ -30,18 +30,33 @@ TEST(CalibrationLines, OfOdometryAreInPercentAndDegrees) {
                    "turn, true over measured: -3 % more, -3.1 to -2.9",
                    "curvature: 0.5 deg/m, 0.4427 to 0.5573",
                    "random walk along: 0.04 m/sqrt(m), 0.039 to 0.041",
-                   "random walk of the yaw: 1.25 deg/sqrt(m), 1.249 to 1.251"}));
+                   "walk of the yaw by travel: 1.25 deg/sqrt(m), 1.249 to 1.251",
+                   "walk of the yaw by turn: 0.75 deg/sqrt(rad), 0.749 to 0.751",
+                   "slips of each wheel: 0.02 /m, 0.019 to 0.021",
+                   "drive ahead of stated base: 115 mm, 114 to 116",
+                   "drive left of stated base: -42 mm, -43 to -41",
+                   "drive turned against base: -1.5 deg, -1.75 to -1.25",
+                   "reversing: counted as driving ahead"}));
+}
+
+TEST(CalibrationLines, SayThatReversingIsCounted) {
+  Twin twin = told_twin();
+  twin.fitted.fit.odometry->unsigned_distance = false;
+  EXPECT_EQ(text_of(calibration_groups(twin)[0].lines.back()), "reversing: counted");
 }
 
 TEST(CalibrationLines, OfTheLidarAreInMillimetresMillisecondsAndPercent) {
   const auto groups = calibration_groups(told_twin());
   EXPECT_EQ(groups[1].heading, "Lidar, 10.00 scans a second");
-  EXPECT_EQ(texts_of(groups[1]),
-            (Texts{"clock ahead of odometry: -34 ms, -35 to -33", "jitter of the stamps: 2.5 ms",
-                   "noise at range 0: 12 mm, 11 to 13", "noise per metre: 4 mm/m, 3 to 5",
-                   "range behind the map's walls: -21 mm, -22 to -20", "resolution: 10 mm",
-                   "lost on walls: 1.5 % of beams, 1.4 to 1.6",
-                   "opening of a beam: 0.4 deg, 0.399 to 0.401", "mixed steps, up to: 0.75 m"}));
+  EXPECT_EQ(
+      texts_of(groups[1]),
+      (Texts{"clock ahead of odometry: -34 ms, -35 to -33", "error of the stamps: 16 ms, 15 to 17",
+             "jitter of the stamps: 2.5 ms", "noise at range 0: 12 mm, 11 to 13",
+             "noise per metre: 4 mm/m, 3 to 5", "range behind the map's walls: -21 mm, -22 to -20",
+             "resolution: 10 mm", "lost on walls: 1.5 % of beams, 1.4 to 1.6",
+             "opening of a beam: 0.4 deg, 0.399 to 0.401", "mixed steps, up to: 0.75 m",
+             "dust: 0.004 /m, 0.003 to 0.005", "offsets of beams: 6 mm, 5 to 7",
+             "nothing is seen beyond: 17.5 m, 17 to 18"}));
 }
 
 TEST(CalibrationLines, OfTheBuildingCountObjectsAndPeople) {
@@ -64,7 +79,9 @@ TEST(CalibrationLines, SayWhatCouldNotBeFitted) {
       (Texts{"clock: not fitted: odometry comes too seldom or turns too evenly",
              "jitter of the stamps: 0 ms", "noise: not fitted: too few beams on straight walls",
              "losses: not fitted: too few beams on straight walls",
-             "mixed pixels: not fitted: too few depth steps"}));
+             "mixed pixels: not fitted: too few depth steps",
+             "dust: not fitted: too few beams on straight walls",
+             "offsets of beams: not fitted: too few straight surfaces"}));
 }
 
 TEST(AlignmentSentence, SaysHowTheScansWereAligned) {

@@ -14,6 +14,14 @@ inline OdometryFit told_odometry() {
   fit.curvature = figure_of(0.5 * kTwinDegree);
   fit.drift_along = figure_of(0.04);
   fit.drift_yaw_deg = figure_of(1.25);
+  fit.drift_turn_deg = figure_of(0.75);
+  fit.slip.rate_per_m = figure_of(0.02);
+  fit.slip.length_m = 0.25;
+  fit.drive_x_m = figure_of(0.115);
+  fit.drive_y_m = figure_of(-0.042);
+  fit.drive_yaw_deg = figure_of(-1.5, 0.25);
+  fit.stamp_sigma_s = figure_of(0.016);
+  fit.unsigned_distance = true;
   return fit;
 }
 
@@ -45,6 +53,13 @@ inline MixedFit told_mixed() {
   return fit;
 }
 
+inline DustFit told_dust() {
+  DustFit fit;
+  fit.per_m = figure_of(0.004);
+  fit.range_m = 5.0;
+  return fit;
+}
+
 inline BuildingFit told_building() {
   BuildingFit fit;
   fit.moving_share = figure_of(0.03);
@@ -67,6 +82,9 @@ inline Twin told_twin() {
   fit.noise = told_noise();
   fit.loss = told_loss();
   fit.mixed = told_mixed();
+  fit.dust = told_dust();
+  fit.beam_bias.emplace().sigma_m = figure_of(0.006);
+  fit.range_limit.emplace().limit_m = figure_of(17.5, 0.5);
   fit.building = told_building();
   twin.people = figure_of(4.0, 1.0);
   twin.likeness.samples = {{"residuals of ranges", "m", {0.0, 1.0, 2.0}, {0.5, 1.5, 2.5}}};

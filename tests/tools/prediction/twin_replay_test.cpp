@@ -1,6 +1,7 @@
 #include "tools/prediction/twin_replay.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,7 @@ AlignedLog aligned_part(const RecordedPlace& place, bool by_truth) {
       log.T_path_base.add(frame.stamp, odometry->odometry.T_odom_base);
     } else if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) {
       const int k = index++;
+      log.stamps.push_back(scan->scan.stamp);
       if (k < 2 || k > 5) continue;
       log.scans.push_back({scan->scan, SE2{0.0, 0.5, 0.0} * *scan->T_map_base_true});
     }
@@ -57,6 +59,30 @@ Frames twin_frames(int scans) {
     frames.push_back({stamp, scan});
   }
   return frames;
+}
+
+/// The stamps of the scans of a twin are off by these errors.
+Frames misstate(Frames twin, const std::vector<Stamp>& errors) {
+  std::size_t next = 0;
+  for (Frame& frame : twin) {
+    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->scan.stamp += errors.at(next++);
+  }
+  return twin;
+}
+
+/// Where a twin's odometry, which drives at 2 m/s, is by time of the log. [m]
+std::map<Stamp, double> shown_odometry(const std::vector<Stamp>& errors) {
+  const RecordedPlace place = straight_place();
+  const AlignedLog log = aligned_part(place, true);
+  const Frames replay =
+      replay_in_twin(played_part(place, log), log, misstate(twin_frames(4), errors));
+  std::map<Stamp, double> shown;
+  for (const Frame& frame : replay) {
+    if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+      shown[odometry->odometry.stamp] = odometry->odometry.T_odom_base.x;
+    }
+  }
+  return shown;
 }
 
 template <typename Data>
@@ -221,6 +247,38 @@ TEST(TwinReplay, RefusesATwinWithOtherScans) {
   for (const int scans : {3, 5}) {
     const std::string error = error_of([&] { replay_in_twin(played, log, twin_frames(scans)); });
     EXPECT_TRUE(contains(error, "corridor: 4 scans, and " + std::to_string(scans)));
+  }
+}
+
+// A scan of the twin that is stated 20 ms late has the odometry of 20 ms later: that is where the
+// robot of the twin is by its odometry at that stamp.
+TEST(TwinReplay, ShowsErrorsOfStampsAsOdometryThatIsLate) {
+  const auto shown =
+      shown_odometry({milliseconds(-30), milliseconds(20), milliseconds(-20), milliseconds(30)});
+  // Scans from 10.4 s on, every 0.2 s, and odometry every 0.1 s at 2 m/s.
+  EXPECT_NEAR(shown.at(milliseconds(10600)), 2.0 * (0.2 + 0.02), 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(10800)), 2.0 * (0.4 - 0.02), 1e-9);
+  // Between scans, errors change evenly.
+  EXPECT_NEAR(shown.at(milliseconds(10500)), 2.0 * (0.1 - 0.005), 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(10700)), 2.0 * 0.3, 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(10900)), 2.0 * (0.5 + 0.005), 1e-9);
+}
+
+TEST(TwinReplay, DoesNotReachBeyondTheTwin) {
+  const auto shown =
+      shown_odometry({milliseconds(-60), milliseconds(0), milliseconds(0), milliseconds(60)});
+  EXPECT_NEAR(shown.at(milliseconds(10400)), 0.0, 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(11000)), 2.0 * 0.6, 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(11100)), 2.0 * 0.6, 1e-9);
+  EXPECT_NEAR(shown.at(milliseconds(10300)), 0.0, 1e-9);
+}
+
+// The replay has the log's own stamps, with their own offset.
+TEST(TwinReplay, DoesNotCountAConstantErrorOfStamps) {
+  const auto shown = shown_odometry(std::vector<Stamp>(4, milliseconds(40)));
+  for (const auto& [stamp, x] : shown) {
+    const double since = std::chrono::duration<double>(stamp - milliseconds(10400)).count();
+    EXPECT_NEAR(x, 2.0 * std::clamp(since, 0.0, 0.6), 1e-9);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "tools/twin/fits/odometry_fit.hpp"
+#include "tools/twin/odometry/odometry_fit.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,6 +8,7 @@
 
 #include "localization/geometry/random.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
+#include "tests/tools/twin/random_drive.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -120,7 +121,7 @@ TEST(OdometryFit, NeedsTwentyFourStretches) {
 TEST(OdometryFit, OfAPerfectRobotIsZero) {
   const auto fit = fit_odometry(straight_legs(200), kFitTrack);
   ASSERT_TRUE(fit);
-  expect_errors(fit->errors, {}, 1e-9);
+  expect_errors(fit->errors.odometry, {}, 1e-9);
   EXPECT_NEAR(fit->radius_error_left.value, 0.0, 1e-9);
   EXPECT_NEAR(fit->radius_error_right.value, 0.0, 1e-9);
   EXPECT_NEAR(fit->track_error.value, 0.0, 1e-9);
@@ -128,6 +129,18 @@ TEST(OdometryFit, OfAPerfectRobotIsZero) {
   EXPECT_LT(fit->drift_yaw_deg.value, 1e-4);
   EXPECT_LT(fit->match_sigma_m.value, 1e-5);
   EXPECT_EQ(fit->outliers, 0.0);
+}
+
+TEST(OdometryFit, OfAPerfectRobotHasItsBaseOnTheDriveAndNoRareErrors) {
+  const auto fit = fit_odometry(legs_of({.legs = 2000}), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->drive_x_m.value, 0.0, 1e-6);
+  EXPECT_NEAR(fit->drive_y_m.value, 0.0, 1e-6);
+  EXPECT_NEAR(fit->drive_yaw_deg.value, 0.0, 1e-4);
+  EXPECT_LT(fit->drift_turn_deg.value, 1e-3);
+  EXPECT_LT(fit->stamp_sigma_s.value, 1e-4);
+  EXPECT_FALSE(fit->unsigned_distance);
+  EXPECT_EQ(fit->slip.slips, 0);
 }
 
 TEST(OdometryFit, IsNotSurerOfDistancesThanTheMap) {
@@ -163,10 +176,10 @@ TEST(OdometryFit, FindsErrorsOfEitherSign) {
     const OdometryErrors truth{0.02 * sign, -0.03 * sign, 0.01 * sign};
     const auto fit = fit_odometry(curvy_legs(1500, kWinding, truth), kFitTrack);
     ASSERT_TRUE(fit);
-    expect_errors(fit->errors, truth, 1e-5);
-    EXPECT_EQ(fit->scale.value, fit->errors.scale);
-    EXPECT_EQ(fit->yaw_scale.value, fit->errors.yaw_scale);
-    EXPECT_EQ(fit->curvature.value, fit->errors.curvature);
+    expect_errors(fit->errors.odometry, truth, 1e-5);
+    EXPECT_EQ(fit->scale.value, fit->errors.odometry.scale);
+    EXPECT_EQ(fit->yaw_scale.value, fit->errors.odometry.yaw_scale);
+    EXPECT_EQ(fit->curvature.value, fit->errors.odometry.curvature);
   }
 }
 
@@ -190,7 +203,7 @@ TEST(OdometryFit, DoesNotUseLegsThatBreak) {
   const auto fit = fit_odometry(legs, kFitTrack);
   ASSERT_TRUE(fit);
   EXPECT_EQ(fit->stretches, 2U * 50U);  // two of 4 m in each 11.8 m
-  expect_errors(fit->errors, truth, 1e-5);
+  expect_errors(fit->errors.odometry, truth, 1e-5);
   EXPECT_EQ(fit->outliers, 0.0);
 }
 
@@ -259,7 +272,7 @@ TEST(OdometryFit, CountsOutliersAndWithstandsThem) {
   const OdometryErrors truth{0.01, 0.02, -0.01};
   const DriveNoise noise{.drift_along = 0.01, .drift_yaw_deg = 0.5, .match_m = 0.005};
   std::vector<Leg> legs = curvy_legs(5000, kGentle, truth, noise);
-  for (std::size_t i = 100; i < legs.size(); i += 500) legs[i].T_start_end.x -= 0.5;  // slips
+  for (std::size_t i = 100; i < legs.size(); i += 500) legs[i].T_start_end.x -= 0.19;  // slips
   const auto fit = fit_odometry(legs, kFitTrack);
   ASSERT_TRUE(fit);
   const double n = static_cast<double>(fit->stretches);
@@ -267,6 +280,131 @@ TEST(OdometryFit, CountsOutliersAndWithstandsThem) {
   EXPECT_LE(fit->outliers, 12.5 / n);  // ten slips
   EXPECT_NEAR(fit->scale.value, truth.scale, 0.002);
   EXPECT_NEAR(fit->drift_along.value, noise.drift_along, 0.5 * noise.drift_along);
+}
+
+TEST(OdometryFit, FindsThePoseOfTheDrive) {
+  for (const SE2& T_base_drive : {SE2{0.12, -0.05, 2.0 * kFitDegree},
+                                  SE2{-0.3, 0.1, -5.0 * kFitDegree}, SE2{0.0, 0.04, 0.0}}) {
+    const DriveErrors truth{errors_of(0.02, -0.03, 0.01, kRandomTrack), T_base_drive};
+    const auto fit = fit_odometry(legs_of({.legs = 3000, .errors = truth}), kRandomTrack);
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->drive_x_m.value, T_base_drive.x, 0.002);
+    EXPECT_NEAR(fit->drive_y_m.value, T_base_drive.y, 0.002);
+    EXPECT_NEAR(fit->drive_yaw_deg.value, T_base_drive.yaw / kFitDegree, 0.1);
+    EXPECT_EQ(fit->drive_x_m.value, fit->errors.T_base_drive.x);
+    EXPECT_EQ(fit->drive_y_m.value, fit->errors.T_base_drive.y);
+    EXPECT_DOUBLE_EQ(fit->drive_yaw_deg.value, fit->errors.T_base_drive.yaw / kFitDegree);
+    expect_errors(fit->errors.odometry, truth.odometry, 1e-4);
+    EXPECT_NEAR(fit->errors.odometry.swing, truth.odometry.swing, 1e-5);
+  }
+}
+
+TEST(OdometryFit, FindsThePoseOfTheDriveDespiteNoise) {
+  const SE2 T_base_drive{0.15, -0.06, 3.0 * kFitDegree};
+  const auto fit = fit_odometry(legs_of({.legs = 5000,
+                                         .errors = {{}, T_base_drive},
+                                         .along = 0.01,
+                                         .yaw_by_travel = 0.01,
+                                         .match = 0.01,
+                                         .match_yaw = 0.005}),
+                                kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->drive_x_m.value, T_base_drive.x, 0.01);
+  EXPECT_NEAR(fit->drive_y_m.value, T_base_drive.y, 0.01);
+  EXPECT_NEAR(fit->drive_yaw_deg.value, 3.0, 0.2);
+  for (const auto& [figure, truth] :
+       {std::pair{fit->drive_x_m, T_base_drive.x}, std::pair{fit->drive_y_m, T_base_drive.y},
+        std::pair{fit->drive_yaw_deg, 3.0}}) {
+    const double half = figure.interval.high - figure.value;
+    EXPECT_GT(half, 0.0);
+    EXPECT_NEAR(figure.value, truth, 2.0 * half);
+  }
+}
+
+TEST(OdometryFit, KnowsOnlySystematicErrorsWithoutIntervals) {
+  const DriveErrors truth{errors_of(0.02, -0.03, 0.01, kRandomTrack), {0.12, -0.05, 0.03}};
+  const DriveErrors found = fit_drive_errors(legs_of({.errors = truth}), kRandomTrack);
+  expect_errors(found.odometry, truth.odometry, 1e-4);
+  EXPECT_LT(localization::distance(found.T_base_drive, truth.T_base_drive), 0.002);
+  EXPECT_NEAR(found.T_base_drive.yaw, 0.03, 1e-3);
+  const DriveErrors none = fit_drive_errors(straight_legs(4 * 24 - 1), kFitTrack);
+  EXPECT_EQ(none.odometry.scale, 0.0);
+  EXPECT_EQ(none.T_base_drive, SE2{});
+}
+
+TEST(OdometryFit, FindsAWalkOfTheYawByTurn) {
+  const RandomDrive drive{
+      .legs = 7000, .along = 0.01, .yaw_by_turn = 0.02, .match = 0.005, .match_yaw = 0.003};
+  const auto fit = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->drift_turn_deg.value * kFitDegree, 0.02, 0.15 * 0.02);
+  EXPECT_LE(fit->drift_turn_deg.interval.low * kFitDegree, 0.02);
+  EXPECT_GE(fit->drift_turn_deg.interval.high * kFitDegree, 0.02);
+  EXPECT_EQ(fit->drift_yaw_deg.value, 0.0);
+}
+
+TEST(OdometryFit, FindsAWalkOfTheYawByTravel) {
+  const RandomDrive drive{
+      .legs = 7000, .along = 0.01, .yaw_by_travel = 0.015, .match = 0.005, .match_yaw = 0.003};
+  const auto fit = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->drift_yaw_deg.value * kFitDegree, 0.015, 0.15 * 0.015);
+  EXPECT_EQ(fit->drift_turn_deg.value, 0.0);
+}
+
+TEST(OdometryFit, FindsErrorsOfStamps) {
+  const RandomDrive drive{
+      .legs = 7000, .along = 0.01, .yaw_by_travel = 0.008, .match = 0.005, .stamp = 0.03};
+  const auto fit = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->stamp_sigma_s.value, 0.03, 0.2 * 0.03);
+  EXPECT_LE(fit->stamp_sigma_s.interval.low, 0.03);
+  EXPECT_GE(fit->stamp_sigma_s.interval.high, 0.03);
+  EXPECT_NEAR(fit->match_sigma_m.value, 0.005, 0.4 * 0.005);
+}
+
+TEST(OdometryFit, DoesNotTakeErrorsOfTheAlignmentForErrorsOfStamps) {
+  const RandomDrive drive{.legs = 7000, .along = 0.01, .match = 0.015, .match_yaw = 0.005};
+  const auto fit = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->stamp_sigma_s.value, 0.005);
+  EXPECT_NEAR(fit->match_sigma_m.value, 0.015, 0.1 * 0.015);
+}
+
+TEST(OdometryFit, FindsSlips) {
+  RandomDrive drive{.legs = 10000, .along = 0.01, .yaw_by_travel = 0.008, .match = 0.005};
+  drive.slips_per_m = 0.01;
+  drive.slip_excess_m = 0.06;
+  const auto fit = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->slip.rate_per_m.value, 0.01, 0.4 * 0.01);  // of about 25
+  EXPECT_GT(fit->slip.rate_per_m.interval.low, 0.0);
+  EXPECT_NEAR(fit->slip.length_m, 0.06 * 0.7 / 0.3, 0.03);
+  EXPECT_NEAR(fit->scale.value, 0.0, 0.002);
+  drive.slips_per_m = 0.0;
+  drive.legs = 5000;
+  const auto without_slips = fit_odometry(legs_of(drive), kRandomTrack);
+  ASSERT_TRUE(without_slips);
+  EXPECT_EQ(without_slips->slip.rate_per_m.interval.low, 0.0);
+  EXPECT_LT(without_slips->slip.rate_per_m.value, 5e-4);
+}
+
+// Odometry counts a third of the way, which is driven back, as driven ahead.
+TEST(OdometryFit, OfUnsignedDistancesHasTheErrorsOfTheDrive) {
+  const OdometryErrors truth{0.02, -0.03, 0.0};
+  std::vector<Leg> legs;
+  for (const Leg& leg : curvy_legs(3000, kWinding, truth)) {
+    legs.push_back(leg);
+    if (legs.size() / 60 % 3 != 2) continue;
+    OdometryStep step = leg.steps[0];
+    step.along = -step.along;
+    legs.back().T_start_end = correct_motion({step}, truth);
+  }
+  const auto fit = fit_odometry(legs, kFitTrack);
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(fit->unsigned_distance);
+  expect_errors(fit->errors.odometry, truth, 2e-4);
+  EXPECT_EQ(fit->outliers, 0.0);
 }
 
 }  // namespace

@@ -109,5 +109,35 @@ TEST(TwinScanTimes, AreThoseOfTheLogSinceTheFirstAlignedScan) {
                                 milliseconds(10000)}));
 }
 
+TEST(AxleInBase, IsBehindTheDriveWhereverThatIs) {
+  EXPECT_EQ(axle_in_base(standing_twin()), SE2{});
+  FittedLog fitted = turning_twin(0.25);
+  EXPECT_NEAR(axle_in_base(fitted).x, -0.25, 1e-4);
+  fitted.fit.odometry.emplace().errors.T_base_drive = {0.1, 0.2, 0.5 * std::numbers::pi};
+  const SE2 T_base_axle = axle_in_base(fitted);
+  EXPECT_NEAR(T_base_axle.x, 0.1, 1e-4);
+  EXPECT_NEAR(T_base_axle.y, 0.2 - 0.25, 1e-4);
+  EXPECT_NEAR(T_base_axle.yaw, 0.5 * std::numbers::pi, 1e-9);
+}
+
+TEST(TwinPath, HasTheLidarAtTheSamePlaceWhereverTheDriveIs) {
+  FittedLog fitted = turning_twin(0.25, 0.4);
+  const Eigen::Isometry3d T_base_laser = fitted.log.scans.front().scan.T_base_laser;
+  for (const SE2& T_base_drive : {SE2{}, SE2{0.1, -0.05, 0.08}, SE2{-0.4, 0.2, -1.2}}) {
+    fitted.fit.odometry.emplace().errors.T_base_drive = T_base_drive;
+    const Eigen::Isometry3d T_axle_laser = read_twin_lidar(fitted).T_base_laser;
+    const std::vector<StampedPose> path = read_twin_path(fitted);
+    ASSERT_EQ(path.size(), fitted.log.scans.size());
+    for (const std::size_t k : {std::size_t{0}, std::size_t{33}, std::size_t{100}}) {
+      const Eigen::Isometry3d in_log =
+          localization::to_se3(fitted.log.scans[k].T_map_base) * T_base_laser;
+      const Eigen::Isometry3d in_twin = localization::to_se3(path[k].T_map_base) * T_axle_laser;
+      EXPECT_TRUE(in_twin.isApprox(in_log, 1e-5)) << k;
+    }
+    EXPECT_NEAR(path[0].T_map_base.x, (fitted.log.scans[0].T_map_base * axle_in_base(fitted)).x,
+                1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace castaway::testbed

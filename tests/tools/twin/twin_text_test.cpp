@@ -50,10 +50,16 @@ TEST(TwinText, WithoutModelsIsIdeal) {
   EXPECT_EQ(scenario.odometry.track_sigma, 0.0);
   EXPECT_EQ(scenario.odometry.drift_along, 0.0);
   EXPECT_EQ(scenario.odometry.drift_yaw_deg, 0.0);
+  EXPECT_EQ(scenario.odometry.drift_turn_deg, 0.0);
+  EXPECT_EQ(scenario.odometry.slip.rate, 0.0);
+  EXPECT_FALSE(scenario.odometry.unsigned_distance);
   EXPECT_EQ(scenario.odometry.ticks_per_turn, ideal.ticks_per_turn);
   const sim::LidarConfig lidar = read_twin_lidar(fitted);
   EXPECT_EQ(lidar.noise.sigma, 0.0);
   EXPECT_EQ(lidar.light.dropout, 0.0);
+  EXPECT_EQ(lidar.stamp_sigma, 0.0);
+  EXPECT_EQ(lidar.light.dust_rate, 0.0);
+  EXPECT_EQ(lidar.noise.beam_bias_sigma, 0.0);
   EXPECT_TRUE(scenario.events.faults.empty());
   EXPECT_TRUE(scenario.events.kidnaps.empty());
   EXPECT_EQ(scenario.people.config.walking, 0);
@@ -181,6 +187,7 @@ TEST(TwinText, ReadsBackTheErrorsOfOdometry) {
   odometry.track_error = figure_of(0.0345);
   odometry.drift_along = figure_of(0.0456);
   odometry.drift_yaw_deg = figure_of(1.25);
+  odometry.drift_turn_deg = figure_of(0.75);
   fitted.fit.odometry = odometry;
   const sim::OdometryConfig read = read_twin(fitted).odometry;
   EXPECT_DOUBLE_EQ(read.radius_error_left, -0.0123);
@@ -188,6 +195,9 @@ TEST(TwinText, ReadsBackTheErrorsOfOdometry) {
   EXPECT_DOUBLE_EQ(read.track_error, 0.0345);
   EXPECT_DOUBLE_EQ(read.drift_along, 0.0456);
   EXPECT_DOUBLE_EQ(read.drift_yaw_deg, 1.25);
+  EXPECT_DOUBLE_EQ(read.drift_turn_deg, 0.75);
+  EXPECT_EQ(read.slip.rate, 0.0);
+  EXPECT_FALSE(read.unsigned_distance);
   EXPECT_EQ(read.radius_sigma, 0.0);
   EXPECT_NO_THROW(sim::validate(read));
 }
@@ -202,7 +212,7 @@ TEST(TwinText, WhatCannotBeNegativeIsZero) {
   fitted.fit.loss = loss;
   fitted.fit.mixed.emplace().divergence_deg = figure_of(-0.001);
   OdometryFit odometry;
-  odometry.drift_along = odometry.drift_yaw_deg = figure_of(-0.001);
+  odometry.drift_along = odometry.drift_yaw_deg = odometry.drift_turn_deg = figure_of(-0.001);
   fitted.fit.odometry = odometry;
   const sim::LidarConfig lidar = read_twin_lidar(fitted);
   EXPECT_EQ(lidar.noise.sigma, 0.0);
@@ -213,6 +223,62 @@ TEST(TwinText, WhatCannotBeNegativeIsZero) {
   EXPECT_EQ(lidar.light.divergence_deg, 0.0);
   EXPECT_EQ(read_twin(fitted).odometry.drift_along, 0.0);
   EXPECT_EQ(read_twin(fitted).odometry.drift_yaw_deg, 0.0);
+  EXPECT_EQ(read_twin(fitted).odometry.drift_turn_deg, 0.0);
+}
+
+TEST(TwinText, ReadsBackSlips) {
+  FittedLog fitted = standing_twin();
+  OdometryFit& odometry = fitted.fit.odometry.emplace();
+  odometry.slip.rate_per_m = figure_of(0.0123);
+  odometry.slip.length_m = 0.27;
+  const sim::OdometryConfig read = read_twin(fitted).odometry;
+  EXPECT_DOUBLE_EQ(read.slip.rate, 0.0123);
+  EXPECT_DOUBLE_EQ(read.slip.length, 0.27);
+  EXPECT_DOUBLE_EQ(read.slip.share, SlipFit::kShare);
+  EXPECT_FALSE(read.slip.zones);
+  EXPECT_NO_THROW(sim::validate(read));
+}
+
+TEST(TwinText, ReadsBackThatOdometryCountsReversingAsDrivingAhead) {
+  FittedLog fitted = standing_twin();
+  fitted.fit.odometry.emplace().unsigned_distance = true;
+  EXPECT_TRUE(read_twin(fitted).odometry.unsigned_distance);
+}
+
+TEST(TwinText, ReadsBackTheErrorOfStamps) {
+  FittedLog fitted = standing_twin();
+  fitted.fit.odometry.emplace().stamp_sigma_s = figure_of(0.0234);
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).stamp_sigma, 0.0234);
+  fitted.fit.odometry->stamp_sigma_s = figure_of(12.0);
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).stamp_sigma, 10.0);  // the most that a lidar takes
+}
+
+TEST(TwinText, ReadsBackDustThatIsThereForSure) {
+  FittedLog fitted = standing_twin();
+  DustFit& dust = fitted.fit.dust.emplace();
+  dust.per_m = figure_of(0.004);
+  dust.range_m = 5.5;
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).light.dust_rate, 0.004);
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).light.dust_range, 5.5);
+  dust.per_m = figure_of(0.004, 0.005);  // its interval has 0
+  EXPECT_EQ(read_twin_lidar(fitted).light.dust_rate, 0.0);
+}
+
+TEST(TwinText, ReadsBackOffsetsOfBeamsThatAreThereForSure) {
+  FittedLog fitted = standing_twin();
+  BeamBiasFit& bias = fitted.fit.beam_bias.emplace();
+  bias.sigma_m = figure_of(0.006);
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).noise.beam_bias_sigma, 0.006);
+  bias.sigma_m = figure_of(0.006, 0.007);
+  EXPECT_EQ(read_twin_lidar(fitted).noise.beam_bias_sigma, 0.0);
+}
+
+TEST(TwinText, SeesAsFarAsTheLogDoes) {
+  FittedLog fitted = standing_twin();
+  fitted.fit.range_limit.emplace().limit_m = figure_of(17.5);
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).range_max, 17.5);
+  fitted.fit.range_limit.reset();
+  EXPECT_DOUBLE_EQ(read_twin_lidar(fitted).range_max, 25.0);
 }
 
 TEST(TwinText, ReadsBackPeople) {

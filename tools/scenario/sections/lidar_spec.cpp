@@ -136,6 +136,9 @@ void fields(Settings settings, sim::LidarConfig& lidar) {
   settings.field({"range_max", "m", "Longer returns are reported as +inf.", {1e-3, 1e4}},
                  lidar.range_max);
   settings.field({"rate_hz", "Hz", "Rotations per second.", {0.01, 1000.0}}, lidar.rate_hz);
+  settings.field(
+      {"stamp_sigma_s", "s", "Standard deviation of the error of a scan's stamp.", {0.0, 10.0}},
+      lidar.stamp_sigma);
   settings.field({"sweep", "", "Each beam at its own time; false: all at the scan's stamp."},
                  lidar.sweep);
   settings.choice({"intensity", "", "Quantity that the intensities represent."}, lidar.intensity,

@@ -55,8 +55,14 @@ void fields(Settings settings, sim::OdometryConfig& odometry) {
                  odometry.track_error);
   settings.field({"drift_along", "m/sqrt(m)", "Random walk along the heading.", {0.0, 10.0}},
                  odometry.drift_along);
-  settings.field({"drift_yaw_deg", "deg/sqrt(m)", "Random walk of the heading.", {0.0, 360.0}},
-                 odometry.drift_yaw_deg);
+  settings.field(
+      {"drift_yaw_deg", "deg/sqrt(m)", "Random walk of the heading by travel.", {0.0, 360.0}},
+      odometry.drift_yaw_deg);
+  settings.field(
+      {"drift_turn_deg", "deg/sqrt(rad)", "Random walk of the heading by turn.", {0.0, 360.0}},
+      odometry.drift_turn_deg);
+  settings.field({"unsigned_distance", "", "Reversing is counted as driving ahead."},
+                 odometry.unsigned_distance);
   fields(settings.group("slip"), odometry.slip);
   if (settings.has("gyro")) odometry.gyro = sim::GyroConfig{};
   if (odometry.gyro) fields(settings.group("gyro"), *odometry.gyro);

@@ -69,6 +69,13 @@ TEST(LidarSpec, ReadsEveryKeyOfItsNoise) {
   EXPECT_EQ(lidar_with("range_sigma: 0.03").noise.sigma, 0.03);
 }
 
+TEST(LidarSpec, ReadsTheErrorOfStamps) {
+  EXPECT_EQ(lidar_with("stamp_sigma_s: 0.03").stamp_sigma, 0.03);
+  EXPECT_EQ(lidar_with("").stamp_sigma, 0.0);
+  EXPECT_THROW((void)lidar_with("stamp_sigma_s: -0.01"), std::runtime_error);
+  EXPECT_THROW((void)lidar_with("stamp_sigma_s: 10.5"), std::runtime_error);
+}
+
 TEST(LidarSpec, ReadsLayersAndIntensity) {
   const sim::LidarConfig lidar =
       lidar_with("elevations_deg: [-1, 0.5, 2], localize_layer: 2, intensity: reflectivity");

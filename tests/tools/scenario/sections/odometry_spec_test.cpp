@@ -24,10 +24,13 @@ TEST(OdometrySpec, WithoutTheKeyIsTheDefault) {
 TEST(OdometrySpec, ReadsAllKeys) {
   const sim::OdometryConfig odometry = odometry_of(
       "odometry: {profile: slippery, ticks_per_turn: 512, radius_sigma: 0.01, track_sigma: 0.02, "
-      "drift_along: 0.03, drift_yaw_deg: 0.4, slip: {rate_per_m: 1, length_m: 0.2, share: 0.25, "
+      "drift_along: 0.03, drift_yaw_deg: 0.4, drift_turn_deg: 0.6, unsigned_distance: true, slip: "
+      "{rate_per_m: 1, length_m: 0.2, share: 0.25, "
       "collision_length_m: 0.5, zones: false, zone_spread: 0.1}, gyro: {noise_deg: 0.5}}");
   EXPECT_EQ(odometry.ticks_per_turn, 512);
   EXPECT_EQ(odometry.drift_yaw_deg, 0.4);
+  EXPECT_EQ(odometry.drift_turn_deg, 0.6);
+  EXPECT_TRUE(odometry.unsigned_distance);
   EXPECT_EQ(odometry.slip.rate, 1.0);
   EXPECT_EQ(odometry.slip.length, 0.2);
   EXPECT_EQ(odometry.slip.share, 0.25);
@@ -64,7 +67,14 @@ TEST(OdometrySpec, ReadsFixedErrorsOfWheelsAndTrack) {
   EXPECT_THROW((void)odometry_of("odometry: {radius_error_left: -0.6}"), std::runtime_error);
 }
 
+TEST(OdometrySpec, NeitherWalksByTurnNorLosesSignsByDefault) {
+  EXPECT_EQ(odometry_of("{}").drift_turn_deg, 0.0);
+  EXPECT_FALSE(odometry_of("{}").unsigned_distance);
+}
+
 TEST(OdometrySpec, RefusesWhatCannotBe) {
+  EXPECT_THROW((void)odometry_of("odometry: {drift_turn_deg: -0.1}"), std::runtime_error);
+  EXPECT_THROW((void)odometry_of("odometry: {unsigned_distance: 2}"), std::runtime_error);
   EXPECT_THROW((void)odometry_of("odometry: {slip: {share: 0.9}}"), std::runtime_error);
   EXPECT_THROW((void)odometry_of("odometry: {slip: {share: 1.5}}"), std::runtime_error);
 }

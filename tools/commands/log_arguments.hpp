@@ -1,0 +1,22 @@
+/// Options of commands that evaluate recorded logs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/commands/command_line.hpp"
+#include "tools/evaluate/evaluation.hpp"
+
+namespace castaway::testbed {
+
+/// The argument FOLDERS and the option --localizer.
+void add_log_arguments(Command& command, std::vector<std::string>& folders,
+                       std::vector<std::string>& localizers);
+
+/// The options --starts, --kidnaps and --window.
+void add_trial_options(Command& command, EvaluationConfig& config);
+
+/// The option --align, for `parse_align`.
+void add_align_option(Command& command, std::string& align);
+
+}  // namespace castaway::testbed
