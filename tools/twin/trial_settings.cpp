@@ -31,7 +31,7 @@ void draw_rare(int index, localization::Rng& rng, TrialSettings& s) {
     s.drift_yaw_deg = 0.0;
     s.drift_turn_deg = draw(1.0, 4.0, rng);
   }
-  if (index % 3 == 1) s.stamp_sigma_s = draw(0.02, 0.06, rng);
+  if (index % 3 == 1) s.stamp_sigma_s = draw(0.01, 0.025, rng);  // A quarter of the period.
   if (index % 4 == 2) s.beam_bias_sigma_m = draw(0.005, 0.02, rng);
   if (index % 4 == 3) s.dust_per_m = draw(0.002, 0.02, rng);
   const double x = draw_signed(0.03, 0.12, rng);

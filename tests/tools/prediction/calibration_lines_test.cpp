@@ -51,7 +51,7 @@ TEST(CalibrationLines, OfTheLidarAreInMillimetresMillisecondsAndPercent) {
   EXPECT_EQ(
       texts_of(groups[1]),
       (Texts{"clock ahead of odometry: -34 ms, -35 to -33", "error of the stamps: 16 ms, 15 to 17",
-             "jitter of the stamps: 2.5 ms", "noise at range 0: 12 mm, 11 to 13",
+             "jitter of the periods: 2.5 ms", "noise at range 0: 12 mm, 11 to 13",
              "noise per metre: 4 mm/m, 3 to 5", "range behind the map's walls: -21 mm, -22 to -20",
              "resolution: 10 mm", "lost on walls: 1.5 % of beams, 1.4 to 1.6",
              "opening of a beam: 0.4 deg, 0.399 to 0.401", "mixed steps, up to: 0.75 m",
@@ -77,7 +77,7 @@ TEST(CalibrationLines, SayWhatCouldNotBeFitted) {
   EXPECT_EQ(
       texts_of(groups[1]),
       (Texts{"clock: not fitted: odometry comes too seldom or turns too evenly",
-             "jitter of the stamps: 0 ms", "noise: not fitted: too few beams on straight walls",
+             "jitter of the periods: 0 ms", "noise: not fitted: too few beams on straight walls",
              "losses: not fitted: too few beams on straight walls",
              "mixed pixels: not fitted: too few depth steps",
              "dust: not fitted: too few beams on straight walls",

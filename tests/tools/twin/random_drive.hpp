@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 
@@ -89,6 +90,13 @@ inline std::vector<Leg> legs_of(const RandomDrive& drive) {
     rate = next;
   }
   return legs;
+}
+
+inline void expect_errors(const OdometryErrors& fitted, const OdometryErrors& truth,
+                          double tolerance) {
+  EXPECT_NEAR(fitted.scale, truth.scale, tolerance);
+  EXPECT_NEAR(fitted.yaw_scale, truth.yaw_scale, tolerance);
+  EXPECT_NEAR(fitted.curvature, truth.curvature, tolerance);
 }
 
 }  // namespace castaway::testbed
