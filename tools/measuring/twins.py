@@ -47,17 +47,14 @@ def predictions(lab):
 
 
 def fits(lab):
-    """What `predictions` fitted to each log."""
-    if not (lab.folder / "twins").exists():
-        predictions(lab)
     rows = []
     for name in PREDICTED:
-        fit = lab.json_of(f"twins/twins/{name}/calibration.json")
-        odometry, mixed = fit["odometry"], fit["mixed_pixels"]
-        with_interval = lambda value, scale: f"{scale * value['value']:.0f} ({scale * value['interval'][0]:.0f} to {scale * value['interval'][1]:.0f})"
+        fit = json.loads(lab.run(["calibrate", str(lab.logs / name), "--out", f"fits-{name}", "--json"]))
+        odometry = fit["odometry"]
+        with_interval = lambda value: f"{1000 * value['value']:.0f} ({1000 * value['interval'][0]:.0f} to {1000 * value['interval'][1]:.0f})"
         rows.append([name, *(f"{odometry[key]['value']:.{digits}f}" for key, digits in [("drift_along", 3), ("drift_yaw_deg", 2), ("drift_turn_deg", 2)]),
-                     with_interval(odometry["stamp_sigma_s"], 1000), with_interval(odometry["drive_in_base"]["x_m"], 1000),
-                     f"{100 * odometry['outlier_share']:.1f}", f"{fit['range_noise']['sigma_typical_m']['value'] * 1000:.0f}",
-                     f"{mixed['divergence_deg']['value']:.2f}"])
-    return table(["log", "walk along [m/√m]", "yaw by travel [°/√m]", "by turn [°/√rad]", "error of stamps [ms]", "drive ahead of stated base [mm]",
+                     with_interval(odometry["stamp_sigma_s"]), with_interval(odometry["drive_in_base"]["x_m"]),
+                     f"{100 * odometry['outlier_share']:.1f}", f"{1000 * fit['range_noise']['sigma_typical_m']['value']:.0f}",
+                     f"{fit['mixed_pixels']['divergence_deg']['value']:.2f}"])
+    return table(["log", "walk along [m/√m]", "yaw by travel [°/√m]", "by turn [°/√rad]", "error of stamps [ms]", "drive ahead of base [mm]",
                   "outliers [%]", "noise [mm]", "beam [°]"], rows)
