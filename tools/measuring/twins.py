@@ -18,6 +18,8 @@ def calibration(lab):
         errors = sorted(abs(each["found"] - each["truth"]) / abs(each["truth"]) for each in found)
         count = lambda what: f"{sum(each[what] for each in found)} of {len(found)}"
         rows.append([name, count("near"), count("held"), f"{100 * errors[len(errors) // 2]:.1f} %", f"{100 * errors[-1]:.1f} %"])
+    everything = [setting for found in settings.values() for setting in found]
+    rows.append(["all", *(f"{sum(each[what] for each in everything)} of {len(everything)}" for what in ["near", "held"]), "", ""])
     return table(["setting", "near enough", "truth in the interval", "median error", "largest"], rows)
 
 
