@@ -58,8 +58,8 @@ TwinData data_of(const Frames& twin) {
   return data;
 }
 
-/// Errors of the stamps of a twin's scans, as what the log's odometry is late at its scans: there
-/// the scans have their stamps, and the poses that were aligned.
+/// Shifts the twin's odometry by the errors of the twin's scan stamps. The replay keeps the log's
+/// stamps and poses at the scans, so the errors can only be shown by odometry.
 class ScanClock {
  public:
   /// `times`: when the scans of the twin began.
