@@ -1,5 +1,5 @@
 # What `cmake --install` and `cpack -G DEB` put on a machine: the program with its data, manual page and completion (component
-# program); the libraries with their headers and `find_package(castaway COMPONENTS localization sim)` (component development).
+# program); the libraries with their headers and `find_package(castaway COMPONENTS localization sim plugin)` (component development).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -44,6 +44,14 @@ function(castaway_install_component component)
 endfunction()
 castaway_install_component(localization localization)
 castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render)
+
+# The interface of localizers in shared libraries: castaway::plugin, headers only.
+add_library(plugin INTERFACE)
+target_include_directories(plugin INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/plugin>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+install(TARGETS plugin EXPORT castaway-plugin COMPONENT development)
+install(EXPORT castaway-plugin NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
+install(DIRECTORY plugin/castaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 configure_package_config_file(cmake/castaway-config.cmake.in ${PROJECT_BINARY_DIR}/castaway-config.cmake
   INSTALL_DESTINATION ${CASTAWAY_CONFIG_DIR})

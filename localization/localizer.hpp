@@ -27,8 +27,10 @@ struct Estimate {
   Stamp stamp{};  ///< The scan's stamp; T_map_base is the pose at that time.
   SE2 T_map_base;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double quality = 0.0;  ///< In [0, 1]: how well the scan fits the map at this pose (paper, eq. 9).
-  double probability = 0.0;               ///< In [0, 1]: stated probability that the pose is right.
+  /// In [0, 1]: how well the scan fits the map at this pose (paper, eq. 9). NaN: not stated.
+  double quality = 0.0;
+  /// In [0, 1]: stated probability that the pose is right. NaN: not stated.
+  double probability = 0.0;
   bool lost = false;                      ///< Alarm: the pose must not be used.
   std::vector<Alternative> alternatives;  ///< Other possible poses, most probable first.
 };

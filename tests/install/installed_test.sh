@@ -29,5 +29,10 @@ outside() {  # NAME SOURCES
 }
 outside embed "$source/examples/embed"
 embed/embed | tail -1 | grep -qx "found itself" || fail "examples/embed does not find itself"
+outside library "$source/examples/library"
+for name in dead_reckoning mh_amcl; do
+  usr/bin/castaway run --duration 2 --set outputs.snapshots=false --localizer "library:library/lib$name.so" --out "run-$name" >"run-$name.log" ||
+    fail "castaway cannot use examples/library/$name"
+done
 outside sim "$source/tests/install/sim"
 sim/load usr/share/castaway/robots/mule/mule.urdf.xacro | grep -qx "mule: 4 wheels" || fail "castaway::sim loads no robot"

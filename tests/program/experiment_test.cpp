@@ -76,5 +76,17 @@ TEST(Run, EndsAfterAWayAndBeginsOnTheMove) {
   expect_contains(known.err, "'switch_on_s' needs 'known: false'");
 }
 
+TEST(Experiment, TakesALocalizerOfTheUsersAlong) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome = castaway(
+      folder,
+      "experiment 2 --quick --out out --localizer amcl:amcl-prob --localizer \"program:python3 " +
+          std::string(CASTAWAY_SOURCE_DIR) + "/examples/program/dead_reckoning.py\"");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.out, "dead_reckoning");
+  expect_contains(outcome.out, "amcl-prob");
+  expect_contains(text_of(folder / "out/runs.csv"), "dead_reckoning");
+}
+
 }  // namespace
 }  // namespace castaway::test

@@ -90,10 +90,9 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
 }
 
 /// Replaces the poses of the scans by those of `mh_amcl`, where it is sure.
-void localize(const RecordedPlace& place, const localization::OccupancyGrid& grid, Stamp shift,
-              std::vector<RawScan>& scans) {
+void localize(const RecordedPlace& place, Stamp shift, std::vector<RawScan>& scans) {
   constexpr double kSure = 0.9;
-  const LocalizerFactory factory(parse_localizers({"mh_amcl"}), grid);
+  const LocalizerFactory factory(parse_localizers({"mh_amcl"}), {place.map});
   std::vector<NamedLocalizer> localizers = factory.build(1);
   localization::Localizer& localizer = *localizers.front().localizer;
   localizer.initialize(std::nullopt);
@@ -203,7 +202,7 @@ AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrectio
   if (log.by_truth) {
     correct_references(correction.T_reference_base, scans);
   } else {
-    localize(place, log.grid, correction.stamp, scans);
+    localize(place, correction.stamp, scans);
   }
   const ScanAligner aligner(log, correction.walls);
   if (!scans.empty()) track_backwards(aligner, log.T_path_base, scans);

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/log_arguments.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/prediction/calibration_lines.hpp"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/render/renderer.hpp"
+#include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/robot_arguments.hpp"
 #include "tools/inspect/robot_report.hpp"
 #include "tools/inspect/robot_scene.hpp"
 #include "tools/output/file_name.hpp"

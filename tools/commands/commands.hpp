@@ -1,7 +1,7 @@
 /// The subcommands of the program. Each adds itself to the command line and describes its options.
 #pragma once
 
-#include "tools/commands/command_line.hpp"
+#include "tools/commands/arguments/command_line.hpp"
 #include "tools/output/exit_code.hpp"
 
 namespace castaway::testbed {
@@ -21,6 +21,7 @@ void add_map_command(Command& app);
 void add_check_robot_command(Command& app);
 void add_check_world_command(Command& app);
 void add_lidars_command(Command& app);
+void add_serve_command(Command& app);
 void add_settings_command(Command& app);
 void add_list_commands(Command& app);
 void add_completion_command(Command& app);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_manifest.hpp"
 #include "tools/dataset/dataset_only.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct DatasetArguments {
   DatasetRequest request;
   std::string spec;
+  bool allow_programs = false;
   std::string out;
   std::string verify;
   std::uint64_t seed = 1;
@@ -50,6 +52,7 @@ int dataset(DatasetArguments arguments, bool seeded) {
   request.spec = arguments.spec;
   request.out = arguments.out;
   if (seeded) request.overrides.seed = arguments.seed;
+  request.overrides.programs = file_programs(arguments.allow_programs);
   return arguments.only >= 0 ? make_only(request, arguments.only) : make_dataset(request);
 }
 
@@ -60,6 +63,7 @@ void add_dataset_command(Command& app) {
   Command command = app.add_command(
       "dataset", "Many runs drawn from a specification, as a data set with labels and a card");
   command.add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
+  add_allow_programs(command, a->allow_programs);
   command.add_option("-n", a->request.sequences, "Sequences").show_default().range(1, 999999);
   command.add_option("-j", a->request.workers, "At a time").show_default().range(1, 1024);
   command.add_option("--out", a->out, "Folder to create or to resume");

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/log_arguments.hpp"
 #include "tools/evaluate/evaluation.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
@@ -22,7 +22,7 @@ namespace {
 /// Arguments of the command.
 struct EvaluateArguments {
   std::vector<std::string> folders;
-  std::vector<std::string> localizers;
+  LocalizerArguments localizers;
   EvaluationConfig config;
   std::string kidnap_to = "far";
   bool json = false;
@@ -78,8 +78,7 @@ void print_row(const EvaluationRow& row) {
 }
 
 int evaluate_logs(EvaluateArguments arguments) {
-  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
-  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
+  const std::vector<LocalizerSpec> specs = arguments.localizers.specs({"mh_amcl"});
   arguments.config.kidnap_to = parse_splice_kind(arguments.kidnap_to);
   validate(arguments.config);
   auto rows = nlohmann::ordered_json::array();

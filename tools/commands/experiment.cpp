@@ -39,8 +39,20 @@ struct ExperimentArguments {
   std::string out;
   std::string junit;
   bool force = false;
+  std::vector<std::string> localizers;  ///< Besides those of the experiment.
   bool json = false;
 };
+
+/// Lets more localizers ride along in all runs.
+void add_localizers(const std::vector<std::string>& texts, Experiment& experiment) {
+  for (ExperimentPart& part : experiment.parts) {
+    std::size_t next =
+        load_scenario(data_root() / part.scenario, part.overrides).scenario.localizers.size();
+    for (const std::string& text : texts) {
+      part.overrides.push_back(fmt::format("localizers.{}={}", next++, localizer_yaml(text)));
+    }
+  }
+}
 
 LoadedScenario load(const ExperimentRun& run) {
   return load_scenario(data_root() / run.scenario, run.overrides);
@@ -179,8 +191,12 @@ void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::files
 }
 
 std::string command_of(const ExperimentArguments& arguments) {
-  return fmt::format("castaway experiment {} --seeds {}{}", arguments.number, arguments.repeats,
-                     arguments.quick ? " --quick" : "");
+  std::string command = fmt::format("castaway experiment {} --seeds {}{}", arguments.number,
+                                    arguments.repeats, arguments.quick ? " --quick" : "");
+  for (const std::string& text : arguments.localizers) {
+    command += fmt::format(" --localizer \"{}\"", text);
+  }
+  return command;
 }
 
 void write_junit(const ExperimentArguments& arguments, const std::vector<Check>& checks,
@@ -193,8 +209,8 @@ void write_junit(const ExperimentArguments& arguments, const std::vector<Check>&
 }
 
 int run_experiment(const ExperimentArguments& arguments) {
-  const Experiment experiment =
-      paper_experiment(arguments.number, arguments.repeats, arguments.quick);
+  Experiment experiment = paper_experiment(arguments.number, arguments.repeats, arguments.quick);
+  add_localizers(arguments.localizers, experiment);
   const std::vector<ExperimentRun> runs = runs_of(experiment);
   RunsFolder folder = open_folder(arguments, runs);
   const std::filesystem::path out = folder.path();
@@ -244,6 +260,11 @@ void add_experiment_command(Command& app) {
   command.add_option("number", a->number, "1, 2 or 3").required();
   command.add_option("--seeds", a->repeats, "Number of repetitions of each of the paper's runs")
       .show_default();
+  command
+      .add_option("--localizer", a->localizers,
+                  "NAME, NAME:PRESET, program:COMMAND or library:FILE besides the experiment's; "
+                  "repeat for several")
+      .repeatable();
   command.add_flag("--quick", a->quick, "A version of a few seconds, to see that it works");
   command.add_option("-j,--jobs", a->workers, "Runs at a time").range(1, 1024).show_default();
   command.add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
@@ -258,6 +279,7 @@ void add_experiment_command(Command& app) {
       "Examples:\n"
       "  castaway experiment 1\n"
       "  castaway experiment 2 --seeds 10 -j 4\n"
+      "  castaway experiment 2 --localizer \"program:python3 mine.py\"\n"
       "  castaway experiment 3 --out /tmp/an-hour");
   command.action([a] { return run_experiment(*a); });
 }

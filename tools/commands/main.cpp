@@ -7,6 +7,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/run/localizer_failure.hpp"
 #include "tools/workers/isolated_meshes.hpp"
 
 namespace castaway::testbed {
@@ -31,6 +32,7 @@ void add_commands(Command app) {
   add_check_robot_command(app);
   add_check_world_command(app);
   add_lidars_command(app);
+  add_serve_command(app);
   add_settings_command(app);
   add_list_commands(app);
   add_bench_command(app);
@@ -67,6 +69,9 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& interrupted) {
     print_error(describe(interrupted));
     return exit_code_of(interrupted);
+  } catch (const LocalizerFailure& failure) {
+    print_error(failure.what());
+    return kRunFailed;
   } catch (const std::exception& error) {
     print_error(error.what());
     return kBadInput;

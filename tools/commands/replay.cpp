@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
@@ -34,7 +35,7 @@ struct ReplayArguments {
   std::string splice;
   CarmenSourceConfig source;
   BagTopicOptions topics;
-  std::vector<std::string> localizers;
+  LocalizerArguments localizers;
   std::uint64_t seed = 1;
   std::string out;
   bool force = false;
@@ -53,7 +54,8 @@ std::string describe(const ReplayArguments& a) {
       a.source.scans ? std::to_string(*a.source.scans) : "~", a.scans_used,
       a.splice.empty() ? "~" : "\"" + a.splice + "\"", a.seed);
   text += "localizers: [";
-  for (const std::string& name : a.localizers) text += (text.back() == '[' ? "" : ", ") + name;
+  for (const std::string& name : a.localizers.texts)
+    text += (text.back() == '[' ? "" : ", ") + name;
   return text + "]\n";
 }
 
@@ -62,6 +64,7 @@ struct OpenedLog {
   std::unique_ptr<SensorSource> source;
   RosMap map;
   std::optional<SE2> start;
+  std::vector<LidarFacts> lidars = {};  ///< Of a bag.
 };
 
 localization::PoseWithCovariance known_start(const ReplayArguments& arguments,
@@ -155,6 +158,7 @@ OpenedLog open_bag(const ReplayArguments& arguments) {
     recording.frames =
         first_scans(recording.frames, static_cast<std::size_t>(*arguments.source.scans));
   }
+  log.lidars = lidars_of(recording.frames);
   auto source = std::make_unique<RecordedSource>(std::move(recording.frames));
   log.start = recording.start ? recording.start : source->start_pose();
   log.source = std::move(source);
@@ -210,7 +214,8 @@ Run build_run(const ReplayArguments& arguments, const std::vector<LocalizerSpec>
   const RunInfo info = info_of(arguments, specs, log.map);
   Run run;
   if (info.known_start) run.loop.start = known_start(arguments, log);
-  run.localizers = build_localizers(specs, to_occupancy_grid(log.map), arguments.seed);
+  run.localizers =
+      build_localizers(specs, {log.map, arguments.map, log.lidars, folder}, arguments.seed);
   write_file(folder / "scenario.yaml", describe(arguments));
   RunSinks built =
       build_sinks(folder, info, log.map, log.source->duration(), files_of(arguments, log.map));
@@ -222,8 +227,8 @@ Run build_run(const ReplayArguments& arguments, const std::vector<LocalizerSpec>
 
 int replay_log(ReplayArguments arguments) {
   const std::chrono::nanoseconds begin = wall_time();
-  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl"};
-  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
+  if (arguments.localizers.texts.empty()) arguments.localizers.texts = {"mh_amcl"};
+  const std::vector<LocalizerSpec> specs = arguments.localizers.specs({});
   using Scans = CarmenSourceConfig::Scans;
   if (arguments.scans_used != "all") {
     arguments.source.selection = arguments.scans_used == "even" ? Scans::kEven : Scans::kOdd;
@@ -267,11 +272,7 @@ void add_replay_command(Command& app) {
       .add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
       .one_of({"all", "even", "odd"})
       .show_default();
-  command
-      .add_option("--localizer", a->localizers,
-                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
-                  "(default: mh_amcl)")
-      .repeatable();
+  add_localizer_options(command, a->localizers, "mh_amcl");
   command.add_option("--seed", a->seed, "Root seed").show_default();
   command.add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
   command.add_flag("--force", a->force,

@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "tools/commands/arguments/localizer_arguments.hpp"
+#include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/robot_arguments.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
@@ -37,6 +38,7 @@ struct RunArguments {
   bool json = false;
   bool force = false;
   bool strict = false;
+  bool allow_programs = false;
 };
 
 std::filesystem::path file_of(const RunArguments& arguments) {
@@ -47,16 +49,6 @@ std::filesystem::path file_of(const RunArguments& arguments) {
         text + ": is no scenario's file; every key=value takes a --set of its own");
   }
   return find_scenario(text, ".");
-}
-
-/// Converts "mh_amcl:paper" to the form of a scenario.
-std::string localizer_yaml(const std::string& text) {
-  static_cast<void>(parse_localizer(text));  // Throws if there is no such localizer.
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) return text;
-  const std::string kind = text.substr(0, colon);
-  return fmt::format("{{{}: {{{}: {}}}}}", kind, kind == "amcl" ? "preset" : "mode",
-                     text.substr(colon + 1));
 }
 
 std::vector<std::string> overrides_of(const RunArguments& arguments) {
@@ -124,7 +116,8 @@ std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScena
 
 int run_once(const RunArguments& arguments) {
   const std::filesystem::path file = file_of(arguments);
-  LoadedScenario loaded = load_scenario(file, overrides_of(arguments));
+  LoadedScenario loaded =
+      load_scenario(file, overrides_of(arguments), file_programs(arguments.allow_programs));
   loaded.scenario.world.strict = arguments.strict;
   const Scenario& scenario = loaded.scenario;
   static_cast<void>(
@@ -149,7 +142,9 @@ int run_many(const RunArguments& arguments) {
   SeedsRequest request;
   request.scenario = file_of(arguments);
   request.overrides = overrides_of(arguments);
-  const Scenario scenario = load_scenario(request.scenario, request.overrides).scenario;
+  const Scenario scenario =
+      load_scenario(request.scenario, request.overrides, file_programs(arguments.allow_programs))
+          .scenario;
   request.seeds = parse_seeds(arguments.seeds, scenario.seed);
   request.workers = arguments.workers;
   request.out = arguments.out;
@@ -158,6 +153,7 @@ int run_many(const RunArguments& arguments) {
   request.json = arguments.json;
   request.force = arguments.force;
   request.strict = arguments.strict;
+  request.programs = file_programs(arguments.allow_programs);
   return run_seeds(request);
 }
 
@@ -202,7 +198,8 @@ void add_run_command(Command& app) {
       .repeatable();
   command
       .add_option("--localizer", arguments->localizers,
-                  "NAME or NAME:PRESET instead of the scenario's; repeat for several")
+                  "NAME, NAME:PRESET, program:COMMAND or library:FILE instead of the scenario's; "
+                  "repeat for several")
       .repeatable();
   command
       .add_option("--expect", arguments->expects,
@@ -224,6 +221,7 @@ void add_run_command(Command& app) {
                    "Use a folder that holds other files, too; replaces only castaway's own");
   command.add_flag("--strict", arguments->strict,
                    "Refuse an SDF world if a piece of it cannot be read");
+  add_allow_programs(command, arguments->allow_programs);
   command.add_flag("--json", arguments->json, "Print summary.json instead of words");
   command.footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"
@@ -231,6 +229,7 @@ void add_run_command(Command& app) {
       "  castaway run\n"
       "  castaway run lab/kidnap --seed 7 --out /tmp/kidnap\n"
       "  castaway run office/people --localizer mh_amcl --localizer amcl:amcl-prob\n"
+      "  castaway run --localizer mh_amcl --localizer \"program:python3 mine.py\"\n"
       "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
       "  castaway run --video kidnap.mp4 --set outputs.video.view=overview\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/log_arguments.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/play/progress.hpp"
@@ -22,7 +22,7 @@ namespace {
 /// Arguments of the command.
 struct TwinArguments {
   std::vector<std::string> folders;
-  std::vector<std::string> localizers;
+  LocalizerArguments localizers;
   std::string out = "twin";
   std::string align = "auto";
   PredictionConfig config;
@@ -44,8 +44,7 @@ std::vector<DifferingPlace> worst_places(const std::vector<LogPrediction>& logs)
 }
 
 int compare_twins(TwinArguments a) {
-  if (a.localizers.empty()) a.localizers = {"mh_amcl"};
-  const std::vector<LocalizerSpec> specs = parse_localizers(a.localizers);
+  const std::vector<LocalizerSpec> specs = a.localizers.specs({"mh_amcl"});
   a.config.align = parse_align(a.align);
   validate(a.config.evaluation);
   OutputFolder out({.target = a.out,

@@ -33,17 +33,18 @@ struct Trial {
   std::uint64_t seed = 1;
 };
 
-localization::OccupancyGrid damaged_map(const RecordedPlace& place,
-                                        const EvaluationConfig& config) {
+LocalizerPlace damaged_place(const RecordedPlace& place, const EvaluationConfig& config) {
   localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
-  return to_occupancy_grid(damage_map(place.map, config.stress, rng));
+  LocalizerPlace damaged{damage_map(place.map, config.stress, rng), {}, lidars_of(place.frames)};
+  if (damaged.map.cells == place.map.cells) damaged.map_file = place.map_file;
+  return damaged;
 }
 
 /// Runs trials of one localizer on one place.
 class Evaluator {
  public:
   Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
-      : config_(config), localizers_({spec}, damaged_map(place, config)) {}
+      : config_(config), localizers_({spec}, damaged_place(place, config)) {}
 
   RowsOfRun run(const Trial& trial) const {
     localization::Rng rng =
@@ -55,7 +56,9 @@ class Evaluator {
     RowsOfRun rows;
     std::vector<std::unique_ptr<RunSink>> sinks;
     sinks.push_back(std::make_unique<RowsSink>(rows));
-    Loop(loop, localizers, sinks).run(source);
+    Loop played_by(loop, localizers, sinks);
+    played_by.run(source);
+    require_none(played_by.lost());
     return rows;
   }
 

@@ -36,6 +36,7 @@ struct RecordedPlace {
   std::string name;
   Frames frames;
   RosMap map;
+  std::string map_file = {};  ///< Its YAML file; empty: the map is the bag's.
 };
 
 /// Reads a log and its map from a folder. The log is the first by name of `log`, `*.log`,

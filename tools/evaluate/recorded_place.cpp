@@ -99,6 +99,7 @@ RecordedPlace load_recorded_place(const std::string& folder) {
   RecordedPlace place;
   const std::optional<fs::path> map = map_in(folder, files);
   if (map) place.map = load_ros_map(*map);
+  if (map) place.map_file = map->string();
   if (!map && log != files.end()) refuse_without_map(folder);
   if (log != files.end()) {
     take_log(*log, place);
@@ -114,6 +115,7 @@ RecordedPlace load_recorded_log(const std::string& log, const std::string& map) 
   RecordedPlace place;
   place.name = fs::path(log).filename().string();
   if (!map.empty()) place.map = load_ros_map(map);
+  place.map_file = map;
   if (is_bag(log)) {
     take_bag(log, !map.empty(), place);
   } else if (map.empty()) {

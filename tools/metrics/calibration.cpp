@@ -1,6 +1,7 @@
 #include "tools/metrics/calibration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace castaway::testbed {
 namespace {
@@ -60,6 +61,7 @@ std::optional<double> Calibration::brier() const { return share(squares, scans()
 Calibration calibration_of(const std::vector<MetricRow>& rows, const RecoveryConfig& config) {
   Calibration calibration;
   for (const MetricRow& row : rows) {
+    if (std::isnan(row.probability)) continue;
     if (pose_error(row)) calibration.add(row.probability, is_right(row, config));
   }
   return calibration;

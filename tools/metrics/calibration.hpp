@@ -52,7 +52,7 @@ struct Calibration {
   [[nodiscard]] std::optional<double> brier() const;
 };
 
-/// Calibration over the rows that have truth and estimate.
+/// Calibration over the rows that have truth, an estimate and a stated probability.
 Calibration calibration_of(const std::vector<MetricRow>& rows, const RecoveryConfig& config);
 
 }  // namespace castaway::testbed

@@ -78,11 +78,11 @@ Discrimination discrimination_of(const std::vector<MetricRow>& rows) {
     const auto error = pose_error(row);
     if (!error) continue;
     const bool right = error->position_m < kWrongFrom;
-    quality.push_back({row.quality, right});
-    probability.push_back({row.probability, right});
+    if (!std::isnan(row.quality)) quality.push_back({row.quality, right});
+    if (!std::isnan(row.probability)) probability.push_back({row.probability, right});
     covariance.push_back({-row.sigma_m, right});
   }
-  const auto [right, wrong] = right_and_wrong(quality);
+  const auto [right, wrong] = right_and_wrong(covariance);
   return {right, wrong, roc_area(std::move(quality)), roc_area(std::move(probability)),
           roc_area(std::move(covariance))};
 }

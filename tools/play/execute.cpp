@@ -11,30 +11,37 @@
 
 namespace castaway::testbed {
 
-void execute(Run& run, OutputFolder& output, bool quiet) {
+std::vector<LostLocalizer> execute(Run& run, OutputFolder& output, bool quiet) {
   run.sinks.push_back(std::make_unique<ProgressSink>(run.source->duration(), quiet));
-  Loop(run.loop, run.localizers, run.sinks).run(*run.source);
+  Loop loop(run.loop, run.localizers, run.sinks);
+  loop.run(*run.source);
   run.sinks.clear();  // Closes their files.
   throw_if_interrupted();
   output.commit();
+  return loop.lost();
 }
 
 int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::path& target,
                       const Printing& printing) {
+  std::vector<LostLocalizer> lost;
   try {
-    execute(run, output, printing.quiet);
+    lost = execute(run, output, printing.quiet);
   } catch (const std::exception& error) {
     run.sinks.clear();       // Removes the progress line.
     throw_if_interrupted();  // A signal also interrupts ffmpeg, and is then the cause of the error.
     fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
     return kRunFailed;
   }
-  if (printing.silent || printing.quiet) return kDone;
+  for (const LostLocalizer& each : lost) {
+    fmt::print(stderr, "castaway: {}; the run went on without it\n", describe(each));
+  }
+  const int exit_code = lost.empty() ? kDone : kRunFailed;
+  if (printing.silent || printing.quiet) return exit_code;
   fmt::print("{}", printing.json ? read_file(target / "summary.json") : describe_run(target));
   if (!printing.film.empty() && !printing.json) {
     fmt::print("Film:       {}\n", printing.film.string());
   }
-  return kDone;
+  return exit_code;
 }
 
 }  // namespace castaway::testbed

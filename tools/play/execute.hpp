@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tools/output/output_folder.hpp"
 #include "tools/run/run.hpp"
@@ -16,12 +18,12 @@ struct Printing {
   std::filesystem::path film = {};  ///< Named in the result; empty: none was made.
 };
 
-/// Plays the run to its end and commits its folder. Throws std::exception if it fails and
-/// Interrupted after a signal.
-void execute(Run& run, OutputFolder& output, bool quiet);
+/// Plays the run to its end and commits its folder. Returns the localizers that were left out on
+/// the way. Throws std::exception if it fails and Interrupted after a signal.
+std::vector<LostLocalizer> execute(Run& run, OutputFolder& output, bool quiet);
 
 /// Does the same for a command: shows progress on a terminal and prints the result from `target`,
-/// the committed folder. Returns kDone or kRunFailed.
+/// the committed folder. Returns kDone or kRunFailed; the latter also if a localizer was left out.
 int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::path& target,
                       const Printing& printing);
 

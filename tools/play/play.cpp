@@ -138,8 +138,9 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   const RunInfo info = info_of(scenario, prepared);
   RunFiles files = files_of(options, loaded, prepared);
   Run run;
-  run.localizers =
-      build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), scenario.seed);
+  run.localizers = build_localizers(scenario.localizers,
+                                    {prepared.map, {}, lidars_of(prepared.config.lidars), folder},
+                                    scenario.seed);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
   auto source = source_of(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose());
@@ -186,7 +187,7 @@ std::filesystem::path default_run_folder(const Scenario& scenario) {
 
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
   play_with(loaded, options, [](Run& run, OutputFolder& output) {
-    execute(run, output, true);
+    require_none(execute(run, output, true));
     return static_cast<int>(kDone);
   });
 }

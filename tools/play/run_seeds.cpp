@@ -35,7 +35,7 @@ std::filesystem::path folder_of(const SeedsRequest& request, int index) {
 LoadedScenario load(const SeedsRequest& request, int index) {
   std::vector<std::string> overrides = request.overrides;
   overrides.push_back(fmt::format("seed={}", seed_of(request, index)));
-  LoadedScenario loaded = load_scenario(request.scenario, overrides);
+  LoadedScenario loaded = load_scenario(request.scenario, overrides, request.programs);
   loaded.scenario.world.strict = request.strict;
   return loaded;
 }
@@ -62,7 +62,8 @@ std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
 /// The common folder. Its settings are the scenario's, whatever the seeds.
 RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   const std::vector<PlannedRun> runs = planned_runs(request);
-  const std::string settings = load_scenario(request.scenario, request.overrides).effective;
+  const std::string settings =
+      load_scenario(request.scenario, request.overrides, request.programs).effective;
   OutputRequest output{request.out, "run --seeds", sha256(settings),
                        inputs_of(scenario, request.scenario), request.force};
   if (request.out.empty()) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/metrics/expectation.hpp"
+#include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/workers/seed_range.hpp"
 
 namespace castaway::testbed {
@@ -21,7 +22,8 @@ struct SeedsRequest {
   std::vector<Expectation> expectations;  ///< Besides those of the scenario.
   std::filesystem::path junit;            ///< Empty: none is written.
   bool strict = false;                    ///< As in `WorldChoice`.
-  bool json = false;                      ///< Prints the aggregate summary.json instead of words.
+  FilePrograms programs = FilePrograms::kRefused;  ///< As in `load_scenario`.
+  bool json = false;  ///< Prints the aggregate summary.json instead of words.
 };
 
 /// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`

@@ -10,6 +10,7 @@
 #include "tools/metrics/unscored.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/records/failed_localizers.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -127,6 +128,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   for (const auto& [name, metrics] : summary.at("localizers").items()) {
     text += localizer_line(name, metrics, timing.at("localizers"));
   }
+  for (const std::string& sentence : failure_sentences(summary)) text += "\n" + sentence + ".\n";
   text += unscored_line(summary);
   text += cost_line(timing);
   text += fmt::format("\nRun folder: {}\n", run_folder.string());

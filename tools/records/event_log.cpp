@@ -39,7 +39,7 @@ void add_recoveries(const LocalizerMetrics& metrics, const std::string& localize
 std::vector<LoggedEvent> log_events(const RunHistory& history,
                                     const std::vector<LocalizerMetrics>& metrics) {
   std::vector<LoggedEvent> log;
-  for (const RunEvent& event : history.events) log.push_back({event, ""});
+  for (const RunEvent& event : history.events) log.push_back({event, event.localizer});
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     add_alarms(history.rows[i], history.info.localizers[i], log);
     add_recoveries(metrics[i], history.info.localizers[i], log);

@@ -6,6 +6,7 @@
 
 #include "tools/files/file.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/records/failed_localizers.hpp"
 #include "tools/records/recording.hpp"
 #include "tools/report/calibration_section.hpp"
 #include "tools/report/curves_section.hpp"
@@ -27,6 +28,9 @@ std::string lead_text(const RunFolder& run) {
         "<p class=\"void\"><strong>Void:</strong> {}. The figures say nothing about "
         "localizers.</p>\n",
         escape_html(*sentence));
+  }
+  for (const std::string& sentence : failure_sentences(run.summary)) {
+    html += fmt::format("<p class=\"void\">{}.</p>\n", escape_html(sentence));
   }
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
     html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));

@@ -22,6 +22,7 @@ enum class EventKind : std::uint8_t {
   kAlarmOff,   ///< A localizer no longer reports that it is lost.
   kRecovery,   ///< A localizer is right again after a kidnap.
   kWarning,    ///< A remark for the reader of the run.
+  kFailure,    ///< A localizer failed; the run goes on without it.
 };
 
 /// The name in files: "kidnap", "pick-up", "collision", "fault on", ...
@@ -38,6 +39,7 @@ struct RunEvent {
   std::optional<localization::SE2> T_map_from;  ///< True pose of base before.
   std::optional<localization::SE2> T_map_to;    ///< True pose of base after.
   std::optional<localization::Stamp> since{};   ///< Its beginning; nothing: an instantaneous event.
+  std::string localizer{};                      ///< That it is about; empty: it is about the run.
 
   /// Its beginning.
   [[nodiscard]] localization::Stamp begun() const { return since.value_or(stamp); }

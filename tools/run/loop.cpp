@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
+
+std::string describe(const LostLocalizer& lost) {
+  return "localizer '" + lost.name + "' " + lost.what;
+}
+
+void require_none(const std::vector<LostLocalizer>& lost) {
+  if (!lost.empty()) throw LocalizerFailure(describe(lost.front()));
+}
 
 Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
            std::vector<std::unique_ptr<RunSink>>& sinks)
@@ -27,15 +36,61 @@ std::optional<std::size_t> Loop::index_of(const std::string& name, const char* k
   return static_cast<std::size_t>(found - localizers_.begin());
 }
 
+template <typename Body>
+void Loop::call(std::size_t index, Body&& body) {
+  Cost& cost = costs_[index];
+  if (cost.is_lost) return;
+  const NamedLocalizer& named = localizers_[index];
+  const std::chrono::nanoseconds begin = thread_cpu_time();
+  try {
+    body(*named.localizer);
+  } catch (const LocalizerFailure& failure) {
+    lose(index, failure.what());
+  }
+  cost.since_scan += thread_cpu_time() - begin;
+}
+
+/// The run goes on without the localizer.
+void Loop::lose(std::size_t index, const std::string& what) {
+  const std::string& name = localizers_[index].name;
+  costs_[index].is_lost = true;
+  lost_.push_back({name, what});
+  untold_.push_back({now_, EventKind::kFailure, what, {}, {}, {}, name});
+}
+
+/// Adds what a localizer used elsewhere since the last call to its cost.
+void Loop::add_outside(std::size_t index) {
+  if (!localizers_[index].outside_cpu) return;
+  Cost& cost = costs_[index];
+  const std::chrono::nanoseconds now = localizers_[index].outside_cpu();
+  cost.since_scan += now - cost.outside;
+  cost.outside = now;
+}
+
+std::map<std::string, OutsideUse> Loop::finish_localizers() {
+  std::map<std::string, OutsideUse> use;
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    if (!localizers_[i].finish) continue;
+    const OutsideUse& own = use[localizers_[i].name] = localizers_[i].finish();
+    localizers_cpu_ += std::max(own.cpu - costs_[i].outside, std::chrono::nanoseconds(0));
+  }
+  return use;
+}
+
 void Loop::run(SensorSource& source) {
   const std::chrono::nanoseconds begin = wall_time();
-  for (NamedLocalizer& named : localizers_) named.localizer->initialize(config_.start);
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    call(i, [&](auto& localizer) { localizer.initialize(config_.start); });
+  }
   Stamp end{};
   while (const std::optional<Frame> frame = source.next()) {
     end = frame->stamp;
+    now_ = frame->stamp;
     take(source, *frame);
+    tell_failures();
   }
   RunTiming timing;
+  timing.outside = finish_localizers();
   timing.load_s = config_.load_s;
   timing.wall_s = config_.load_s + localization::seconds(wall_time() - begin);
   for (const auto& [stage, time] : source.cpu_by_stage()) {
@@ -44,6 +99,14 @@ void Loop::run(SensorSource& source) {
   timing.cpu_s["localizers"] = localization::seconds(localizers_cpu_);
   timing.cpu_s["sinks"] = localization::seconds(sinks_cpu_);
   for (auto& sink : sinks_) sink->finish(std::max(end, source.duration()), timing);
+}
+
+/// Those of the start are told after the first frame, which has the first known stamp.
+void Loop::tell_failures() {
+  for (RunEvent& event : std::exchange(untold_, {})) {
+    event.stamp = now_;
+    tell_sinks([&](RunSink& sink) { sink.on_event(event); });
+  }
 }
 
 void Loop::take(SensorSource& source, const Frame& frame) {
@@ -59,9 +122,7 @@ void Loop::take(SensorSource& source, const Frame& frame) {
 void Loop::take(const RunEvent& event) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     if (!localizers_[i].relocalize_at_kidnap || event.kind != EventKind::kKidnap) continue;
-    const std::chrono::nanoseconds begin = thread_cpu_time();
-    localizers_[i].localizer->initialize(std::nullopt);
-    costs_[i].since_scan += thread_cpu_time() - begin;
+    call(i, [&](auto& localizer) { localizer.initialize(std::nullopt); });
   }
   tell_sinks([&](RunSink& sink) { sink.on_event(event); });
 }
@@ -69,9 +130,7 @@ void Loop::take(const RunEvent& event) {
 void Loop::take(SensorSource& source, const OdometryFrame& frame) {
   T_odom_base_.add(frame.odometry.stamp, frame.odometry.T_odom_base);
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    const std::chrono::nanoseconds begin = thread_cpu_time();
-    localizers_[i].localizer->on_odometry(frame.odometry);
-    costs_[i].since_scan += thread_cpu_time() - begin;
+    call(i, [&](auto& localizer) { localizer.on_odometry(frame.odometry); });
   }
   report(source, frame.odometry);
   tell_sinks([&](RunSink& sink) { sink.on_odometry(frame); });
@@ -86,15 +145,21 @@ std::optional<SE2> Loop::carried_on(const localization::Estimate& estimate,
   return estimate.T_map_base * T_odom_scan->inverse() * odometry.T_odom_base;
 }
 
+/// Nothing of a localizer that is left out.
+std::optional<localization::Estimate> Loop::estimate_of(std::size_t index) const {
+  if (costs_[index].is_lost) return std::nullopt;
+  return localizers_[index].localizer->estimate();
+}
+
 /// Passes estimates to the source: the driving localizer's, and the watched one's unless it is
 /// lost.
 void Loop::report(SensorSource& source, const Odometry& odometry) const {
   if (driver_) {
-    const auto estimate = localizers_[*driver_].localizer->estimate();
+    const auto estimate = estimate_of(*driver_);
     source.set_drive_pose(estimate ? carried_on(*estimate, odometry) : std::nullopt);
   }
   if (watched_) {
-    const auto estimate = localizers_[*watched_].localizer->estimate();
+    const auto estimate = estimate_of(*watched_);
     const bool sure = estimate && !estimate->lost;
     source.set_watched_pose(sure ? carried_on(*estimate, odometry) : std::nullopt);
   }
@@ -102,9 +167,8 @@ void Loop::report(SensorSource& source, const Odometry& odometry) const {
 
 void Loop::take(const ScanFrame& frame, Stamp delivered) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    const std::chrono::nanoseconds begin = thread_cpu_time();
-    localizers_[i].localizer->on_scan(frame.scan);
-    costs_[i].since_scan += thread_cpu_time() - begin;
+    call(i, [&](auto& localizer) { localizer.on_scan(frame.scan); });
+    add_outside(i);
   }
   const ScanRecord record = record_of(frame, delivered);
   tell_sinks([&](RunSink& sink) { sink.on_scan(record); });
@@ -122,7 +186,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     LocalizerRecord localizer;
     localizer.name = localizers_[i].name;
-    localizer.estimate = localizers_[i].localizer->estimate();
+    localizer.estimate = estimate_of(i);
     if (localizer.estimate && localizer.estimate->stamp != record.stamp) {
       localizer.estimate.reset();  // It belongs to an older scan: this one was dropped.
     }
@@ -131,7 +195,8 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
     localizer.stage_cpu = localizer.diagnostics.cpu_by_stage;
     for (auto& [stage, time] : localizer.stage_cpu) time -= costs_[i].stages[stage];
     localizers_cpu_ += costs_[i].since_scan;
-    costs_[i] = {{}, localizer.diagnostics.cpu_by_stage};
+    costs_[i].since_scan = {};
+    costs_[i].stages = localizer.diagnostics.cpu_by_stage;
     record.localizers.push_back(std::move(localizer));
   }
   return record;

@@ -1,12 +1,15 @@
 /// The loop: pulls frames from a source, pushes them into every localizer and notifies every sink.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
+#include "tools/run/localizer_failure.hpp"
+#include "tools/run/outside_use.hpp"
 #include "tools/run/run_sink.hpp"
 #include "tools/run/sensor_source.hpp"
 
@@ -18,7 +21,23 @@ struct NamedLocalizer {
   std::unique_ptr<localization::Localizer> localizer;
   /// Calls its global localization at every kidnap, as an operator would who saw the kidnap.
   bool relocalize_at_kidnap = false;
+  /// CPU time that it used so far outside of the calling thread; empty: none.
+  std::function<std::chrono::nanoseconds()> outside_cpu = {};
+  /// Ends what it started outside of the calling thread; empty: nothing.
+  std::function<OutsideUse()> finish = {};
 };
+
+/// A localizer without which a run went on.
+struct LostLocalizer {
+  std::string name;
+  std::string what;  ///< E.g. "exited with 1".
+};
+
+/// "localizer 'mine' exited with 1".
+std::string describe(const LostLocalizer& lost);
+
+/// Throws LocalizerFailure describing the first one, if there is any.
+void require_none(const std::vector<LostLocalizer>& lost);
 
 /// Settings of a run.
 struct LoopConfig {
@@ -37,16 +56,27 @@ class Loop {
   Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
        std::vector<std::unique_ptr<RunSink>>& sinks);
 
-  /// Plays the source to its end, then finishes the sinks.
+  /// Plays the source to its end, then finishes the sinks. A localizer that throws LocalizerFailure
+  /// is left out from then on.
   void run(SensorSource& source);
+  /// The localizers that were left out.
+  [[nodiscard]] const std::vector<LostLocalizer>& lost() const { return lost_; }
 
  private:
+  /// Calls `body(localizer)` and adds its CPU time to the cost.
+  template <typename Body>
+  void call(std::size_t index, Body&& body);
+  void lose(std::size_t index, const std::string& what);
+  void add_outside(std::size_t index);
+  void tell_failures();
+  std::map<std::string, OutsideUse> finish_localizers();
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
   void take(const RunEvent& event);
   void take(const ScanFrame& frame, Stamp delivered);
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& name, const char* key) const;
   void report(SensorSource& source, const Odometry& odometry) const;
+  [[nodiscard]] std::optional<localization::Estimate> estimate_of(std::size_t index) const;
   [[nodiscard]] std::optional<SE2> carried_on(const localization::Estimate& estimate,
                                               const Odometry& odometry) const;
   ScanRecord record_of(const ScanFrame& frame, Stamp delivered);
@@ -57,6 +87,8 @@ class Loop {
   struct Cost {
     std::chrono::nanoseconds since_scan{};
     std::map<std::string, std::chrono::nanoseconds> stages;
+    std::chrono::nanoseconds outside{};  ///< Of `outside_cpu` at the last call.
+    bool is_lost = false;
   };
   LoopConfig config_;
   std::vector<NamedLocalizer>& localizers_;
@@ -65,6 +97,9 @@ class Loop {
   localization::TransformBuffer T_odom_base_;
   std::optional<std::size_t> driver_;
   std::optional<std::size_t> watched_;
+  Stamp now_{};  ///< Of the newest frame.
+  std::vector<LostLocalizer> lost_;
+  std::vector<RunEvent> untold_;  ///< Events of the loop's own that sinks do not know yet.
   std::chrono::nanoseconds localizers_cpu_{};
   std::chrono::nanoseconds sinks_cpu_{};
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/run/frame.hpp"
+#include "tools/run/outside_use.hpp"
 
 namespace castaway::testbed {
 
@@ -41,6 +42,7 @@ struct RunTiming {
   double wall_s = 0.0;                  ///< [s] Whole run, loading included.
   std::map<std::string, double> cpu_s;  ///< By stage: physics, lidar, people, localizers, sinks.
   double load_s = 0.0;                  ///< [s] Loading of world, map, robot or log.
+  std::map<std::string, OutsideUse> outside{};  ///< By localizer, of those with other processes.
 };
 
 /// How the world of a run differs from its map.

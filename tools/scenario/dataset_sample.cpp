@@ -61,7 +61,8 @@ SampledSequence sample_sequence(const DatasetSpec& spec, int index) {
     }
     put_value(scenario, "seed", write_yaml(sequence.seed), "");
     put_value(scenario, "name", write_yaml(spec.name + "-" + sequence_name(index)), "");
-    sequence.loaded = read_scenario(YamlDocument(std::move(scenario)), spec.base, spec.name);
+    sequence.loaded =
+        read_scenario(YamlDocument(std::move(scenario)), spec.base, spec.name, spec.programs);
   } catch (const std::exception& error) {
     throw std::runtime_error(sequence_error(spec, sequence, error.what()));
   }

@@ -103,6 +103,7 @@ DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& over
   YamlReader root = document.root();
   DatasetSpec spec;
   spec.file = file.string();
+  spec.programs = overrides.programs;
   spec.name = get_name(root, "name", file.stem().string());
   spec.description = root.get("description", "");
   spec.license = root.get("license", "");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/scenario/draw_spec.hpp"
+#include "tools/scenario/localizers/foreign_spec.hpp"
 
 namespace castaway::testbed {
 
@@ -31,10 +32,11 @@ struct DatasetSpec {
   std::string file;  ///< For errors.
   std::string name;
   std::string description;
-  std::string license;          ///< License of the data; empty if none is stated.
-  std::uint64_t seed = 1;       ///< Root of all draws.
-  std::filesystem::path base;   ///< Folder that relative paths of the scenario start from.
-  YamlNode scenario;            ///< Base scenario of all sequences.
+  std::string license;         ///< License of the data; empty if none is stated.
+  std::uint64_t seed = 1;      ///< Root of all draws.
+  std::filesystem::path base;  ///< Folder that relative paths of the scenario start from.
+  FilePrograms programs = FilePrograms::kRefused;  ///< As the user said, not the file.
+  YamlNode scenario;                               ///< Base scenario of all sequences.
   std::vector<VariedKey> vary;  ///< In the order of the file; later entries override earlier ones.
   SplitSpec splits;
   std::string effective;  ///< YAML that reproduces the data set, with the scenario included.
@@ -44,6 +46,7 @@ struct DatasetSpec {
 struct DatasetOverrides {
   std::optional<std::uint64_t> seed;  ///< Overrides the file's seed.
   std::vector<std::string> scenario;  ///< Overrides of the scenario, as key=value.
+  FilePrograms programs = FilePrograms::kRefused;
 };
 
 /// Reads a specification:

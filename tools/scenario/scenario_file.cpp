@@ -152,18 +152,18 @@ std::vector<SettingText> scenario_settings() {
 }
 
 LoadedScenario load_scenario(const std::filesystem::path& file,
-                             const std::vector<std::string>& overrides) {
+                             const std::vector<std::string>& overrides, FilePrograms programs) {
   YamlDocument document = YamlDocument::load(file);
   for (const std::string& assignment : overrides) {
     if (assignment.starts_with("robot.")) document.expand_short_form("robot", "file");
     if (assignment.starts_with("world.")) document.expand_short_form("world", "name");
     document.set(assignment);
   }
-  return read_scenario(std::move(document), file.parent_path(), file.stem().string());
+  return read_scenario(std::move(document), file.parent_path(), file.stem().string(), programs);
 }
 
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
-                             const std::string& name) {
+                             const std::string& name, FilePrograms programs) {
   if (!document.root().has("localizers")) document.set("localizers=[mh_amcl, amcl]");
   YamlReader root = document.root();
   Scenario scenario;
@@ -180,7 +180,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.odometry = read_odometry(root);
   scenario.events = read_events(root);
   scenario.people = read_people(root);
-  scenario.localizers = read_localizers(root, "localizers");
+  scenario.localizers = read_localizers(root, "localizers", {folder, programs});
   check_driver(root, scenario);
   choose_watched(root, scenario);
   if (!scenario.drive.path.empty() && !scenario.events.kidnaps.empty()) {

@@ -22,12 +22,14 @@ struct LoadedScenario {
 /// std::invalid_argument naming file, line, key, value and remedy. An unknown key is an error that
 /// names the nearest known one.
 LoadedScenario load_scenario(const std::filesystem::path& file,
-                             const std::vector<std::string>& overrides);
+                             const std::vector<std::string>& overrides,
+                             FilePrograms programs = FilePrograms::kRefused);
 
 /// Reads a scenario from a document. `folder`: where its relative paths start. `name`: its name if
 /// it states none. Throws as `load_scenario` does.
 LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path& folder,
-                             const std::string& name);
+                             const std::string& name,
+                             FilePrograms programs = FilePrograms::kRefused);
 
 /// Every setting of a scenario, in the order of the documentation.
 std::vector<SettingText> scenario_settings();

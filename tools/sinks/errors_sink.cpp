@@ -19,16 +19,20 @@ void write_errors(CsvWriter& csv, const std::optional<SE2>& truth,
   }
 }
 
+std::optional<double> if_stated(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 void write_belief(CsvWriter& csv, const std::optional<Estimate>& estimate) {
   if (!estimate) {
     csv.empty().empty().empty().empty().empty();
     return;
   }
   const Eigen::Matrix3d& covariance = estimate->covariance;
-  csv.number(estimate->quality);
+  csv.number(if_stated(estimate->quality));
   csv.number(std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1))));
   csv.number(std::sqrt(covariance(2, 2)));
-  csv.number(estimate->probability).count(estimate->lost ? 1 : 0);
+  csv.number(if_stated(estimate->probability)).count(estimate->lost ? 1 : 0);
 }
 
 void write_populations(CsvWriter& csv, const std::vector<PopulationView>& populations) {

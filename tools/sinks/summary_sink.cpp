@@ -10,6 +10,7 @@
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/records/event_log.hpp"
+#include "tools/records/failed_localizers.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -102,6 +103,9 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"void", void_json(void_run(history.events))},
             {"collisions", collisions(history)},
             {"driving", driving_figures(history)}};
+  if (Json failed = failed_json(history.events); !failed.empty()) {
+    root["failed"] = std::move(failed);
+  }
   if (history.stride > 1) root["scored_every"] = history.stride;
   if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);

@@ -72,6 +72,10 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
       localizer["stages_ms"][stage]["scans"] = sample.count();
     }
   }
+  for (const auto& [name, use] : timing.outside) {
+    root["localizers"][name]["outside"] = {{"cpu_s", localization::seconds(use.cpu)},
+                                           {"peak_memory_mb", use.peak_memory_mb}};
+  }
   write_file(run_folder_ / "timing.json", root.dump(2) + "\n");
 }
 

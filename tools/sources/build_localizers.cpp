@@ -1,5 +1,6 @@
 #include "tools/sources/build_localizers.hpp"
 
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -8,62 +9,109 @@
 #include "localization/mh_amcl.hpp"
 #include "localization/paper/paper_mh_amcl.hpp"
 #include "localization/paper/published/published_stages.hpp"
+#include "tools/foreign/library_localizer.hpp"
+#include "tools/foreign/program_localizer.hpp"
 #include "tools/run/cpu_clock.hpp"
+#include "tools/sources/map_conversion.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-/// Visitor that builds the localizer of each settings type.
-struct Maker {
-  std::unique_ptr<localization::Localizer> operator()(const localization::MhAmclConfig& c) const {
-    return models ? std::make_unique<localization::MhAmcl>(models, seed)
-                  : std::make_unique<localization::MhAmcl>(c, map, seed, thread_cpu_time);
-  }
-  std::unique_ptr<localization::Localizer> operator()(
-      const localization::PaperMhAmclConfig& c) const {
-    return std::make_unique<localization::PaperMhAmcl>(c, map, seed, thread_cpu_time);
-  }
-  std::unique_ptr<localization::Localizer> operator()(
-      const localization::PublishedMhAmclConfig& c) const {
-    return std::make_unique<localization::PaperMhAmcl>(
-        c.paper, localization::published_stages(c, map), seed, thread_cpu_time);
-  }
-  std::unique_ptr<localization::Localizer> operator()(const localization::AmclConfig& c) const {
-    return std::make_unique<localization::Amcl>(c, map, seed, thread_cpu_time);
-  }
-
-  const localization::OccupancyGrid& map;
+/// What a localizer is built from besides its settings.
+struct Site {
+  const LocalizerSpec& spec;
+  const LocalizerPlace& place;
+  const localization::OccupancyGrid& grid;
   std::uint64_t seed;
   /// Null: built here, and the stages of the localizer are timed.
   std::shared_ptr<const localization::MhAmclModels> models;
 };
 
-NamedLocalizer build_localizer(const LocalizerSpec& spec, const localization::OccupancyGrid& map,
-                               std::uint64_t seed,
-                               std::shared_ptr<const localization::MhAmclModels> models) {
-  localization::Rng stream = localization::substream(seed, "localizer/" + spec.name);
-  return {spec.name, std::visit(Maker{map, stream(), std::move(models)}, spec.config),
-          spec.relocalize_at_kidnap};
+NamedLocalizer named(const Site& site, std::unique_ptr<localization::Localizer> localizer) {
+  return {site.spec.name, std::move(localizer), site.spec.relocalize_at_kidnap};
+}
+
+Greeting greeting_of(const Site& site) {
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::absolute(site.place.map_file, ignored);
+  return {site.spec.name, site.seed, site.place.map,
+          site.place.map_file.empty() ? "" : file.string(), site.place.lidars};
+}
+
+/// Visitor that builds the localizer of each settings type.
+struct Maker {
+  NamedLocalizer operator()(const localization::MhAmclConfig& c) const {
+    if (site.models)
+      return named(site, std::make_unique<localization::MhAmcl>(site.models, site.seed));
+    return named(site,
+                 std::make_unique<localization::MhAmcl>(c, site.grid, site.seed, thread_cpu_time));
+  }
+  NamedLocalizer operator()(const localization::PaperMhAmclConfig& c) const {
+    return named(site, std::make_unique<localization::PaperMhAmcl>(c, site.grid, site.seed,
+                                                                   thread_cpu_time));
+  }
+  NamedLocalizer operator()(const localization::PublishedMhAmclConfig& c) const {
+    return named(site, std::make_unique<localization::PaperMhAmcl>(
+                           c.paper, localization::published_stages(c, site.grid), site.seed,
+                           thread_cpu_time));
+  }
+  NamedLocalizer operator()(const localization::AmclConfig& c) const {
+    return named(site,
+                 std::make_unique<localization::Amcl>(c, site.grid, site.seed, thread_cpu_time));
+  }
+  NamedLocalizer operator()(const ProgramConfig& c) const {
+    const std::filesystem::path& folder = site.place.log_folder;
+    auto program = std::make_unique<ProgramLocalizer>(
+        c, greeting_of(site),
+        folder.empty() ? std::filesystem::path() : folder / (site.spec.name + ".log"));
+    ProgramLocalizer* running = program.get();
+    NamedLocalizer localizer = named(site, std::move(program));
+    localizer.outside_cpu = [running] { return running->cpu(); };
+    localizer.finish = [running] { return running->finish(); };
+    return localizer;
+  }
+  NamedLocalizer operator()(const LibraryConfig& c) const {
+    return named(site, std::make_unique<LibraryLocalizer>(c, greeting_of(site)));
+  }
+
+  const Site& site;
+};
+
+NamedLocalizer build_at(const Site& site) {
+  try {
+    return std::visit(Maker{site}, site.spec.config);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("localizer '" + site.spec.name + "': " + error.what());
+  }
+}
+
+std::uint64_t seed_of(const LocalizerSpec& spec, std::uint64_t seed) {
+  return localization::substream(seed, "localizer/" + spec.name)();
 }
 
 }  // namespace
 
+NamedLocalizer build_localizer(const LocalizerSpec& spec, const Greeting& greeting) {
+  const LocalizerPlace place{greeting.map, greeting.map_file, greeting.lidars};
+  const localization::OccupancyGrid grid = to_occupancy_grid(place.map);
+  return build_at({spec, place, grid, greeting.seed, nullptr});
+}
+
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
-                                             const localization::OccupancyGrid& map,
-                                             std::uint64_t seed) {
+                                             const LocalizerPlace& place, std::uint64_t seed) {
+  const localization::OccupancyGrid grid = to_occupancy_grid(place.map);
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
-    localizers.push_back(build_localizer(spec, map, seed, nullptr));
+    localizers.push_back(build_at({spec, place, grid, seed_of(spec, seed), nullptr}));
   }
   return localizers;
 }
 
-LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs,
-                                   localization::OccupancyGrid map)
-    : specs_(std::move(specs)), map_(std::move(map)) {
+LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs, LocalizerPlace place)
+    : specs_(std::move(specs)), place_(std::move(place)), grid_(to_occupancy_grid(place_.map)) {
   for (const LocalizerSpec& spec : specs_) {
     const auto* config = std::get_if<localization::MhAmclConfig>(&spec.config);
-    models_.push_back(config ? std::make_shared<const localization::MhAmclModels>(*config, map_)
+    models_.push_back(config ? std::make_shared<const localization::MhAmclModels>(*config, grid_)
                              : nullptr);
   }
 }
@@ -71,7 +119,8 @@ LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs,
 std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {
   std::vector<NamedLocalizer> localizers;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    localizers.push_back(build_localizer(specs_[i], map_, seed, models_[i]));
+    localizers.push_back(
+        build_at({specs_[i], place_, grid_, seed_of(specs_[i], seed), models_[i]}));
   }
   return localizers;
 }

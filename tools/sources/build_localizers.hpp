@@ -2,38 +2,55 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "localization/mh_amcl_models.hpp"
+#include "tools/foreign/protocol/lidar_facts.hpp"
+#include "tools/foreign/protocol/message_text.hpp"
+#include "tools/formats/ros_map.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
+
+/// What localizers are built for: one map, and what foreign ones are told besides.
+struct LocalizerPlace {
+  RosMap map;
+  std::filesystem::path map_file = {};    ///< Its YAML file; empty: there is none.
+  std::vector<LidarFacts> lidars = {};    ///< Those that are known before the run.
+  std::filesystem::path log_folder = {};  ///< For `<name>.log` of programs; empty: no such files.
+};
 
 /// Builds the localizers of several runs on one map. What depends on the map alone is built once
 /// and shared, by processes forked after the construction, too.
 class LocalizerFactory {
  public:
   /// Throws std::invalid_argument if the map or a setting of `mh_amcl` is unusable.
-  LocalizerFactory(std::vector<LocalizerSpec> specs, localization::OccupancyGrid map);
+  LocalizerFactory(std::vector<LocalizerSpec> specs, LocalizerPlace place);
 
   /// The localizers of a run, as `build_localizers` builds them.
   [[nodiscard]] std::vector<NamedLocalizer> build(std::uint64_t seed) const;
 
  private:
   std::vector<LocalizerSpec> specs_;
-  localization::OccupancyGrid map_;
+  LocalizerPlace place_;
+  localization::OccupancyGrid grid_;
   /// Of each specification; null if it is not `mh_amcl` in its default mode. Shared with the
   /// localizers, which may outlive the factory.
   std::vector<std::shared_ptr<const localization::MhAmclModels>> models_;
 };
 
 /// Builds one localizer per specification on one map. Each has its own random substream of the seed
-/// and a clock for its stages. Throws std::invalid_argument if a map or a setting is unusable.
+/// and a clock for its stages. Throws std::invalid_argument if a map or a setting is unusable,
+/// std::runtime_error if a program cannot be started or a library cannot be loaded.
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
-                                             const localization::OccupancyGrid& map,
-                                             std::uint64_t seed);
+                                             const LocalizerPlace& place, std::uint64_t seed);
+
+/// Builds the localizer that was greeted so; the seed is its own. Throws as `build_localizers`
+/// does.
+NamedLocalizer build_localizer(const LocalizerSpec& spec, const Greeting& greeting);
 
 /// Configuration of the loop for a run of the scenario that starts at `start`.
 LoopConfig loop_config(const Scenario& scenario, const SE2& start);

@@ -86,4 +86,14 @@ ScanTruth scan_truth(const sim::LidarReading& reading, const sim::LidarConfig& l
   return truth;
 }
 
+std::vector<LidarFacts> lidars_of(const std::vector<sim::LidarConfig>& lidars) {
+  std::vector<LidarFacts> facts;
+  for (const sim::LidarConfig& lidar : lidars) {
+    sim::LidarReading reading;
+    reading.ranges.resize(static_cast<std::size_t>(lidar.beams) * lidar.elevations.size());
+    facts.push_back(lidar_facts(planar_scan(reading, lidar)));
+  }
+  return facts;
+}
+
 }  // namespace castaway::testbed

@@ -4,6 +4,7 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
 #include "sim/world/world_spec.hpp"
+#include "tools/foreign/protocol/lidar_facts.hpp"
 #include "tools/records/hit_legend.hpp"
 #include "tools/run/frame.hpp"
 
@@ -19,5 +20,8 @@ ScanTruth scan_truth(const sim::LidarReading& reading, const sim::LidarConfig& l
 
 /// Meaning of the labels of a world's beams.
 HitLegend hit_legend(const sim::WorldSpec& world);
+
+/// The facts of the lidars' planar scans.
+std::vector<LidarFacts> lidars_of(const std::vector<sim::LidarConfig>& lidars);
 
 }  // namespace castaway::testbed

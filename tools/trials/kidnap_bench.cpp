@@ -65,10 +65,10 @@ struct Stage {
   PlaceFinder finder;
   LocalizerFactory localizers;
 
-  Stage(const RosMap& ros_map, const std::vector<LocalizerSpec>& specs)
-      : map(to_occupancy_grid(ros_map)),
+  Stage(const KidnapTrials& trials, const std::vector<LocalizerSpec>& specs)
+      : map(to_occupancy_grid(trials.map())),
         finder(localization::MhAmclConfig{}, map),
-        localizers(specs, map) {}
+        localizers(specs, {trials.map(), {}, trials.lidars()}) {}
 };
 
 PlayedTrial play(const Stage& stage, KidnapTrial trial) {
@@ -85,7 +85,9 @@ PlayedTrial play(const Stage& stage, KidnapTrial trial) {
   sinks.push_back(std::make_unique<TrialSink>(stage.finder.evidence(), played));
   LoopConfig loop;
   loop.start = {*source.start_pose(), Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
-  Loop(loop, localizers, sinks).run(source);
+  Loop played_by(loop, localizers, sinks);
+  played_by.run(source);
+  require_none(played_by.lost());
   return played;
 }
 
@@ -131,7 +133,7 @@ std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
                                        const std::vector<LocalizerSpec>& localizers, int kidnaps,
                                        int obstacles,
                                        const std::function<void(const KidnapReport&)>& on_trial) {
-  const Stage stage(trials.map(), localizers);
+  const Stage stage(trials, localizers);
   std::vector<KidnapReport> reports;
   for (int index = 0; index < kidnaps; ++index) {
     reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles))));

@@ -157,4 +157,6 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
       fmt::format("the world has no place with room for {} people around it", obstacles));
 }
 
+std::vector<LidarFacts> KidnapTrials::lidars() const { return lidars_of(prepared_.config.lidars); }
+
 }  // namespace castaway::testbed

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/map/free_space.hpp"
+#include "tools/foreign/protocol/lidar_facts.hpp"
 #include "tools/sources/build_simulation.hpp"
 
 namespace castaway::testbed {
@@ -51,6 +52,8 @@ class KidnapTrials {
   [[nodiscard]] KidnapTrial draw(int index, int obstacles) const;
   /// Map that is given to the localizers.
   [[nodiscard]] const RosMap& map() const { return prepared_.map; }
+  /// The lidars of the robot.
+  [[nodiscard]] std::vector<LidarFacts> lidars() const;
 
  private:
   [[nodiscard]] sim::KidnapSpec draw_kidnap(sim::Rng& rng, const sim::Pose2& start) const;

@@ -38,11 +38,10 @@ class ScoreSink final : public RunSink {
 
 std::vector<NamedLocalizer> build(const std::vector<PublishedVariant>& variants, const RosMap& map,
                                   std::uint64_t seed) {
-  const localization::OccupancyGrid grid = to_occupancy_grid(map);
   std::vector<NamedLocalizer> localizers;
   for (const PublishedVariant& variant : variants) {
     // One name for all variants, since the stream of random numbers depends on it.
-    std::vector<NamedLocalizer> one = build_localizers({{"variant", variant.config}}, grid, seed);
+    std::vector<NamedLocalizer> one = build_localizers({{"variant", variant.config}}, {map}, seed);
     one.front().name = variant.name;
     localizers.push_back(std::move(one.front()));
   }

@@ -7,6 +7,7 @@
 
 #include "tests/support/grid_world.hpp"
 #include "tests/tools/support/arm_robot.hpp"
+#include "tests/tools/support/recorded_office.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
 #include "tools/run/cpu_clock.hpp"
@@ -32,7 +33,7 @@ iyz="0"/></inertial></link>
 TEST(BuildLocalizers, MakesOneForEachSpecification) {
   const std::vector<LocalizerSpec> specs = {{"a", localization::MhAmclConfig{}},
                                             {"b", localization::AmclConfig{}}};
-  const auto localizers = build_localizers(specs, test::office(), 1);
+  const auto localizers = build_localizers(specs, {office_map()}, 1);
   ASSERT_EQ(localizers.size(), 2U);
   EXPECT_EQ(localizers[0].name, "a");
   EXPECT_EQ(localizers[1].localizer->diagnostics().populations.at(0).particles.size(), 2000U);
@@ -43,11 +44,11 @@ TEST(LocalizerFactory, BuildsWhatBuildLocalizersBuilds) {
                                             {"b", localization::AmclConfig{}}};
   std::vector<NamedLocalizer> shared;  // Outlives the factory.
   {
-    const LocalizerFactory factory(specs, test::office());
+    const LocalizerFactory factory(specs, {office_map()});
     (void)factory.build(3);  // Leaves nothing behind in the models.
     shared = factory.build(4);
   }
-  std::vector<NamedLocalizer> own = build_localizers(specs, test::office(), 4);
+  std::vector<NamedLocalizer> own = build_localizers(specs, {office_map()}, 4);
   for (auto* localizers : {&shared, &own}) {
     for (NamedLocalizer& named : *localizers) {
       named.localizer->initialize(localization::PoseWithCovariance{

@@ -36,7 +36,7 @@ Keeper run_with(sim::FaultKind kind) {
   fault.mount_error = {0.1, 0.0, 0.1};
   scenario.events.faults = {fault};
   PreparedSimulation prepared = build_simulation(scenario, ".");
-  auto localizers = build_localizers(scenario.localizers, to_occupancy_grid(prepared.map), 1);
+  auto localizers = build_localizers(scenario.localizers, {prepared.map}, 1);
   auto lidars = prepared.config.lidars;
   const Stamp duration = prepared.config.duration;
   SimulatorSource source(sim::Simulation(std::move(prepared.config), simulation_streams(1)),

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
@@ -41,7 +42,8 @@ struct KidnapArguments {
   int kidnaps = 200;
   std::vector<int> obstacles;
   double within_s = 10.0;
-  std::vector<std::string> localizers;
+  LocalizerArguments localizers;
+  std::vector<std::string> names;  ///< Of the localizers.
   bool verbose = false;
   bool json = false;
 };
@@ -125,7 +127,7 @@ void print_failure(const KidnapReport& report, const KidnapArguments& arguments)
     const KidnapOutcome& outcome = report.outcomes[i];
     const bool late = !outcome.recovered_s || *outcome.recovered_s > arguments.within_s;
     failed = failed || (i == 0 && late);
-    line += fmt::format("; {}: right after {}, alarm after {}", arguments.localizers[i],
+    line += fmt::format("; {}: right after {}, alarm after {}", arguments.names[i],
                         text(outcome.recovered_s), text(outcome.alarm_s));
   }
   if (failed) fmt::print(stderr, "{}\n", line);
@@ -184,14 +186,13 @@ KidnapBatch play_batch(const KidnapTrials& trials, const std::vector<LocalizerSp
     done.next();
   };
   const auto reports = play_kidnaps(trials, specs, arguments.kidnaps, obstacles, on_trial);
-  return summarise(reports, arguments.localizers, arguments.within_s);
+  return summarise(reports, arguments.names, arguments.within_s);
 }
 
 int bench_kidnaps(KidnapArguments arguments) {
-  if (arguments.localizers.empty()) arguments.localizers = {"mh_amcl", "amcl"};
   if (arguments.obstacles.empty()) arguments.obstacles = {0};
-  const std::vector<LocalizerSpec> specs = parse_localizers(arguments.localizers);
-  arguments.localizers = names_of(specs);
+  const std::vector<LocalizerSpec> specs = arguments.localizers.specs({"mh_amcl", "amcl"});
+  arguments.names = names_of(specs);
   arguments.trials.kind = kKinds.at(arguments.kind);
   const KidnapTrials trials(arguments.trials);
   auto batches = Json::array();
@@ -250,11 +251,7 @@ void add_bench_kidnaps(Command& bench) {
   command.add_option("--within", a->within_s, "Time limit of a recovery [s]")
       .range(0.1, 1e5)
       .show_default();
-  command
-      .add_option("--localizer", a->localizers,
-                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
-                  "(default: mh_amcl and amcl)")
-      .repeatable();
+  add_localizer_options(command, a->localizers, "mh_amcl and amcl");
   command.add_option("--seed", a->trials.seed, "Root seed").show_default();
   command.add_flag("--verbose", a->verbose,
                    "Print the trials that fail: of the matcher and of the first localizer");

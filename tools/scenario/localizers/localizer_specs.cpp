@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "tools/scenario/localizers/amcl_spec.hpp"
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 #include "tools/scenario/localizers/mh_amcl_spec.hpp"
@@ -13,10 +15,11 @@
 namespace castaway::testbed {
 namespace {
 
-const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl"};
+const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl", "program", "library"};
 const char* const kToldPreset = "amcl-global";
 
-LocalizerSpec read_localizer(YamlReader item) {
+LocalizerSpec read_localizer(YamlReader item, const ForeignRules& rules) {
+  if (auto foreign = read_foreign(item, rules)) return *foreign;
   auto [kind, body] = item.name_and_body();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
@@ -32,29 +35,34 @@ LocalizerSpec read_localizer(YamlReader item) {
   }
   spec.relocalize_at_kidnap = body.get("global_localization_at_kidnap", spec.relocalize_at_kidnap);
   spec.name = get_name(body, "name", spec.name);
-  if (spec.name == "truth") body.fail("a localizer cannot be called 'truth': truth.tum is taken");
   return spec;
 }
 
-std::vector<LocalizerSpec> load_localizers(const std::string& file) {
+std::vector<LocalizerSpec> load_localizers(const std::string& file, FilePrograms programs) {
   YamlDocument document = YamlDocument::load(file);
   YamlReader root = document.root();
-  std::vector<LocalizerSpec> specs = read_localizers(root, "localizers");
+  std::vector<LocalizerSpec> specs =
+      read_localizers(root, "localizers", {std::filesystem::path(file).parent_path(), programs});
   document.reject_unknown_keys();
   if (specs.empty()) throw std::runtime_error(file + ": lists no localizer; name at least one");
   return specs;
 }
 
 bool names_a_file(const std::string& text) {
-  return text.ends_with(".yaml") || text.ends_with(".yml");
+  const bool is_foreign = text.starts_with("program:") || text.starts_with("library:");
+  return !is_foreign && (text.ends_with(".yaml") || text.ends_with(".yml"));
 }
 
 }  // namespace
 
-std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key) {
+std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key,
+                                           const ForeignRules& rules) {
   std::vector<LocalizerSpec> specs;
   for (YamlReader item : root.list(key)) {
-    specs.push_back(read_localizer(item));
+    specs.push_back(read_localizer(item, rules));
+    if (specs.back().name == "truth") {
+      item.fail("a localizer cannot be called 'truth': truth.tum is taken");
+    }
     const auto same = std::count_if(specs.begin(), specs.end(), [&](const LocalizerSpec& other) {
       return other.name == specs.back().name;
     });
@@ -82,9 +90,11 @@ void describe_localizers(std::vector<SettingText>& texts) {
   nav2.form({"preset", "", "amcl, amcl-recovery, amcl-global, amcl-prob."}, "amcl");
   localization::AmclConfig amcl;
   fields(nav2, amcl);
+  describe_foreign(texts);
 }
 
 LocalizerSpec parse_localizer(const std::string& text) {
+  if (auto foreign = parse_foreign(text)) return *foreign;
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string preset = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -112,10 +122,21 @@ LocalizerSpec parse_localizer(const std::string& text) {
                               suggestion(kind, kLocalizerKinds));
 }
 
-std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts) {
+std::string localizer_yaml(const std::string& text) {
+  const LocalizerSpec spec = parse_localizer(text);  // Throws if there is no such localizer.
+  if (is_foreign(spec)) return foreign_yaml(spec);
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return text;
+  const std::string kind = text.substr(0, colon);
+  return fmt::format("{{{}: {{{}: {}}}}}", kind, kind == "amcl" ? "preset" : "mode",
+                     text.substr(colon + 1));
+}
+
+std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts,
+                                            FilePrograms programs) {
   std::vector<LocalizerSpec> specs;
   for (const std::string& text : texts) {
-    const auto more = names_a_file(text) ? load_localizers(text)
+    const auto more = names_a_file(text) ? load_localizers(text, programs)
                                          : std::vector<LocalizerSpec>{parse_localizer(text)};
     specs.insert(specs.end(), more.begin(), more.end());
   }

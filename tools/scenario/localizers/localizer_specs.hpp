@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/scenario/localizers/foreign_spec.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 
@@ -14,14 +15,21 @@ void describe_localizers(std::vector<SettingText>& texts);
 
 /// Reads the list of localizers under `key`: names, or maps of one name to its settings. `[]` means
 /// none; a missing list is an error.
-std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key);
+std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key,
+                                           const ForeignRules& rules = {});
 
-/// Parses a localizer from the command line: `mh_amcl`, `amcl`, `amcl:amcl-recovery`.
+/// Parses a localizer from the command line: `mh_amcl`, `amcl:amcl-recovery`,
+/// `program:python3 mine.py`, `library:./libmine.so`.
 LocalizerSpec parse_localizer(const std::string& text);
 
-/// The same of several; a text that ends with .yaml or .yml is a file with a list `localizers`, as
-/// in a scenario. Throws std::runtime_error (`YamlDocument`) or std::invalid_argument; two
-/// localizers of one name are an error.
-std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts);
+/// The text of a localizer on the command line as an element of a scenario's list, in YAML. Throws
+/// std::invalid_argument.
+std::string localizer_yaml(const std::string& text);
+
+/// Parses several localizers; a text that ends with .yaml or .yml is a file with a list
+/// `localizers`, as in a scenario. Throws std::runtime_error (`YamlDocument`) or
+/// std::invalid_argument; two localizers of one name are an error.
+std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts,
+                                            FilePrograms programs = FilePrograms::kRefused);
 
 }  // namespace castaway::testbed

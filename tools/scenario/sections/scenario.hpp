@@ -19,6 +19,7 @@
 #include "sim/people/people_config.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
+#include "tools/foreign/foreign_config.hpp"
 #include "tools/metrics/expectation.hpp"
 #include "tools/pictures/picture_config.hpp"
 #include "tools/ros/bag_options.hpp"
@@ -106,7 +107,8 @@ struct PeopleSpec {
 struct LocalizerSpec {
   std::string name;  ///< Unique; used in file names.
   std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
-               localization::PublishedMhAmclConfig, localization::AmclConfig>
+               localization::PublishedMhAmclConfig, localization::AmclConfig, ProgramConfig,
+               LibraryConfig>
       config;
   /// If true, the localizer is notified of every kidnap and relocalizes globally. Otherwise it must
   /// notice a kidnap by itself.

@@ -55,6 +55,12 @@ void set_place(YamlNode& node, const std::string& where) {
   for (YamlEntry& entry : node.entries) set_place(entry.value, where);
 }
 
+void mark_override(YamlNode& node) {
+  node.is_override = true;
+  for (YamlNode& item : node.items) mark_override(item);
+  for (YamlEntry& entry : node.entries) mark_override(entry.value);
+}
+
 }  // namespace
 
 void apply_override(YamlNode& root, const std::string& assignment) {
@@ -64,6 +70,7 @@ void apply_override(YamlNode& root, const std::string& assignment) {
     throw std::invalid_argument(where + ": write it as key=value, e.g. lidar.rate_hz=10");
   }
   YamlNode value = parse_yaml(assignment.substr(equals + 1), where);
+  mark_override(value);
   put_value(root, assignment.substr(0, equals), std::move(value), where);
 }
 

@@ -57,6 +57,8 @@ class YamlReader {
   [[nodiscard]] bool is_scalar() const { return node_->kind == YamlNode::Kind::kScalar; }
   [[nodiscard]] bool is_list() const { return node_->kind == YamlNode::Kind::kList; }
   [[nodiscard]] bool is_map() const { return node_->kind == YamlNode::Kind::kMap; }
+  /// True if the value was given on the command line, not in a file.
+  [[nodiscard]] bool is_from_command_line() const { return node_->is_override; }
   /// Keys from the root, such as "events[0].kidnap".
   [[nodiscard]] const std::string& path() const { return path_; }
 

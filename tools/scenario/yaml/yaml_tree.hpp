@@ -18,6 +18,7 @@ struct YamlNode {
   std::list<YamlNode> items;       ///< Elements of a list.
   std::list<YamlEntry> entries;    ///< Keys and values of a map, in order of the file.
   std::string where;               ///< "file:line" or "--set a.b=c"; empty for a default.
+  bool is_override = false;        ///< Given on the command line, not in a file.
   std::vector<std::string> known;  ///< Keys that a reader requested from this map.
 
   /// The value of `key`, or nullptr.

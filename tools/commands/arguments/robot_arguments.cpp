@@ -1,4 +1,4 @@
-#include "tools/commands/robot_arguments.hpp"
+#include "tools/commands/arguments/robot_arguments.hpp"
 
 #include <stdexcept>
 

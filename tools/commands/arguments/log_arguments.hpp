@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "tools/commands/command_line.hpp"
+#include "tools/commands/arguments/command_line.hpp"
+#include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/evaluate/evaluation.hpp"
 
 namespace castaway::testbed {
 
-/// The argument FOLDERS and the option --localizer.
+/// The argument FOLDERS, and the options that choose localizers, by default `mh_amcl`.
 void add_log_arguments(Command& command, std::vector<std::string>& folders,
-                       std::vector<std::string>& localizers);
+                       LocalizerArguments& localizers);
 
 /// The options --starts, --kidnaps and --window.
 void add_trial_options(Command& command, EvaluationConfig& config);

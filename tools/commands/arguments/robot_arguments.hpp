@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/commands/command_line.hpp"
+#include "tools/commands/arguments/command_line.hpp"
 
 namespace castaway::testbed {
 

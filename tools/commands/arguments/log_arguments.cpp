@@ -1,15 +1,11 @@
-#include "tools/commands/log_arguments.hpp"
+#include "tools/commands/arguments/log_arguments.hpp"
 
 namespace castaway::testbed {
 
 void add_log_arguments(Command& command, std::vector<std::string>& folders,
-                       std::vector<std::string>& localizers) {
+                       LocalizerArguments& localizers) {
   command.add_option("folders", folders, "Folders that hold a log and a map").required();
-  command
-      .add_option("--localizer", localizers,
-                  "NAME, NAME:PRESET, or a YAML file with a list localizers; repeat for several "
-                  "(default: mh_amcl)")
-      .repeatable();
+  add_localizer_options(command, localizers, "mh_amcl");
 }
 
 void add_trial_options(Command& command, EvaluationConfig& config) {

@@ -1,4 +1,4 @@
-#include "tools/commands/command_line.hpp"
+#include "tools/commands/arguments/command_line.hpp"
 
 #include <algorithm>
 #include <charconv>

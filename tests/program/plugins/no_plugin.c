@@ -1,0 +1,2 @@
+/* A shared library that is no localizer. */
+int castaway_is_elsewhere(void) { return 1; }
