@@ -57,6 +57,28 @@ TEST(ForeignLocalizer, MhAmclIsTheSameInEveryWay) {
   EXPECT_EQ(text_of(folder / "run/mh_amcl.tum"), ours);
 }
 
+/// Others' localizers: they track, and the one that draws particles anywhere comes back.
+TEST(ForeignLocalizer, MrptTracks) {
+#ifndef CASTAWAY_MRPT
+  GTEST_SKIP() << "MRPT is not installed (apt-get install libmrpt-slam-dev)";
+#else
+  const fs::path folder = fresh_folder();
+  (void)trajectory(folder, "library:" CASTAWAY_MRPT, "mrpt");
+  EXPECT_LT(summary_of(folder).at("localizers").at("mrpt").at("tracking_error_m").at("mean"), 0.05);
+#endif
+}
+
+TEST(ForeignLocalizer, AFilterInNumpyTracks) {
+  const std::string python = python_with("numpy");
+  if (python.empty()) GTEST_SKIP() << "needs python3-numpy";
+  const fs::path folder = fresh_folder();
+  (void)trajectory(folder, "program:" + python + " " + kExamples + "program/particle_filter.py",
+                   "particle_filter");
+  const Json figures = summary_of(folder).at("localizers").at("particle_filter");
+  EXPECT_LT(figures.at("tracking_error_m").at("mean"), 0.15);
+  EXPECT_LT(figures.at("calibration").at("brier"), 0.2);
+}
+
 TEST(ForeignLocalizer, IsTimedAndLogged) {
   const fs::path folder = fresh_folder();
   write(folder / "mine.py",

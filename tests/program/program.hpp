@@ -64,6 +64,15 @@ inline void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "missing: " << part << "\nin: " << text;
 }
 
+/// A Python that has a module: that of PATH, or Debian's; empty: none.
+inline std::string python_with(const std::string& module) {
+  for (const std::string python : {"python3", "/usr/bin/python3"}) {
+    const std::string test = python + " -c 'import " + module + "' 2>/dev/null";
+    if (std::system(test.c_str()) == 0) return python;
+  }
+  return "";
+}
+
 /// Expects one line on stderr that contains every part, and exit code 2.
 inline void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;

@@ -47,9 +47,8 @@ TEST(YourLocalizerPage, RunsWordByWord) {
 
 /// A program that records the conversation, and Debian's python3-jsonschema as the judge.
 TEST(Protocol, EveryMessageFitsItsSchema) {
-  if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0) {
-    GTEST_SKIP() << "needs python3-jsonschema";
-  }
+  const std::string python = python_with("jsonschema");
+  if (python.empty()) GTEST_SKIP() << "needs python3-jsonschema";
   const fs::path folder = fresh_folder();
   write(folder / "tee.sh", "tee to.jsonl | \"$@\" | tee from.jsonl\n");
   const Outcome outcome =
@@ -72,7 +71,7 @@ for wrong in [{"type": "estimate"}, {"type": "ready", "x": 1}, {"type": "dance"}
     assert not validator.is_valid(wrong), wrong
 print(json.dumps(counts))
 )");
-  const std::string command = "cd '" + folder.string() + "' && python3 judge.py '" +
+  const std::string command = "cd '" + folder.string() + "' && " + python + " judge.py '" +
                               (kRoot / "docs/protocol.schema.json").string() + "' >counts 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "counts");
   const Json counts = Json::parse(text_of(folder / "counts"));

@@ -76,8 +76,11 @@ Answer to_answer(const castaway_estimate& c, localization::Stamp stamp) {
   return answer;
 }
 
+/// The text on one line, and not longer than a line.
 std::string line_of(const char* text) {
+  constexpr std::size_t kLongest = 200;
   std::string line = text == nullptr || *text == '\0' ? "failed without saying why" : text;
+  if (line.size() > kLongest) line = line.substr(0, kLongest) + " ...";
   for (char& c : line) {
     if (c == '\n' || c == '\r') c = ' ';
   }

@@ -3,7 +3,7 @@
 import dataclasses
 import typing
 
-from measuring import localizers, people, robots, sensors, speed, twins, worlds
+from measuring import foreign, localizers, people, robots, sensors, speed, twins, worlds
 from measuring.lab import bench
 
 LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/sources/build_localizers.cpp"]
@@ -39,6 +39,8 @@ BLOCKS = {
     "kidnaps-among-people": Block(LOCALIZATION, localizers.kidnaps_among_people, SIMULATOR + ["worlds/office"]),
     "stressed-evaluations": Block(LOCALIZATION, localizers.stressed_evaluations, REPLAY, logs=True, times=True),
     "designs": Block("docs/localization.md", localizers.designs, REPLAY + WORLD + ["worlds/hall", "tools/measuring/designs.yaml"], logs=True),
+    "foreign-localizers": Block("docs/your-localizer.md", foreign.foreign_localizers,
+                                SIMULATOR + ["worlds/office", "examples", "plugin", "tools/foreign"], logs=True, times=True),
     "localization-speed": Block(SPEED, bench("bench", "localization"), ["localization", "tools/bench/plain_*.cpp"], times=True),
     "odometry-profiles": Block(SIMULATION, sensors.odometry_profiles,
                                ["sim/sensor", "tools/bench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),

@@ -118,14 +118,14 @@ void RecordingSink::repeat_pose(const std::string& prefix) {
   for (const char* part : {"/x", "/y", "/yaw"}) columns_[prefix + part].repeat();
 }
 
-/// A value that is not stated is drawn as 0.
-static double or_zero(double value) { return std::isnan(value) ? 0.0 : value; }
+/// The player takes a negative share for one that is not stated.
+static double or_negative(double share) { return std::isnan(share) ? -1.0 : share; }
 
 void RecordingSink::add_belief(const std::string& prefix, const Estimate& estimate) {
   const Eigen::Matrix3d& covariance = estimate.covariance;
   const double sigma = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
-  columns_[prefix + "/quality"].add(quantize(or_zero(estimate.quality), kRecordingShare));
-  columns_[prefix + "/probability"].add(quantize(or_zero(estimate.probability), kRecordingShare));
+  columns_[prefix + "/quality"].add(quantize(or_negative(estimate.quality), kRecordingShare));
+  columns_[prefix + "/probability"].add(quantize(or_negative(estimate.probability), kRecordingShare));
   columns_[prefix + "/sigma"].add(quantize(sigma, kRecordingPose));
   columns_[prefix + "/sigma_yaw"].add(quantize(std::sqrt(covariance(2, 2)), kRecordingPose));
 }

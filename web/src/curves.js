@@ -20,9 +20,9 @@ export const kCurves = [
   {title: 'Hypotheses: populations of particles', unit: 'count', of: (l) => Array.from(l.populations)},
 ];
 
-/** Nothing where the localizer has no answer. */
+/** Nothing where the localizer has no answer, or does not state the value. */
 function answered(localizer, values) {
-  return Array.from(values, (value, i) => (localizer.known[i] ? value : null));
+  return Array.from(values, (value, i) => (localizer.known[i] && value >= 0 ? value : null));
 }
 
 /** All plots of a run. `seek(time)` is called where a reader clicks. */

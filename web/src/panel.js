@@ -5,6 +5,9 @@ import {kDashes, outline, pick} from './palette.js';
 
 const kRows = ['error', 'yaw error', 'stated probability', 'quality', 'uncertainty', 'hypotheses'];
 
+/** A dash where there is no answer, or where it does not state the share, which is negative then. */
+const shareText = (known, share) => (known && share >= 0 ? share.toFixed(2) : '–');
+
 /** A localizer's line and shape. */
 function swatch() {
   return element('canvas', {class: 'swatch', width: 80, height: 40, 'aria-hidden': 'true'});
@@ -64,8 +67,8 @@ export class Panel {
       const texts = [
         readable(errors[k].position[scan] ?? null, 'm'),
         readable(yaw === null ? null : (yaw * 180) / Math.PI, '°'),
-        known ? localizer.probability[scan].toFixed(2) : '–',
-        known ? localizer.quality[scan].toFixed(2) : '–',
+        shareText(known, localizer.probability[scan]),
+        shareText(known, localizer.quality[scan]),
         known ? `± ${readable(localizer.sigma[scan], 'm')}` : '–',
         `${localizer.populations[scan]} (${localizer.particles[scan]} particles)`,
       ];

@@ -1,5 +1,7 @@
 #include "tools/sinks/recording_sink.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -66,6 +68,15 @@ TEST(RecordingSink, SaysWhatIsNotThere) {
   EXPECT_EQ(column(recording, "truth/x"), (Values{0, 0, 2000}));
   EXPECT_EQ(column(recording, "0/flags"), (Values{1, 0, 3}));
   EXPECT_EQ(column(recording, "0/x"), (Values{0, 0, 2000}));
+}
+
+TEST(RecordingSink, MarksWhatIsNotStated) {
+  std::vector<ScanRecord> records = three_records();
+  records[1].localizers[0].estimate->probability = std::nan("");
+  records[2].localizers[0].estimate->quality = std::nan("");
+  const Recording recording = unpack_recording(file_of(records));
+  EXPECT_EQ(column(recording, "0/probability"), (Values{500, -1000, 500}));
+  EXPECT_EQ(column(recording, "0/quality"), (Values{750, 750, -1000}));
 }
 
 TEST(RecordingSink, TellsEachLidarOnce) {
