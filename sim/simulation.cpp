@@ -60,6 +60,8 @@ struct Simulation::State {
 
   void run_step();
   void kidnap();
+  void kidnap_on_request();
+  void teleport(const KidnapRecord& record);
   [[nodiscard]] bool localized() const;
   void move_people();
   void command();
@@ -90,6 +92,7 @@ struct Simulation::State {
   ProgressWatch progress;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
+  std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;
   std::deque<SimFrame> frames;
 };
@@ -129,13 +132,25 @@ void Simulation::State::kidnap() {
   const KidnapOutcome outcome = kidnaps.advance(
       {now, to_planar(robot.state().T_map_base), distance, localized(), positions}, streams.events);
   if (outcome.done) {
-    robot.teleport(outcome.done->T_map_to);
-    people.on_kidnap(outcome.done->T_map_to);
-    progress.on_teleport();
+    teleport(*outcome.done);
     if (kidnaps.was_power_cycle()) sensors.reset_odometry();
-    frames.push_back({now, *outcome.done});
   }
   if (outcome.picked_up) frames.push_back({now, *outcome.picked_up});
+  if (!kidnaps.holds()) kidnap_on_request();
+}
+
+void Simulation::State::kidnap_on_request() {
+  if (!requested) return;
+  const Pose2 T_map_from = to_planar(robot.state().T_map_base);
+  teleport({now, KidnapKind::kTeleportTo, T_map_from, *requested, now});
+  requested.reset();
+}
+
+void Simulation::State::teleport(const KidnapRecord& record) {
+  robot.teleport(record.T_map_to);
+  people.on_kidnap(record.T_map_to);
+  progress.on_teleport();
+  frames.push_back({now, record});
 }
 
 void Simulation::State::move_people() {
@@ -238,6 +253,21 @@ void Simulation::set_drive_pose(const std::optional<Pose2>& T_map_base) {
 
 void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base) {
   state_->watched = T_map_base;
+}
+
+void Simulation::set_command(const std::optional<Twist2>& command) {
+  state_->drive.set_command(command);
+}
+
+void Simulation::kidnap(const Pose2& T_map_base) {
+  if (!state_->config.drive.path.empty()) {
+    throw std::invalid_argument("kidnap: the robot follows a recorded path to its end");
+  }
+  if (!standing_space(state_->config.robot, state_->landing).contains(T_map_base.position())) {
+    throw std::invalid_argument(fmt::format("kidnap: the robot has no room at ({:.2f}, {:.2f}) m",
+                                            T_map_base.x, T_map_base.y));
+  }
+  state_->requested = T_map_base;
 }
 
 Pose2 Simulation::start_pose() const { return state_->start; }

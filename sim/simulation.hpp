@@ -45,6 +45,13 @@ class Simulation {
   /// it has none or reports to be lost.
   void set_watched_pose(const std::optional<Pose2>& T_map_base);
 
+  /// Drives the robot by this velocity from the next control step (20 Hz) on, in place of its
+  /// route; nothing: by its route again. A robot that is driven so is never stuck (`void_record`).
+  void set_command(const std::optional<Twist2>& command);
+  /// Teleports the robot at the next step; if it is being held, once it stands again.
+  /// @throws std::invalid_argument if it would stand in an obstacle, or on a recorded path.
+  void kidnap(const Pose2& T_map_base);
+
   /// True pose of base at the start of the run.
   [[nodiscard]] Pose2 start_pose() const;
   /// True pose of base now.

@@ -29,6 +29,8 @@ class DriveStage {
   Twist2 command(std::chrono::nanoseconds now, const Pose2& T_map_base, PeopleStage& people);
   /// Sets the driving localizer's estimate; nothing if it has none.
   void set_pose(const std::optional<Pose2>& T_map_base) { estimate_ = T_map_base; }
+  /// Drives by this velocity; nothing: as configured.
+  void set_command(const std::optional<Twist2>& command) { command_ = command; }
   /// Take what the robot's sensors delivered.
   void on_odometry(const OdometryReading& reading);
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);
@@ -51,6 +53,7 @@ class DriveStage {
   std::optional<RouteRunner> route_;    ///< Drives by the true pose.
   std::optional<Navigator> navigator_;  ///< Drives by the estimate.
   std::optional<Pose2> estimate_;
+  std::optional<Twist2> command_;
   double radius_;  ///< [m] Of the robot.
   bool wants_ = false;
   std::chrono::nanoseconds next_{};

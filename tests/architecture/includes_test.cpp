@@ -28,7 +28,7 @@ std::vector<Include> all_includes() {
   static const std::regex line_of(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   const fs::path root = CASTAWAY_SOURCE_DIR;
   std::vector<Include> includes;
-  for (const char* part : {"localization", "sim", "tools"}) {
+  for (const char* part : {"localization", "sim", "tools", "python"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;
@@ -111,6 +111,16 @@ TEST(Includes, GlAppearsInRenderOnly) {
 TEST(Includes, YamlAppearsInScenarioOnly) {
   EXPECT_EQ(violations([](const std::string& h) { return starts_with(h, "yaml-cpp/"); },
                        [](const std::string& f) { return starts_with(f, "tools/scenario/"); }),
+            Names{});
+}
+
+TEST(Includes, PythonAppearsInItsFolderOnly) {
+  EXPECT_EQ(violations(
+                [](const std::string& h) {
+                  return starts_with(h, "pybind11/") || starts_with(h, "python/") ||
+                         h == "Python.h";
+                },
+                [](const std::string& f) { return starts_with(f, "python/"); }),
             Names{});
 }
 
@@ -227,7 +237,7 @@ TEST(Includes, ARoomInTheWrongLayerIsFound) {
 /// A larger folder should be divided by subject.
 TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
   std::map<std::string, int> files;
-  for (const char* part : {"localization", "sim", "tools"}) {
+  for (const char* part : {"localization", "sim", "tools", "python"}) {
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(CASTAWAY_SOURCE_DIR) / part)) {
       const std::string extension = entry.path().extension().string();
@@ -252,7 +262,7 @@ TEST(Includes, OnlyTheProgramReadsWallClocks) {
 Names lines_with(const std::regex& pattern) {
   const fs::path root = CASTAWAY_SOURCE_DIR;
   Names found;
-  for (const char* part : {"localization", "sim", "tools", "tests"}) {
+  for (const char* part : {"localization", "sim", "tools", "python", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;

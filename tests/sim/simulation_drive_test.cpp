@@ -1,6 +1,9 @@
 #include <chrono>
 #include <exception>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,6 +108,58 @@ TEST(SimulationErrors, RefusesToRunWithoutAMap) {
   auto config = test_simulation();
   config.map = {};
   EXPECT_THAT(error_of(config), testing::HasSubstr("map"));
+}
+
+/// Steps to this time.
+void drive_until(Simulation& simulation, std::chrono::nanoseconds end) {
+  while (const auto frame = simulation.next()) {
+    if (frame->stamp >= end) return;
+  }
+}
+
+TEST(SimulationDrive, IsDrivenByCommandsInPlaceOfItsRoute) {
+  Simulation simulation(test_simulation(), test_streams(1));
+  simulation.set_command(Twist2{0.0, 0.5});
+  drive_until(simulation, seconds(2));
+  EXPECT_LT((simulation.true_pose().position() - simulation.start_pose().position()).norm(), 0.05);
+  EXPECT_NEAR(simulation.true_pose().yaw - simulation.start_pose().yaw, 1.0, 0.2);
+  simulation.set_command(std::nullopt);
+  drive_until(simulation, seconds(6));
+  EXPECT_GT(simulation.distance_driven(), 0.3);
+}
+
+TEST(SimulationDrive, ACommandedRobotThatStandsIsNotStuck) {
+  auto config = test_simulation();
+  config.duration = seconds(60);
+  Simulation simulation(config, test_streams(1));
+  simulation.set_command(Twist2{});
+  while (simulation.next()) {
+  }
+  EXPECT_LT(simulation.distance_driven(), 0.01);
+  EXPECT_FALSE(simulation.void_record().has_value());
+}
+
+TEST(SimulationDrive, IsKidnappedOnRequest) {
+  Simulation simulation(test_simulation(), test_streams(1));
+  simulation.set_command(Twist2{});
+  drive_until(simulation, seconds(1));
+  const Pose2 start = simulation.start_pose();
+  const Pose2 target{start.x, start.y, start.yaw + 1.5};
+  simulation.kidnap(target);
+  std::optional<KidnapRecord> record;
+  while (const auto frame = simulation.next()) {
+    if (const auto* found = std::get_if<KidnapRecord>(&frame->data)) record = *found;
+    if (frame->stamp >= seconds(2)) break;
+  }
+  ASSERT_TRUE(record.has_value());
+  EXPECT_EQ(record->T_map_to, target);
+  EXPECT_NEAR(simulation.true_pose().yaw, wrap_angle(target.yaw), 0.02);
+  EXPECT_LT(simulation.distance_driven(), 0.05);
+}
+
+TEST(SimulationDrive, IsNotKidnappedIntoAWall) {
+  Simulation simulation(test_simulation(), test_streams(1));
+  EXPECT_THROW(simulation.kidnap({1e3, 0.0, 0.0}), std::invalid_argument);
 }
 
 }  // namespace

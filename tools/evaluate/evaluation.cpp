@@ -26,6 +26,20 @@ std::optional<localization::PoseWithCovariance> with_covariance(const std::optio
   return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
 }
 
+/// Calls a function at every scan.
+class CallingSink final : public RunSink {
+ public:
+  explicit CallingSink(std::function<void()> on_scan) : on_scan_(std::move(on_scan)) {}
+
+  void on_event(const RunEvent&) override {}
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord&) override { on_scan_(); }
+  void finish(Stamp, const RunTiming&) override {}
+
+ private:
+  std::function<void()> on_scan_;
+};
+
 /// Input of one trial.
 struct Trial {
   Frames frames;
@@ -56,6 +70,7 @@ class Evaluator {
     RowsOfRun rows;
     std::vector<std::unique_ptr<RunSink>> sinks;
     sinks.push_back(std::make_unique<RowsSink>(rows));
+    if (config_.on_scan) sinks.push_back(std::make_unique<CallingSink>(config_.on_scan));
     Loop played_by(loop, localizers, sinks);
     played_by.run(source);
     require_none(played_by.lost());

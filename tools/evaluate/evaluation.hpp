@@ -25,6 +25,8 @@ struct EvaluationConfig {
   bool tracking = true;                     ///< Also track the whole log from its true start.
   StressConfig stress;
   std::uint64_t seed = 1;
+  /// Called at every scan of a trial, in its process; may throw to end the evaluation.
+  std::function<void()> on_scan{};
   int workers = 1;  ///< Number of trials at once, each in a process of its own if above 1.
 };
 

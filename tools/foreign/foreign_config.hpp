@@ -2,10 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+namespace castaway::localization {
+class Localizer;
+}
+
 namespace castaway::testbed {
+
+struct Greeting;
 
 /// A localizer that runs as a program and is spoken to over its standard input and output
 /// (docs/protocol.md).
@@ -22,6 +30,12 @@ struct LibraryConfig {
   std::string library;                ///< File.
   std::string params = "{}";          ///< JSON object, passed to the library as text.
   std::filesystem::path folder = {};  ///< Of the scenario: the file may lie there.
+};
+
+/// A localizer that the program around castaway provides: an object of Python.
+struct OwnConfig {
+  /// Makes the localizer of a run; empty in a scenario's file, where there is no such program.
+  std::function<std::unique_ptr<localization::Localizer>(const Greeting& greeting)> make = {};
 };
 
 /// The file that `text` names: as it is, or in `folder` if there is none and `folder` has one.

@@ -95,18 +95,6 @@ RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
           prepared.difference};
 }
 
-std::unique_ptr<SimulatorSource> source_of(const Scenario& scenario, sim::SimulationConfig config) {
-  std::vector<sim::LidarConfig> lidars = config.lidars;
-  const Stamp duration = config.duration;
-  auto source = std::make_unique<SimulatorSource>(
-      sim::Simulation(std::move(config), simulation_streams(scenario.seed), thread_cpu_time),
-      std::move(lidars), duration);
-  source->begin_at(localization::from_seconds(scenario.start.switch_on_s));
-  source->stop_after(scenario.stop_after_m);
-  if (scenario.outputs.points_every_s > 0.0) source->keep_clouds();
-  return source;
-}
-
 /// Lets pictures and bags read the state of the simulator, which must outlive the sinks.
 void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels, bool people,
              RunFiles& files) {
@@ -123,12 +111,14 @@ OutputRequest output_request(const LoadedScenario& loaded, const PlayOptions& op
           options.inputs, options.force, options.keep_list};
 }
 
-PreparedSimulation prepare(const LoadedScenario& loaded, const PlayOptions& options) {
-  PreparedSimulation prepared = build_simulation(loaded.scenario, options.base);
-  if (!options.quiet) {
-    for (const std::string& warning : prepared.warnings) print_warning(warning);
+void warn(const PlayOptions& options, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    if (options.warn) {
+      options.warn(warning);
+    } else if (!options.quiet) {
+      print_warning(warning);
+    }
   }
-  return prepared;
 }
 
 /// Builds the run; its files go into `folder`.
@@ -142,17 +132,16 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
                                     {prepared.map, {}, lidars_of(prepared.config.lidars), folder},
                                     scenario.seed);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
-  auto source = source_of(scenario, std::move(prepared.config));
+  auto source = build_source(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose());
   connect(*source, std::move(wheels), scenario.people.config.count() > 0, files);
   if (files.exports.bag && run.loop.start) files.exports.bag->start = run.loop.start->T_map_base;
   write_file(folder / "scenario.yaml", loaded.effective);
   const auto labels = files.labels;
   RunSinks built = build_sinks(folder, info, prepared.map, source->duration(), std::move(files));
-  if (!options.quiet) {
-    for (const std::string& warning : built.warnings) print_warning(warning);
-  }
+  warn(options, built.warnings);
   run.sinks = std::move(built.sinks);
+  if (options.watcher) run.sinks.push_back(options.watcher());
   for (const SinkMaker& make : options.sinks) run.sinks.push_back(make(info, labels));
   run.source = std::move(source);
   return run;
@@ -162,14 +151,13 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
 template <typename Body>
 int play_with(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
   const std::chrono::nanoseconds begin = wall_time();
-  PreparedSimulation prepared = prepare(loaded, options);
+  PreparedSimulation prepared = build_simulation(loaded.scenario, options.base);
+  warn(options, prepared.warnings);
   OutputFolder output(output_request(loaded, options));
   Run run = build_run(loaded, options, std::move(prepared), output.folder());
   run.loop.load_s = seconds(wall_time() - begin);
   const int exit_code = body(run, output);
-  if (!options.quiet) {
-    for (const std::string& warning : run.source->warnings()) print_warning(warning);
-  }
+  warn(options, run.source->warnings());
   return exit_code;
 }
 
@@ -185,11 +173,18 @@ std::filesystem::path default_run_folder(const Scenario& scenario) {
   return std::filesystem::path("runs") / scenario.name / fmt::format("seed-{}", scenario.seed);
 }
 
-void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
-  play_with(loaded, options, [](Run& run, OutputFolder& output) {
-    require_none(execute(run, output, true));
+std::vector<LostLocalizer> play_to_the_end(const LoadedScenario& loaded,
+                                           const PlayOptions& options) {
+  std::vector<LostLocalizer> lost;
+  play_with(loaded, options, [&lost](Run& run, OutputFolder& output) {
+    lost = execute(run, output, true);
     return static_cast<int>(kDone);
   });
+  return lost;
+}
+
+void play_silently(const LoadedScenario& loaded, const PlayOptions& options) {
+  require_none(play_to_the_end(loaded, options));
 }
 
 int play(const LoadedScenario& loaded, const PlayOptions& options) {

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tools/records/scan_row.hpp"
+#include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -28,6 +30,8 @@ struct PlayOptions {
   std::filesystem::path video{};   ///< Film of the run; empty: none.
   bool timing = true;              ///< As in `RunFiles`.
   std::vector<SinkMaker> sinks{};  ///< Further ones.
+  std::function<std::unique_ptr<RunSink>()> watcher{};  ///< Makes one that needs no labels.
+  std::function<void(const std::string&)> warn{};  ///< Takes warnings; empty: they are printed.
   /// Likeness of places, for labels; nothing: computed where labels are written.
   std::shared_ptr<const PlaceScores> scores{};  // Shared by the runs of a data set.
 };
@@ -39,8 +43,13 @@ std::filesystem::path default_run_folder(const Scenario& scenario);
 std::vector<std::filesystem::path> inputs_of(const Scenario& scenario,
                                              const std::filesystem::path& file);
 
+/// Simulates the scenario, prints nothing and leaves the run folder. Returns the localizers that
+/// were left out on the way. Throws std::exception if it fails.
+std::vector<LostLocalizer> play_to_the_end(const LoadedScenario& loaded,
+                                           const PlayOptions& options);
+
 /// Simulates the scenario, prints nothing and leaves the run folder. Throws std::exception if it
-/// fails.
+/// fails, or a localizer does.
 void play_silently(const LoadedScenario& loaded, const PlayOptions& options);
 
 /// Simulates the scenario and leaves the run folder. Returns kDone or kRunFailed; throws

@@ -73,6 +73,10 @@ struct Maker {
   NamedLocalizer operator()(const LibraryConfig& c) const {
     return named(site, std::make_unique<LibraryLocalizer>(c, greeting_of(site)));
   }
+  NamedLocalizer operator()(const OwnConfig& c) const {
+    if (!c.make) throw std::runtime_error("is an object of Python: castaway.run takes it");
+    return named(site, c.make(greeting_of(site)));
+  }
 
   const Site& site;
 };
@@ -85,11 +89,11 @@ NamedLocalizer build_at(const Site& site) {
   }
 }
 
-std::uint64_t seed_of(const LocalizerSpec& spec, std::uint64_t seed) {
-  return localization::substream(seed, "localizer/" + spec.name)();
-}
-
 }  // namespace
+
+std::uint64_t localizer_seed(std::uint64_t run_seed, const std::string& name) {
+  return localization::substream(run_seed, "localizer/" + name)();
+}
 
 NamedLocalizer build_localizer(const LocalizerSpec& spec, const Greeting& greeting) {
   const LocalizerPlace place{greeting.map, greeting.map_file, greeting.lidars};
@@ -102,7 +106,7 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
   const localization::OccupancyGrid grid = to_occupancy_grid(place.map);
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
-    localizers.push_back(build_at({spec, place, grid, seed_of(spec, seed), nullptr}));
+    localizers.push_back(build_at({spec, place, grid, localizer_seed(seed, spec.name), nullptr}));
   }
   return localizers;
 }
@@ -119,8 +123,8 @@ LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs, LocalizerPl
 std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {
   std::vector<NamedLocalizer> localizers;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    localizers.push_back(
-        build_at({specs_[i], place_, grid_, seed_of(specs_[i], seed), models_[i]}));
+    const std::uint64_t own_seed = localizer_seed(seed, specs_[i].name);
+    localizers.push_back(build_at({specs_[i], place_, grid_, own_seed, models_[i]}));
   }
   return localizers;
 }

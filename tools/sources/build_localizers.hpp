@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "localization/mh_amcl_models.hpp"
@@ -41,6 +42,9 @@ class LocalizerFactory {
   /// localizers, which may outlive the factory.
   std::vector<std::shared_ptr<const localization::MhAmclModels>> models_;
 };
+
+/// Root of the random numbers of the localizer `name` in a run with this seed.
+std::uint64_t localizer_seed(std::uint64_t run_seed, const std::string& name);
 
 /// Builds one localizer per specification on one map. Each has its own random substream of the seed
 /// and a clock for its stages. Throws std::invalid_argument if a map or a setting is unusable,

@@ -7,6 +7,7 @@
 #include "localization/geometry/random.hpp"
 #include "sim/people/bodies/person_visuals.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -128,6 +129,19 @@ std::optional<SE2> SimulatorSource::start_pose() const { return to_se2(simulatio
 
 std::map<std::string, std::chrono::nanoseconds> SimulatorSource::cpu_by_stage() const {
   return simulation_.cpu_by_stage();
+}
+
+std::unique_ptr<SimulatorSource> build_source(const Scenario& scenario,
+                                              sim::SimulationConfig config) {
+  std::vector<sim::LidarConfig> lidars = config.lidars;
+  const Stamp duration = config.duration;
+  auto source = std::make_unique<SimulatorSource>(
+      sim::Simulation(std::move(config), simulation_streams(scenario.seed), thread_cpu_time),
+      std::move(lidars), duration);
+  source->begin_at(localization::from_seconds(scenario.start.switch_on_s));
+  source->stop_after(scenario.stop_after_m);
+  if (scenario.outputs.points_every_s > 0.0) source->keep_clouds();
+  return source;
 }
 
 }  // namespace castaway::testbed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "sim/simulation.hpp"
 #include "tools/ros/bag_drive.hpp"
 #include "tools/run/sensor_source.hpp"
+#include "tools/scenario/sections/scenario.hpp"
 #include "tools/sources/sim_conversion.hpp"
 
 namespace castaway::testbed {
@@ -35,6 +37,9 @@ class SimulatorSource final : public SensorSource {
   void stop_after(double metres) { stop_after_ = metres; }
   /// From now on, scans include their point clouds.
   void keep_clouds() { converter_.keep_clouds(); }
+  /// Drive and kidnap the robot from outside, as those of sim::Simulation do.
+  void set_command(const std::optional<sim::Twist2>& command) { simulation_.set_command(command); }
+  void kidnap(const SE2& T_map_base) { simulation_.kidnap(to_pose2(T_map_base)); }
   /// Current command and wheel states, up to one physics step after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// Current height, roll and pitch of base, for pictures.
@@ -63,5 +68,9 @@ class SimulatorSource final : public SensorSource {
   Stamp newest_{};     ///< Stamp of the last frame.
   bool over_ = false;  ///< All frames were delivered.
 };
+
+/// The source of a scenario whose simulation is configured. Throws as sim::Simulation.
+std::unique_ptr<SimulatorSource> build_source(const Scenario& scenario,
+                                              sim::SimulationConfig config);
 
 }  // namespace castaway::testbed

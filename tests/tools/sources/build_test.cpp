@@ -10,6 +10,7 @@
 #include "tests/tools/support/recorded_office.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
+#include "tools/foreign/protocol/message_text.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/sources/build_localizers.hpp"
@@ -37,6 +38,29 @@ TEST(BuildLocalizers, MakesOneForEachSpecification) {
   ASSERT_EQ(localizers.size(), 2U);
   EXPECT_EQ(localizers[0].name, "a");
   EXPECT_EQ(localizers[1].localizer->diagnostics().populations.at(0).particles.size(), 2000U);
+}
+
+TEST(BuildLocalizers, TakesTheLocalizerOfTheProgramAroundCastaway) {
+  Greeting told;
+  const OwnConfig own{[&told](const Greeting& greeting) {
+    told = greeting;
+    return std::make_unique<localization::Amcl>(localization::AmclConfig{},
+                                                to_occupancy_grid(greeting.map), greeting.seed);
+  }};
+  const auto localizers = build_localizers({{"mine", own}}, {office_map()}, 7);
+  EXPECT_EQ(localizers.front().name, "mine");
+  EXPECT_NE(localizers.front().localizer, nullptr);
+  EXPECT_EQ(told.name, "mine");
+  EXPECT_EQ(told.seed, localizer_seed(7, "mine"));
+}
+
+TEST(BuildLocalizers, RefusesALocalizerOfPythonWithoutPython) {
+  try {
+    build_localizers({{"mine", OwnConfig{}}}, {office_map()}, 1);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "localizer 'mine': is an object of Python: castaway.run takes it");
+  }
 }
 
 TEST(LocalizerFactory, BuildsWhatBuildLocalizersBuilds) {

@@ -37,6 +37,11 @@ fs::path beside_program() {
   return folder.parent_path() / "share/castaway";
 }
 
+fs::path& shipped_data() {
+  static fs::path folder = beside_program();
+  return folder;
+}
+
 /// Finds `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
               const std::vector<std::string>& files) {
@@ -59,15 +64,16 @@ fs::path shipped_scenarios(const fs::path& world) {
 }  // namespace
 
 fs::path data_root() {
-  static const fs::path shipped = beside_program();
   const char* named = std::getenv("CASTAWAY_DATA");
-  const fs::path root = named != nullptr ? fs::path(named) : shipped;
+  const fs::path root = named != nullptr ? fs::path(named) : shipped_data();
   std::error_code none;
   if (fs::is_directory(root / "worlds", none)) return root;
   throw std::runtime_error(fmt::format(
       "{}: holds no worlds; set CASTAWAY_DATA to the folder that holds worlds, robots and lidars",
       root.string()));
 }
+
+void set_shipped_data(const fs::path& folder) { shipped_data() = folder; }
 
 fs::path find_world(const std::string& text, const fs::path& base) {
   return find("world", text, base, {"world.yaml"});

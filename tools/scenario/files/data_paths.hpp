@@ -12,6 +12,10 @@ namespace castaway::testbed {
 /// if it holds no worlds.
 std::filesystem::path data_root();
 
+/// Names the folder of `data_root` where the data lie elsewhere than beside the running program,
+/// which is not castaway's own. $CASTAWAY_DATA still overrides it. Call it before all others.
+void set_shipped_data(const std::filesystem::path& folder);
+
 /// Finds a world's file: `text` itself if it exists (a folder means its world.yaml), else relative
 /// to `base`, else `<data>/worlds/<text>/world.yaml`. Throws std::runtime_error listing the
 /// available worlds.

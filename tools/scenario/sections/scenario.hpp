@@ -108,7 +108,7 @@ struct LocalizerSpec {
   std::string name;  ///< Unique; used in file names.
   std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
                localization::PublishedMhAmclConfig, localization::AmclConfig, ProgramConfig,
-               LibraryConfig>
+               LibraryConfig, OwnConfig>
       config;
   /// If true, the localizer is notified of every kidnap and relocalizes globally. Otherwise it must
   /// notice a kidnap by itself.

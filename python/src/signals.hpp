@@ -1,0 +1,28 @@
+/// Ctrl-C while C++ runs.
+#pragma once
+
+#include <chrono>
+
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::python {
+
+/// Lets Python's signal handlers run. Called without the GIL.
+/// @throws pybind11::error_already_set if one of them raises: KeyboardInterrupt.
+void check_signals();
+
+/// Checks for signals during a run, at most every 20 ms.
+class SignalSink final : public testbed::RunSink {
+ public:
+  void on_event(const testbed::RunEvent&) override {}
+  void on_odometry(const testbed::OdometryFrame&) override { check(); }
+  void on_scan(const testbed::ScanRecord&) override { check(); }
+  void finish(localization::Stamp, const testbed::RunTiming&) override {}
+
+ private:
+  void check();
+
+  std::chrono::nanoseconds checked_{};
+};
+
+}  // namespace castaway::python

@@ -1,0 +1,96 @@
+#include "python/src/simulation.hpp"
+
+#include <optional>
+#include <string>
+
+#include <pybind11/stl.h>
+
+#include "python/src/arrays.hpp"
+#include "python/src/frames.hpp"
+#include "python/src/map.hpp"
+#include "python/src/scan.hpp"
+#include "python/src/scenario.hpp"
+#include "sim/casting/surfaces.hpp"
+#include "tools/sources/build_simulation.hpp"
+#include "tools/sources/scan_truth.hpp"
+#include "tools/sources/simulator_source.hpp"
+
+namespace castaway::python {
+namespace {
+
+/// The simulation of a scenario, without its localizers.
+class Simulation {
+ public:
+  explicit Simulation(const ScenarioRequest& request) {
+    const ReadScenario read = read_scenario(request);
+    const py::gil_scoped_release no_gil;
+    const testbed::Scenario& scenario = read.loaded.scenario;
+    testbed::PreparedSimulation prepared =
+        testbed::build_simulation(scenario, read.file.parent_path());
+    effective_ = read.loaded.effective;
+    warnings_ = std::move(prepared.warnings);
+    world_ = prepared.config.world;
+    lidars_ = testbed::lidars_of(prepared.config.lidars);
+    map_ = std::make_shared<Map>(std::move(prepared.map));
+    source_ = testbed::build_source(scenario, std::move(prepared.config));
+  }
+
+  py::object next() {
+    std::optional<testbed::Frame> frame;
+    {
+      const py::gil_scoped_release no_gil;
+      frame = source_->next();
+    }
+    if (!frame) throw py::stop_iteration();
+    return to_python(std::move(*frame));
+  }
+  void command(double v, double w) { source_->set_command(sim::Twist2{v, w}); }
+  void follow_route() { source_->set_command(std::nullopt); }
+  void kidnap(const py::object& pose) { source_->kidnap(to_pose(pose, "pose")); }
+  void set_estimate(const py::object& pose) {
+    const std::optional<SE2> T_map_base = to_optional_pose(pose, "pose");
+    source_->set_drive_pose(T_map_base);
+    source_->set_watched_pose(T_map_base);
+  }
+  [[nodiscard]] py::object start_pose() const { return python::to_python(source_->start_pose()); }
+  [[nodiscard]] double duration_s() const { return localization::seconds(source_->duration()); }
+  [[nodiscard]] std::string label_name(int label) const { return sim::hit_name(world_, label); }
+  [[nodiscard]] const SharedMap& map() const { return map_; }
+  [[nodiscard]] const std::vector<testbed::LidarFacts>& lidars() const { return lidars_; }
+  [[nodiscard]] const std::string& scenario() const { return effective_; }
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    std::vector<std::string> all = warnings_;
+    for (std::string& warning : source_->warnings()) all.push_back(std::move(warning));
+    return all;
+  }
+
+ private:
+  std::string effective_;
+  std::vector<std::string> warnings_;
+  sim::WorldSpec world_;
+  std::vector<testbed::LidarFacts> lidars_;
+  SharedMap map_;
+  std::unique_ptr<testbed::SimulatorSource> source_;
+};
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+  py::class_<Simulation>(module, "NativeSimulation", "The simulation of a scenario.")
+      .def(py::init<const ScenarioRequest&>(), py::arg("request"))
+      .def("__iter__", [](const py::object& self) { return self; })
+      .def("__next__", &Simulation::next)
+      .def("command", &Simulation::command, py::arg("v"), py::arg("w"))
+      .def("follow_route", &Simulation::follow_route)
+      .def("kidnap", &Simulation::kidnap, py::arg("pose"))
+      .def("set_estimate", &Simulation::set_estimate, py::arg("pose"))
+      .def("label_name", &Simulation::label_name, py::arg("label"))
+      .def_property_readonly("start_pose", &Simulation::start_pose)
+      .def_property_readonly("duration_s", &Simulation::duration_s)
+      .def_property_readonly("map", &Simulation::map)
+      .def_property_readonly("lidars", &Simulation::lidars)
+      .def_property_readonly("scenario", &Simulation::scenario)
+      .def_property_readonly("warnings", &Simulation::warnings);
+}
+
+}  // namespace castaway::python
