@@ -125,7 +125,8 @@ void RecordingSink::add_belief(const std::string& prefix, const Estimate& estima
   const Eigen::Matrix3d& covariance = estimate.covariance;
   const double sigma = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
   columns_[prefix + "/quality"].add(quantize(or_negative(estimate.quality), kRecordingShare));
-  columns_[prefix + "/probability"].add(quantize(or_negative(estimate.probability), kRecordingShare));
+  columns_[prefix + "/probability"].add(
+      quantize(or_negative(estimate.probability), kRecordingShare));
   columns_[prefix + "/sigma"].add(quantize(sigma, kRecordingPose));
   columns_[prefix + "/sigma_yaw"].add(quantize(std::sqrt(covariance(2, 2)), kRecordingPose));
 }
