@@ -185,6 +185,12 @@ AlignBy parse_align(const std::string& text) {
   throw std::invalid_argument("no alignment '" + text + "'; there are auto, truth, mh_amcl");
 }
 
+void move_back(AlignedLog& log) {
+  const SE2 T_base_start{-log.T_start_base.x, -log.T_start_base.y, 0.0};
+  for (AlignedScan& aligned : log.scans) aligned.T_map_base = aligned.T_map_base * T_base_start;
+  log.T_start_base = {0.0, 0.0, log.T_start_base.yaw};
+}
+
 AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrection& correction) {
   constexpr double kReferenceSigma = 0.05;  // [m]
   AlignedLog log;

@@ -65,6 +65,11 @@ struct ScanCorrection {
 /// (`kLeastOnWalls`).
 AlignedLog align_log(const RecordedPlace& place, AlignBy by, const ScanCorrection& correction = {});
 
+/// Moves aligned poses back by the translation that they made on average. How far walls lie behind
+/// the borders of their cells, and how far ahead a lidar is that looks ahead, cannot be told apart:
+/// where both are found from aligned poses, repeated alignments add to both.
+void move_back(AlignedLog& log);
+
 inline constexpr std::size_t kFewestAligned = 50;
 inline constexpr std::size_t kMostAligned = 6000;
 inline constexpr double kLeastOnWalls = 0.55;

@@ -3,28 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/alignment/expected_scan.hpp"
 #include "tools/alignment/seen_building.hpp"
 #include "tools/sources/map_conversion.hpp"
+#include "tools/twin/fits/wall_fit.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-WallOffsets learn_walls(const AlignedLog& log, double usual) {
-  constexpr std::size_t kMostScans = 4000;
-  constexpr double kNearWall = 0.2;  // [m]
-  WallOffsets walls(log.grid.frame, usual);
-  for (const std::size_t i : spread_scans(log, kMostScans)) {
-    const LaserScan& scan = log.scans[i].scan;
-    const auto expected = expect_scan(log, log.scans[i], std::min(scan.range_max, 40.0));
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      const double offset = scan.ranges[k] - expected[k].range;
-      if (!expected[k].straight || !(std::abs(offset - usual) < kNearWall)) continue;
-      walls.add(expected[k].cell, offset * expected[k].cosine);
-    }
-  }
-  return walls;
-}
 
 /// Improves the corrections of the scans by what fits the scans that were aligned with them.
 void improve(const AlignedLog& log, double track, ScanCorrection& correction) {
@@ -68,9 +52,12 @@ FittedLog fit_log(const RecordedPlace& place, const LogFitConfig& config) {
   constexpr int kImprovements = 3;
   ScanCorrection correction;
   AlignedLog log = align_log(place, config.align, correction);
+  sharpen_walls(log);
   for (int round = 0; round < kImprovements; ++round) {
     improve(log, config.track, correction);
     log = align_log(place, config.align, correction);
+    move_back(log);
+    sharpen_walls(log);
   }
   LogFit fit;
   fit.odometry = fit_odometry(take_legs(log, config.track), config.track);

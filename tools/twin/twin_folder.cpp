@@ -42,13 +42,16 @@ Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::p
   write_twin_inputs(place.map, twin.fitted, folder);
   twin.people = fit_people(folder, twin.fitted);
   const int people = static_cast<int>(std::lround(twin.people.value));
+  twin.fitted.fit.mixed = fit_mixed_beyond(folder, twin.fitted, people);
   const std::string scenario = twin_scenario(twin.fitted, people);
   write_parts(twin.fitted, people, folder);
   write_file(folder / "scenario.yaml", scenario);
   ScanCorrection correction;
   correction.walls = twin.fitted.walls;
   twin.run = run_twin(folder, scenario, 1);
-  twin.likeness = compare_logs(twin.fitted.log, align_log(twin.run, AlignBy::kTruth, correction));
+  AlignedLog aligned = align_log(twin.run, AlignBy::kTruth, correction);
+  move_back(aligned);
+  twin.likeness = compare_logs(twin.fitted.log, aligned);
   write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
   return twin;
 }

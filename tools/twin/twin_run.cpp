@@ -87,4 +87,11 @@ Figure fit_people(const std::filesystem::path& folder, const FittedLog& fitted) 
   return wide;
 }
 
+std::optional<MixedFit> fit_mixed_beyond(const std::filesystem::path& folder, FittedLog fitted,
+                                         int people) {
+  fitted.fit.mixed.reset();
+  const RecordedPlace twin = run_twin(folder, twin_scenario(fitted, people), 1);
+  return fit_mixed(fitted.log, shares_in_between(align_log(twin, AlignBy::kTruth)));
+}
+
 }  // namespace castaway::testbed

@@ -251,6 +251,20 @@ RecordedPlace misplaced_office(int scans, const SE2& off) {
   return place;
 }
 
+TEST(AlignedLog, MovesBackByItsMeanTranslation) {
+  AlignedLog log =
+      align_log(misplaced_office(60, {0.03, -0.02, 0.01}), AlignBy::kTruth, at_borders());
+  const AlignedLog before = log;
+  move_back(log);
+  const SE2 T_back = before.scans[7].T_map_base.inverse() * log.scans[7].T_map_base;
+  EXPECT_NEAR(T_back.x, -before.T_start_base.x, 1e-12);
+  EXPECT_NEAR(T_back.y, -before.T_start_base.y, 1e-12);
+  EXPECT_NEAR(T_back.yaw, 0.0, 1e-12);
+  EXPECT_EQ(log.T_start_base.x, 0.0);
+  EXPECT_EQ(log.T_start_base.y, 0.0);
+  EXPECT_EQ(log.T_start_base.yaw, before.T_start_base.yaw);
+}
+
 TEST(AlignedLog, KnowsHowFarItMovedTheReferencePoses) {
   for (const SE2& off : {SE2{0.03, -0.02, 0.01}, SE2{-0.02, 0.03, -0.015}, SE2{}}) {
     const AlignedLog log = align_log(misplaced_office(60, off), AlignBy::kTruth, at_borders());

@@ -1,6 +1,8 @@
 #include "tools/twin/fits/mixed_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -74,6 +76,30 @@ TEST(MixedFit, BeamsWithoutAnOpeningAreLines) {
   ASSERT_TRUE(fit.has_value());
   EXPECT_EQ(fit->divergence_deg.value, 0.0);
   EXPECT_EQ(fit->steps, 3000U);
+}
+
+/// Puts a post between both surfaces of every fifth scan, which one beam hits.
+void add_posts(AlignedLog& log) {
+  for (std::size_t k = 0; k < log.scans.size(); k += 5) {
+    std::vector<float>& ranges = log.scans[k].scan.ranges;
+    const auto edge = std::adjacent_find(ranges.begin(), ranges.end(), std::less<>());
+    if (edge == ranges.end()) continue;
+    *edge = 0.5F * (edge[0] + edge[1]);
+  }
+}
+
+TEST(MixedFit, WhatStandsBetweenTwoSurfacesIsNotMixed) {
+  AlignedLog posts = steps_log({0.0, 0.0});
+  add_posts(posts);
+  EXPECT_NEAR(fit_mixed(posts)->divergence_deg.value, 0.1, 0.02);  // A fifth of half a degree.
+  const std::vector<double> others = shares_in_between(posts);
+  EXPECT_EQ(fit_mixed(posts, others)->divergence_deg.value, 0.0);
+  AlignedLog both = steps_log({0.2, 1.5});
+  add_posts(both);
+  const auto fit = fit_mixed(both, others);
+  ASSERT_TRUE(fit.has_value());
+  EXPECT_NEAR(fit->divergence_deg.value, 0.2, 0.04);
+  EXPECT_EQ(fit->reach_m, 1.5);
 }
 
 // Beams on a wall that is seen at a grazing angle differ as much, one after the other.

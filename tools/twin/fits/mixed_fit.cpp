@@ -43,6 +43,17 @@ void add_step(double step, bool mixed, Bins& bins) {
   bins[k].visible += 1.0 - 2.0 * kBetween / step;
 }
 
+/// Adds the counts of other bins.
+void add_bins(const Bins& added, Bins& bins) {
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    bins[k].step_m += added[k].step_m;
+    bins[k].steps += added[k].steps;
+    bins[k].mixed += added[k].mixed;
+    bins[k].visible += added[k].visible;
+    bins[k].other += added[k].other;
+  }
+}
+
 /// Adds the depth steps of a scan: from beam i to the next one, or to the next but one.
 void add_steps(const LaserScan& scan, Bins& bins) {
   for (std::size_t i = 1; i + 3 < scan.ranges.size(); ++i) {
@@ -60,16 +71,27 @@ void add_steps(const LaserScan& scan, Bins& bins) {
   }
 }
 
+/// The counts of a log by blocks of its scans.
+std::vector<Bins> count_steps(const AlignedLog& log) {
+  std::vector<Bins> blocks(Blocks::kCount);
+  for (const std::size_t i : spread_scans(log, kMixedScans)) {
+    add_steps(log.scans[i].scan, blocks[i * Blocks::kCount / log.scans.size()]);
+  }
+  return blocks;
+}
+
+/// Takes shares of the steps, by bin, for those that have something in between anyway.
+void expect_others(const std::vector<double>& shares, Bins& bins) {
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    bins[k].other = shares[k] * bins[k].steps;
+    bins[k].visible *= 1.0 - shares[k];
+  }
+}
+
 Bins sum_without(const std::vector<Bins>& blocks, std::size_t left_out) {
   Bins sum;
   for (std::size_t block = 0; block < blocks.size(); ++block) {
-    if (block == left_out) continue;
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      sum[k].step_m += blocks[block][k].step_m;
-      sum[k].steps += blocks[block][k].steps;
-      sum[k].mixed += blocks[block][k].mixed;
-      sum[k].visible += blocks[block][k].visible;
-    }
+    if (block != left_out) add_bins(blocks[block], sum);
   }
   return sum;
 }
@@ -84,10 +106,10 @@ double share_of(const Bins& bins, std::size_t from, std::size_t to) {
   double mixed = 0.0;
   double visible = 0.0;
   for (std::size_t k = from; k < to; ++k) {
-    mixed += bins[k].mixed;
+    mixed += bins[k].mixed - bins[k].other;
     visible += bins[k].visible;
   }
-  return visible > 0.0 ? std::min(mixed / visible, 1.0) : 0.0;
+  return visible > 0.0 ? std::clamp(mixed / visible, 0.0, 1.0) : 0.0;
 }
 
 Shares shares_of(const Bins& bins, std::size_t reach) {
@@ -100,7 +122,8 @@ double log_likelihood(const Bins& bins, std::size_t reach) {
   for (std::size_t k = 0; k < bins.size(); ++k) {
     if (bins[k].steps == 0.0) continue;
     const double share = k < reach ? shares.below : shares.above;
-    const double p = std::clamp(share * bins[k].visible / bins[k].steps, 1e-6, 1.0 - 1e-6);
+    const double expected = share * bins[k].visible + bins[k].other;
+    const double p = std::clamp(expected / bins[k].steps, 1e-6, 1.0 - 1e-6);
     sum += bins[k].mixed * std::log(p) + (bins[k].steps - bins[k].mixed) * std::log1p(-p);
   }
   return sum;
@@ -124,12 +147,18 @@ std::size_t best_reach(const Bins& bins) {
 
 }  // namespace
 
-std::optional<MixedFit> fit_mixed(const AlignedLog& log) {
-  constexpr double kFewest = 200.0;  // Steps.
-  std::vector<Bins> blocks(Blocks::kCount);
-  for (const std::size_t i : spread_scans(log, kMixedScans)) {
-    add_steps(log.scans[i].scan, blocks[i * Blocks::kCount / log.scans.size()]);
+std::vector<double> shares_in_between(const AlignedLog& log) {
+  std::vector<double> shares;
+  for (const Bin& bin : sum_without(count_steps(log), Blocks::kCount)) {
+    shares.push_back(bin.steps > 0.0 ? bin.mixed / bin.steps : 0.0);
   }
+  return shares;
+}
+
+std::optional<MixedFit> fit_mixed(const AlignedLog& log, const std::vector<double>& others) {
+  constexpr double kFewest = 200.0;  // Steps.
+  std::vector<Bins> blocks = count_steps(log);
+  for (Bins& bins : blocks) expect_others(others, bins);
   const Bins all = sum_without(blocks, Blocks::kCount);
   MixedFit fit;
   for (Bin bin : all) {

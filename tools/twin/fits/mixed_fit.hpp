@@ -23,13 +23,18 @@ struct MixedFit {
     double steps = 0.0;
     double mixed = 0.0;    ///< Those with a beam in between.
     double visible = 0.0;  ///< Those where a mixed beam would be told from both surfaces.
+    double other = 0.0;    ///< Those that are expected to have a beam in between for other reasons.
   };
   std::vector<Bin> bins;
   double other = 0.0;  ///< Share of steps with a beam in between for other reasons.
   std::size_t steps = 0;
 };
 
-/// Nothing if there are too few depth steps.
-std::optional<MixedFit> fit_mixed(const AlignedLog& log);
+/// Nothing if there are too few depth steps. `others`: shares of steps that have a beam in between
+/// for other reasons, by size, as of `shares_in_between`; none if it is empty.
+std::optional<MixedFit> fit_mixed(const AlignedLog& log, const std::vector<double>& others = {});
+
+/// Shares of depth steps with a beam in between, by size.
+std::vector<double> shares_in_between(const AlignedLog& log);
 
 }  // namespace castaway::testbed
