@@ -141,4 +141,5 @@ class ParticleFilter(Localizer):
         return Estimate([float(v) for v in mean], covariance.ravel().tolist(), float(near.mean()))
 
 
-run(ParticleFilter)
+if __name__ == "__main__":
+    run(ParticleFilter)
