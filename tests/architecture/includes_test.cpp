@@ -167,7 +167,7 @@ const Layers kToolsLayers = {
     {"tools/scenario", "tools/sources"},
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/evaluate", "tools/play"},
-    {"tools/alignment", "tools/dataset"},
+    {"tools/alignment", "tools/cells", "tools/dataset"},
     {"tools/twin/fits"},
     {"tools/twin/odometry"},
     {"tools/twin"},

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/base_scenario.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 
 namespace castaway::testbed {
@@ -15,32 +15,9 @@ namespace fs = std::filesystem;
 /// Keys of a scenario that a data set sets itself.
 const std::vector<std::string> kOwn{"seed", "name", "outputs", "expect"};
 
-fs::path base_scenario(const YamlReader& value, const fs::path& folder) {
-  try {
-    return find_scenario(value.as<std::string>(), folder);
-  } catch (const std::runtime_error& error) {
-    value.fail(error.what());
-  }
-}
-
-void drop(YamlNode& map, const std::string& key) {
-  map.entries.remove_if([&](const YamlEntry& entry) { return entry.key == key; });
-}
-
-YamlNode read_base(YamlReader& root, const fs::path& folder, DatasetSpec& spec) {
-  spec.base = folder;
-  const auto value = root.find("scenario");
-  if (!value) return parse_yaml("{}", "scenario");
-  if (value->is_map()) return value->raw();
-  const fs::path file = base_scenario(*value, folder);
-  spec.base = file.parent_path();
-  YamlDocument document = YamlDocument::load(file);
-  return document.root().raw();
-}
-
 /// Adapts a scenario to a data set: removes its own keys, and sets localizers and outputs.
 void adapt_scenario(YamlNode& scenario, const YamlNode& outputs) {
-  for (const std::string& key : kOwn) drop(scenario, key);
+  for (const std::string& key : kOwn) drop_key(scenario, key);
   if (scenario.find("localizers") == nullptr) {
     put_value(scenario, "localizers", parse_yaml("[]", ""), "");
   }
@@ -89,7 +66,7 @@ SplitSpec read_splits(YamlReader& root) {
 std::string effective_text(YamlReader& root, const DatasetSpec& spec, const YamlNode& outputs) {
   YamlNode tree = root.raw();
   YamlNode scenario = spec.scenario;
-  drop(scenario, "outputs");
+  drop_key(scenario, "outputs");
   put_value(tree, "seed", write_yaml(spec.seed), "");
   put_value(tree, "scenario", scenario, "");
   put_value(tree, "outputs", outputs, "");
@@ -109,7 +86,9 @@ DatasetSpec load_dataset_spec(const fs::path& file, const DatasetOverrides& over
   spec.license = root.get("license", "");
   spec.seed = root.get("seed", spec.seed);
   if (overrides.seed) spec.seed = *overrides.seed;
-  spec.scenario = read_base(root, file.parent_path(), spec);
+  BaseScenario base = read_base_scenario(root, file.parent_path());
+  spec.scenario = std::move(base.scenario);
+  spec.base = std::move(base.folder);
   const YamlNode outputs = read_dataset_outputs(root);
   spec.vary = read_vary(root);
   spec.splits = read_splits(root);

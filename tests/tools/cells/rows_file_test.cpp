@@ -1,0 +1,90 @@
+#include "tools/cells/rows_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/temporary.hpp"
+#include "tools/files/file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+CellRow row_of_cell(int index, CellOutcome state = CellOutcome::kDone) {
+  CellRow row;
+  row.index = index;
+  row.state = state;
+  row.metrics["distance_m"] = 10.0 * index;
+  return row;
+}
+
+TEST(RowsFile, IsIndexedByCell) {
+  const TemporaryFolder folder;
+  {
+    const RowsFile file(folder.path() / "rows.jsonl");
+    for (const int cell : {3, 0, 1}) file.add(row_of_cell(cell));
+  }
+  RowIndex rows(folder.path(), 5);
+  EXPECT_EQ(rows.missing(9), (std::vector<int>{2, 4}));
+  EXPECT_EQ(rows.missing(1), std::vector<int>{2});
+  for (const int cell : {0, 1, 3, 1}) {
+    EXPECT_TRUE(rows.has(cell));
+    EXPECT_EQ(rows.row(cell).metrics.at("distance_m"), 10.0 * cell);
+  }
+}
+
+TEST(RowsFile, OfAFolderThatIsNotThereHasNoRow) {
+  EXPECT_EQ(RowIndex("/nowhere/at/all", 2).missing(9).size(), 2U);
+}
+
+TEST(RowsFile, DropsALineThatWasHalfWritten) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "rows.jsonl";
+  { RowsFile(path).add(row_of_cell(0)); }
+  const std::string whole = read_file(path);
+  folder.put("rows.jsonl", whole + whole.substr(0, 20));
+  EXPECT_EQ(RowIndex(folder.path(), 2).missing(9), std::vector<int>{1});
+  { RowsFile(path).add(row_of_cell(1)); }
+  EXPECT_TRUE(RowIndex(folder.path(), 2).missing(9).empty());
+  folder.put("rows.jsonl", "{\"index\"");
+  { RowsFile(path).add(row_of_cell(1)); }
+  EXPECT_EQ(RowIndex(folder.path(), 2).missing(9), std::vector<int>{0});
+}
+
+TEST(RowsFile, TheLastRowOfACellCounts) {
+  const TemporaryFolder folder;
+  {
+    const RowsFile file(folder.path() / "rows.jsonl");
+    file.add(row_of_cell(0, CellOutcome::kFailed));
+    file.add(row_of_cell(1, CellOutcome::kFailed));
+    file.add(row_of_cell(0));
+  }
+  const RowIndex rows(folder.path(), 2);
+  EXPECT_FALSE(rows.has_failed(0));
+  EXPECT_TRUE(rows.has_failed(1));
+}
+
+TEST(RowsFile, ACellIsInOneFileOnly) {
+  const TemporaryFolder folder;
+  { RowsFile(folder.path() / rows_name(1, 2)).add(row_of_cell(0)); }
+  { RowsFile(folder.path() / rows_name(2, 2)).add(row_of_cell(1)); }
+  EXPECT_TRUE(RowIndex(folder.path(), 2).missing(9).empty());
+  { RowsFile(folder.path() / rows_name(2, 2)).add(row_of_cell(0)); }
+  const std::string error = error_of([&] { RowIndex(folder.path(), 2); });
+  EXPECT_TRUE(contains(error, "rows-2-of-2.jsonl:2: cell 0 is in"));
+}
+
+TEST(RowsFile, RefusesOtherCampaignsAndOtherFiles) {
+  const TemporaryFolder folder;
+  { RowsFile(folder.path() / "rows.jsonl").add(row_of_cell(5)); }
+  EXPECT_TRUE(contains(error_of([&] { RowIndex(folder.path(), 5); }), ":1: no cell"));
+  folder.put("rows.jsonl", "hello\n");
+  EXPECT_TRUE(contains(error_of([&] { RowIndex(folder.path(), 5); }), ":1: is no row"));
+}
+
+TEST(RowsFile, OneProcessAddsAtATime) {
+  const TemporaryFolder folder;
+  const RowsFile file(folder.path() / "rows.jsonl");
+  EXPECT_TRUE(contains(error_of([&] { RowsFile(folder.path() / "rows.jsonl"); }), "another"));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,162 @@
+#include "tools/cells/cell_play.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/files/file_error.hpp"
+#include "tools/formats/csv.hpp"
+#include "tools/formats/json_file.hpp"
+#include "tools/metrics/void_run.hpp"
+#include "tools/play/play.hpp"
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string one_line(std::string text) {
+  for (char& c : text) c = c == '\n' ? ' ' : c;
+  return text;
+}
+
+/// A kidnap of events.csv.
+struct PutDown {
+  double at_s = 0.0;
+  SE2 T_map_base;
+};
+
+std::vector<PutDown> read_put_downs(const fs::path& events) {
+  const CsvTable table = read_csv(events);
+  const std::size_t kind = table.column("kind");
+  const std::size_t stamp = table.column("stamp_s");
+  const std::size_t to = table.column("to_x_m");
+  std::vector<PutDown> found;
+  for (const std::vector<std::string>& row : table.rows) {
+    const auto x = csv_number(row[to]);
+    const auto y = csv_number(row[to + 1]);
+    const auto yaw = csv_number(row[to + 2]);
+    if (row[kind] != event_name(EventKind::kKidnap) || !x || !y || !yaw) continue;
+    found.push_back({csv_number(row[stamp]).value_or(0.0), {*x, *y, *yaw}});
+  }
+  return found;
+}
+
+std::optional<SE2> pose_at(const std::vector<PutDown>& put_downs, double at_s) {
+  constexpr double kSame = 1e-3;  // [s]
+  for (const PutDown& each : put_downs) {
+    if (std::abs(each.at_s - at_s) < kSame) return each.T_map_base;
+  }
+  return std::nullopt;
+}
+
+std::vector<CellKidnap> kidnaps_of(const Json& summary, const std::vector<PutDown>& put_downs) {
+  std::vector<CellKidnap> kidnaps;
+  for (const auto& [name, figures] : summary.at("localizers").items()) {
+    for (const Json& each : figures.at("recovery").at("each")) {
+      CellKidnap kidnap;
+      kidnap.localizer = name;
+      kidnap.kind = each.at("kind").get<std::string>();
+      kidnap.at_s = each.at("at_s").get<double>();
+      kidnap.T_map_to = pose_at(put_downs, kidnap.at_s);
+      kidnap.scored = each.at("scored").get<bool>();
+      kidnap.recovered = each.at("recovered").get<bool>();
+      if (kidnap.recovered) kidnap.time_s = each.at("time_s").get<double>();
+      kidnaps.push_back(std::move(kidnap));
+    }
+  }
+  return kidnaps;
+}
+
+void read_outcome(const fs::path& run, CellRow& row) {
+  const Json summary = read_json(run / "summary.json");
+  row.metrics = metric_table(summary);
+  row.kidnaps = kidnaps_of(summary, read_put_downs(run / "events.csv"));
+  if (const auto sentence = void_sentence(summary)) {
+    row.state = CellOutcome::kVoid;
+    row.reason = *sentence;
+  }
+}
+
+bool has_failed(const CellRow& row) {
+  return row.state != CellOutcome::kDone ||
+         std::any_of(row.kidnaps.begin(), row.kidnaps.end(),
+                     [](const CellKidnap& each) { return each.scored && !each.recovered; });
+}
+
+void keep(KeepOfCell what, const CellRow& row, const fs::path& draft, const fs::path& kept) {
+  fs::remove_all(kept);  // Of an attempt whose row was lost.
+  const bool whole =
+      what == KeepOfCell::kFolder || (what == KeepOfCell::kFailures && has_failed(row));
+  if (whole) {
+    fs::create_directories(kept.parent_path());
+    fs::rename(draft, kept);
+  } else if (what == KeepOfCell::kErrors) {
+    fs::create_directories(kept);
+    for (const char* name : {"errors.csv", "events.csv"}) fs::rename(draft / name, kept / name);
+  }
+}
+
+CellRow begun_row(const CampaignCell& cell) {
+  CellRow row;
+  row.index = cell.index;
+  row.cell = cell.name;
+  row.seed = cell.seed;
+  row.values = cell.values;
+  return row;
+}
+
+/// The localizers that were left out on the way.
+std::string failures_of(const std::vector<LostLocalizer>& lost) {
+  std::string text;
+  for (const LostLocalizer& each : lost) text += (text.empty() ? "" : "; ") + describe(each);
+  return text;
+}
+
+}  // namespace
+
+CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::path& draft,
+                  const fs::path& kept) {
+  const std::chrono::nanoseconds begin = wall_time();
+  const std::chrono::nanoseconds cpu_begin = thread_cpu_time();
+  CellRow row = begun_row(cell);
+  PlayOptions options;
+  options.base = spec.base;
+  options.out = draft;
+  options.keep_list = false;
+  options.quiet = true;
+  options.timing = spec.keep == KeepOfCell::kFolder;
+  try {
+    fs::remove_all(draft);
+    const std::string lost = failures_of(play_to_the_end(cell.loaded, options));
+    read_outcome(draft, row);
+    if (!lost.empty()) {
+      row.state = CellOutcome::kFailed;
+      row.reason = one_line(lost);
+    }
+    keep(spec.keep, row, draft, kept);
+    fs::remove_all(draft);
+  } catch (const FileError&) {
+    throw;
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(error.what());
+  } catch (const std::exception& error) {
+    row = failed_row(cell, error.what());
+  }
+  row.cpu_s = seconds(thread_cpu_time() - cpu_begin);
+  row.wall_s = seconds(wall_time() - begin);
+  row.memory_mb = peak_memory_mb();
+  return row;
+}
+
+CellRow failed_row(const CampaignCell& cell, const std::string& reason) {
+  CellRow row = begun_row(cell);
+  row.state = CellOutcome::kFailed;
+  row.reason = one_line(reason);
+  return row;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,20 @@
+/// Plays the cells of a campaign.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/cells/campaign_cell.hpp"
+#include "tools/cells/cell_row.hpp"
+
+namespace castaway::testbed {
+
+/// Simulates a cell. Its run folder is made as `draft`; what the specification keeps of it is moved
+/// to `kept`, the rest is removed. Errors of the run are in the row. Throws Interrupted after a
+/// signal, FileError if nothing can be written.
+CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell,
+                  const std::filesystem::path& draft, const std::filesystem::path& kept);
+
+/// The row of a cell that has no run, because of `reason`.
+CellRow failed_row(const CampaignCell& cell, const std::string& reason);
+
+}  // namespace castaway::testbed
