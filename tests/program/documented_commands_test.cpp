@@ -69,6 +69,7 @@ std::string small(std::string line) {
   if (line.starts_with("twin ")) line += " --starts 1 --kidnaps 0 --window 2";
   if (line.starts_with("replay")) line += " --no-pictures --out replay --force --scans 3";
   if (line.starts_with("dataset")) line = replaced(line, R"(-n \d+)", "-n 1");
+  if (line.starts_with("campaign")) line = replaced(line, "lidar-range", "tiny");
   if (line.starts_with("bench calibration")) line = "bench calibration --trials 1 --duration 120";
   if (line.starts_with("bench crowds")) line = "bench crowds --hours 0.01";
   if (line.starts_with("bench kidnaps"))
@@ -95,7 +96,7 @@ const char* const kWorld = R"(<sdf version="1.6"><world name="mine">
 /// A folder with the files that the pages' commands name.
 fs::path folder_with_inputs() {
   const fs::path folder = fresh_folder();
-  for (const char* name : {"worlds", "robots", "datasets"}) {
+  for (const char* name : {"worlds", "robots", "datasets", "campaigns"}) {
     fs::create_directory_symlink(kSource / name, folder / name);
   }
   EXPECT_EQ(castaway(folder,
