@@ -188,7 +188,7 @@ TEST(Campaign, RefusesWhatItDidNotMake) {
 TEST(Campaign, NoticesThatAWorldHasChanged) {
   const fs::path folder = folder_with_grid();
   ASSERT_EQ(castaway(folder, "campaign s.yaml --out c -j 2").exit_code, 0);
-  std::ofstream(folder / "room.yaml", std::ios::app) << "# moved\n";
+  std::ofstream(folder / "room.pgm", std::ios::app) << "255\n";
   expect_refused(castaway(folder, "campaign s.yaml --out c"), {"worlds or robots"});
 }
 

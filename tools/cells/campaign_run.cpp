@@ -42,6 +42,16 @@ struct CheckedCampaign {
   std::string data;                     ///< As in CampaignIdentity.
 };
 
+/// A file that a cell reads, and the image if it is a ROS map.
+std::vector<fs::path> with_image(const fs::path& file) {
+  std::vector<fs::path> files{file};
+  if (file.extension() != ".yaml") return files;
+  const YamlNode root = parse_yaml(read_file(file), file.string());
+  const YamlNode* image = root.find("image");
+  if (image != nullptr) files.push_back(file.parent_path() / image->scalar);
+  return files;
+}
+
 void add_localizers(const Scenario& scenario, std::vector<std::string>& names) {
   for (const std::string& name : names_of(scenario.localizers)) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -56,8 +66,11 @@ CheckedCampaign check_campaign_of(const CampaignRequest& request) {
   for (int k = 0; k < checked.spec.combinations(); ++k) {
     const CampaignCell cell = campaign_cell(checked.spec, k * checked.spec.seeds);
     add_localizers(cell.loaded.scenario, checked.localizers);
-    for (const fs::path& file : inputs_of(cell.loaded.scenario, checked.spec.base / "none")) {
-      if (fs::is_regular_file(file) && !inputs.contains(file)) inputs[file] = sha256_of_file(file);
+    for (const fs::path& input : inputs_of(cell.loaded.scenario, checked.spec.base / "none")) {
+      if (!fs::is_regular_file(input) || inputs.contains(input)) continue;
+      for (const fs::path& file : with_image(input)) {
+        if (fs::is_regular_file(file)) inputs[file] = sha256_of_file(file);
+      }
     }
   }
   std::string hashes;
