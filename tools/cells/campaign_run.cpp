@@ -95,11 +95,11 @@ CellRow lost_row(const CampaignSpec& spec, int index, const std::string& reason)
 }
 
 std::string work_on_cell(const CampaignSpec& spec, const fs::path& folder, const fs::path& drafts,
-                         int index) {
+                         PartsOfCells& parts, int index) {
   const CampaignCell cell = campaign_cell(spec, index);
   const fs::path kept = folder / "cells" / fmt::format("{:06d}-{}", index, cell.name);
   try {
-    return row_text(play_cell(spec, cell, drafts / std::to_string(getpid()), kept));
+    return row_text(play_cell(spec, cell, drafts / std::to_string(getpid()), kept, parts));
   } catch (const FileError& error) {
     return kNoSpace + std::string(error.what());
   }
@@ -164,7 +164,10 @@ void make_cells(const CampaignRequest& request, const CampaignSpec& spec,
   outcomes.on_failure = [&](int index, const std::string& reason) {
     take(lost_row(spec, index, reason));
   };
-  const auto work = [&](int index) { return work_on_cell(spec, request.out, drafts, index); };
+  PartsOfCells parts;  // Each worker fills its own.
+  const auto work = [&](int index) {
+    return work_on_cell(spec, request.out, drafts, parts, index);
+  };
   try {
     work_through(cells, request.workers, work, outcomes, spec.timeout_s);
   } catch (Interrupted& interrupted) {

@@ -109,6 +109,12 @@ CellRow begun_row(const CampaignCell& cell) {
   return row;
 }
 
+std::string localizers_text(const CampaignCell& cell) {
+  const YamlNode root = parse_yaml(cell.loaded.effective, "scenario");
+  const YamlNode* localizers = root.find("localizers");
+  return localizers == nullptr ? "" : emit_yaml(*localizers);
+}
+
 /// The localizers that were left out on the way.
 std::string failures_of(const std::vector<LostLocalizer>& lost) {
   std::string text;
@@ -119,7 +125,7 @@ std::string failures_of(const std::vector<LostLocalizer>& lost) {
 }  // namespace
 
 CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::path& draft,
-                  const fs::path& kept) {
+                  const fs::path& kept, PartsOfCells& parts) {
   const std::chrono::nanoseconds begin = wall_time();
   const std::chrono::nanoseconds cpu_begin = thread_cpu_time();
   CellRow row = begun_row(cell);
@@ -129,6 +135,8 @@ CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::
   options.keep_list = false;
   options.quiet = true;
   options.timing = spec.keep == KeepOfCell::kFolder;
+  options.worlds = &parts.worlds;
+  options.models = {&parts.models, localizers_text(cell)};
   try {
     fs::remove_all(draft);
     const std::string lost = failures_of(play_to_the_end(cell.loaded, options));

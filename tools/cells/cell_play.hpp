@@ -5,14 +5,23 @@
 
 #include "tools/cells/campaign_cell.hpp"
 #include "tools/cells/cell_row.hpp"
+#include "tools/sources/shared_models.hpp"
+#include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 
+/// What the cells of one process have in common.
+struct PartsOfCells {
+  SharedWorlds worlds;
+  SharedModels models;
+};
+
 /// Simulates a cell. Its run folder is made as `draft`; what the specification keeps of it is moved
-/// to `kept`, the rest is removed. Errors of the run are in the row. Throws Interrupted after a
-/// signal, FileError if nothing can be written.
+/// to `kept`, the rest is removed. Errors of the run are in the row. `parts`: of this process.
+/// Throws Interrupted after a signal, FileError if nothing can be written.
 CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell,
-                  const std::filesystem::path& draft, const std::filesystem::path& kept);
+                  const std::filesystem::path& draft, const std::filesystem::path& kept,
+                  PartsOfCells& parts);
 
 /// The row of a cell that has no run, because of `reason`.
 CellRow failed_row(const CampaignCell& cell, const std::string& reason);

@@ -130,7 +130,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   Run run;
   run.localizers = build_localizers(scenario.localizers,
                                     {prepared.map, {}, lidars_of(prepared.config.lidars), folder},
-                                    scenario.seed);
+                                    scenario.seed, options.models);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
   auto source = build_source(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose());
@@ -151,7 +151,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
 template <typename Body>
 int play_with(const LoadedScenario& loaded, const PlayOptions& options, Body body) {
   const std::chrono::nanoseconds begin = wall_time();
-  PreparedSimulation prepared = build_simulation(loaded.scenario, options.base);
+  PreparedSimulation prepared = build_simulation(loaded.scenario, options.base, options.worlds);
   warn(options, prepared.warnings);
   OutputFolder output(output_request(loaded, options));
   Run run = build_run(loaded, options, std::move(prepared), output.folder());

@@ -10,6 +10,8 @@
 #include "tools/records/scan_row.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/sources/build_localizers.hpp"
+#include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 
@@ -34,6 +36,8 @@ struct PlayOptions {
   std::function<void(const std::string&)> warn{};  ///< Takes warnings; empty: they are printed.
   /// Likeness of places, for labels; nothing: computed where labels are written.
   std::shared_ptr<const PlaceScores> scores{};  // Shared by the runs of a data set.
+  SharedWorlds* worlds = nullptr;  ///< Shared by the runs of a process; nullptr: they are built.
+  ModelsOfRun models{};
 };
 
 /// runs/<scenario>/seed-<n>

@@ -102,11 +102,18 @@ NamedLocalizer build_localizer(const LocalizerSpec& spec, const Greeting& greeti
 }
 
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
-                                             const LocalizerPlace& place, std::uint64_t seed) {
+                                             const LocalizerPlace& place, std::uint64_t seed,
+                                             const ModelsOfRun& shared) {
   const localization::OccupancyGrid grid = to_occupancy_grid(place.map);
   std::vector<NamedLocalizer> localizers;
   for (const LocalizerSpec& spec : specs) {
-    localizers.push_back(build_at({spec, place, grid, localizer_seed(seed, spec.name), nullptr}));
+    std::shared_ptr<const localization::MhAmclModels> models;
+    const auto* config = std::get_if<localization::MhAmclConfig>(&spec.config);
+    if (shared.models != nullptr && config != nullptr) {
+      models = shared.models->get(spec.name + "\n" + shared.settings, *config, grid);
+    }
+    localizers.push_back(
+        build_at({spec, place, grid, localizer_seed(seed, spec.name), std::move(models)}));
   }
   return localizers;
 }

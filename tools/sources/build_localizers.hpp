@@ -13,6 +13,7 @@
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/sections/scenario.hpp"
+#include "tools/sources/shared_models.hpp"
 
 namespace castaway::testbed {
 
@@ -43,14 +44,22 @@ class LocalizerFactory {
   std::vector<std::shared_ptr<const localization::MhAmclModels>> models_;
 };
 
+/// Where the models of a run's localizers may be already.
+struct ModelsOfRun {
+  SharedModels* models = nullptr;  ///< Of this process; nullptr: they are built.
+  std::string settings{};          ///< Text of the localizers' settings, equal for equal ones only.
+};
+
 /// Root of the random numbers of the localizer `name` in a run with this seed.
 std::uint64_t localizer_seed(std::uint64_t run_seed, const std::string& name);
 
 /// Builds one localizer per specification on one map. Each has its own random substream of the seed
-/// and a clock for its stages. Throws std::invalid_argument if a map or a setting is unusable,
-/// std::runtime_error if a program cannot be started or a library cannot be loaded.
+/// and, unless its models are shared, a clock for its stages. Throws std::invalid_argument if a map
+/// or a setting is unusable, std::runtime_error if a program cannot be started or a library cannot
+/// be loaded.
 std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& specs,
-                                             const LocalizerPlace& place, std::uint64_t seed);
+                                             const LocalizerPlace& place, std::uint64_t seed,
+                                             const ModelsOfRun& shared = {});
 
 /// Builds the localizer that was greeted so; the seed is its own. Throws as `build_localizers`
 /// does.

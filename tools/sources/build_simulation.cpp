@@ -132,10 +132,13 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
 
 }  // namespace
 
-PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base) {
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
+                                    SharedWorlds* worlds) {
   LoadedRobot robot = load_any_robot(scenario, base);
   const SurveyOptions options = survey_options(scenario, robot);
-  return assemble(scenario, base, std::move(robot), build_world(scenario.world, base, options));
+  return assemble(scenario, base, std::move(robot),
+                  worlds != nullptr ? *worlds->get(scenario.world, base, options)
+                                    : build_world(scenario.world, base, options));
 }
 
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,

@@ -9,6 +9,7 @@
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 #include "tools/scenario/sections/scenario.hpp"
+#include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 
@@ -25,7 +26,10 @@ struct PreparedSimulation {
 /// scenario start from, besides the current one. A world made of objects is surveyed at the first
 /// lidar's height. A ROS map is extruded, and the localizers get it unchanged. Throws
 /// std::runtime_error or std::invalid_argument naming what is wrong.
-PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base);
+///
+/// `worlds`: of this process, where the world may be already; nullptr: it is built.
+PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
+                                    SharedWorlds* worlds = nullptr);
 
 /// Builds the simulation in a world extruded from `map`; the scenario's own world is ignored.
 PreparedSimulation build_simulation(const Scenario& scenario, const std::filesystem::path& base,
