@@ -11,9 +11,9 @@ namespace castaway::testbed {
 namespace {
 
 constexpr std::size_t kBuildingScans = 4000;
-constexpr double kFineCell = 0.025;          // [m]
+constexpr double kFineCell = 0.025;           // [m]
 constexpr std::size_t kMostCells = 32000000;  // Of the building.
-constexpr double kBetweenBeams = 0.5;        // Cells of the building.
+constexpr double kBetweenBeams = 0.5;         // Cells of the building.
 constexpr std::int8_t kOccupied = 100;
 constexpr std::int8_t kFree = 0;
 

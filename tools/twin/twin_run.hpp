@@ -20,8 +20,8 @@ RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& s
 /// an interval. Runs the twin with some people, at most three times.
 Figure fit_people(const std::filesystem::path& folder, const FittedLog& fitted);
 
-/// The mixed pixels of the log beyond what stands between two surfaces in its twin as well. Runs the
-/// twin once, with beams that are lines.
+/// The mixed pixels of the log beyond what stands between two surfaces in its twin as well. Runs
+/// the twin once, with beams that are lines.
 std::optional<MixedFit> fit_mixed_beyond(const std::filesystem::path& folder, FittedLog fitted,
                                          int people);
 
