@@ -41,7 +41,8 @@ TEST(Calibrate, WritesATwinThatRuns) {
   const Outcome run = castaway(
       folder, "run twin/scenario.yaml --out run --duration 20 --set outputs.snapshots=false");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NEAR(Json::parse(text_of(folder / "run/summary.json")).at("distance_m"), 10.0, 0.1);
+  // The robot drives in a circle of 1.5 m: 2 cm to the side are 1.3 % of the way.
+  EXPECT_NEAR(Json::parse(text_of(folder / "run/summary.json")).at("distance_m"), 10.0, 0.13);
 }
 
 TEST(Calibrate, GivesTheSameBytesAgain) {

@@ -118,10 +118,10 @@ TEST(SeenBuilding, HasCellsOf25MillimetresAtMost) {
 
 TEST(SeenBuilding, OfALargeMapHasItsCells) {
   OccupancyGrid grid;
-  grid.frame = {1500, 1400, 0.05, {}};  // 2.1 million; four times as many are too many
+  grid.frame = {2900, 2800, 0.05, {}};  // 8.1 million; four times as many are too many
   grid.cells.assign(grid.frame.size(), CellState::kFree);
   EXPECT_DOUBLE_EQ(see(standing_log(grid)).resolution, 0.05);
-  grid.frame.height = 1300;
+  grid.frame.height = 2700;
   grid.cells.resize(grid.frame.size());
   EXPECT_DOUBLE_EQ(see(standing_log(grid)).resolution, 0.025);
 }
