@@ -52,6 +52,18 @@ TEST(Void, IsSaidByARunInAllThatItLeaves) {
   expect_contains(text_of(folder / "b.xml"), "void: the robot");
 }
 
+TEST(Void, MeetsNoExpectationOfACampaign) {
+  const fs::path folder = folder_with_cell();
+  std::ofstream(folder / "s.yaml")
+      << "scenario: void.yaml\nseeds: 2\n"
+         "expect: {mh_amcl.availability: \">= 0\", collisions: {is: \">= 0\", for: mean}}\n";
+  const Outcome outcome = castaway(folder, "campaign s.yaml --out c -j 2");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  expect_contains(outcome.out, "not scored: 2 void, 0 failed");
+  expect_contains(outcome.out, "not met: mh_amcl.availability has nothing to measure");
+  expect_contains(outcome.out, "not met: collisions has nothing to measure");
+}
+
 TEST(Void, IsLeftOutOfTheSeeds) {
   const fs::path folder = folder_with_cell();
   const Outcome outcome = castaway(folder, "run void.yaml --seeds 2 --out a --junit a.xml");

@@ -1,6 +1,5 @@
 #include "tools/cells/campaign_folder.hpp"
 
-#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>

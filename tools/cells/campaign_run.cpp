@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -180,7 +179,8 @@ void make_cells(const CampaignRequest& request, const CampaignSpec& spec,
 }
 
 /// The cells as runs to be checked, with the metrics that expectations name. Void and failed ones
-/// are left out, and so are cells without the localizer of an expectation.
+/// are left out, and so are cells without the localizer of an expectation. Where no cell is left,
+/// there is nothing to measure, and the expectation is not met.
 std::vector<JudgedRun> judged_cells(const CampaignSpec& spec, RowIndex& rows,
                                     const Expectation& expectation) {
   std::vector<JudgedRun> runs;
@@ -200,9 +200,12 @@ std::vector<JudgedRun> judged_cells(const CampaignSpec& spec, RowIndex& rows,
 std::vector<Check> judge_cells(const CheckedCampaign& campaign, RowIndex& rows) {
   std::vector<Check> checks;
   for (const Expectation& each : expectations_of(campaign.spec, campaign.localizers)) {
-    for (Check& check : judge({each}, judged_cells(campaign.spec, rows, each))) {
-      checks.push_back(std::move(check));
+    const std::vector<JudgedRun> cells = judged_cells(campaign.spec, rows, each);
+    if (cells.empty()) {
+      checks.push_back({each, std::nullopt, std::nullopt, false, "results.csv"});
+      continue;
     }
+    for (Check& check : judge({each}, cells)) checks.push_back(std::move(check));
   }
   return checks;
 }

@@ -42,7 +42,8 @@ off_t whole_lines(const fs::path& file) {
 RowsFile::RowsFile(fs::path file) : file_(std::move(file)) {
   handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (handle_ < 0) fail_rows(file_);
-  if (flock(handle_, LOCK_EX | LOCK_NB) != 0) {
+  // Another error: the file system does not support locks.
+  if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(handle_);
     throw std::runtime_error(file_.string() +
                              ": another castaway works on these cells; wait for it");
