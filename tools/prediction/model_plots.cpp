@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "tools/prediction/lidar_plots.hpp"
+#include "tools/report/html/plot_data.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -26,72 +30,19 @@ Json miss_plot(const std::vector<MissBin>& bins, const char* title, const char* 
       {"nothing", "The robot drove too little."}};
 }
 
-Json noise_plot(const RangeNoiseFit& noise) {
+Json slip_plot(const SlipFit& slip) {
   PlotPoints data;
   PlotPoints model;
-  for (const RangeNoiseFit::Bin& bin : noise.bins) {
-    data.emplace_back(bin.range_m, bin.sigma_m);
-    model.emplace_back(bin.range_m, noise.sigma_m.value + noise.sigma_relative.value * bin.range_m);
+  for (const SlipFit::Tail& tail : slip.tail) {
+    if (tail.measured > 0.0) data.emplace_back(tail.sigmas, tail.measured);
+    model.emplace_back(tail.sigmas, tail.model);
   }
   return {
-      {"title", "Noise of ranges"},
-      {"x", {{"label", "range [m]"}}},
-      {"y", {{"label", "standard deviation [m]"}}},
+      {"title", "Slips: errors of the yaw over 1 m, against noise and slips"},
+      {"x", {{"label", "error / standard deviation of the noise"}}},
+      {"y", {{"label", "share above"}, {"log", {1e-5, 1.0}}}},
       {"series", {point_series("model", "reference", model), point_series("log", "dots", data)}},
-      {"nothing", "Too few beams on straight walls."}};
-}
-
-/// Lost beams of the log, and of the model, among those at one range or incidence.
-struct LossBin {
-  double at = 0.0;
-  double beams = 0.0;
-  double lost = 0.0;
-  double modelled = 0.0;
-};
-
-Json loss_plot(const LossFit& fit, const char* title, const char* label,
-               double LossCell::*coordinate) {
-  constexpr int kBins = 12;
-  const LossShares shares{fit.dropout.value, fit.dropout_far.value, fit.dropout_grazing.value};
-  std::vector<LossBin> bins(kBins);
-  for (const LossCell& cell : fit.cells) {
-    const int index = std::clamp(static_cast<int>(kBins * cell.*coordinate), 0, kBins - 1);
-    LossBin& bin = bins[static_cast<std::size_t>(index)];
-    bin.at += cell.beams * cell.*coordinate;
-    bin.beams += cell.beams;
-    bin.lost += cell.lost;
-    bin.modelled += cell.beams * lost_share(shares, cell);
-  }
-  constexpr double kFewest = 50.0;  // Beams.
-  PlotPoints data;
-  PlotPoints model;
-  for (const LossBin& bin : bins) {
-    if (bin.beams < kFewest) continue;
-    data.emplace_back(bin.at / bin.beams, bin.lost / bin.beams);
-    model.emplace_back(bin.at / bin.beams, bin.modelled / bin.beams);
-  }
-  return {
-      {"title", title},
-      {"x", {{"label", label}, {"range", {0, 1}}}},
-      {"y", {{"label", "share lost"}}},
-      {"series", {point_series("model", "reference", model), point_series("log", "dots", data)}},
-      {"nothing", "Too few beams on straight walls."}};
-}
-
-Json mixed_plot(const MixedFit& fit, double spacing_deg) {
-  PlotPoints data;
-  PlotPoints model;
-  const double share = fit.divergence_deg.value / spacing_deg;
-  for (const MixedFit::Bin& bin : fit.bins) {
-    const double mixed = bin.step_m < fit.reach_m ? share : 0.0;
-    data.emplace_back(bin.step_m, bin.mixed / bin.steps);
-    model.emplace_back(bin.step_m, (mixed + fit.other) * bin.visible / bin.steps);
-  }
-  return {
-      {"title", "Mixed pixels: depth steps with a beam in between"},
-      {"x", {{"label", "step [m]"}, {"range", {0, 8}}}},
-      {"y", {{"label", "share of steps"}}},
-      {"series", {point_series("model", "reference", model), point_series("log", "dots", data)}}};
+      {"nothing", "The robot drove too little."}};
 }
 
 Json clock_plot(const ClockFit& clock) {
@@ -126,16 +77,6 @@ Json period_plot(const std::vector<Stamp>& stamps) {
 
 }  // namespace
 
-PlotPoints cumulative(const std::vector<double>& samples) {
-  PlotPoints points;
-  const auto count = static_cast<double>(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    points.emplace_back(samples[i], static_cast<double>(i + 1) / count);
-  }
-  constexpr std::size_t kMostOfCurve = 300;
-  return every_few(points, kMostOfCurve);
-}
-
 Json model_plots(const FittedLog& fitted) {
   Json plots = Json::array();
   if (fitted.fit.odometry) {
@@ -145,18 +86,9 @@ Json model_plots(const FittedLog& fitted) {
                               "standard deviation [deg]", kDegrees));
     plots.push_back(miss_plot(odometry.along_by_speed, "Error of the distance over 1 m",
                               "speed at the scans [m/s]", "standard deviation [m]", 1.0));
+    plots.push_back(slip_plot(odometry.slip));
   }
-  if (fitted.fit.noise) plots.push_back(noise_plot(*fitted.fit.noise));
-  if (fitted.fit.loss) {
-    plots.push_back(loss_plot(*fitted.fit.loss, "Lost beams by range", "range / maximum range",
-                              &LossCell::range_per_max));
-    plots.push_back(loss_plot(*fitted.fit.loss, "Lost beams by incidence",
-                              "cosine of the angle of incidence", &LossCell::cosine));
-  }
-  if (fitted.fit.mixed) {
-    const double increment = std::abs(fitted.log.scans.front().scan.angle_increment);
-    plots.push_back(mixed_plot(*fitted.fit.mixed, increment * 180.0 / std::numbers::pi));
-  }
+  for (Json& plot : lidar_plots(fitted)) plots.push_back(std::move(plot));
   if (fitted.fit.clock) plots.push_back(clock_plot(*fitted.fit.clock));
   plots.push_back(period_plot(fitted.log.stamps));
   return plots;

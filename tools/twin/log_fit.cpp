@@ -52,10 +52,12 @@ FittedLog fit_log(const RecordedPlace& place, const LogFitConfig& config) {
   constexpr int kImprovements = 3;
   ScanCorrection correction;
   AlignedLog log = align_log(place, config.align, correction);
-  sharpen_walls(log);
+  const bool around = looks_around(log);
+  if (!around) sharpen_walls(log);
   for (int round = 0; round < kImprovements; ++round) {
     improve(log, config.track, correction);
     log = align_log(place, config.align, correction);
+    if (around) continue;
     move_back(log);
     sharpen_walls(log);
   }

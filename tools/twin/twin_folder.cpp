@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tools/files/file.hpp"
+#include "tools/twin/fits/wall_fit.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
 
@@ -50,7 +51,7 @@ Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::p
   correction.walls = twin.fitted.walls;
   twin.run = run_twin(folder, scenario, 1);
   AlignedLog aligned = align_log(twin.run, AlignBy::kTruth, correction);
-  move_back(aligned);
+  if (!looks_around(aligned)) move_back(aligned);
   twin.likeness = compare_logs(twin.fitted.log, aligned);
   write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
   return twin;

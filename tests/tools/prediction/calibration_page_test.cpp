@@ -100,6 +100,47 @@ TEST(CalibrationPage, PlotsMixedPixels) {
             R"({"name":"log","style":"dots","x":[0.5,1],"y":[0.3,0.04]}])");
 }
 
+TEST(CalibrationPage, PlotsSlips) {
+  if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
+  // A share of 0 has no logarithm.
+  const auto plot =
+      plot_named(told_twin(), "Slips: errors of the yaw over 1 m, against noise and slips");
+  EXPECT_EQ(plot.at("series").dump(),
+            R"([{"name":"model","style":"reference","x":[1,4],"y":[0.3,0.001]},)"
+            R"({"name":"log","style":"dots","x":[1],"y":[0.25]}])");
+}
+
+TEST(CalibrationPage, PlotsDust) {
+  if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
+  // Grains up to 5 m, and what is taken for them at all ranges.
+  EXPECT_EQ(
+      plot_named(told_twin(), "Dust: single short returns that are not seen again")
+          .at("series")
+          .dump(),
+      R"([{"name":"model","style":"reference","x":[0,5,5,8.5],"y":[0.005,0.005,0.001,0.001]},)"
+      R"({"name":"log","style":"dots","x":[0.5,8.5],"y":[0.01,0.002]}])");
+}
+
+TEST(CalibrationPage, PlotsTheOffsetsOfBeams) {
+  if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
+  const auto series =
+      plot_named(told_twin(), "Offsets of beams: their mean distance from straight surfaces")
+          .at("series");
+  EXPECT_EQ(series[1].dump(), R"({"name":"log","style":"dots","x":[-0.006,0.002],"y":[0.5,1]})");
+  const auto& model = series[0].at("y");  // of a normal distribution, from -sigma to sigma
+  EXPECT_EQ(model.front(), 0.159);
+  EXPECT_EQ(model.at(30), 0.5);
+  EXPECT_EQ(model.back(), 0.841);
+}
+
+TEST(CalibrationPage, PlotsTheMaximumRange) {
+  if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
+  // Eight in ten return below the limit.
+  EXPECT_EQ(plot_named(told_twin(), "Maximum range: walls that return beams").at("series").dump(),
+            R"([{"name":"model","style":"reference","x":[0,17.5,17.5,20],"y":[0.8,0.8,0,0]},)"
+            R"({"name":"log","style":"dots","x":[10,20],"y":[0.8,0]}])");
+}
+
 TEST(CalibrationPage, PlotsTheTimesBetweenScans) {
   if (!plots_bundle()) GTEST_SKIP() << "built without Node.js";
   Twin twin = untold_twin();

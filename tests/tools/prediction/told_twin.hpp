@@ -17,6 +17,7 @@ inline OdometryFit told_odometry() {
   fit.drift_turn_deg = figure_of(0.75);
   fit.slip.rate_per_m = figure_of(0.02);
   fit.slip.length_m = 0.25;
+  fit.slip.tail = {{1.0, 0.25, 0.3}, {4.0, 0.0, 0.001}};
   fit.drive_x_m = figure_of(0.115);
   fit.drive_y_m = figure_of(-0.042);
   fit.drive_yaw_deg = figure_of(-1.5, 0.25);
@@ -57,6 +58,23 @@ inline DustFit told_dust() {
   DustFit fit;
   fit.per_m = figure_of(0.004);
   fit.range_m = 5.0;
+  fit.other_per_m = 0.001;
+  fit.bins = {{0.5, 100.0, 1.0}, {8.5, 1000.0, 2.0}};
+  return fit;
+}
+
+inline BeamBiasFit told_beam_bias() {
+  BeamBiasFit fit;
+  fit.sigma_m = figure_of(0.006);
+  fit.means_m = {-0.006, 0.002};
+  fit.means_sigma_m = 0.006;
+  return fit;
+}
+
+inline RangeLimitFit told_range_limit() {
+  RangeLimitFit fit;
+  fit.limit_m = figure_of(17.5, 0.5);
+  fit.bins = {{10.0, 100.0, 80.0}, {15.0, 0.0, 0.0}, {20.0, 50.0, 0.0}};
   return fit;
 }
 
@@ -83,8 +101,8 @@ inline Twin told_twin() {
   fit.loss = told_loss();
   fit.mixed = told_mixed();
   fit.dust = told_dust();
-  fit.beam_bias.emplace().sigma_m = figure_of(0.006);
-  fit.range_limit.emplace().limit_m = figure_of(17.5, 0.5);
+  fit.beam_bias = told_beam_bias();
+  fit.range_limit = told_range_limit();
   fit.building = told_building();
   twin.people = figure_of(4.0, 1.0);
   twin.likeness.samples = {{"residuals of ranges", "m", {0.0, 1.0, 2.0}, {0.5, 1.5, 2.5}}};

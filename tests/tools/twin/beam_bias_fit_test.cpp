@@ -1,5 +1,6 @@
 #include "tools/twin/fits/beam_bias_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,19 @@ TEST(BeamBias, IsTheOffsetThatABeamKeeps) {
     EXPECT_GE(fit->sigma_m.interval.high, truth);
     EXPECT_LT(fit->sigma_m.interval.high - fit->sigma_m.interval.low, 0.5 * truth);
     EXPECT_EQ(fit->beams, kRoomBeams - 6U);
+  }
+}
+
+TEST(BeamBias, TheMeansOfTheBeamsSpreadAsTheModelSays) {
+  for (const double sigma : {0.0, 0.01}) {
+    const auto fit = fit_beam_bias(with_errors(room_log(400), {0.01, sigma}));
+    ASSERT_TRUE(fit.has_value());
+    ASSERT_EQ(fit->means_m.size(), fit->beams);
+    EXPECT_TRUE(std::is_sorted(fit->means_m.begin(), fit->means_m.end()));
+    double squares = 0.0;
+    for (const double mean : fit->means_m) squares += mean * mean;
+    const double measured = std::sqrt(squares / static_cast<double>(fit->beams));
+    EXPECT_NEAR(fit->means_sigma_m, measured, 0.1 * measured);
   }
 }
 

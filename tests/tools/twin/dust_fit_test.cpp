@@ -99,6 +99,22 @@ TEST(DustFit, CleanAirHasNoneByTheRuleOfThree) {
   EXPECT_LT(fit->beams, 58U * 360U);
 }
 
+TEST(DustFit, CountsByRange) {
+  const Dust truth{0.02, 2.0};
+  const auto fit = fit_dust(dusty_log(300, truth));
+  ASSERT_TRUE(fit.has_value());
+  ASSERT_GE(fit->bins.size(), 3U);
+  double hits = 0.0;
+  for (const DustBin& bin : fit->bins) {
+    if (bin.range_m < truth.range_m) hits += bin.hits;
+    const double expected = bin.range_m < truth.range_m ? truth.per_m : 0.0;
+    const double error = std::sqrt(std::max(expected * bin.metres, 1.0)) / bin.metres;
+    EXPECT_NEAR(bin.hits / bin.metres, expected, 4.0 * error) << bin.range_m;
+  }
+  EXPECT_EQ(hits, static_cast<double>(fit->hits));
+  EXPECT_EQ(fit->bins[1].range_m, 1.5);
+}
+
 TEST(DustFit, CountsSingleGrains) {
   AlignedLog log = room_log(60);
   const double clean = fit_dust(log)->metres;

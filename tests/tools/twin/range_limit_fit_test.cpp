@@ -49,6 +49,19 @@ TEST(RangeLimit, CountsTheBeamsOnWallsBeyond) {
               0.02 * static_cast<double>(beyond));
 }
 
+TEST(RangeLimit, CountsReturnsByTheRangeOfTheWalls) {
+  const auto fit =
+      fit_range_limit(changed_log([](std::size_t, float r) { return r > 5.0F ? kOutOfRange : r; }));
+  ASSERT_TRUE(fit.has_value());
+  ASSERT_GE(fit->bins.size(), 12U);
+  const double width = fit->limit_m.value / 10.0;
+  EXPECT_DOUBLE_EQ(fit->bins[3].range_m, 3.5 * width);
+  EXPECT_GT(fit->bins[3].beams, 0.0);
+  EXPECT_EQ(fit->bins[3].returned, fit->bins[3].beams);
+  EXPECT_GT(fit->bins[11].beams, 0.0);
+  EXPECT_EQ(fit->bins[11].returned, 0.0);
+}
+
 TEST(RangeLimit, IsNotThereWhereAllWallsReturn) {
   EXPECT_FALSE(fit_range_limit(room_log(200)).has_value());
 }

@@ -56,6 +56,22 @@ TEST(SlipFit, CountsStretchesThatAreTurnedAndAhead) {
   EXPECT_DOUBLE_EQ(fewer.rate_per_m.value, 5.0 / 2400.0);
 }
 
+TEST(SlipFit, HasTheTailOfTheYawBesideThatOfNoiseAndSlips) {
+  const OdometryNoise noise{.yaw_per_m = 1e-4, .yaw_per_rad = 0.0, .match_yaw = 0.0, .stamp = 0.0};
+  std::vector<Stretch> stretches;
+  for (std::size_t k = 0; k < 990; ++k) stretches.push_back(missed_stretch(k, 0.0, 0.0));
+  for (std::size_t k = 990; k < 1000; ++k) stretches.push_back(missed_stretch(k, 0.03, 0.085));
+  const SlipFit fit = fit_slips(stretches, {}, noise, 0.4, Blocks(1000));
+  ASSERT_EQ(fit.tail.size(), 24U);
+  EXPECT_EQ(fit.tail[6].sigmas, 3.0);  // sigma: 0.01 rad
+  EXPECT_NEAR(fit.tail[6].measured, 0.01, 1e-12);
+  EXPECT_NEAR(fit.tail[16].measured, 0.01, 1e-12);
+  EXPECT_EQ(fit.tail[18].measured, 0.0);
+  EXPECT_NEAR(fit.tail[2].model, 0.3173 * 0.99 + 0.01, 1e-4);  // beyond one sigma
+  EXPECT_NEAR(fit.tail[12].model, 0.01 * 0.994, 1e-4);        // 2.5 sigma less than a slip turns
+  EXPECT_NEAR(fit.tail[17].model, 0.5 * 0.01, 1e-4);          // as much as a slip turns
+}
+
 TEST(SlipFit, WithoutClearOnesKnowsAHighestRate) {
   const OdometryNoise noise{.yaw_per_m = 1e-4};
   std::vector<Stretch> stretches;

@@ -56,5 +56,17 @@ TEST(WallFit, MovesPosesByNoMoreThanThreeCentimetres) {
   EXPECT_EQ(log.T_start_base.x, -0.03);
 }
 
+TEST(WallFit, OnlyALidarWithAWideViewLooksAround) {
+  AlignedLog log = room_log(1);
+  EXPECT_TRUE(looks_around(log));
+  std::vector<float>& ranges = log.scans.front().scan.ranges;
+  ranges.resize(271);
+  EXPECT_TRUE(looks_around(log));
+  ranges.resize(241);
+  EXPECT_FALSE(looks_around(log));
+  log.scans.clear();
+  EXPECT_FALSE(looks_around(log));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -66,6 +66,16 @@ Json time_axis(const std::vector<double>& stamps_s) {
   return plot_numbers({kept.begin(), kept.end()}, kTimeDigits);
 }
 
+PlotPoints cumulative(const std::vector<double>& samples) {
+  PlotPoints points;
+  const auto count = static_cast<double>(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    points.emplace_back(samples[i], static_cast<double>(i + 1) / count);
+  }
+  constexpr std::size_t kMostOfCurve = 300;
+  return every_few(points, kMostOfCurve);
+}
+
 Json time_series(const std::string& name, const std::vector<double>& stamps_s,
                  const PlotColumn& values, const Json& shared) {
   Json series{{"name", name}, {"y", plot_numbers(thin_column(values, kMostOfLine))}};

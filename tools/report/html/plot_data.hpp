@@ -26,6 +26,9 @@ PlotColumn thin_column(const PlotColumn& values, std::size_t most);
 /// At most `most` evenly spaced points.
 PlotPoints every_few(const PlotPoints& points, std::size_t most);
 
+/// The cumulative distribution of ascending samples, as at most 300 points.
+PlotPoints cumulative(const std::vector<double>& samples);
+
 /// A line over time for a list of `series`, with at most 2400 points. Its times are omitted if they
 /// equal `shared`, the common x of all series.
 nlohmann::ordered_json time_series(const std::string& name, const std::vector<double>& stamps_s,

@@ -12,6 +12,7 @@ constexpr double kLeastMove = 0.05;    // [m] Between two scans that count,
 constexpr double kLeastTurn = 0.05;    // [rad] or this.
 /// Variance of the middle one of seven residuals from a line, by that of the offsets.
 constexpr double kMiddleShare = 6.0 / 7.0;
+constexpr double kFewestBiasSamples = 10.0;  // Of a beam in a part of the log.
 
 /// How far a beam lies beside the line through its neighbours and itself.
 struct BiasSample {
@@ -134,12 +135,11 @@ struct BiasProducts {
 };
 
 BiasProducts multiply_parts(const std::vector<BiasMeans>& beams, std::size_t left_out) {
-  constexpr double kFewestSamples = 10.0;
   BiasProducts products;
   for (const BiasMeans& means : beams) {
     double sum = 0.0, squares = 0.0, parts = 0.0;
     for (std::size_t part = 0; part < Blocks::kCount; ++part) {
-      if (part == left_out || means[part].count < kFewestSamples) continue;
+      if (part == left_out || means[part].count < kFewestBiasSamples) continue;
       const double mean = means[part].sum / means[part].count;
       sum += mean;
       squares += mean * mean;
@@ -153,6 +153,28 @@ BiasProducts multiply_parts(const std::vector<BiasMeans>& beams, std::size_t lef
 }
 
 double bias_sigma(double covariance) { return std::sqrt(std::max(covariance, 0.0) / kMiddleShare); }
+
+/// Sets the means of the beams beside what the fitted offsets let expect.
+void describe(const std::vector<BiasMeans>& beams, BeamBiasFit& fit) {
+  double variances = 0.0;  // Of the means by noise, as their parts differ.
+  for (const BiasMeans& means : beams) {
+    double sum = 0.0, squares = 0.0, parts = 0.0;
+    for (const BiasMean& part : means) {
+      if (part.count < kFewestBiasSamples) continue;
+      const double mean = part.sum / part.count;
+      sum += mean;
+      squares += mean * mean;
+      parts += 1.0;
+    }
+    if (parts < 2.0) continue;
+    fit.means_m.push_back(sum / parts);
+    variances += std::max(squares - sum * sum / parts, 0.0) / (parts * (parts - 1.0));
+  }
+  std::sort(fit.means_m.begin(), fit.means_m.end());
+  const auto count = static_cast<double>(std::max<std::size_t>(fit.means_m.size(), 1));
+  fit.means_sigma_m =
+      std::sqrt(kMiddleShare * fit.sigma_m.value * fit.sigma_m.value + variances / count);
+}
 
 }  // namespace
 
@@ -178,6 +200,7 @@ std::optional<BeamBiasFit> fit_beam_bias(const AlignedLog& log) {
   constexpr double kModel = 5e-4;  // [m] Surfaces are not quite flat, and ranges are rounded.
   fit.sigma_m = widen(sigma, std::hypot(sampling * sigma.value, kModel));
   fit.sigma_m.interval.low = std::max(fit.sigma_m.interval.low, 0.0);
+  describe(means, fit);
   return fit;
 }
 

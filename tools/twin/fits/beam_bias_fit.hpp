@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "tools/alignment/aligned_log.hpp"
 #include "tools/twin/fits/figure.hpp"
@@ -16,6 +17,10 @@ namespace castaway::testbed {
 struct BeamBiasFit {
   Figure sigma_m;         ///< [m] Standard deviation of the offsets; not negative.
   std::size_t beams = 0;  ///< Beams that were seen in at least two parts of the log.
+  /// [m] Mean residuals of these beams, ascending, and the standard deviation of such means by the
+  /// offsets and by noise.
+  std::vector<double> means_m;
+  double means_sigma_m = 0.0;
 };
 
 /// Needs no map. Only scans count before which the robot moved: to one that stands, a wall that is

@@ -53,6 +53,21 @@ DustSplit split_dust(const DustCounts& counts, double range) {
   return split;
 }
 
+std::vector<DustBin> bin_dust(const DustCounts& counts) {
+  constexpr double kLeastMetres = 1.0;
+  std::vector<DustBin> bins(static_cast<std::size_t>(kDustSteps * kDustStep));
+  const auto bin_of = [&](double r) -> DustBin& {
+    return bins[std::min(static_cast<std::size_t>(r), bins.size() - 1)];
+  };
+  for (std::size_t k = 0; k < kDustSteps; ++k) {
+    bin_of(kDustStep * (static_cast<double>(k) + 0.5)).metres += counts.metres[k];
+  }
+  for (const double r : counts.hits) bin_of(r).hits += 1.0;
+  for (std::size_t k = 0; k < bins.size(); ++k) bins[k].range_m = static_cast<double>(k) + 0.5;
+  std::erase_if(bins, [](const DustBin& bin) { return bin.metres < kLeastMetres; });
+  return bins;
+}
+
 double dust_range(const DustCounts& counts) {
   constexpr double kFewestHits = 5.0;
   constexpr double kUnseen = 10.0;  // [m]

@@ -44,6 +44,16 @@ struct DustSplit {
 /// Splits counts with ascending hits at a range [m].
 DustSplit split_dust(const DustCounts& counts, double range);
 
+/// Beams at risk and hits within a metre of range.
+struct DustBin {
+  double range_m = 0.0;  ///< [m] In its middle.
+  double metres = 0.0;   ///< [m]
+  double hits = 0.0;
+};
+
+/// Those with at least a metre at risk.
+std::vector<DustBin> bin_dust(const DustCounts& counts);
+
 /// How far grains are seen, from counts with ascending hits: a little farther than the greatest
 /// hit, unless those within some range are clearly more frequent, at least twice, than those
 /// beyond. 10 m if there are fewer than five. [m]

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tools/alignment/expected_scan.hpp"
-#include "tools/twin/fits/dust_counts.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -138,6 +137,8 @@ std::optional<DustFit> fit_dust(const AlignedLog& log) {
   fit.hits = static_cast<std::size_t>(split.near_hits);
   fit.beams = static_cast<std::size_t>(all.beams);
   fit.metres = split.near_metres;
+  fit.other_per_m = split.far_rate();
+  fit.bins = bin_dust(all);
   if (all.beams < kFewestDustBeams || fit.metres <= 0.0) return std::nullopt;
   fit.per_m = jackknife([&](std::size_t left_out) {
                 const DustCounts counts = sum_dust(blocks, left_out);

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/fits/dust_counts.hpp"
 #include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {
@@ -19,6 +21,8 @@ struct DustFit {
   std::size_t hits = 0;   ///< Grains within `range_m`, and what is taken for them.
   std::size_t beams = 0;  ///< On straight walls between neighbours that return them.
   double metres = 0.0;    ///< [m] Of these beams, up to `range_m`, where a grain would be counted.
+  double other_per_m = 0.0;   ///< [1/m] What is taken for grains beyond `range_m`.
+  std::vector<DustBin> bins;  ///< By range.
 };
 
 /// Without any grain the interval ends at 3 / `metres`. Nothing if fewer than 500 beams qualify.

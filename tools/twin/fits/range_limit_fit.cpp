@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tools/alignment/expected_scan.hpp"
 
@@ -29,22 +30,34 @@ double greatest_range(const AlignedLog& log) {
   return greatest;
 }
 
-/// Beams on walls of the map near the greatest range.
+/// Beams on walls of the map, most of them near the greatest range.
 struct LimitCounts {
+  std::vector<RangeLimitFit::Bin> bins;
   double returned_within = 0.0;
   double lost_within = 0.0;
   std::size_t lost_beyond = 0;
   double nearest_beyond = std::numeric_limits<double>::infinity();  ///< [m] Of the lost ones.
 };
 
+void count_bin(double wall, bool lost, double greatest, std::vector<RangeLimitFit::Bin>& bins) {
+  constexpr double kBinsToLimit = 10.0;
+  const double width = greatest / kBinsToLimit;
+  const auto index = static_cast<std::size_t>(wall / width);
+  while (bins.size() <= index) bins.push_back({(static_cast<double>(bins.size()) + 0.5) * width});
+  bins[index].beams += 1.0;
+  bins[index].returned += lost ? 0.0 : 1.0;
+}
+
 void count_limit(const LaserScan& scan, const std::vector<ExpectedBeam>& expected, double greatest,
                  LimitCounts& counts) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const double r = scan.ranges[i];
     const double wall = expected[i].range;
-    if (!expected[i].wall || wall < kBelowLimit * greatest) continue;
+    if (!expected[i].wall) continue;
     if (std::isnan(r) || r < std::max(scan.range_min, wall - kBeforeLimitWall)) continue;
     const bool lost = !is_measured(scan, r);
+    count_bin(wall, lost, greatest, counts.bins);
+    if (wall < kBelowLimit * greatest) continue;
     if (wall <= greatest) (lost ? counts.lost_within : counts.returned_within) += 1.0;
     if (!lost || wall <= kBeyondLimit * greatest) continue;
     ++counts.lost_beyond;
@@ -68,7 +81,8 @@ std::optional<RangeLimitFit> fit_range_limit(const AlignedLog& log) {
   const double within = counts.returned_within + counts.lost_within;
   if (counts.lost_beyond < kFewestBeyond) return std::nullopt;
   if (within == 0.0 || counts.returned_within < kReturnedWithin * within) return std::nullopt;
-  return RangeLimitFit{{greatest, {greatest, counts.nearest_beyond}}, counts.lost_beyond};
+  return RangeLimitFit{
+      {greatest, {greatest, counts.nearest_beyond}}, counts.lost_beyond, std::move(counts.bins)};
 }
 
 }  // namespace castaway::testbed

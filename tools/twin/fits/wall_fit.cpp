@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tools/alignment/expected_scan.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
@@ -78,6 +79,14 @@ double wall_variance(const AlignedLog& log, const SE2& T_base_moved) {
     sum += std::pow(std::min(off, kLargest), 2.0);
   }
   return sum / static_cast<double>(std::max<std::size_t>(samples.size(), 1));
+}
+
+bool looks_around(const AlignedLog& log) {
+  constexpr double kAround = 1.5 * std::numbers::pi;
+  if (log.scans.empty()) return false;
+  const LaserScan& scan = log.scans.front().scan;
+  const auto beams = static_cast<double>(scan.ranges.size());
+  return beams * std::abs(scan.angle_increment) >= kAround;
 }
 
 void sharpen_walls(AlignedLog& log) {

@@ -13,6 +13,10 @@ WallOffsets learn_walls(const AlignedLog& log, double usual);
 /// `T_base_moved`. [m^2]
 double wall_variance(const AlignedLog& log, const SE2& T_base_moved);
 
+/// True for a lidar with walls on all sides, which tell its place: one that sees at least 270
+/// degrees. The place of another is confused with the surfaces of the walls that it looks at.
+bool looks_around(const AlignedLog& log);
+
 /// Moves the aligned poses to the place, seen from the robot, where the walls are sharpest, by at
 /// most 3 cm along each axis. A lidar that looks ahead fits as well if it is farther ahead and the
 /// walls are farther behind the borders of their cells, but then a wall that is seen from two

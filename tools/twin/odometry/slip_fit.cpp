@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace castaway::testbed {
 namespace {
@@ -26,17 +27,60 @@ struct SlipTally {
   }
 };
 
+constexpr double kClearSlip = 4.0;      // Standard deviations.
+constexpr double kLeastSlipYaw = 0.02;  // [rad] Of a clear slip.
+
+/// Standard deviation of a stretch's yaw, not below that of which the least clear one is a
+/// multiple. [rad]
+double yaw_sigma(const Stretch& stretch, const OdometryNoise& noise) {
+  return std::max(std::sqrt(noise.variances(stretch)(2)), kLeastSlipYaw / kClearSlip);
+}
+
 void tally(const Stretch& stretch, const DriveErrors& errors, const OdometryNoise& noise,
            double track, SlipTally& sum) {
-  constexpr double kClear = 4.0;      // Standard deviations.
-  constexpr double kLeastYaw = 0.02;  // [rad]
   sum.way_m += stretch.way;
   const SE2 miss = miss_of(stretch, errors);
-  const double limit = kClear * std::sqrt(noise.variances(stretch)(2));
-  if (std::abs(miss.yaw) < std::max(limit, kLeastYaw)) return;
+  if (std::abs(miss.yaw) < kClearSlip * yaw_sigma(stretch, noise)) return;
   const double sign = miss.x > 0.0 ? 1.0 : -1.0;
   (miss.x > 0.0 ? sum.ahead : sum.behind) += 1.0;
   sum.excess_m += sign * std::abs(miss.yaw) * track;
+}
+
+/// Share of a normal distribution with mean `mean` and variance 1 that is farther than `x` from 0.
+double share_beyond(double x, double mean) {
+  const double root = std::numbers::sqrt2;
+  return 0.5 * (std::erfc((x - mean) / root) + std::erfc((x + mean) / root));
+}
+
+/// Share of stretches like this one that noise and slips turn by more than `sigmas`.
+double modelled_beyond(double sigmas, const Stretch& stretch, const OdometryNoise& noise,
+                       double track, const SlipFit& fit) {
+  const double sigma = yaw_sigma(stretch, noise);
+  const double noise_only = std::sqrt(noise.variances(stretch)(2)) / sigma;
+  const double slipped = 1.0 - std::exp(-2.0 * fit.rate_per_m.value * stretch.way);
+  const double turn = fit.length_m * SlipFit::kShare / (1.0 - SlipFit::kShare) / track;
+  if (noise_only <= 0.0) return turn > sigmas * sigma ? slipped : 0.0;
+  const double x = sigmas / noise_only;
+  return (1.0 - slipped) * share_beyond(x, 0.0) +
+         slipped * share_beyond(x, turn / sigma / noise_only);
+}
+
+std::vector<SlipFit::Tail> slip_tail(const std::vector<Stretch>& stretches,
+                                     const DriveErrors& errors, const OdometryNoise& noise,
+                                     double track, const SlipFit& fit) {
+  constexpr int kTails = 24;
+  constexpr double kStep = 0.5;  // Standard deviations.
+  std::vector<SlipFit::Tail> tail(kTails);
+  const double each = 1.0 / static_cast<double>(std::max<std::size_t>(stretches.size(), 1));
+  for (std::size_t k = 0; k < tail.size(); ++k) tail[k].sigmas = kStep * static_cast<double>(k);
+  for (const Stretch& s : stretches) {
+    const double off = std::abs(miss_of(s, errors).yaw) / yaw_sigma(s, noise);
+    for (SlipFit::Tail& t : tail) {
+      t.measured += off > t.sigmas ? each : 0.0;
+      t.model += each * modelled_beyond(t.sigmas, s, noise, track, fit);
+    }
+  }
+  return tail;
 }
 
 }  // namespace
@@ -67,6 +111,7 @@ SlipFit fit_slips(const std::vector<Stretch>& stretches, const DriveErrors& erro
     const double excess = all.excess_m / fit.slips;
     fit.length_m = excess * (1.0 - SlipFit::kShare) / SlipFit::kShare;
   }
+  fit.tail = slip_tail(stretches, errors, noise, track, fit);
   return fit;
 }
 

@@ -14,6 +14,14 @@ struct SlipFit {
   double length_m = 0.0;  ///< [m] Rolled during a slip of which `kShare` is lost.
   int slips = 0;          ///< Number of clear ones.
 
+  /// Shares of stretches whose yaw is farther off than some number of standard deviations.
+  struct Tail {
+    double sigmas = 0.0;
+    double measured = 0.0;
+    double model = 0.0;  ///< By noise and slips.
+  };
+  std::vector<Tail> tail;
+
   static constexpr double kShare = 0.3;
 };
 
