@@ -25,6 +25,9 @@ using std::chrono::nanoseconds;
 // [m] A localizer's output nearer to the true pose is right.
 constexpr double kRightPosition = 0.5;
 constexpr double kRightYaw = 0.35;  // [rad] The same for its heading.
+// Stages of every step are timed in one of so many: reading the clock takes as long as some of
+// them. A prime, so that no period of a sensor is a multiple of it.
+constexpr int kTimedOf = 7;
 
 nanoseconds period_of(double hz, const char* what) {
   if (!(hz > 0.0) || hz > 1e5) {
@@ -33,7 +36,7 @@ nanoseconds period_of(double hz, const char* what) {
   return nanoseconds(std::llround(1e9 / hz));
 }
 
-SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose2& start,
+SimRobot make_robot(const SimulationConfig& config, Spaces& spaces, const Pose2& start,
                     nanoseconds step) {
   if (!config.drive.path.empty()) {
     return SimRobot(PathRobot(config.robot, config.drive.path, step));
@@ -42,8 +45,8 @@ SimRobot make_robot(const SimulationConfig& config, const Grid& grid, const Pose
   if (config.drive_model == DriveModel::kPhysics) {
     return SimRobot(RobotPhysics(config.world, config.robot, start, limits, step));
   }
-  return SimRobot(
-      KinematicRobot(config.robot, standing_space(config.robot, grid), start, limits, step));
+  return SimRobot(KinematicRobot(config.robot, spaces.driving(config, standing_radius(config)),
+                                 start, limits, step));
 }
 
 /// Orders deliveries by time, then by their kinds' order in `SimFrame`.
@@ -70,7 +73,9 @@ struct Simulation::State {
   void deliver(std::vector<SimFrame> scans);
   void read_lidar(const Motion& motion);
   template <typename Work>
-  void measure_cpu(const char* stage, Work work);
+  void measure_cpu(const char* stage, Work work, int times = 1);
+  template <typename Work>
+  void sample_cpu(const char* stage, Work work);
 
   SimulationConfig config;
   SimulationStreams streams;
@@ -79,10 +84,10 @@ struct Simulation::State {
 
   nanoseconds step;
   nanoseconds now{};
+  std::int64_t steps = 0;  ///< Made so far.
   Twist2 commanded;
 
-  Grid grid;     ///< Where the robot can drive.
-  Grid landing;  ///< Where the robot can be put down.
+  std::shared_ptr<Spaces> spaces;
   Pose2 start;
   SimRobot robot;
   SensorStage sensors;
@@ -103,22 +108,28 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       streams(std::move(random_streams)),
       cpu_clock(std::move(clock)),
       step(period_of(config.physics_hz, "physics_hz")),
-      grid(drive_grid(config)),
-      landing(landing_grid(config, grid)),
-      start(castaway::sim::start_pose(config, landing, streams.events)),
-      robot(make_robot(config, grid, start, step)),
+      spaces(config.spaces ? config.spaces : std::make_shared<Spaces>()),
+      start(castaway::sim::start_pose(config, *spaces, streams.events)),
+      robot(make_robot(config, *spaces, start, step)),
       sensors(config, streams),
-      kidnaps(config, landing, sensors.scene(), streams.named),
-      drive(config, grid),
-      people(config, start, streams.named),
+      kidnaps(config, *spaces, sensors.scene(), streams.named),
+      drive(config, *spaces),
+      people(config, *spaces, start, streams.named),
       progress(progress_of(config.drive, config.robot)) {}
 
 template <typename Work>
-void Simulation::State::measure_cpu(const char* stage, Work work) {
+void Simulation::State::measure_cpu(const char* stage, Work work, int times) {
   if (!cpu_clock) return work();
   const nanoseconds before = cpu_clock();
   work();
-  cpu[stage] += cpu_clock() - before;
+  cpu[stage] += times * (cpu_clock() - before);
+}
+
+/// For stages of every step.
+template <typename Work>
+void Simulation::State::sample_cpu(const char* stage, Work work) {
+  if (steps % kTimedOf != 0) return work();
+  measure_cpu(stage, work, kTimedOf);
 }
 
 bool Simulation::State::localized() const {
@@ -214,7 +225,7 @@ void Simulation::State::run_step() {
   move_people();
   const RobotState before = robot.state();
   if (drive.due(now)) measure_cpu("drive", [this] { command(); });
-  measure_cpu("physics", [this] { move_robot(); });
+  sample_cpu("physics", [this] { move_robot(); });
   const RobotState& after = robot.state();
   const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
   const Eigen::Vector2d way =
@@ -224,9 +235,10 @@ void Simulation::State::run_step() {
   for (const FaultRecord& fault : sensors.read_faults(motion))
     frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
-  measure_cpu("lidar", [&] { read_lidar(motion); });
+  sample_cpu("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;
+  ++steps;
 }
 
 Simulation::Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock)
@@ -263,7 +275,9 @@ void Simulation::kidnap(const Pose2& T_map_base) {
   if (!state_->config.drive.path.empty()) {
     throw std::invalid_argument("kidnap: the robot follows a recorded path to its end");
   }
-  if (!standing_space(state_->config.robot, state_->landing).contains(T_map_base.position())) {
+  const SimulationConfig& config = state_->config;
+  const FreeSpace standing = state_->spaces->landing(config, standing_radius(config));
+  if (!standing.contains(T_map_base.position())) {
     throw std::invalid_argument(fmt::format("kidnap: the robot has no room at ({:.2f}, {:.2f}) m",
                                             T_map_base.x, T_map_base.y));
   }

@@ -1,6 +1,7 @@
 /// Where a round robot can stand.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +21,8 @@ struct RoundObstacle {
   double radius = 0.0;                               ///< [m]
 };
 
-/// The largest connected part of a grid's free space in which a disc can move.
+/// The largest connected part of a grid's free space in which a disc can move. Copies share what
+/// they hold.
 class FreeSpace {
  public:
   /// `radius` [m]: of the disc. Unknown cells and everything outside count as obstacles.
@@ -44,17 +46,27 @@ class FreeSpace {
   [[nodiscard]] std::optional<Pose2> sample(Rng& rng) const;
 
   /// Its free cells are where the centre of the disc can be.
-  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] const Grid& grid() const { return parts_->grid; }
   /// Distance from each cell to the nearest obstacle. [m]
-  [[nodiscard]] const std::vector<float>& clearance() const { return clearance_; }
+  [[nodiscard]] const std::vector<float>& clearance() const { return parts_->clearance; }
   /// Distance at a point in map; 0 outside of the grid. [m]
   [[nodiscard]] double clearance_at(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] double radius() const { return radius_; }
 
  private:
+  struct Parts {
+    std::vector<float> clearance;
+    Grid grid;
+    std::vector<std::size_t> free_in_row;
+  };
+
+  FreeSpace(double radius, std::vector<float> clearance, Grid grid);
+  /// A free cell at least `reach` [m] away from a point.
+  [[nodiscard]] std::optional<CellIndex> sample_cell(Rng& rng, const Eigen::Vector2d& from,
+                                                     double reach) const;
+
   double radius_;
-  std::vector<float> clearance_;
-  Grid grid_;
+  std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace castaway::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/people/bodies/person_rays.hpp"
 #include "sim/people/gait.hpp"
@@ -19,9 +20,9 @@ constexpr double kPersonTurnRate = 4.0;  // [rad/s]
 constexpr double kHitGap = 0.5;          // [s] Touches closer in time are one hit.
 constexpr double kInCrowd = 0.25;  // Share of the social force that is left among crowd members.
 
-GoalFields goals_in(const WalkSpace& space, const NamedStreams& streams) {
+GoalFields goals_in(const WalkCells& cells, const NamedStreams& streams) {
   Rng rng = streams("people/places");
-  return {space, kPlaces, rng};
+  return {cells, kPlaces, rng};
 }
 
 Eigen::Vector2d limit_speed(const Eigen::Vector2d& v, double most) {
@@ -31,9 +32,11 @@ Eigen::Vector2d limit_speed(const Eigen::Vector2d& v, double most) {
 
 }  // namespace
 
-People::People(const PeopleConfig& config, const WorldSpec& world, const Grid& map,
+People::People(const PeopleConfig& config, std::shared_ptr<const WalkCells> cells,
                const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams)
-    : space_((validate(config), body_grid(world, map))), goals_(goals_in(space_, streams)) {
+    : cells_((validate(config), std::move(cells))),
+      space_(cells_->space()),
+      goals_(goals_in(*cells_, streams)) {
   agents_ = draw_people(config, space_, goals_, robot, streams);
   for (const Agent& agent : agents_) {
     before_.push_back(agent.state);

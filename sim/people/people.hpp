@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,10 +26,9 @@ class People {
  public:
   static constexpr double kPeriod = 0.05;  ///< [s] Of one step.
 
-  /// `map`: known to the robot's planner; people also avoid all objects in `world`. `lidar`: whose
-  /// beams a crowd blocks. @throws std::invalid_argument, std::runtime_error if such people are
-  /// impossible.
-  People(const PeopleConfig& config, const WorldSpec& world, const Grid& map,
+  /// `cells`: where they can walk. `lidar`: whose beams a crowd blocks. @throws
+  /// std::invalid_argument, std::runtime_error if such people are impossible.
+  People(const PeopleConfig& config, std::shared_ptr<const WalkCells> cells,
          const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams);
 
   People(const People&) = delete;
@@ -69,7 +69,8 @@ class People {
   void turn(std::size_t index, double wanted_heading);
 
   SocialForceConfig forces_;
-  WalkSpace space_;
+  std::shared_ptr<const WalkCells> cells_;
+  const WalkSpace& space_;
   GoalFields goals_;
   std::vector<Agent> agents_;
   std::vector<PersonState> before_;  ///< At the beginning of the last step.

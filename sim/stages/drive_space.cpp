@@ -40,26 +40,26 @@ Grid landing_grid(const SimulationConfig& config, Grid drive_grid) {
   return drive_grid;
 }
 
-Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng) {
+Pose2 start_pose(const SimulationConfig& config, Spaces& spaces, Rng& rng) {
   if (!config.drive.path.empty()) return pose_at(config.drive.path, 0.0);
   const double radius = config.robot.footprint_radius;
   if (config.random_start) {
-    const auto pose = FreeSpace(drive_grid, radius + kDriveMargin).sample(rng);
+    const auto pose = spaces.landing(config, radius + kDriveMargin).sample(rng);
     if (pose) return *pose;
     throw std::runtime_error(fmt::format(
         "start: no free place for a robot of radius {:.2f} m: check the map and its scale",
         radius));
   }
-  if (standing_space(config.robot, drive_grid).contains(config.start.position()))
-    return config.start;
+  const FreeSpace standing = spaces.landing(config, standing_radius(config));
+  if (standing.contains(config.start.position())) return config.start;
   throw std::runtime_error(fmt::format(
       "start: at ({}, {}) a robot of radius {:.2f} m stands in an obstacle or outside of the free "
       "space: move it",
       config.start.x, config.start.y, radius));
 }
 
-FreeSpace standing_space(const RobotModel& robot, const Grid& drive_grid) {
-  return {drive_grid, std::max(robot.footprint_radius - drive_grid.resolution, 0.0)};
+double standing_radius(const SimulationConfig& config) {
+  return std::max(config.robot.footprint_radius - config.map.resolution, 0.0);
 }
 
 }  // namespace castaway::sim

@@ -6,6 +6,7 @@
 #include "sim/map/free_space.hpp"
 #include "sim/map/grid.hpp"
 #include "sim/stages/simulation_config.hpp"
+#include "sim/stages/spaces.hpp"
 
 namespace castaway::sim {
 
@@ -20,11 +21,11 @@ Grid landing_grid(const SimulationConfig& config, Grid drive_grid);
 
 /// The pose at the start of the run, as configured or drawn.
 /// @throws std::runtime_error if the robot would stand in an obstacle, or nothing is free.
-Pose2 start_pose(const SimulationConfig& config, const Grid& drive_grid, Rng& rng);
+Pose2 start_pose(const SimulationConfig& config, Spaces& spaces, Rng& rng);
 
-/// Where the robot can stand without contact: its radius is reduced by a cell, since erosion errs
-/// on the safe side.
-FreeSpace standing_space(const RobotModel& robot, const Grid& drive_grid);
+/// [m] Radius of a disc that stands without contact where the robot does: reduced by a cell, since
+/// erosion errs on the safe side.
+double standing_radius(const SimulationConfig& config);
 
 /// [m] Room that the planner keeps around the footprint.
 inline constexpr double kDriveMargin = 0.04;

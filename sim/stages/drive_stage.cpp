@@ -18,7 +18,7 @@ constexpr double kPersonInTheWay = 1.0;   // [m] A person this close to the robo
 
 }  // namespace
 
-DriveStage::DriveStage(const SimulationConfig& config, const Grid& drive_grid)
+DriveStage::DriveStage(const SimulationConfig& config, Spaces& spaces)
     : wait_(to_nanoseconds(config.drive.wait_s)),
       log_(config.drive.log),
       radius_(config.robot.footprint_radius) {
@@ -26,7 +26,7 @@ DriveStage::DriveStage(const SimulationConfig& config, const Grid& drive_grid)
     navigator_.emplace(navigator_of(config.drive, config.robot), config.map);
   } else {
     route_.emplace(route_of(config.drive, config.robot),
-                   FreeSpace(drive_grid, config.robot.footprint_radius + kDriveMargin));
+                   spaces.driving(config, config.robot.footprint_radius + kDriveMargin));
   }
 }
 

@@ -19,8 +19,7 @@ namespace castaway::sim {
 /// log, along a route by the true pose, or along a route by a localizer's estimate.
 class DriveStage {
  public:
-  /// `drive_grid`: where the robot's body can be.
-  DriveStage(const SimulationConfig& config, const Grid& drive_grid);
+  DriveStage(const SimulationConfig& config, Spaces& spaces);
 
   /// True if a command is due at `now`.
   [[nodiscard]] bool due(std::chrono::nanoseconds now) const { return now >= next_; }

@@ -48,8 +48,8 @@ TriggerInput trigger_input(const KidnapInput& input) {
 
 }  // namespace
 
-KidnapStage::KidnapStage(const SimulationConfig& config, const Grid& drive_grid,
-                         const RayScene& scene, const NamedStreams& streams)
+KidnapStage::KidnapStage(const SimulationConfig& config, Spaces& spaces, const RayScene& scene,
+                         const NamedStreams& streams)
     : scene_(&scene),
       lidar_(config.lidars.front()),
       keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
@@ -57,9 +57,11 @@ KidnapStage::KidnapStage(const SimulationConfig& config, const Grid& drive_grid,
     const KidnapSpec& spec = config.kidnaps[i];
     validate(spec);
     const double radius = config.robot.footprint_radius + spec.margin_m;
-    const FreeSpace& free = spaces_.try_emplace(radius, drive_grid, radius).first->second;
+    const FreeSpace& free =
+        spaces_.try_emplace(radius, spaces.landing(config, radius)).first->second;
     check_target(spec, config.start, free);
-    if (spec.kind == KidnapKind::kCarry && !carry_space_) carry_space_.emplace(drive_grid, 0.0);
+    if (spec.kind == KidnapKind::kCarry && !carry_space_)
+      carry_space_ = spaces.landing(config, 0.0);
     entries_.push_back({spec, {spec.when, clock_stream(spec, i, streams)}, radius});
   }
 }

@@ -39,7 +39,7 @@ class KidnapStage {
  public:
   /// `scene` must outlive this. @throws std::invalid_argument, std::runtime_error if a kidnap is
   /// impossible: wrong values, a given target in collision, or no named streams for random times.
-  KidnapStage(const SimulationConfig& config, const Grid& drive_grid, const RayScene& scene,
+  KidnapStage(const SimulationConfig& config, Spaces& spaces, const RayScene& scene,
               const NamedStreams& streams);
 
   /// Advances to `input.now`. @throws std::runtime_error as `kidnap_target`.

@@ -33,7 +33,7 @@ std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Po
 
 }  // namespace
 
-PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
+PeopleStage::PeopleStage(const SimulationConfig& config, Spaces& spaces, const Pose2& robot,
                          const NamedStreams& streams)
     : yields_(config.people.robot_yields),
       guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
@@ -44,8 +44,8 @@ PeopleStage::PeopleStage(const SimulationConfig& config, const Pose2& robot,
         "people: no random streams for them: give SimulationStreams::named");
   }
   robot_ = {robot_outline(config.robot), config.robot.footprint_radius, robot, {0.0, 0.0}};
-  people_ = std::make_unique<People>(config.people, config.world, config.map, config.lidars.front(),
-                                     robot_, streams);
+  people_ = std::make_unique<People>(config.people, spaces.walking(config.world, config.map),
+                                     config.lidars.front(), robot_, streams);
 }
 
 void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen::Vector2d& velocity,

@@ -17,7 +17,8 @@ namespace castaway::sim {
 class PeopleStage {
  public:
   /// `robot`: its pose at the start. @throws as `People`.
-  PeopleStage(const SimulationConfig& config, const Pose2& robot, const NamedStreams& streams);
+  PeopleStage(const SimulationConfig& config, Spaces& spaces, const Pose2& robot,
+              const NamedStreams& streams);
 
   /// True if people have something to do at `now`.
   [[nodiscard]] bool due(std::chrono::nanoseconds now) const {

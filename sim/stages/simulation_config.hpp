@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
+
+class Spaces;
 
 /// Where and how fast the robot drives.
 struct DriveConfig {
@@ -60,6 +63,8 @@ struct SimulationConfig {
   std::chrono::nanoseconds duration = std::chrono::seconds(120);
   double physics_hz = 500.0;  ///< [Hz] Rounded to whole nanoseconds a step.
   DriveModel drive_model = DriveModel::kPhysics;
+  /// Of this world and map, to be shared with other runs; empty: the run computes its own.
+  std::shared_ptr<Spaces> spaces{};
 };
 
 /// One stream of random numbers per consumer.

@@ -134,7 +134,7 @@ TEST(Simulation, AClockChangesNothing) {
   std::vector<SimFrame> frames;
   while (auto frame = timed.next()) frames.push_back(std::move(*frame));
   EXPECT_EQ(hash_of(frames), hash_of(run(noisy_kidnap_simulation(), 5)));
-  EXPECT_EQ(timed.cpu_by_stage().at("physics"), nanoseconds(7 * 5000));
+  EXPECT_EQ(timed.cpu_by_stage().at("physics"), nanoseconds(7 * 7 * 715));
   EXPECT_TRUE(Simulation(noisy_kidnap_simulation(), test_streams(5)).cpu_by_stage().empty());
 }
 

@@ -6,6 +6,7 @@
 
 #include "sim/people/people.hpp"
 #include "sim/people/robot_body.hpp"
+#include "sim/stages/spaces.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/sources/simulator_source.hpp"
 
@@ -93,8 +94,9 @@ CrowdHours watch_crowd(const CrowdHoursConfig& config, const std::function<void(
   const sim::SimulationConfig simulation = build_simulation(scenario, ".").config;
   const sim::RayScene walls(sim::ray_primitives(simulation.world));
   RouteRobot robot(simulation);
-  sim::People people(config.people, simulation.world, simulation.map, simulation.lidars.front(),
-                     robot.body(), simulation_streams(config.seed).named);
+  sim::People people(config.people, simulation.spaces->walking(simulation.world, simulation.map),
+                     simulation.lidars.front(), robot.body(),
+                     simulation_streams(config.seed).named);
   CrowdHours seen;
   seen.closest_pair_m = std::numeric_limits<double>::infinity();
   const auto steps = static_cast<std::int64_t>(config.hours * 3600.0 / sim::People::kPeriod);

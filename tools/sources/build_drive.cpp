@@ -50,7 +50,8 @@ Route exploring_route(const sim::FreeSpace& space, localization::Rng& rng) {
 
 Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::RobotModel& robot,
                   std::uint64_t seed) {
-  const sim::FreeSpace space(*world.grid, robot.footprint_radius + kRouteMargin);
+  const sim::FreeSpace space =
+      world.spaces->on_map(*world.grid, robot.footprint_radius + kRouteMargin);
   localization::Rng rng = localization::substream(seed, "route");
   localization::Rng any;
   if (!space.sample(any)) {

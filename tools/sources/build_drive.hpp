@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "sim/simulation.hpp"
+#include "sim/stages/spaces.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -17,6 +18,7 @@ namespace castaway::testbed {
 struct RouteWorld {
   const std::map<std::string, std::vector<Eigen::Vector2d>>* routes;
   const sim::Grid* grid;
+  sim::Spaces* spaces;
   std::string name;  ///< Name of the world, for errors.
 };
 

@@ -75,7 +75,7 @@ void warn_of_slow_wheels(const sim::SimulationConfig& config, std::vector<std::s
 /// Warns if the robot does not fit through its route.
 void warn_of_tight_route(const sim::SimulationConfig& config, std::vector<std::string>& warnings) {
   const auto& waypoints = config.drive.waypoints;
-  const sim::FreeSpace space(config.map, config.robot.footprint_radius);
+  const sim::FreeSpace space = config.spaces->on_map(config.map, config.robot.footprint_radius);
   const auto tight = std::count_if(waypoints.begin(), waypoints.end(),
                                    [&](const auto& p) { return !space.contains(p); });
   if (tight == 0) return;
@@ -106,11 +106,13 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   sim::SimulationConfig& config = prepared.config;
   config.robot = std::move(robot.robot);
   config.lidars = robot.lidars;
+  config.spaces = world.spaces ? world.spaces : std::make_shared<sim::Spaces>();
   config.faults = scenario.events.faults;
   check_faults(config.faults, robot.lidars);
   config.odometry = scenario.odometry;
-  config.drive = build_drive(scenario, base,
-                             {&world.file.routes, &world.grid, world.file.spec.name}, config.robot);
+  config.drive = build_drive(
+      scenario, base, {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name},
+      config.robot);
   config.kidnaps = scenario.events.kidnaps;
   config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);

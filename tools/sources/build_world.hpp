@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/difference/changed_beams.hpp"
+#include "sim/stages/spaces.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/world/world_file.hpp"
@@ -30,6 +32,7 @@ struct LoadedWorld {
   bool has_start = true;
   std::optional<WorldDifference> difference;  ///< Nothing if the layer is empty.
   std::vector<std::string> warnings;
+  std::shared_ptr<sim::Spaces> spaces;  ///< Where runs share the world; otherwise empty.
 };
 
 /// Options for building a world.

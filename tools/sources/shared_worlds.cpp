@@ -24,8 +24,11 @@ std::shared_ptr<const LoadedWorld> SharedWorlds::get(const WorldChoice& choice,
   const std::string key = world_text(choice, base, options);
   const bool plain = !choice.differences || choice.differences->empty();
   if (auto world = plain ? worlds_.find(key) : nullptr) return world;
-  auto built = std::make_shared<const LoadedWorld>(build_world(choice, base, options));
-  if (plain && !built->difference) worlds_.keep(key, built);
+  auto built = std::make_shared<LoadedWorld>(build_world(choice, base, options));
+  if (plain && !built->difference) {
+    built->spaces = std::make_shared<sim::Spaces>();
+    worlds_.keep(key, built);
+  }
   return built;
 }
 

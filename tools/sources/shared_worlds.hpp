@@ -9,8 +9,8 @@
 
 namespace castaway::testbed {
 
-/// Worlds with their surveys, built once; the latest few are kept. What a run gets does not depend
-/// on whether it was built before.
+/// Worlds with their surveys and free spaces, built once; the latest few are kept. What a run gets
+/// does not depend on whether it was built before.
 class SharedWorlds {
  public:
   /// As `build_world`. A world that the difference layer changes is built for each run.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <boost/random/uniform_int_distribution.hpp>
 
 #include "tests/sim/support/test_world.hpp"
 
@@ -87,6 +88,38 @@ TEST(FreeSpace, SamplesUniformly) {
   const double sigma = std::sqrt(0.25 / kDraws);
   EXPECT_NEAR(static_cast<double>(left) / kDraws, 0.5, 4.0 * sigma);
   EXPECT_NEAR(cosine / kDraws, 0.0, 4.0 * std::sqrt(0.5 / kDraws));
+}
+
+// Oracle: the cells in a list.
+TEST(FreeSpace, SamplesTheCellsThatAreFarEnough) {
+  Grid grid = grid_from_art(kTwoRooms, 0.1);
+  grid.origin_yaw = 0.4;
+  grid.origin = {2.0, -1.0};
+  const FreeSpace free(grid, 0.06);
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const Eigen::Vector2d from = center_of(grid, {static_cast<int>(seed % 12), 3});
+    const double least = 0.05 * (seed % 7);
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+      const double away = (center_of(grid, cell_at_index(grid, i)) - from).norm();
+      const bool far = least <= 0.0 || away >= least + grid.resolution;
+      if (free.grid().cells[i] == Cell::kFree && far) cells.push_back(i);
+    }
+    Rng rng(seed);
+    Rng same(seed);
+    const auto pose = free.sample(rng, from, least);
+    ASSERT_EQ(pose.has_value(), !cells.empty());
+    if (cells.empty()) continue;
+    boost::random::uniform_int_distribution<std::size_t> any(0, cells.size() - 1);
+    const CellIndex drawn = cell_at_index(grid, cells[any(same)]);
+    EXPECT_EQ(cell_of(grid, pose->position()), drawn) << seed;
+  }
+}
+
+TEST(FreeSpace, CopiesShareTheirCells) {
+  const FreeSpace free(grid_from_art(kTwoRooms), 0.6);
+  const FreeSpace copy = free;
+  EXPECT_EQ(&copy.grid(), &free.grid());
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ double reached(double wanted, int people, double lidar_height) {
   config.blocked_share = wanted;
   const RobotBody robot = square_robot({0.0, 0.0, 0.3});
   const RayScene walls(ray_primitives(hall.world));
-  People crowd(config, hall.world, hall.map, lidar, robot, named_streams(3));
+  People crowd(config, walk_cells(hall.world, hall.map), lidar, robot, named_streams(3));
   const Lidar caster(lidar);
   LidarDraws rng;
   int on_people = 0;

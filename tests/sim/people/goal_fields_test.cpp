@@ -19,9 +19,10 @@ TestHall divided() {
 
 TEST(GoalFields, LeadAroundWallsToEveryPlace) {
   const TestHall hall = divided();
-  const WalkSpace space(body_grid(hall.world, hall.map));
+  const WalkCells cells(WalkSpace(body_grid(hall.world, hall.map)));
+  const WalkSpace& space = cells.space();
   Rng rng(1);
-  GoalFields goals(space, 12, rng);
+  GoalFields goals(cells, 12, rng);
   ASSERT_EQ(goals.places().size(), 12U);
   for (std::size_t place = 0; place < goals.places().size(); ++place) {
     Eigen::Vector2d p(-3.0, -3.0);
@@ -38,9 +39,9 @@ TEST(GoalFields, LeadAroundWallsToEveryPlace) {
 
 TEST(GoalFields, LookStraightAheadInTheOpen) {
   const TestHall hall(8.0);
-  const WalkSpace space(hall.map);
+  const WalkCells cells((WalkSpace(hall.map)));
   Rng rng(1);
-  GoalFields goals(space, 1, rng);
+  GoalFields goals(cells, 1, rng);
   const Eigen::Vector2d place = goals.places()[0];
   const Eigen::Vector2d from = place.x() > 0.0 ? Eigen::Vector2d(place.x() - 3.0, place.y())
                                                : Eigen::Vector2d(place.x() + 3.0, place.y());
@@ -49,9 +50,9 @@ TEST(GoalFields, LookStraightAheadInTheOpen) {
 }
 
 TEST(GoalFields, RefuseAWorldWithoutRoom) {
-  const WalkSpace space(grid_from_art({"###", "#.#", "###"}, 0.05));
+  const WalkCells cells(WalkSpace(grid_from_art({"###", "#.#", "###"}, 0.05)));
   Rng rng(1);
-  EXPECT_THROW(GoalFields(space, 3, rng), std::runtime_error);
+  EXPECT_THROW(GoalFields(cells, 3, rng), std::runtime_error);
 }
 
 }  // namespace

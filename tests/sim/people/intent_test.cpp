@@ -12,14 +12,14 @@ class IntentTest : public ::testing::Test {
   IntentTest() : goals_(make()) {}
   GoalFields make() {
     Rng rng(1);
-    return {space_, 4, rng};
+    return {cells_, 4, rng};
   }
   Intent intent_of(std::size_t index, double now = 0.0) {
     return intend(index, agents_, goals_, robot_, now);
   }
 
   TestHall hall_{20.0};
-  WalkSpace space_{hall_.map};
+  WalkCells cells_{WalkSpace(hall_.map)};
   GoalFields goals_;
   RobotBody robot_ = square_robot({-9.0, -9.0, 0.0});
   std::vector<Agent> agents_;

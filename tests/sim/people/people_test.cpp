@@ -19,7 +19,7 @@ PeopleConfig walkers(int count) {
 
 TEST(People, WalkAtTheirSpeedInTheOpen) {
   const TestHall hall(30.0);
-  People people(walkers(4), hall.world, hall.map, {}, kFarRobot, named_streams(1));
+  People people(walkers(4), walk_cells(hall.world, hall.map), {}, kFarRobot, named_streams(1));
   double best = 0.0;
   for (int i = 0; i < 400; ++i) {
     people.step(kFarRobot);
@@ -37,7 +37,7 @@ TEST(People, RepeatToTheBit) {
   config.in_groups = 0.4;
   const auto run = [&](std::uint64_t seed) {
     const RobotBody robot = square_robot({0.0, 0.0, 0.0});
-    People people(config, hall.world, hall.map, {}, robot, named_streams(seed));
+    People people(config, walk_cells(hall.world, hall.map), {}, robot, named_streams(seed));
     for (int i = 0; i < 400; ++i) people.step(robot);
     std::vector<double> sums;
     for (const PersonState& s : people.states(0.5)) {
@@ -56,7 +56,7 @@ TEST(People, OneMoreFarAwayChangesNobodysCourse) {
   config.placed = {{-20.0, -20.0, 0.0}};
   config.walking = 1;
   const auto course = [&](const PeopleConfig& c) {
-    People people(c, hall.world, hall.map, {}, kFarRobot, named_streams(2));
+    People people(c, walk_cells(hall.world, hall.map), {}, kFarRobot, named_streams(2));
     std::vector<Eigen::Vector2d> result;
     for (int i = 0; i < 100; ++i) {
       people.step(kFarRobot);
@@ -78,7 +78,7 @@ TEST(People, NeverPassAWall) {
   config.behaviour.reset();
   config.in_groups = 0.4;
   RobotBody robot = square_robot({-1.0, -2.0, 0.0});
-  People people(config, world, test_simulation().map, {}, robot, named_streams(6));
+  People people(config, walk_cells(world, test_simulation().map), {}, robot, named_streams(6));
   for (int step = 0; step < 6000; ++step) {  // 5 min of a crowd in 40 m^2.
     robot.T_map_base = {-2.9 + 5.0 * std::abs(std::sin(0.002 * step)), -2.0, 0.01 * step};
     std::vector<Eigen::Vector2d> before;
@@ -98,7 +98,7 @@ TEST(People, NeverPassAWall) {
 
 TEST(People, KeepTheirDistanceFromEachOther) {
   const TestHall hall(8.0);
-  People people(walkers(40), hall.world, hall.map, {}, kFarRobot, named_streams(1));
+  People people(walkers(40), walk_cells(hall.world, hall.map), {}, kFarRobot, named_streams(1));
   double closest = 10.0;
   for (int step = 0; step < 1200; ++step) {
     people.step(kFarRobot);
@@ -116,7 +116,7 @@ TEST(People, GroupsWalkTogether) {
   const TestHall hall(30.0);
   PeopleConfig config = walkers(12);
   config.in_groups = 1.0;
-  People people(config, hall.world, hall.map, {}, kFarRobot, named_streams(1));
+  People people(config, walk_cells(hall.world, hall.map), {}, kFarRobot, named_streams(1));
   double sum = 0.0;
   int count = 0;
   for (int step = 0; step < 1200; ++step) {
@@ -135,7 +135,7 @@ TEST(People, ARobotThatRunsIntoSomebodyIsCountedOnce) {
   PeopleConfig config;
   config.placed = {{1.0, 0.0, 0.0}};
   RobotBody robot = square_robot({0.0, 0.0, 0.0});
-  People people(config, hall.world, hall.map, {}, robot, named_streams(1));
+  People people(config, walk_cells(hall.world, hall.map), {}, robot, named_streams(1));
   people.step(robot);
   EXPECT_TRUE(people.hits().empty());
   robot.T_map_base.x = 0.75;  // The robot's front is at 0.95 m, the person's body begins at 0.8 m.
@@ -150,7 +150,7 @@ TEST(People, StepAsideForARobotThatIsPutDownOnThem) {
   PeopleConfig config;
   config.placed = {{1.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}};
   RobotBody robot = square_robot({4.0, 4.0, 0.0});
-  People people(config, hall.world, hall.map, {}, robot, named_streams(1));
+  People people(config, walk_cells(hall.world, hall.map), {}, robot, named_streams(1));
   robot.T_map_base = {1.1, 0.0, 0.0};
   people.make_way(robot);
   EXPECT_GE(distance_to(robot, people.agents()[0].state.position).distance, 0.3 - 1e-9);
@@ -165,7 +165,7 @@ TEST(People, ScaredPeopleEndUpFurtherAwayThanCuriousOnes) {
     PeopleConfig config = walkers(10);
     config.behaviour = behaviour;
     const RobotBody robot = square_robot({0.0, 0.0, 0.0});
-    People people(config, hall.world, hall.map, {}, robot, named_streams(2));
+    People people(config, walk_cells(hall.world, hall.map), {}, robot, named_streams(2));
     double sum = 0.0;
     for (int i = 0; i < 600; ++i) {
       people.step(robot);
@@ -180,7 +180,7 @@ TEST(People, ScaredPeopleEndUpFurtherAwayThanCuriousOnes) {
 /// Bodies seen by lidars have the orientation of the people, also between two steps.
 TEST(People, ScenesFaceAsStatesDo) {
   const TestHall hall(8.0);
-  People people(walkers(6), hall.world, hall.map, {}, kFarRobot, named_streams(3));
+  People people(walkers(6), walk_cells(hall.world, hall.map), {}, kFarRobot, named_streams(3));
   double most_turned = 0.0;
   for (int i = 0; i < 200; ++i) {
     const auto before = people.states(1.0);

@@ -14,12 +14,13 @@ class PopulationTest : public ::testing::Test {
  protected:
   std::vector<Agent> draw(const PeopleConfig& config, std::uint64_t seed = 1) const {
     Rng rng(seed);
-    const GoalFields goals(space_, 16, rng);
+    const GoalFields goals(cells_, 16, rng);
     return draw_people(config, space_, goals, square_robot({0.0, 0.0, 0.0}), named_streams(seed));
   }
 
   TestHall hall_{20.0};
-  WalkSpace space_{hall_.map};
+  WalkCells cells_{WalkSpace(hall_.map)};
+  const WalkSpace& space_ = cells_.space();
 };
 
 TEST_F(PopulationTest, OneMorePersonShiftsNobody) {
@@ -120,9 +121,10 @@ TEST_F(PopulationTest, PlacesPeopleWhereTheyAreAskedFor) {
 
 TEST_F(PopulationTest, SaysWhereThereIsNoRoom) {
   const TestHall small(1.5);
-  const WalkSpace space(small.map);
+  const WalkCells cells(WalkSpace(small.map));
+  const WalkSpace& space = cells.space();
   Rng rng(1);
-  const GoalFields goals(space, 2, rng);
+  const GoalFields goals(cells, 2, rng);
   PeopleConfig config;
   config.walking = 50;
   EXPECT_THROW(draw_people(config, space, goals, square_robot({9.0, 9.0, 0.0}), named_streams(1)),

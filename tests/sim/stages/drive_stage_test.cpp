@@ -14,9 +14,9 @@ using std::chrono::seconds;
 
 TEST(DriveStage, CommandsTwentyTimesASecond) {
   const SimulationConfig config = test_simulation();
-  const Grid grid = drive_grid(config);
-  DriveStage drive(config, grid);
-  PeopleStage nobody(config, config.start, {});
+  Spaces spaces;
+  DriveStage drive(config, spaces);
+  PeopleStage nobody(config, spaces, config.start, {});
   int commands = 0;
   for (nanoseconds now{}; now < seconds(1); now += milliseconds(2)) {
     if (!drive.due(now)) continue;
@@ -29,9 +29,9 @@ TEST(DriveStage, CommandsTwentyTimesASecond) {
 TEST(DriveStage, WaitsAsLongAsItIsTold) {
   SimulationConfig config = test_simulation();
   config.drive.wait_s = 2.0;
-  const Grid grid = drive_grid(config);
-  DriveStage drive(config, grid);
-  PeopleStage nobody(config, config.start, {});
+  Spaces spaces;
+  DriveStage drive(config, spaces);
+  PeopleStage nobody(config, spaces, config.start, {});
   EXPECT_EQ(drive.command(milliseconds(1999), config.start, nobody).v, 0.0);
   EXPECT_GT(drive.command(seconds(2), config.start, nobody).v, 0.0);
 }

@@ -19,14 +19,14 @@ class KidnapStageTest : public testing::Test {
  protected:
   KidnapStage stage(const std::vector<KidnapSpec>& kidnaps) {
     config_.kidnaps = kidnaps;
-    return {config_, grid_, scene_, [](const std::string&) { return Rng(3); }};
+    return {config_, spaces_, scene_, [](const std::string&) { return Rng(3); }};
   }
   KidnapOutcome at(KidnapStage& stage, nanoseconds now) {
     return stage.advance({now, T_map_base_, 0.0, false, [this] { return people_; }}, rng_);
   }
 
   SimulationConfig config_ = test_simulation();
-  Grid grid_ = drive_grid(config_);
+  Spaces spaces_;
   RayScene scene_{ray_primitives(config_.world)};
   Pose2 T_map_base_{-1.0, -2.0, 0.5};
   std::vector<Eigen::Vector2d> people_;
@@ -113,7 +113,7 @@ TEST_F(KidnapStageTest, RefusesWhatCanNeverBe) {
                std::runtime_error);
   EXPECT_THROW(stage({{.when = {.value = -1.0}}}), std::invalid_argument);
   config_.kidnaps = {{.when = {KidnapTrigger::On::kPoisson, 5.0, 0}}};
-  EXPECT_THROW(KidnapStage(config_, grid_, scene_, {}), std::invalid_argument);
+  EXPECT_THROW(KidnapStage(config_, spaces_, scene_, {}), std::invalid_argument);
 }
 
 /// Thousands of kidnaps of every kind, each starting where the last one ended, never end in an
@@ -128,7 +128,7 @@ TEST_F(KidnapStageTest, NeverPutsTheRobotIntoAnythingOrOutside) {
         {.kind = kind, .when = {KidnapTrigger::On::kTime, 1.0, times}, .min_distance_m = 2.0});
   }
   KidnapStage kidnaps = stage(specs);
-  const FreeSpace touching(grid_, config_.robot.footprint_radius);
+  const FreeSpace touching = spaces_.landing(config_, config_.robot.footprint_radius);
   std::map<KidnapKind, int> count;
   for (nanoseconds now = seconds(1); now < seconds(3600); now += milliseconds(100)) {
     const KidnapOutcome outcome = at(kidnaps, now);

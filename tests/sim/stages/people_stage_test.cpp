@@ -39,7 +39,8 @@ std::vector<Reading> run(const SimulationConfig& config) {
 
 TEST(PeopleStage, WithoutPeopleIsNothing) {
   const SimulationConfig config = test_simulation();
-  PeopleStage stage(config, config.start, {});
+  Spaces spaces;
+  PeopleStage stage(config, spaces, config.start, {});
   const RayScene scene(ray_primitives(config.world));
   EXPECT_FALSE(stage.due(seconds(1)));
   EXPECT_EQ(stage.around(scene).moving, nullptr);
@@ -48,12 +49,14 @@ TEST(PeopleStage, WithoutPeopleIsNothing) {
 
 TEST(PeopleStage, NeedsStreams) {
   const SimulationConfig config = with_walkers(1);
-  EXPECT_THROW(PeopleStage(config, config.start, {}), std::invalid_argument);
+  Spaces spaces;
+  EXPECT_THROW(PeopleStage(config, spaces, config.start, {}), std::invalid_argument);
 }
 
 TEST(PeopleStage, TellsWherePeopleAreBetweenSteps) {
   const SimulationConfig config = with_walkers(3);
-  PeopleStage stage(config, config.start, named_streams(1));
+  Spaces spaces;
+  PeopleStage stage(config, spaces, config.start, named_streams(1));
   const RayScene scene(ray_primitives(config.world));
   for (int i = 0; i <= 100; ++i) stage.advance(milliseconds(50 * i), config.start, {0, 0}, scene);
   EXPECT_DOUBLE_EQ(stage.fraction(milliseconds(5025)), 0.5);
@@ -67,7 +70,8 @@ TEST(PeopleStage, TellsWherePeopleAreBetweenSteps) {
 TEST(PeopleStage, TellsWhomTheRobotRanInto) {
   SimulationConfig config = test_simulation();
   config.people.placed = {{2.0, -2.0, 0.0}, {0.5, -2.0, 0.0}};
-  PeopleStage stage(config, config.start, named_streams(1));
+  Spaces spaces;
+  PeopleStage stage(config, spaces, config.start, named_streams(1));
   const RayScene scene(ray_primitives(config.world));
   stage.advance(milliseconds(0), config.start, {0.0, 0.0}, scene);
   EXPECT_TRUE(stage.take_hits().empty());

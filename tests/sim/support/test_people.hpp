@@ -1,6 +1,7 @@
 /// People, their streams and a robot for tests.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,11 @@ struct TestHall {
   WorldSpec world;
   Grid map;
 };
+
+/// Where people can walk in a world.
+inline std::shared_ptr<const WalkCells> walk_cells(const WorldSpec& world, const Grid& map) {
+  return std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map)));
+}
 
 /// An agent with the default body at a place.
 inline Agent agent_at(const Eigen::Vector2d& p_map, double heading = 0.0) {

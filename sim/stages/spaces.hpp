@@ -1,0 +1,43 @@
+/// Where robot and people can be in one world.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "sim/map/free_space.hpp"
+#include "sim/people/walk_cells.hpp"
+#include "sim/stages/simulation_config.hpp"
+
+namespace castaway::sim {
+
+/// The grids and free spaces of one world and its map, each computed when first asked for and then
+/// kept, because they take longer than a short run. Runs in the same world may share them: what a
+/// run gets does not depend on what was asked for before. All calls must be about equal worlds and
+/// equal maps.
+class Spaces {
+ public:
+  /// Free space of the map itself for a disc of `radius` [m].
+  FreeSpace on_map(const Grid& map, double radius);
+  /// Free space of `drive_grid`.
+  FreeSpace driving(const SimulationConfig& config, double radius);
+  /// Free space of `landing_grid`.
+  FreeSpace landing(const SimulationConfig& config, double radius);
+  /// Where people can walk.
+  std::shared_ptr<const WalkCells> walking(const WorldSpec& world, const Grid& map);
+
+ private:
+  using Key = std::pair<double, double>;  ///< [m] Height of the robot, if it matters, and radius.
+
+  const Grid& drive_grid(const SimulationConfig& config);
+  const Grid& landing_grid(const SimulationConfig& config);
+
+  std::map<double, Grid> drive_grids_;  ///< By the height of the robot.
+  std::map<double, Grid> landing_grids_;
+  std::map<Key, FreeSpace> on_map_;
+  std::map<Key, FreeSpace> driving_;
+  std::map<Key, FreeSpace> landing_;
+  std::shared_ptr<const WalkCells> walking_;
+};
+
+}  // namespace castaway::sim
