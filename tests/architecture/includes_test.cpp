@@ -159,7 +159,7 @@ const Layers kToolsLayers = {
     {"tools/formats/images", "tools/ros/mcap", "tools/scenario/yaml"},
     {"tools/formats"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
-    {"tools/campaign", "tools/foreign/child", "tools/records", "tools/workers"},
+    {"tools/campaign", "tools/cluster", "tools/foreign/child", "tools/records", "tools/workers"},
     {"tools/foreign/protocol", "tools/pictures", "tools/sinks"},
     {"tools/foreign"},
     {"tools/report", "tools/scenario/sections"},

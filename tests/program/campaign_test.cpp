@@ -2,48 +2,11 @@
 #include <chrono>
 
 #include "localization/geometry/random.hpp"
-#include "tests/program/dataset_files.hpp"
+#include "tests/program/campaign_files.hpp"
 #include "tests/program/killed.hpp"
 
 namespace castaway::test {
 namespace {
-
-const char* const kGrid = R"(name: little
-scenario:
-  world: room.yaml
-  duration_s: 16
-  physics: kinematic
-  start: {random: true}
-  drive: {route: random}
-  lidar: {beams: 36, rate_hz: 5}
-  events:
-    - kidnap: {kind: teleport, at_s: 2.1, min_distance_m: 2}
-grid:
-  lidar.range_max: [3, 8]
-  localizers: [[mh_amcl], [amcl]]
-draw:
-  events.0.kidnap.at_s: {uniform: [1.5, 2.5]}
-seeds: 3
-)";
-
-/// The folder of the specification s.yaml.
-fs::path folder_with_grid(const std::string& more = "") {
-  return folder_with_spec(std::string(kGrid) + more);
-}
-
-const std::vector<std::string> kTables{"results.csv", "kidnaps.csv", "summary.json"};
-
-void expect_same_tables(const fs::path& a, const fs::path& b) {
-  for (const std::string& name : kTables) {
-    EXPECT_EQ(text_of(a / name), text_of(b / name)) << name;
-    EXPECT_FALSE(text_of(a / name).empty()) << name;
-  }
-}
-
-int lines_of(const fs::path& file) {
-  const std::string text = text_of(file);
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
 
 TEST(Campaign, MakesACellForEveryCombinationAndSeed) {
   const fs::path folder = folder_with_grid();
@@ -61,6 +24,37 @@ TEST(Campaign, MakesACellForEveryCombinationAndSeed) {
   expect_contains(results, "\n11,");
   const Outcome again = castaway(folder, "campaign s.yaml --out c -j 2");
   EXPECT_EQ(again.out, made.out);
+}
+
+TEST(Campaign, StopsWhereTheIntervalIsNarrow) {
+  const fs::path folder = folder_with_spec(std::string(kGrid).replace(
+      std::string(kGrid).find("seeds: 3"), 8,
+      "seeds: 8\nuntil: {metric: mh_amcl.recovery.success, width: 0.9, first: 2}"));
+  for (const char* line :
+       {"campaign s.yaml --out one -j 2", "campaign s.yaml --out two --shard 1/3",
+        "campaign s.yaml --out two --shard 2/3", "campaign s.yaml --out two --shard 3/3"}) {
+    ASSERT_EQ(castaway(folder, line).exit_code, 0) << line;
+  }
+  ASSERT_EQ(castaway(folder, "campaign s.yaml --out two --collect").exit_code, 0);
+  expect_same_tables(folder / "one", folder / "two");
+  // amcl's cells have no mh_amcl, so that they go on to the last seed.
+  const int cells = lines_of(folder / "one/results.csv") - 1;
+  EXPECT_GT(cells, 16);
+  EXPECT_LT(cells, 32);
+}
+
+TEST(Campaign, RanksTheKeys) {
+  const fs::path folder = folder_with_spec(std::string(kGrid).replace(
+      std::string(kGrid).find("  localizers: [[mh_amcl], [amcl]]"), 33, "  people.count: [0, 1]"));
+  const Outcome ranked = castaway(folder, "campaign s.yaml --out c -j 2 --rank");
+  ASSERT_EQ(ranked.exit_code, 0) << ranked.err;
+  expect_contains(ranked.out, "position_error_m.rmse, over 3 seeds: shares of its variance");
+  const std::string table = text_of(folder / "c/ranks.csv");
+  expect_contains(table, "metric,key,first,first_low,first_high,total,total_low,total_high,seeds");
+  expect_contains(table, "position_error_m.rmse,lidar.range_max,");
+  expect_contains(table, "position_error_m.rmse,seed,");
+  expect_refused(castaway(folder, "campaign s.yaml --out c --metric nothing"),
+                 {"--metric nothing", "results.csv"});
 }
 
 TEST(Campaign, ShardsGiveTheSameTables) {

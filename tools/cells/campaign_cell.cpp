@@ -29,15 +29,25 @@ void each_value(const CampaignSpec& spec, int combination, Take take) {
   }
 }
 
+/// The value of the drawn key `k` in a cell.
+YamlNode drawn_value(const CampaignSpec& spec, const CampaignCell& cell, std::size_t k) {
+  const DrawnKey& key = spec.drawn[k];
+  if (spec.design.design() != Design::kIndependent) {
+    return value_at(key.draw, spec.design.quantile(cell.index % spec.samples(), k));
+  }
+  const std::string stream = fmt::format("cell/{}/{}", cell.seed, key.path);
+  localization::Rng rng = localization::substream(spec.seed, stream);
+  return draw_value(key.draw, rng);
+}
+
 void set_values(const CampaignSpec& spec, int combination, CampaignCell& cell, YamlNode& scenario) {
   each_value(spec, combination, [&](const GridKey& key, const YamlNode& value) {
     put_value(scenario, key.path, value, key.where);
   });
   cell.values = combination_values(spec, combination);
-  for (const DrawnKey& key : spec.drawn) {
-    const std::string stream = fmt::format("cell/{}/{}", cell.seed, key.path);
-    localization::Rng rng = localization::substream(spec.seed, stream);
-    YamlNode value = draw_value(key.draw, rng);
+  for (std::size_t k = 0; k < spec.drawn.size(); ++k) {
+    const DrawnKey& key = spec.drawn[k];
+    YamlNode value = drawn_value(spec, cell, k);
     cell.values.emplace_back(key.path, on_one_line(value));
     put_value(scenario, key.path, std::move(value), key.where);
   }
@@ -60,13 +70,18 @@ std::vector<std::pair<std::string, std::string>> combination_values(const Campai
   return values;
 }
 
+std::uint64_t cell_seed(const CampaignSpec& spec, int index) {
+  const int offset = spec.design.seed_offset(index % spec.samples());
+  return spec.first_seed + static_cast<std::uint64_t>(offset);
+}
+
 CampaignCell campaign_cell(const CampaignSpec& spec, int index) {
   CampaignCell cell;
   cell.index = index;
-  cell.seed = spec.first_seed + static_cast<std::uint64_t>(index % spec.seeds);
+  cell.seed = cell_seed(spec, index);
   YamlNode scenario = spec.scenario;
   try {
-    set_values(spec, index / spec.seeds, cell, scenario);
+    set_values(spec, index / spec.samples(), cell, scenario);
     put_value(scenario, "seed", write_yaml(cell.seed), "");
     put_value(scenario, "name", write_yaml(spec.name), "");
     cell.loaded =

@@ -24,8 +24,12 @@ struct CampaignCell {
 std::vector<std::pair<std::string, std::string>> combination_values(const CampaignSpec& spec,
                                                                     int combination);
 
-/// Makes a cell. Drawn values depend on the seed alone: cells of other combinations have the same
-/// ones. Throws std::runtime_error naming the cell and the place if its scenario is invalid.
+/// The seed of a cell's run.
+std::uint64_t cell_seed(const CampaignSpec& spec, int index);
+
+/// Makes a cell. Drawn values depend on the sample alone, unless the design is `kSaltelli` on the
+/// seed alone: cells of other combinations have the same ones. Throws std::runtime_error naming the
+/// cell and the place if its scenario is invalid.
 CampaignCell campaign_cell(const CampaignSpec& spec, int index);
 
 }  // namespace castaway::testbed

@@ -27,14 +27,6 @@ std::vector<std::string> varied_keys(const CampaignSpec& spec) {
   return keys;
 }
 
-std::vector<std::string> metric_names(const CampaignSpec& spec, RowIndex& rows) {
-  std::set<std::string> names;
-  for (int i = 0; i < spec.cells(); ++i) {
-    for (const auto& [name, value] : rows.row(i).metrics) names.insert(name);
-  }
-  return {names.begin(), names.end()};
-}
-
 void write_identity(const CellRow& row, CsvWriter& csv) {
   csv.count(row.index).text(row.cell).count(static_cast<std::int64_t>(row.seed));
   for (const auto& [key, value] : row.values) csv.text(value);
@@ -150,13 +142,21 @@ std::string recoveries_text(const std::string& name, const Json& recovery) {
 
 }  // namespace
 
+std::vector<std::string> metric_names(RowIndex& rows) {
+  std::set<std::string> names;
+  for (const int i : rows.cells()) {
+    for (const auto& [name, value] : rows.row(i).metrics) names.insert(name);
+  }
+  return {names.begin(), names.end()};
+}
+
 void write_results(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file) {
-  const std::vector<std::string> metrics = metric_names(spec, rows);
+  const std::vector<std::string> metrics = metric_names(rows);
   std::vector<std::string> header = identity_header(spec);
   append_names({"state", "reason"}, header);
   append_names(metrics, header);
   CsvWriter csv(file, header);
-  for (int i = 0; i < spec.cells(); ++i) {
+  for (const int i : rows.cells()) {
     const CellRow row = rows.row(i);
     write_identity(row, csv);
     csv.text(to_string(row.state)).text(row.reason);
@@ -175,7 +175,7 @@ void write_kidnaps(const CampaignSpec& spec, RowIndex& rows, const std::filesyst
                 "recovered", "time_s"},
                header);
   CsvWriter csv(file, header);
-  for (int i = 0; i < spec.cells(); ++i) {
+  for (const int i : rows.cells()) {
     const CellRow row = rows.row(i);
     for (const CellKidnap& kidnap : row.kidnaps) {
       write_identity(row, csv);
@@ -187,9 +187,9 @@ void write_kidnaps(const CampaignSpec& spec, RowIndex& rows, const std::filesyst
   csv.commit();
 }
 
-void write_costs(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file) {
+void write_costs(RowIndex& rows, const std::filesystem::path& file) {
   CsvWriter csv(file, {"cell", "cpu_s", "wall_s", "memory_mb"});
-  for (int i = 0; i < spec.cells(); ++i) {
+  for (const int i : rows.cells()) {
     const CellRow row = rows.row(i);
     csv.count(row.index).number(row.cpu_s).number(row.wall_s).number(row.memory_mb, 1).end_row();
   }
@@ -200,11 +200,18 @@ Json campaign_summary(const CampaignSpec& spec, RowIndex& rows) {
   Json combinations = Json::array();
   for (int k = 0; k < spec.combinations(); ++k) {
     Combination combination;
-    for (int s = 0; s < spec.seeds; ++s) combination.add(rows.row(k * spec.seeds + s));
+    for (int s = 0; s < spec.samples(); ++s) {
+      const int cell = k * spec.samples() + s;
+      if (rows.has(cell)) combination.add(rows.row(cell));
+    }
     combinations.push_back(combination.json(combination_values(spec, k)));
   }
-  return {{"castaway", CASTAWAY_VERSION}, {"kind", "campaign"},  {"name", spec.name},
-          {"cells", spec.cells()},        {"seeds", spec.seeds}, {"combinations", combinations}};
+  return {{"castaway", CASTAWAY_VERSION},
+          {"kind", "campaign"},
+          {"name", spec.name},
+          {"cells", rows.cells().size()},
+          {"seeds", spec.design.seeds()},
+          {"combinations", combinations}};
 }
 
 std::string campaign_text(const Json& summary) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,6 +11,9 @@
 #include "tools/scenario/campaign_spec.hpp"
 
 namespace castaway::testbed {
+
+/// Names of the metrics that any row has, sorted.
+std::vector<std::string> metric_names(RowIndex& rows);
 
 /// results.csv: a row for each cell, in order: cell, name, seed, a column for each key that varies,
 /// state, reason, then every metric of its summary. Precondition: `rows` has every cell.
@@ -19,7 +24,7 @@ void write_results(const CampaignSpec& spec, RowIndex& rows, const std::filesyst
 void write_kidnaps(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file);
 
 /// costs.csv: cell, cpu_s, wall_s, memory_mb. It differs in every repetition.
-void write_costs(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file);
+void write_costs(RowIndex& rows, const std::filesystem::path& file);
 
 /// summary.json: for each combination of the grid the number of cells that are done, void and
 /// failed, for each localizer the pooled recoveries, and of each metric n, mean, standard deviation

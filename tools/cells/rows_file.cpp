@@ -107,10 +107,10 @@ void RowIndex::read(std::int32_t file) {
   stream.clear();
 }
 
-std::vector<int> RowIndex::missing(std::size_t most) const {
+std::vector<int> RowIndex::cells() const {
   std::vector<int> cells;
-  for (std::size_t i = 0; i < places_.size() && cells.size() < most; ++i) {
-    if (places_[i].file < 0) cells.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (places_[i].file >= 0) cells.push_back(static_cast<int>(i));
   }
   return cells;
 }

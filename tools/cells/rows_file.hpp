@@ -42,8 +42,8 @@ class RowIndex {
   [[nodiscard]] bool has(int cell) const { return places_[index(cell)].file >= 0; }
   /// True if the last row of the cell says that it failed.
   [[nodiscard]] bool has_failed(int cell) const { return places_[index(cell)].failed; }
-  /// Cells without a row, in order; at most `most`.
-  [[nodiscard]] std::vector<int> missing(std::size_t most) const;
+  /// Cells with a row, in order.
+  [[nodiscard]] std::vector<int> cells() const;
   /// Reads the row of a cell that has one.
   [[nodiscard]] CellRow row(int cell);
 

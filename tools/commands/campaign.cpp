@@ -3,11 +3,35 @@
 #include <stdexcept>
 
 #include "tools/cells/campaign_run.hpp"
+#include "tools/cells/slurm_campaign.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+/// Refuses options that do not go together.
+void require_one_way(bool slurm, bool attach, bool collect, const std::string& shard, int only) {
+  const int ways = (slurm ? 1 : 0) + (attach ? 1 : 0) + (collect ? 1 : 0) +
+                   (shard.empty() ? 0 : 1) + (only >= 0 ? 1 : 0);
+  if (ways > 1) {
+    throw std::invalid_argument(
+        "campaign: give one of --slurm, --attach, --shard, --collect and --only");
+  }
+}
+
+void add_slurm_options(Command& command, bool& slurm, bool& attach, SlurmOptions& cluster) {
+  command.add_flag("--slurm", slurm,
+                   "Submit the cells to Slurm as an array of shards, and follow them");
+  command.add_flag("--attach", attach, "Follow the jobs that --slurm submitted");
+  command.add_option("--partition", cluster.partition, "Slurm's partition");
+  command.add_option("--time", cluster.time, "Slurm's time limit of a task, such as 2:00:00");
+  command.add_option("--array-size", cluster.tasks, "Tasks of the array, each with -j cores")
+      .range(1, 100000)
+      .show_default();
+  command.add_option("--sbatch", cluster.extra, "Further option of sbatch, such as --mem=1G")
+      .repeatable();
+}
 
 /// Arguments of the command.
 struct CampaignArguments {
@@ -17,6 +41,9 @@ struct CampaignArguments {
   std::string shard;
   int only = -1;
   bool collect = false;
+  bool slurm = false;
+  bool attach = false;
+  SlurmOptions cluster;
   bool allow_programs = false;
 };
 
@@ -27,7 +54,18 @@ int campaign(CampaignArguments arguments) {
   request.out = arguments.out;
   request.programs = file_programs(arguments.allow_programs);
   if (!arguments.shard.empty()) parse_shard(arguments.shard, request);
+  require_one_way(arguments.slurm, arguments.attach, arguments.collect, arguments.shard,
+                  arguments.only);
+  request.rank = request.rank || !request.metrics.empty();
+  if (request.rank && request.shards > 1) {
+    throw std::invalid_argument("campaign: --rank goes with --collect, not with --shard");
+  }
   if (arguments.only >= 0) return make_cell(request, arguments.only);
+  if (arguments.attach) return follow_on_slurm(request);
+  if (arguments.slurm) {
+    arguments.cluster.cores = request.workers;
+    return make_on_slurm(request, arguments.cluster);
+  }
   return arguments.collect ? collect_campaign(request) : make_campaign(request);
 }
 
@@ -52,6 +90,14 @@ void add_campaign_command(Command& app) {
                      "rest in the same folder");
   command.add_flag("--collect", a->collect,
                    "Make the tables when all shards are done; names the cells that are missing");
+  add_slurm_options(command, a->slurm, a->attach, a->cluster);
+  command.add_flag("--rank", a->request.rank,
+                   "Say which keys matter: their shares of each metric's variance, also as "
+                   "ranks.csv");
+  command
+      .add_option("--metric", a->request.metrics,
+                  "Metric to rank by, such as mh_amcl.recovery.success")
+      .repeatable();
   command.add_option("--only", a->only, "Play this cell again, in full, as the run folder --out")
       .range(0, kMostCells);
   command.add_flag("--json", a->request.json, "Print summary.json instead of words");
@@ -61,7 +107,8 @@ void add_campaign_command(Command& app) {
       "Examples:\n"
       "  castaway campaign range.yaml --out range -j 4\n"
       "  castaway campaign range.yaml --out range --shard 3/8\n"
-      "  castaway campaign range.yaml --out range --collect\n"
+      "  castaway campaign range.yaml --out range --collect --rank\n"
+      "  castaway campaign range.yaml --out /shared/range --slurm --array-size 64 --time 1:00:00\n"
       "  castaway campaign range.yaml --only 17 --out again");
   command.action([a] { return campaign(*a); });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -55,16 +56,44 @@ KeepOfCell read_keep(YamlReader& root) {
   return kinds.at(root.choice("keep", "summary", {"summary", "errors", "folder", "failures"}));
 }
 
-void read_seeds(YamlReader& root, CampaignSpec& spec) {
+SeedRange read_seeds(YamlReader& root) {
   const auto value = root.find("seeds");
-  if (!value) return;
+  if (!value) return {};
   try {
-    const SeedRange range = parse_seeds(value->as<std::string>(), 1);
-    spec.first_seed = range.first;
-    spec.seeds = range.count;
+    return parse_seeds(value->as<std::string>(), 1);
   } catch (const std::invalid_argument& error) {
     value->fail(error.what());
   }
+}
+
+/// Reads seeds and design; the keys have been drawn from the file already.
+void read_samples(YamlReader& root, CampaignSpec& spec) {
+  const SeedRange seeds = read_seeds(root);
+  spec.first_seed = seeds.first;
+  const std::string name = root.choice("design", kDesignNames.front(), kDesignNames);
+  const auto found = std::find(kDesignNames.begin(), kDesignNames.end(), name);
+  const auto design = static_cast<Design>(found - kDesignNames.begin());
+  if (design != Design::kIndependent && spec.drawn.empty()) {
+    root.find("design")->fail("needs keys under 'draw'");
+  }
+  std::vector<std::string> keys;
+  for (const DrawnKey& key : spec.drawn) keys.push_back(key.path);
+  spec.design = SampleDesign(design, spec.seed, seeds.count, std::move(keys));
+}
+
+std::optional<UntilSpec> read_until(YamlReader& root, const SampleDesign& design) {
+  if (!root.has("until")) return std::nullopt;
+  YamlReader map = root.child("until");
+  UntilSpec until;
+  until.metric = map.require<std::string>("metric");
+  until.width = map.require<double>("width");
+  map.find("width")->require_in({1e-12, 1e12}, "");
+  until.first = map.get("first", until.first);
+  if (until.first < 2) map.fail("'first' must be at least 2");
+  const bool grows =
+      design.design() == Design::kIndependent || design.design() == Design::kSobol;
+  if (!grows) map.fail("needs the design independent or sobol: the others have a fixed size");
+  return until;
 }
 
 /// Report, player and pictures are made where they are asked for.
@@ -78,7 +107,7 @@ void adapt(YamlNode& scenario) {
 }
 
 void require_possible(const CampaignSpec& spec) {
-  double cells = spec.seeds;
+  double cells = spec.samples();
   for (const GridKey& key : spec.grid) cells *= static_cast<double>(key.values.size());
   if (cells <= kMostCells) return;
   throw std::invalid_argument(
@@ -116,7 +145,8 @@ CampaignSpec load_campaign_spec(const std::filesystem::path& file, FilePrograms 
   spec.base = std::move(base.folder);
   spec.grid = read_grid(root);
   spec.drawn = read_drawn(root);
-  read_seeds(root, spec);
+  read_samples(root, spec);
+  spec.until = read_until(root, spec.design);
   spec.keep = read_keep(root);
   spec.timeout_s = root.get("timeout_s", spec.timeout_s);
   if (const auto limit = root.find("timeout_s")) {

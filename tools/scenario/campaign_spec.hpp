@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/metrics/expectation.hpp"
 #include "tools/scenario/draw_spec.hpp"
 #include "tools/scenario/localizers/foreign_spec.hpp"
+#include "tools/scenario/sample_design.hpp"
 
 namespace castaway::testbed {
 
@@ -35,6 +37,13 @@ enum class KeepOfCell : std::uint8_t {
               ///< recovered.
 };
 
+/// When a combination has enough seeds.
+struct UntilSpec {
+  std::string metric;  ///< As in an expectation: "mh_amcl.recovery.success".
+  double width = 0.1;  ///< Widest interval of its mean, in its unit.
+  int first = 16;      ///< Seeds before the first look.
+};
+
 /// A campaign.
 struct CampaignSpec {
   std::string file;  ///< For errors.
@@ -46,7 +55,8 @@ struct CampaignSpec {
   std::vector<GridKey> grid;    ///< In the order of the file; later entries override earlier ones.
   std::vector<DrawnKey> drawn;  ///< They override the grid.
   std::uint64_t first_seed = 1;
-  int seeds = 1;
+  SampleDesign design;  ///< Of the seeds and the drawn keys.
+  std::optional<UntilSpec> until;
   KeepOfCell keep = KeepOfCell::kSummary;
   double timeout_s = 0.0;  ///< [s] Wall time of a cell after which it has failed; 0: none.
   YamlNode expect;         ///< As written: `expectations_of` reads it.
@@ -54,7 +64,9 @@ struct CampaignSpec {
 
   /// Combinations of the grid's values.
   [[nodiscard]] int combinations() const;
-  [[nodiscard]] int cells() const { return combinations() * seeds; }
+  /// Cells of a combination; with `until`, at most.
+  [[nodiscard]] int samples() const { return design.samples(); }
+  [[nodiscard]] int cells() const { return combinations() * samples(); }
 };
 
 inline constexpr int kMostCells = 10'000'000;
@@ -68,7 +80,9 @@ inline constexpr int kMostCells = 10'000'000;
 ///       localizers: [[mh_amcl], [amcl]]
 ///     draw:                          # `read_draw` says how; drawn for each seed
 ///       events.0.kidnap.at_s: {uniform: [10, 20]}
+///     design: sobol                  # of the draws; independent, latin_hypercube, saltelli
 ///     seeds: 20                      # or 5..24
+///     until: {metric: mh_amcl.recovery.success, width: 0.1, first: 16}
 ///     keep: summary                  # errors, folder, failures
 ///     timeout_s: 600
 ///     expect: {mh_amcl.recovery.success: {is: ">= 0.9", for: mean}}

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
@@ -93,9 +94,8 @@ YamlNode number(double value, double low, double high) {
 
 YamlNode value_of(const FixedDraw& draw, Rng&) { return draw.value; }
 
-YamlNode value_of(const ChoiceDraw& draw, Rng& rng) {
-  const double sum = std::accumulate(draw.weights.begin(), draw.weights.end(), 0.0);
-  double left = boost::random::uniform_real_distribution<double>(0.0, sum)(rng);
+/// The option at a place among the weights, which `left` is a part of the sum of.
+YamlNode option_at(const ChoiceDraw& draw, double left) {
   std::size_t chosen = 0;
   for (std::size_t i = 0; i < draw.weights.size(); ++i) {
     if (draw.weights[i] <= 0.0) continue;
@@ -104,6 +104,11 @@ YamlNode value_of(const ChoiceDraw& draw, Rng& rng) {
     left -= draw.weights[i];
   }
   return draw.options[chosen];
+}
+
+YamlNode value_of(const ChoiceDraw& draw, Rng& rng) {
+  const double sum = std::accumulate(draw.weights.begin(), draw.weights.end(), 0.0);
+  return option_at(draw, boost::random::uniform_real_distribution<double>(0.0, sum)(rng));
 }
 
 YamlNode value_of(const UniformDraw& draw, Rng& rng) {
@@ -128,6 +133,36 @@ YamlNode value_of(const IntegerDraw& draw, Rng& rng) {
   return write_yaml(boost::random::uniform_int_distribution<int>(draw.low, draw.high)(rng));
 }
 
+YamlNode quantile_of(const FixedDraw& draw, double) { return draw.value; }
+
+YamlNode quantile_of(const ChoiceDraw& draw, double quantile) {
+  const double sum = std::accumulate(draw.weights.begin(), draw.weights.end(), 0.0);
+  return option_at(draw, quantile * sum);
+}
+
+YamlNode quantile_of(const UniformDraw& draw, double quantile) {
+  if (!draw.logarithmic) {
+    return number(draw.low + quantile * (draw.high - draw.low), draw.low, draw.high);
+  }
+  const double low = std::log(draw.low);
+  return number(std::exp(low + quantile * (std::log(draw.high) - low)), draw.low, draw.high);
+}
+
+YamlNode quantile_of(const NormalDraw& draw, double quantile) {
+  constexpr double kLeast = 1e-15;  // The quantile of 0 is infinite.
+  const boost::math::normal normal(draw.mean, draw.sd);
+  const double below = boost::math::cdf(normal, draw.min);
+  const double within = boost::math::cdf(normal, draw.max) - below;
+  const double share = std::clamp(below + quantile * within, kLeast, 1.0 - kLeast);
+  return number(boost::math::quantile(normal, share), draw.min, draw.max);
+}
+
+YamlNode quantile_of(const IntegerDraw& draw, double quantile) {
+  const double count = static_cast<double>(draw.high) - draw.low + 1.0;
+  const double steps = std::min(std::floor(quantile * count), count - 1.0);
+  return write_yaml(draw.low + static_cast<int>(steps));
+}
+
 }  // namespace
 
 Draw read_draw(YamlReader value) {
@@ -143,6 +178,10 @@ Draw read_draw(YamlReader value) {
 
 YamlNode draw_value(const Draw& draw, Rng& rng) {
   return std::visit([&rng](const auto& of) { return value_of(of, rng); }, draw);
+}
+
+YamlNode value_at(const Draw& draw, double quantile) {
+  return std::visit([quantile](const auto& of) { return quantile_of(of, quantile); }, draw);
 }
 
 }  // namespace castaway::testbed

@@ -61,4 +61,8 @@ Draw read_draw(YamlReader value);
 /// rejections, a normal value is clamped to its limits.
 YamlNode draw_value(const Draw& draw, localization::Rng& rng);
 
+/// The value below which a share `quantile`, [0, 1), of the distribution lies; of a choice, in the
+/// order of its options.
+YamlNode value_at(const Draw& draw, double quantile);
+
 }  // namespace castaway::testbed

@@ -44,7 +44,7 @@ TEST(CampaignCell, DrawnValuesFollowFromTheSeedAlone) {
   std::set<std::string> drawn;
   for (int i = 0; i < spec.cells(); ++i) {
     const std::string value = campaign_cell(spec, i).values.back().second;
-    EXPECT_EQ(value, campaign_cell(spec, i % spec.seeds).values.back().second);
+    EXPECT_EQ(value, campaign_cell(spec, i % spec.samples()).values.back().second);
     EXPECT_GE(std::stod(value), 3.0);
     EXPECT_LE(std::stod(value), 7.0);
     drawn.insert(value);
@@ -89,6 +89,49 @@ TEST(CampaignSpec, ItsEffectiveTextMakesTheSameCells) {
   const CampaignSpec again = spec_of(folder, spec.effective);
   EXPECT_EQ(again.effective, spec.effective);
   EXPECT_EQ(campaign_cell(again, 13).name, campaign_cell(spec, 13).name);
+}
+
+TEST(CampaignCell, TheDesignSpreadsTheDrawnValues) {
+  const TemporaryFolder folder;
+  const std::string text = std::string(kSpec) + "design: latin_hypercube\n";
+  const CampaignSpec spec = spec_of(folder, text);
+  std::set<int> strata;
+  for (int i = 0; i < 4; ++i) {
+    const CampaignCell cell = campaign_cell(spec, i);
+    strata.insert(static_cast<int>(std::stod(cell.values.back().second) - 3.0));
+    EXPECT_EQ(campaign_cell(spec, i + 4).values.back(), cell.values.back());
+  }
+  EXPECT_EQ(strata, (std::set<int>{0, 1, 2, 3}));
+}
+
+TEST(CampaignCell, OfASecondSampleHasAnotherSeed) {
+  const TemporaryFolder folder;
+  const CampaignSpec spec = spec_of(folder, R"(scenario: {world: lab}
+draw: {lidar.range_max: {uniform: [4, 8]}}
+design: saltelli
+seeds: 5..8
+)");
+  ASSERT_EQ(spec.cells(), 16);
+  EXPECT_EQ(campaign_cell(spec, 2).seed, 7U);
+  EXPECT_EQ(campaign_cell(spec, 6).seed, 11U);
+  EXPECT_EQ(campaign_cell(spec, 10).seed, 7U);
+  EXPECT_EQ(campaign_cell(spec, 10).values[0], campaign_cell(spec, 6).values[0]);
+  EXPECT_EQ(campaign_cell(spec, 14).seed, 11U);
+}
+
+TEST(CampaignSpec, RefusesDesignsAndStopsThatCannotBe) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    return error_of([&] { spec_of(folder, "scenario: {world: lab}\n" + text); });
+  };
+  EXPECT_TRUE(contains(refusal("design: sobol\n"), "draw"));
+  EXPECT_TRUE(contains(refusal("design: grid\n"), "latin_hypercube"));
+  EXPECT_TRUE(contains(refusal("until: {width: 0.1}\n"), "metric"));
+  EXPECT_TRUE(contains(refusal("until: {metric: a, width: 0}\n"), "width"));
+  EXPECT_TRUE(contains(refusal("until: {metric: a, width: 1, first: 1}\n"), "first"));
+  EXPECT_TRUE(contains(refusal("draw: {lidar.range_max: {uniform: [4, 8]}}\n"
+                               "design: latin_hypercube\nuntil: {metric: a, width: 1}\n"),
+                       "fixed size"));
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ TEST(RowsFile, IsIndexedByCell) {
     for (const int cell : {3, 0, 1}) file.add(row_of_cell(cell));
   }
   RowIndex rows(folder.path(), 5);
-  EXPECT_EQ(rows.missing(9), (std::vector<int>{2, 4}));
-  EXPECT_EQ(rows.missing(1), std::vector<int>{2});
+  EXPECT_EQ(rows.cells(), (std::vector<int>{0, 1, 3}));
   for (const int cell : {0, 1, 3, 1}) {
     EXPECT_TRUE(rows.has(cell));
     EXPECT_EQ(rows.row(cell).metrics.at("distance_m"), 10.0 * cell);
@@ -32,7 +31,7 @@ TEST(RowsFile, IsIndexedByCell) {
 }
 
 TEST(RowsFile, OfAFolderThatIsNotThereHasNoRow) {
-  EXPECT_EQ(RowIndex("/nowhere/at/all", 2).missing(9).size(), 2U);
+  EXPECT_TRUE(RowIndex("/nowhere/at/all", 2).cells().empty());
 }
 
 TEST(RowsFile, DropsALineThatWasHalfWritten) {
@@ -41,12 +40,12 @@ TEST(RowsFile, DropsALineThatWasHalfWritten) {
   { RowsFile(path).add(row_of_cell(0)); }
   const std::string whole = read_file(path);
   folder.put("rows.jsonl", whole + whole.substr(0, 20));
-  EXPECT_EQ(RowIndex(folder.path(), 2).missing(9), std::vector<int>{1});
+  EXPECT_EQ(RowIndex(folder.path(), 2).cells(), std::vector<int>{0});
   { RowsFile(path).add(row_of_cell(1)); }
-  EXPECT_TRUE(RowIndex(folder.path(), 2).missing(9).empty());
+  EXPECT_EQ(RowIndex(folder.path(), 2).cells(), (std::vector<int>{0, 1}));
   folder.put("rows.jsonl", "{\"index\"");
   { RowsFile(path).add(row_of_cell(1)); }
-  EXPECT_EQ(RowIndex(folder.path(), 2).missing(9), std::vector<int>{0});
+  EXPECT_EQ(RowIndex(folder.path(), 2).cells(), std::vector<int>{1});
 }
 
 TEST(RowsFile, TheLastRowOfACellCounts) {
@@ -66,7 +65,7 @@ TEST(RowsFile, ACellIsInOneFileOnly) {
   const TemporaryFolder folder;
   { RowsFile(folder.path() / rows_name(1, 2)).add(row_of_cell(0)); }
   { RowsFile(folder.path() / rows_name(2, 2)).add(row_of_cell(1)); }
-  EXPECT_TRUE(RowIndex(folder.path(), 2).missing(9).empty());
+  EXPECT_EQ(RowIndex(folder.path(), 2).cells(), (std::vector<int>{0, 1}));
   { RowsFile(folder.path() / rows_name(2, 2)).add(row_of_cell(0)); }
   const std::string error = error_of([&] { RowIndex(folder.path(), 2); });
   EXPECT_TRUE(contains(error, "rows-2-of-2.jsonl:2: cell 0 is in"));

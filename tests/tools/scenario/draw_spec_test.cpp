@@ -83,6 +83,37 @@ TEST(Draw, WholeNumbersReachBothEnds) {
   EXPECT_GT(counts[2.0], 0);
 }
 
+double quantile_of(const std::string& text, double quantile) {
+  return read_yaml<double>(value_at(draw_of(text), quantile), "x");
+}
+
+TEST(Draw, HasQuantiles) {
+  EXPECT_DOUBLE_EQ(quantile_of("{uniform: [2, 4]}", 0.25), 2.5);
+  EXPECT_DOUBLE_EQ(quantile_of("{log_uniform: [1, 100]}", 0.5), 10.0);
+  EXPECT_EQ(quantile_of("{integer: [3, 6]}", 0.0), 3.0);
+  EXPECT_EQ(quantile_of("{integer: [3, 6]}", 0.74), 5.0);
+  EXPECT_EQ(quantile_of("{integer: [3, 6]}", 0.9999), 6.0);
+  EXPECT_EQ(quantile_of("{choice: [7, 8, 9], weights: [1, 0, 3]}", 0.2), 7.0);
+  EXPECT_EQ(quantile_of("{choice: [7, 8, 9], weights: [1, 0, 3]}", 0.3), 9.0);
+  EXPECT_EQ(quantile_of("12.5", 0.3), 12.5);
+  // 0.8954 = 0.1587 + 0.9 (0.9772 - 0.1587), the normal distribution at 1.2557, -1, 2 and -1.
+  EXPECT_NEAR(quantile_of("{normal: {mean: 0, sd: 1, min: -1, max: 2}}", 0.9), 1.2557, 1e-3);
+  EXPECT_EQ(quantile_of("{normal: {mean: 0, sd: 1, min: 50, max: 60}}", 0.5), 50.0);
+}
+
+TEST(Draw, QuantilesAreThoseOfItsDraws) {
+  for (const char* text : {"{uniform: [2, 4]}", "{log_uniform: [1, 100]}", "{integer: [0, 9]}",
+                           "{normal: {mean: 1, sd: 2, min: -1, max: 2}}"}) {
+    const std::vector<double> drawn = numbers(text, 4000);
+    std::vector<double> even;
+    for (int i = 0; i < 4000; ++i) even.push_back(quantile_of(text, (i + 0.5) / 4000.0));
+    double squares = 0.0;
+    for (const double value : even) squares += std::pow(value - mean_of(even), 2.0);
+    const double sigma = std::sqrt(squares) / 4000.0;
+    EXPECT_NEAR(mean_of(drawn), mean_of(even), 5.0 * sigma) << text;
+  }
+}
+
 TEST(Draw, NumbersAreWrittenShort) {
   for (const double value : numbers("{uniform: [0, 1]}", 100)) {
     EXPECT_LE(write_yaml(value).scalar.size(), 12U);

@@ -68,8 +68,8 @@ TEST(SlipFit, HasTheTailOfTheYawBesideThatOfNoiseAndSlips) {
   EXPECT_NEAR(fit.tail[16].measured, 0.01, 1e-12);
   EXPECT_EQ(fit.tail[18].measured, 0.0);
   EXPECT_NEAR(fit.tail[2].model, 0.3173 * 0.99 + 0.01, 1e-4);  // beyond one sigma
-  EXPECT_NEAR(fit.tail[12].model, 0.01 * 0.994, 1e-4);        // 2.5 sigma less than a slip turns
-  EXPECT_NEAR(fit.tail[17].model, 0.5 * 0.01, 1e-4);          // as much as a slip turns
+  EXPECT_NEAR(fit.tail[12].model, 0.01 * 0.994, 1e-4);         // 2.5 sigma less than a slip turns
+  EXPECT_NEAR(fit.tail[17].model, 0.5 * 0.01, 1e-4);           // as much as a slip turns
 }
 
 TEST(SlipFit, WithoutClearOnesKnowsAHighestRate) {

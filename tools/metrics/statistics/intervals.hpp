@@ -13,4 +13,8 @@ struct RateInterval {
 /// are no trials.
 RateInterval wilson_interval(int successes, int trials);
 
+/// The same for another confidence: `z` is the quantile of the normal distribution that it stands
+/// for. `successes` may be a sum of shares.
+RateInterval wilson_interval(double successes, double trials, double z);
+
 }  // namespace castaway::testbed
