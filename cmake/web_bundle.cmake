@@ -5,11 +5,17 @@ option(CASTAWAY_WEB "Bundle the report's player and plots, which takes Node.js 1
 set(CASTAWAY_WEB_FILES
   build.mjs package-lock.json
   src/bytes.js
+  src/campaign.css
+  src/campaign_choices.js
+  src/campaign_main.js
+  src/campaign_plots.js
   src/controls.js
   src/curves.js
   src/details.js
   src/dom.js
   src/ground.js
+  src/hash_time.js
+  src/heat_maps.js
   src/icons.js
   src/keys.js
   src/layers.js
@@ -33,6 +39,8 @@ set(CASTAWAY_WEB_FILES
   src/plots_main.js
   src/poses.js
   src/recording.js
+  src/table_rows.js
+  src/tables.js
   src/theme.js
   src/timeline.js
   src/varint.js

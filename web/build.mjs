@@ -11,7 +11,8 @@ const esbuild = createRequire(join(modules, 'package.json'))('esbuild');
 const licence = readFileSync(join(modules, 'node_modules/uplot/LICENSE'), 'utf8').trim();
 
 const result = await esbuild.build({
-  entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js')},
+  entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js'),
+    campaign: join(here, 'src/campaign_main.js')},
   bundle: true,
   minify: true,
   write: false,
@@ -42,6 +43,8 @@ constexpr char kPlayer[] = {${numbers('player.js')}};
 constexpr char kPlayerStyle[] = {${numbers('player.css')}};
 constexpr char kPlots[] = {${numbers('plots.js')}};
 constexpr char kPlotsStyle[] = {${numbers('plots.css')}};
+constexpr char kCampaign[] = {${numbers('campaign.js')}};
+constexpr char kCampaignStyle[] = {${numbers('campaign.css')}};
 
 }  // namespace
 
@@ -51,6 +54,10 @@ std::optional<WebBundle> player_bundle() {
 
 std::optional<WebBundle> plots_bundle() {
   return WebBundle{{kPlots, sizeof kPlots}, {kPlotsStyle, sizeof kPlotsStyle}};
+}
+
+std::optional<WebBundle> campaign_bundle() {
+  return WebBundle{{kCampaign, sizeof kCampaign}, {kCampaignStyle, sizeof kCampaignStyle}};
 }
 
 }  // namespace castaway::testbed

@@ -8,7 +8,7 @@
 
 #include "tools/cells/campaign_cell.hpp"
 #include "tools/cells/cell_play.hpp"
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/progress.hpp"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 
 namespace castaway::testbed {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 #include "tools/metrics/statistics/factor_effects.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 

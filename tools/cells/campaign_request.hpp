@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/cells/finished_campaign.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 
 namespace castaway::testbed {
@@ -19,9 +20,10 @@ struct CampaignRequest {
   int shard = 1;   ///< This process makes every `shards`-th cell, from this one on.
   int shards = 1;  ///< How many processes share the cells.
   bool retry_failed = false;
-  bool json = false;                 ///< Prints summary.json instead of words.
-  bool rank = false;                 ///< Ranks the keys, too.
-  std::vector<std::string> metrics;  ///< To rank by; empty: `ranked_metrics`.
+  bool json = false;                    ///< Prints summary.json instead of words.
+  bool rank = false;                    ///< Ranks the keys, too.
+  RenderCampaignPages pages = nullptr;  ///< Of files besides the tables.
+  std::vector<std::string> metrics;     ///< To rank by; empty: `ranked_metrics`.
 };
 
 /// Parses "3/8". Throws std::invalid_argument.

@@ -100,6 +100,17 @@ std::vector<MetricRank> rank_campaign(const CampaignRequest& request, const Camp
   return ranks;
 }
 
+void put_pages(const CampaignRequest& request, const CheckedCampaign& campaign,
+               const std::vector<Check>& checks, RowIndex& rows, CampaignFolder& folder) {
+  if (request.pages == nullptr) return;
+  const FinishedCampaign finished{campaign.spec, request.overrides, campaign.localizers,
+                                  checks,        folder.path(),     rows};
+  for (const auto& [name, text] : request.pages(finished)) {
+    const std::string& contents = text;
+    folder.put(name, [&](const fs::path& file) { write_file(file, contents); });
+  }
+}
+
 int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campaign,
                     CampaignFolder& folder) {
   constexpr std::size_t kMostNamed = 20;
@@ -124,6 +135,7 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
     folder.put("ranks.csv", [&](const fs::path& file) { write_ranks(ranks, file); });
   }
   const std::vector<Check> checks = judge_cells(campaign, rows);
+  put_pages(request, campaign, checks, rows, folder);
   fmt::print("{}", request.json ? text : campaign_text(summary));
   for (const MetricRank& rank : ranks) {
     fmt::print(request.json ? stderr : stdout, "{}", rank_text(rank));

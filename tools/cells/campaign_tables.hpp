@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 
 namespace castaway::testbed {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tools/cells/campaign_check.hpp"
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 #include "tools/metrics/verdict.hpp"
 
 namespace castaway::testbed {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tools/cells/campaign_cell.hpp"
-#include "tools/cells/cell_row.hpp"
+#include "tools/cells/rows/cell_row.hpp"
 #include "tools/sources/shared_models.hpp"
 #include "tools/sources/shared_worlds.hpp"
 

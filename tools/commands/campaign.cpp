@@ -2,6 +2,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "tools/campaign_page/campaign_pages.hpp"
 #include "tools/cells/campaign_run.hpp"
 #include "tools/cells/slurm_campaign.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
@@ -52,6 +53,7 @@ int campaign(CampaignArguments arguments) {
   if (arguments.out.empty()) throw std::invalid_argument("campaign: say where with --out DIR");
   request.spec = arguments.spec;
   request.out = arguments.out;
+  request.pages = render_campaign_pages;
   request.programs = file_programs(arguments.allow_programs);
   if (!arguments.shard.empty()) parse_shard(arguments.shard, request);
   require_one_way(arguments.slurm, arguments.attach, arguments.collect, arguments.shard,

@@ -4,6 +4,7 @@ import './player.css';
 import './plots.css';
 import {fromBase64, gunzip} from './bytes.js';
 import {element} from './dom.js';
+import {hashTime} from './hash_time.js';
 import {errorsOf, statesOf, stretches} from './measures.js';
 import {Player} from './player.js';
 import {drawPlots} from './plots.js';
@@ -58,6 +59,8 @@ async function start() {
     document.getElementById('castaway-zoom')?.addEventListener('click', () => player.curves.resetZoom());
     recolor = () => player.recolor();
     linkRows(player);
+    const asked = hashTime(location.hash);
+    if (asked !== null) player.act('seek', asked);
     place.dataset.ready = 'true';
   } catch (error) {
     for (const still of document.querySelectorAll('.still')) still.hidden = false;

@@ -23,7 +23,12 @@ function axisOf(axis, colors, size) {
   const line = {stroke: () => colors().line, width: 1};
   const label = axis.label ? {label: axis.label, labelSize: 16, labelFont: kFont} : {};
   return {stroke: () => colors().soft, font: kFont, grid: line, ticks: {...line, size: 4}, size, ...label,
-    ...(axis.log ? kLogTicks : {})};
+    ...(axis.log ? kLogTicks : {}), ...(axis.names ? namesOf(axis.names) : {})};
+}
+
+/** Names at 0, 1, 2 instead of numbers. */
+function namesOf(names) {
+  return {splits: () => names.map((_, i) => i), values: (_, places) => places.map((i) => names[i] ?? '')};
 }
 
 /** The scale of an axis; `range`: of one that has no limits of its own. */
@@ -41,6 +46,8 @@ function seriesOf({name, style}, k, colors) {
     case 'dots':
       return {...line, paths: () => null,
         points: {show: true, size: 4, width: 0, space: 0, fill: () => `${color()}73`, stroke: color}};
+    case 'points':
+      return {...line, paths: () => null, points: {show: true, size: 9, width: 0, space: 0, fill: color, stroke: color}};
     case 'marked':
       return {...line, points: {show: true, size: 7, width: 1, fill: color, stroke: color}};
     case 'steps':

@@ -18,4 +18,8 @@ std::optional<WebBundle> player_bundle();
 /// Only the plots, for pages without a player. Nothing if the program was built without Node.js.
 std::optional<WebBundle> plots_bundle();
 
+/// Plots with choices, tables and heat maps of a campaign. Nothing if the program was built without
+/// Node.js.
+std::optional<WebBundle> campaign_bundle();
+
 }  // namespace castaway::testbed

@@ -7,4 +7,6 @@ std::optional<WebBundle> player_bundle() { return std::nullopt; }
 
 std::optional<WebBundle> plots_bundle() { return std::nullopt; }
 
+std::optional<WebBundle> campaign_bundle() { return std::nullopt; }
+
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-// Pages of an experiment, a comparison and a run at the widths of a wide screen and of a telephone, light and dark.
+// Pages of an experiment, a comparison, a run and a campaign at the widths of a wide screen and of a telephone, light and dark.
 // CASTAWAY_CHROMIUM: the browser; CASTAWAY_PAGES: folder of the pages; CASTAWAY_SCREENSHOTS: folder that pictures are
 // left in (optional).
 import assert from 'node:assert/strict';
@@ -10,6 +10,7 @@ import {Chromium} from './chromium.mjs';
 
 const pages = {
   experiment: 'experiment/report.html', comparison: 'comparison/comparison.html', run: 'before/seed-1/report.html',
+  campaign: 'campaign/campaign.html', costs: 'campaign/costs.html',
 };
 const folder = process.env.CASTAWAY_SCREENSHOTS;
 let browser;

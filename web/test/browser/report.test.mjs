@@ -61,6 +61,13 @@ function noErrors() {
   assert.deepEqual(browser.requests.filter((asked) => !/^(file|data|blob):/.test(asked)), []);
 }
 
+test('opens at the moment of its address', async () => {
+  await browser.open(`${url}#t=7`, {});
+  await browser.until("document.querySelector('#castaway-player[data-time]')");
+  await browser.evaluate(kFrames);
+  assert.ok(Math.abs((await time()) - 7) < 0.25);
+});
+
 for (const [name, options] of Object.entries({
   'wide-light': {width: 1280, height: 900}, 'wide-dark': {width: 1280, height: 900, dark: true},
   'narrow-light': {width: 390, height: 844, mobile: true},

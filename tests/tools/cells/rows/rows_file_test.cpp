@@ -1,4 +1,4 @@
-#include "tools/cells/rows_file.hpp"
+#include "tools/cells/rows/rows_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/cells/cell_row.hpp"
+#include "tools/cells/rows/cell_row.hpp"
 
 namespace castaway::testbed {
 

@@ -1,4 +1,4 @@
-#include "tools/cells/cell_row.hpp"
+#include "tools/cells/rows/cell_row.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,93 @@
+#include "tools/campaign_page/figures/recovery_curves.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/report/html/plot_data.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using RecoveryJson = nlohmann::ordered_json;
+
+/// The corners of the curve's stairs, thinned to about 120 steps.
+PlotPoints stairs(const Survival& survival) {
+  constexpr std::size_t kMostSteps = 120;
+  const std::vector<SurvivalStep> steps = survival.steps();
+  const std::size_t stride = steps.size() / kMostSteps + 1;
+  PlotPoints points{{0.0, 1.0}};
+  for (std::size_t i = 0; i < steps.size(); i += stride) {
+    const SurvivalStep& step = steps[std::min(i + stride, steps.size()) - 1];
+    points.emplace_back(step.time_s, points.back().second);
+    points.emplace_back(step.time_s, step.survival);
+  }
+  points.emplace_back(std::max(survival.longest_s(), points.back().first), points.back().second);
+  return points;
+}
+
+/// A plot of all localizers; `survival(k)`: of series k.
+template <typename SurvivalOf>
+RecoveryJson recovery_plot(const std::string& title, const std::vector<std::string>& series,
+                           double longest_s, SurvivalOf survival) {
+  RecoveryJson lines = RecoveryJson::array();
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const Survival& times = survival(k);
+    lines.push_back(point_series(fmt::format("{} (n = {})", series[k], times.size()), "",
+                                 times.size() == 0 ? PlotPoints{} : stairs(times)));
+  }
+  return {{"title", title},
+          {"x", {{"label", "time since the kidnap [s]"}, {"range", {0.0, longest_s}}}},
+          {"y", {{"label", "not yet recovered"}, {"range", {0, 1}}}},
+          {"series", std::move(lines)},
+          {"nothing", "No kidnaps."}};
+}
+
+double longest_of(const RecoveryCurves& curves, std::size_t series) {
+  double longest = 1.0;  // [s]
+  for (std::size_t k = 0; k < series; ++k) {
+    longest = std::max(longest, curves.overall(k).longest_s());
+  }
+  return longest;
+}
+
+}  // namespace
+
+RecoveryCurves::RecoveryCurves(const std::vector<KeyAxis>& axes, std::size_t series)
+    : axes_(axes), overall_(series) {
+  for (const KeyAxis& axis : axes_) {
+    by_place_.emplace_back(axis.places().size(), std::vector<Survival>(series));
+  }
+}
+
+void RecoveryCurves::add(const CellRow& row, std::size_t series, const ScoredKidnap& kidnap) {
+  overall_[series].add(kidnap.lost_s, kidnap.kidnap.recovered);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    const auto place = axes_[axis].place_of(row);
+    if (place) by_place_[axis][*place][series].add(kidnap.lost_s, kidnap.kidnap.recovered);
+  }
+}
+
+RecoveryJson recovery_curves_json(const RecoveryCurves& curves,
+                                  const std::vector<std::string>& series) {
+  const double longest = longest_of(curves, series.size());
+  const auto overall = [&](std::size_t k) -> const Survival& { return curves.overall(k); };
+  RecoveryJson groups = RecoveryJson::array();
+  groups.push_back(
+      {{"name", "all kidnaps"},
+       {"plots", RecoveryJson::array({recovery_plot("All kidnaps", series, longest, overall)})}});
+  for (std::size_t axis = 0; axis < curves.axes().size(); ++axis) {
+    const KeyAxis& key = curves.axes()[axis];
+    RecoveryJson plots = RecoveryJson::array();
+    for (std::size_t place = 0; place < key.places().size(); ++place) {
+      const auto here = [&](std::size_t k) -> const Survival& { return curves.at(axis, place, k); };
+      plots.push_back(recovery_plot(fmt::format("{} = {}", key.key(), key.places()[place].label),
+                                    series, longest, here));
+    }
+    groups.push_back({{"name", key.key()}, {"plots", std::move(plots)}});
+  }
+  return groups;
+}
+
+}  // namespace castaway::testbed
