@@ -64,8 +64,8 @@ std::unique_ptr<btCollisionShape> hull_of(const RampShape& ramp) {
 PhysicsWorld::PhysicsWorld(const WorldSpec& spec, double time_step)
     : time_step_(time_step),
       dispatcher_(&configuration_),
-      world_(std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_,
-                                                       &configuration_)) {
+      world_(
+          std::make_unique<OneRobotWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_)) {
   world_->setGravity(btVector3(0.0, 0.0, -kGravity));
   world_->getSolverInfo().m_numIterations = kSolverIterations;
   world_->getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
@@ -80,8 +80,8 @@ PhysicsWorld::~PhysicsWorld() {
 
 void PhysicsWorld::step() { world_->stepSimulation(time_step_, 0); }
 
-/// Bullet visits every static body in every step, so many objects are merged into one body per tile
-/// of a few square metres.
+/// Many objects are merged into one body per tile of a few square metres: a smaller tree of
+/// bounding boxes.
 void PhysicsWorld::add_objects(const WorldSpec& spec) {
   const bool gather = spec.objects.size() > kManyObjects;
   std::map<std::pair<int, int>, std::unique_ptr<btCompoundShape>> tiles;

@@ -10,6 +10,8 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "sim/world/bullet/few_body_solver.hpp"
+#include "sim/world/bullet/one_robot_world.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
@@ -51,11 +53,11 @@ class PhysicsWorld {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
+  FewBodySolver solver_;
   std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
-  std::unique_ptr<btDiscreteDynamicsWorld> world_;
+  std::unique_ptr<OneRobotWorld> world_;
 };
 
 }  // namespace castaway::sim
