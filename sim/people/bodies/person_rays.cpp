@@ -12,15 +12,12 @@ MovingBody person_rays(const PersonBody& body, const PersonState& state,
                        const Eigen::Vector2d& ahead, int index) {
   const double shoulders = body.height - kHeadHeight;
   const Eigen::Vector2d leg = Eigen::Vector2d::Constant(body.leg_radius);
-  MovingBody rays;
-  rays.object = kHitPerson + index;
-  rays.count = 4;
-  rays.parts = {
-      {{state.feet[0], ahead, leg, 0.0, kTorsoBottom},
-       {state.feet[1], ahead, leg, 0.0, kTorsoBottom},
-       {state.position, ahead, {kTorsoHalfDepth, kTorsoHalfWidth}, kTorsoBottom, shoulders},
-       {state.position, ahead, {kHeadRadius, kHeadRadius}, shoulders, body.height}}};
-  return rays;
+  return {kHitPerson + index,
+          {{{state.feet[0], ahead, leg, 0.0, kTorsoBottom},
+            {state.feet[1], ahead, leg, 0.0, kTorsoBottom},
+            {state.position, ahead, {kTorsoHalfDepth, kTorsoHalfWidth}, kTorsoBottom, shoulders},
+            {state.position, ahead, {kHeadRadius, kHeadRadius}, shoulders, body.height}}},
+          4};
 }
 
 }  // namespace castaway::sim
