@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/people/bodies/person_rays.hpp"
+#include "sim/people/forces/mutual_forces.hpp"
 #include "sim/people/gait.hpp"
 #include "sim/people/intent.hpp"
 #include "sim/people/reaction.hpp"
@@ -72,19 +73,15 @@ void People::update_sight(const RobotBody& robot) {
   }
 }
 
-/// Sum of the social forces of all others on each person; the forces of two people on each other
-/// are opposite.
-std::vector<Eigen::Vector2d> People::mutual_forces() const {
-  std::vector<Eigen::Vector2d> sums(agents_.size(), Eigen::Vector2d::Zero());
+/// Sum of the social forces of all others on each person; less among members of a crowd.
+std::vector<Eigen::Vector2d> People::social_forces() const {
+  Crowding people;
+  for (const Agent& agent : agents_) {
+    people.positions.push_back(agent.state.position);
+    people.velocities.push_back(agent.state.velocity);
+  }
+  std::vector<Eigen::Vector2d> sums = mutual_forces(forces_, people);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const PersonState& a = agents_[i].state;
-    for (std::size_t j = i + 1; j < agents_.size(); ++j) {
-      const PersonState& b = agents_[j].state;
-      const Eigen::Vector2d force =
-          social_force(forces_, b.position - a.position, a.velocity - b.velocity);
-      sums[i] += force;
-      sums[j] -= force;
-    }
     if (agents_[i].in_crowd) sums[i] *= kInCrowd;
   }
   return sums;
@@ -123,7 +120,7 @@ std::vector<Intent> People::intents(const RobotBody& robot) {
 
 /// Moves everybody by the forces, which are all computed before anybody moves.
 void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
-  const std::vector<Eigen::Vector2d> others = mutual_forces();
+  const std::vector<Eigen::Vector2d> others = social_forces();
   std::vector<Eigen::Vector2d> ways;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Eigen::Vector2d& v = agents_[i].state.velocity;

@@ -9,12 +9,12 @@
 #include "sim/casting/moving_scene.hpp"
 #include "sim/people/agent.hpp"
 #include "sim/people/crowd.hpp"
+#include "sim/people/forces/social_force.hpp"
 #include "sim/people/goal_fields.hpp"
 #include "sim/people/intent.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/people/population.hpp"
 #include "sim/people/robot_body.hpp"
-#include "sim/people/social_force.hpp"
 #include "sim/people/walk_space.hpp"
 
 namespace castaway::sim {
@@ -61,7 +61,7 @@ class People {
 
   void note_hits(const RobotBody& robot);
   void update_sight(const RobotBody& robot);
-  [[nodiscard]] std::vector<Eigen::Vector2d> mutual_forces() const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> social_forces() const;
   [[nodiscard]] Eigen::Vector2d force(std::size_t index, const RobotBody& robot,
                                       bool avoids_robot) const;
   std::vector<Intent> intents(const RobotBody& robot);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/people/forces/cell_list.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr double kGiveWay = 0.02;  // [m] Largest step back from the robot in on
 // [m] Least distance from the middle of a foot to the robot.
 constexpr double kSeparationOfFeet = 0.18;
 constexpr double kPutDownOffset = 0.1;  // [m] Distance from a robot that was just put down.
+constexpr double kRounding = 1e-9;      // [m] More than what rounding adds to a step.
 constexpr int kAsideWays = 16;          // Directions tried when stepping aside.
 constexpr int kAsideRings = 8;          // Rings tried, one after the other.
 constexpr double kAsideRing = 0.2;      // [m] Between two rings.
@@ -44,6 +47,20 @@ void push_apart(const WalkSpace& space, const std::vector<PersonState>& before, 
   push(space, before[j].position, agents[j].state.position + apart, agents[j]);
 }
 
+std::vector<Eigen::Vector2d> places(const std::vector<PersonState>& states) {
+  std::vector<Eigen::Vector2d> result;
+  for (const PersonState& state : states) result.push_back(state.position);
+  return result;
+}
+
+/// Two people farther apart than this before a step do not touch in it: each moves by a step at
+/// most.
+double reach_of(const std::vector<Agent>& agents) {
+  double radius = 0.0;
+  for (const Agent& agent : agents) radius = std::max(radius, agent.body.radius);
+  return 2.0 * (radius + WalkSpace::kMaxStep) + kRounding;
+}
+
 void out_of_robot(const WalkSpace& space, const RobotBody& robot, const Eigen::Vector2d& origin,
                   Agent& agent) {
   const Eigen::Vector2d far = agent.state.position - robot.T_map_base.position();
@@ -72,10 +89,9 @@ Eigen::Vector2d slide_along_walls(const WalkSpace& space, const Eigen::Vector2d&
 
 void separate(const WalkSpace& space, const RobotBody& robot,
               const std::vector<PersonState>& before, std::vector<Agent>& agents) {
+  const auto pairs = near_pairs(places(before), reach_of(agents));
   for (int round = 0; round < kSeparationRounds; ++round) {
-    for (std::size_t i = 0; i < agents.size(); ++i) {
-      for (std::size_t j = i + 1; j < agents.size(); ++j) push_apart(space, before, i, j, agents);
-    }
+    for (const auto& [i, j] : pairs) push_apart(space, before, i, j, agents);
   }
   for (std::size_t i = 0; i < agents.size(); ++i) {
     out_of_robot(space, robot, before[i].position, agents[i]);

@@ -144,7 +144,7 @@ using Layers = std::vector<Names>;
 
 const Layers kSimLayers = {
     {"sim/common", "sim/scene"},
-    {"sim/world/bullet"},
+    {"sim/people/forces", "sim/world/bullet"},
     {"sim/render", "sim/world", "sim/xacro"},
     {"sim/casting", "sim/robot/urdf", "sim/world/sdf"},
     {"sim/map", "sim/robot/discovery", "sim/sensor"},

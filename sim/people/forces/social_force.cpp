@@ -1,12 +1,10 @@
-#include "sim/people/social_force.hpp"
+#include "sim/people/forces/social_force.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace castaway::sim {
 namespace {
-
-constexpr double kNegligible = 6.0;  // Forces below exp(-6) of their strength are dropped.
 
 double decay(double x) { return x > kNegligible ? 0.0 : std::exp(-x); }
 

@@ -13,6 +13,10 @@
 
 namespace castaway::sim {
 
+/// Cut-off: where an exponential of the model is below exp(-kNegligible), it is taken as 0. A force
+/// that is left out is below 0.0074 m/s^2 between people, 0.025 m/s^2 at walls.
+inline constexpr double kNegligible = 6.0;
+
 /// Strengths and ranges. Forces are per unit of mass.
 struct SocialForceConfig {
   double relaxation = 0.5;  ///< [s] Time constant of acceleration to the desired velocity.

@@ -1,4 +1,4 @@
-#include "sim/people/social_force.hpp"
+#include "sim/people/forces/social_force.hpp"
 
 #include <cmath>
 
