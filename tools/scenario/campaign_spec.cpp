@@ -90,8 +90,7 @@ std::optional<UntilSpec> read_until(YamlReader& root, const SampleDesign& design
   map.find("width")->require_in({1e-12, 1e12}, "");
   until.first = map.get("first", until.first);
   if (until.first < 2) map.fail("'first' must be at least 2");
-  const bool grows =
-      design.design() == Design::kIndependent || design.design() == Design::kSobol;
+  const bool grows = design.design() == Design::kIndependent || design.design() == Design::kSobol;
   if (!grows) map.fail("needs the design independent or sobol: the others have a fixed size");
   return until;
 }

@@ -15,7 +15,9 @@ namespace {
 
 using localization::Rng;
 
-double draw_unit(Rng& rng) { return boost::random::uniform_real_distribution<double>(0.0, 1.0)(rng); }
+double draw_unit(Rng& rng) {
+  return boost::random::uniform_real_distribution<double>(0.0, 1.0)(rng);
+}
 
 /// A random order of 0 to count - 1.
 std::vector<int> draw_order(int count, Rng& rng) {

@@ -17,7 +17,7 @@ struct Crowding {
 };
 
 /// Up to so many people, all pairs are summed in double precision.
-inline constexpr std::size_t kFewPeople = 40;
+inline constexpr std::size_t kFewPeople = 50;
 
 /// Sum of the social forces (`social_force`) of all others on each person [m/s^2]; the forces of
 /// two people on each other are opposite. Takes `forces_of_pairs` for up to `kFewPeople`, else
