@@ -143,6 +143,11 @@ bool names_foreign_topics(const std::string& line) {
   return line.find("/vicon/pose") != std::string::npos;
 }
 
+/// True for commands that need a cluster; slurm_test.cpp has them.
+bool needs_slurm(const std::string& line) {
+  return line.find("--slurm") != std::string::npos || line.find("--attach") != std::string::npos;
+}
+
 TEST(DocumentedCommands, AllWork) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "takes minutes with sanitizers; the release build runs it";
@@ -152,7 +157,7 @@ TEST(DocumentedCommands, AllWork) {
   ASSERT_GT(all.size(), 50U);
   const bool films = std::system("ffmpeg -version >/dev/null 2>&1") == 0;
   for (const Shown& shown : all) {
-    if (names_foreign_topics(shown.arguments)) continue;
+    if (names_foreign_topics(shown.arguments) || needs_slurm(shown.arguments)) continue;
     if (!films && shown.arguments.find("--video") != std::string::npos) continue;
     // gate-of-main is the result of another branch, which the page's CI job downloads.
     if (shown.arguments.find("gate-of-main") != std::string::npos) {
