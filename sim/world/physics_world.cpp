@@ -22,6 +22,16 @@ constexpr int kSolverIterations = 20;
 constexpr std::size_t kManyObjects = 200;
 constexpr double kTileEdge = 3.0;  // [m]
 
+/// Pools for the contacts of one robot; Bullet allocates more if it needs them. Its own hold 4096,
+/// which takes longer to make than many runs in a campaign take to begin.
+btDefaultCollisionConstructionInfo few_contacts() {
+  constexpr int kPool = 128;
+  btDefaultCollisionConstructionInfo info;
+  info.m_defaultMaxPersistentManifoldPoolSize = kPool;
+  info.m_defaultMaxCollisionAlgorithmPoolSize = kPool;
+  return info;
+}
+
 /// Skips triangles on the floor, which is a separate box: casters would hit their edges.
 std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& shape,
                                              const Eigen::Isometry3d& T_map_shape) {
@@ -63,6 +73,7 @@ std::unique_ptr<btCollisionShape> hull_of(const RampShape& ramp) {
 
 PhysicsWorld::PhysicsWorld(const WorldSpec& spec, double time_step)
     : time_step_(time_step),
+      configuration_(few_contacts()),
       dispatcher_(&configuration_),
       world_(
           std::make_unique<OneRobotWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_)) {

@@ -3,7 +3,7 @@
 #include <map>
 #include <regex>
 
-#include "tests/program/dataset_files.hpp"
+#include "tests/program/campaign_files.hpp"
 #include "tools/formats/csv.hpp"
 
 namespace castaway::test {
@@ -11,22 +11,13 @@ namespace {
 
 using testbed::CsvTable;
 
-const char* const kSpec = R"(name: paged
-scenario:
-  world: room.yaml
-  duration_s: 16
-  physics: kinematic
-  start: {random: true}
-  drive: {route: random}
-  lidar: {beams: 36, rate_hz: 5}
-  events:
-    - kidnap: {kind: teleport, at_s: 2.1, min_distance_m: 2}
-    - kidnap: {kind: teleport, at_s: 9, min_distance_m: 2}
-grid:
-  lidar.range_max: [3, 8]
-  localizers: [[mh_amcl], [amcl]]
-seeds: 3
-)";
+/// The small campaign with a second kidnap.
+std::string spec_with_two_kidnaps() {
+  std::string text = kGrid;
+  text.replace(text.find("draw:"), text.find("seeds:") - text.find("draw:"), "");
+  const std::size_t grid = text.find("grid:");
+  return text.insert(grid, "    - kidnap: {kind: teleport, at_s: 9, min_distance_m: 2}\n");
+}
 
 /// A square of the page's table: localizer, x, y.
 using Square = std::tuple<std::string, int, int>;
@@ -68,7 +59,7 @@ std::map<Square, Counts> counts_of_table(const fs::path& folder) {
 }
 
 TEST(CampaignPage, ItsHeatMapIsAPlainCountOfTheKidnaps) {
-  const fs::path folder = folder_with_spec(kSpec);
+  const fs::path folder = folder_with_spec(spec_with_two_kidnaps());
   ASSERT_EQ(castaway(folder, "campaign s.yaml --out c -j 2").exit_code, 0);
   const auto counts = counts_of_page(text_of(folder / "c/campaign.html"));
   EXPECT_GT(counts.size(), 6U);
@@ -78,7 +69,7 @@ TEST(CampaignPage, ItsHeatMapIsAPlainCountOfTheKidnaps) {
 }
 
 TEST(CampaignPage, LinksTheReportsThatAreKept) {
-  const std::string spec = std::string(kSpec) + "keep: failures\n";
+  const std::string spec = std::string(spec_with_two_kidnaps()) + "keep: failures\n";
   const fs::path folder = folder_with_spec(
       std::regex_replace(spec, std::regex("  duration_s: 16"),
                          "  duration_s: 16\n  outputs: {report: true, player: true}"));

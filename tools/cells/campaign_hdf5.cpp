@@ -1,7 +1,6 @@
 #include "tools/cells/campaign_hdf5.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include "tools/cells/campaign_cell.hpp"
@@ -12,12 +11,6 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-double number_in(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : kNothing;
-}
 
 /// Numbers texts in the order in which they are first met.
 class Numbering {
@@ -114,7 +107,7 @@ void write_cells(const CampaignSpec& spec, RowIndex& rows, Hdf5File& file) {
     seed.add(static_cast<double>(row.seed));
     state.add(static_cast<double>(row.state));
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-      values->add(number_in(row.values[spec.grid.size() + k].second));
+      values->add(number_of(row.values[spec.grid.size() + k].second).value_or(kNothing));
     }
     for (const std::string& name : metrics) {
       const auto found = row.metrics.find(name);

@@ -1,7 +1,6 @@
 #include "tools/campaign_page/figures/key_axis.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -18,13 +17,6 @@ namespace {
 constexpr std::size_t kMostValues = 8;  // Of a drawn key that is not divided into ranges.
 constexpr std::size_t kRanges = 5;
 
-std::optional<double> whole_number(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 std::vector<std::string> distinct_values(const std::vector<std::string>& values) {
   std::vector<std::string> distinct;
   std::set<std::string> seen;
@@ -39,7 +31,7 @@ std::optional<std::vector<double>> numbers_of(const std::vector<std::string>& va
   std::vector<double> numbers;
   for (const std::string& value : values) {
     if (value.empty()) continue;
-    const auto number = whole_number(value);
+    const auto number = number_of(value);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -84,9 +76,8 @@ KeyAxis::KeyAxis(std::string key, const std::vector<std::string>& values, bool d
     add_ranges(std::move(*numbers));
     return;
   }
-  std::stable_sort(distinct.begin(), distinct.end(), [](const auto& a, const auto& b) {
-    return *whole_number(a) < *whole_number(b);
-  });
+  std::stable_sort(distinct.begin(), distinct.end(),
+                   [](const auto& a, const auto& b) { return *number_of(a) < *number_of(b); });
   add_values(distinct);
 }
 
@@ -94,7 +85,7 @@ void KeyAxis::add_values(const std::vector<std::string>& distinct) {
   for (const std::string& value : distinct) {
     by_value_[value] = places_.size();
     const auto order = static_cast<double>(places_.size());
-    places_.push_back({value, numeric_ ? *whole_number(value) : order});
+    places_.push_back({value, numeric_ ? *number_of(value) : order});
   }
 }
 
@@ -120,7 +111,7 @@ std::optional<std::size_t> KeyAxis::place_of(const CellRow& row) const {
     const auto found = by_value_.find(*value);
     return found == by_value_.end() ? std::nullopt : std::optional(found->second);
   }
-  const auto number = whole_number(*value);
+  const auto number = number_of(*value);
   if (!number) return std::nullopt;
   const auto at = std::lower_bound(upper_.begin(), upper_.end(), *number);
   return at == upper_.end() ? std::nullopt

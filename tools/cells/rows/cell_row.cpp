@@ -1,5 +1,7 @@
 #include "tools/cells/rows/cell_row.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -82,6 +84,13 @@ std::string to_string(CellOutcome state) {
       return "failed";
   }
   return "";
+}
+
+std::optional<double> number_of(const std::string& value) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  const bool whole = error == std::errc{} && end == value.data() + value.size();
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 std::string row_text(const CellRow& row) {

@@ -48,6 +48,9 @@ struct CellRow {
   double memory_mb = 0.0;  ///< Peak of the process so far.
 };
 
+/// The number that a value of `CellRow::values` is; nothing if it is none.
+std::optional<double> number_of(const std::string& value);
+
 /// One line of JSON, without a line feed.
 std::string row_text(const CellRow& row);
 /// The inverse. Throws std::runtime_error if the line is none.

@@ -47,5 +47,13 @@ TEST(CellRow, RefusesOtherLines) {
   }
 }
 
+TEST(CellRow, KnowsTheNumbersAmongItsValues) {
+  EXPECT_EQ(number_of("4.5"), 4.5);
+  EXPECT_EQ(number_of("-1e3"), -1000.0);
+  for (const char* none : {"", "4 m", "[4]", "inf", "nan", "office"}) {
+    EXPECT_FALSE(number_of(none)) << none;
+  }
+}
+
 }  // namespace
 }  // namespace castaway::testbed
