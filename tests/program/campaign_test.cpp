@@ -43,6 +43,17 @@ TEST(Campaign, StopsWhereTheIntervalIsNarrow) {
   EXPECT_LT(cells, 32);
 }
 
+// A campaign may take hours; these are known to be wrong before.
+TEST(Campaign, RefusesMetricsAndRankingsBeforeTheFirstCell) {
+  const fs::path folder =
+      folder_with_grid("until: {metric: mh_amcl.recovery.succes, width: 0.1}\n");
+  expect_refused(castaway(folder, "campaign s.yaml --out c"),
+                 {"s.yaml", "until", "mh_amcl.recovery.success"});
+  write(folder / "flat.yaml", "scenario: {world: room.yaml}\nseeds: 2\n");
+  expect_refused(castaway(folder, "campaign flat.yaml --out c --rank"), {"flat.yaml", "grid"});
+  EXPECT_FALSE(fs::exists(folder / "c"));
+}
+
 TEST(Campaign, RanksTheKeys) {
   const fs::path folder = folder_with_spec(std::string(kGrid).replace(
       std::string(kGrid).find("  localizers: [[mh_amcl], [amcl]]"), 33, "  people.count: [0, 1]"));
@@ -54,7 +65,7 @@ TEST(Campaign, RanksTheKeys) {
   expect_contains(table, "position_error_m.rmse,lidar.range_max,");
   expect_contains(table, "position_error_m.rmse,seed,");
   expect_refused(castaway(folder, "campaign s.yaml --out c --metric nothing"),
-                 {"--metric nothing", "results.csv"});
+                 {"unknown metric 'nothing'"});
 }
 
 TEST(Campaign, ShardsGiveTheSameTables) {

@@ -80,6 +80,18 @@ TEST(Slurm, GivesUpWhereShardsNeverEnd) {
   const Outcome made = on_slurm(folder, "campaign s.yaml --out c --slurm --array-size 2");
   EXPECT_EQ(made.exit_code, 1);
   expect_contains(made.err, "cells are missing: 0, 1, 2");
+  const auto times_submitted_again = [](const std::string& text) {
+    int times = 0;
+    for (std::size_t at = text.find("submitted again"); at != std::string::npos;
+         at = text.find("submitted again", at + 1)) {
+      ++times;
+    }
+    return times;
+  };
+  EXPECT_EQ(times_submitted_again(made.err), 2);
+  const Outcome again = on_slurm(folder, "campaign s.yaml --out c --attach");
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(times_submitted_again(again.err), 0);
 }
 
 TEST(Slurm, RefusesInOneLine) {
@@ -87,6 +99,7 @@ TEST(Slurm, RefusesInOneLine) {
   expect_refused(on_slurm(folder, "campaign s.yaml --out c --attach"), {"c", "no campaign.json"});
   expect_refused(on_slurm(folder, "campaign s.yaml --out c --slurm --collect"),
                  {"--slurm", "--collect"});
+  expect_refused(castaway(folder, "campaign s.yaml --out c --time 1:00"), {"--time", "--slurm"});
   write(folder / "bin/sbatch", "#!/bin/sh\necho 'sbatch: error: no partition x' >&2\nexit 1\n");
   expect_refused(on_slurm(folder, "campaign s.yaml --out c --slurm"), {"no partition x"});
   write(folder / "c/slurm.json", R"({"array": "5", "collect": "6", "tasks": 2, "tries": 1})");

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "tools/cells/campaign_cell.hpp"
+#include "tools/cells/campaign_rank.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
+#include "tools/output/runs_folder.hpp"
 #include "tools/play/play.hpp"
+#include "tools/scenario/sections/expect_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -27,6 +33,23 @@ std::vector<fs::path> with_image(const fs::path& file) {
 void add_localizers(const Scenario& scenario, std::vector<std::string>& names) {
   for (const std::string& name : names_of(scenario.localizers)) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+}
+
+void check_until(const CheckedCampaign& checked) {
+  if (!checked.spec.until) return;
+  try {
+    require_known_metric(checked.spec.until->metric, checked.localizers);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: until: {}", checked.spec.file, error.what()));
+  }
+}
+
+void check_ranking(const CampaignRequest& request, const CheckedCampaign& checked) {
+  if (!request.rank) return;
+  require_rankable(checked.spec);
+  for (const std::string& metric : request.metrics) {
+    require_known_metric(metric, checked.localizers);
   }
 }
 
@@ -50,7 +73,13 @@ CheckedCampaign check_campaign(const CampaignRequest& request) {
   for (const auto& [file, hash] : inputs) hashes += hash + "\n";
   checked.data = sha256(hashes);
   static_cast<void>(expectations_of(checked.spec, checked.localizers));
+  check_until(checked);
+  check_ranking(request, checked);
   return checked;
+}
+
+CampaignIdentity identity_of(const CheckedCampaign& campaign) {
+  return {CASTAWAY_VERSION, program_hash(), campaign.data, campaign.spec.effective};
 }
 
 }  // namespace castaway::testbed

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/cells/campaign_folder.hpp"
 #include "tools/cells/campaign_request.hpp"
 
 namespace castaway::testbed {
@@ -15,8 +16,12 @@ struct CheckedCampaign {
   std::string data;                     ///< As in CampaignIdentity.
 };
 
-/// Reads the first cell of every combination, so that errors are found before anything is made.
-/// Throws std::exception naming the place.
+/// Reads the first cell of every combination, and checks the metrics that the campaign stops or is
+/// ranked by, so that errors are found before anything is made. Throws std::exception naming the
+/// place.
 CheckedCampaign check_campaign(const CampaignRequest& request);
+
+/// What its folder is bound to.
+CampaignIdentity identity_of(const CheckedCampaign& campaign);
 
 }  // namespace castaway::testbed

@@ -73,6 +73,8 @@ MetricRank rank_grid(const CampaignSpec& spec, RowIndex& rows, MetricRank rank) 
   return rank;
 }
 
+bool is_saltelli(const CampaignSpec& spec) { return spec.design.design() == Design::kSaltelli; }
+
 std::vector<std::size_t> by_total(const MetricRank& rank) {
   std::vector<std::size_t> order(rank.effects.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -100,10 +102,8 @@ std::vector<std::string> ranked_metrics(RowIndex& rows) {
   return {names.begin(), names.end()};
 }
 
-MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string& metric) {
-  MetricRank rank;
-  rank.metric = metric;
-  const bool drawn = spec.design.design() == Design::kSaltelli;
+void require_rankable(const CampaignSpec& spec) {
+  const bool drawn = is_saltelli(spec);
   if (drawn && spec.combinations() > 1) {
     throw std::runtime_error(fmt::format(
         "{}: --rank needs either a grid, or draws with `design: saltelli`, not both", spec.file));
@@ -114,7 +114,14 @@ MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string
         "saltelli`",
         spec.file));
   }
-  rank = drawn ? rank_drawn(spec, rows, std::move(rank)) : rank_grid(spec, rows, std::move(rank));
+}
+
+MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string& metric) {
+  require_rankable(spec);
+  MetricRank rank;
+  rank.metric = metric;
+  rank = is_saltelli(spec) ? rank_drawn(spec, rows, std::move(rank))
+                           : rank_grid(spec, rows, std::move(rank));
   rank.factors.emplace_back("seed");
   return rank;
 }

@@ -23,9 +23,13 @@ struct MetricRank {
 /// of the position of every localizer in the rows.
 std::vector<std::string> ranked_metrics(RowIndex& rows);
 
+/// Throws std::runtime_error if the campaign varies nothing that can be ranked, or both grid and
+/// draws.
+void require_rankable(const CampaignSpec& spec);
+
 /// Ranks the keys of the grid by analysis of variance, or with the design `kSaltelli` those that
 /// are drawn by Sobol indices. Seeds that are void, failed or without the metric in any combination
-/// are left out. Throws std::runtime_error if the campaign varies nothing, or both.
+/// are left out. Throws as `require_rankable`.
 MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string& metric);
 
 /// For a terminal, largest total effect first.

@@ -15,6 +15,10 @@ int shard_number(std::string_view text) {
 
 }  // namespace
 
+int shard_of(const CampaignSpec& spec, int cell, int shards) {
+  return (spec.until ? cell / spec.samples() : cell) % shards + 1;
+}
+
 void parse_shard(const std::string& text, CampaignRequest& request) {
   const std::size_t slash = text.find('/');
   const std::string_view all = text;

@@ -26,6 +26,10 @@ struct CampaignRequest {
   std::vector<std::string> metrics;     ///< To rank by; empty: `ranked_metrics`.
 };
 
+/// The shard, from 1 on, that makes a cell. With `until` a combination stays with one shard, which
+/// decides how many cells it needs.
+int shard_of(const CampaignSpec& spec, int cell, int shards);
+
 /// Parses "3/8". Throws std::invalid_argument.
 void parse_shard(const std::string& text, CampaignRequest& request);
 

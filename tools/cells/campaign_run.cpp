@@ -19,7 +19,6 @@
 #include "tools/cells/stopping_rule.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/exit_code.hpp"
-#include "tools/output/runs_folder.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
 
@@ -29,11 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// True if this process makes a cell. With `until` a combination stays with one process, which
-/// decides how many cells it needs.
+/// True if this process makes a cell.
 bool is_own(const CampaignRequest& request, const CampaignSpec& spec, int cell) {
-  const int number = spec.until ? cell / spec.samples() : cell;
-  return number % request.shards == request.shard - 1;
+  return shard_of(spec, cell, request.shards) == request.shard;
 }
 
 /// Cells of this process that are needed and not there. `retry`: also those that failed.
@@ -149,8 +146,7 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
 
 int make_campaign(const CampaignRequest& request) {
   const CheckedCampaign campaign = check_campaign(request);
-  CampaignFolder folder(request.out,
-                        {CASTAWAY_VERSION, program_hash(), campaign.data, campaign.spec.effective});
+  CampaignFolder folder(request.out, identity_of(campaign));
   const std::size_t made = make_all_cells(request, campaign.spec);
   if (request.shards == 1) return finish_campaign(request, campaign, folder);
   fmt::print(
@@ -163,8 +159,7 @@ int make_campaign(const CampaignRequest& request) {
 int collect_campaign(const CampaignRequest& request) {
   const CheckedCampaign campaign = check_campaign(request);
   static_cast<void>(CampaignFolder(request.out));
-  CampaignFolder folder(request.out,
-                        {CASTAWAY_VERSION, program_hash(), campaign.data, campaign.spec.effective});
+  CampaignFolder folder(request.out, identity_of(campaign));
   return finish_campaign(request, campaign, folder);
 }
 

@@ -20,7 +20,6 @@
 #include "tools/files/file.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/output/interruption.hpp"
-#include "tools/output/runs_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -55,10 +54,6 @@ std::optional<SubmittedJobs> load_jobs(const fs::path& folder) {
   const Json json = read_json(folder / kJobs);
   return SubmittedJobs{json.at("array").get<std::string>(), json.at("collect").get<std::string>(),
                        json.at("tasks").get<int>(), json.at("tries").get<int>()};
-}
-
-CampaignFolder open_folder(const CampaignRequest& request, const CheckedCampaign& campaign) {
-  return {request.out, {CASTAWAY_VERSION, program_hash(), campaign.data, campaign.spec.effective}};
 }
 
 CampaignCommand command_of(const CampaignRequest& request, const std::string& name) {
@@ -96,7 +91,7 @@ std::set<int> unfinished_shards(const CampaignRequest& request, const CampaignSp
   RowIndex rows(request.out, spec.cells());
   std::set<int> shards;
   for (const int cell : missing_cells(spec, rows, static_cast<std::size_t>(spec.cells()))) {
-    shards.insert((spec.until ? cell / spec.samples() : cell) % tasks + 1);
+    shards.insert(shard_of(spec, cell, tasks));
   }
   return shards;
 }
@@ -142,16 +137,18 @@ void wait_for(const std::string& job, const CampaignRequest& request, const Camp
   }
 }
 
+/// `jobs` becomes what was submitted last.
 void follow(const CampaignRequest& request, const CheckedCampaign& campaign, CampaignFolder& folder,
-            SubmittedJobs jobs) {
+            SubmittedJobs& jobs) {
   const CampaignSpec& spec = campaign.spec;
   wait_for(jobs.array, request, spec);
-  for (; jobs.tries < kMostTries; ++jobs.tries) {
+  while (jobs.tries < kMostTries) {
     const std::set<int> shards = unfinished_shards(request, spec, jobs.tasks);
     if (shards.empty()) break;
     fmt::print(stderr, "castaway: shards {} of {} ended with cells missing; submitted again\n",
                fmt::join(shards, ", "), jobs.tasks);
     submit(folder.path(), fmt::format("{}", fmt::join(shards, ",")), jobs);
+    ++jobs.tries;
     save_jobs(jobs, folder);
     wait_for(jobs.array, request, spec);
   }
@@ -159,7 +156,7 @@ void follow(const CampaignRequest& request, const CheckedCampaign& campaign, Cam
 }
 
 int follow_to_the_end(const CampaignRequest& request, const CheckedCampaign& campaign,
-                      CampaignFolder& folder, const SubmittedJobs& jobs) {
+                      CampaignFolder& folder, SubmittedJobs jobs) {
   const Interruptible interruptible;
   try {
     follow(request, campaign, folder, jobs);
@@ -177,7 +174,7 @@ int follow_to_the_end(const CampaignRequest& request, const CheckedCampaign& cam
 int make_on_slurm(const CampaignRequest& request, const SlurmOptions& options) {
   const CheckedCampaign campaign = check_campaign(request);
   refuse_running(request);
-  CampaignFolder folder = open_folder(request, campaign);
+  CampaignFolder folder(request.out, identity_of(campaign));
   const CampaignCommand command = command_of(request, campaign.spec.name);
   fs::create_directories(folder.path() / "slurm");
   folder.put(kArrayScript,
@@ -196,7 +193,7 @@ int make_on_slurm(const CampaignRequest& request, const SlurmOptions& options) {
 int follow_on_slurm(const CampaignRequest& request) {
   const CheckedCampaign campaign = check_campaign(request);
   static_cast<void>(CampaignFolder(request.out));
-  CampaignFolder folder = open_folder(request, campaign);
+  CampaignFolder folder(request.out, identity_of(campaign));
   const auto jobs = load_jobs(request.out);
   if (!jobs) {
     throw std::runtime_error(request.out.string() +

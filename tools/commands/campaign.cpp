@@ -21,6 +21,16 @@ void require_one_way(bool slurm, bool attach, bool collect, const std::string& s
   }
 }
 
+/// Refuses options of Slurm where nothing is submitted.
+void require_slurm(bool slurm, const SlurmOptions& cluster) {
+  const SlurmOptions none;
+  const bool given = !cluster.partition.empty() || !cluster.time.empty() ||
+                     cluster.tasks != none.tasks || !cluster.extra.empty();
+  if (slurm || !given) return;
+  throw std::invalid_argument(
+      "campaign: --partition, --time, --array-size and --sbatch go with --slurm");
+}
+
 void add_slurm_options(Command& command, bool& slurm, bool& attach, SlurmOptions& cluster) {
   command.add_flag("--slurm", slurm,
                    "Submit the cells to Slurm as an array of shards, and follow them");
@@ -58,6 +68,7 @@ int campaign(CampaignArguments arguments) {
   if (!arguments.shard.empty()) parse_shard(arguments.shard, request);
   require_one_way(arguments.slurm, arguments.attach, arguments.collect, arguments.shard,
                   arguments.only);
+  require_slurm(arguments.slurm, arguments.cluster);
   request.rank = request.rank || !request.metrics.empty();
   if (request.rank && request.shards > 1) {
     throw std::invalid_argument("campaign: --rank goes with --collect, not with --shard");

@@ -43,7 +43,7 @@ std::vector<double> latin_hypercube(std::uint64_t root, int seeds,
   return points;
 }
 
-/// `dimensions` >= keys: further ones follow the keys.
+/// Points of a shifted Sobol sequence, by seed and then by dimension.
 std::vector<double> sobol_points(std::uint64_t root, int seeds,
                                  const std::vector<std::string>& dimensions) {
   if (dimensions.empty()) return {};
