@@ -29,6 +29,7 @@ TEST(BenchKidnaps, PrintsJsonAndRepeatsItself) {
   const Outcome outcome = castaway(folder, arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(castaway(folder, arguments).out, outcome.out);
+  EXPECT_EQ(castaway(folder, arguments + " -j 2").out, outcome.out);
   const Json batches = Json::parse(outcome.out);
   ASSERT_EQ(batches.size(), 1U);
   EXPECT_EQ(batches[0].at("kidnaps"), 2);

@@ -12,7 +12,7 @@
 #include "tools/files/file_error.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/progress.hpp"
-#include "tools/workers/lasting_workers.hpp"
+#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,5 +1,4 @@
 // castaway experiment: the paper's experiments.
-#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -18,12 +17,10 @@
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
 #include "tools/play/play.hpp"
-#include "tools/play/progress.hpp"
-#include "tools/play/seeds_summary.hpp"
+#include "tools/play/play_runs.hpp"
 #include "tools/play/verdict_output.hpp"
 #include "tools/report/experiment_page.hpp"
 #include "tools/scenario/files/data_paths.hpp"
-#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -58,13 +55,15 @@ LoadedScenario load(const ExperimentRun& run) {
   return load_scenario(data_root() / run.scenario, run.overrides);
 }
 
-int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, bool quiet) {
+/// `worlds`: of a worker, which prints nothing; nullptr: in this process, which shows its progress.
+int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, SharedWorlds* worlds) {
   PlayOptions options;
   options.base = (data_root() / run.scenario).parent_path();
   options.out = folder.path() / run.folder;
   options.force = force;
   options.silent = true;
-  options.quiet = quiet;
+  options.quiet = worlds != nullptr;
+  options.worlds = worlds;
   return play(load(run), options);
 }
 
@@ -90,32 +89,10 @@ RunsFolder open_folder(const ExperimentArguments& arguments,
 /// its progress.
 std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFolder& folder,
                           const ExperimentArguments& arguments) {
-  if (runs.size() == 1) return {play_run(runs[0], folder, arguments.force, false)};
-  std::vector<int> codes(runs.size(), kRunFailed);
-  CampaignProgress progress(static_cast<int>(runs.size()), "runs");
-  RecoveryTally tally;
-  try {
-    run_jobs(
-        static_cast<int>(runs.size()), arguments.workers,
-        [&](int index) {
-          const auto i = static_cast<std::size_t>(index);
-          return folder.has_run(i) ? static_cast<int>(kDone)
-                                   : play_run(runs[i], folder, arguments.force, true);
-        },
-        [&](int index, int code) {
-          const auto i = static_cast<std::size_t>(index);
-          codes[i] = code;
-          const std::filesystem::path out = folder.path() / runs[i].folder;
-          if (code == kDone && !void_sentence_of(out)) tally.add(load_judged_run(out).metrics);
-          progress.next(tally.text());
-        });
-  } catch (Interrupted& interrupted) {
-    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command resumes",
-                                   std::count(codes.begin(), codes.end(), kDone), runs.size(),
-                                   folder.path().string());
-    throw;
-  }
-  return codes;
+  if (runs.size() == 1) return {play_run(runs[0], folder, arguments.force, nullptr)};
+  return play_runs(folder, arguments.workers, [&](std::size_t index, SharedWorlds& worlds) {
+    return play_run(runs[index], folder, arguments.force, &worlds);
+  });
 }
 
 /// Results of all runs.

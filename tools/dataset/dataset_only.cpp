@@ -20,10 +20,9 @@ int make_only(const DatasetRequest& request, int index) {
   worlds.check(sequence.loaded.scenario);
   worlds.request_scores(sequence.loaded.scenario);
   try {
-    const std::filesystem::path scores = output.folder() / "scores";
-    worlds.compute_scores(1, scores);
-    std::filesystem::remove_all(scores);
-    make_sequence(spec, worlds, sequence, output.folder());
+    worlds.compute_scores(1);
+    SharedWorlds shared;
+    make_sequence(spec, worlds, sequence, output.folder(), shared);
     output.commit();
   } catch (const std::exception& error) {
     throw_if_interrupted();

@@ -17,15 +17,14 @@
 #include "tools/output/exit_code.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/run/cpu_clock.hpp"
-#include "tools/workers/worker_notes.hpp"
 #include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-constexpr int kNoteLeft = 4;      // Exit code of a worker that left a note about its failure.
-constexpr char kDiskError = '!';  // First character of a note about a disk error, which would
-                                  // also stop the other workers.
+// First characters of what a worker answers for a sequence that it could not make.
+constexpr char kFailed = '?';
+constexpr char kDiskError = '!';  // It would stop the other workers, too.
 
 /// Draws every sequence and builds every world, so that errors are found before anything is made.
 void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
@@ -47,22 +46,21 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
   return missing;
 }
 
-/// Makes one sequence; runs in its own process.
-int make_one(const DatasetSpec& spec, const DatasetWorlds& worlds, const DatasetFolder& folder,
-             const WorkerNotes& notes, int index) {
+/// Makes one sequence, in a worker. Returns nothing, or why it failed.
+std::string make_one(const DatasetSpec& spec, const DatasetWorlds& worlds,
+                     const DatasetFolder& folder, SharedWorlds& shared, int index) {
   try {
     const std::string name = sequence_name(index);
-    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name));
+    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name), shared);
     folder.commit_sequence(name);
-    return kDone;
+    return "";
   } catch (const FileError& error) {
     throw_if_interrupted();
-    notes.leave(kDiskError + std::string(error.what()));
+    return kDiskError + std::string(error.what());
   } catch (const std::exception& error) {
     throw_if_interrupted();
-    notes.leave(error.what());
+    return kFailed + std::string(error.what());
   }
-  return kNoteLeft;
 }
 
 /// Result of a pass over the missing sequences.
@@ -72,37 +70,34 @@ struct Pass {
   std::string disk_error{};  ///< The first disk error; empty if there was none.
 };
 
-/// Prints the notes; a disk error is kept and reported once, at the end.
-void report_notes(const std::vector<std::string>& notes, Pass& pass) {
-  for (const std::string& note : notes) {
-    if (note.front() != kDiskError) {
-      fmt::print(stderr, "castaway: {}\n", note);
-    } else if (pass.disk_error.empty()) {
-      pass.disk_error = note.substr(1);
-    }
+/// Counts a sequence. Prints why it failed; a disk error is kept and reported once, at the end.
+void count_in(const std::string& answer, Pass& pass) {
+  ++(answer.empty() ? pass.made : pass.failed);
+  if (answer.empty()) return;
+  if (answer.front() == kFailed) {
+    fmt::print(stderr, "castaway: {}\n", answer.substr(1));
+  } else if (pass.disk_error.empty()) {
+    pass.disk_error = answer.substr(1);
   }
 }
 
 Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
                     const DatasetFolder& folder, const DatasetRequest& request,
                     const std::vector<int>& missing) {
-  const auto count = static_cast<int>(missing.size());
-  CampaignProgress progress(count, "sequences");
-  WorkerNotes notes;
+  CampaignProgress progress(static_cast<int>(missing.size()), "sequences");
   Pass pass;
-  const auto index_of = [&](int job) { return missing[static_cast<std::size_t>(job)]; };
-  run_jobs(
-      count, request.workers,
-      [&](int job) { return make_one(spec, worlds, folder, notes, index_of(job)); },
-      [&](int job, int code) {
-        report_notes(notes.take(), pass);
-        if (code != kDone && code != kNoteLeft) {
-          fmt::print(stderr, "castaway: sequence {}: its process was killed\n", index_of(job));
-        }
-        ++(code == kDone ? pass.made : pass.failed);
-        progress.next("");
-      },
-      [&] { return !pass.disk_error.empty(); });
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int, const std::string& answer) {
+    count_in(answer, pass);
+    progress.next("");
+  };
+  outcomes.on_failure = [&](int index, const std::string& reason) {
+    outcomes.on_result(index, kFailed + sequence_error(spec, sample_sequence(spec, index), reason));
+  };
+  outcomes.stopped = [&] { return !pass.disk_error.empty(); };
+  SharedWorlds shared;  // Each worker fills its own.
+  const auto work = [&](int index) { return make_one(spec, worlds, folder, shared, index); };
+  work_through(missing, request.workers, work, outcomes);
   return pass;
 }
 
@@ -152,7 +147,7 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   const std::vector<int> missing = missing_sequences(folder, request.sequences);
   for (const int index : missing)
     worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
-  worlds.compute_scores(request.workers, folder.path() / ".work");
+  worlds.compute_scores(request.workers);
   const std::chrono::nanoseconds begin = wall_time();
   const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);

@@ -36,7 +36,8 @@ Json files_json(const std::filesystem::path& folder) {
 
 /// Simulates the sequence and returns its metadata and statistics.
 Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
-                   const SampledSequence& sequence, const std::filesystem::path& draft) {
+                   const SampledSequence& sequence, const std::filesystem::path& draft,
+                   SharedWorlds& shared) {
   SequenceStatistics statistics;
   RunInfo info;
   PlayOptions options;
@@ -45,6 +46,7 @@ Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
   options.keep_list = false;
   options.quiet = true;
   options.timing = false;
+  options.worlds = &shared;
   options.scores = std::make_shared<const PlaceScores>(scores.places);
   options.sinks.push_back([&](const RunInfo& built, const auto& labels) {
     info = built;
@@ -71,10 +73,11 @@ Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
 }  // namespace
 
 void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
-                   const SampledSequence& sequence, const std::filesystem::path& draft) {
+                   const SampledSequence& sequence, const std::filesystem::path& draft,
+                   SharedWorlds& shared) {
   try {
     const MapScores& scores = worlds.scores(sequence.loaded.scenario);
-    Json root = play_sequence(spec, scores, sequence, draft);
+    Json root = play_sequence(spec, scores, sequence, draft, shared);
     root["files"] = files_json(draft);
     write_file(draft / "sequence.json", root.dump() + "\n");
   } catch (const FileError&) {

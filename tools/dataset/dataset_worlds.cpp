@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "tools/files/file.hpp"
-#include "tools/files/file_error.hpp"
 #include "tools/scenario/sections/lidar_spec.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/workers/worker_pool.hpp"
@@ -73,27 +71,19 @@ MapScores DatasetWorlds::score_map(const Scenario& scenario) const {
   return map_scores(scenario, base_, lidar);
 }
 
-void DatasetWorlds::compute_scores(int workers, const std::filesystem::path& drafts) {
+void DatasetWorlds::compute_scores(int workers) {
   std::vector<std::pair<std::string, Scenario>> jobs(asked_.begin(), asked_.end());
   asked_.clear();
-  const auto file_of = [&](int job) { return drafts / fmt::format("scores-{}", job); };
-  int failed = 0;
-  run_jobs(
-      static_cast<int>(jobs.size()), workers,
-      [&](int job) {
-        const Scenario& scenario = jobs[static_cast<std::size_t>(job)].second;
-        write_file(file_of(job), scores_text(score_map(scenario)));
-        return 0;
-      },
-      [&](int job, int code) {
-        failed += code == 0 ? 0 : 1;
-        if (code != 0) return;
-        scores_.insert_or_assign(jobs[static_cast<std::size_t>(job)].first,
-                                 parse_scores(read_file(file_of(job))));
-      });
-  if (failed > 0) {
-    throw FileError(drafts.string() + ": the scores of the maps cannot be written there");
-  }
+  const auto job_of = [&](int job) -> const auto& { return jobs[static_cast<std::size_t>(job)]; };
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int job, const std::string& text) {
+    scores_.insert_or_assign(job_of(job).first, parse_scores(text));
+  };
+  outcomes.on_failure = [&](int job, const std::string& reason) {
+    throw std::runtime_error(job_of(job).second.world.file + ": " + reason);
+  };
+  const auto work = [&](int job) { return scores_text(score_map(job_of(job).second)); };
+  work_through(jobs_up_to(static_cast<int>(jobs.size())), workers, work, outcomes);
 }
 
 const MapScores& DatasetWorlds::scores(const Scenario& scenario) const {

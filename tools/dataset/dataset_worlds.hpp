@@ -22,10 +22,9 @@ class DatasetWorlds {
   void check(const Scenario& scenario);
   /// Requests the scores of the scenario's map. Precondition: `check` was called for it.
   void request_scores(const Scenario& scenario);
-  /// Computes all requested scores, `workers` maps at a time, each in its own process. The
-  /// processes leave their results in `drafts`; the files may be removed afterwards. Throws
-  /// FileError if the results cannot be kept there.
-  void compute_scores(int workers, const std::filesystem::path& drafts);
+  /// Computes all requested scores, `workers` maps at a time. Throws std::runtime_error naming the
+  /// world that failed.
+  void compute_scores(int workers);
 
   /// Scores computed by `compute_scores`.
   [[nodiscard]] const MapScores& scores(const Scenario& scenario) const;

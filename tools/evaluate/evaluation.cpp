@@ -13,7 +13,6 @@
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
 #include "tools/trials/wrong_scans.hpp"
-#include "tools/workers/worker_notes.hpp"
 #include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
@@ -195,35 +194,20 @@ EvaluationRow try_tracking(const Evaluator& evaluator, const Frames& frames) {
 
 using TrialByIndex = std::function<EvaluationRow(int)>;
 
-/// Trials of one worker process. A process begins with empty caches, so that its first trial takes
-/// up to twice the CPU time. Few enough that the notes of all workers fit into their pipe.
-int trials_of_process(int workers) { return std::clamp(32 / workers, 1, 6); }
-
 /// Runs the trials in worker processes. Returns their results in order.
 std::vector<EvaluationRow> run_at_once(int trials, int workers, const TrialByIndex& run_trial,
                                        const std::function<void()>& on_trial) {
-  std::vector<std::optional<EvaluationRow>> found(static_cast<std::size_t>(trials));
-  WorkerNotes notes;
-  const int each = trials_of_process(workers);
-  const int processes = (trials + each - 1) / each;
-  const auto job = [&](int first) {
-    for (int index = first; index < trials; index += processes) {
-      notes.leave(std::to_string(index) + " " + pack_row(run_trial(index)));
-    }
-    return static_cast<int>(kDone);
+  std::vector<EvaluationRow> rows(static_cast<std::size_t>(trials));
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int index, const std::string& text) {
+    rows[static_cast<std::size_t>(index)] = unpack_row(text);
+    on_trial();
   };
-  run_jobs(processes, workers, job, [&](int, int) {
-    for (const std::string& note : notes.take()) {
-      const std::size_t space = note.find(' ');
-      found.at(std::stoul(note.substr(0, space))) = unpack_row(note.substr(space + 1));
-      on_trial();
-    }
-  });
-  std::vector<EvaluationRow> rows;
-  for (std::optional<EvaluationRow>& row : found) {
-    if (!row) throw std::runtime_error("a trial failed in its process; run with -j 1 to see why");
-    rows.push_back(std::move(*row));
-  }
+  outcomes.on_failure = [](int index, const std::string& reason) {
+    throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
+  };
+  work_through(
+      jobs_up_to(trials), workers, [&](int index) { return pack_row(run_trial(index)); }, outcomes);
   return rows;
 }
 

@@ -7,6 +7,7 @@
 
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
+#include "tools/trials/packed_values.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -31,34 +32,6 @@ Json packed(const TrialSummary& trials) {
 TrialSummary unpacked_trials(const Json& json) {
   return {json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<std::vector<double>>(),
           json.at(3).get<std::vector<double>>()};
-}
-
-Json packed(const CalibrationBin& bin) { return {bin.scans, bin.right, bin.stated_sum}; }
-
-CalibrationBin unpacked_bin(const Json& json) {
-  return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>(), json.at(2).get<double>()};
-}
-
-Json packed(const Calibration& calibration) {
-  Json bins = Json::array();
-  for (const CalibrationBin& bin : calibration.bins) bins.push_back(packed(bin));
-  return {std::move(bins), calibration.squares, packed(calibration.sure)};
-}
-
-Calibration unpacked_calibration(const Json& json) {
-  Calibration calibration;
-  for (std::size_t i = 0; i < calibration.bins.size(); ++i) {
-    calibration.bins[i] = unpacked_bin(json.at(0).at(i));
-  }
-  calibration.squares = json.at(1).get<double>();
-  calibration.sure = unpacked_bin(json.at(2));
-  return calibration;
-}
-
-Json packed(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-std::optional<double> unpacked(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
 Json trials_json(const TrialSummary& t) {
@@ -121,8 +94,8 @@ std::string pack_row(const EvaluationRow& row) {
 EvaluationRow unpack_row(const std::string& text) try {
   const Json json = Json::parse(text);
   EvaluationRow row;
-  row.tracking_m = unpacked(json.at(0));
-  row.tracking_yaw_rad = unpacked(json.at(1));
+  row.tracking_m = unpacked_number(json.at(0));
+  row.tracking_yaw_rad = unpacked_number(json.at(1));
   row.starts = unpacked_trials(json.at(2));
   row.kidnaps = unpacked_trials(json.at(3));
   row.scans = json.at(4).get<std::int64_t>();
@@ -135,7 +108,7 @@ EvaluationRow unpack_row(const std::string& text) try {
   row.cpu_total_ms = json.at(11).get<double>();
   row.updates = json.at(12).get<std::int64_t>();
   row.cpu_max_ms = json.at(13).get<double>();
-  row.tracking_no_alarm_m = unpacked(json.at(14));
+  row.tracking_no_alarm_m = unpacked_number(json.at(14));
   return row;
 } catch (const Json::exception& error) {
   throw std::runtime_error(std::string("not the results of a trial: ") + error.what());

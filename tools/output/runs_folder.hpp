@@ -25,6 +25,8 @@ class RunsFolder {
   RunsFolder(OutputRequest request, std::vector<PlannedRun> runs);
 
   [[nodiscard]] const std::filesystem::path& path() const { return request_.target; }
+  /// The planned runs.
+  [[nodiscard]] const std::vector<PlannedRun>& runs() const { return runs_; }
   /// True if an earlier, stopped call with the same settings and the same program finished this
   /// run.
   [[nodiscard]] bool has_run(std::size_t index) const;

@@ -14,10 +14,9 @@
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
 #include "tools/play/play.hpp"
-#include "tools/play/progress.hpp"
+#include "tools/play/play_runs.hpp"
 #include "tools/play/seeds_summary.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -40,12 +39,13 @@ LoadedScenario load(const SeedsRequest& request, int index) {
   return loaded;
 }
 
-int play_seed(const SeedsRequest& request, int index) {
+int play_seed(const SeedsRequest& request, int index, SharedWorlds& worlds) {
   PlayOptions options;
   options.base = request.scenario.parent_path();
   options.out = folder_of(request, index);
   options.force = request.force;
   options.quiet = true;
+  options.worlds = &worlds;
   return play(load(request, index), options);
 }
 
@@ -88,31 +88,14 @@ Outcome outcome_of(const std::filesystem::path& folder) {
 }
 
 Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
-  Outcomes outcomes(static_cast<std::size_t>(request.seeds.count));
-  CampaignProgress progress(request.seeds.count, "runs");
-  RecoveryTally tally;
-  int finished = 0;
-  const auto take = [&](int index) {
-    Outcome& outcome = outcomes[static_cast<std::size_t>(index)];
-    outcome = outcome_of(folder_of(request, index));
-    if (outcome.run) tally.add(outcome.run->metrics);
-    ++finished;
-  };
-  try {
-    run_jobs(
-        request.seeds.count, request.workers,
-        [&](int index) {
-          const bool made = folder.has_run(static_cast<std::size_t>(index));
-          return made ? static_cast<int>(kDone) : play_seed(request, index);
-        },
-        [&](int index, int exit_code) {
-          if (exit_code == kDone) take(index);
-          progress.next(tally.text());
-        });
-  } catch (Interrupted& interrupted) {
-    interrupted.kept = fmt::format("{} of {} runs are kept in {}; the same command resumes",
-                                   finished, request.seeds.count, request.out.string());
-    throw;
+  const std::vector<int> codes =
+      play_runs(folder, request.workers, [&](std::size_t index, SharedWorlds& worlds) {
+        return play_seed(request, static_cast<int>(index), worlds);
+      });
+  Outcomes outcomes;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    outcomes.push_back(codes[i] == kDone ? outcome_of(folder_of(request, static_cast<int>(i)))
+                                         : Outcome{});
   }
   return outcomes;
 }

@@ -13,9 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exit code of a worker that left a message.
-constexpr int kRefused = 3;
-
 std::string name_of(const fs::path& folder) {
   return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
 }
@@ -36,35 +33,26 @@ std::vector<std::string> names_of(const std::vector<std::string>& folders) {
 /// Predicts the log of an index with a number of workers.
 using PredictOne = std::function<LogPrediction(std::size_t index, int workers)>;
 
-/// Predicts each log in a process of its own. Results and messages of failed ones pass through
-/// files in `out`.
+/// Predicts several logs at once, each in one process.
 std::vector<LogPrediction> predict_at_once(const std::vector<std::string>& names, int workers,
-                                           const fs::path& out, const PredictOne& predict_one,
+                                           const PredictOne& predict_one,
                                            const std::function<void(const std::string&)>& on_log) {
-  const auto file_of = [&](int i) { return out / (std::to_string(i) + ".prediction"); };
-  const auto job = [&](int i) {
-    try {
-      write_file(file_of(i), pack_prediction(predict_one(static_cast<std::size_t>(i), 1)));
-    } catch (const std::exception& error) {
-      write_file(file_of(i), error.what());
-      return kRefused;
-    }
-    return static_cast<int>(kDone);
+  std::vector<LogPrediction> all(names.size());
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int i, const std::string& text) {
+    const auto index = static_cast<std::size_t>(i);
+    all[index] = unpack_prediction(text);
+    on_log(names[index]);
   };
-  std::optional<std::string> failure;
-  const auto on_done = [&](int i, int exit_code) {
+  outcomes.on_failure = [&](int i, const std::string& reason) {
     const std::string& name = names[static_cast<std::size_t>(i)];
-    if (exit_code == kDone) return on_log(name);
-    failure = exit_code == kRefused ? read_file(file_of(i)) : name + ": its process failed";
+    throw std::runtime_error(reason.find(name) == std::string::npos ? name + ": " + reason
+                                                                    : reason);
   };
-  const auto count = static_cast<int>(names.size());
-  run_jobs(count, workers, job, on_done, [&] { return failure.has_value(); });
-  if (failure) throw std::runtime_error(*failure);
-  std::vector<LogPrediction> all;
-  for (int i = 0; i < count; ++i) {
-    all.push_back(unpack_prediction(read_file(file_of(i))));
-    fs::remove(file_of(i));
-  }
+  const auto work = [&](int i) {
+    return pack_prediction(predict_one(static_cast<std::size_t>(i), 1));
+  };
+  work_through(jobs_up_to(static_cast<int>(names.size())), workers, work, outcomes);
   return all;
 }
 
@@ -85,7 +73,7 @@ std::vector<LogPrediction> predict_logs(const std::vector<std::string>& folders,
   fs::create_directories(out);
   const int workers = config.evaluation.workers;
   if (folders.size() > 1 && workers > 1) {
-    return predict_at_once(names, workers, out, predict_one, on_log);
+    return predict_at_once(names, workers, predict_one, on_log);
   }
   std::vector<LogPrediction> all;
   for (std::size_t i = 0; i < folders.size(); ++i) {

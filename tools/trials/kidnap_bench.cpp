@@ -1,13 +1,18 @@
 #include "tools/trials/kidnap_bench.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "tools/records/run_history.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
 #include "tools/sources/simulator_source.hpp"
 #include "tools/trials/distinguishability.hpp"
+#include "tools/trials/kidnap_text.hpp"
 #include "tools/trials/place_finder.hpp"
+#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -130,17 +135,26 @@ KidnapReport report_of(const Stage& stage, const PlayedTrial& played) {
 }  // namespace
 
 std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
-                                       const std::vector<LocalizerSpec>& localizers, int kidnaps,
-                                       int obstacles,
-                                       const std::function<void(const KidnapReport&)>& on_trial) {
+                                       const std::vector<LocalizerSpec>& localizers,
+                                       const KidnapTrialCount& count,
+                                       const std::function<void()>& on_trial) {
   const Stage stage(trials, localizers);
-  std::vector<KidnapReport> reports;
-  for (int index = 0; index < kidnaps; ++index) {
-    reports.push_back(report_of(stage, play(stage, trials.draw(index, obstacles))));
-    reports.back().index = index;
-    reports.back().obstacles = obstacles;
-    on_trial(reports.back());
-  }
+  std::vector<KidnapReport> reports(static_cast<std::size_t>(count.kidnaps));
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int index, const std::string& text) {
+    reports[static_cast<std::size_t>(index)] = unpack_report(text);
+    on_trial();
+  };
+  outcomes.on_failure = [](int index, const std::string& reason) {
+    throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
+  };
+  const auto work = [&](int index) {
+    KidnapReport report = report_of(stage, play(stage, trials.draw(index, count.obstacles)));
+    report.index = index;
+    report.obstacles = count.obstacles;
+    return pack_report(report);
+  };
+  work_through(jobs_up_to(count.kidnaps), count.workers, work, outcomes);
   return reports;
 }
 

@@ -8,10 +8,18 @@
 
 namespace castaway::testbed {
 
-/// Plays trials 0 to `kidnaps` - 1 with `obstacles` people; all localizers see the same runs.
-/// `on_trial` is called after each trial. The reports are deterministic.
+/// Trials of one batch.
+struct KidnapTrialCount {
+  int kidnaps = 1;
+  int obstacles = 0;  ///< People in each.
+  int workers = 1;    ///< Trials at a time.
+};
+
+/// Plays trials 0 to `kidnaps` - 1; all localizers see the same runs. `on_trial` is called after
+/// each trial. The reports are deterministic, and in the order of the trials. Throws
+/// std::runtime_error naming the trial that fails.
 std::vector<KidnapReport> play_kidnaps(
-    const KidnapTrials& trials, const std::vector<LocalizerSpec>& localizers, int kidnaps,
-    int obstacles, const std::function<void(const KidnapReport&)>& on_trial = [](const auto&) {});
+    const KidnapTrials& trials, const std::vector<LocalizerSpec>& localizers,
+    const KidnapTrialCount& count, const std::function<void()>& on_trial = [] {});
 
 }  // namespace castaway::testbed

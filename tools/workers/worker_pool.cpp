@@ -1,102 +1,138 @@
 #include "tools/workers/worker_pool.hpp"
 
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <poll.h>
 
-#include <cerrno>
+#include <algorithm>
+#include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <exception>
-#include <map>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
-#include <string>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "tools/output/interruption.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-int done_by(const Job& job, int index) {
-  try {
-    return job(index);
-  } catch (const Interrupted& interrupted) {
-    return exit_code_of(interrupted);
-  } catch (const std::exception& error) {
-    if (interruption() != 0) return 128 + interruption();
-    std::fprintf(stderr, "castaway: %s\n", error.what());
-    return 1;
-  }
-}
+using Clock = std::chrono::steady_clock;
 
-pid_t start_job(const Job& job, int index) {
-  std::fflush(nullptr);  // Buffered output would be written twice.
-  const pid_t parent = getpid();
-  const pid_t process = fork();
-  if (process < 0) {
-    throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno) +
-                             "; use fewer workers (-j)");
-  }
-  if (process > 0) return process;
-  begin_as_worker();
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // The parent ended before PR_SET_PDEATHSIG took effect.
-  const int code = done_by(job, index);
-  std::fflush(nullptr);
-  _exit(code);
-}
+/// A process with its job.
+struct BusyWorker {
+  WorkerProcess process;
+  std::optional<int> job;
+  Clock::time_point begun;
 
-/// Sends SIGTERM to all workers and waits until they have cleaned up and ended.
-void stop_all(const std::map<pid_t, int>& running) {
-  for (const auto& [process, index] : running) kill(process, SIGTERM);
-  for (const auto& [process, index] : running) {
-    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-    }
+  [[nodiscard]] double age_s() const {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
   }
-}
-
-/// A process that ended.
-struct Ended {
-  pid_t process = -1;
-  int exit_code = 1;
 };
 
-/// Waits until a worker ends. After an interruption it stops the workers and throws.
-Ended wait_for_one(std::map<pid_t, int>& running) {
-  int status = 0;
-  const pid_t process = interruption() == 0 ? waitpid(-1, &status, 0) : -1;
-  if (interruption() != 0) {
-    running.erase(process);
-    stop_all(running);
-    throw_if_interrupted();
+/// The processes at work.
+class WorkerPool {
+ public:
+  WorkerPool(const std::vector<int>& jobs, const Work& work, const JobOutcomes& outcomes,
+             double timeout_s)
+      : jobs_(jobs), work_(work), outcomes_(outcomes), timeout_s_(timeout_s) {}
+
+  void run(int count) {
+    while (static_cast<int>(workers_.size()) < count && has_more()) start_one();
+    while (!workers_.empty()) step();
   }
-  return {process, WIFEXITED(status) ? WEXITSTATUS(status) : 1};
-}
+
+ private:
+  [[nodiscard]] bool has_more() const {
+    return next_ < jobs_.size() && !(outcomes_.stopped && outcomes_.stopped());
+  }
+
+  void start_one() {
+    workers_.push_back({WorkerProcess(work_), std::nullopt, {}});
+    give(workers_.back());
+  }
+
+  /// Hands the next job out, or the end.
+  void give(BusyWorker& worker) {
+    worker.job = has_more() ? std::optional(jobs_[next_++]) : std::nullopt;
+    worker.begun = Clock::now();
+    worker.process.give(worker.job);
+  }
+
+  /// [ms] Until the first job is too slow; -1: no limit.
+  [[nodiscard]] int patience() const {
+    if (timeout_s_ <= 0.0) return -1;
+    double least = timeout_s_;
+    for (const BusyWorker& worker : workers_) least = std::min(least, timeout_s_ - worker.age_s());
+    return static_cast<int>(1000.0 * std::max(least, 0.0)) + 1;
+  }
+
+  void step() {
+    std::vector<pollfd> files;
+    for (const BusyWorker& worker : workers_) files.push_back({worker.process.file(), POLLIN, 0});
+    poll(files.data(), files.size(), interruption() == 0 ? patience() : 0);
+    if (interruption() != 0) stop_all();
+    for (std::size_t i = workers_.size(); i-- > 0;) {
+      if (files[i].revents != 0) {
+        take(i);
+      } else if (timeout_s_ > 0.0 && workers_[i].job && workers_[i].age_s() > timeout_s_) {
+        workers_[i].process.signal(SIGKILL);
+        replace(i, fmt::format("took longer than {} s", timeout_s_));
+      }
+    }
+  }
+
+  /// Takes an answer, or the end of a process.
+  void take(std::size_t i) {
+    const std::optional<WorkAnswer> answer = workers_[i].process.take();
+    if (!answer) return replace(i, "");
+    const int job = workers_[i].job.value();
+    // A caller that may stop hears of this job before the next one is handed out.
+    if (!outcomes_.stopped) give(workers_[i]);
+    (answer->failed ? outcomes_.on_failure : outcomes_.on_result)(job, answer->text);
+    if (outcomes_.stopped) give(workers_[i]);
+  }
+
+  /// Takes leave of a process, and starts another one if it died at a job and there are more.
+  void replace(std::size_t i, const std::string& reason) {
+    const std::optional<int> job = workers_[i].job;
+    const std::string death = workers_[i].process.end();
+    std::swap(workers_[i], workers_.back());
+    workers_.pop_back();
+    if (interruption() != 0) stop_all();
+    if (!job) return;
+    outcomes_.on_failure(*job, reason.empty() ? death : reason);
+    if (has_more()) start_one();
+  }
+
+  [[noreturn]] void stop_all() {
+    for (const BusyWorker& worker : workers_) worker.process.signal(SIGTERM);
+    for (BusyWorker& worker : workers_) worker.process.end();
+    throw_if_interrupted();
+    throw std::logic_error("stopped without an interruption");
+  }
+
+  const std::vector<int>& jobs_;
+  const Work& work_;
+  const JobOutcomes& outcomes_;
+  double timeout_s_;
+  std::size_t next_ = 0;
+  std::vector<BusyWorker> workers_;
+};
 
 }  // namespace
 
-void run_jobs(int count, int workers, const Job& job,
-              const std::function<void(int index, int exit_code)>& on_done,
-              const std::function<bool()>& stopped) {
+void work_through(const std::vector<int>& jobs, int workers, const Work& work,
+                  const JobOutcomes& outcomes, double timeout_s) {
   if (workers < 1) throw std::invalid_argument("the number of workers must be at least 1");
   const Interruptible interruptible;
-  std::map<pid_t, int> running;
-  int next = 0;
-  while (next < count || !running.empty()) {
-    if (stopped && stopped()) count = next;
-    while (next < count && static_cast<int>(running.size()) < workers) {
-      running.emplace(start_job(job, next), next);
-      ++next;
-    }
-    if (running.empty()) return;
-    const Ended ended = wait_for_one(running);
-    const auto found = running.find(ended.process);
-    if (found == running.end()) continue;
-    const int index = found->second;
-    running.erase(found);
-    on_done(index, ended.exit_code);
-  }
+  WorkerPool(jobs, work, outcomes, timeout_s).run(workers);
+}
+
+std::vector<int> jobs_up_to(int count) {
+  std::vector<int> jobs(static_cast<std::size_t>(count));
+  std::iota(jobs.begin(), jobs.end(), 0);
+  return jobs;
 }
 
 }  // namespace castaway::testbed

@@ -1,22 +1,34 @@
-/// Runs many jobs at once, each in its own process with its own memory, so that a run stays
-/// single-threaded.
+/// Works on many jobs at once. Each run stays single-threaded: the workers are processes.
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/workers/worker_process.hpp"
 
 namespace castaway::testbed {
 
-/// A job by its index. It returns its exit code, in 0..255. An exception is printed to stderr and
-/// gives exit code 1.
-using Job = std::function<int(int index)>;
+/// What this process hears of its jobs, in any order.
+struct JobOutcomes {
+  std::function<void(int job, const std::string& result)> on_result;
+  /// The job threw, or its process died or was too slow; `reason` is one line. The other jobs go
+  /// on.
+  std::function<void(int job, const std::string& reason)> on_failure;
+  /// Once it returns true, no further job is handed out.
+  std::function<bool()> stopped{};
+};
 
-/// Runs jobs 0, 1... in the order of their indices, at most `workers` at a time. Calls `on_done` in
-/// this process as they end, in any order. Once `stopped` returns true, no further job is started.
-/// A job killed by a signal has exit code 1. Jobs are killed if this process dies. If this process
-/// is interrupted, so are the jobs, and Interrupted is thrown once they have ended. Throws
-/// std::runtime_error if no process can be started, std::invalid_argument unless workers >= 1.
-void run_jobs(int count, int workers, const Job& job,
-              const std::function<void(int index, int exit_code)>& on_done,
-              const std::function<bool()>& stopped = {});
+/// Works through `jobs`, handed out in their order, with at most `workers` processes, each of which
+/// works on one job after the other and keeps its memory, so that a job costs no start. A process
+/// that dies is replaced. `timeout_s` [s] of wall time, after which a job's process is killed; 0:
+/// none. The processes are killed if this one dies. If this process is interrupted, so are they,
+/// and Interrupted is thrown once they have ended. Throws std::runtime_error if no process can be
+/// started, std::invalid_argument unless workers >= 1.
+void work_through(const std::vector<int>& jobs, int workers, const Work& work,
+                  const JobOutcomes& outcomes, double timeout_s = 0.0);
+
+/// The jobs 0 to `count` - 1.
+std::vector<int> jobs_up_to(int count);
 
 }  // namespace castaway::testbed

@@ -10,7 +10,6 @@
 #include "tools/commands/bench/bench.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/twin/calibration_trials.hpp"
-#include "tools/workers/worker_notes.hpp"
 #include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
@@ -38,24 +37,23 @@ Json to_json(const FoundSetting& setting, int trial) {
 Json run_calibrations(const CalibrationArguments& arguments) {
   const int trials = arguments.config.trials;
   std::vector<Json> found(static_cast<std::size_t>(trials));
-  WorkerNotes notes;
-  const auto job = [&](int trial) {
+  const auto work = [&](int trial) {
     Json settings = Json::array();
     for (const FoundSetting& setting : try_calibration(arguments.config, trial)) {
       settings.push_back(to_json(setting, trial));
     }
-    notes.leave(settings.dump());
-    return static_cast<int>(kDone);
+    return settings.dump();
   };
-  run_jobs(trials, arguments.workers, job, [&](int, int) {
-    for (const std::string& note : notes.take()) {
-      const Json settings = Json::parse(note);
-      if (!settings.empty()) found[settings.front()["trial"].get<std::size_t>()] = settings;
-    }
-  });
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int trial, const std::string& settings) {
+    found[static_cast<std::size_t>(trial)] = Json::parse(settings);
+  };
+  outcomes.on_failure = [](int trial, const std::string& reason) {
+    throw std::runtime_error(fmt::format("trial {}: {}", trial, reason));
+  };
+  work_through(jobs_up_to(trials), arguments.workers, work, outcomes);
   Json all = Json::array();
   for (const Json& settings : found) {
-    if (settings.is_null()) throw std::runtime_error("a trial failed; run with -j 1 to see why");
     all.insert(all.end(), settings.begin(), settings.end());
   }
   return all;

@@ -42,6 +42,7 @@ struct KidnapArguments {
   int kidnaps = 200;
   std::vector<int> obstacles;
   double within_s = 10.0;
+  int workers = 1;
   LocalizerArguments localizers;
   std::vector<std::string> names;  ///< Of the localizers.
   bool verbose = false;
@@ -181,11 +182,11 @@ Json to_json(const KidnapBatch& batch) {
 KidnapBatch play_batch(const KidnapTrials& trials, const std::vector<LocalizerSpec>& specs,
                        const KidnapArguments& arguments, int obstacles) {
   TrialCount done(arguments.kidnaps);
-  const auto on_trial = [&](const KidnapReport& report) {
-    if (arguments.verbose) print_failure(report, arguments);
-    done.next();
-  };
-  const auto reports = play_kidnaps(trials, specs, arguments.kidnaps, obstacles, on_trial);
+  const auto reports = play_kidnaps(
+      trials, specs, {arguments.kidnaps, obstacles, arguments.workers}, [&done] { done.next(); });
+  if (arguments.verbose) {
+    for (const KidnapReport& report : reports) print_failure(report, arguments);
+  }
   return summarise(reports, arguments.names, arguments.within_s);
 }
 
@@ -253,6 +254,7 @@ void add_bench_kidnaps(Command& bench) {
       .show_default();
   add_localizer_options(command, a->localizers, "mh_amcl and amcl");
   command.add_option("--seed", a->trials.seed, "Root seed").show_default();
+  command.add_option("-j,--jobs", a->workers, "Trials at a time").range(1, 1024).show_default();
   command.add_flag("--verbose", a->verbose,
                    "Print the trials that fail: of the matcher and of the first localizer");
   command.add_flag("--json", a->json, "Print JSON");

@@ -1,0 +1,117 @@
+#include "tools/trials/kidnap_text.hpp"
+
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/trials/packed_values.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json packed_pose(const SE2& pose) { return {pose.x, pose.y, pose.yaw}; }
+
+SE2 unpacked_pose(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+Json packed_scans(const WrongScans& scans) { return {scans.scans, scans.wrong, scans.longest_s}; }
+
+WrongScans unpacked_scans(const Json& json) {
+  return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>(), json.at(2).get<double>()};
+}
+
+Json packed_errors(const std::vector<PoseError>& errors) {
+  Json json = Json::array();
+  for (const PoseError& error : errors) json.push_back({error.position_m, error.yaw_rad});
+  return json;
+}
+
+std::vector<PoseError> unpacked_errors(const Json& json) {
+  std::vector<PoseError> errors;
+  for (const Json& error : json) {
+    errors.push_back({error.at(0).get<double>(), error.at(1).get<double>()});
+  }
+  return errors;
+}
+
+Json packed_outcome(const KidnapOutcome& outcome) {
+  return {packed(outcome.recovered_s),
+          packed(outcome.confident_s),
+          packed(outcome.alarm_s),
+          packed(outcome.noticed_s),
+          packed_errors(outcome.tracking),
+          packed_scans(outcome.since_kidnap),
+          packed_scans(outcome.since_distinguishable),
+          packed(outcome.calibration)};
+}
+
+KidnapOutcome unpacked_outcome(const Json& json) {
+  KidnapOutcome outcome;
+  outcome.recovered_s = unpacked_number(json.at(0));
+  outcome.confident_s = unpacked_number(json.at(1));
+  outcome.alarm_s = unpacked_number(json.at(2));
+  outcome.noticed_s = unpacked_number(json.at(3));
+  outcome.tracking = unpacked_errors(json.at(4));
+  outcome.since_kidnap = unpacked_scans(json.at(5));
+  outcome.since_distinguishable = unpacked_scans(json.at(6));
+  outcome.calibration = unpacked_calibration(json.at(7));
+  return outcome;
+}
+
+Json packed_search(const SearchOutcome& search) {
+  return {search.rank ? Json(*search.rank) : Json(), search.blocked_share, search.right,
+          search.fifth};
+}
+
+SearchOutcome unpacked_search(const Json& json) {
+  SearchOutcome search;
+  if (!json.at(0).is_null()) search.rank = json.at(0).get<std::size_t>();
+  search.blocked_share = json.at(1).get<double>();
+  search.right = json.at(2).get<double>();
+  search.fifth = json.at(3).get<double>();
+  return search;
+}
+
+}  // namespace
+
+std::string pack_report(const KidnapReport& report) {
+  Json outcomes = Json::array();
+  for (const KidnapOutcome& outcome : report.outcomes) outcomes.push_back(packed_outcome(outcome));
+  Json json = {{"index", report.index},
+               {"obstacles", report.obstacles},
+               {"from", packed_pose(report.T_map_from)},
+               {"to", packed_pose(report.T_map_to)},
+               {"search", packed_search(report.search)},
+               {"outcomes", std::move(outcomes)}};
+  if (report.void_run) json["void"] = {report.void_run->reason, report.void_run->at_s};
+  if (report.distinguishable) json["distinguishable_ns"] = report.distinguishable->count();
+  return json.dump();
+}
+
+KidnapReport unpack_report(const std::string& text) try {
+  const Json json = Json::parse(text);
+  KidnapReport report;
+  report.index = json.at("index").get<int>();
+  report.obstacles = json.at("obstacles").get<int>();
+  report.T_map_from = unpacked_pose(json.at("from"));
+  report.T_map_to = unpacked_pose(json.at("to"));
+  report.search = unpacked_search(json.at("search"));
+  for (const Json& outcome : json.at("outcomes")) {
+    report.outcomes.push_back(unpacked_outcome(outcome));
+  }
+  if (json.contains("void")) {
+    const Json& run = json.at("void");
+    report.void_run = VoidRun{run.at(0).get<std::string>(), run.at(1).get<double>()};
+  }
+  if (json.contains("distinguishable_ns")) {
+    report.distinguishable = Stamp(json.at("distinguishable_ns").get<std::int64_t>());
+  }
+  return report;
+} catch (const Json::exception& error) {
+  throw std::runtime_error(std::string("not the report of a trial: ") + error.what());
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,20 @@
+/// Values as JSON without names, for transfer between processes: every bit of them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/metrics/calibration.hpp"
+
+namespace castaway::testbed {
+
+nlohmann::ordered_json packed(const std::optional<double>& value);
+/// Throws nlohmann::json::exception for any other JSON, as do the following ones.
+std::optional<double> unpacked_number(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json packed(const Calibration& calibration);
+Calibration unpacked_calibration(const nlohmann::ordered_json& json);
+
+}  // namespace castaway::testbed
