@@ -1,5 +1,6 @@
 #include "localization/geometry/random.hpp"
 
+#include <random>
 #include <vector>
 
 namespace castaway::localization {

@@ -3,9 +3,26 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "localization/sensor/pose_in_cells.hpp"
-
 namespace castaway::localization {
+namespace {
+
+/// Calls `take` with the field's value at each point, in their order.
+template <typename Take>
+[[gnu::always_inline]] inline void look_up(const InterpolatedField& field, const PoseInCells& pose,
+                                           const ScanPoints& points, const Take& take) {
+  std::size_t i = 0;
+  for (; i + 4 <= points.size(); i += 4) {
+    const FourFloats px = load_four(&points.x[i]);
+    const FourFloats py = load_four(&points.y[i]);
+    const FourFloats values = field.at_cells(pose.x(px, py), pose.y(px, py));
+    for (int k = 0; k < 4; ++k) take(values[k]);
+  }
+  for (; i < points.size(); ++i) {
+    take(field.at_cells(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i])));
+  }
+}
+
+}  // namespace
 
 void validate(const EndpointConfig& config) {
   if (!(config.sigma > 0.0)) throw std::invalid_argument("sigma must be positive");
@@ -22,25 +39,22 @@ double endpoint_log_likelihood(const EndpointConfig& config, double distance) {
 
 EndpointModel::EndpointModel(const EndpointConfig& config, const DistanceField& distances)
     : config_((validate(config), config)),
-      field_(distances, [&](double d) { return endpoint_log_likelihood(config, d); }) {}
+      field_(distances, [&](double d) { return endpoint_log_likelihood(config, d); }),
+      to_grid_(distances.frame()) {}
 
 double EndpointModel::log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
-  const PoseInCells pose(field_.frame(), T_map_base);
   float sum = 0.0F;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    sum += field_.at_cells(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i]));
-  }
+  look_up(field_, PoseInCells(to_grid_, T_map_base), points, [&sum](float value) { sum += value; });
   return config_.independent_beams * static_cast<double>(sum) / static_cast<double>(points.size());
 }
 
 std::vector<float> EndpointModel::beam_log_likelihoods(const ScanPoints& points,
                                                        const SE2& T_map_base) const {
-  const PoseInCells pose(field_.frame(), T_map_base);
-  std::vector<float> result(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result[i] = field_.at_cells(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i]));
-  }
+  std::vector<float> result;
+  result.reserve(points.size());
+  look_up(field_, PoseInCells(to_grid_, T_map_base), points,
+          [&result](float value) { result.push_back(value); });
   return result;
 }
 

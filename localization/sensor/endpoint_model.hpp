@@ -7,6 +7,7 @@
 #pragma once
 
 #include "localization/map/interpolated_field.hpp"
+#include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -43,6 +44,7 @@ class EndpointModel {
  private:
   EndpointConfig config_;
   InterpolatedField field_;
+  MapToGrid to_grid_;
 };
 
 }  // namespace castaway::localization

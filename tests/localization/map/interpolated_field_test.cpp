@@ -1,5 +1,6 @@
 #include "localization/map/interpolated_field.hpp"
 
+#include <array>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,20 @@ TEST(InterpolatedField, IsTheFarthestValueOffTheMap) {
   EXPECT_FLOAT_EQ(field.at_cells(std::numeric_limits<float>::quiet_NaN(), 0.5F), 3.0F);
   EXPECT_FLOAT_EQ(field.at_cells(-std::numeric_limits<float>::infinity(), 1e38F), 3.0F);
   EXPECT_FLOAT_EQ(field.at_cells(2.5F, 0.5F), 3.0F);
+}
+
+TEST(InterpolatedField, OfFourPointsIsThatOfEach) {
+  const InterpolatedField field = identity_field(test::string_map({"#....", "..#.."}, 0.7));
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  const std::array<float, 8> values{-1e30F, -0.3F, 0.123F, 1.777F, 2.5F, 4.9F, 1e9F, kNaN};
+  for (const float x : values) {
+    for (const float y : values) {
+      const FourFloats xs{x, y, 1.9F, 3.3F};
+      const FourFloats ys{y, 0.6F, x, 1.1F};
+      const FourFloats four = field.at_cells(xs, ys);
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(four[i], field.at_cells(xs[i], ys[i])) << x << " " << y;
+    }
+  }
 }
 
 TEST(InterpolatedField, NeedsNoMoreMemoryForTheFinestCells) {
