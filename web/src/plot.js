@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import {element} from './dom.js';
 import {kDashes, pick} from './palette.js';
 import {align, clip, logRange, powersOfTen, rangeFromZero} from './plot_columns.js';
-import {drawIntervals, drawLimit} from './plot_marks.js';
+import {drawBand, drawIntervals, drawLimit} from './plot_marks.js';
 
 const kFont = '12px system-ui, sans-serif';
 const kLegendLines = ['solid', 'dashed', 'dotted', 'double', 'dashed', 'dotted'];
@@ -83,7 +83,9 @@ function optionsOf(spec, columns, size, colors, more) {
     cursor: {drag: {x: true, y: false}, points: {size: 7}, ...more.cursor},
     legend: {markers: markersOf(spec, first)},
     hooks: {draw: [(plot) => {
-      spec.series.forEach((series, k) => drawIntervals(plot, series, pick(colors().localizers, k - first)));
+      spec.series.forEach((series, k) => {
+        (series.style === 'band' ? drawBand : drawIntervals)(plot, series, pick(colors().localizers, k - first));
+      });
       if (spec.limit) drawLimit(plot, spec.limit, colors());
       more.draw?.(plot);
     }]},

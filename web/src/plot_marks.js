@@ -47,6 +47,18 @@ export function drawLimit({ctx, bbox, valToPos}, limit, colors) {
   ctx.restore();
 }
 
+/** The interval of a series with the style `band`, as an area behind its line. */
+export function drawBand({ctx, valToPos}, {x, low, high}, color) {
+  if (x.length === 0) return;
+  ctx.save();
+  ctx.fillStyle = `${color}26`;
+  ctx.beginPath();
+  x.forEach((value, i) => ctx.lineTo(valToPos(value, 'x', true), valToPos(high[i], 'y', true)));
+  for (let i = x.length - 1; i >= 0; --i) ctx.lineTo(valToPos(x[i], 'x', true), valToPos(low[i], 'y', true));
+  ctx.fill();
+  ctx.restore();
+}
+
 /** The interval of each point of a series that has some, `low` to `high`, upright. */
 export function drawIntervals({ctx, valToPos}, {x, low, high}, color) {
   if (!low) return;

@@ -5,7 +5,8 @@
 //   axis without either goes from 0 to the largest value, or to `least` (y), or is as wide as the data (x); names: of
 //   the places 0, 1, 2 of an x axis without numbers
 //   series: [{name, x, y, style, low, high}]; x: its own; low, high: an interval at each point
-//   style: none (a line), dots (many), points (few, large), marked (a line with dots), steps, reference (dotted, in no localizer's colour; first)
+//   style: none (a line), band (a line in the area of its intervals), dots (many), points (few, large), marked (a line
+//     with dots), steps, reference (dotted, in no localizer's colour; first)
 //   limit: a dotted line across; marks: dashed lines down; nothing: what is written where no series has points
 
 /** A plot's description with what it leaves out; `shared`: the x of its group. */

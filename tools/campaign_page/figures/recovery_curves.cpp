@@ -12,19 +12,45 @@ namespace {
 
 using RecoveryJson = nlohmann::ordered_json;
 
-/// The corners of the curve's stairs, thinned to about 120 steps.
-PlotPoints stairs(const Survival& survival) {
+/// Corners of the stairs of a curve and its 95 % interval.
+struct Stairs {
+  PlotPoints curve;
+  PlotColumn low;
+  PlotColumn high;
+
+  void add(double time_s, double survival, const Interval& interval) {
+    curve.emplace_back(time_s, survival);
+    low.emplace_back(interval.low);
+    high.emplace_back(interval.high);
+  }
+};
+
+/// Thinned to about 120 steps.
+Stairs stairs(const Survival& survival) {
   constexpr std::size_t kMostSteps = 120;
+  if (survival.size() == 0) return {};
   const std::vector<SurvivalStep> steps = survival.steps();
   const std::size_t stride = steps.size() / kMostSteps + 1;
-  PlotPoints points{{0.0, 1.0}};
+  SurvivalStep last{0.0, survival.size(), 0, 1.0, {1.0, 1.0}};
+  Stairs corners;
+  corners.add(last.time_s, last.survival, last.interval);
   for (std::size_t i = 0; i < steps.size(); i += stride) {
     const SurvivalStep& step = steps[std::min(i + stride, steps.size()) - 1];
-    points.emplace_back(step.time_s, points.back().second);
-    points.emplace_back(step.time_s, step.survival);
+    corners.add(step.time_s, last.survival, last.interval);
+    corners.add(step.time_s, step.survival, step.interval);
+    last = step;
   }
-  points.emplace_back(std::max(survival.longest_s(), points.back().first), points.back().second);
-  return points;
+  corners.add(std::max(survival.longest_s(), last.time_s), last.survival, last.interval);
+  return corners;
+}
+
+RecoveryJson recovery_line(const std::string& label, const Survival& times) {
+  const Stairs corners = stairs(times);
+  RecoveryJson line =
+      point_series(fmt::format("{} (n = {})", label, times.size()), "band", corners.curve);
+  line["low"] = plot_numbers(corners.low);
+  line["high"] = plot_numbers(corners.high);
+  return line;
 }
 
 /// A plot of all localizers; `survival(k)`: of series k.
@@ -33,9 +59,7 @@ RecoveryJson recovery_plot(const std::string& title, const std::vector<std::stri
                            double longest_s, SurvivalOf survival) {
   RecoveryJson lines = RecoveryJson::array();
   for (std::size_t k = 0; k < series.size(); ++k) {
-    const Survival& times = survival(k);
-    lines.push_back(point_series(fmt::format("{} (n = {})", series[k], times.size()), "",
-                                 times.size() == 0 ? PlotPoints{} : stairs(times)));
+    lines.push_back(recovery_line(series[k], survival(k)));
   }
   return {{"title", title},
           {"x", {{"label", "time since the kidnap [s]"}, {"range", {0.0, longest_s}}}},

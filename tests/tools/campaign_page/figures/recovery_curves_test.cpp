@@ -40,6 +40,10 @@ TEST(RecoveryCurves, AreDrawnAsStairs) {
   EXPECT_EQ(line.at("name"), "a (n = 4)");
   EXPECT_EQ(line.at("x"), (std::vector<int>{0, 1, 1, 3, 3, 20}));
   EXPECT_EQ(line.at("y"), (std::vector<double>{1, 1, 0.75, 0.75, 0.5, 0.5}));
+  // S^exp(+-1.96 sqrt(g) / log S), with g = 1/(4 * 3), then 1/(4 * 3) + 1/(3 * 2).
+  EXPECT_EQ(line.at("low"), (std::vector<double>{1, 1, 0.128, 0.128, 0.0578, 0.0578}));
+  EXPECT_EQ(line.at("high"), (std::vector<double>{1, 1, 0.961, 0.961, 0.845, 0.845}));
+  EXPECT_EQ(line.at("style"), "band");
   EXPECT_EQ(json[1].at("plots").size(), 2U);
   EXPECT_EQ(json[1].at("plots").at(1).at("title"), "range = 6");
   EXPECT_TRUE(json[1].at("plots").at(1).at("series").at(0).at("x").empty());
