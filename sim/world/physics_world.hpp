@@ -10,6 +10,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "sim/world/bullet/ball_box_contact.hpp"
 #include "sim/world/bullet/few_body_solver.hpp"
 #include "sim/world/bullet/one_robot_world.hpp"
 #include "sim/world/world_spec.hpp"
@@ -50,7 +51,7 @@ class PhysicsWorld {
   std::unique_ptr<btCollisionShape> shape_of(const WorldObject& object);
 
   double time_step_;
-  btDefaultCollisionConfiguration configuration_;
+  BallBoxConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   FewBodySolver solver_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/common/wide_loops.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -105,6 +107,7 @@ void PackedPeople::gather(const PackedPeople& from, const std::vector<std::size_
 }
 
 /// The force is zero where d > reach, and where d > kNegligible * B.
+CASTAWAY_WIDE_LOOPS
 void cut_off(const SocialForceConfig& config, PackedPerson person, const PackedPeople& others,
              std::size_t begin, std::size_t end, std::vector<float>& margins) {
   const float* const x = others.x.data() + begin;
@@ -129,6 +132,7 @@ void cut_off(const SocialForceConfig& config, PackedPerson person, const PackedP
   }
 }
 
+CASTAWAY_WIDE_LOOPS
 void packed_forces(const SocialForceConfig& config, PackedPerson person, const PackedPeople& others,
                    PackedForces& forces) {
   const std::size_t count = others.size();
