@@ -1,5 +1,7 @@
 #include "sim/stages/spaces.hpp"
 
+#include <stdexcept>
+
 #include "sim/stages/drive_space.hpp"
 
 namespace castaway::sim {
@@ -18,6 +20,13 @@ const Part& find_or_make(std::map<Key, Part>& parts, const Key& key, const Make&
 
 }  // namespace
 
+void Spaces::require_same(const WorldSpec& world) {
+  if (!objects_) objects_ = world.objects.size();
+  if (*objects_ != world.objects.size()) {
+    throw std::logic_error("the spaces of one world are used in another one");
+  }
+}
+
 const Grid& Spaces::drive_grid(const SimulationConfig& config) {
   return find_or_make(drive_grids_, config.robot.height,
                       [&] { return castaway::sim::drive_grid(config); });
@@ -33,16 +42,19 @@ FreeSpace Spaces::on_map(const Grid& map, double radius) {
 }
 
 FreeSpace Spaces::driving(const SimulationConfig& config, double radius) {
+  require_same(config.world);
   return find_or_make(driving_, Key{config.robot.height, radius},
                       [&] { return FreeSpace(drive_grid(config), radius); });
 }
 
 FreeSpace Spaces::landing(const SimulationConfig& config, double radius) {
+  require_same(config.world);
   return find_or_make(landing_, Key{config.robot.height, radius},
                       [&] { return FreeSpace(landing_grid(config), radius); });
 }
 
 std::shared_ptr<const WalkCells> Spaces::walking(const WorldSpec& world, const Grid& map) {
+  require_same(world);
   if (!walking_) walking_ = std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map)));
   return walking_;
 }

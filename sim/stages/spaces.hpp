@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "sim/map/free_space.hpp"
@@ -14,7 +15,7 @@ namespace castaway::sim {
 /// The grids and free spaces of one world and its map, each computed when first asked for and then
 /// kept, because they take longer than a short run. Runs in the same world may share them: what a
 /// run gets does not depend on what was asked for before. All calls must be about equal worlds and
-/// equal maps.
+/// equal maps; std::logic_error is thrown for a world with another number of objects.
 class Spaces {
  public:
   /// Free space of the map itself for a disc of `radius` [m].
@@ -29,9 +30,11 @@ class Spaces {
  private:
   using Key = std::pair<double, double>;  ///< [m] Height of the robot, if it matters, and radius.
 
+  void require_same(const WorldSpec& world);
   const Grid& drive_grid(const SimulationConfig& config);
   const Grid& landing_grid(const SimulationConfig& config);
 
+  std::optional<std::size_t> objects_;  ///< Of the world.
   std::map<double, Grid> drive_grids_;  ///< By the height of the robot.
   std::map<double, Grid> landing_grids_;
   std::map<Key, FreeSpace> on_map_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "sim/common/random.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
+#include "sim/stages/spaces.hpp"
 #include "tools/trials/office_map.hpp"
 
 namespace castaway::testbed {
@@ -144,6 +146,7 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
   sim::SimulationConfig& config = trial.simulation;
   config.start = sample_pose(robot_space_.sample(rng));
   config.random_start = false;
+  if (obstacles > 0) config.spaces = std::make_shared<sim::Spaces>();  // Of its own world.
   for (int i = 0; i < kWaypoints; ++i) {
     config.drive.waypoints.push_back(sample_pose(robot_space_.sample(rng)).position());
   }

@@ -1,5 +1,7 @@
 #include "sim/stages/spaces.hpp"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "sim/stages/drive_space.hpp"
@@ -27,6 +29,15 @@ TEST(Spaces, AreComputedOnce) {
   EXPECT_EQ(&spaces.driving(config, 0.2).grid(), &spaces.driving(config, 0.2).grid());
   EXPECT_NE(&spaces.driving(config, 0.2).grid(), &spaces.landing(config, 0.2).grid());
   EXPECT_EQ(spaces.walking(config.world, config.map), spaces.walking(config.world, config.map));
+}
+
+TEST(Spaces, AreOfOneWorld) {
+  SimulationConfig config = test_simulation();
+  Spaces spaces;
+  spaces.driving(config, 0.2);
+  config.world.objects.push_back(box_on_floor("box", {0.5, 0.5, 0.2}, {1.0, 1.0}));
+  EXPECT_THROW(spaces.landing(config, 0.2), std::logic_error);
+  EXPECT_THROW(spaces.walking(config.world, config.map), std::logic_error);
 }
 
 TEST(Spaces, DependOnTheHeightOfTheRobot) {

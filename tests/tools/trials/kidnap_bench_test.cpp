@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/stages/spaces.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -45,6 +46,20 @@ TEST(KidnapTrials, PutPeopleAroundTheTargetWhoAreOnNoMap) {
     EXPECT_LE(away, 4.0);
     EXPECT_FALSE(person->in_map);
   }
+}
+
+/// Free spaces are shared by trials in the same world, and people make another one.
+TEST(KidnapTrials, WithPeopleDoNotDependOnThoseBefore) {
+  const KidnapTrials alone({.lead_s = 0.5, .window_s = 3.0});
+  const KidnapTrial expected = alone.draw(7, 12);
+  for (int index = 0; index < 7; ++index) {
+    const KidnapTrial before = lab().draw(index, 12);
+    before.simulation.spaces->landing(before.simulation, 0.2);
+  }
+  const KidnapTrial trial = lab().draw(7, 12);
+  EXPECT_EQ(trial.simulation.spaces->landing(trial.simulation, 0.2).grid().cells,
+            expected.simulation.spaces->landing(expected.simulation, 0.2).grid().cells);
+  EXPECT_EQ(lab().draw(0, 0).simulation.spaces, lab().draw(1, 0).simulation.spaces);
 }
 
 TEST(KidnapTrials, DependOnSeedAndNumberOnly) {
