@@ -64,6 +64,8 @@ struct Simulation::State {
   void run_step();
   void kidnap();
   void kidnap_on_request();
+  void take_commands();
+  void require_open() const;
   void teleport(const KidnapRecord& record);
   [[nodiscard]] bool localized() const;
   void move_people();
@@ -97,6 +99,7 @@ struct Simulation::State {
   ProgressWatch progress;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
+  std::size_t next_command = 0;    ///< In `config.commands`.
   std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;
   std::deque<SimFrame> frames;
@@ -164,6 +167,18 @@ void Simulation::State::teleport(const KidnapRecord& record) {
   frames.push_back({now, record});
 }
 
+void Simulation::State::take_commands() {
+  const std::vector<DriveCommand>& commands = config.commands;
+  for (; next_command < commands.size() && commands[next_command].at_s <= to_seconds(now);
+       ++next_command) {
+    drive.set_command(commands[next_command].twist);
+  }
+}
+
+void Simulation::State::require_open() const {
+  if (!config.open) throw std::logic_error("an event for a run that is not open");
+}
+
 void Simulation::State::move_people() {
   if (!people.due(now)) return;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
@@ -222,6 +237,7 @@ void Simulation::State::read_lidar(const Motion& motion) {
 
 void Simulation::State::run_step() {
   kidnap();
+  take_commands();
   move_people();
   const RobotState before = robot.state();
   if (drive.due(now)) measure_cpu("drive", [this] { command(); });
@@ -270,6 +286,28 @@ void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base) {
 void Simulation::set_command(const std::optional<Twist2>& command) {
   state_->drive.set_command(command);
 }
+
+void Simulation::add(const KidnapSpec& kidnap) {
+  state_->require_open();
+  state_->kidnaps.add(kidnap, true_pose());
+}
+
+void Simulation::add(const FaultSpec& fault) {
+  state_->require_open();
+  state_->sensors.add(fault);
+}
+
+void Simulation::add(const DriveCommand& command) {
+  state_->require_open();
+  validate(command);
+  std::vector<DriveCommand>& commands = state_->config.commands;
+  const auto to_come = commands.begin() + static_cast<std::ptrdiff_t>(state_->next_command);
+  commands.insert(
+      std::ranges::upper_bound(to_come, commands.end(), command.at_s, {}, &DriveCommand::at_s),
+      command);
+}
+
+nanoseconds Simulation::now() const { return state_->now; }
 
 void Simulation::kidnap(const Pose2& T_map_base) {
   if (!state_->config.drive.path.empty()) {

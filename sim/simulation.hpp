@@ -48,6 +48,15 @@ class Simulation {
   /// Drives the robot by this velocity from the next control step (20 Hz) on, in place of its
   /// route; nothing: by its route again. A robot that is driven so is never stuck (`void_record`).
   void set_command(const std::optional<Twist2>& command);
+  /// Adds an event to a run that is open (`SimulationConfig::open`), as if it had been configured;
+  /// an event whose time is over takes place at the next step. @throws std::invalid_argument,
+  /// std::runtime_error if it is impossible, std::logic_error if the run is not open.
+  void add(const KidnapSpec& kidnap);
+  void add(const FaultSpec& fault);
+  void add(const DriveCommand& command);
+  /// Time of the next step.
+  [[nodiscard]] std::chrono::nanoseconds now() const;
+
   /// Teleports the robot at the next step; if it is being held, once it stands again.
   /// @throws std::invalid_argument if it would stand in an obstacle, or on a recorded path.
   void kidnap(const Pose2& T_map_base);

@@ -49,14 +49,20 @@ bool is_active(const FaultSpec& fault, nanoseconds stamp) {
 }
 
 FaultTimeline::FaultTimeline(const std::vector<FaultSpec>& faults) {
-  for (const FaultSpec& fault : faults) {
-    validate(fault);
-    records_.push_back({to_nanoseconds(fault.at_s), fault.kind, fault.lidar, true, {}});
-    if (fault.kind == FaultKind::kOdometryReset) continue;
-    records_.push_back({end_of(fault), fault.kind, fault.lidar, false, {}});
-  }
-  std::stable_sort(records_.begin(), records_.end(),
-                   [](const auto& a, const auto& b) { return a.stamp < b.stamp; });
+  for (const FaultSpec& fault : faults) add(fault);
+}
+
+void FaultTimeline::add(const FaultSpec& fault) {
+  validate(fault);
+  add({to_nanoseconds(fault.at_s), fault.kind, fault.lidar, true, {}});
+  if (fault.kind == FaultKind::kOdometryReset) return;
+  add({end_of(fault), fault.kind, fault.lidar, false, {}});
+}
+
+void FaultTimeline::add(const FaultRecord& record) {
+  const auto later = [](const FaultRecord& a, const FaultRecord& b) { return a.stamp < b.stamp; };
+  const auto begin = records_.begin() + static_cast<std::ptrdiff_t>(next_);
+  records_.insert(std::upper_bound(begin, records_.end(), record, later), record);
 }
 
 std::vector<FaultRecord> FaultTimeline::take_due(nanoseconds now) {

@@ -76,10 +76,16 @@ class FaultTimeline {
   /// @throws as `validate`.
   explicit FaultTimeline(const std::vector<FaultSpec>& faults);
 
+  /// Adds a fault. @throws as `validate`.
+  void add(const FaultSpec& fault);
+
   /// Returns the beginnings and ends up to `now`, each once, with an empty robot pose.
   std::vector<FaultRecord> take_due(std::chrono::nanoseconds now);
 
  private:
+  /// Behind those of the same time.
+  void add(const FaultRecord& record);
+
   std::vector<FaultRecord> records_;
   std::size_t next_ = 0;
 };

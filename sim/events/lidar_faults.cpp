@@ -22,12 +22,14 @@ double degrees_from(double from, double angle) {
 
 }  // namespace
 
-LidarFaults::LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar)
-    : lidar_(lidar) {
-  for (const FaultSpec& fault : faults) {
-    const bool meant = fault.lidar.empty() || fault.lidar == lidar.name;
-    if (meant && is_lidar_fault(fault.kind)) faults_.push_back(fault);
-  }
+LidarFaults::LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar, bool open)
+    : lidar_(lidar), open_(open) {
+  for (const FaultSpec& fault : faults) add(fault);
+}
+
+void LidarFaults::add(const FaultSpec& fault) {
+  const bool meant = fault.lidar.empty() || fault.lidar == lidar_.name;
+  if (meant && is_lidar_fault(fault.kind)) faults_.push_back(fault);
 }
 
 void LidarFaults::block(const FaultSpec& fault, LidarReading& reading) const {
@@ -59,7 +61,7 @@ void LidarFaults::apply(const FaultSpec& fault, Sweep& sweep) const {
 }
 
 std::optional<Sweep> LidarFaults::deliver(Sweep sweep) {
-  if (faults_.empty()) return sweep;
+  if (faults_.empty() && !open_) return sweep;
   const auto stamp = sweep.reading.stamp;
   bool frozen = false;
   for (const FaultSpec& fault : faults_) {

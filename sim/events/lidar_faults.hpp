@@ -13,8 +13,10 @@ namespace castaway::sim {
 /// first beam.
 class LidarFaults {
  public:
-  /// Takes those of `faults` that concern the lidar.
-  LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar);
+  /// Takes those of `faults` that concern the lidar. `open`: others may be added.
+  LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar, bool open = false);
+  /// Takes the fault if it concerns the lidar. Precondition: `open`.
+  void add(const FaultSpec& fault);
 
   /// Returns the scan as delivered, with the time of delivery in `last_beam`; nothing if it is
   /// lost.
@@ -26,6 +28,7 @@ class LidarFaults {
 
   std::vector<FaultSpec> faults_;
   LidarConfig lidar_;
+  bool open_;
   std::optional<LidarReading> last_;  ///< Newest scan before a freeze.
 };
 

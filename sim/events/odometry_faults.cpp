@@ -7,10 +7,12 @@
 namespace castaway::sim {
 
 OdometryFaults::OdometryFaults(const std::vector<FaultSpec>& faults) {
-  for (const FaultSpec& fault : faults) {
-    if (is_lidar_fault(fault.kind)) continue;
-    (fault.kind == FaultKind::kOdometryReset ? resets_ : faults_).push_back(fault);
-  }
+  for (const FaultSpec& fault : faults) add(fault);
+}
+
+void OdometryFaults::add(const FaultSpec& fault) {
+  if (is_lidar_fault(fault.kind)) return;
+  (fault.kind == FaultKind::kOdometryReset ? resets_ : faults_).push_back(fault);
 }
 
 WheelGain OdometryFaults::gain(std::chrono::nanoseconds stamp) const {

@@ -22,6 +22,8 @@ class OdometryFaults {
  public:
   /// Takes those of `faults` that concern odometry.
   explicit OdometryFaults(const std::vector<FaultSpec>& faults);
+  /// Takes the fault if it concerns odometry.
+  void add(const FaultSpec& fault);
 
   /// Gain of all active faults together; 1 without any.
   [[nodiscard]] WheelGain gain(std::chrono::nanoseconds stamp) const;

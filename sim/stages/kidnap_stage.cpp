@@ -50,20 +50,23 @@ TriggerInput trigger_input(const KidnapInput& input) {
 
 KidnapStage::KidnapStage(const SimulationConfig& config, Spaces& spaces, const RayScene& scene,
                          const NamedStreams& streams)
-    : scene_(&scene),
+    : landing_([&config, &spaces](double radius) { return spaces.landing(config, radius); }),
+      footprint_(config.robot.footprint_radius),
+      streams_(streams),
+      scene_(&scene),
       lidar_(config.lidars.front()),
       keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
-  for (std::size_t i = 0; i < config.kidnaps.size(); ++i) {
-    const KidnapSpec& spec = config.kidnaps[i];
-    validate(spec);
-    const double radius = config.robot.footprint_radius + spec.margin_m;
-    const FreeSpace& free =
-        spaces_.try_emplace(radius, spaces.landing(config, radius)).first->second;
-    check_target(spec, config.start, free);
-    if (spec.kind == KidnapKind::kCarry && !carry_space_)
-      carry_space_ = spaces.landing(config, 0.0);
-    entries_.push_back({spec, {spec.when, clock_stream(spec, i, streams)}, radius});
-  }
+  for (const KidnapSpec& spec : config.kidnaps) add(spec, config.start);
+}
+
+void KidnapStage::add(const KidnapSpec& spec, const Pose2& T_map_base) {
+  validate(spec);
+  const double radius = footprint_ + spec.margin_m;
+  auto space = spaces_.find(radius);
+  if (space == spaces_.end()) space = spaces_.emplace(radius, landing_(radius)).first;
+  check_target(spec, T_map_base, space->second);
+  if (spec.kind == KidnapKind::kCarry && !carry_space_) carry_space_ = landing_(0.0);
+  entries_.push_back({spec, {spec.when, clock_stream(spec, entries_.size(), streams_)}, radius});
 }
 
 KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {

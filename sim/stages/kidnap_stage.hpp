@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,6 +43,9 @@ class KidnapStage {
   KidnapStage(const SimulationConfig& config, Spaces& spaces, const RayScene& scene,
               const NamedStreams& streams);
 
+  /// Adds a kidnap; the robot is at `T_map_base`. @throws as the constructor.
+  void add(const KidnapSpec& spec, const Pose2& T_map_base);
+
   /// Advances to `input.now`. @throws std::runtime_error as `kidnap_target`.
   KidnapOutcome advance(const KidnapInput& input, Rng& rng);
 
@@ -75,12 +79,15 @@ class KidnapStage {
                            const KidnapTarget& target);
   const LookAlikes* look_alikes_of(Entry& entry);
 
+  std::function<FreeSpace(double radius)> landing_;  ///< Where a body of this radius can be put.
+  double footprint_;                                 ///< [m] Radius of the robot.
+  NamedStreams streams_;
   const RayScene* scene_;
   LidarConfig lidar_;
   double keep_clear_;  ///< [m] Least distance between the centres of robot and people.
   std::map<double, FreeSpace> spaces_;    ///< By radius; shared, since a large map's takes 200 MB.
   std::optional<FreeSpace> carry_space_;  ///< Free space for the paths of all carried robots.
-  std::vector<Entry> entries_;
+  std::deque<Entry> entries_;  ///< A deque: the kidnap that holds the robot is one of them.
   std::unique_ptr<Held> held_;
   bool power_cycle_ = false;
 };

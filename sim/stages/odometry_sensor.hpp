@@ -27,6 +27,8 @@ class OdometrySensor {
   /// @throws std::invalid_argument if the settings are impossible.
   OdometrySensor(const SimulationConfig& config, const SimulationStreams& streams);
 
+  /// Adds a fault if it concerns odometry.
+  void add(const FaultSpec& fault) { faults_.add(fault); }
   /// Restarts from the identity.
   void reset() { odometry_.reset(); }
   /// Returns the reading that arrives; nothing if a fault loses it. Calls come in order of stamps.

@@ -44,8 +44,14 @@ SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams
   const Surfaces surfaces(config.world);
   for (const LidarConfig& lidar : configs_) {
     devices_.push_back({LidarSweeper(lidar, surfaces, lidar_draws(streams, lidar)),
-                        LidarFaults(config.faults, lidar)});
+                        LidarFaults(config.faults, lidar, config.open)});
   }
+}
+
+void SensorStage::add(const FaultSpec& fault) {
+  timeline_.add(fault);
+  for (Device& device : devices_) device.faults.add(fault);
+  odometry_.add(fault);
 }
 
 void SensorStage::set_covered(bool covered) {

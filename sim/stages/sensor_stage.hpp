@@ -19,6 +19,9 @@ class SensorStage {
   /// @throws std::invalid_argument if a sensor's settings are impossible.
   SensorStage(const SimulationConfig& config, const SimulationStreams& streams);
 
+  /// Adds a fault. @throws std::invalid_argument if it is impossible.
+  void add(const FaultSpec& fault);
+
   /// Covers the lidars: every beam is +inf. They keep turning.
   void set_covered(bool covered);
 

@@ -12,6 +12,7 @@
 
 #include "sim/common/geometry.hpp"
 #include "sim/common/random.hpp"
+#include "sim/events/drive_command.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
 #include "sim/map/grid.hpp"
@@ -57,6 +58,10 @@ struct SimulationConfig {
   DriveConfig drive;
   std::vector<KidnapSpec> kidnaps;
   std::vector<FaultSpec> faults{};
+  std::vector<DriveCommand> commands{};  ///< In order of time.
+  /// Events may be added while it runs (`Simulation::add`). A run that is configured with them
+  /// gives the same bytes.
+  bool open = false;
   PeopleConfig people;
   Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
   bool random_start = false;  ///< Draws a pose in reachable free space.

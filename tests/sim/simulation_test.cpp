@@ -1,15 +1,14 @@
 #include "sim/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/sensor/lidar.hpp"
+#include "tests/sim/support/frame_hash.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {
@@ -76,49 +75,6 @@ TEST(Simulation, OdometryWithoutErrorsFollowsTheTruth) {
   EXPECT_NEAR(last.T_odom_base.x, truth.x, 0.01);
   EXPECT_NEAR(last.T_odom_base.y, truth.y, 0.01);
   EXPECT_NEAR(wrap_angle(last.T_odom_base.yaw - truth.yaw), 0.0, 0.01);
-}
-
-/// FNV-1a hash of all numbers of a run.
-class Hash {
- public:
-  template <typename T>
-  void add(const T& value) {
-    std::array<unsigned char, sizeof(T)> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof(T));
-    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 1099511628211ULL;
-  }
-  void add(const Pose2& pose) {
-    add(pose.x);
-    add(pose.y);
-    add(pose.yaw);
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 14695981039346656037ULL;
-};
-
-void add_data(const KidnapRecord& r, Hash& hash) { hash.add(r.T_map_to); }
-void add_data(const DriveRecord& r, Hash& hash) { hash.add(r.T_map_base); }
-void add_data(const PickUpRecord& r, Hash& hash) { hash.add(r.T_map_base); }
-void add_data(const OdometryReading& r, Hash& hash) {
-  hash.add(r.T_odom_base);
-  hash.add(r.T_map_base_true);
-}
-void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
-void add_data(const FaultRecord& r, Hash& hash) { hash.add(r.T_map_base_true); }
-void add_data(const LidarReading& r, Hash& hash) {
-  for (const float range : r.ranges) hash.add(range);
-  for (const int object : r.hit_object) hash.add(object);
-}
-
-std::uint64_t hash_of(const std::vector<SimFrame>& frames) {
-  Hash hash;
-  for (const SimFrame& frame : frames) {
-    hash.add(frame.stamp.count());
-    std::visit([&hash](const auto& data) { add_data(data, hash); }, frame.data);
-  }
-  return hash.value();
 }
 
 TEST(Simulation, RepeatsToTheBit) {

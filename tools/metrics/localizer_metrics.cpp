@@ -161,7 +161,7 @@ LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<Ru
   LocalizerMetrics metrics;
   const std::vector<RunEvent> kidnaps = kidnaps_of(events);
   const std::vector<MetricRow> rows = mark_torn_rows(all, kidnaps);
-  metrics.windows = recovery_windows(rows, kidnaps, known_start, end, config);
+  metrics.windows = recovery_windows(rows, breaks_of(events), known_start, end, config);
   measure_errors(rows, metrics);
   measure_recovery(metrics);
   measure_wrong_lock(rows, config, metrics);

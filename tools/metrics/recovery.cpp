@@ -91,7 +91,7 @@ bool is_wrong_lock(const MetricRow& row, const RecoveryConfig& config) {
 }
 
 std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
-                                             const std::vector<RunEvent>& kidnaps, bool known_start,
+                                             const std::vector<RunEvent>& breaks, bool known_start,
                                              Stamp end, const RecoveryConfig& config) {
   std::vector<RecoveryWindow> windows;
   if (rows.empty()) return windows;
@@ -99,14 +99,19 @@ std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
     const Stamp start = rows.front().stamp;
     windows.push_back({.taken = start, .begin = start, .kind = "start", .unknown_start = true});
   }
-  for (const RunEvent& kidnap : kidnaps) {
-    windows.push_back({.taken = kidnap.begun(), .begin = kidnap.stamp, .kind = kidnap.detail});
+  for (const RunEvent& event : breaks) {
+    const bool order = event.kind == EventKind::kOperator;
+    windows.push_back({.taken = event.begun(),
+                       .begin = event.stamp,
+                       .kind = order ? kOperatorKind : event.detail,
+                       .unknown_start = order});
   }
-  const std::vector<double> driven = driven_distance(rows, kidnaps);
+  const std::vector<double> driven = driven_distance(rows, kidnaps_of(breaks));
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const bool is_last = i + 1 == windows.size();
     windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].taken;
-    windows[i].scored = windows[i].end - windows[i].begin >= config.min_left;
+    windows[i].scored =
+        windows[i].kind != kOperatorKind && windows[i].end - windows[i].begin >= config.min_left;
     score(rows, driven, rows_in(rows, windows[i], is_last), config, windows[i]);
   }
   return windows;

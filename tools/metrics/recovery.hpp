@@ -22,13 +22,17 @@ struct RecoveryConfig {
                                                 ///< correct response.
 };
 
+/// Kind of the window after an operator's order.
+inline constexpr const char* kOperatorKind = "operator";
+
 /// The time from a kidnap (or unknown start) to the next kidnap or the end of the run.
 struct RecoveryWindow {
   Stamp taken{};       ///< Start of the kidnap: the robot was lifted.
   Stamp begin{};       ///< End of the kidnap: the robot was put down. Recovery is timed from here.
   Stamp end{};         ///< Start of the next kidnap, or end of the run.
   std::string kind{};  ///< Kind of the kidnap, as `RunEvent::detail`; "start" for an unknown start.
-  bool unknown_start = false;        ///< False: a kidnap.
+  bool unknown_start = false;        ///< False: a kidnap. True also after an operator's order, of
+                                     ///< the kind "operator", which is never scored.
   bool scored = true;                ///< False if the window is shorter than `min_left`, so that no
                                      ///< recovery was possible.
   std::optional<Stamp> recovered{};  ///< Answer of the first row from which on all rows up to `end`
@@ -52,9 +56,10 @@ bool is_right(const MetricRow& row, const RecoveryConfig& config);
 /// True if the row has truth and estimate, is not right, and raises no alarm.
 bool is_wrong_lock(const MetricRow& row, const RecoveryConfig& config);
 
-/// The windows of a run, in order. The window of an unknown start begins at the first row.
+/// The windows of a run, in order. The window of an unknown start begins at the first row. An order
+/// of an operator to the localizer, among `breaks` (`breaks_of`), ends a window.
 std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
-                                             const std::vector<RunEvent>& kidnaps, bool known_start,
+                                             const std::vector<RunEvent>& breaks, bool known_start,
                                              Stamp end, const RecoveryConfig& config);
 
 }  // namespace castaway::testbed

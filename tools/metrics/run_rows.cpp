@@ -44,6 +44,23 @@ std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   return kidnaps;
 }
 
+std::vector<RunEvent> breaks_of(const std::vector<RunEvent>& events) {
+  std::vector<RunEvent> breaks;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(breaks), [](const RunEvent& event) {
+    return event.kind == EventKind::kKidnap || event.kind == EventKind::kOperator;
+  });
+  return breaks;
+}
+
+std::vector<RunEvent> events_for(const std::string& localizer,
+                                 const std::vector<RunEvent>& events) {
+  std::vector<RunEvent> own;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(own), [&](const RunEvent& event) {
+    return event.kind != EventKind::kOperator || event.localizer == localizer;
+  });
+  return own;
+}
+
 std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
                                       const std::vector<RunEvent>& kidnaps) {
   for (MetricRow& row : rows) {

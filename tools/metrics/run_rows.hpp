@@ -40,6 +40,12 @@ std::optional<PoseError> pose_error(const MetricRow& row);
 /// The events that displaced the robot.
 std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events);
 
+/// The events that end what a localizer did before: kidnaps and an operator's orders.
+std::vector<RunEvent> breaks_of(const std::vector<RunEvent>& events);
+
+/// The events without orders to other localizers.
+std::vector<RunEvent> events_for(const std::string& localizer, const std::vector<RunEvent>& events);
+
 /// Marks the rows of torn scans: the robot was lifted or put down between the first and the last
 /// beam. Such a scan has no single true pose.
 std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,

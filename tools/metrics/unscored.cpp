@@ -14,13 +14,15 @@ std::string unscored_sentence(const nlohmann::ordered_json& recovery) {
   const char* noun = "kidnap";
   for (const auto& event : *each) {
     if (!event.is_object() || event.value("scored", true)) continue;
+    if (event.value("kind", "") == kOperatorKind) continue;
     ++count;
     if (event.value("kind", "") == "start") noun = "event";
   }
   if (count == 0) return "";
   return fmt::format(
-      "{} {}{} not scored: less than {:.0f} s before the next one or the end of the run", count,
-      noun, count == 1 ? " is" : "s are", seconds(RecoveryConfig{}.min_left));
+      "{} {}{} not scored: less than {:.0f} s before the next one, an operator's order, or the "
+      "end of the run",
+      count, noun, count == 1 ? " is" : "s are", seconds(RecoveryConfig{}.min_left));
 }
 
 }  // namespace castaway::testbed

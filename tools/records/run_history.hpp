@@ -38,7 +38,7 @@ struct RunHistory {
 
   /// Metrics of localizer `index` of a run that ended at `end`.
   [[nodiscard]] LocalizerMetrics metrics(std::size_t index, Stamp end) const {
-    return measure(rows[index], events, info.known_start, end);
+    return measure(rows[index], events_for(info.localizers[index], events), info.known_start, end);
   }
 };
 

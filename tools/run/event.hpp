@@ -22,6 +22,7 @@ enum class EventKind : std::uint8_t {
   kAlarmOff,   ///< A localizer no longer reports that it is lost.
   kRecovery,   ///< A localizer is right again after a kidnap.
   kWarning,    ///< A remark for the reader of the run.
+  kOperator,   ///< An operator restarted a localizer, or switched it off or on.
   kFailure,    ///< A localizer failed; the run goes on without it.
 };
 

@@ -23,7 +23,11 @@ Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
       sinks_(sinks),
       costs_(localizers.size()),
       driver_(index_of(config_.drive_by, "drive.by")),
-      watched_(index_of(config_.watch, "kidnap.localizer")) {}
+      watched_(index_of(config_.watch, "kidnap.localizer")) {
+  for (const LocalizerOrder& order : config_.orders) {
+    (void)index_of(order.localizer, "localizer.name");
+  }
+}
 
 /// Nothing for an empty name.
 std::optional<std::size_t> Loop::index_of(const std::string& name, const char* key) const {
@@ -39,7 +43,7 @@ std::optional<std::size_t> Loop::index_of(const std::string& name, const char* k
 template <typename Body>
 void Loop::call(std::size_t index, Body&& body) {
   Cost& cost = costs_[index];
-  if (cost.is_lost) return;
+  if (cost.is_lost || cost.is_off) return;
   const NamedLocalizer& named = localizers_[index];
   const std::chrono::nanoseconds begin = thread_cpu_time();
   try {
@@ -78,27 +82,67 @@ std::map<std::string, OutsideUse> Loop::finish_localizers() {
 }
 
 void Loop::run(SensorSource& source) {
-  const std::chrono::nanoseconds begin = wall_time();
+  begin();
+  while (step(source)) {
+  }
+  finish(source);
+}
+
+void Loop::begin() {
+  begin_ = wall_time();
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     call(i, [&](auto& localizer) { localizer.initialize(config_.start); });
   }
-  Stamp end{};
-  while (const std::optional<Frame> frame = source.next()) {
-    end = frame->stamp;
-    now_ = frame->stamp;
-    take(source, *frame);
-    tell_failures();
+}
+
+bool Loop::step(SensorSource& source) {
+  const std::optional<Frame> frame = source.next();
+  if (!frame) return false;
+  carry_out_orders(frame->stamp);
+  now_ = frame->stamp;
+  take(source, *frame);
+  tell_failures();
+  return true;
+}
+
+void Loop::add(const LocalizerOrder& order) {
+  (void)index_of(order.localizer, "localizer.name");
+  const auto later = [](const LocalizerOrder& a, const LocalizerOrder& b) { return a.at < b.at; };
+  const auto begin = config_.orders.begin() + static_cast<std::ptrdiff_t>(next_order_);
+  config_.orders.insert(std::upper_bound(begin, config_.orders.end(), order, later), order);
+}
+
+/// Those at or after the newest frame wait for later ones.
+void Loop::carry_out_orders(Stamp before) {
+  while (next_order_ < config_.orders.size() && config_.orders[next_order_].at < before) {
+    carry_out(config_.orders[next_order_++]);
   }
+}
+
+void Loop::carry_out(const LocalizerOrder& order) {
+  using What = LocalizerOrder::What;
+  const std::size_t index = index_of(order.localizer, "localizer.name").value();
+  costs_[index].is_off = order.what == What::kOff;
+  call(index, [&](auto& localizer) {
+    localizer.initialize(order.what == What::kInitialize ? order.pose : std::nullopt);
+  });
+  RunEvent event{order.at, EventKind::kOperator, to_string(order.what), {}, {},
+                 {},       order.localizer};
+  if (order.pose) event.T_map_to = order.pose->T_map_base;
+  tell_sinks([&](RunSink& sink) { sink.on_event(event); });
+}
+
+void Loop::finish(const SensorSource& source) {
   RunTiming timing;
   timing.outside = finish_localizers();
   timing.load_s = config_.load_s;
-  timing.wall_s = config_.load_s + localization::seconds(wall_time() - begin);
+  timing.wall_s = config_.load_s + localization::seconds(wall_time() - begin_);
   for (const auto& [stage, time] : source.cpu_by_stage()) {
     timing.cpu_s[stage] = localization::seconds(time);
   }
   timing.cpu_s["localizers"] = localization::seconds(localizers_cpu_);
   timing.cpu_s["sinks"] = localization::seconds(sinks_cpu_);
-  for (auto& sink : sinks_) sink->finish(std::max(end, source.duration()), timing);
+  for (auto& sink : sinks_) sink->finish(std::max(now_, source.duration()), timing);
 }
 
 /// Those of the start are told after the first frame, which has the first known stamp.
@@ -139,15 +183,26 @@ void Loop::take(SensorSource& source, const OdometryFrame& frame) {
 /// An estimate advanced by the odometry since its scan; nothing if odometry does not reach back to
 /// it.
 std::optional<SE2> Loop::carried_on(const localization::Estimate& estimate,
-                                    const Odometry& odometry) const {
+                                    const SE2& T_odom_base) const {
   const auto T_odom_scan = T_odom_base_.at(estimate.stamp);
   if (!T_odom_scan) return std::nullopt;
-  return estimate.T_map_base * T_odom_scan->inverse() * odometry.T_odom_base;
+  return estimate.T_map_base * T_odom_scan->inverse() * T_odom_base;
+}
+
+std::vector<std::optional<SE2>> Loop::estimates() const {
+  std::vector<std::optional<SE2>> poses(localizers_.size());
+  if (T_odom_base_.empty()) return poses;
+  const auto T_odom_base = T_odom_base_.at(T_odom_base_.newest());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto estimate = estimate_of(i);
+    if (estimate && T_odom_base) poses[i] = carried_on(*estimate, *T_odom_base);
+  }
+  return poses;
 }
 
 /// Nothing of a localizer that is left out.
 std::optional<localization::Estimate> Loop::estimate_of(std::size_t index) const {
-  if (costs_[index].is_lost) return std::nullopt;
+  if (costs_[index].is_lost || costs_[index].is_off) return std::nullopt;
   return localizers_[index].localizer->estimate();
 }
 
@@ -156,12 +211,12 @@ std::optional<localization::Estimate> Loop::estimate_of(std::size_t index) const
 void Loop::report(SensorSource& source, const Odometry& odometry) const {
   if (driver_) {
     const auto estimate = estimate_of(*driver_);
-    source.set_drive_pose(estimate ? carried_on(*estimate, odometry) : std::nullopt);
+    source.set_drive_pose(estimate ? carried_on(*estimate, odometry.T_odom_base) : std::nullopt);
   }
   if (watched_) {
     const auto estimate = estimate_of(*watched_);
     const bool sure = estimate && !estimate->lost;
-    source.set_watched_pose(sure ? carried_on(*estimate, odometry) : std::nullopt);
+    source.set_watched_pose(sure ? carried_on(*estimate, odometry.T_odom_base) : std::nullopt);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "localization/geometry/transform_buffer.hpp"
 #include "tools/run/localizer_failure.hpp"
+#include "tools/run/localizer_order.hpp"
 #include "tools/run/outside_use.hpp"
 #include "tools/run/run_sink.hpp"
 #include "tools/run/sensor_source.hpp"
@@ -46,6 +47,7 @@ struct LoopConfig {
   std::string drive_by;  ///< Localizer whose estimate the robot drives by; empty: none.
   std::string watch;     ///< Localizer whose estimate triggers kidnaps; empty: none.
   double load_s = 0.0;   ///< [s] Wall time that loading took, for `RunTiming`.
+  std::vector<LocalizerOrder> orders{};  ///< In order of time.
 };
 
 /// Plays one run in order of time and measures the CPU time of localizers and sinks.
@@ -59,6 +61,18 @@ class Loop {
   /// Plays the source to its end, then finishes the sinks. A localizer that throws LocalizerFailure
   /// is left out from then on.
   void run(SensorSource& source);
+
+  /// The same in parts: `begin` once, `step` for each frame until it returns false, then `finish`.
+  void begin();
+  bool step(SensorSource& source);
+  void finish(const SensorSource& source);
+  /// Adds an order, not before `now`, as if it had been configured.
+  /// @throws std::invalid_argument if the run has no such localizer.
+  void add(const LocalizerOrder& order);
+  /// Estimates carried on to the newest odometry; nothing of a localizer without one.
+  [[nodiscard]] std::vector<std::optional<SE2>> estimates() const;
+  /// Stamp of the last frame.
+  [[nodiscard]] Stamp now() const { return now_; }
   /// The localizers that were left out.
   [[nodiscard]] const std::vector<LostLocalizer>& lost() const { return lost_; }
 
@@ -69,6 +83,8 @@ class Loop {
   void lose(std::size_t index, const std::string& what);
   void add_outside(std::size_t index);
   void tell_failures();
+  void carry_out_orders(Stamp before);
+  void carry_out(const LocalizerOrder& order);
   std::map<std::string, OutsideUse> finish_localizers();
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
@@ -78,7 +94,7 @@ class Loop {
   void report(SensorSource& source, const Odometry& odometry) const;
   [[nodiscard]] std::optional<localization::Estimate> estimate_of(std::size_t index) const;
   [[nodiscard]] std::optional<SE2> carried_on(const localization::Estimate& estimate,
-                                              const Odometry& odometry) const;
+                                              const SE2& T_odom_base) const;
   ScanRecord record_of(const ScanFrame& frame, Stamp delivered);
   template <typename Body>
   void tell_sinks(Body&& body);
@@ -89,6 +105,7 @@ class Loop {
     std::map<std::string, std::chrono::nanoseconds> stages;
     std::chrono::nanoseconds outside{};  ///< Of `outside_cpu` at the last call.
     bool is_lost = false;
+    bool is_off = false;
   };
   LoopConfig config_;
   std::vector<NamedLocalizer>& localizers_;
@@ -98,6 +115,8 @@ class Loop {
   std::optional<std::size_t> driver_;
   std::optional<std::size_t> watched_;
   Stamp now_{};  ///< Of the newest frame.
+  std::size_t next_order_ = 0;
+  std::chrono::nanoseconds begin_{};  ///< Wall time.
   std::vector<LostLocalizer> lost_;
   std::vector<RunEvent> untold_;  ///< Events of the loop's own that sinks do not know yet.
   std::chrono::nanoseconds localizers_cpu_{};

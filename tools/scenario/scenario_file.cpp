@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tools/scenario/sections/drive_spec.hpp"
+#include "tools/scenario/sections/event_list.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 #include "tools/scenario/sections/fault_events.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
@@ -11,6 +12,7 @@
 #include "tools/scenario/sections/lidar_spec.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 #include "tools/scenario/sections/odometry_spec.hpp"
+#include "tools/scenario/sections/operator_events.hpp"
 #include "tools/scenario/sections/output_spec.hpp"
 #include "tools/scenario/sections/people_spec.hpp"
 #include "tools/scenario/world/difference_spec.hpp"
@@ -75,21 +77,6 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
   return world;
 }
 
-EventSpecs read_events(YamlReader& root) {
-  EventSpecs events;
-  for (YamlReader event : root.list("events")) {
-    auto [kind, body] = event.name_and_body();
-    if (kind == "kidnap") {
-      read_kidnap(body, events);
-    } else if (kind == "fault") {
-      events.faults.push_back(read_fault(body));
-    } else {
-      event.fail("unknown event '" + kind + "'; known: fault, kidnap");
-    }
-  }
-  return events;
-}
-
 /// Sets the localizer that kidnaps wait for, by default the first one, and checks that the run has
 /// it.
 void choose_watched(const YamlReader& root, Scenario& scenario) {
@@ -100,6 +87,16 @@ void choose_watched(const YamlReader& root, Scenario& scenario) {
   if (watched.empty()) watched = names.front();
   if (std::find(names.begin(), names.end(), watched) == names.end()) {
     root.fail("a kidnap waits for localizer '" + watched + "'; " + suggestion(watched, names));
+  }
+}
+
+/// Checks that the run has the localizers that orders are for.
+void check_orders(const YamlReader& root, const Scenario& scenario) {
+  const std::vector<std::string> names = names_of(scenario.localizers);
+  for (const LocalizerOrder& order : scenario.events.orders) {
+    if (std::find(names.begin(), names.end(), order.localizer) != names.end()) continue;
+    root.fail("an event is for localizer '" + order.localizer + "'; " +
+              suggestion(order.localizer, names));
   }
 }
 
@@ -143,6 +140,10 @@ std::vector<SettingText> scenario_settings() {
   fields(under("events[].kidnap."), kidnap);
   sim::FaultSpec fault;
   fields(under("events[].fault."), fault);
+  sim::DriveCommand command;
+  fields(under("events[].drive."), command);
+  LocalizerOrder order;
+  fields(under("events[].localizer."), order);
   fields(under("people."), scenario.people);
   describe_localizers(texts);
   describe_outputs(under("outputs."));
@@ -183,6 +184,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.localizers = read_localizers(root, "localizers", {folder, programs});
   check_driver(root, scenario);
   choose_watched(root, scenario);
+  check_orders(root, scenario);
   if (!scenario.drive.path.empty() && !scenario.events.kidnaps.empty()) {
     root.fail("'drive.path' leads the robot to the end: kidnaps need another drive");
   }

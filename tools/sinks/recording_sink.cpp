@@ -9,6 +9,7 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/records/recording_blocks.hpp"
+#include "tools/records/recording_header.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -21,40 +22,6 @@ constexpr double kMostScans = 60000.0;
 constexpr std::array<const char*, 4> kBelief{"/quality", "/probability", "/sigma", "/sigma_yaw"};
 
 std::string of_localizer(std::size_t index) { return std::to_string(index); }
-
-/// Upper three rows of the matrix, row by row.
-Json matrix(const Eigen::Isometry3d& T) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) rows.push_back(T(row, column));
-  }
-  return rows;
-}
-
-Json lidar_header(const LaserScan& scan, std::size_t stride) {
-  return {{"name", scan.lidar},
-          {"angle_min_rad", scan.angle_min},
-          {"angle_increment_rad", scan.angle_increment * static_cast<double>(stride)},
-          {"range_max_m", scan.range_max},
-          {"T_base_laser", matrix(scan.T_base_laser)}};
-}
-
-Json header_of(const RunInfo& info, const RosMap& map, const RecordingConfig& config) {
-  return {{"scenario", info.scenario},
-          {"world", info.world},
-          {"robot", info.robot},
-          {"seed", info.seed},
-          {"localizers", info.localizers},
-          {"robot_radius_m", config.robot_radius_m},
-          {"steps",
-           {{"pose", kRecordingPose},
-            {"point", kRecordingPoint},
-            {"angle", kRecordingAngle},
-            {"share", kRecordingShare},
-            {"time", kRecordingTime}}},
-          {"map", map_header(map)},
-          {"lidars", Json::array()}};
-}
 
 }  // namespace
 
@@ -72,7 +39,7 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
                              const RosMap& map, const RecordingConfig& config)
     : file_(run_folder / "recording.gz"),
       config_(config),
-      header_(header_of(info, map, config)),
+      header_(recording_header(info, map, config.robot_radius_m)),
       fixed_{{"map", pack_cells(map)}} {}
 
 void RecordingSink::on_event(const RunEvent& event) {
@@ -96,16 +63,6 @@ bool RecordingSink::is_due(const ScanRecord& record, double every_s,
   if (record.stamp < due->second) return false;
   due->second += localization::from_seconds(every_s);
   return true;
-}
-
-/// Index of the scan's lidar in the header; it is added at its first scan.
-std::size_t RecordingSink::lidar_of(const LaserScan& scan, std::size_t stride) {
-  const Json lidar = lidar_header(scan, stride);
-  Json& lidars = header_["lidars"];
-  const auto found = std::find(lidars.begin(), lidars.end(), lidar);
-  const auto index = static_cast<std::size_t>(found - lidars.begin());
-  if (found == lidars.end()) lidars.push_back(lidar);
-  return index;
 }
 
 void RecordingSink::add_pose(const std::string& prefix, const SE2& pose) {
@@ -157,7 +114,7 @@ void RecordingSink::add_block(const std::string& name, const std::string& block)
 void RecordingSink::add_detail(const ScanRecord& record) {
   const std::size_t stride = beam_stride(record.scan.ranges.size(), config_.most_beams);
   columns_["detail"].add(scans_);
-  add_block("beams", pack_beams(lidar_of(record.scan, stride), record.scan, stride));
+  add_block("beams", pack_beams(recorded_lidar(record.scan, stride, header_), record.scan, stride));
   add_block("people", pack_people(record.people.people));
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     add_block(of_localizer(i) + "/points",

@@ -57,7 +57,6 @@ class RecordingSink final : public RunSink {
  private:
   [[nodiscard]] bool is_torn(const ScanRecord& record) const;
   static bool is_due(const ScanRecord& record, double every_s, std::map<std::string, Stamp>& next);
-  [[nodiscard]] std::size_t lidar_of(const LaserScan& scan, std::size_t stride);
   void add_pose(const std::string& prefix, const SE2& pose);
   void repeat_pose(const std::string& prefix);
   void add_localizer(std::size_t index, const LocalizerRecord& localizer);

@@ -140,6 +140,7 @@ LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
   LoopConfig config;
   if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
   config.watch = scenario.events.watched;
+  config.orders = scenario.events.orders;
   if (!scenario.start.known) return config;
   const double s = scenario.start.sigma_m;
   const double r = scenario.start.sigma_yaw;

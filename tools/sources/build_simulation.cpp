@@ -114,6 +114,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
       scenario, base, {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name},
       config.robot);
   config.kidnaps = scenario.events.kidnaps;
+  config.commands = scenario.events.commands;
   config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;

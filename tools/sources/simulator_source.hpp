@@ -40,6 +40,13 @@ class SimulatorSource final : public SensorSource {
   /// Drive and kidnap the robot from outside, as those of sim::Simulation do.
   void set_command(const std::optional<sim::Twist2>& command) { simulation_.set_command(command); }
   void kidnap(const SE2& T_map_base) { simulation_.kidnap(to_pose2(T_map_base)); }
+  /// Add an event, as those of sim::Simulation do; its configuration must be open.
+  void add(const sim::KidnapSpec& kidnap) { simulation_.add(kidnap); }
+  void add(const sim::FaultSpec& fault) { simulation_.add(fault); }
+  void add(const sim::DriveCommand& command) { simulation_.add(command); }
+  /// Time of the next step, and the true pose of base then.
+  [[nodiscard]] Stamp now() const { return simulation_.now(); }
+  [[nodiscard]] SE2 true_pose() const { return to_se2(simulation_.true_pose()); }
   /// Current command and wheel states, up to one physics step after the newest frame.
   [[nodiscard]] DriveNow drive_now(const std::vector<sim::DriveWheel>& wheels) const;
   /// Current height, roll and pitch of base, for pictures.

@@ -1,7 +1,7 @@
 // Events of a run as marks on its time axes.
 
-const kSymbols = {kidnap: '▼', fault: '✕', collision: '✹', driving: '◆', recovery: '✓'};
-const kColors = {kidnap: 'mark', fault: 'warn', collision: 'bad', driving: 'soft', recovery: 'good'};
+const kSymbols = {kidnap: '▼', fault: '✕', collision: '✹', driving: '◆', operator: '●', recovery: '✓'};
+const kColors = {kidnap: 'mark', fault: 'warn', collision: 'bad', driving: 'soft', operator: 'ink', recovery: 'good'};
 
 /** What sort of mark an event is; null: it is none (alarms are stretches, not marks). */
 export function sortOf(event) {
@@ -29,7 +29,7 @@ export function sortsOf(marks) {
 export function spread(marks, begin, end, width, apart) {
   const scale = width / Math.max(end - begin, 1e-9);
   const kept = [];
-  const order = {kidnap: 0, collision: 1, fault: 2, driving: 3, recovery: 4};
+  const order = {kidnap: 0, collision: 1, fault: 2, driving: 3, operator: 4, recovery: 5};
   for (const mark of [...marks].sort((a, b) => order[a.sort] - order[b.sort] || a.time - b.time)) {
     if (kept.every((other) => Math.abs(other.time - mark.time) * scale >= apart)) kept.push(mark);
   }

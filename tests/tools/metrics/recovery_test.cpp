@@ -32,6 +32,32 @@ TEST(IsRight, EndsAtTheLimits) {
   EXPECT_FALSE(is_right(silent, {}));
 }
 
+RunEvent order_at(double at_s) {
+  RunEvent order;
+  order.stamp = from_seconds(at_s);
+  order.kind = EventKind::kOperator;
+  order.detail = "relocalize";
+  return order;
+}
+
+TEST(Recovery, WithAnOperatorsHelpIsNone) {
+  const auto windows =
+      windows_of(twenty_rows({4, 5, 6, 7, 8, 9, 10}), {kidnap_at(4.0), order_at(10.5)});
+  ASSERT_EQ(windows.size(), 2U);
+  EXPECT_EQ(windows[0].end, from_seconds(10.5));
+  EXPECT_TRUE(windows[0].scored);
+  EXPECT_FALSE(windows[0].recovered);
+  EXPECT_EQ(windows[1].kind, kOperatorKind);
+  EXPECT_FALSE(windows[1].scored);
+  EXPECT_FALSE(windows[1].recovered);
+}
+
+TEST(Recovery, BeforeAnOperatorsHelpCounts) {
+  const auto windows = windows_of(twenty_rows({4, 12, 13, 14}), {kidnap_at(4.0), order_at(12.0)});
+  EXPECT_EQ(windows[0].recovered, from_seconds(5.0));
+  EXPECT_FALSE(windows_of(twenty_rows({4, 5}), {kidnap_at(4.0), order_at(6.0)})[0].scored);
+}
+
 TEST(Recovery, IsTheFirstRowFromWhichAllAreRight) {
   const auto windows = windows_of(twenty_rows({4, 5, 6, 9}), {kidnap_at(4.0)});
   ASSERT_EQ(windows.size(), 1U);

@@ -153,7 +153,7 @@ TEST(Report, SaysWhichKidnapsAreNotScored) {
   const std::string late = report_of(records(20), run_of(kReported), 1.0, reported_map(), 9.0);
   EXPECT_TRUE(contains(late,
                        "<strong>a</strong> was displaced. 1 kidnap is not scored: less than 5 s "
-                       "before the next one or the end of the run. While"));
+                       "before the next one, an operator's order, or the end of the run. While"));
   EXPECT_EQ(late.find("never displaced"), std::string::npos);
   EXPECT_EQ(report_of(records(20)).find("not scored"), std::string::npos);
 }

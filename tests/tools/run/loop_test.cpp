@@ -106,6 +106,69 @@ TEST_F(LoopTest, LeavesAnUnknownStartToTheLocalizer) {
   EXPECT_FALSE(sink_->records[0].localizers[0].estimate);
 }
 
+/// Initial poses and counts of what a localizer is told.
+class Told final : public localization::Localizer {
+ public:
+  explicit Told(std::vector<std::string>& log) : log_(log) {}
+  void initialize(const std::optional<localization::PoseWithCovariance>& start) override {
+    log_.push_back(start ? "start " + std::to_string(start->T_map_base.x) : "anywhere");
+  }
+  void on_odometry(const Odometry&) override { log_.emplace_back("odometry"); }
+  void on_scan(const LaserScan&) override { log_.emplace_back("scan"); }
+  [[nodiscard]] std::optional<localization::Estimate> estimate() const override {
+    return localization::Estimate{};
+  }
+  [[nodiscard]] localization::Diagnostics diagnostics() const override { return {}; }
+
+ private:
+  std::vector<std::string>& log_;
+};
+
+TEST_F(LoopTest, CarriesOrdersOutAfterTheDeliveriesOfTheirTime) {
+  std::vector<std::string> log;
+  localizers_.push_back({"told", std::make_unique<Told>(log)});
+  using What = LocalizerOrder::What;
+  const auto pose = localization::PoseWithCovariance{{7.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()};
+  config_.orders = {{Stamp(0), "told", What::kOff, {}},
+                    {Stamp(10), "told", What::kOn, {}},
+                    {Stamp(15), "told", What::kInitialize, pose}};
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_EQ(log, (std::vector<std::string>{"start 5.000000", "odometry", "anywhere",
+                                           "start 7.000000", "odometry"}));
+  EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "event operator", "odometry",
+                                                    "scan", "event operator", "event kidnap",
+                                                    "event operator", "odometry", "finish 1000"}));
+  EXPECT_FALSE(sink_->records[0].localizers[1].estimate);
+}
+
+TEST_F(LoopTest, AnOrderThatIsAddedEqualsOneThatIsConfigured) {
+  const auto log_of = [&](bool configured) {
+    std::vector<std::string> log;
+    localizers_.clear();
+    localizers_.push_back({"told", std::make_unique<Told>(log)});
+    ListSource source({odometry(0, {}), odometry(10, {}), scan(10, {}), odometry(20, {})});
+    const LocalizerOrder order{Stamp(10), "told", LocalizerOrder::What::kRelocalize, {}};
+    config_.orders.clear();
+    if (configured) config_.orders.push_back(order);
+    Loop loop(config_, localizers_, sinks_);
+    loop.begin();
+    loop.step(source);
+    loop.step(source);
+    if (!configured) loop.add(order);
+    while (loop.step(source)) {
+    }
+    return log;
+  };
+  EXPECT_EQ(log_of(false), log_of(true));
+  EXPECT_EQ(log_of(true), (std::vector<std::string>{"start 5.000000", "odometry", "odometry",
+                                                    "scan", "anywhere", "odometry"}));
+}
+
+TEST_F(LoopTest, AnOrderNeedsALocalizerOfTheRun) {
+  config_.orders = {{Stamp(0), "nobody", LocalizerOrder::What::kOff, {}}};
+  EXPECT_THROW(Loop(config_, localizers_, sinks_), std::invalid_argument);
+}
+
 /// Answers every scan and always raises the alarm.
 class AlwaysLost final : public localization::Localizer {
  public:

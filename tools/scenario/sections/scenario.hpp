@@ -14,6 +14,7 @@
 #include "localization/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
 #include "sim/difference/difference.hpp"
+#include "sim/events/drive_command.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
 #include "sim/people/people_config.hpp"
@@ -23,6 +24,7 @@
 #include "tools/metrics/expectation.hpp"
 #include "tools/pictures/picture_config.hpp"
 #include "tools/ros/bag_options.hpp"
+#include "tools/run/localizer_order.hpp"
 #include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {
@@ -94,6 +96,8 @@ struct LidarSpec {
 struct EventSpecs {
   std::vector<sim::KidnapSpec> kidnaps;
   std::vector<sim::FaultSpec> faults;
+  std::vector<sim::DriveCommand> commands;  ///< In order of time.
+  std::vector<LocalizerOrder> orders;       ///< In order of time.
   std::string watched;  ///< Localizer that kidnaps wait for; empty: no kidnap waits.
 };
 
