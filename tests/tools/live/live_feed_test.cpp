@@ -1,0 +1,83 @@
+#include "tools/live/live_feed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/support/records.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+const std::vector<std::string> kTwo{"a", "b"};
+
+/// A frame taken apart.
+struct ReadFrame {
+  nlohmann::json head;
+  std::string blocks;
+};
+
+ReadFrame read_frame(const std::string& bytes) {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    size |= static_cast<std::size_t>(static_cast<unsigned char>(bytes.at(i))) << (8 * i);
+  }
+  return {nlohmann::json::parse(bytes.substr(4, size)), bytes.substr(4 + size)};
+}
+
+LiveFeed feed_of_two() {
+  RosMap map;
+  map.width = 1;
+  map.height = 1;
+  map.cells = {0};
+  return {run_of(kTwo), map, 0.2};
+}
+
+TEST(LiveFeed, FramesHoldWhatHappenedSinceTheLastOne) {
+  LiveFeed feed = feed_of_two();
+  feed.on_scan(record_at(1.0, kTwo));
+  feed.on_event(kidnap_to(1.05));
+  ScanRecord second = record_at(1.1, kTwo);
+  second.localizers[1].estimate.reset();
+  feed.on_scan(second);
+  const LivePoses poses{
+      localization::from_seconds(1.15), {1.0, 2.0, 0.5}, {SE2{3.0, 4.0, 0.1}, {}}};
+  const ReadFrame frame = read_frame(feed.take_frame(poses));
+  EXPECT_EQ(frame.head.at("now"), 1.15);
+  EXPECT_EQ(frame.head.at("truth"), (nlohmann::json{1.0, 2.0, 0.5}));
+  EXPECT_EQ(frame.head.at("estimates").at(0), (nlohmann::json{3.0, 4.0, 0.1}));
+  EXPECT_TRUE(frame.head.at("estimates").at(1).is_null());
+  ASSERT_EQ(frame.head.at("scans").size(), 2U);
+  const auto& scan = frame.head.at("scans").at(1);
+  EXPECT_EQ(scan.at(0), 1.1);
+  EXPECT_EQ(scan.at(3).at(0).at("answer").size(), 8U);
+  EXPECT_TRUE(scan.at(3).at(1).at("answer").is_null());
+  EXPECT_EQ(frame.head.at("lidars").size(), 1U);
+  std::size_t bytes = 0;
+  for (const auto& size : frame.head.at("blocks")) bytes += size.get<std::size_t>();
+  EXPECT_EQ(frame.head.at("blocks").size(), 4U);
+  EXPECT_EQ(frame.blocks.size(), bytes);
+  const ReadFrame next = read_frame(feed.take_frame(poses));
+  EXPECT_TRUE(next.head.at("scans").empty());
+  EXPECT_TRUE(next.blocks.empty());
+  EXPECT_FALSE(next.head.contains("lidars"));
+}
+
+TEST(LiveFeed, EventsAreToldOnce) {
+  LiveFeed feed = feed_of_two();
+  feed.on_event(kidnap_to(1.05));
+  const auto events = feed.take_events();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events.at(0).at("kind"), "kidnap");
+  EXPECT_EQ(events.at(0).at("time"), 1.05);
+  EXPECT_EQ(events.at(0).at("to").size(), 3U);
+  EXPECT_TRUE(feed.take_events().empty());
+}
+
+TEST(LiveFeed, HelloHasTheMap) {
+  const auto hello = feed_of_two().hello();
+  EXPECT_EQ(hello.at("localizers"), nlohmann::ordered_json(kTwo));
+  EXPECT_EQ(hello.at("map").at("width"), 1);
+  EXPECT_FALSE(hello.at("cells").get<std::string>().empty());
+}
+
+}  // namespace
+}  // namespace castaway::testbed

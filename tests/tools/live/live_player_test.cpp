@@ -1,0 +1,187 @@
+#include "tools/live/live_player.hpp"
+
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/live/wire.hpp"
+#include "tools/scenario/files/data_paths.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+LiveSetup in_the_lab(bool playing) {
+  return {read_scenario(YamlDocument::parse("world: lab\nlidar: {rate_hz: 10, range_max: 12}\n"
+                                            "localizers: [mh_amcl]\n",
+                                            "live.yaml"),
+                        data_root(), "live"),
+          data_root(), playing};
+}
+
+/// A player in a process of its own, and the line to it.
+class Player {
+ public:
+  explicit Player(bool playing = false) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+    std::fflush(nullptr);  // Buffered output would be written twice.
+    process_ = fork();
+    if (process_ == 0) {
+      close(ends[0]);
+      play_live(in_the_lab(playing), ends[1]);
+      _exit(0);
+    }
+    close(ends[1]);
+    line_ = ends[0];
+  }
+  ~Player() {
+    close(line_);
+    waitpid(process_, nullptr, 0);
+  }
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
+
+  void tell(const Json& command) const {
+    const std::string bytes = to_wire(WireKind::kCommand, command.dump());
+    EXPECT_EQ(send(line_, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
+  }
+
+  /// The next message that `wanted` accepts; null if the line ends.
+  Json wait_for(const std::function<bool(const Json&)>& wanted) {
+    while (true) {
+      while (const auto message = reader_.next()) {
+        const Json json = message->kind == WireKind::kSaid ? Json::parse(message->body)
+                                                           : frame_head(message->body);
+        if (wanted(json)) return json;
+      }
+      std::array<char, 65536> buffer{};
+      const ssize_t count = recv(line_, buffer.data(), buffer.size(), 0);
+      if (count <= 0) return nullptr;
+      reader_.take({buffer.data(), static_cast<std::size_t>(count)});
+    }
+  }
+  Json wait_for_said(const std::string& said) {
+    return wait_for([&](const Json& json) { return json.value("said", "") == said; });
+  }
+  /// The first frame at or after this time.
+  Json wait_for_frame(double at_s) {
+    return wait_for([&](const Json& json) { return json.value("now", -1.0) >= at_s; });
+  }
+
+ private:
+  static Json frame_head(const std::string& bytes) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      size |= static_cast<std::size_t>(static_cast<unsigned char>(bytes.at(i))) << (8 * i);
+    }
+    return Json::parse(bytes.substr(4, size));
+  }
+
+  pid_t process_ = -1;
+  int line_ = -1;
+  WireReader reader_;
+};
+
+TEST(LivePlayer, SaysHelloAndPlays) {
+  Player player;
+  const Json hello = player.wait_for_said("hello");
+  EXPECT_EQ(hello.at("run").at("localizers"), Json({"mh_amcl"}));
+  EXPECT_EQ(player.wait_for_said("status").at("playing"), false);
+  player.tell({{"do", "speed"}, {"value", 50}});
+  player.tell({{"do", "play"}});
+  const Json frame = player.wait_for_frame(3.0);
+  EXPECT_EQ(frame.at("truth").size(), 3U);
+  player.tell({{"do", "pause"}});
+  const auto paused = [](const Json& json) {
+    return json.value("said", "") == "status" && !json.at("playing").get<bool>();
+  };
+  EXPECT_GE(player.wait_for(paused).at("now_s"), 3.0);
+}
+
+TEST(LivePlayer, StepsFromScanToScan) {
+  Player player;
+  player.tell({{"do", "step"}});
+  player.tell({{"do", "step"}});
+  const auto has_scan = [](const Json& json) {
+    return json.contains("scans") && !json.at("scans").empty();
+  };
+  const double first = player.wait_for(has_scan).at("scans").back().at(0);
+  player.tell({{"do", "step"}});
+  const double next = player.wait_for(has_scan).at("scans").back().at(0);
+  EXPECT_GT(next, first);
+  EXPECT_LE(next - first, 0.2 + 1e-9);
+}
+
+TEST(LivePlayer, DoesWhatHandsDoAndSaysWhatIsWrong) {
+  Player player;
+  player.tell({{"do", "event"}, {"event", {{"kidnap", {{"pose", {900, 0, 0}}}}}}});
+  EXPECT_THAT(player.wait_for_said("error").at("text").get<std::string>(), HasSubstr("900"));
+  player.tell({{"do", "dance"}});
+  EXPECT_THAT(player.wait_for_said("error").at("text").get<std::string>(), HasSubstr("dance"));
+  player.tell({{"do", 3}});
+  EXPECT_EQ(player.wait_for_said("error").at("text"), "not a command");
+  player.tell({{"do", "event"}, {"event", {{"kidnap", {{"min_distance_m", 1}}}}}});
+  EXPECT_EQ(player.wait_for_said("done").at("at_s"), 0.0);
+  player.tell({{"do", "step"}});
+  EXPECT_EQ(player.wait_for_said("events").at("events").at(0).at("kind"), "kidnap");
+  player.tell({{"do", "save"}});
+  EXPECT_THAT(player.wait_for_said("scenario").at("yaml").get<std::string>(),
+              HasSubstr("min_distance_m: 1"));
+}
+
+TEST(LivePlayer, GoesBackToAnyMomentAndOnFromThere) {
+  Player player;
+  player.wait_for_said("hello");
+  player.tell({{"do", "speed"}, {"value", 100}});
+  player.tell({{"do", "play"}});
+  player.wait_for_frame(5.0);
+  player.tell({{"do", "event"}, {"event", {{"kidnap", {{"min_distance_m", 1}}}}}});
+  player.wait_for_frame(25.0);
+  player.tell({{"do", "back"}, {"to_s", 12.5}});
+  EXPECT_EQ(player.wait_for_said("hello").at("undone"), true);
+  const Json frame = player.wait_for_frame(0.0);
+  EXPECT_NEAR(frame.at("now").get<double>(), 12.5, 0.02);
+  player.tell({{"do", "back"}, {"to_s", 2.0}});
+  player.wait_for_said("hello");
+  EXPECT_NEAR(player.wait_for_frame(0.0).at("now").get<double>(), 2.0, 0.02);
+  player.tell({{"do", "save"}});
+  EXPECT_THAT(player.wait_for_said("scenario").at("yaml").get<std::string>(),
+              testing::Not(HasSubstr("min_distance_m: 1\n")));
+}
+
+TEST(LivePlayer, GoingBackChangesNothingOfThePast) {
+  const auto truth_at = [](bool back) {
+    Player player;
+    player.tell({{"do", "speed"}, {"value", 100}});
+    player.tell({{"do", "play"}});
+    player.wait_for_frame(15.0);
+    player.tell({{"do", "pause"}});
+    if (back) player.tell({{"do", "back"}, {"to_s", 11.0}});
+    if (back) player.wait_for_said("hello");
+    player.tell({{"do", "play"}});
+    std::map<double, Json> poses;
+    player.wait_for([&](const Json& json) {
+      if (json.contains("scans")) {
+        for (const Json& scan : json.at("scans")) poses[scan.at(0).get<double>()] = scan.at(2);
+      }
+      return json.value("now", 0.0) >= 20.0;
+    });
+    return poses.lower_bound(19.0)->second;
+  };
+  EXPECT_EQ(truth_at(false), truth_at(true));
+}
+
+}  // namespace
+}  // namespace castaway::testbed

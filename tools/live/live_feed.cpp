@@ -1,0 +1,140 @@
+#include "tools/live/live_feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "localization/geometry/stamp.hpp"
+#include "tools/records/recording.hpp"
+#include "tools/records/recording_blocks.hpp"
+#include "tools/records/recording_header.hpp"
+#include "tools/report/html/html.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using FeedJson = nlohmann::ordered_json;
+
+constexpr std::size_t kMostBeams = 360;
+constexpr std::size_t kMostPoints = 300;  // Particles of a localizer.
+constexpr std::size_t kKeptKidnaps = 4;
+
+/// A number of a few digits, so that frames are short; null if it is not finite.
+FeedJson rounded(double value, double per_unit = 1e4) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * per_unit) / per_unit;
+}
+
+FeedJson pose_json(const SE2& pose) {
+  return {rounded(pose.x), rounded(pose.y), rounded(pose.yaw)};
+}
+
+FeedJson pose_json(const std::optional<SE2>& pose) { return pose ? pose_json(*pose) : FeedJson(); }
+
+FeedJson answer_json(const LocalizerRecord& localizer) {
+  FeedJson row = FeedJson::array();
+  if (const auto& estimate = localizer.estimate) {
+    const Eigen::Matrix3d& covariance = estimate->covariance;
+    row = pose_json(estimate->T_map_base);
+    row.push_back(estimate->lost ? 1 : 0);
+    row.push_back(rounded(estimate->quality, 1e3));
+    row.push_back(rounded(estimate->probability, 1e3));
+    row.push_back(rounded(std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)))));
+    row.push_back(rounded(std::sqrt(covariance(2, 2))));
+  }
+  std::size_t particles = 0;
+  const auto& populations = localizer.diagnostics.populations;
+  for (const auto& population : populations) particles += population.particles.size();
+  return {{"answer", row.empty() ? FeedJson() : std::move(row)},
+          {"populations", populations.size()},
+          {"particles", particles}};
+}
+
+bool is_torn_by(const std::vector<RunEvent>& kidnaps, const ScanRecord& record) {
+  const auto within = [&](Stamp stamp) {
+    return stamp > record.stamp && stamp < std::max(record.stamp, record.delivered);
+  };
+  return std::any_of(kidnaps.begin(), kidnaps.end(), [&](const RunEvent& kidnap) {
+    return within(kidnap.stamp) || within(kidnap.begun());
+  });
+}
+
+std::string length_bytes(std::size_t size) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>((size >> (8 * i)) & 0xFFU));
+  return bytes;
+}
+
+}  // namespace
+
+LiveFeed::LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m)
+    : header_(recording_header(info, map, robot_radius_m)), cells_(pack_cells(map)) {}
+
+FeedJson LiveFeed::hello() const {
+  FeedJson hello = header_;
+  hello["cells"] = base64(cells_);
+  return hello;
+}
+
+void LiveFeed::on_event(const RunEvent& event) {
+  events_.push_back({{"time", rounded(localization::seconds(event.stamp))},
+                     {"kind", event_name(event.kind)},
+                     {"detail", event.detail},
+                     {"localizer", event.localizer},
+                     {"from", pose_json(event.T_map_from)},
+                     {"to", pose_json(event.T_map_to)}});
+  if (event.kind != EventKind::kKidnap) return;
+  if (kidnaps_.size() == kKeptKidnaps) kidnaps_.erase(kidnaps_.begin());
+  kidnaps_.push_back(event);
+}
+
+void LiveFeed::forget() {
+  events_ = FeedJson::array();
+  if (!scans_.empty()) scans_ = FeedJson::array({scans_.back()});
+}
+
+void LiveFeed::on_scan(const ScanRecord& record) {
+  ++count_;
+  FeedJson localizers = FeedJson::array();
+  for (const LocalizerRecord& localizer : record.localizers) {
+    localizers.push_back(answer_json(localizer));
+  }
+  scans_.push_back({rounded(localization::seconds(record.stamp)),
+                    is_torn_by(kidnaps_, record) ? 1 : 0, pose_json(record.T_map_base_true),
+                    std::move(localizers)});
+  set_blocks(record);
+}
+
+/// Those of the newest scan are kept.
+void LiveFeed::set_blocks(const ScanRecord& record) {
+  const std::size_t stride = beam_stride(record.scan.ranges.size(), kMostBeams);
+  const std::size_t lidar = recorded_lidar(record.scan, stride, header_);
+  blocks_ = {pack_beams(lidar, record.scan, stride), pack_people(record.people.people)};
+  for (const LocalizerRecord& localizer : record.localizers) {
+    blocks_.push_back(pack_populations(localizer.diagnostics.populations, kMostPoints));
+  }
+}
+
+std::string LiveFeed::take_frame(const LivePoses& poses) {
+  FeedJson estimates = FeedJson::array();
+  for (const auto& estimate : poses.estimates) estimates.push_back(pose_json(estimate));
+  FeedJson sizes = FeedJson::array();
+  for (const std::string& block : blocks_) sizes.push_back(block.size());
+  FeedJson frame = {{"now", rounded(localization::seconds(poses.now))},
+                    {"truth", pose_json(poses.T_map_base_true)},
+                    {"estimates", std::move(estimates)},
+                    {"scans", std::exchange(scans_, FeedJson::array())},
+                    {"blocks", std::move(sizes)}};
+  if (header_["lidars"].size() != told_lidars_) {
+    frame["lidars"] = header_["lidars"];
+    told_lidars_ = header_["lidars"].size();
+  }
+  const std::string text = frame.dump();
+  std::string bytes = length_bytes(text.size()) + text;
+  for (const std::string& block : std::exchange(blocks_, {})) bytes += block;
+  return bytes;
+}
+
+FeedJson LiveFeed::take_events() { return std::exchange(events_, FeedJson::array()); }
+
+}  // namespace castaway::testbed

@@ -1,0 +1,71 @@
+/// What the pages hear of a live run.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/formats/ros_map.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Where robot and estimates are between scans.
+struct LivePoses {
+  Stamp now{};
+  SE2 T_map_base_true;
+  std::vector<std::optional<SE2>> estimates;  ///< By localizer, carried on by odometry.
+};
+
+/// Gathers what happened since the last frame.
+class LiveFeed final : public RunSink {
+ public:
+  LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m);
+
+  void on_event(const RunEvent& event) override;
+  void on_odometry(const OdometryFrame&) override {}
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp, const RunTiming&) override {}
+
+  /// The header of a recording (`recording_header`) with `cells`: the map as `pack_cells`, in
+  /// base64.
+  [[nodiscard]] nlohmann::ordered_json hello() const;
+
+  /// A frame: the length of its JSON in four bytes, lowest first, the JSON, and blocks of bytes.
+  ///   now          [s]
+  ///   truth        [x, y, yaw]
+  ///   estimates    the same for each localizer, or null
+  ///   scans        those since the last frame: [t, torn, truth, localizers], of each localizer
+  ///   null
+  ///                or [x, y, yaw, lost, quality, probability, sigma, sigma_yaw], and the numbers
+  ///                of its populations and particles
+  ///   lidars       as in the header, if new ones delivered
+  ///   blocks       sizes of the blocks of the newest scan: beams, people, populations of each
+  ///                localizer (`recording_blocks.hpp`); empty without a scan
+  std::string take_frame(const LivePoses& poses);
+
+  /// Scans so far.
+  [[nodiscard]] std::size_t scans() const { return count_; }
+  [[nodiscard]] bool has_news() const { return !scans_.empty(); }
+  /// Leaves out what was not told yet, but the newest scan.
+  void forget();
+
+  /// The events since the last call: [{time, kind, detail, localizer, from, to}].
+  nlohmann::ordered_json take_events();
+
+ private:
+  void set_blocks(const ScanRecord& record);
+
+  nlohmann::ordered_json header_;
+  std::string cells_;
+  std::vector<RunEvent> kidnaps_;  ///< The latest few, for torn scans.
+  nlohmann::ordered_json events_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json scans_ = nlohmann::ordered_json::array();
+  std::vector<std::string> blocks_;
+  std::size_t told_lidars_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,252 @@
+#include "tools/live/live_player.hpp"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <memory>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/live/checkpoints.hpp"
+#include "tools/live/live_clock.hpp"
+#include "tools/live/live_feed.hpp"
+#include "tools/live/live_run.hpp"
+#include "tools/live/wire.hpp"
+#include "tools/run/cpu_clock.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using PlayerJson = nlohmann::ordered_json;
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds kFramePeriod = milliseconds(33);
+constexpr nanoseconds kBurst = milliseconds(10);  // Wall time between two looks at the commands.
+constexpr double kCheckpointEvery = 10.0;         // [s] Of simulated time.
+constexpr double kSlowest = 0.1;
+constexpr double kFastest = 100.0;
+
+/// The line to the pages is cut.
+struct LineCut {};
+
+/// A moment to go to: where a woken copy goes on.
+struct GoTo {
+  Stamp time{};
+  double speed = 1.0;
+};
+
+class LivePlayer {
+ public:
+  LivePlayer(const LiveSetup& setup, int socket) : setup_(setup), socket_(socket) {}
+
+  void play() {
+    keep_checkpoint();
+    build();
+    if (setup_.playing && !goal_) clock_.play(wall_time(), run_->now());
+    while (true) turn();
+  }
+
+ private:
+  void build() {
+    run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, worlds_,
+                                     [this](const RunInfo& info, const RosMap& map, double radius) {
+                                       auto feed = std::make_unique<LiveFeed>(info, map, radius);
+                                       feed_ = feed.get();
+                                       return feed;
+                                     });
+    say_hello();
+  }
+
+  /// A copy that is woken goes on here, with a goal.
+  void keep_checkpoint() {
+    const Stamp now = run_ ? run_->now() : Stamp{};
+    next_checkpoint_ = now + localization::from_seconds(kCheckpointEvery);
+    while (const auto woken = checkpoints_.keep(now)) {
+      const PlayerJson order = PlayerJson::parse(*woken);
+      goal_ = GoTo{Stamp(order.at("time_ns").get<std::int64_t>()), order.at("speed").get<double>()};
+      undone_ = true;
+    }
+  }
+
+  void turn() {
+    if (goal_) return reach_goal();
+    listen();
+    if (goal_) return;
+    play_on();
+    if (wall_time() >= next_frame_) tell();
+  }
+
+  /// Plays until now, as fast as it can, without telling.
+  void reach_goal() {
+    while (run_->now() < goal_->time && step()) {
+    }
+    feed_->forget();
+    clock_.pause();
+    clock_.set_speed(goal_->speed, wall_time(), run_->now());
+    goal_.reset();
+    say_hello();
+    tell();
+  }
+
+  bool step() {
+    if (!run_->step()) return false;
+    if (!goal_ && run_->now() >= next_checkpoint_) keep_checkpoint();
+    return true;
+  }
+
+  void play_on() {
+    const nanoseconds begin = wall_time();
+    const Stamp due = clock_.due(begin, run_->now());
+    while (run_->now() < due && wall_time() - begin < kBurst) {
+      if (!step()) return clock_.pause();
+      if (goal_) return;  // This is a copy that was woken.
+    }
+  }
+
+  /// Waits for commands until there is something else to do, and carries them out.
+  void listen() {
+    nanoseconds patience = next_frame_ - wall_time();
+    if (clock_.is_playing()) {
+      patience = std::min(patience, clock_.until(run_->now() + Stamp(1), wall_time()));
+    }
+    pollfd file{socket_, POLLIN, 0};
+    const auto wait_ms =
+        std::chrono::ceil<milliseconds>(std::max(patience, nanoseconds(0))).count();
+    if (::poll(&file, 1, static_cast<int>(wait_ms)) <= 0) return;
+    std::array<char, 65536> buffer{};
+    const ssize_t count = recv(socket_, buffer.data(), buffer.size(), 0);
+    if (count < 0 && errno == EINTR) return;
+    if (count <= 0) throw LineCut{};
+    reader_.take({buffer.data(), static_cast<std::size_t>(count)});
+    while (const auto message = reader_.next()) obey(message->body);
+  }
+
+  void obey(const std::string& text) {
+    try {
+      const PlayerJson command = PlayerJson::parse(text);
+      obey(command.at("do").get<std::string>(), command);
+    } catch (const PlayerJson::exception&) {
+      say({{"said", "error"}, {"text", "not a command"}});
+    } catch (const std::exception& error) {
+      say({{"said", "error"}, {"text", error.what()}});
+    }
+  }
+
+  void obey(const std::string& what, const PlayerJson& command) {
+    if (what == "play") {
+      clock_.play(wall_time(), run_->now());
+    } else if (what == "pause") {
+      clock_.pause();
+    } else if (what == "step") {
+      clock_.pause();
+      const std::size_t scans = feed_->scans();
+      while (feed_->scans() == scans && step()) {
+      }
+    } else if (what == "speed") {
+      const double speed = std::clamp(command.at("value").get<double>(), kSlowest, kFastest);
+      clock_.set_speed(speed, wall_time(), run_->now());
+    } else if (what == "event") {
+      const Stamp at = run_->add(command.at("event").dump());
+      say({{"said", "done"}, {"event", command.at("event")}, {"at_s", localization::seconds(at)}});
+    } else if (what == "back") {
+      go_back(localization::from_seconds(command.at("to_s").get<double>()));
+    } else if (what == "save") {
+      say({{"said", "scenario"}, {"yaml", run_->scenario()}});
+    } else {
+      throw std::runtime_error("unknown command '" + what + "'");
+    }
+    say_status();
+  }
+
+  /// Hands over to a copy and ends.
+  void go_back(Stamp time) {
+    const PlayerJson order = {{"time_ns", std::clamp(time, Stamp{}, run_->now()).count()},
+                              {"speed", clock_.speed()}};
+    if (checkpoints_.wake(time, order.dump())) _exit(0);
+  }
+
+  void tell() {
+    next_frame_ = wall_time() + kFramePeriod;
+    const PlayerJson events = feed_->take_events();
+    if (!events.empty()) say({{"said", "events"}, {"events", events}});
+    if (run_->now() == told_ && !feed_->has_news()) return say_status_now_and_then();
+    told_ = run_->now();
+    send(WireKind::kFrame, feed_->take_frame({run_->now(), run_->true_pose(), run_->estimates()}));
+    say_status_now_and_then();
+  }
+
+  void say_hello() {
+    say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
+    say_status();
+  }
+
+  void say_status_now_and_then() {
+    if (wall_time() >= next_status_) say_status();
+  }
+
+  void say_status() {
+    const nanoseconds wall = wall_time();
+    const double elapsed = localization::seconds(wall - status_wall_);
+    const double times_real =
+        elapsed > 0.0 ? localization::seconds(run_->now() - status_now_) / elapsed : 0.0;
+    say({{"said", "status"},
+         {"playing", clock_.is_playing()},
+         {"speed", clock_.speed()},
+         {"now_s", localization::seconds(run_->now())},
+         {"times_real", times_real}});
+    status_wall_ = wall;
+    status_now_ = run_->now();
+    next_status_ = wall + std::chrono::seconds(1);
+  }
+
+  void say(const PlayerJson& json) {
+    send(WireKind::kSaid, json.dump(-1, ' ', false, PlayerJson::error_handler_t::replace));
+  }
+
+  void send(WireKind kind, const std::string& body) {
+    const std::string bytes = to_wire(kind, body);
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+      const ssize_t count = ::send(socket_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) throw LineCut{};
+      at += static_cast<std::size_t>(count);
+    }
+  }
+
+  const LiveSetup& setup_;
+  int socket_;
+  SharedWorlds worlds_;
+  Checkpoints checkpoints_;
+  std::unique_ptr<LiveRun> run_;
+  LiveFeed* feed_ = nullptr;
+  LiveClock clock_;
+  WireReader reader_;
+  std::optional<GoTo> goal_;
+  bool undone_ = false;
+  Stamp next_checkpoint_{};
+  Stamp told_{-1};
+  nanoseconds next_frame_{};
+  nanoseconds next_status_{};
+  nanoseconds status_wall_{};
+  Stamp status_now_{};
+};
+
+}  // namespace
+
+void play_live(const LiveSetup& setup, int socket) {
+  std::signal(SIGPIPE, SIG_IGN);  // A copy that has ended cannot be woken.
+  try {
+    LivePlayer(setup, socket).play();
+  } catch (const LineCut&) {
+  }
+}
+
+}  // namespace castaway::testbed

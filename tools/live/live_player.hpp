@@ -1,0 +1,34 @@
+/// Plays a live run in a process of its own.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/scenario/scenario_file.hpp"
+
+namespace castaway::testbed {
+
+/// What is played.
+struct LiveSetup {
+  LoadedScenario scenario;
+  std::filesystem::path base;  ///< Folder of the scenario's file.
+  bool playing = false;        ///< From the beginning on.
+};
+
+/// Plays until the other end of `socket` is closed: takes commands, as JSON, and says what happens
+/// (`wire.hpp`). The process must have a single thread. Commands:
+///   {"do": "play" | "pause" | "step"}        step: to the next scan
+///   {"do": "speed", "value": 2}              0.1 to 100 times real time
+///   {"do": "event", "event": {...}}          `read_live_event`
+///   {"do": "back", "to_s": 12.5}             events after that time are undone
+///   {"do": "save"}                           the scenario that repeats the run until now
+/// It says
+///   {"said": "hello", "run": {...}}          `LiveFeed::hello`; also at the start and after "back"
+///   {"said": "status", "playing", "speed", "now_s", "times_real"}
+///   {"said": "events", "events": [...]}      `LiveFeed::take_events`
+///   {"said": "done", "event": {...}, "at_s"} an event of a hand took place
+///   {"said": "scenario", "yaml": "..."}
+///   {"said": "error", "text": "..."}         of one line
+/// A run that cannot be built or played is an error, and the end.
+void play_live(const LiveSetup& setup, int socket);
+
+}  // namespace castaway::testbed

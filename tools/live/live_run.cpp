@@ -1,0 +1,80 @@
+#include "tools/live/live_run.hpp"
+
+#include <utility>
+
+#include "localization/geometry/stamp.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/sources/build_localizers.hpp"
+#include "tools/sources/build_sensors.hpp"
+#include "tools/sources/build_simulation.hpp"
+#include "tools/sources/scan_truth.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kEndless = 100.0 * 86400.0;  // [s]
+
+YamlNode& child(YamlNode& map, const std::string& key) {
+  if (YamlNode* found = map.find(key)) return *found;
+  map.entries.push_back({key, {}});
+  return map.entries.back().value;
+}
+
+}  // namespace
+
+LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base,
+                 SharedWorlds& worlds, const LiveSinkMaker& make_sink)
+    : scenario_(parse_yaml(loaded.effective, "scenario")) {
+  Scenario scenario = loaded.scenario;
+  scenario.duration_s = kEndless;
+  scenario.stop_after_m = 0.0;
+  PreparedSimulation prepared = build_simulation(scenario, base, &worlds);
+  prepared.config.open = true;
+  const RunInfo info{
+      scenario.name,      prepared.world_name,          prepared.config.robot.name,
+      scenario.seed,      scenario.start.initializes(), names_of(scenario.localizers),
+      prepared.difference};
+  sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
+  lidars_ = prepared.config.lidars;
+  localizers_ =
+      build_localizers(scenario.localizers,
+                       {prepared.map, {}, lidars_of(prepared.config.lidars), {}}, scenario.seed);
+  source_ = build_source(scenario, std::move(prepared.config));
+  loop_ =
+      std::make_unique<Loop>(loop_config(scenario, *source_->start_pose()), localizers_, sinks_);
+  loop_->begin();
+}
+
+bool LiveRun::step() { return loop_->step(*source_); }
+
+/// The simulator's events take place at its next step, a localizer's after the last delivery.
+Stamp LiveRun::time_of(const std::string& event) const {
+  const LiveEvent now = read_live_event(event, loop_->now());
+  return now.specs.orders.empty() ? source_->now() : loop_->now();
+}
+
+void LiveRun::apply(const EventSpecs& specs) {
+  check_faults(specs.faults, lidars_);
+  for (const sim::KidnapSpec& kidnap : specs.kidnaps) source_->add(kidnap);
+  for (const sim::FaultSpec& fault : specs.faults) source_->add(fault);
+  for (const sim::DriveCommand& command : specs.commands) source_->add(command);
+  for (const LocalizerOrder& order : specs.orders) loop_->add(order);
+}
+
+Stamp LiveRun::add(const std::string& event) {
+  const Stamp at = time_of(event);
+  LiveEvent added = read_live_event(event, at);
+  apply(added.specs);
+  YamlNode& events = child(scenario_, "events");
+  events.kind = YamlNode::Kind::kList;
+  events.items.push_back(std::move(added.node));
+  return at;
+}
+
+std::string LiveRun::scenario() const {
+  YamlNode saved = scenario_;
+  child(saved, "duration_s") = write_yaml(localization::seconds(source_->now()));
+  return emit_yaml(saved);
+}
+
+}  // namespace castaway::testbed
