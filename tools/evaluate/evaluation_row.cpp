@@ -79,14 +79,14 @@ std::string pack_row(const EvaluationRow& row) {
                      packed(row.kidnaps),
                      row.scans,
                      row.wrong_scans,
-                     row.longest_wrong_s,
+                     packed(row.longest_wrong_s),
                      packed(row.calibration),
                      row.detection_delay_s,
                      row.false_alarms,
-                     row.watched_s,
-                     row.cpu_total_ms,
+                     packed(row.watched_s),
+                     packed(row.cpu_total_ms),
                      row.updates,
-                     row.cpu_max_ms,
+                     packed(row.cpu_max_ms),
                      packed(row.tracking_no_alarm_m)};
   return json.dump();
 }
@@ -100,14 +100,14 @@ EvaluationRow unpack_row(const std::string& text) try {
   row.kidnaps = unpacked_trials(json.at(3));
   row.scans = json.at(4).get<std::int64_t>();
   row.wrong_scans = json.at(5).get<std::int64_t>();
-  row.longest_wrong_s = json.at(6).get<double>();
+  row.longest_wrong_s = unpacked_double(json.at(6));
   row.calibration = unpacked_calibration(json.at(7));
   row.detection_delay_s = json.at(8).get<std::vector<double>>();
   row.false_alarms = json.at(9).get<int>();
-  row.watched_s = json.at(10).get<double>();
-  row.cpu_total_ms = json.at(11).get<double>();
+  row.watched_s = unpacked_double(json.at(10));
+  row.cpu_total_ms = unpacked_double(json.at(11));
   row.updates = json.at(12).get<std::int64_t>();
-  row.cpu_max_ms = json.at(13).get<double>();
+  row.cpu_max_ms = unpacked_double(json.at(13));
   row.tracking_no_alarm_m = unpacked_number(json.at(14));
   return row;
 } catch (const Json::exception& error) {

@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json packed_pose(const SE2& pose) { return {pose.x, pose.y, pose.yaw}; }
+Json packed_pose(const SE2& pose) { return {packed(pose.x), packed(pose.y), packed(pose.yaw)}; }
 
 SE2 unpacked_pose(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+  return {unpacked_double(json.at(0)), unpacked_double(json.at(1)), unpacked_double(json.at(2))};
 }
 
 Json packed_scans(const WrongScans& scans) { return {scans.scans, scans.wrong, scans.longest_s}; }
@@ -25,14 +25,15 @@ WrongScans unpacked_scans(const Json& json) {
 
 Json packed_errors(const std::vector<PoseError>& errors) {
   Json json = Json::array();
-  for (const PoseError& error : errors) json.push_back({error.position_m, error.yaw_rad});
+  for (const PoseError& error : errors)
+    json.push_back({packed(error.position_m), packed(error.yaw_rad)});
   return json;
 }
 
 std::vector<PoseError> unpacked_errors(const Json& json) {
   std::vector<PoseError> errors;
   for (const Json& error : json) {
-    errors.push_back({error.at(0).get<double>(), error.at(1).get<double>()});
+    errors.push_back({unpacked_double(error.at(0)), unpacked_double(error.at(1))});
   }
   return errors;
 }
@@ -62,16 +63,16 @@ KidnapOutcome unpacked_outcome(const Json& json) {
 }
 
 Json packed_search(const SearchOutcome& search) {
-  return {search.rank ? Json(*search.rank) : Json(), search.blocked_share, search.right,
-          search.fifth};
+  return {search.rank ? Json(*search.rank) : Json(), packed(search.blocked_share),
+          packed(search.right), packed(search.fifth)};
 }
 
 SearchOutcome unpacked_search(const Json& json) {
   SearchOutcome search;
   if (!json.at(0).is_null()) search.rank = json.at(0).get<std::size_t>();
-  search.blocked_share = json.at(1).get<double>();
-  search.right = json.at(2).get<double>();
-  search.fifth = json.at(3).get<double>();
+  search.blocked_share = unpacked_double(json.at(1));
+  search.right = unpacked_double(json.at(2));
+  search.fifth = unpacked_double(json.at(3));
   return search;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/trials/kidnap_text.hpp"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -64,6 +66,18 @@ TEST(KidnapText, HoldsTheOutcomesExactly) {
   EXPECT_EQ(read.since_distinguishable.longest_s, 0.2);
   EXPECT_EQ(read.calibration.brier(), outcome.calibration.brier());
   EXPECT_EQ(read.calibration.sure.scans, 1);
+}
+
+/// Localizers of users need not state a probability.
+TEST(KidnapText, HoldsWhatIsNoNumber) {
+  KidnapReport report = full_report();
+  report.outcomes[0].calibration.squares = std::numeric_limits<double>::quiet_NaN();
+  report.search.right = -std::numeric_limits<double>::infinity();
+  report.search.fifth = std::numeric_limits<double>::infinity();
+  const KidnapReport read = unpack_report(pack_report(report));
+  EXPECT_TRUE(std::isnan(read.outcomes[0].calibration.squares));
+  EXPECT_EQ(read.search.right, report.search.right);
+  EXPECT_EQ(read.search.fifth, report.search.fifth);
 }
 
 TEST(KidnapText, OmitsWhatATrialDoesNotHave) {
