@@ -12,6 +12,7 @@
 #include "tools/output/exit_code.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
+#include "tools/trials/packed_values.hpp"
 #include "tools/trials/wrong_scans.hpp"
 #include "tools/workers/worker_pool.hpp"
 
@@ -200,14 +201,16 @@ std::vector<EvaluationRow> run_at_once(int trials, int workers, const TrialByInd
   std::vector<EvaluationRow> rows(static_cast<std::size_t>(trials));
   JobOutcomes outcomes;
   outcomes.on_result = [&](int index, const std::string& text) {
-    rows[static_cast<std::size_t>(index)] = unpack_row(text);
+    rows[static_cast<std::size_t>(index)] = unpack_row(unpacked_trial(text));
     on_trial();
   };
   outcomes.on_failure = [](int index, const std::string& reason) {
     throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
   };
   work_through(
-      jobs_up_to(trials), workers, [&](int index) { return pack_row(run_trial(index)); }, outcomes);
+      jobs_up_to(trials), workers,
+      [&](int index) { return packed_trial([&] { return pack_row(run_trial(index)); }); },
+      outcomes);
   return rows;
 }
 

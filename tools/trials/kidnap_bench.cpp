@@ -11,6 +11,7 @@
 #include "tools/sources/simulator_source.hpp"
 #include "tools/trials/distinguishability.hpp"
 #include "tools/trials/kidnap_text.hpp"
+#include "tools/trials/packed_values.hpp"
 #include "tools/trials/place_finder.hpp"
 #include "tools/workers/worker_pool.hpp"
 
@@ -142,17 +143,19 @@ std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
   std::vector<KidnapReport> reports(static_cast<std::size_t>(count.kidnaps));
   JobOutcomes outcomes;
   outcomes.on_result = [&](int index, const std::string& text) {
-    reports[static_cast<std::size_t>(index)] = unpack_report(text);
+    reports[static_cast<std::size_t>(index)] = unpack_report(unpacked_trial(text));
     on_trial();
   };
   outcomes.on_failure = [](int index, const std::string& reason) {
     throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
   };
   const auto work = [&](int index) {
-    KidnapReport report = report_of(stage, play(stage, trials.draw(index, count.obstacles)));
-    report.index = index;
-    report.obstacles = count.obstacles;
-    return pack_report(report);
+    return packed_trial([&] {
+      KidnapReport report = report_of(stage, play(stage, trials.draw(index, count.obstacles)));
+      report.index = index;
+      report.obstacles = count.obstacles;
+      return pack_report(report);
+    });
   };
   work_through(jobs_up_to(count.kidnaps), count.workers, work, outcomes);
   return reports;
