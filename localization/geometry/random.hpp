@@ -8,9 +8,9 @@
 
 namespace castaway::localization {
 
-/// The engine of every draw. Its output is that of `std::mt19937_64`, fixed by the C++ standard;
-/// engine (twice as fast) and distributions come from Boost.Random, whose algorithms do not depend
-/// on the standard library.
+/// The engine of every draw. Its output is that of `std::mt19937_64`, fixed by the C++ standard.
+/// Engine and distributions come from Boost.Random, whose algorithms do not depend on the standard
+/// library.
 using Rng = boost::random::mt19937_64;
 
 /// The substream `name` of the run with `seed`: a new consumer never shifts the draws of another.
