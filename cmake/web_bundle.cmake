@@ -20,6 +20,15 @@ set(CASTAWAY_WEB_FILES
   src/keys.js
   src/layers.js
   src/legend.js
+  src/live.css
+  src/live_connection.js
+  src/live_drive.js
+  src/live_frame.js
+  src/live_hands.js
+  src/live_main.js
+  src/live_recording.js
+  src/live_tools.js
+  src/live_view.js
   src/main.js
   src/map_image.js
   src/map_view.js

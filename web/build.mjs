@@ -12,7 +12,7 @@ const licence = readFileSync(join(modules, 'node_modules/uplot/LICENSE'), 'utf8'
 
 const result = await esbuild.build({
   entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js'),
-    campaign: join(here, 'src/campaign_main.js')},
+    campaign: join(here, 'src/campaign_main.js'), live: join(here, 'src/live_main.js')},
   bundle: true,
   minify: true,
   write: false,
@@ -45,6 +45,8 @@ constexpr char kPlots[] = {${numbers('plots.js')}};
 constexpr char kPlotsStyle[] = {${numbers('plots.css')}};
 constexpr char kCampaign[] = {${numbers('campaign.js')}};
 constexpr char kCampaignStyle[] = {${numbers('campaign.css')}};
+constexpr char kLive[] = {${numbers('live.js')}};
+constexpr char kLiveStyle[] = {${numbers('live.css')}};
 
 }  // namespace
 
@@ -58,6 +60,10 @@ std::optional<WebBundle> plots_bundle() {
 
 std::optional<WebBundle> campaign_bundle() {
   return WebBundle{{kCampaign, sizeof kCampaign}, {kCampaignStyle, sizeof kCampaignStyle}};
+}
+
+std::optional<WebBundle> live_bundle() {
+  return WebBundle{{kLive, sizeof kLive}, {kLiveStyle, sizeof kLiveStyle}};
 }
 
 }  // namespace castaway::testbed

@@ -169,6 +169,7 @@ const Layers kToolsLayers = {
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/cells/rows", "tools/evaluate", "tools/play"},
     {"tools/alignment", "tools/cells", "tools/dataset", "tools/live"},
+    {"tools/live/server"},
     {"tools/campaign_page/figures", "tools/twin/fits"},
     {"tools/campaign_page", "tools/twin/odometry"},
     {"tools/twin"},

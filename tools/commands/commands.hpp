@@ -9,6 +9,7 @@ namespace castaway::testbed {
 /// Adds a subcommand. Its action returns an exit code and throws std::exception for bad input.
 void add_run_command(Command& app);
 void add_campaign_command(Command& app);
+void add_live_command(Command& app);
 void add_dataset_command(Command& app);
 void add_compare_command(Command& app);
 void add_experiment_command(Command& app);

@@ -23,6 +23,7 @@ void add_commands(Command app) {
   add_compare_command(app);
   add_dataset_command(app);
   add_campaign_command(app);
+  add_live_command(app);
   add_replay_command(app);
   add_evaluate_command(app);
   add_calibrate_command(app);

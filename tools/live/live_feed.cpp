@@ -124,11 +124,8 @@ std::string LiveFeed::take_frame(const LivePoses& poses) {
                     {"truth", pose_json(poses.T_map_base_true)},
                     {"estimates", std::move(estimates)},
                     {"scans", std::exchange(scans_, FeedJson::array())},
+                    {"lidars", header_["lidars"]},
                     {"blocks", std::move(sizes)}};
-  if (header_["lidars"].size() != told_lidars_) {
-    frame["lidars"] = header_["lidars"];
-    told_lidars_ = header_["lidars"].size();
-  }
   const std::string text = frame.dump();
   std::string bytes = length_bytes(text.size()) + text;
   for (const std::string& block : std::exchange(blocks_, {})) bytes += block;

@@ -41,7 +41,7 @@ class LiveFeed final : public RunSink {
   ///   null
   ///                or [x, y, yaw, lost, quality, probability, sigma, sigma_yaw], and the numbers
   ///                of its populations and particles
-  ///   lidars       as in the header, if new ones delivered
+  ///   lidars       as in the header of a recording
   ///   blocks       sizes of the blocks of the newest scan: beams, people, populations of each
   ///                localizer (`recording_blocks.hpp`); empty without a scan
   std::string take_frame(const LivePoses& poses);
@@ -64,7 +64,6 @@ class LiveFeed final : public RunSink {
   nlohmann::ordered_json events_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json scans_ = nlohmann::ordered_json::array();
   std::vector<std::string> blocks_;
-  std::size_t told_lidars_ = 0;
   std::size_t count_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // What the map shows, each layer by a function of (context, scene). A scene is:
 // {recording, view, colors, time, scan, detail, show: set of layers, of: localizer shown or -1,
-//  scanAt: -1 for the truth or a localizer, mapCanvas, events}
+//  scanAt: -1 for the truth or a localizer, mapCanvas, events, live: {truth, estimates} between scans, or undefined}
 import {beamEnds, beamsOf, peopleOf, populationsOf} from './details.js';
 import {kDashes, outline, pick} from './palette.js';
 import {pieces, poseAt} from './poses.js';
@@ -132,14 +132,14 @@ function drawRobot(context, {recording, view}, pose, k, style) {
 
 export function drawTruth(context, scene) {
   const {recording, colors, scan, time} = scene;
-  const pose = poseAt(recording.truth, recording.time, scan, time);
+  const pose = scene.live?.truth ?? poseAt(recording.truth, recording.time, scan, time);
   if (pose) drawRobot(context, scene, pose, -1, {color: colors.ink, width: 4});
 }
 
 export function drawEstimates(context, scene) {
   const {recording, view, colors, scan, time} = scene;
   for (const {localizer, k} of shown(scene)) {
-    const pose = poseAt(localizer, recording.time, scan, time);
+    const pose = scene.live?.estimates[k] ?? poseAt(localizer, recording.time, scan, time);
     if (!pose) continue;
     const color = pick(colors.localizers, k);
     const [px, py] = toScreen(view, pose.x, pose.y);

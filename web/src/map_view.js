@@ -3,7 +3,7 @@ import {drawMap, drawScaleBar} from './ground.js';
 import * as layers from './layers.js';
 import {mapCanvas} from './map_image.js';
 import {poseAt} from './poses.js';
-import {boundsOf, fitted, panned, resized, zoomed} from './view.js';
+import {boundsOf, fitted, panned, resized, toMap, zoomed} from './view.js';
 
 /** The map on a canvas. `state`: {time, show, of, scanAt, follow}, changed from outside. */
 export class MapView {
@@ -16,12 +16,15 @@ export class MapView {
     this.fingers = new Map();
     this.view = null;
     this.onMoved = () => {};
+    // A hand: {grab(point, view) -> {move(point), drop(point)} or null, draw(context, scene)}.
+    this.hand = null;
+    this.held = null;
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('wheel', (event) => this.wheel(event), {passive: false});
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     for (const name of ['pointerup', 'pointercancel']) {
-      canvas.addEventListener(name, (event) => this.fingers.delete(event.pointerId));
+      canvas.addEventListener(name, (event) => this.up(event, name === 'pointerup'));
     }
   }
 
@@ -66,13 +69,38 @@ export class MapView {
     this.zoom(1.0015 ** -event.deltaY, event.clientX - box.left, event.clientY - box.top);
   }
 
+  /** The point in map under a pointer. */
+  pointAt(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return toMap(this.view, event.clientX - box.left, event.clientY - box.top);
+  }
+
   down(event) {
     this.canvas.setPointerCapture(event.pointerId);
+    const grip = this.fingers.size === 0 && this.view ? this.hand?.grab(this.pointAt(event), this.view) : null;
+    if (grip) {
+      this.held = {grip, id: event.pointerId};
+      return;
+    }
     this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+  }
+
+  up(event, done) {
+    this.fingers.delete(event.pointerId);
+    if (this.held?.id !== event.pointerId) return;
+    const {grip} = this.held;
+    this.held = null;
+    if (done) grip.drop(this.pointAt(event));
+    this.draw();
   }
 
   /** One finger moves the map, two also zoom it. */
   move(event) {
+    if (this.held?.id === event.pointerId) {
+      this.held.grip.move(this.pointAt(event));
+      this.draw();
+      return;
+    }
     const before = this.fingers.get(event.pointerId);
     if (!before) return;
     const now = [event.clientX, event.clientY];
@@ -100,7 +128,7 @@ export class MapView {
     return {
       recording, view: this.view, colors: this.colors, time: state.time, scan,
       detail: recording.detailAt(scan), show: state.show, of: state.of, scanAt: state.scanAt,
-      mapCanvas: this.image, events: this.events,
+      mapCanvas: this.image, events: this.events, live: state.live,
     };
   }
 
@@ -111,6 +139,7 @@ export class MapView {
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     drawMap(context, scene);
     if (this.recording.scans) this.drawRun(context, scene);
+    this.hand?.draw(context, scene);
     drawScaleBar(context, scene);
   }
 

@@ -164,20 +164,25 @@ TEST(LivePlayer, GoesBackToAnyMomentAndOnFromThere) {
 TEST(LivePlayer, GoingBackChangesNothingOfThePast) {
   const auto truth_at = [](bool back) {
     Player player;
-    player.tell({{"do", "speed"}, {"value", 100}});
-    player.tell({{"do", "play"}});
-    player.wait_for_frame(15.0);
-    player.tell({{"do", "pause"}});
-    if (back) player.tell({{"do", "back"}, {"to_s", 11.0}});
-    if (back) player.wait_for_said("hello");
-    player.tell({{"do", "play"}});
     std::map<double, Json> poses;
-    player.wait_for([&](const Json& json) {
-      if (json.contains("scans")) {
-        for (const Json& scan : json.at("scans")) poses[scan.at(0).get<double>()] = scan.at(2);
-      }
-      return json.value("now", 0.0) >= 20.0;
-    });
+    const auto play_until = [&](double time_s) {
+      player.tell({{"do", "play"}});
+      player.wait_for([&](const Json& json) {
+        if (json.contains("scans")) {
+          for (const Json& scan : json.at("scans")) poses[scan.at(0).get<double>()] = scan.at(2);
+        }
+        return json.value("now", 0.0) >= time_s;
+      });
+    };
+    player.tell({{"do", "speed"}, {"value", 100}});
+    play_until(15.0);
+    player.tell({{"do", "pause"}});
+    if (back) {
+      player.tell({{"do", "back"}, {"to_s", 11.0}});
+      player.wait_for_said("hello");
+      poses.clear();
+    }
+    play_until(20.0);
     return poses.lower_bound(19.0)->second;
   };
   EXPECT_EQ(truth_at(false), truth_at(true));

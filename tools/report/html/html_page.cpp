@@ -23,8 +23,9 @@ std::string html_page(const HtmlPage& page) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
       "<title>castaway: {}</title><style>{}{}{}</style></head>\n<body class=\"{}\">\n{}{}"
       "</body></html>\n",
-      kPolicy, escape_html(page.title), kReportStyle, page.style,
-      page.bundle ? page.bundle->style : "", page.body_class, page.body, script);
+      std::string(kPolicy) + (page.talks ? "; connect-src 'self'" : ""), escape_html(page.title),
+      kReportStyle, page.style, page.bundle ? page.bundle->style : "", page.body_class, page.body,
+      script);
 }
 
 std::string html_section(const std::string& title, const std::string& body) {

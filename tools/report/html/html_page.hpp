@@ -15,10 +15,11 @@ struct HtmlPage {
   std::string body_class{};
   std::string style{};                ///< In addition to the report's style.
   std::optional<WebBundle> bundle{};  ///< Embedded at the end of the body.
+  bool talks = false;                 ///< Its script may talk to the server of the page.
 };
 
 /// Renders the page. Its content security policy forbids loading anything, whatever its texts
-/// contain.
+/// contain, and talking to anybody but its server if it `talks`.
 std::string html_page(const HtmlPage& page);
 
 /// Renders a section with a heading. `title` is plain text.

@@ -22,4 +22,7 @@ std::optional<WebBundle> plots_bundle();
 /// Node.js.
 std::optional<WebBundle> campaign_bundle();
 
+/// The page of live runs. Nothing if the program was built without Node.js.
+std::optional<WebBundle> live_bundle();
+
 }  // namespace castaway::testbed

@@ -9,4 +9,6 @@ std::optional<WebBundle> plots_bundle() { return std::nullopt; }
 
 std::optional<WebBundle> campaign_bundle() { return std::nullopt; }
 
+std::optional<WebBundle> live_bundle() { return std::nullopt; }
+
 }  // namespace castaway::testbed

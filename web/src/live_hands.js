@@ -1,0 +1,83 @@
+// What a pointer on the map does: the tool that is chosen, as the event that it asks for.
+import {toScreen} from './view.js';
+
+const kNear = 26;  // [px] From the robot, to grab it.
+const kTurn = 0.25;  // [m] A shorter drag has no direction of its own.
+
+/** The pose at `from` that looks at `to`; `yaw` where they are too near to each other. */
+export function facing(from, to, yaw) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  return [from[0], from[1], Math.hypot(dx, dy) < kTurn ? yaw : Math.atan2(dy, dx)];
+}
+
+const rounded = (pose) => pose.map((value) => Number(value.toFixed(3)));
+
+/** Tools by name. `event(pose)`: what they ask for at a pose, as an event of a scenario. */
+export const kTools = {
+  teleport: {text: 'Teleport', drags: true, help: 'Drag the robot; a kidnap that takes no time.',
+    event: (pose) => ({kidnap: {kind: 'teleport', pose: rounded(pose)}})},
+  carry: {text: 'Carry', drags: true, help: 'Drag the robot; it is lifted, carried and put down.',
+    event: (pose) => ({kidnap: {kind: 'carry', pose: rounded(pose)}})},
+  initial: {text: 'Initial pose', drags: false, help: 'Press where the robot is, and drag to where it looks.',
+    event: (pose, choices) => ({localizer: {name: choices.localizer, do: 'initialize', pose: rounded(pose)}})},
+};
+
+/** The hand on the map. `state`: {tool, choices, live}; `send(event)`. */
+export class MapHand {
+  constructor(state, send) {
+    this.state = state;
+    this.send = send;
+    this.ghost = null;
+  }
+
+  tool() {
+    return kTools[this.state.tool] ?? null;
+  }
+
+  /** Takes hold of the robot, or of a place. `view` is the map's. */
+  grab(point, view) {
+    const tool = this.tool();
+    const robot = this.state.live?.truth;
+    if (!tool || !robot || !this.state.holds) return null;
+    if (tool.drags) {
+      const [px, py] = toScreen(view, ...point);
+      const [rx, ry] = toScreen(view, robot.x, robot.y);
+      if (Math.hypot(px - rx, py - ry) > kNear) return null;
+      this.ghost = [robot.x, robot.y, robot.yaw];
+      return this.grip(tool, (to) => [to[0], to[1], robot.yaw]);
+    }
+    this.ghost = [point[0], point[1], robot.yaw];
+    return this.grip(tool, (to) => facing(point, to, robot.yaw));
+  }
+
+  grip(tool, poseAt) {
+    return {
+      move: (to) => {
+        this.ghost = poseAt(to);
+      },
+      drop: (to) => {
+        this.ghost = null;
+        this.send(tool.event(poseAt(to), this.state.choices));
+      },
+    };
+  }
+
+  draw(context, {view, colors, recording}) {
+    if (!this.ghost) return;
+    const [x, y, yaw] = this.ghost;
+    const [px, py] = toScreen(view, x, y);
+    const radius = Math.max(recording.header.robot_radius_m * view.scale, 9);
+    context.save();
+    context.translate(px, py);
+    context.rotate(-yaw);
+    context.strokeStyle = colors.mark;
+    context.setLineDash([5, 4]);
+    context.lineWidth = 2.5;
+    context.beginPath();
+    context.arc(0, 0, radius, 0, 2 * Math.PI);
+    context.moveTo(0, 0);
+    context.lineTo(2 * radius, 0);
+    context.stroke();
+    context.restore();
+  }
+}

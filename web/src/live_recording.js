@@ -1,0 +1,111 @@
+// A recording that grows while its run goes on, with what the player asks of `Recording`. Old scans are forgotten.
+import {fromBase64} from './bytes.js';
+import {Reader} from './varint.js';
+
+const kMostScans = 18000;  // Half an hour at 10 Hz.
+const kForgotten = 3000;  // At once.
+const kMostDetails = 60;
+
+function emptyTrack() {
+  return {known: [], x: [], y: [], yaw: []};
+}
+
+function addPose(track, pose) {
+  track.known.push(pose ? 1 : 0);
+  track.x.push(pose ? pose[0] : (track.x.at(-1) ?? 0));
+  track.y.push(pose ? pose[1] : (track.y.at(-1) ?? 0));
+  track.yaw.push(pose ? pose[2] : (track.yaw.at(-1) ?? 0));
+}
+
+/** Index of the last of ascending `values` that is at most `value`; -1 if there is none. */
+function lastAtMost(values, value) {
+  let low = 0;
+  let high = values.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (values[middle] <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+export class LiveRecording {
+  /** `hello`: what the run says at its beginning. */
+  constructor(hello) {
+    this.header = {...hello, lidars: []};
+    this.names = hello.localizers;
+    this.sections = new Map([['map', fromBase64(hello.cells)]]);
+    this.time = [];
+    this.torn = [];
+    this.truth = emptyTrack();
+    this.localizers = this.names.map((name) => ({...emptyTrack(), name, lost: [], quality: [], probability: [],
+      sigma: [], sigmaYaw: [], populations: [], particles: []}));
+    this.details = [];
+  }
+
+  get scans() {
+    return this.time.length;
+  }
+
+  /** All columns over the scans. */
+  columns() {
+    const own = this.localizers.flatMap(({name, ...columns}) => Object.values(columns));
+    return [this.time, this.torn, ...Object.values(this.truth), ...own];
+  }
+
+  /** Takes a frame (`readFrame`). */
+  add({scans, lidars, blocks}) {
+    if (lidars) this.header.lidars = lidars;
+    for (const scan of scans) this.addScan(scan);
+    if (blocks.length > 0 && scans.length > 0) {
+      this.details.push({scan: this.scans - 1, blocks});
+      if (this.details.length > kMostDetails) this.details.shift();
+    }
+    if (this.scans > kMostScans) this.forget(kForgotten);
+  }
+
+  addScan([time, torn, truth, localizers]) {
+    this.time.push(time);
+    this.torn.push(torn);
+    addPose(this.truth, truth);
+    localizers.forEach(({answer, populations, particles}, k) => {
+      const localizer = this.localizers[k];
+      addPose(localizer, answer);
+      localizer.lost.push(answer ? answer[3] : 0);
+      localizer.quality.push(answer ? (answer[4] ?? -1) : 0);
+      localizer.probability.push(answer ? (answer[5] ?? -1) : 0);
+      localizer.sigma.push(answer ? answer[6] : 0);
+      localizer.sigmaYaw.push(answer ? answer[7] : 0);
+      localizer.populations.push(populations);
+      localizer.particles.push(particles);
+    });
+  }
+
+  /** Leaves the oldest `count` scans out. */
+  forget(count) {
+    for (const column of this.columns()) column.splice(0, count);
+    for (const detail of this.details) detail.scan -= count;
+    this.details = this.details.filter(({scan}) => scan >= 0);
+  }
+
+  /** Leaves out what comes after `time`: the run went back. */
+  cut(time) {
+    const kept = lastAtMost(this.time, time + 1e-6) + 1;
+    for (const column of this.columns()) column.length = kept;
+    this.details = this.details.filter(({scan}) => scan < kept);
+  }
+
+  scanAt(time) {
+    return Math.max(0, lastAtMost(this.time, time));
+  }
+
+  detailAt(scan) {
+    return lastAtMost(this.details.map((detail) => detail.scan), scan);
+  }
+
+  block(name, position) {
+    const {blocks} = this.details[position];
+    const index = name === 'beams' ? 0 : name === 'people' ? 1 : 2 + Number.parseInt(name, 10);
+    return new Reader(blocks[index]);
+  }
+}

@@ -1,0 +1,85 @@
+// The tools of a live run: what hands can do to robot, sensors and localizers.
+import {element} from './dom.js';
+import {kTools} from './live_hands.js';
+
+/** Kidnaps that need no place. */
+const kKidnaps = [
+  ['Anywhere', {kidnap: {kind: 'teleport', min_distance_m: 2}}],
+  ['To a look-alike', {kidnap: {kind: 'look_alike', min_distance_m: 1}}],
+  ['Push', {kidnap: {kind: 'nudge'}}],
+  ['Turn', {kidnap: {kind: 'turn'}}],
+  ['Spin the wheels', {kidnap: {kind: 'spin'}}],
+];
+
+/** Faults, with what they need beyond a duration. */
+const kFaults = {
+  'lidar covered': {kind: 'lidar-blocked', from_deg: -180, to_deg: 180},
+  'lidar half covered': {kind: 'lidar-blocked', from_deg: 0, to_deg: 180},
+  'no scans': {kind: 'lidar-dropout'},
+  'scans frozen': {kind: 'lidar-frozen'},
+  'scans late by 0.5 s': {kind: 'lidar-late', delay_s: 0.5},
+  'lidar turned by 10°': {kind: 'lidar-mount', yaw_deg: 10},
+  'lidar clock 0.2 s fast': {kind: 'lidar-clock', offset_s: 0.2},
+  'odometry frozen': {kind: 'odometry-frozen'},
+  'no odometry': {kind: 'odometry-dropout'},
+  'odometry 20 % too far': {kind: 'odometry-scale', scale: 1.2},
+  'a wheel counts backwards': {kind: 'odometry-reversed'},
+  'odometry reset': {kind: 'odometry-reset'},
+};
+
+/** The event of a fault; a reset has no duration. */
+export function faultEvent(name, seconds) {
+  const fault = kFaults[name];
+  return {fault: fault.kind === 'odometry-reset' ? fault : {...fault, for_s: seconds}};
+}
+
+function button(text, act, more = {}) {
+  return element('button', {type: 'button', click: act, ...more}, text);
+}
+
+function choice(label, values, act) {
+  const select = element('select', {'aria-label': label, change: () => act?.(select.value)},
+    ...values.map((value) => element('option', {value}, value)));
+  return select;
+}
+
+function group(name, ...parts) {
+  return element('fieldset', {class: 'tools'}, element('legend', {}, name), ...parts);
+}
+
+/** Tools of the pointer: one of them, or none, is chosen. */
+function pointerTools(state, help) {
+  const buttons = Object.entries(kTools).map(([name, {text, help: words}]) =>
+    button(text, () => {
+      state.tool = state.tool === name ? null : name;
+      help.textContent = state.tool ? words : 'The pointer moves the map.';
+      show();
+    }, {'data-tool': name, title: words}));
+  function show() {
+    for (const each of buttons) each.setAttribute('aria-pressed', String(each.dataset.tool === state.tool));
+  }
+  show();
+  return buttons;
+}
+
+/** All tools. `state`: {tool, choices}; `send(event)`: an event takes place. */
+export function liveTools(state, names, send) {
+  const help = element('p', {class: 'soft', role: 'status'}, 'Drag the robot; a kidnap that takes no time.');
+  const seconds = element('input', {type: 'number', min: 0.5, max: 600, step: 0.5, value: 5,
+    'aria-label': 'Duration of the fault [s]'});
+  const fault = choice('Fault', Object.keys(kFaults));
+  const localizer = choice('Localizer', names, (name) => {
+    state.choices.localizer = name;
+  });
+  const order = (what) => () => send({localizer: {name: localizer.value, do: what}});
+  const tools = [
+    group('Hands', ...pointerTools(state, help), help),
+    group('Kidnap', ...kKidnaps.map(([text, event]) => button(text, () => send(event)))),
+    group('Break', fault, seconds, button('Break it', () => send(faultEvent(fault.value, Number(seconds.value))))),
+  ];
+  if (names.length > 0) {
+    tools.push(group('Localizer', localizer, button('Global localization', order('relocalize')),
+      button('Off', order('off')), button('On', order('on'))));
+  }
+  return element('div', {class: 'live-tools'}, ...tools);
+}

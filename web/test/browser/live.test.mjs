@@ -1,0 +1,108 @@
+// The page of a live run, used as a reader would. CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway.
+import assert from 'node:assert/strict';
+import {spawn} from 'node:child_process';
+import {writeFileSync} from 'node:fs';
+import {after, before, test} from 'node:test';
+import {toScreen} from '../../src/view.js';
+import {Chromium} from './chromium.mjs';
+
+let browser;
+let server;
+let url;
+
+/** Starts the program; resolves to the address that it prints. */
+function start(...args) {
+  server = spawn(process.env.CASTAWAY_PROGRAM, ['live', '--port', '0', ...args], {stdio: ['ignore', 'pipe', 'inherit']});
+  return new Promise((resolve, reject) => {
+    let text = '';
+    server.stdout.on('data', (data) => {
+      text += data;
+      if (text.includes('\n')) resolve(text.trim());
+    });
+    server.on('exit', (code) => reject(new Error(`castaway live ended with ${code}`)));
+  });
+}
+
+before(async () => {
+  url = await start('--localizer', 'mh_amcl', '--localizer', 'amcl');
+  browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
+  await browser.open(url);
+  await browser.until(`document.getElementById('castaway-live').dataset.ready === 'true'`);
+});
+after(async () => {
+  await browser.close();
+  server.kill('SIGTERM');
+});
+
+const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
+const press = (text) => browser.evaluate(`[...document.querySelectorAll('#castaway-live button')]
+  .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
+
+async function shot(name) {
+  if (process.env.CASTAWAY_SHOTS) writeFileSync(`${process.env.CASTAWAY_SHOTS}/${name}.png`, await browser.screenshot());
+}
+
+test('plays, and reports no error', async () => {
+  await press('Play');
+  await browser.until(`${kTime} > 2`);
+  await shot('playing');
+  assert.deepEqual(browser.errors, []);
+});
+
+/** The point of the window where the map shows a point of the frame map, and where it shows the robot. */
+async function onScreen(x, y) {
+  const [left, top, view] = await browser.evaluate(`(() => {
+    const box = document.querySelector('canvas.map').getBoundingClientRect();
+    return [box.left, box.top, JSON.parse(document.getElementById('castaway-live').dataset.view)];
+  })()`);
+  const [px, py] = toScreen(view, x, y);
+  return [left + px, top + py];
+}
+const truth = () => browser.evaluate(`JSON.parse(document.getElementById('castaway-live').dataset.truth)`);
+const logged = (word) => browser.until(
+  `[...document.querySelectorAll('.log li')].some((li) => li.textContent.includes(${JSON.stringify(word)}))`);
+
+/** Two places of the lab that nothing stands at. */
+const kFree = [[6.5, -0.3], [0, 1.85]];
+const freePlaceFarFrom = ({x, y}) => kFree.find(([px, py]) => Math.hypot(px - x, py - y) > 3);
+
+test('the robot is dragged', async () => {
+  await press('Pause');
+  const from = await truth();
+  const goal = await freePlaceFarFrom(from);
+  await browser.drag([await onScreen(from.x, from.y), await onScreen(2, 1), await onScreen(...goal)]);
+  await press('Play');
+  await logged('kidnap');
+  await browser.until(`(({x, y}) => Math.hypot(x - ${goal[0]}, y - ${goal[1]}) < 0.3)(
+    JSON.parse(document.getElementById('castaway-live').dataset.truth))`);
+  await shot('kidnapped');
+});
+
+test('kidnaps, faults and orders by buttons', async () => {
+  await press('Spin the wheels');
+  await logged('spin');
+  await press('Break it');
+  await logged('lidar');
+  await press('Global localization');
+  await logged('relocalize');
+});
+
+test('is driven by keys', async () => {
+  await browser.send('Input.dispatchKeyEvent', {type: 'keyDown', key: 'a', code: 'KeyA', text: 'a'});
+  await logged('drive');
+  await browser.send('Input.dispatchKeyEvent', {type: 'keyUp', key: 'a', code: 'KeyA'});
+});
+
+test('goes back, and on from there', async () => {
+  await press('Pause');
+  const before = await browser.evaluate(kTime);
+  await browser.evaluate(`(() => {
+    const input = document.querySelector('[aria-label="Time to go back to [s]"]');
+    input.value = 1;
+  })()`);
+  await press('Go back');
+  await browser.until(`${kTime} < ${before} && ${kTime} >= 1`);
+  await press('Play');
+  await browser.until(`${kTime} > 2`);
+  assert.deepEqual(browser.errors, []);
+});
