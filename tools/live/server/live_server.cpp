@@ -61,6 +61,7 @@ Response answer_of(const Request& request, http::status status, std::string body
   response.set("X-Content-Type-Options", "nosniff");
   response.set("Referrer-Policy", "no-referrer");
   response.set("X-Frame-Options", "DENY");
+  response.keep_alive(request.keep_alive());
   response.body() = std::move(body);
   response.prepare_payload();
   return response;
@@ -153,7 +154,8 @@ class LiveServer::Impl {
       }
       const Request request = parser.release();
       if (const char* wrong = refusal_of(request)) {
-        log_(fmt::format("refused: {} ({})", to_view(request.target()).substr(0, 80), wrong));
+        log_(fmt::format("refused: {} ({})", path_of(to_view(request.target())).substr(0, 80),
+                         wrong));
         co_await http::async_write(
             stream, answer_of(request, http::status::forbidden, std::string(wrong) + "\n"),
             use_awaitable);
@@ -206,7 +208,7 @@ class LiveServer::Impl {
     stream.expires_never();
     auto line = std::make_shared<Line>(std::move(stream));
     line->socket.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    line->socket.read_message_max(kLongestCommand);
+    line->socket.read_message_max(0);  // `read_from` limits it: then it is known why a line broke.
     co_await line->socket.async_accept(request, use_awaitable);
     auto page = std::make_shared<LivePage>([bell = std::weak_ptr<Line>(line)] {
       if (const auto there = bell.lock()) there->bell.cancel();
@@ -226,12 +228,13 @@ class LiveServer::Impl {
     Rate rate;
     beast::flat_buffer buffer;
     while (true) {
-      boost::system::error_code error;
-      co_await line->socket.async_read(buffer, asio::redirect_error(use_awaitable, error));
-      if (error == websocket::error::closed || error == asio::error::operation_aborted)
-        co_return "";
-      if (error == websocket::error::message_too_big) co_return "a message of more than 64 KiB";
-      if (error) co_return "";
+      do {
+        boost::system::error_code error;
+        co_await line->socket.async_read_some(buffer, kLongestCommand + 1 - buffer.size(),
+                                              asio::redirect_error(use_awaitable, error));
+        if (error) co_return "";  // The page was closed, or its line broke.
+        if (buffer.size() > kLongestCommand) co_return "a message of more than 64 KiB";
+      } while (!line->socket.is_message_done());
       if (!rate.take(Steady::now())) co_return "more than 200 messages in a second";
       obey(beast::buffers_to_string(buffer.data()), page);
       buffer.consume(buffer.size());
