@@ -22,9 +22,11 @@ set(CASTAWAY_WEB_FILES
   src/legend.js
   src/live.css
   src/live_connection.js
+  src/live_curve.js
   src/live_drive.js
   src/live_frame.js
   src/live_hands.js
+  src/live_log.js
   src/live_main.js
   src/live_recording.js
   src/live_tools.js

@@ -9,6 +9,7 @@ import {addThemeSwitch} from './theme.js';
 const place = document.getElementById('castaway-live');
 const line = element('p', {role: 'status', class: 'line'}, 'Connecting…');
 place.before(line);
+document.body.classList.add('live');
 let view = null;
 let fresh = true;  // The line is new: all is told again.
 addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => view?.recolor());

@@ -1,10 +1,14 @@
 // A recording that grows while its run goes on, with what the player asks of `Recording`. Old scans are forgotten.
 import {fromBase64} from './bytes.js';
+import {errorsOf, statesOf} from './measures.js';
 import {Reader} from './varint.js';
 
 const kMostScans = 18000;  // Half an hour at 10 Hz.
 const kForgotten = 3000;  // At once.
-const kMostDetails = 60;
+const kMostDetails = 1800;  // Beams and particles of the last scans.
+
+/** A pose within these of the truth is right, as the metrics have it. */
+export const kLimits = {rightM: 0.5, rightRad: 0.35, rightDeg: (0.35 * 180) / Math.PI};
 
 function emptyTrack() {
   return {known: [], x: [], y: [], yaw: []};
@@ -40,6 +44,8 @@ export class LiveRecording {
     this.truth = emptyTrack();
     this.localizers = this.names.map((name) => ({...emptyTrack(), name, lost: [], quality: [], probability: [],
       sigma: [], sigmaYaw: [], populations: [], particles: []}));
+    this.errors = this.names.map(() => ({position: [], yaw: []}));
+    this.states = this.names.map(() => []);
     this.details = [];
   }
 
@@ -50,7 +56,8 @@ export class LiveRecording {
   /** All columns over the scans. */
   columns() {
     const own = this.localizers.flatMap(({name, ...columns}) => Object.values(columns));
-    return [this.time, this.torn, ...Object.values(this.truth), ...own];
+    const errors = this.errors.flatMap((columns) => Object.values(columns));
+    return [this.time, this.torn, ...Object.values(this.truth), ...own, ...errors, ...this.states];
   }
 
   /** Takes a frame (`readFrame`). */
@@ -78,7 +85,18 @@ export class LiveRecording {
       localizer.sigmaYaw.push(answer ? answer[7] : 0);
       localizer.populations.push(populations);
       localizer.particles.push(particles);
+      this.judge(k);
     });
+  }
+
+  /** Error and state of a localizer at the newest scan. */
+  judge(k) {
+    const newest = ({known, x, y, yaw}) => ({known: known.slice(-1), x: x.slice(-1), y: y.slice(-1), yaw: yaw.slice(-1)});
+    const localizer = this.localizers[k];
+    const errors = errorsOf({scans: 1, torn: this.torn.slice(-1), truth: newest(this.truth)}, newest(localizer));
+    this.errors[k].position.push(errors.position[0]);
+    this.errors[k].yaw.push(errors.yaw[0]);
+    this.states[k].push(...statesOf({lost: localizer.lost.slice(-1)}, errors, kLimits.rightM, kLimits.rightRad));
   }
 
   /** Leaves the oldest `count` scans out. */

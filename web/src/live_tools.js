@@ -44,7 +44,7 @@ function choice(label, values, act) {
 }
 
 function group(name, ...parts) {
-  return element('fieldset', {class: 'tools'}, element('legend', {}, name), ...parts);
+  return element('fieldset', {class: 'tools'}, element('legend', {}, name), element('div', {class: 'row'}, ...parts));
 }
 
 /** Tools of the pointer: one of them, or none, is chosen. */

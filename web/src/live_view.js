@@ -1,41 +1,23 @@
-// The page of a live run: map, states, time, tools, and what happened.
+// The page of a live run: map, states, time, tools, a curve, and what happened.
 import {layerChoices, mapButtons} from './controls.js';
 import {clockText, element} from './dom.js';
+import {LiveCurve} from './live_curve.js';
 import {LiveDrive} from './live_drive.js';
 import {MapHand} from './live_hands.js';
+import {drivenEvent, eventOf, LiveLog} from './live_log.js';
 import {LiveRecording} from './live_recording.js';
 import {liveTools} from './live_tools.js';
 import {mapLegend} from './legend.js';
 import {MapView} from './map_view.js';
-import {errorsOf, statesOf} from './measures.js';
+import {marksOf} from './marks.js';
 import {palette} from './palette.js';
 import {Panel} from './panel.js';
+import {Timeline} from './timeline.js';
 
-const kRight = {m: 0.5, rad: 0.35};  // As the metrics have it.
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
+const kTimelinePeriod = 250;  // [ms] Timeline and curve are drawn less often than the map.
 
 const poseOf = (pose) => (pose ? {x: pose[0], y: pose[1], yaw: pose[2]} : null);
-
-/** Errors and states of the newest scan only, at its place, as `Panel` reads them. */
-class NewestStates {
-  constructor(recording) {
-    this.recording = recording;
-    this.errors = recording.localizers.map(() => ({position: [], yaw: []}));
-    this.states = recording.localizers.map(() => []);
-  }
-
-  update(scan) {
-    const {recording} = this;
-    recording.localizers.forEach((localizer, k) => {
-      const at = (track) => ({known: [track.known[scan]], x: [track.x[scan]], y: [track.y[scan]], yaw: [track.yaw[scan]]});
-      const one = {scans: 1, torn: [recording.torn[scan]], truth: at(recording.truth)};
-      const errors = errorsOf(one, at(localizer));
-      this.errors[k].position[scan] = errors.position[0];
-      this.errors[k].yaw[scan] = errors.yaw[0];
-      [this.states[k][scan]] = statesOf({lost: [localizer.lost[scan]]}, errors, kRight.m, kRight.rad);
-    });
-  }
-}
 
 /** `send(command)`: to the run. */
 export class LiveView {
@@ -43,11 +25,15 @@ export class LiveView {
     this.place = place;
     this.send = send;
     this.recording = new LiveRecording(hello);
-    this.events = [];
+    this.log = new LiveLog();
     this.life = new AbortController();
+    this.drawnTime = -Infinity;
     this.state = {time: 0, of: -1, scanAt: -1, follow: false, live: undefined, tool: 'teleport', holds: false,
       choices: {localizer: hello.localizers[0]}, show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
         'trails'])};
+    this.now = 0;
+    this.past = null;  // The time that is looked at; null: now.
+    this.colors = palette();
     this.build();
     this.recolor();
   }
@@ -55,51 +41,61 @@ export class LiveView {
   build() {
     const {recording, state} = this;
     const event = (body) => this.send({do: 'event', event: body});
+    const colors = () => this.colors;
+    const look = (time) => this.look(time);
     const canvas = element('canvas', {class: 'map', tabindex: 0, role: 'img',
       'aria-label': 'Map with the robot, its estimates, particles, scan and people'});
-    this.mapView = new MapView(canvas, recording, this.events, state);
+    this.mapView = new MapView(canvas, recording, this.log.events, state);
     this.mapView.hand = new MapHand(state, event);
+    this.mapView.onMoved = () => this.buttons.show(state.follow);
     this.buttons = mapButtons((action, argument) => this.act(action, argument));
-    this.states = new NewestStates(recording);
     const cards = element('div', {class: 'cards'});
-    this.panel = new Panel(cards, {recording, errors: this.states.errors, states: this.states.states});
-    this.log = element('ol', {class: 'log', 'aria-label': 'What happened'});
+    this.panel = new Panel(cards, recordingRun(recording));
     this.note = element('p', {role: 'alert', class: 'note', hidden: true});
     this.drive = new LiveDrive(event);
-    this.place.replaceChildren(this.transport(), this.note, element('div', {class: 'map-frame'}, canvas, this.buttons.row),
-      cards, liveTools(state, recording.names, event), layerChoices(state, recording.names, () => this.changed()),
-      mapLegend(), element('h3', {}, 'What happened'), this.log);
+    const time = element('div', {class: 'timeline'});
+    const curve = element('div', {class: 'curve'});
+    this.place.replaceChildren(this.transport(), this.note,
+      liveTools(state, recording.names, event), element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards,
+      time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
+      element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed()), mapLegend()));
+    this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
+    this.curve = new LiveCurve(curve, recording, colors, look);
     this.listen();
   }
 
   transport() {
-    const act = (command) => () => this.send(command);
-    this.play = element('button', {type: 'button', class: 'play', click: () => this.toggle()}, 'Play');
+    const button = (text, act, more = {}) => element('button', {type: 'button', click: act, ...more}, text);
+    const order = (command) => () => this.send(command);
+    this.play = button('Play', () => this.toggle(), {class: 'play'});
     this.speed = element('select', {'aria-label': 'Speed', change: () => this.send({do: 'speed', value: Number(this.speed.value)})},
       ...kSpeeds.map((speed) => element('option', {value: speed, selected: speed === 1}, `${speed} ×`)));
-    this.backTo = element('input', {type: 'number', min: 0, step: 0.1, value: 0, 'aria-label': 'Time to go back to [s]'});
-    this.clock = element('output', {class: 'clock'});
-    this.hands = element('button', {type: 'button', click: act({do: 'hands'})}, 'Take the hands');
-    return element('div', {class: 'transport'}, this.play,
-      element('button', {type: 'button', click: act({do: 'step'})}, 'Step a scan'), this.speed,
-      this.backTo, element('button', {type: 'button', click: () => this.send({do: 'back', to_s: Number(this.backTo.value)})}, 'Go back'),
-      element('button', {type: 'button', click: act({do: 'save'})}, 'Save as scenario'), this.hands, this.clock);
+    this.clock = element('output', {class: 'clock', 'aria-live': 'off'});
+    this.hands = button('Take the hands', order({do: 'hands'}));
+    this.again = button('Go on from here', () => this.goOn());
+    this.toNow = button('Back to now', () => this.look(null));
+    this.again.hidden = this.toNow.hidden = true;
+    return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
+      button('Save as scenario', order({do: 'save'})), this.hands, this.again, this.toNow, this.clock);
   }
 
   listen() {
-    const ours = ({target}) => !['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName);
     const {signal} = this.life;
-    document.addEventListener('keydown', (event) => {
-      if (!ours(event) || event.ctrlKey || event.metaKey || event.altKey) return;
-      if (this.drive.key(event)) return;
-      const acts = {' ': () => this.toggle(), '.': () => this.send({do: 'step'}), f: () => this.act('follow'),
-        0: () => this.act('fit'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8)};
-      if (!(event.key in acts) || (event.key === ' ' && event.target.tagName === 'BUTTON')) return;
-      event.preventDefault();
-      acts[event.key]();
-    }, {signal});
+    document.addEventListener('keydown', (event) => this.key(event), {signal});
     document.addEventListener('keyup', (event) => this.drive.key(event), {signal});
     window.addEventListener('blur', () => this.drive.release(), {signal});
+  }
+
+  key(event) {
+    const {target} = event;
+    if (['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.drive.key(event)) return;
+    const acts = {' ': () => this.toggle(), '.': () => this.send({do: 'step'}), f: () => this.act('follow'),
+      0: () => this.act('fit'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8),
+      ArrowLeft: () => this.stepPast(-1), ArrowRight: () => this.stepPast(1), Escape: () => this.look(null)};
+    if (!(event.key in acts) || (event.key === ' ' && target.tagName === 'BUTTON')) return;
+    event.preventDefault();
+    acts[event.key]();
   }
 
   /** Another view takes its place. */
@@ -119,18 +115,42 @@ export class LiveView {
     this.send({do: this.playing ? 'pause' : 'play'});
   }
 
+  /** Looks at a moment of the past while the run goes on; null: at now. */
+  look(time) {
+    const newest = this.recording.time.at(-1) ?? 0;
+    this.past = time === null || time >= newest ? null : Math.max(time, this.recording.time[0]);
+    this.again.hidden = this.toNow.hidden = this.past === null;
+    this.drawnTime = -Infinity;
+    this.changed();
+  }
+
+  stepPast(count) {
+    const {time} = this.recording;
+    const to = this.recording.scanAt(this.past ?? this.now) + count;
+    this.look(to >= time.length - 1 ? null : time[Math.max(0, to)]);
+  }
+
+  /** The run goes back to the moment that is looked at. */
+  goOn() {
+    this.send({do: 'back', to_s: this.past});
+    this.look(null);
+  }
+
   recolor() {
     this.colors = palette();
     this.mapView.setColors(this.colors);
     this.panel.recolor(this.colors);
+    this.timeline.draw();
+    this.curve.recolor();
     this.changed();
   }
 
   /** What the run says. */
   said(message) {
     const takes = {
+      history: () => this.recording.add({scans: message.scans, blocks: []}),
       status: () => this.status(message),
-      events: () => message.events.forEach((event) => this.happened(event)),
+      events: () => message.events.forEach((event) => this.log.add(eventOf(event))),
       done: () => this.done(message),
       error: () => this.noteText(message.text),
       scenario: () => this.download(message.yaml),
@@ -150,21 +170,11 @@ export class LiveView {
     this.clock.textContent = `${clockText(now)} · ${playing ? `${real.toFixed(1)} × real time` : 'paused'}`;
   }
 
-  happened(event) {
-    const place = (pose) => (pose ? pose.slice(0, 2) : null);
-    this.events.push({...event, from: place(event.from), to: place(event.to)});
-    if (this.events.length > 500) this.events.splice(0, 100);
-    const words = [event.kind, event.detail && `(${event.detail})`, event.localizer].filter(Boolean).join(' ');
-    this.log.prepend(element('li', {}, `${clockText(event.time)}: ${words}`));
-    if (this.log.childElementCount > 200) this.log.lastElementChild.remove();
-  }
-
-  /** An event of a hand took place; a command to drive is no event of the run. */
-  done({event, at_s: time}) {
+  /** An event of a hand took place. */
+  done(message) {
     this.noteText('');
-    if (!event.drive) return;
-    const {v = 0, w = 0} = event.drive;
-    this.happened({time, kind: 'drive', detail: event.drive.v === undefined ? 'by the route again' : `${v} m/s, ${w} rad/s`});
+    const driven = drivenEvent(message);
+    if (driven) this.log.add(driven);
   }
 
   noteText(text) {
@@ -180,32 +190,56 @@ export class LiveView {
 
   /** Takes a frame. */
   frame(frame) {
-    if (frame.now < this.state.time - 1e-6) this.recording.cut(frame.now);
+    if (frame.now < this.now - 1e-6) {
+      this.recording.cut(frame.now);
+      this.log.cut(frame.now);
+    }
     this.recording.add(frame);
-    this.state.time = frame.now;
-    this.state.live = {truth: poseOf(frame.truth), estimates: frame.estimates.map(poseOf)};
+    this.now = frame.now;
+    this.poses = {truth: poseOf(frame.truth), estimates: frame.estimates.map(poseOf)};
     this.changed();
   }
 
   changed() {
     if (this.asked) return;
     this.asked = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((wall) => {
       this.asked = false;
-      this.show();
+      this.show(wall);
     });
   }
 
-  show() {
+  show(wall) {
+    const {state, recording} = this;
+    state.time = this.past ?? this.now;
+    state.live = this.past === null ? this.poses : undefined;
     this.mapView.draw();
-    this.buttons.show(this.state.follow);
-    const scan = this.recording.scans - 1;
-    if (scan < 0) return;
-    this.states.update(scan);
+    this.buttons.show(state.follow);
+    if (recording.scans === 0) return;
+    const scan = recording.scanAt(state.time);
     this.panel.show(scan);
+    this.showTime(wall, scan);
     const {dataset} = this.place;  // For who looks at the page from outside: tests.
-    dataset.time = this.state.time.toFixed(4);
-    dataset.truth = JSON.stringify(this.state.live.truth);
+    dataset.time = state.time.toFixed(4);
+    dataset.truth = JSON.stringify(this.poses?.truth ?? null);
     dataset.view = JSON.stringify(this.mapView.view);
   }
+
+  showTime(wall, scan) {
+    if (wall - this.drawnTime < kTimelinePeriod) {
+      this.later ??= setTimeout(() => this.changed(), kTimelinePeriod);
+      return;
+    }
+    clearTimeout(this.later);
+    this.later = undefined;
+    this.drawnTime = wall;
+    this.timeline.grown(marksOf(this.log.events));
+    this.timeline.show(this.state.time, scan);
+    this.curve.update();
+  }
+}
+
+/** What panel and timeline read of a recording. */
+function recordingRun(recording) {
+  return {recording, errors: recording.errors, states: recording.states};
 }

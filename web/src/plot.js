@@ -31,9 +31,9 @@ function namesOf(names) {
   return {splits: () => names.map((_, i) => i), values: (_, places) => places.map((i) => names[i] ?? '')};
 }
 
-/** The scale of an axis; `range`: of one that has no limits of its own. */
+/** The scale of an axis; `columns(plot)`: its data; `range`: of one that has no limits of its own. */
 function scaleOf(axis, columns, range) {
-  if (axis.log) return {time: false, distr: 3, range: logRange(columns, axis.log)};
+  if (axis.log) return {time: false, distr: 3, range: (plot) => logRange(columns(plot), axis.log)};
   return {time: false, ...(axis.range ? {range: axis.range} : range)};
 }
 
@@ -67,13 +67,14 @@ function markersOf(spec, first) {
 }
 
 /** Options of uPlot. References stand before the localizers, and take none of their colours. */
-function optionsOf(spec, columns, size, colors, more) {
+function optionsOf(spec, size, colors, more) {
   const first = spec.series.filter(({style}) => style === 'reference').length;
   return {
     ...size,
     scales: {
-      x: scaleOf(spec.x, [columns[0]], {}),
-      y: scaleOf(spec.y, columns.slice(1), {range: rangeFromZero(columns.slice(1), spec.y.least ?? 0)}),
+      x: scaleOf(spec.x, ({data}) => [data[0]], {}),
+      y: scaleOf(spec.y, ({data}) => data.slice(1),
+        {range: ({data}) => rangeFromZero(data.slice(1), spec.y.least ?? 0)}),
     },
     axes: [axisOf(spec.x, colors, 30), axisOf(spec.y, colors, spec.y.label ? 46 : 58)],
     series: [
@@ -101,7 +102,7 @@ export function addPlot(place, spec, height, colors, more = {}) {
   const unit = spec.unit ? element('span', {class: 'unit'}, ` [${spec.unit}]`) : null;
   const figure = element('figure', {}, element('figcaption', {}, spec.title, unit));
   place.append(figure);
-  const plot = new uPlot(optionsOf(spec, columns, {width: widthIn(figure), height}, colors, more), columns, figure);
+  const plot = new uPlot(optionsOf(spec, {width: widthIn(figure), height}, colors, more), columns, figure);
   const canvas = plot.ctx.canvas;
   canvas.setAttribute('role', 'img');
   canvas.setAttribute('aria-label', `${spec.title}: ${spec.series.map(({name}) => name).join(', ')}`);

@@ -16,9 +16,7 @@ export class Timeline {
     this.marks = marks;
     this.colors = colors;
     this.seek = seek;
-    const {time} = run.recording;
-    this.begin = time[0] ?? 0;
-    this.end = time.at(-1) ?? 0;
+    this.takeEnds();
     this.markRow = element('div', {class: 'marks', role: 'group', 'aria-label': 'Events'});
     this.slider = element('input', {type: 'range', min: this.begin, max: this.end, step: 'any',
       value: this.begin, 'aria-label': 'Time', input: () => seek(Number(this.slider.value))});
@@ -28,6 +26,21 @@ export class Timeline {
     place.append(this.markRow, this.slider, this.lanes);
     this.lanes.style.height = `${run.states.length * kRow}px`;
     new ResizeObserver(() => this.layOut()).observe(place);
+  }
+
+  takeEnds() {
+    const {time} = this.run.recording;
+    this.begin = time[0] ?? 0;
+    this.end = time.at(-1) ?? 0;
+  }
+
+  /** The recording has grown, or lost some of its scans. */
+  grown(marks) {
+    this.takeEnds();
+    this.marks = marks;
+    this.slider.min = this.begin;
+    this.slider.max = this.end;
+    this.layOut();
   }
 
   x(time, width) {

@@ -52,6 +52,9 @@ std::optional<PageMessage> LivePage::take() {
 void LivePages::open(const std::shared_ptr<LivePage>& page, Clock::time_point now) {
   pages_.push_back(page);
   if (hello_) page->say(hello_);
+  if (std::string history = history_.message(); !history.empty()) {
+    page->say(shared(std::move(history)));
+  }
   for (const Told& told : timeline_) page->say(told.text);
   if (status_) page->say(status_);
   if (frame_) page->show(frame_);
@@ -101,6 +104,7 @@ void LivePages::remember(const PagesJson& said, const SharedBytes& text) {
     // After the run went back, what came later never happened.
     const double now_s = said.at("now_s").get<double>();
     while (!timeline_.empty() && timeline_.back().time_s > now_s) timeline_.pop_back();
+    history_.cut(now_s);
   }
   if (const auto time_s = time_of(said)) {
     timeline_.push_back({*time_s, text});
@@ -116,6 +120,7 @@ void LivePages::say(const std::string& text) {
 }
 
 void LivePages::show(std::string frame) {
+  history_.add(frame);
   frame_ = shared(std::move(frame));
   for (const auto& page : pages_) page->show(frame_);
 }

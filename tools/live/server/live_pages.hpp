@@ -12,6 +12,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "tools/live/server/live_history.hpp"
+
 namespace castaway::testbed {
 
 /// Bytes that several pages are sent.
@@ -77,6 +79,7 @@ class LivePages {
   };
   std::deque<Told> timeline_;  ///< Events of hands and of the run, the latest few thousand.
   SharedBytes frame_;
+  LiveHistory history_;
 };
 
 }  // namespace castaway::testbed

@@ -147,7 +147,7 @@ class LiveServer::Impl {
       parser.body_limit(0);
       boost::system::error_code error;
       co_await http::async_read(stream, buffer, parser, asio::redirect_error(use_awaitable, error));
-      if (error == http::error::end_of_stream) co_return;
+      if (error && !parser.got_some()) co_return;  // Browsers open lines for later.
       if (error) {
         log_("refused: no request (" + error.message() + ")");
         co_return;

@@ -1,7 +1,9 @@
 // The page of a live run, used as a reader would. CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway.
 import assert from 'node:assert/strict';
-import {spawn} from 'node:child_process';
-import {writeFileSync} from 'node:fs';
+import {execFileSync, spawn} from 'node:child_process';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {toScreen} from '../../src/view.js';
 import {Chromium} from './chromium.mjs';
@@ -38,6 +40,11 @@ const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0
 const press = (text) => browser.evaluate(`[...document.querySelectorAll('#castaway-live button')]
   .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
 
+const pause = () => browser.evaluate(`(() => {
+  const button = document.querySelector('#castaway-live .play');
+  if (button.textContent === 'Pause') button.click();
+})()`);
+
 async function shot(name) {
   if (process.env.CASTAWAY_SHOTS) writeFileSync(`${process.env.CASTAWAY_SHOTS}/${name}.png`, await browser.screenshot());
 }
@@ -67,7 +74,7 @@ const kFree = [[6.5, -0.3], [0, 1.85]];
 const freePlaceFarFrom = ({x, y}) => kFree.find(([px, py]) => Math.hypot(px - x, py - y) > 3);
 
 test('the robot is dragged', async () => {
-  await press('Pause');
+  await pause();
   const from = await truth();
   const goal = await freePlaceFarFrom(from);
   await browser.drag([await onScreen(from.x, from.y), await onScreen(2, 1), await onScreen(...goal)]);
@@ -93,16 +100,49 @@ test('is driven by keys', async () => {
   await browser.send('Input.dispatchKeyEvent', {type: 'keyUp', key: 'a', code: 'KeyA'});
 });
 
-test('goes back, and on from there', async () => {
-  await press('Pause');
+test('a page that is loaded again knows the past', async () => {
+  await pause();
+  const before = await browser.evaluate(kTime);
+  await browser.open('about:blank');
+  await browser.open(url);
+  await browser.until(`${kTime} >= ${before} - 0.2`);
+  const end = (name) => `Number(document.querySelector('[aria-label="Time"]').${name})`;
+  await browser.until(`${end('max')} > 1.5 && ${end('min')} < 0.3`);
+  await browser.until(`document.querySelector('.log').textContent.includes('spin')`);
+});
+
+test('looks at the past, goes back, and on from there', async () => {
+  await pause();
   const before = await browser.evaluate(kTime);
   await browser.evaluate(`(() => {
-    const input = document.querySelector('[aria-label="Time to go back to [s]"]');
-    input.value = 1;
+    const slider = document.querySelector('#castaway-live [aria-label="Time"]');
+    slider.value = 1;
+    slider.dispatchEvent(new Event('input'));
   })()`);
-  await press('Go back');
-  await browser.until(`${kTime} < ${before} && ${kTime} >= 1`);
+  await browser.until(`Math.abs(${kTime} - 1) < 0.11`);
+  await shot('past');
+  await press('Go on from here');
+  await browser.until(`${kTime} < ${before} && ${kTime} >= 0.9 && document.querySelector('.log').childElementCount === 0`);
   await press('Play');
   await browser.until(`${kTime} > 2`);
   assert.deepEqual(browser.errors, []);
+});
+
+test('the saved scenario repeats the run', async () => {
+  await pause();
+  await press('Anywhere');
+  await press('Play');
+  await logged('kidnap');
+  await pause();
+  const folder = mkdtempSync(join(tmpdir(), 'castaway-live-'));
+  await browser.send('Page.setDownloadBehavior', {behavior: 'allow', downloadPath: folder});
+  await press('Save as scenario');
+  const file = join(folder, 'lab-kidnap-live.yaml');
+  for (let tries = 0; tries < 200 && !existsSync(file); ++tries) await new Promise((resolve) => setTimeout(resolve, 50));
+  execFileSync(process.env.CASTAWAY_PROGRAM, ['run', file, '--set', 'outputs.snapshots=false', '--out', join(folder, 'run')]);
+  const shown = await browser.evaluate(`[...document.querySelectorAll('.log li')]
+    .filter((li) => li.textContent.includes('kidnap')).length`);
+  const events = readFileSync(join(folder, 'run/events.csv'), 'utf8').split('\n').filter((row) => row.includes('kidnap'));
+  assert.equal(events.length, shown);
+  rmSync(folder, {recursive: true});
 });
