@@ -10,6 +10,7 @@ set(CASTAWAY_WEB_FILES
   src/campaign_main.js
   src/campaign_plots.js
   src/controls.js
+  src/curve_rows.js
   src/curves.js
   src/details.js
   src/dom.js
@@ -50,6 +51,7 @@ set(CASTAWAY_WEB_FILES
   src/plots_main.js
   src/poses.js
   src/recording.js
+  src/saving.js
   src/table_rows.js
   src/tables.js
   src/theme.js

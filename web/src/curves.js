@@ -25,9 +25,9 @@ function answered(localizer, values) {
   return Array.from(values, (value, i) => (localizer.known[i] && value >= 0 ? value : null));
 }
 
-/** All plots of a run. `seek(time)` is called where a reader clicks. */
+/** All plots of a run, the first one in a place of its own. `seek(time)` is called where a reader clicks. */
 export class Curves {
-  constructor(place, run, marks, colors, seek) {
+  constructor(firstPlace, place, run, marks, colors, seek) {
     this.place = place;
     this.run = run;
     this.marks = marks.filter((mark) => mark.sort !== 'driving');
@@ -35,13 +35,13 @@ export class Curves {
     this.seek = seek;
     this.plots = [];
     this.sync = uPlot.sync('castaway');
-    for (const curve of kCurves) this.add(curve);
+    kCurves.forEach((curve, i) => this.add(i === 0 ? firstPlace : place, curve));
     new ResizeObserver(() => this.resize()).observe(place);
   }
 
-  add(curve) {
+  add(place, curve) {
     const {recording, errors, limits} = this.run;
-    const plot = addPlot(this.place, {
+    const plot = addPlot(place, {
       ...curve, x: {label: 'time [s]'}, y: {log: curve.log, range: curve.range, least: 2},
       shared: Array.from(recording.time), limit: limits[curve.limit],
       series: recording.localizers.map((localizer, k) =>
@@ -79,6 +79,11 @@ export class Curves {
     if (plot.select.width > 0) return;
     const box = plot.over.getBoundingClientRect();
     this.seek(plot.posToVal(event.clientX - box.left, 'x'));
+  }
+
+  /** All plots, as they are drawn now. */
+  canvases() {
+    return this.plots.map(({plot}) => plot.ctx.canvas);
   }
 
   /** The player is at `time`, which is scan `scan`. */

@@ -12,6 +12,7 @@ import {MapView} from './map_view.js';
 import {marksOf} from './marks.js';
 import {palette} from './palette.js';
 import {Panel} from './panel.js';
+import {save} from './saving.js';
 import {Timeline} from './timeline.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
@@ -183,9 +184,7 @@ export class LiveView {
   }
 
   download(yaml) {
-    const url = URL.createObjectURL(new Blob([yaml], {type: 'application/yaml'}));
-    element('a', {href: url, download: `${this.recording.header.scenario}-live.yaml`}).click();
-    URL.revokeObjectURL(url);
+    save(`${this.recording.header.scenario}-live.yaml`, yaml, 'application/yaml');
   }
 
   /** Takes a frame. */

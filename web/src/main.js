@@ -3,12 +3,14 @@ import 'uplot/dist/uPlot.min.css';
 import './player.css';
 import './plots.css';
 import {fromBase64, gunzip} from './bytes.js';
+import {curvesCsv} from './curve_rows.js';
 import {element} from './dom.js';
 import {hashTime} from './hash_time.js';
 import {errorsOf, statesOf, stretches} from './measures.js';
 import {Player} from './player.js';
 import {drawPlots} from './plots.js';
 import {Recording} from './recording.js';
+import {save, saveCanvases} from './saving.js';
 import {addThemeSwitch} from './theme.js';
 
 /** The text of an element of the page; null where there is none. */
@@ -27,6 +29,17 @@ async function load() {
     stretches(Array.from(lost), recording.time, recording.time.at(-1)).filter(({state}) => state === 1));
   const limits = {rightM: page.right_m, rightDeg: (page.right_rad * 180) / Math.PI};
   return {recording, errors, states, alarms, limits, events: page.events};
+}
+
+/** Buttons that save curves and pictures. */
+function savers(player, run) {
+  const name = `${run.recording.header.scenario}-seed-${run.recording.header.seed}`;
+  const button = (text, act) => element('button', {type: 'button', click: act}, text);
+  return [
+    button('Curves as CSV', () => save(`${name}-curves.csv`, curvesCsv(run), 'text/csv')),
+    button('Curves as PNG', () => saveCanvases(`${name}-curves.png`, player.curves.canvases(), player.colors.page)),
+    button('Map as PNG', () => saveCanvases(`${name}-map.png`, [player.mapView.canvas], player.colors.page)),
+  ];
 }
 
 /** Makes the times in the table of events jump the player there. */
@@ -56,7 +69,9 @@ async function start() {
     for (const still of document.querySelectorAll('.still')) still.hidden = true;
     for (const live of document.querySelectorAll('.live')) live.hidden = false;
     const player = new Player(place, curves, run);
-    document.getElementById('castaway-zoom')?.addEventListener('click', () => player.curves.resetZoom());
+    const zoom = document.getElementById('castaway-zoom');
+    zoom?.addEventListener('click', () => player.curves.resetZoom());
+    zoom?.before(...savers(player, run));
     recolor = () => player.recolor();
     linkRows(player);
     const asked = hashTime(location.hash);

@@ -38,7 +38,7 @@ export class Player {
     this.playback = new Playback(Array.from(run.recording.time), () => this.changed());
     this.build(act, marks);
     this.timeline = new Timeline(this.timePlace, run, marks, colors, seek);
-    this.curves = new Curves(curvesPlace, run, marks, colors, seek);
+    this.curves = new Curves(this.curvePlace, curvesPlace, run, marks, colors, seek);
     this.recolor();
     document.addEventListener('keydown', (event) => this.key(event));
   }
@@ -52,12 +52,13 @@ export class Player {
     this.buttons = mapButtons(act);
     this.transport = transport(act);
     this.timePlace = element('div', {class: 'timeline'});
+    this.curvePlace = element('div', {class: 'curve'});
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, this.run);
     canvas.style.aspectRatio = aspectOf(recording.header.map);
     this.place.append(
       element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards, this.transport.row, this.timePlace, timeLegend(marks),
-      layerChoices(this.state, recording.names, act), mapLegend(), help());
+      this.curvePlace, layerChoices(this.state, recording.names, act), mapLegend(), help());
   }
 
   recolor() {

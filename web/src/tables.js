@@ -1,6 +1,7 @@
 // Tables that are sorted by their heads, filtered, and saved as CSV. Long ones show their first rows on screens until
 // all are asked for; printed, they show all.
 import {element} from './dom.js';
+import {save} from './saving.js';
 import {compareCells, csvText, matches} from './table_rows.js';
 
 const kFirst = 25;
@@ -83,9 +84,7 @@ class DataTable {
   /** All rows that the filter lets through, in their order. */
   save() {
     const text = csvText(this.names, this.matching().map(({cells}) => cells));
-    const url = URL.createObjectURL(new Blob([text], {type: 'text/csv'}));
-    element('a', {href: url, download: `${this.table.dataset.name}.csv`}).click();
-    setTimeout(() => URL.revokeObjectURL(url), 1000);
+    save(`${this.table.dataset.name}.csv`, text, 'text/csv');
   }
 }
 

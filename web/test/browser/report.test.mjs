@@ -1,7 +1,8 @@
 // A real report, opened from disk and used. CASTAWAY_CHROMIUM: the browser; CASTAWAY_REPORT: the page;
 // CASTAWAY_SCREENSHOTS: folder that pictures are left in (optional).
 import assert from 'node:assert/strict';
-import {mkdirSync, writeFileSync} from 'node:fs';
+import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
@@ -80,7 +81,7 @@ for (const [name, options] of Object.entries({
       getComputedStyle(document.documentElement).getPropertyValue(name).trim())`);
     assert.equal(free === '#ffffff', !options.dark);
     assert.notEqual(ink, free);
-    assert.equal(await browser.evaluate('document.querySelectorAll("#castaway-curves .uplot").length'), 6)
+    assert.equal(await browser.evaluate('document.querySelectorAll("#castaway-player .uplot, #castaway-curves .uplot").length'), 6)
     assert.equal(await browser.evaluate('document.querySelectorAll(".plots .uplot").length'), 2);
     assert.ok(await browser.evaluate('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
     await act(`document.querySelector('#castaway-player .mark.kidnap').click()`);
@@ -177,6 +178,27 @@ test('a click on a curve leads there; a drag zooms all curves', async () => {
   await act("document.getElementById('castaway-zoom').click()");
   await browser.evaluate(kFrames);
   assert.deepEqual(await heads(), before);
+  noErrors();
+});
+
+test('curves and map are saved', async () => {
+  await open();
+  const saved = mkdtempSync(join(tmpdir(), 'castaway-saved-'));
+  await browser.send('Page.setDownloadBehavior', {behavior: 'allow', downloadPath: saved});
+  const press = (text) => browser.evaluate(`[...document.querySelectorAll('.curves-head button')]
+    .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
+  for (const text of ['Curves as CSV', 'Curves as PNG', 'Map as PNG']) await press(text);
+  const done = () => readdirSync(saved).filter((name) => !name.endsWith('.crdownload'));
+  for (let tries = 0; tries < 200 && done().length < 3; ++tries) await new Promise((resolve) => setTimeout(resolve, 50));
+  const [csv, curves, map] = done().sort().map((name) => readFileSync(join(saved, name)));
+  const lines = csv.toString().trimEnd().split('\n');
+  assert.ok(lines[0].startsWith('time_s,mh_amcl.error_m,'));
+  assert.equal(lines.length, 1 + 120);  // 12 s at 10 Hz.
+  for (const picture of [curves, map]) {
+    assert.deepEqual([...picture.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.ok(picture.length > 5000);
+  }
+  rmSync(saved, {recursive: true});
   noErrors();
 });
 
