@@ -239,6 +239,8 @@ TEST(Live, RefusesWhatItCannotServe) {
   const fs::path folder = fresh_folder();
   expect_refused(castaway(folder, "live --address nowhere"), {"'nowhere' is no IP address"});
   expect_refused(castaway(folder, "live no-such-scenario"), {"no-such-scenario"});
+  expect_refused(castaway(folder, "live --localizer 'program:python3 mine.py'"),
+                 {"is a program", "use a library"});
 }
 
 }  // namespace

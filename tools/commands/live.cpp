@@ -49,6 +49,15 @@ std::vector<std::string> overrides_of_live(const LiveArguments& arguments) {
   return overrides;
 }
 
+/// A copy of the run's process would speak to the same program.
+void refuse_programs(const std::vector<LocalizerSpec>& localizers) {
+  for (const LocalizerSpec& localizer : localizers) {
+    if (!std::holds_alternative<ProgramConfig>(localizer.config)) continue;
+    throw std::runtime_error("localizer '" + localizer.name +
+                             "' is a program, with which a live run cannot go back; use a library");
+  }
+}
+
 /// Starts the process of the run. Returns the line to it.
 int start_player(const LiveSetup& setup) {
   std::array<int, 2> ends{};  // Ours, the run's.
@@ -73,6 +82,7 @@ int run_live(const LiveArguments& arguments) {
   const std::filesystem::path file = file_of_live(arguments);
   LiveSetup setup{load_scenario(file, overrides_of_live(arguments)), file.parent_path(),
                   arguments.play};
+  refuse_programs(setup.scenario.scenario.localizers);
   LiveServerOptions options;
   options.address = arguments.address;
   options.port = static_cast<std::uint16_t>(arguments.port);
