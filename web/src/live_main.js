@@ -12,15 +12,18 @@ place.before(line);
 document.body.classList.add('live');
 let view = null;
 let fresh = true;  // The line is new: all is told again.
+const early = new Map();  // What a view must know that is told before there is one.
 addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => view?.recolor());
 
 const connection = new LiveConnection(streamUrl(location), {
   said: (message) => {
+    if (['hands', 'status'].includes(message.said)) early.set(message.said, message);
     if (message.said === 'hello') {
       if (view && message.undone && !fresh) return;  // The run went back: what came before stays.
       fresh = false;
       view?.end();
       view = new LiveView(place, message.run, (command) => connection.send(command));
+      for (const told of early.values()) view.said(told);
       place.dataset.ready = 'true';
     } else {
       view?.said(message);
