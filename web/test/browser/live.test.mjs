@@ -37,13 +37,20 @@ after(async () => {
 });
 
 const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
-const press = (text) => browser.evaluate(`[...document.querySelectorAll('#castaway-live button')]
-  .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
+/** Presses the button with this text, once there is one. */
+async function press(text) {
+  const button = `[...document.querySelectorAll('#castaway-live button')]
+    .find((button) => button.textContent === ${JSON.stringify(text)})`;
+  await browser.until(`${button} && !${button}.hidden`);
+  await browser.evaluate(`${button}.click()`);
+}
 
-const pause = () => browser.evaluate(`(() => {
-  const button = document.querySelector('#castaway-live .play');
-  if (button.textContent === 'Pause') button.click();
-})()`);
+/** Until the run stands still. */
+async function pause() {
+  const text = "document.querySelector('#castaway-live .play').textContent";
+  if (await browser.evaluate(text) === 'Pause') await press('Pause');
+  await browser.until(`${text} === 'Play'`);
+}
 
 async function shot(name) {
   if (process.env.CASTAWAY_SHOTS) writeFileSync(`${process.env.CASTAWAY_SHOTS}/${name}.png`, await browser.screenshot());
@@ -129,9 +136,7 @@ test('looks at the past, goes back, and on from there', async () => {
 });
 
 test('the saved scenario repeats the run', async () => {
-  await pause();
   await press('Anywhere');
-  await press('Play');
   await logged('kidnap');
   await pause();
   const folder = mkdtempSync(join(tmpdir(), 'castaway-live-'));
