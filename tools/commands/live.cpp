@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/commands/arguments/robot_arguments.hpp"
+#include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/live/live_page.hpp"
 #include "tools/live/live_player.hpp"
@@ -39,12 +39,7 @@ std::filesystem::path file_of_live(const LiveArguments& arguments) {
 }
 
 std::vector<std::string> overrides_of_live(const LiveArguments& arguments) {
-  std::string localizers;
-  for (const std::string& text : arguments.localizers) {
-    localizers += (localizers.empty() ? "" : ", ") + localizer_yaml(text);
-  }
-  std::vector<std::string> overrides;
-  if (!localizers.empty()) overrides.push_back("localizers=[" + localizers + "]");
+  std::vector<std::string> overrides = localizer_override(arguments.localizers);
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
   return overrides;
 }

@@ -53,11 +53,7 @@ std::filesystem::path file_of(const RunArguments& arguments) {
 
 std::vector<std::string> overrides_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.shortcuts;
-  std::string localizers;
-  for (const std::string& text : arguments.localizers) {
-    localizers += (localizers.empty() ? "" : ", ") + localizer_yaml(text);
-  }
-  if (!localizers.empty()) overrides.push_back("localizers=[" + localizers + "]");
+  for (auto& text : localizer_override(arguments.localizers)) overrides.push_back(std::move(text));
   for (auto& text : robot_overrides(arguments.robot, arguments.robot_options)) {
     overrides.push_back(std::move(text));
   }

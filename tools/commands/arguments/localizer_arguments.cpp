@@ -8,6 +8,13 @@ FilePrograms file_programs(bool allow) {
   return allow ? FilePrograms::kAllowed : FilePrograms::kRefused;
 }
 
+std::vector<std::string> localizer_override(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + localizer_yaml(text);
+  if (list.empty()) return {};
+  return {"localizers=[" + list + "]"};
+}
+
 std::vector<LocalizerSpec> LocalizerArguments::specs(
     const std::vector<std::string>& defaults) const {
   return parse_localizers(texts.empty() ? defaults : texts, file_programs(allow_programs));

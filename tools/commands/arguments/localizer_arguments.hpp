@@ -25,6 +25,9 @@ void add_localizer_options(Command& command, LocalizerArguments& arguments,
 /// The flag --allow-programs.
 void add_allow_programs(Command& command, bool& allow);
 
+/// Localizers of the command line as an override of a scenario's `localizers`; empty for none.
+std::vector<std::string> localizer_override(const std::vector<std::string>& texts);
+
 /// What the flag means.
 FilePrograms file_programs(bool allow);
 
