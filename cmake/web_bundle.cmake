@@ -57,7 +57,22 @@ set(CASTAWAY_WEB_FILES
   src/theme.js
   src/timeline.js
   src/varint.js
-  src/view.js)
+  src/view.js
+  src/view3d/camera.js
+  src/view3d/content.js
+  src/view3d/gait.js
+  src/view3d/geometry.js
+  src/view3d/hands3d.js
+  src/view3d/marks.js
+  src/view3d/meshes.js
+  src/view3d/obstacles.js
+  src/view3d/people.js
+  src/view3d/robots.js
+  src/view3d/shaders.js
+  src/view3d/view3d.css
+  src/view3d/view3d.js
+  src/view3d/views.js
+  src/view3d/world.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)
 set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")

@@ -62,6 +62,7 @@ class LivePlayer {
                                        return feed;
                                      });
     say_hello();
+    if (!undone_) say_scene();
   }
 
   /// A copy that is woken goes on here, with a goal.
@@ -178,7 +179,8 @@ class LivePlayer {
     if (!events.empty()) say({{"said", "events"}, {"events", events}});
     if (run_->now() == told_ && !feed_->has_news()) return say_status_now_and_then();
     told_ = run_->now();
-    send(WireKind::kFrame, feed_->take_frame({run_->now(), run_->true_pose(), run_->estimates()}));
+    send(WireKind::kFrame, feed_->take_frame({run_->now(), run_->true_pose(), run_->estimates(),
+                                              run_->T_footprint_base()}));
     say_status_now_and_then();
   }
 
@@ -186,6 +188,9 @@ class LivePlayer {
     say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
     say_status();
   }
+
+  /// Pages keep the last one.
+  void say_scene() { send(WireKind::kSaid, R"({"said":"scene","scene":)" + run_->scene() + "}"); }
 
   void say_status_now_and_then() {
     if (wall_time() >= next_status_) say_status();

@@ -23,6 +23,7 @@ struct LiveSetup {
 ///   {"do": "save"}                           the scenario that repeats the run until now
 /// It says
 ///   {"said": "hello", "run": {...}}          `LiveFeed::hello`; also at the start and after "back"
+///   {"said": "scene", "scene": {...}}        `page_scene_json`; after the first hello
 ///   {"said": "status", "playing", "speed", "now_s", "times_real"}
 ///   {"said": "events", "events": [...]}      `LiveFeed::take_events`
 ///   {"said": "done", "event": {...}, "at_s"} an event of a hand took place

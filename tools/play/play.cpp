@@ -100,6 +100,7 @@ void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels,
              RunFiles& files) {
   files.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };
   if (people) files.picture_world.moving = [&source] { return source.people_items(); };
+  if (people && files.scene) files.scene->people = source.people_bodies();
   if (!files.exports.bag) return;
   files.exports.bag->drive = [&source, wheels = std::move(wheels)] {
     return source.drive_now(wheels);

@@ -38,13 +38,12 @@ SceneItem item(TriangleMesh mesh, const Eigen::Vector2d& p_map, double z, double
 /// A shin, upright as the lidar meets it, and a thigh up to the hip.
 void add_leg(const PersonBody& body, const Eigen::Vector2d& foot, const Eigen::Vector2d& hip,
              const Vector3f& color, std::vector<SceneItem>& items) {
-  constexpr double kHip = 0.85;  // [m]
   const auto radius = static_cast<float>(body.leg_radius);
   items.push_back(item(cylinder_mesh(radius, static_cast<float>(kTorsoBottom), 16), foot,
                        0.5 * kTorsoBottom, 0.0, color));
   items.push_back(item(sphere_mesh(radius, 6), foot, kTorsoBottom, 0.0, color));
   const Eigen::Vector3d knee(foot.x(), foot.y(), kTorsoBottom);
-  const Eigen::Vector3d thigh = Eigen::Vector3d(hip.x(), hip.y(), kHip) - knee;
+  const Eigen::Vector3d thigh = Eigen::Vector3d(hip.x(), hip.y(), kHipHeight) - knee;
   SceneItem upper =
       item(cylinder_mesh(radius, static_cast<float>(thigh.norm()), 16), foot, 0.0, 0.0, color);
   const Eigen::Vector3d middle = knee + 0.5 * thigh;
@@ -68,7 +67,7 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
   std::vector<SceneItem> items;
   for (const std::size_t side : {0U, 1U}) {
     const Eigen::Vector2d& foot = state.feet[side];
-    const Eigen::Vector2d hip = state.position + (side == 0 ? 0.09 : -0.09) * left;
+    const Eigen::Vector2d hip = state.position + (side == 0 ? kHipSide : -kHipSide) * left;
     items.push_back(item(box_mesh({0.26F, 0.1F, 0.09F}), foot + 0.05 * ahead, 0.045, yaw, kShoe));
     add_leg(body, foot, hip, trousers, items);
   }

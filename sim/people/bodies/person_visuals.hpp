@@ -8,8 +8,12 @@
 
 namespace castaway::sim {
 
+inline constexpr double kHipHeight = 0.85;  ///< [m] Upper ends of the legs,
+inline constexpr double kHipSide = 0.09;    ///< [m] and how far they are from the middle.
+
 /// A person in map: shoes, legs, coat, arms and head within the outline of the lidar's shape. The
-/// number chooses the clothes.
+/// number chooses the clothes. In this order: shoe, shin, knee and thigh of the left leg, and of
+/// the right one; trunk, shoulders and both arms of the coat; face and hair.
 std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState& state, int index);
 
 }  // namespace castaway::sim
