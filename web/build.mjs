@@ -8,7 +8,8 @@ import {fileURLToPath} from 'node:url';
 const [modules, out] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(modules, 'package.json'))('esbuild');
-const licenceOf = (name) => readFileSync(join(modules, `node_modules/${name}/LICENSE`), 'utf8').trim();
+const licenceOf = (name) =>
+  readFileSync(join(modules, `node_modules/${name}/LICENSE`), 'utf8').trim().replaceAll('\u00a9', '(c)');
 
 const result = await esbuild.build({
   entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js'),

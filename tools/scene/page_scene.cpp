@@ -1,5 +1,7 @@
 #include "tools/scene/page_scene.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "tools/scene/merged_mesh.hpp"
@@ -10,6 +12,7 @@ namespace {
 
 using SceneJson = nlohmann::ordered_json;
 
+constexpr float kGhostCell = 0.02F;  // [m]
 constexpr float kFirstCell = 0.01F;  // [m]
 constexpr float kLastCell = 2.0F;    // [m] Nothing of use is left of coarser meshes.
 
@@ -53,6 +56,7 @@ std::string page_scene_json(const PageScene& scene, std::size_t most_bytes) {
       {"world", mesh_json(meshes.world)},
       {"roof", world.roofs.empty() ? SceneJson() : mesh_json(meshes.roof)},
       {"robot", mesh_json(meshes.robot)},
+      {"ghost", mesh_json(merge_items(scene.robot, std::max(kGhostCell, meshes.cell)))},
       {"person", person_json(scene.people)},
       {"thinned_m", meshes.cell}};
   return json.dump();

@@ -37,6 +37,7 @@ inline constexpr std::size_t kReportSceneBytes = 3'000'000;  ///< Limit in a rep
 ///   top        [m]
 ///   floor      [r, g, b] in [0, 1]
 ///   world, roof, robot   meshes (`mesh_json`), in map and in base; roof: null without one
+///   ghost      the robot again, thinned: pages draw it several times
 ///   person     `person_json`
 ///   thinned_m  size of the cubes to which meshes were thinned, so that the JSON has at most about
 ///              `most_bytes`; 0 if they were not

@@ -12,13 +12,14 @@ namespace {
 using PersonJson = nlohmann::ordered_json;
 using Items = std::vector<sim::SceneItem>;
 
-constexpr int kClothes = 18;  // Combinations of coat and trousers.
+constexpr double kRoundness = 0.5;  // A crowd is drawn many times a second.
+constexpr int kClothes = 18;        // Combinations of coat and trousers.
 
 /// Items of `person_visuals`, by their order there.
 enum Part { kShoe = 0, kShin = 1, kThigh = 3, kCoat = 8, kHead = 12, kEnd = 14 };
 
 /// A person with both feet below the middle.
-Items items_of(int number) { return sim::person_visuals({}, {}, number); }
+Items items_of(int number) { return sim::person_visuals({}, {}, number, kRoundness); }
 
 Items slice(const Items& items, Part begin, Part end) {
   return {items.begin() + begin, items.begin() + end};
@@ -35,7 +36,7 @@ PersonJson part_json(Items items, const Eigen::Vector3f& white = Eigen::Vector3f
 /// A cylinder that stands on z = 0.
 PersonJson thigh_json() {
   sim::SceneItem thigh;
-  thigh.mesh = sim::cylinder_mesh(static_cast<float>(sim::PersonBody{}.leg_radius), 1.0F, 16);
+  thigh.mesh = sim::cylinder_mesh(static_cast<float>(sim::PersonBody{}.leg_radius), 1.0F, 8);
   thigh.T_map_mesh.translation().z() = 0.5F;
   return part_json({thigh});
 }

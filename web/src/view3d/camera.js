@@ -104,7 +104,7 @@ export function fromAbove(extent, top, aspect) {
 }
 
 /** Where a camera that follows the robot begins: behind and above it. */
-export const kFollowing = {azimuth: 0, elevation: 0.5, distance: 3.6};
+export const kFollowing = {azimuth: 0, elevation: 0.55, distance: 4};
 const kLookAhead = 0.6;  // [m]
 const kLookHeight = 0.15;
 

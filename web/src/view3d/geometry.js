@@ -13,12 +13,14 @@ export function geometryOf({positions, normals, colors, indices}) {
 
 /** A flat rectangle facing up over [x, y, x, y]. `color`: in [0, 1]. */
 export function floorGeometry([left, bottom, right, upper], color) {
-  return geometryOf({
+  const geometry = geometryOf({
     positions: new Float32Array([left, bottom, 0, right, bottom, 0, right, upper, 0, left, upper, 0]),
     normals: new Int8Array([0, 0, 127, 0, 0, 127, 0, 0, 127, 0, 0, 127]),
     colors: new Uint8Array([0, 1, 2, 3].flatMap(() => color.map((value) => Math.round(255 * value)))),
     indices: new Uint32Array([0, 1, 2, 0, 2, 3]),
   });
+  geometry.setAttribute('uv', new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
+  return geometry;
 }
 
 /** Geometry of flat meshes [positions, indices, own: 1 or 0] for the shader of signs. */

@@ -1,9 +1,8 @@
 // People of the 3-D view, built as sim/people/bodies/person_visuals.cpp builds them.
-import {Color, InstancedMesh, Matrix4, Quaternion, Vector3} from 'three';
+import {Color, FrontSide, InstancedMesh, Matrix4, Quaternion, Vector3} from 'three';
 import {partsOf} from './gait.js';
-import {geometryOf, material} from './geometry.js';
+import {geometryOf} from './geometry.js';
 import {unpackMesh} from './meshes.js';
-import {kLitFragment, kLitVertex} from './shaders.js';
 
 const kUp = new Vector3(0, 0, 1);
 const kMost = 512;
@@ -14,7 +13,7 @@ const kParts = {shoe: 2, shin: 2, thigh: 2, coat: 1, head: 1};
 export class People3d {
   constructor(model, light) {
     this.model = model;
-    const lit = material(kLitVertex, kLitFragment, {shared: light});
+    const lit = light.material({side: FrontSide});
     this.parts = {};
     for (const [name, count] of Object.entries(kParts)) {
       const mesh = new InstancedMesh(geometryOf(unpackMesh(model[name])), lit, count * kMost);

@@ -2,18 +2,18 @@
 import {Color, Group, LessEqualDepth, Mesh} from 'three';
 import {geometryOf, material, signGeometry, signMaterial} from './geometry.js';
 import {floorMatrix, poseMatrix, ringMesh, unpackMesh} from './meshes.js';
-import {kGhostFragment, kLitFragment, kLitVertex, kSignFragment, kSignVertex} from './shaders.js';
+import {kGhostFragment, kLitVertex, kSignFragment, kSignVertex} from './shaders.js';
 
 const kRing = 0.018;  // [m] Height of the rings above the floor.
 const kLeastRing = 0.012;  // Of the distance from the eye.
 
 /** A ring with an arrow: where a robot is and faces. `corners`: 0 for a circle. */
-function ringGeometry(corners, turn, inner = 0.8) {
-  const rim = 0.07;
+function ringGeometry(corners, turn) {
+  const [inner, rim] = [0.86, 0.035];
   const arrow = (back, side, tip) => [[back, -side, 0, tip, 0, 0, back, side, 0], [0, 1, 2]];
   return signGeometry([
-    [...ringMesh(corners, inner - rim, 1 + rim, turn), 0], [...arrow(0.98, 0.62, 1.98), 0],
-    [...ringMesh(corners, inner, 1, turn), 1], [...arrow(1.05, 0.46, 1.82), 1]]);
+    [...ringMesh(corners, inner - rim, 1 + rim, turn), 0], [...arrow(1.08, 0.31, 1.6), 0],
+    [...ringMesh(corners, inner, 1, turn), 1], [...arrow(1.12, 0.23, 1.53), 1]]);
 }
 
 function ring(corners, turn) {
@@ -46,7 +46,7 @@ function fixed(...objects) {
 /** The true robot. */
 class TrueRobot {
   constructor(geometry, light) {
-    this.body = new Mesh(geometry, material(kLitVertex, kLitFragment, {shared: light}));
+    this.body = new Mesh(geometry, light.material());
     this.ring = ring(0, 0);
     this.group = fixed(this.body, this.ring);
   }
@@ -63,7 +63,7 @@ class TrueRobot {
 /** Where a localizer believes that the robot is. */
 class Ghost {
   constructor(geometry, light, k, corners, turn) {
-    const common = {shared: {eye: light.eye}, uniforms: {tint: new Color(), opacity: 0.4}, transparent: true};
+    const common = {shared: {eye: light.uniforms.eye}, uniforms: {tint: new Color(), opacity: 0.4}, transparent: true};
     // Depth first, so that only the nearest surface of the ghost is seen.
     this.depth = new Mesh(geometry, material(kLitVertex, kGhostFragment, {...common, colorWrite: false}));
     this.body = new Mesh(geometry, material(kLitVertex, kGhostFragment, {...common, depthWrite: false, depthFunc: LessEqualDepth}));
@@ -91,9 +91,10 @@ class Ghost {
 export class Robots3d {
   constructor(json, light, names, {corners, turns}) {
     const geometry = geometryOf(unpackMesh(json.robot));
+    const thinned = geometryOf(unpackMesh(json.ghost));
     this.truth = new TrueRobot(geometry, light);
-    this.ghosts = names.map((_, k) => new Ghost(geometry, light, k, corners[k % corners.length], turns[k % turns.length]));
-    this.geometry = geometry;
+    this.ghosts = names.map((_, k) => new Ghost(thinned, light, k, corners[k % corners.length], turns[k % turns.length]));
+    this.geometries = [geometry, thinned];
   }
 
   groups() {
@@ -106,7 +107,7 @@ export class Robots3d {
 
   removeFrom(scene) {
     scene.remove(...this.groups());
-    this.geometry.dispose();
+    for (const geometry of this.geometries) geometry.dispose();
   }
 
   /** `tints`: by localizer, [r, g, b] in [0, 1]. */

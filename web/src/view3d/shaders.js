@@ -1,34 +1,60 @@
 // GLSL of the 3-D view. Light is that of the pictures (sim/render/light_shaders.hpp), whose shadows and ambient occlusion
-// are rendered once for the world, as it stands still.
+// are rendered once for the world, as it stands still. Meshes of several copies have no matrix of their own.
 
 /** Towards the sun, as sim/scene/light_frame.cpp has it. */
 export const kToSun = [-0.45, -0.6, 1.2].map((value) => value / Math.hypot(0.45, 0.6, 1.2));
 
+const kLight = `
+uniform vec3 eye;
+uniform vec3 toSun;
+uniform float brightness;
+/** Light on a surface that sees \`open\` of the sky and \`sun\` of the sun. */
+vec3 lightOn(vec3 n, vec3 toViewer, float open, float sun) {
+  vec3 light = mix(vec3(0.36, 0.35, 0.34), vec3(0.52, 0.54, 0.57), 0.5 + 0.5 * n.z) * open;
+  light += vec3(0.50, 0.48, 0.45) * max(dot(n, toSun), 0.0) * sun * (0.5 + 0.5 * open);
+  return brightness * (light + vec3(0.08) * dot(n, toViewer) * open);
+}`;
+
+/** PLAIN: light of corners, not of pixels, and what stands on the floor receives no shadows. */
 export const kLitVertex = `
+invariant gl_Position;
+#ifdef PLAIN
+${kLight}
+#endif
 varying vec3 mapPosition;
 varying vec3 mapNormal;
 varying vec3 ownColor;
 void main() {
-  mat4 mapFromMesh = modelMatrix;
   ownColor = color;
+  vec4 p = vec4(position, 1.0);
 #ifdef USE_INSTANCING
-  mapFromMesh = modelMatrix * instanceMatrix;
+  p = instanceMatrix * p;
+  mapNormal = mat3(instanceMatrix) * normal;
+#else
+  p = modelMatrix * p;
+  mapNormal = mat3(modelMatrix) * normal;
 #endif
 #ifdef USE_INSTANCING_COLOR
   ownColor *= instanceColor;
 #endif
-  vec4 p = mapFromMesh * vec4(position, 1.0);
   mapPosition = p.xyz;
-  mapNormal = mat3(mapFromMesh) * normal;
-  gl_Position = projectionMatrix * viewMatrix * p;
+#ifdef PLAIN
+  vec3 toViewer = normalize(eye - mapPosition);
+  vec3 n = normalize(mapNormal);
+  if (dot(n, toViewer) < 0.0) n = -n;
+  ownColor *= lightOn(n, toViewer, 0.97 - 0.05 / (0.2 + max(mapPosition.z, 0.0)), 1.0);
+#endif
+  gl_Position = projectionMatrix * (viewMatrix * p);
 }`;
 
 /** Sun, sky and floor, and a little light from the viewer; \`surroundings\`: r: open share of the sky, g: height of the top
  *  surface as a share of \`top\`. */
 export const kLitFragment = `
-uniform vec3 eye;
-uniform vec3 toSun;
-uniform float brightness;
+#ifdef PLAIN
+varying vec3 ownColor;
+void main() { gl_FragColor = vec4(ownColor, 1.0); }
+#else
+${kLight}
 uniform sampler2DShadow shadowMap;
 uniform mat4 shadowFromMap;
 uniform float shadowTexel;
@@ -42,24 +68,36 @@ float openSky(vec3 n) {
   vec2 at = (mapPosition.xy + 0.07 * n.xy - extent.xy) / (extent.zw - extent.xy);
   vec2 there = texture(surroundings, at).rg;
   float above = mapPosition.z - there.g * top;
-  return above < -0.06 && n.z > 0.5 ? 0.55 : mix(1.0, there.r, exp(-max(above, 0.0) * 3.0));
+  float far = 1.0 + 2.0 * max(above, 0.0);
+  return above < -0.06 && n.z > 0.5 ? 0.55 : 1.0 - (1.0 - there.r) / (far * far);
 }
 float sunlight(vec3 n, float facing) {
   vec3 at = (shadowFromMap * vec4(mapPosition + shadowTexel * (2.5 - 2.0 * facing) * n, 1.0)).xyz;
-  vec2 texel = vec2(0.7) / vec2(textureSize(shadowMap, 0));
-  return 0.5 * (texture(shadowMap, vec3(at.xy + texel, at.z)) + texture(shadowMap, vec3(at.xy - texel, at.z)));
+  return texture(shadowMap, at);
 }
 void main() {
   vec3 toViewer = normalize(eye - mapPosition);
   vec3 n = normalize(mapNormal);
   if (dot(n, toViewer) < 0.0) n = -n;
-  float open = openSky(n);
   float facing = dot(n, toSun);
-  vec3 light = mix(vec3(0.36, 0.35, 0.34), vec3(0.52, 0.54, 0.57), 0.5 + 0.5 * n.z) * open;
-  if (facing > 0.0) light += vec3(0.50, 0.48, 0.45) * facing * mix(0.25, 1.0, sunlight(n, facing)) * (0.5 + 0.5 * open);
-  light += vec3(0.08) * dot(n, toViewer) * open;
-  gl_FragColor = vec4(ownColor * light * brightness, 1.0);
+  float sun = facing > 0.0 ? mix(0.25, 1.0, sunlight(n, facing)) : 0.0;
+  gl_FragColor = vec4(ownColor * lightOn(n, toViewer, openSky(n), sun), 1.0);
+}
+#endif`;
+
+/** The floor, whose light is a picture. */
+export const kFloorVertex = `
+varying vec2 at;
+void main() {
+  at = uv;
+  gl_Position = projectionMatrix * (viewMatrix * (modelMatrix * vec4(position, 1.0)));
 }`;
+
+export const kFloorFragment = `
+uniform sampler2D picture;
+uniform float brightness;
+varying vec2 at;
+void main() { gl_FragColor = vec4(brightness * texture(picture, at).rgb, 1.0); }`;
 
 /** A ghost: one colour, lit from the viewer, brighter towards its outline. */
 export const kGhostFragment = `
@@ -82,16 +120,16 @@ export const kSignVertex = `
 varying float own;
 varying vec2 place;
 void main() {
-  mat4 mapFromMesh = modelMatrix;
+  vec4 p = vec4(position, 1.0);
 #ifdef USE_INSTANCING
-  mapFromMesh = modelMatrix * instanceMatrix;
+  p = instanceMatrix * p;
 #endif
   own = 1.0;
 #ifdef USE_COLOR
   own = color.r;
 #endif
   place = position.xy;
-  gl_Position = projectionMatrix * viewMatrix * mapFromMesh * vec4(position, 1.0);
+  gl_Position = projectionMatrix * (viewMatrix * (modelMatrix * p));
 }`;
 
 export const kSignFragment = `
@@ -117,7 +155,7 @@ uniform float size;
 varying vec3 ownColor;
 void main() {
   ownColor = color;
-  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * (viewMatrix * vec4(position, 1.0));
   gl_PointSize = size;
 }`;
 
@@ -131,7 +169,7 @@ void main() {
 }`;
 
 export const kPlainVertex = `
-void main() { gl_Position = projectionMatrix * viewMatrix * modelMatrix * vec4(position, 1.0); }`;
+void main() { gl_Position = projectionMatrix * (viewMatrix * (modelMatrix * vec4(position, 1.0))); }`;
 
 export const kNothingFragment = `
 void main() { gl_FragColor = vec4(1.0); }`;

@@ -6,18 +6,36 @@ import {rgb} from '../palette.js';
 import * as cameras from './camera.js';
 import {Content3d} from './content.js';
 import {Hands3d} from './hands3d.js';
+import {Light} from './light.js';
 import {freeDistance, occupiedCells} from './obstacles.js';
-import {lightUniforms} from './world.js';
 
 const kEase = 0.13;  // [s] In which a camera goes most of its way.
 const kMostRatio = 2;  // Of the canvas's pixels to the page's.
+const kRow = 19;  // [px] Of a label.
 const kDay = [0.93, 0.95, 0.97];  // Background, as in the pictures.
 
 ColorManagement.enabled = false;  // Colours are those of the pictures, to the number.
 
+/** True where the processor draws: smooth edges and shadows would cost too much. */
+function isSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 /** A context of WebGL 2; null where the browser has none. */
-function contextOf(canvas) {
-  return canvas.getContext('webgl2', {alpha: false, antialias: true, preserveDrawingBuffer: true});
+function contextOf(canvas, plain) {
+  return canvas.getContext('webgl2', {alpha: false, antialias: !plain, preserveDrawingBuffer: true});
+}
+
+/** Where above `py` a label at `px` hides none of those `taken`; it is added to them. [px] */
+function freeRow(taken, px, py) {
+  const hides = ([x, y]) => Math.abs(x - px) < 110 && Math.abs(y - py) < kRow;
+  for (let other = taken.find(hides); other; other = taken.find(hides)) py = other[1] - kRow;
+  taken.push([px, py]);
+  return py;
 }
 
 /** `state`: {time, show, of, scanAt, follow, live}; `changed()`: asks for `draw` with the next picture of the screen. */
@@ -25,7 +43,7 @@ export class View3d {
   constructor(canvas, recording, events, state, changed) {
     Object.assign(this, {canvas, recording, events, state, changed});
     this.labels = element('div', {class: 'labels-3d', 'aria-hidden': 'true'});
-    this.light = lightUniforms();
+    this.light = new Light(isSoftware());
     this.scene = new Scene();
     this.scene.matrixWorldAutoUpdate = true;
     this.lens = new PerspectiveCamera(cameras.kFovDeg, 1, 0.05, 400);
@@ -53,7 +71,7 @@ export class View3d {
   }
 
   start() {
-    const context = contextOf(this.canvas);
+    const context = contextOf(this.canvas, this.light.plain);
     if (!context) return false;
     this.renderer = new WebGLRenderer({canvas: this.canvas, context});
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
@@ -75,7 +93,7 @@ export class View3d {
     const page = rgb(colors.page).map((value) => value / 255);
     const dark = page[0] + page[1] + page[2] < 1.5;
     this.background = dark ? page : kDay;
-    this.light.brightness.value = dark ? 0.86 : 1;
+    this.light.set('brightness', dark ? 0.86 : 1);
     this.content?.recolor(colors);
   }
 
@@ -160,7 +178,7 @@ export class View3d {
     lens.position.set(...cameras.eyeOf(shown));
     lens.lookAt(...shown.target);
     lens.updateProjectionMatrix();
-    this.light.eye.value.copy(lens.position);
+    this.light.eye.copy(lens.position);
   }
 
   draw() {
@@ -183,15 +201,17 @@ export class View3d {
       this.labels.append(element('span', {}, names[this.labels.childElementCount]));
     }
     for (const label of this.labels.children) label.hidden = true;
+    const taken = [];
     for (const {k, at, lost} of this.content.labels) {
       const place = cameras.inPicture(this.shown, at, this.width / this.height);
       if (!place || Math.max(Math.abs(place[0]), Math.abs(place[1])) > 1) continue;
       const label = this.labels.children[k];
+      const [px, py] = [(0.5 + 0.5 * place[0]) * this.width, (0.5 - 0.5 * place[1]) * this.height];
+      const y = freeRow(taken, px, py);
       label.hidden = false;
       label.textContent = lost ? `${names[k]} ?` : names[k];
       label.style.setProperty('--own', `var(--c${k % 6})`);
-      label.style.transform = `translate(${((0.5 + 0.5 * place[0]) * this.width).toFixed(1)}px, ${
-        ((0.5 - 0.5 * place[1]) * this.height - 13 * k).toFixed(1)}px)`;
+      label.style.transform = `translate(${px.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
   }
 }

@@ -1,22 +1,26 @@
 // The world of the 3-D view: its meshes, and the light in it.
 import {
-  BufferAttribute, BufferGeometry, DepthTexture, LessEqualCompare, LinearFilter, Matrix4, Mesh, OrthographicCamera, Scene,
-  UnsignedIntType, Vector3, Vector4, WebGLRenderTarget,
+  BufferAttribute, BufferGeometry, DepthTexture, LessEqualCompare, LinearFilter, LinearMipmapNearestFilter, Matrix4, Mesh, NearestFilter, OrthographicCamera,
+  Scene, UnsignedIntType, Vector3, WebGLRenderTarget,
 } from 'three';
 import {cornersOf} from './camera.js';
 import {floorGeometry, geometryOf, material} from './geometry.js';
+import {Light} from './light.js';
 import {unpackMesh} from './meshes.js';
 import {
-  kFillVertex, kLitFragment, kLitVertex, kNothingFragment, kPlainVertex, kSurroundingsFragment, kToSun,
+  kFillVertex, kFloorFragment, kFloorVertex, kNothingFragment, kPlainVertex, kSurroundingsFragment, kToSun,
 } from './shaders.js';
 
 const kShadowSize = 2048;  // [px]
+const kFloorSize = 2048;  // [px] Of the longer side.
+const kFloor = -0.003;  // [m] Height, as in the pictures.
 const kSurroundingsSize = 640;  // [px] Of the longer side.
 
-function depthTarget(width, height) {
+/** A target of which the depth is a texture; depths are not filtered without comparing them. */
+function depthTarget(width, height, filter = NearestFilter) {
   const target = new WebGLRenderTarget(width, height);
   target.depthTexture = new DepthTexture(width, height, UnsignedIntType);
-  target.depthTexture.magFilter = target.depthTexture.minFilter = LinearFilter;
+  target.depthTexture.magFilter = target.depthTexture.minFilter = filter;
   return target;
 }
 
@@ -37,29 +41,32 @@ function cameraOver(points, direction, up) {
   return camera;
 }
 
-/** Uniforms of light that all lit materials share. */
-export function lightUniforms() {
-  const names = {eye: new Vector3(), toSun: new Vector3(...kToSun), brightness: 1, shadowMap: null, shadowFromMap: new Matrix4(),
-    shadowTexel: 0.01, surroundings: null, extent: new Vector4(0, 0, 1, 1), top: 1};
-  return Object.fromEntries(Object.entries(names).map(([name, value]) => [name, {value}]));
-}
-
 export class World3d {
-  /** `json`: of the page's scene; `light`: `lightUniforms`. */
+  /** `json`: of the page's scene. */
   constructor(json, light) {
     this.json = json;
     this.light = light;
-    const lit = material(kLitVertex, kLitFragment, {shared: light});
-    const floor = new Mesh(floorGeometry(json.extent, json.floor), lit);
-    floor.position.z = -0.003;
+    const lit = light.material();
+    this.floor = new Mesh(floorGeometry(json.extent, json.floor), material(kFloorVertex, kFloorFragment,
+      {vertexColors: false, shared: {brightness: light.uniforms.brightness}, uniforms: {picture: null}}));
+    this.floor.position.z = kFloor;
+    this.floor.renderOrder = 0.5;  // Most of it is hidden by what stands on it.
     this.solid = new Mesh(geometryOf(unpackMesh(json.world)), lit);
-    this.meshes = [floor, this.solid];
+    this.meshes = [this.floor, this.solid];
+    if (!light.plain) this.addDepth();
     const roof = unpackMesh(json.roof);
     this.roof = roof ? new Mesh(geometryOf(roof), lit) : null;
     if (this.roof) {
       this.roof.visible = false;
       this.meshes.push(this.roof);
     }
+  }
+
+  /** Draws depths first, so that hidden surfaces are not lit. */
+  addDepth() {
+    const depth = new Mesh(this.solid.geometry, Light.depthMaterial());
+    depth.renderOrder = -1;
+    this.meshes.push(depth);
   }
 
   addTo(scene) {
@@ -79,7 +86,7 @@ export class World3d {
       material(kPlainVertex, kNothingFragment, {polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4}));
     caster.frustumCulled = false;
     scene.add(caster);
-    this.targets = [this.bakeShadows(renderer, scene), ...this.bakeSurroundings(renderer, scene)];
+    this.targets = [this.bakeShadows(renderer, scene), ...this.bakeSurroundings(renderer, scene), this.bakeFloor(renderer)];
     renderer.setRenderTarget(null);
   }
 
@@ -87,15 +94,15 @@ export class World3d {
     const {light, json} = this;
     const corners = cornersOf(json.extent, json.top + 0.1);
     const camera = cameraOver(corners, kToSun.map((value) => -value), [0, 1, 0]);
-    const target = depthTarget(kShadowSize, kShadowSize);
+    const target = depthTarget(kShadowSize, kShadowSize, LinearFilter);
     target.depthTexture.compareFunction = LessEqualCompare;
     renderer.setRenderTarget(target);
     renderer.clear();
     renderer.render(scene, camera);
-    light.shadowMap.value = target.depthTexture;
-    light.shadowFromMap.value.makeTranslation(0.5, 0.5, 0.5).multiply(new Matrix4().makeScale(0.5, 0.5, 0.5))
+    light.set('shadowMap', target.depthTexture);
+    light.uniforms.shadowFromMap.value.makeTranslation(0.5, 0.5, 0.5).multiply(new Matrix4().makeScale(0.5, 0.5, 0.5))
       .multiply(camera.projectionMatrix).multiply(camera.matrixWorldInverse);
-    light.shadowTexel.value = Math.max(camera.right - camera.left, camera.top - camera.bottom) / kShadowSize;
+    light.set('shadowTexel', Math.max(camera.right - camera.left, camera.top - camera.bottom) / kShadowSize);
     return target;
   }
 
@@ -104,8 +111,7 @@ export class World3d {
     const {light, json} = this;
     const [left, bottom, right, upper] = json.extent;
     const top = Math.max(json.top, 0.1);
-    const scale = kSurroundingsSize / Math.max(right - left, upper - bottom);
-    const size = [right - left, upper - bottom].map((length) => Math.max(1, Math.round(scale * length)));
+    const size = this.pixels(kSurroundingsSize);
     const camera = cameraOver(cornersOf(json.extent, top), [0, 0, -1], [0, 1, 0]);
     [camera.near, camera.far] = [-top, 0];
     camera.updateProjectionMatrix();
@@ -121,9 +127,33 @@ export class World3d {
     pass.frustumCulled = false;
     renderer.setRenderTarget(target);
     renderer.render(pass, camera);
-    light.surroundings.value = target.texture;
-    light.extent.value.set(...json.extent);
-    light.top.value = top;
+    light.set('surroundings', target.texture);
+    light.uniforms.extent.value.set(...json.extent);
+    light.set('top', top);
     return [heights, target];
+  }
+
+  /** The floor as it is lit. */
+  bakeFloor(renderer) {
+    const {light, json, floor} = this;
+    const target = new WebGLRenderTarget(...this.pixels(kFloorSize),
+      {generateMipmaps: true, minFilter: LinearMipmapNearestFilter, depthBuffer: false});
+    const lit = new Mesh(floor.geometry, light.material({}, false));
+    lit.position.z = kFloor;
+    const brightness = light.uniforms.brightness.value;
+    light.set('brightness', 1);
+    light.eye.set(0, 0, 1e4);
+    renderer.setRenderTarget(target);
+    renderer.render(lit, cameraOver(cornersOf(json.extent, 0.1), [0, 0, -1], [0, 1, 0]));
+    light.set('brightness', brightness);
+    floor.material.uniforms.picture.value = target.texture;
+    return target;
+  }
+
+  /** Size of a picture of the floor whose longer side has `most` pixels. */
+  pixels(most) {
+    const [left, bottom, right, upper] = this.json.extent;
+    const scale = most / Math.max(right - left, upper - bottom);
+    return [right - left, upper - bottom].map((length) => Math.max(1, Math.round(scale * length)));
   }
 }
