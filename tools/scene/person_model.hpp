@@ -10,11 +10,12 @@
 
 namespace castaway::testbed {
 
-/// JSON of the parts of `sim::person_visuals`, each a mesh (`mesh_json`) in the frame of its place,
-/// x ahead:
+/// JSON of people. `near` and `far` hold the parts of `sim::person_visuals`, fine and coarse, each
+/// a mesh (`mesh_json`) in the frame of its place, x ahead:
 ///   shoe, shin        at the foot; a shin is white
 ///   thigh             from the knee up, 1 m long, white
 ///   coat, head        at the person, standing; a coat is white
+/// Beside them:
 ///   clothes           [coat, trousers] by a person's number, from the beginning again behind the
 ///                     end; colours are [r, g, b] in [0, 1]
 ///   bodies            [height, radius of a leg] by number; `body` where there is none

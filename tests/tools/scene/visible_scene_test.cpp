@@ -15,11 +15,11 @@ sim::WorldSpec hall() {
   world.max_corner = {10.0, 10.0};
   sim::WorldObject table;
   table.shape = sim::BoxShape{{1.0, 2.0, 0.8}};
-  table.T_map_object.translation() = {3.0, 4.0, 0.4};
+  table.T_map_object.translation() << 3.0, 4.0, 0.4;
   table.color = {0.2F, 0.4F, 0.6F};
   sim::WorldObject ceiling;
   ceiling.shape = sim::BoxShape{{10.0, 10.0, 0.1}};
-  ceiling.T_map_object.translation() = {5.0, 5.0, 3.0};
+  ceiling.T_map_object.translation() << 5.0, 5.0, 3.0;
   world.objects = {table, ceiling};
   return world;
 }
@@ -57,7 +57,7 @@ TEST(VisibleScene, ARobotWithoutALidarGetsOne) {
   robot.visuals = {{"base", sim::BoxShape{{0.3, 0.3, 0.1}}, Eigen::Isometry3d::Identity(), {}}};
   robot.height = 0.1;
   sim::LidarConfig lidar;
-  lidar.T_base_laser.translation() = {0.1, 0.0, 0.4};
+  lidar.T_base_laser.translation() << 0.1, 0.0, 0.4;
   const std::size_t bare = robot_items(robot, {lidar}).size();
   EXPECT_GT(bare, 1U);
   robot.lidars.emplace_back();

@@ -11,6 +11,7 @@ import {World3d} from './world.js';
 
 const kTrail = 12;  // [s]
 const kKidnapShown = 3;  // [s]
+const kBeforeCamera = 1.3;  // [m]
 const kTruth = [0.07, 0.08, 0.09];
 const kHit = [0.85, 0.1, 0.15];  // As in the pictures.
 
@@ -52,7 +53,7 @@ export class Content3d {
   /** `eye`: where the camera is [m]; `ratio`: of the canvas's pixels to the page's. */
   show(moment, eye, ratio) {
     this.showRobots(moment, eye);
-    this.showPeople(moment);
+    this.showPeople(moment, eye);
     this.showHits(moment);
     this.showParticles(moment);
     this.showTrails(moment);
@@ -78,16 +79,18 @@ export class Content3d {
       const pose = shown ? (live?.estimates[k] ?? poseAt(localizer, recording.time, scan, time)) : null;
       const lost = Boolean(localizer.lost[scan]);
       const near = pose && truth && Math.hypot(pose.x - truth.x, pose.y - truth.y) < 1;
-      ghost.show(pose, {lift: near ? live?.lift : undefined, lost, sigma: localizer.sigma[scan] ?? 0,
+      ghost.show(pose, {lift: near ? live?.lift : undefined, lost, near, sigma: localizer.sigma[scan] ?? 0,
         size: pose && Robots3d.ringSize(pose, eye, radius) * (1 + 0.14 * (k + 1))});
       if (pose) this.labels.push({k, lost, at: [pose.x, pose.y, 0.55]});
     });
   }
 
-  showPeople(moment) {
+  /** Who stands right before the camera is not in its way. */
+  showPeople(moment, eye) {
     const {recording, detail, time, show} = moment;
-    const people = show.has('people') && detail >= 0 ? this.walks.add(peopleNow(recording, detail, time)) : [];
-    this.people.show(people);
+    const all = show.has('people') && detail >= 0 ? this.walks.add(peopleNow(recording, detail, time)) : [];
+    const people = all.filter(({x, y}) => eye[2] > 3 || Math.hypot(x - eye[0], y - eye[1]) > kBeforeCamera);
+    this.people.show(people, eye);
     for (const person of people) this.shadows.add(person, 0.005, 0.42);
   }
 

@@ -6,44 +6,46 @@ import {unpackMesh} from './meshes.js';
 
 const kUp = new Vector3(0, 0, 1);
 const kMost = 512;
+const kNear = 7;  // [m] From the eye: nearer people are drawn finer.
 
 /** `count` copies of a part for each person. */
 const kParts = {shoe: 2, shin: 2, thigh: 2, coat: 1, head: 1};
 
-export class People3d {
-  constructor(model, light) {
-    this.model = model;
-    const lit = light.material({side: FrontSide});
-    this.parts = {};
+/** Copies of the parts of people: finer or coarser ones. */
+class Parts {
+  constructor(model, lit) {
+    this.meshes = {};
     for (const [name, count] of Object.entries(kParts)) {
       const mesh = new InstancedMesh(geometryOf(unpackMesh(model[name])), lit, count * kMost);
       mesh.frustumCulled = false;
-      mesh.count = 0;
       mesh.setColorAt(0, new Color(1, 1, 1));
-      this.parts[name] = mesh;
+      this.meshes[name] = mesh;
     }
     this.matrix = new Matrix4();
     this.turn = new Quaternion();
     this.color = new Color();
+    this.clear();
   }
 
-  addTo(scene) {
-    scene.add(...Object.values(this.parts));
+  all() {
+    return Object.values(this.meshes);
   }
 
-  removeFrom(scene) {
-    for (const mesh of Object.values(this.parts)) {
-      scene.remove(mesh);
-      mesh.geometry.dispose();
-      mesh.dispose();
+  clear() {
+    for (const mesh of this.all()) mesh.count = 0;
+  }
+
+  done() {
+    for (const mesh of this.all()) {
+      mesh.visible = mesh.count > 0;
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.instanceColor.needsUpdate = true;
     }
   }
 
-  put(name, position, yaw, scale, color) {
-    const mesh = this.parts[name];
-    if (mesh.count >= kMost * kParts[name]) return;
-    this.turn.setFromAxisAngle(kUp, yaw);
-    this.matrix.compose(new Vector3(...position), this.turn, new Vector3(...scale));
+  put(name, position, turn, scale, color) {
+    const mesh = this.meshes[name];
+    this.matrix.compose(new Vector3(...position), turn, new Vector3(...scale));
     mesh.setMatrixAt(mesh.count, this.matrix);
     mesh.setColorAt(mesh.count, this.color.setRGB(...color));
     ++mesh.count;
@@ -51,36 +53,57 @@ export class People3d {
 
   /** From a knee to a hip. */
   putThigh(knee, hip, girth, color) {
-    const mesh = this.parts.thigh;
-    const way = new Vector3(hip[0] - knee[0], hip[1] - knee[1], hip[2] - knee[2]);
+    const way = new Vector3(...hip).sub(new Vector3(...knee));
     const length = way.length();
-    this.turn.setFromUnitVectors(kUp, way.divideScalar(length));
-    this.matrix.compose(new Vector3(...knee), this.turn, new Vector3(girth, girth, length));
-    mesh.setMatrixAt(mesh.count, this.matrix);
-    mesh.setColorAt(mesh.count, this.color.setRGB(...color));
-    ++mesh.count;
+    this.put('thigh', knee, this.turn.setFromUnitVectors(kUp, way.divideScalar(length)), [girth, girth, length], color);
   }
 
-  add(person) {
-    const {model} = this;
+  add(model, person) {
     const {x, y, yaw, id} = person;
     const [coat, trousers] = model.clothes[id % model.clothes.length];
     const {feet, hips, girth, coat: [base, stretch], head} = partsOf(model, person);
+    const turn = new Quaternion().setFromAxisAngle(kUp, yaw);
     feet.forEach((foot, side) => {
-      this.put('shoe', [...foot, 0], yaw, [1, 1, 1], [1, 1, 1]);
-      this.put('shin', [...foot, 0], yaw, [girth, girth, 1], trousers);
+      this.put('shoe', [...foot, 0], turn, [1, 1, 1], [1, 1, 1]);
+      this.put('shin', [...foot, 0], turn, [girth, girth, 1], trousers);
       this.putThigh([...foot, model.torso_bottom], hips[side], girth, trousers);
     });
-    this.put('coat', [x, y, base], yaw, [1, 1, stretch], coat);
-    this.put('head', [x, y, head], yaw, [1, 1, 1], [1, 1, 1]);
+    this.put('coat', [x, y, base], turn, [1, 1, stretch], coat);
+    this.put('head', [x, y, head], turn, [1, 1, 1], [1, 1, 1]);
+  }
+}
+
+export class People3d {
+  constructor(model, light) {
+    this.model = model;
+    const lit = light.material({side: FrontSide});
+    this.near = new Parts(model.near, lit);
+    this.far = new Parts(model.far, lit);
   }
 
-  show(people) {
-    for (const mesh of Object.values(this.parts)) mesh.count = 0;
-    for (const person of people.slice(0, kMost)) this.add(person);
-    for (const mesh of Object.values(this.parts)) {
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.instanceColor.needsUpdate = true;
+  all() {
+    return [...this.near.all(), ...this.far.all()];
+  }
+
+  addTo(scene) {
+    scene.add(...this.all());
+  }
+
+  removeFrom(scene) {
+    scene.remove(...this.all());
+    for (const mesh of this.all()) {
+      mesh.geometry.dispose();
+      mesh.dispose();
     }
+  }
+
+  /** `eye`: where they are seen from. [m] */
+  show(people, eye) {
+    for (const parts of [this.near, this.far]) parts.clear();
+    for (const person of people.slice(0, kMost)) {
+      const distance = Math.hypot(person.x - eye[0], person.y - eye[1], 1 - eye[2]);
+      (distance < kNear ? this.near : this.far).add(this.model, person);
+    }
+    for (const parts of [this.near, this.far]) parts.done();
   }
 }

@@ -9,7 +9,7 @@ const kLeastRing = 0.012;  // Of the distance from the eye.
 
 /** A ring with an arrow: where a robot is and faces. `corners`: 0 for a circle. */
 function ringGeometry(corners, turn) {
-  const [inner, rim] = [0.86, 0.035];
+  const [inner, rim] = [0.88, 0.03];
   const arrow = (back, side, tip) => [[back, -side, 0, tip, 0, 0, back, side, 0], [0, 1, 2]];
   return signGeometry([
     [...ringMesh(corners, inner - rim, 1 + rim, turn), 0], [...arrow(1.08, 0.31, 1.6), 0],
@@ -76,14 +76,14 @@ class Ghost {
     this.group = fixed(this.depth, this.body, this.ring, this.disc);
   }
 
-  show(pose, {lift, size, sigma, lost}) {
+  show(pose, {lift, size, sigma, lost, near}) {
     this.group.visible = pose !== null;
     if (!pose) return;
     const matrix = poseMatrix(pose, lift).map((value, i) => (i < 12 ? this.larger * value : value));
     for (const mesh of [this.depth, this.body]) place(mesh, matrix);
     place(this.ring, floorMatrix(pose, kRing, size));
     place(this.disc, floorMatrix(pose, 0.008, Math.max(2 * sigma, 1e-3)));
-    this.body.material.uniforms.opacity.value = lost ? 0.2 : 0.42;
+    this.body.material.uniforms.opacity.value = lost || near ? 0.24 : 0.45;
   }
 }
 

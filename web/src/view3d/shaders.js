@@ -193,12 +193,12 @@ uniform float top;
 void main() {
   float here = heightAt(at);
   float covered = 0.0;
-  for (int i = 0; i < 24; ++i) {
-    float radius = kReach * (0.08 + 0.92 * float(i) / 24.0);
+  for (int i = 0; i < 80; ++i) {
+    float radius = kReach * (0.08 + 0.92 * float(i) / 80.0);
     float angle = 2.3999632 * float(i);
     vec2 way = radius * vec2(cos(angle), sin(angle));
     float rise = max(0.0, (heightAt(at + way / size) - here) * top);
     covered += rise / sqrt(rise * rise + radius * radius) * (1.0 - radius / (1.15 * kReach));
   }
-  gl_FragColor = vec4(max(0.25, 1.0 - 1.9 * covered / 24.0), here, 0.0, 1.0);
+  gl_FragColor = vec4(max(0.25, 1.0 - 1.9 * covered / 80.0), here, 0.0, 1.0);
 }`;
