@@ -63,9 +63,11 @@ set(CASTAWAY_WEB_FILES
   src/view3d/gait.js
   src/view3d/geometry.js
   src/view3d/hands3d.js
+  src/view3d/light.js
   src/view3d/marks.js
   src/view3d/meshes.js
   src/view3d/obstacles.js
+  src/view3d/pace.js
   src/view3d/people.js
   src/view3d/robots.js
   src/view3d/shaders.js

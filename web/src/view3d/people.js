@@ -6,7 +6,7 @@ import {unpackMesh} from './meshes.js';
 
 const kUp = new Vector3(0, 0, 1);
 const kMost = 512;
-const kNear = 7;  // [m] From the eye: nearer people are drawn finer.
+const kNear = 4.5;  // [m] From the eye: nearer people are drawn finer.
 
 /** `count` copies of a part for each person. */
 const kParts = {shoe: 2, shin: 2, thigh: 2, coat: 1, head: 1};

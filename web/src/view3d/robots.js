@@ -1,6 +1,7 @@
 // The robot of the 3-D view, and its ghosts: where the localizers believe that it is.
-import {Color, Group, LessEqualDepth, Mesh} from 'three';
+import {Color, Group, Mesh} from 'three';
 import {geometryOf, material, signGeometry, signMaterial} from './geometry.js';
+import {Light} from './light.js';
 import {floorMatrix, poseMatrix, ringMesh, unpackMesh} from './meshes.js';
 import {kGhostFragment, kLitVertex, kSignFragment, kSignVertex} from './shaders.js';
 
@@ -64,9 +65,9 @@ class TrueRobot {
 class Ghost {
   constructor(geometry, light, k, corners, turn) {
     const common = {shared: {eye: light.uniforms.eye}, uniforms: {tint: new Color(), opacity: 0.4}, transparent: true};
+    this.body = new Mesh(geometry, material(kLitVertex, kGhostFragment, common));
     // Depth first, so that only the nearest surface of the ghost is seen.
-    this.depth = new Mesh(geometry, material(kLitVertex, kGhostFragment, {...common, colorWrite: false}));
-    this.body = new Mesh(geometry, material(kLitVertex, kGhostFragment, {...common, depthWrite: false, depthFunc: LessEqualDepth}));
+    this.depth = light.plain ? new Group() : new Mesh(geometry, Light.depthMaterial({transparent: true}));
     this.ring = ring(corners, turn);
     this.disc = disc();
     this.depth.renderOrder = 4 + 0.2 * k;

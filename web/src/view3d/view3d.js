@@ -8,9 +8,11 @@ import {Content3d} from './content.js';
 import {Hands3d} from './hands3d.js';
 import {Light} from './light.js';
 import {freeDistance, occupiedCells} from './obstacles.js';
+import {Pace} from './pace.js';
 
 const kEase = 0.13;  // [s] In which a camera goes most of its way.
 const kMostRatio = 2;  // Of the canvas's pixels to the page's.
+const kRest = 200;  // [ms] After which a picture stands still.
 const kRow = 19;  // [px] Of a label.
 const kDay = [0.93, 0.95, 0.97];  // Background, as in the pictures.
 
@@ -51,6 +53,8 @@ export class View3d {
     this.chase = {...cameras.kFollowing};
     this.still = matchMedia('(prefers-reduced-motion: reduce)');
     this.drawn = 0;
+    this.pace = new Pace();
+    this.scale = 1;
     new Hands3d(canvas, {orbit: (right, up) => this.orbit(right, up), drag: (dx, dy) => this.drag(dx, dy),
       zoom: (factor) => this.zoom(factor)});
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -100,12 +104,30 @@ export class View3d {
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas;
     if (!width || !height || !this.renderer) return;
-    this.ratio = Math.min(kMostRatio, window.devicePixelRatio || 1);
+    this.ratio = this.scale * Math.min(kMostRatio, window.devicePixelRatio || 1);
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);
     [this.width, this.height] = [width, height];
     this.goal ??= this.whole();
     this.changed();
+  }
+
+  /** Draws with this share of the pixels in each direction. */
+  setScale(scale) {
+    if (scale === this.scale) return;
+    this.scale = scale;
+    this.resize();
+  }
+
+  /** Where pictures come too slowly they are coarser, until nothing moves any more. */
+  keepPace() {
+    this.setScale(this.pace.add(performance.now()));
+    clearTimeout(this.rest);
+    if (this.scale === 1) return;
+    this.rest = setTimeout(() => {
+      this.pace.rest();
+      this.setScale(1);
+    }, kRest);
   }
 
   whole() {
@@ -183,6 +205,7 @@ export class View3d {
 
   draw() {
     if (!this.content || !this.width || !this.colors) return;
+    this.keepPace();
     const moment = this.moment();
     const moving = this.moveCamera(moment);
     this.setLens();
