@@ -3,7 +3,7 @@
 const kSlow = 38;  // [ms] Between pictures: less than 26 a second.
 const kPatience = 12;  // Pictures that are looked at before anything changes.
 const kPause = 250;  // [ms] A longer time between pictures means that nothing moved.
-const kCoarser = 0.85;
+const kStep = 0.85;  // From one scale to the next; larger where pictures come far too slowly.
 const kCoarsest = 0.6;
 const kFirstWait = 6;  // Times of patience before finer pictures are tried; twice as many after each that fails.
 
@@ -43,14 +43,15 @@ export class Pace {
   judge(way) {
     if (way > kSlow) {
       if (this.tried) this.wait *= 2;
-      this.scale = Math.max(kCoarsest, kCoarser * this.scale);
+      const step = this.tried ? kStep : Math.min(kStep, kSlow / way);
+      this.scale = Math.max(kCoarsest, step * this.scale);
       this.good = 0;
     } else {
       ++this.good;
     }
     this.tried = this.good >= this.wait && this.scale < 1;
     if (!this.tried) return;
-    this.scale = Math.min(1, this.scale / kCoarser);
+    this.scale = Math.min(1, this.scale / kStep);
     this.good = 0;
   }
 }
