@@ -57,7 +57,8 @@ set(CASTAWAY_WEB_FILES
   src/theme.js
   src/timeline.js
   src/varint.js
-  src/view.js)
+  src/view.js
+  src/world_changes.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)
 set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")

@@ -105,7 +105,7 @@ struct Simulation::State {
   PeopleStage people;
   ProgressWatch progress;
   WorldStage changes;
-  bool changed = false;  ///< The world is not the one of the start.
+  bool changed = false;                                ///< The world is not the one of the start.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
   std::size_t next_command = 0;    ///< In `config.commands`.
@@ -222,8 +222,11 @@ void Simulation::State::take_new_world() {
 bool Simulation::State::make(const WorldChange& change) {
   if (!has_room(change)) return false;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  WorldRecord record{now, to_string(change), name_of(change), {}, T_map_base};
-  if (const auto solid = solid_of(change, config.world)) record.outline = footprint(*solid).points;
+  WorldRecord record{now, to_string(change), name_of(change), {}, {}, T_map_base};
+  if (const auto solid = solid_of(change, config.world)) {
+    record.outline = footprint(*solid).points;
+    record.z = {bounds(*solid).min().z(), bounds(*solid).max().z()};
+  }
   if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
     people.add(*arrival, now, T_map_base, config, *spaces);
   } else {

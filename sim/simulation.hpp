@@ -34,7 +34,8 @@ class Simulation {
   ~Simulation();
 
   /// Returns the next delivery, in order of stamps; at the same time in the order kidnap, odometry,
-  /// scan, person hit, fault, pick-up, driving, change of the world. Returns nothing once the run's duration is over.
+  /// scan, person hit, fault, pick-up, driving, change of the world. Returns nothing once the run's
+  /// duration is over.
   /// @throws std::runtime_error if a kidnap is impossible where the robot is.
   std::optional<SimFrame> next();
   /// Sets the driving localizer's estimate; without a pose the robot stops. Ignored unless

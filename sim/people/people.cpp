@@ -39,8 +39,7 @@ Eigen::Vector2d limit_speed(const Eigen::Vector2d& v, double most) {
 
 People::People(const PeopleConfig& config, std::shared_ptr<const WalkCells> cells,
                const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams)
-    : cells_((validate(config), std::move(cells))),
-      goals_(goals_in(*cells_, streams)) {
+    : cells_((validate(config), std::move(cells))), goals_(goals_in(*cells_, streams)) {
   agents_ = draw_people(config, space(), goals_, robot, streams);
   for (const Agent& agent : agents_) begin(agent);
   if (config.blocked_share > 0.0) crowd_.emplace(config.blocked_share, lidar);

@@ -32,10 +32,11 @@ struct DriveRecord {
 /// The world changed.
 struct WorldRecord {
   std::chrono::nanoseconds stamp{};
-  std::string what;  ///< As `to_string(WorldChange)`.
-  std::string name;  ///< Of an object or a door; empty: people came.
+  std::string what;                      ///< As `to_string(WorldChange)`.
+  std::string name;                      ///< Of an object or a door; empty: people came.
   std::vector<Eigen::Vector2d> outline;  ///< [m] Of what stands there now, in map; may be empty.
-  Pose2 T_map_base;  ///< True pose of base.
+  Eigen::Vector2d z{0.0, 0.0};           ///< [m] Its lower and its upper end.
+  Pose2 T_map_base;                      ///< True pose of base.
 };
 
 /// One delivery. A scan is delivered at the time of its last beam.

@@ -61,7 +61,8 @@ FreeSpace Spaces::landing(const SimulationConfig& config, double radius) {
 
 std::shared_ptr<const WalkCells> Spaces::walking(const WorldSpec& world, const Grid& map) {
   require_same(world);
-  if (!walking_) walking_ = std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map), parts_));
+  if (!walking_)
+    walking_ = std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map), parts_));
   return walking_;
 }
 

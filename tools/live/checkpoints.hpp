@@ -27,6 +27,9 @@ class Checkpoints {
   /// process must end, and with it the copies after that one.
   bool wake(localization::Stamp time, const std::string& with);
 
+  /// Gives all copies up: the run that they would go on with is over.
+  void clear();
+
   [[nodiscard]] std::vector<localization::Stamp> times() const;
 
  private:

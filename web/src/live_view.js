@@ -14,6 +14,7 @@ import {palette} from './palette.js';
 import {Panel} from './panel.js';
 import {save} from './saving.js';
 import {Timeline} from './timeline.js';
+import {worldAt} from './world_changes.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const kTimelinePeriod = 250;  // [ms] Timeline and curve are drawn less often than the map.
@@ -30,7 +31,7 @@ export class LiveView {
     this.life = new AbortController();
     this.drawnTime = -Infinity;
     this.state = {time: 0, of: -1, scanAt: -1, follow: false, live: undefined, tool: 'teleport', holds: false,
-      choices: {localizer: hello.localizers[0]}, show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
+      choices: {localizer: hello.localizers[0], people: {count: 1, walk: false}}, things: () => this.things(), show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
         'trails'])};
     this.now = 0;
     this.past = null;  // The time that is looked at; null: now.
@@ -56,8 +57,9 @@ export class LiveView {
     this.drive = new LiveDrive(event);
     const time = element('div', {class: 'timeline'});
     const curve = element('div', {class: 'curve'});
-    this.place.replaceChildren(this.transport(), this.note,
-      liveTools(state, recording.names, event), element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards,
+    this.tools = liveTools(state, recording.names, event);
+    this.tools.showThings(this.things());
+    this.place.replaceChildren(this.transport(), this.note, this.tools.panel, element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards,
       time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
       element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed()), mapLegend()));
     this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
@@ -151,7 +153,7 @@ export class LiveView {
     const takes = {
       history: () => this.recording.add({scans: message.scans, blocks: []}),
       status: () => this.status(message),
-      events: () => message.events.forEach((event) => this.log.add(eventOf(event))),
+      events: () => message.events.forEach((event) => this.happened(event)),
       done: () => this.done(message),
       error: () => this.noteText(message.text),
       scenario: () => this.download(message.yaml),
@@ -169,6 +171,18 @@ export class LiveView {
     this.play.textContent = playing ? 'Pause' : 'Play';
     if (document.activeElement !== this.speed) this.speed.value = String(speed);
     this.clock.textContent = `${clockText(now)} · ${playing ? `${real.toFixed(1)} × real time` : 'paused'}`;
+  }
+
+  happened(event) {
+    this.log.add(eventOf(event));
+    if (!event.change) return;
+    this.recording.addChange(event.change);
+    this.tools.showThings(this.things());
+  }
+
+  /** What stands in the world now, besides the map. */
+  things() {
+    return worldAt(this.recording.header, this.recording.changes, this.now);
   }
 
   /** An event of a hand took place. */
@@ -192,6 +206,7 @@ export class LiveView {
     if (frame.now < this.now - 1e-6) {
       this.recording.cut(frame.now);
       this.log.cut(frame.now);
+      this.tools.showThings(this.things());
     }
     this.recording.add(frame);
     this.now = frame.now;
