@@ -25,6 +25,7 @@ set(CASTAWAY_WEB_FILES
   src/live_connection.js
   src/live_curve.js
   src/live_drive.js
+  src/live_files.js
   src/live_frame.js
   src/live_hands.js
   src/live_log.js

@@ -4,6 +4,7 @@ import {clockText, element} from './dom.js';
 import {LiveCurve} from './live_curve.js';
 import {LiveDrive} from './live_drive.js';
 import {MapHand} from './live_hands.js';
+import {fileTools} from './live_files.js';
 import {drivenEvent, eventOf, LiveLog} from './live_log.js';
 import {LiveRecording} from './live_recording.js';
 import {liveTools} from './live_tools.js';
@@ -78,8 +79,11 @@ export class LiveView {
     this.again = button('Go on from here', () => this.goOn());
     this.toNow = button('Back to now', () => this.look(null));
     this.again.hidden = this.toNow.hidden = true;
+    const files = fileTools(this.place, this.life.signal, (file) => this.send({do: 'load', file}), (text) => this.noteText(text));
     return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
-      button('Save as scenario', order({do: 'save'})), this.hands, this.again, this.toNow, this.clock);
+      button('Save as scenario', order({do: 'save'})),
+      button('Report', order({do: 'report'}), {title: 'Plays the run until now again and makes its report'}), ...files,
+      this.hands, this.again, this.toNow, this.clock);
   }
 
   listen() {
@@ -157,6 +161,7 @@ export class LiveView {
       done: () => this.done(message),
       error: () => this.noteText(message.text),
       scenario: () => this.download(message.yaml),
+      report: () => this.offerReport(message),
       hands: () => {
         this.state.holds = message.yours;
         this.hands.hidden = message.yours;
@@ -195,6 +200,13 @@ export class LiveView {
   noteText(text) {
     this.note.hidden = !text;
     this.note.textContent = text;
+  }
+
+  offerReport({number, folder}) {
+    const link = element('a', {href: `/report/${number}${window.location.search}`, target: '_blank'},
+      `Report ${number}`);
+    this.note.hidden = false;
+    this.note.replaceChildren(link, ` of the run until then. Its folder: ${folder}`);
   }
 
   download(yaml) {

@@ -62,7 +62,7 @@ std::uint64_t LiveHttp::body_limit(const LiveRequest& request) {
 LiveResponse LiveHttp::respond(const LiveRequest& request) {
   const std::string_view target = to_view(request.target());
   if (brings_file(request)) {
-    const std::string why = files_.keep(query_value(target, "name"), request.body());
+    const std::string why = files_.keep(decoded_query_value(target, "name"), request.body());
     if (!why.empty()) return answer(request, http::status::bad_request, why + "\n");
     return answer(request, http::status::ok, "kept\n");
   }
