@@ -59,6 +59,23 @@ set(CASTAWAY_WEB_FILES
   src/timeline.js
   src/varint.js
   src/view.js
+  src/view3d/camera.js
+  src/view3d/content.js
+  src/view3d/gait.js
+  src/view3d/geometry.js
+  src/view3d/hands3d.js
+  src/view3d/light.js
+  src/view3d/marks.js
+  src/view3d/meshes.js
+  src/view3d/obstacles.js
+  src/view3d/pace.js
+  src/view3d/people.js
+  src/view3d/robots.js
+  src/view3d/shaders.js
+  src/view3d/view3d.css
+  src/view3d/view3d.js
+  src/view3d/views.js
+  src/view3d/world.js
   src/world_changes.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)

@@ -8,7 +8,8 @@ import {fileURLToPath} from 'node:url';
 const [modules, out] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(modules, 'package.json'))('esbuild');
-const licence = readFileSync(join(modules, 'node_modules/uplot/LICENSE'), 'utf8').trim();
+const licenceOf = (name) =>
+  readFileSync(join(modules, `node_modules/${name}/LICENSE`), 'utf8').trim().replaceAll('\u00a9', '(c)');
 
 const result = await esbuild.build({
   entryPoints: {player: join(here, 'src/main.js'), plots: join(here, 'src/plots_main.js'),
@@ -21,7 +22,7 @@ const result = await esbuild.build({
   target: ['chrome104', 'firefox113', 'safari16.4'],
   charset: 'ascii',
   legalComments: 'none',
-  banner: {js: `/*\nCurves by uPlot:\n${licence}\n*/`},
+  banner: {js: `/*\nCurves by uPlot:\n${licenceOf('uplot')}\n\n3-D view by three.js:\n${licenceOf('three')}\n*/`},
   nodePaths: [join(modules, 'node_modules')],
   logLevel: 'warning',
 });

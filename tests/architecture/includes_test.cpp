@@ -161,7 +161,7 @@ const Layers kToolsLayers = {
     {"tools/formats"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
     {"tools/campaign", "tools/cluster", "tools/foreign/child", "tools/records", "tools/workers"},
-    {"tools/foreign/protocol", "tools/pictures", "tools/sinks"},
+    {"tools/foreign/protocol", "tools/pictures", "tools/scene", "tools/sinks"},
     {"tools/foreign"},
     {"tools/report", "tools/scenario/sections"},
     {"tools/scenario/localizers", "tools/scenario/world"},

@@ -71,6 +71,17 @@ RunEvent leaf_event(const sim::Door& door, double open_deg) {
   return event;
 }
 
+/// Null within 2 mm and 2 mrad of the floor.
+FeedJson lift_json(const Eigen::Isometry3d& T_footprint_base) {
+  constexpr double kLevel = 2e-3;
+  const Eigen::Matrix3d R = T_footprint_base.linear();
+  const double height = T_footprint_base.translation().z();
+  const double roll = std::atan2(R(2, 1), R(2, 2));
+  const double pitch = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
+  if (std::abs(height) + std::abs(roll) + std::abs(pitch) < kLevel) return nullptr;
+  return {rounded(height), rounded(roll), rounded(pitch)};
+}
+
 std::string length_bytes(std::size_t size) {
   std::string bytes;
   for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>((size >> (8 * i)) & 0xFFU));
@@ -148,6 +159,9 @@ std::string LiveFeed::take_frame(const LivePoses& poses) {
                     {"scans", std::exchange(scans_, FeedJson::array())},
                     {"lidars", header_["lidars"]},
                     {"blocks", std::move(sizes)}};
+  if (FeedJson lift = lift_json(poses.T_footprint_base); !lift.is_null()) {
+    frame["lift"] = std::move(lift);
+  }
   const std::string text = frame.dump();
   std::string bytes = length_bytes(text.size()) + text;
   for (const std::string& block : std::exchange(blocks_, {})) bytes += block;

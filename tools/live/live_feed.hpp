@@ -18,6 +18,8 @@ struct LivePoses {
   Stamp now{};
   SE2 T_map_base_true;
   std::vector<std::optional<SE2>> estimates;  ///< By localizer, carried on by odometry.
+  /// Height, roll and pitch of base.
+  Eigen::Isometry3d T_footprint_base = Eigen::Isometry3d::Identity();
 };
 
 /// Gathers what happened since the last frame.
@@ -41,6 +43,7 @@ class LiveFeed final : public RunSink {
   /// A frame: the length of its JSON in four bytes, lowest first, the JSON, and blocks of bytes.
   ///   now          [s]
   ///   truth        [x, y, yaw]
+  ///   lift         [height, roll, pitch] of base; absent while it stands on level floor
   ///   estimates    the same for each localizer, or null
   ///   scans        those since the last frame: [t, torn, truth, localizers], of each localizer
   ///   null

@@ -21,6 +21,8 @@ class LiveLine {
 
   /// Says something to every page.
   void say(const nlohmann::ordered_json& json);
+  /// The same as text.
+  void say_text(const std::string& json) { send(WireKind::kSaid, json); }
   void show(const std::string& frame);
   /// Commands, for which it waits at most this long.
   std::vector<std::string> hear(std::chrono::nanoseconds patience);

@@ -49,6 +49,7 @@ class LivePlayer {
     keep_checkpoint();
     build();
     say_hello();
+    if (!undone_) say_scene();
     if (setup_.playing && !goal_) clock_.play(wall_time(), run_->now());
     while (true) turn();
   }
@@ -91,6 +92,7 @@ class LivePlayer {
     clock_.set_speed(goal_->speed, wall_time(), run_->now());
     goal_.reset();
     say_hello();
+    say_scene();  // Its doors and boxes are those of this moment.
     tell();
   }
 
@@ -208,6 +210,7 @@ class LivePlayer {
     keep_checkpoint();
     line_.say({{"said", "loaded"}, {"file", name}});
     say_hello();
+    if (!goal_) say_scene();
   }
 
   void tell() {
@@ -215,9 +218,13 @@ class LivePlayer {
     next_frame_ = wall_time() + kFramePeriod;
     const PlayerJson events = feed_->take_events();
     if (!events.empty()) line_.say({{"said", "events"}, {"events", events}});
+    const bool changed = std::ranges::any_of(
+        events, [](const PlayerJson& event) { return event.at("kind") == "world"; });
+    if (changed) say_scene();
     if (run_->now() == told_ && !feed_->has_news()) return say_status_now_and_then();
     told_ = run_->now();
-    line_.show(feed_->take_frame({run_->now(), run_->true_pose(), run_->estimates()}));
+    line_.show(feed_->take_frame(
+        {run_->now(), run_->true_pose(), run_->estimates(), run_->T_footprint_base()}));
     say_status_now_and_then();
   }
 
@@ -226,6 +233,9 @@ class LivePlayer {
     line_.say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
     say_status();
   }
+
+  /// Pages keep the last one.
+  void say_scene() { line_.say_text(R"({"said":"scene","scene":)" + run_->scene() + "}"); }
 
   void say_status_now_and_then() {
     if (wall_time() >= next_status_) say_status();

@@ -34,6 +34,8 @@ struct LiveSetup {
 ///   {"do": "load", "file": "map.yaml"}       another run, in this world or with this robot
 /// It says
 ///   {"said": "hello", "run": {...}}          `LiveFeed::hello`; also at the start and after "back"
+///   {"said": "scene", "scene": {...}}        `page_scene_json`; after a hello, and when
+///                                            the world changed
 ///   {"said": "status", "playing", "speed", "now_s", "times_real"}
 ///   {"said": "events", "events": [...]}      `LiveFeed::take_events`
 ///   {"said": "done", "event": {...}, "at_s"} an event of a hand took place

@@ -4,6 +4,7 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/scene/visible_scene.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/build_sensors.hpp"
 #include "tools/sources/build_simulation.hpp"
@@ -36,6 +37,7 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
       prepared.difference};
   sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
   lidars_ = prepared.config.lidars;
+  scene_ = {page_world(prepared.config.world), robot_items(prepared.config.robot, lidars_)};
   localizers_ =
       build_localizers(scenario.localizers,
                        {prepared.map, {}, lidars_of(prepared.config.lidars), {}}, scenario.seed);
@@ -43,6 +45,12 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   loop_ =
       std::make_unique<Loop>(loop_config(scenario, *source_->start_pose()), localizers_, sinks_);
   loop_->begin();
+}
+
+std::string LiveRun::scene() {
+  scene_.world = page_world(source_->world());
+  scene_.people = source_->people_bodies();
+  return page_scene_json(scene_, kLiveSceneBytes);
 }
 
 bool LiveRun::step() { return loop_->step(*source_); }

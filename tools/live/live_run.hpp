@@ -11,6 +11,7 @@
 #include "tools/live/live_event.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/scene/page_scene.hpp"
 #include "tools/sources/shared_worlds.hpp"
 #include "tools/sources/simulator_source.hpp"
 
@@ -34,6 +35,10 @@ class LiveRun {
   [[nodiscard]] Stamp now() const { return loop_->now(); }
   /// True pose of base now, which may be a physics step ahead of the last delivery.
   [[nodiscard]] SE2 true_pose() const { return source_->true_pose(); }
+  /// Height, roll and pitch of base now.
+  [[nodiscard]] Eigen::Isometry3d T_footprint_base() const { return source_->T_footprint_base(); }
+  /// What can be seen, people included, as JSON (`page_scene_json`).
+  [[nodiscard]] std::string scene();
   /// Estimates carried on by odometry to the last reading; nothing of a localizer without one.
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const { return loop_->estimates(); }
 
@@ -51,6 +56,7 @@ class LiveRun {
 
   YamlNode scenario_;
   std::vector<sim::LidarConfig> lidars_;
+  PageScene scene_;
   std::vector<NamedLocalizer> localizers_;
   std::vector<std::unique_ptr<RunSink>> sinks_;
   std::unique_ptr<SimulatorSource> source_;

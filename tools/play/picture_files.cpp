@@ -2,25 +2,12 @@
 
 #include <utility>
 
-#include "sim/robot/lidar_visuals.hpp"
-#include "sim/robot/robot_visuals.hpp"
 #include "sim/scene/bounds.hpp"
-#include "sim/scene/primitives.hpp"
 #include "sim/world/world_visuals.hpp"
+#include "tools/scene/visible_scene.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-/// The floor, just below z = 0.
-sim::SceneItem floor_item(const sim::WorldSpec& world) {
-  sim::SceneItem item;
-  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
-  item.T_map_mesh.translation().z() = -0.003F;
-  item.color = {0.80F, 0.77F, 0.72F};
-  item.casts_shadow = false;
-  item.instance = sim::kFloorInstance;
-  return item;
-}
 
 std::size_t corners_of(const std::vector<sim::SceneItem>& items) {
   std::size_t corners = 0;
@@ -47,11 +34,7 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
     world.from_above.push_back(floor_item(prepared.config.world));
   }
   world.world.push_back(floor_item(prepared.config.world));
-  world.robot = sim::robot_visuals(prepared.config.robot);
-  for (sim::SceneItem& item :
-       sim::lidar_visuals(prepared.config.robot, prepared.config.lidars.front())) {
-    world.robot.push_back(std::move(item));
-  }
+  world.robot = robot_items(prepared.config.robot, prepared.config.lidars);
   world.top = sim::standing_height(world.world);
   world.min_corner = prepared.config.world.min_corner;
   world.max_corner = prepared.config.world.max_corner;
@@ -102,6 +85,10 @@ RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& v
   files.picture_world.robot_radius = prepared.config.robot.footprint_radius;
   if (outputs.snapshots || outputs.camera || !video.empty()) {
     files.picture_world = picture_world_of(prepared);
+  }
+  if (files.report && files.player) {
+    files.scene = PageScene{page_world(prepared.config.world),
+                            robot_items(prepared.config.robot, prepared.config.lidars)};
   }
   files.camera = outputs.camera;
   if (outputs.camera) files.instances = instances_of(prepared.config);

@@ -45,6 +45,7 @@ RecordingConfig recording_config(const RunFiles& files, Stamp duration) {
   config.robot_radius_m = files.picture_world.robot_radius;
   config.scan_every_s = scan_period(seconds(duration));
   config.detail_every_s = detail_period(seconds(duration));
+  if (files.scene) config.scene = page_scene_json(*files.scene, kReportSceneBytes);
   return config;
 }
 

@@ -13,6 +13,7 @@
 #include "tools/pictures/film_sink.hpp"
 #include "tools/pictures/picture_sink.hpp"
 #include "tools/records/scan_row.hpp"
+#include "tools/scene/page_scene.hpp"
 #include "tools/sinks/export_sinks.hpp"
 
 namespace castaway::testbed {
@@ -26,6 +27,7 @@ struct RunFiles {
   PictureWorld picture_world;             ///< What pictures show besides the run.
   bool report = true;                     ///< report.html
   bool player = true;                     ///< The recording for the report's player.
+  std::optional<PageScene> scene;         ///< For the player; nothing: no 3-D view.
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.
   std::function<std::string(int)> label_name{};  ///< Names what beams hit; empty: no scans.csv.
   double points_every_s = 0.0;                   ///< [s] Between PLY files of a lidar; 0: none.

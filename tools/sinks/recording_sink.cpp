@@ -40,7 +40,9 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
     : file_(run_folder / "recording.gz"),
       config_(config),
       header_(recording_header(info, map, config.robot_radius_m)),
-      fixed_{{"map", pack_cells(map)}} {}
+      fixed_{{"map", pack_cells(map)}} {
+  if (!config.scene.empty()) fixed_.push_back({"scene", config.scene});
+}
 
 void RecordingSink::on_event(const RunEvent& event) {
   if (event.kind == EventKind::kKidnap) kidnaps_.push_back(event);

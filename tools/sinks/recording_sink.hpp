@@ -21,6 +21,7 @@ struct RecordingConfig {
                                   ///< at all scans.
   std::size_t most_beams = 360;   ///< Maximum per scan.
   std::size_t most_points = 300;  ///< Maximum number of particles per localizer and scan.
+  std::string scene{};            ///< JSON of what can be seen (`page_scene_json`); empty: none.
 };
 
 /// Period [s] of details that gives at most about 6000 of them in a run of `duration_s`, so that
@@ -34,6 +35,7 @@ double scan_period(double duration_s);
 /// scans that are details. Sections are columns of numbers (`IntColumn`) with one entry per scan in
 /// order of delivery, unless noted otherwise:
 ///   map                      `pack_cells`
+///   scene                    `RecordingConfig::scene`; absent if that is empty
 ///   time                     stamp of the scan
 ///   flags                    1: the truth is known; 2: a kidnap tore the scan
 ///   truth/x /y /yaw          if unknown, the last known values

@@ -117,6 +117,12 @@ std::vector<sim::SceneItem> SimulatorSource::people_items() const {
   return items;
 }
 
+std::vector<sim::PersonBody> SimulatorSource::people_bodies() const {
+  std::vector<sim::PersonBody> bodies;
+  for (const auto& person : simulation_.people()) bodies.push_back(person.first);
+  return bodies;
+}
+
 void SimulatorSource::set_drive_pose(const std::optional<SE2>& T_map_base) {
   simulation_.set_drive_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
 }

@@ -58,6 +58,8 @@ class SimulatorSource final : public SensorSource {
   }
   /// Current people, for pictures.
   [[nodiscard]] std::vector<sim::SceneItem> people_items() const;
+  /// Their bodies, by number.
+  [[nodiscard]] std::vector<sim::PersonBody> people_bodies() const;
 
  private:
   std::optional<Frame> next_of_all();

@@ -67,13 +67,13 @@ export function layerChoices(state, names, act) {
     ...boxes, ...(names.length > 1 ? [of] : []), ...(names.length ? [scanAt] : []));
 }
 
-/** The buttons over the map. */
-export function mapButtons(act) {
+/** The buttons over the map, and `more` of them. */
+export function mapButtons(act, ...more) {
   const follow = button('Follow the robot (f)', 'follow', () => act('follow'));
   const row = element('div', {class: 'map-buttons'},
     button('Closer (+)', 'closer', () => act('zoom', 1.25)),
     button('Farther (−)', 'farther', () => act('zoom', 0.8)),
-    button('Whole map (0)', 'whole', () => act('fit')), follow);
+    button('Whole map (0)', 'whole', () => act('fit')), follow, ...more);
   return {row, show: (following) => follow.setAttribute('aria-pressed', String(following))};
 }
 

@@ -26,6 +26,19 @@ export function beamEnds(lidar, ranges) {
   return ends;
 }
 
+/** The same with heights: x, y and z in turn. [m] */
+export function beamPoints(lidar, ranges) {
+  const T = lidar.T_base_laser;
+  const points = [];
+  ranges.forEach((range, i) => {
+    if (Number.isNaN(range)) return;
+    const angle = lidar.angle_min_rad + i * lidar.angle_increment_rad;
+    const [x, y] = [range * Math.cos(angle), range * Math.sin(angle)];
+    for (const row of [0, 4, 8]) points.push(T[row] * x + T[row + 1] * y + T[row + 3]);
+  });
+  return points;
+}
+
 function poseOf(reader, steps) {
   return {
     x: reader.nextSigned() * steps.point,

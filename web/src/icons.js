@@ -10,6 +10,7 @@ const kPaths = {
   closer: 'M11 4h2v7h7v2h-7v7h-2v-7H4v-2h7z',
   farther: 'M4 11h16v2H4z',
   whole: 'M4 4h6v2H6v4H4zM14 4h6v6h-2V6h-4zM4 14h2v4h4v2H4zM18 14h2v6h-6v-2h4z',
+  above: 'M12 2l7 4v4l-7-4-7 4V6zM12 9l2.6 1.5V15H17l-5 6-5-6h2.4v-4.5z',
   follow: 'M11 2h2v4h-2zM11 18h2v4h-2zM2 11h4v2H2zM18 11h4v2h-4zM12 7a5 5 0 1 1 0 10a5 5 0 1 1 0-10z' +
     'M12 9.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 1 0 0-5z',
 };

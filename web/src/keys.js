@@ -18,6 +18,8 @@ export function actionOf({key, shiftKey, ctrlKey, metaKey, altKey}) {
     case ',': case '<': return ['faster', -1];
     case '.': case '>': return ['faster', 1];
     case 'f': return ['follow'];
+    case '3': return ['toggle3d'];
+    case 't': return ['top'];
     default: return null;
   }
 }
@@ -33,5 +35,5 @@ export function ownsKey(element, key) {
 export const kHelp = [
   ['space', 'play, pause'], ['← →', 'a scan back, on; with shift 5 s'], ['↑ ↓', 'event before, after'],
   ['home end', 'first, last scan'], [', .', 'slower, faster'], ['+ −', 'zoom the map'], ['0', 'whole map'],
-  ['f', 'follow the robot'],
+  ['f', 'follow the robot'], ['3', 'map or 3-D view'], ['t', '3-D: from above'], ['← ↑ → ↓', '3-D: turn; with shift: move'],
 ];

@@ -1,6 +1,7 @@
 // Starts the page of a live run.
 import './player.css';
 import './live.css';
+import './view3d/view3d.css';
 import {element} from './dom.js';
 import {LiveConnection, streamUrl} from './live_connection.js';
 import {LiveView} from './live_view.js';

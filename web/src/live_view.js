@@ -15,6 +15,7 @@ import {palette} from './palette.js';
 import {Panel} from './panel.js';
 import {save} from './saving.js';
 import {Timeline} from './timeline.js';
+import {Views} from './view3d/views.js';
 import {worldAt} from './world_changes.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
@@ -51,7 +52,8 @@ export class LiveView {
     this.mapView = new MapView(canvas, recording, this.log.events, state);
     this.mapView.hand = new MapHand(state, event);
     this.mapView.onMoved = () => this.buttons.show(state.follow);
-    this.buttons = mapButtons((action, argument) => this.act(action, argument));
+    this.views = new Views(this.mapView, recording, this.log.events, state, () => this.changed());
+    this.buttons = mapButtons((action, argument) => this.act(action, argument), this.views.above);
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, recordingRun(recording));
     this.note = element('p', {role: 'alert', class: 'note', hidden: true});
@@ -60,7 +62,8 @@ export class LiveView {
     const curve = element('div', {class: 'curve'});
     this.tools = liveTools(state, recording.names, event);
     this.tools.showThings(this.things());
-    this.place.replaceChildren(this.transport(), this.note, this.tools.panel, element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards,
+    this.place.replaceChildren(this.transport(), this.note, this.tools.panel,
+      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
       time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
       element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed()), mapLegend()));
     this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
@@ -98,7 +101,7 @@ export class LiveView {
     if (['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (this.drive.key(event)) return;
     const acts = {' ': () => this.toggle(), '.': () => this.send({do: 'step'}), f: () => this.act('follow'),
-      0: () => this.act('fit'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8),
+      0: () => this.act('fit'), 3: () => this.act('toggle3d'), t: () => this.act('top'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8),
       ArrowLeft: () => this.stepPast(-1), ArrowRight: () => this.stepPast(1), Escape: () => this.look(null)};
     if (!(event.key in acts) || (event.key === ' ' && target.tagName === 'BUTTON')) return;
     event.preventDefault();
@@ -112,8 +115,10 @@ export class LiveView {
   }
 
   act(action, argument) {
-    if (action === 'zoom') this.mapView.zoom(argument);
-    if (action === 'fit') this.mapView.fit();
+    if (action === 'zoom') this.views.zoom(argument);
+    if (action === 'fit') this.views.fit();
+    if (action === 'top') this.views.top();
+    if (action === 'toggle3d') this.views.toggle();
     if (action === 'follow') this.state.follow = !this.state.follow;
     this.changed();
   }
@@ -145,7 +150,7 @@ export class LiveView {
 
   recolor() {
     this.colors = palette();
-    this.mapView.setColors(this.colors);
+    this.views.setColors(this.colors);
     this.panel.recolor(this.colors);
     this.timeline.draw();
     this.curve.recolor();
@@ -156,6 +161,7 @@ export class LiveView {
   said(message) {
     const takes = {
       history: () => this.recording.add({scans: message.scans, blocks: []}),
+      scene: () => this.views.setScene(message.scene),
       status: () => this.status(message),
       events: () => message.events.forEach((event) => this.happened(event)),
       done: () => this.done(message),
@@ -222,7 +228,7 @@ export class LiveView {
     }
     this.recording.add(frame);
     this.now = frame.now;
-    this.poses = {truth: poseOf(frame.truth), estimates: frame.estimates.map(poseOf)};
+    this.poses = {truth: poseOf(frame.truth), estimates: frame.estimates.map(poseOf), lift: frame.lift};
     this.changed();
   }
 
@@ -239,7 +245,7 @@ export class LiveView {
     const {state, recording} = this;
     state.time = this.past ?? this.now;
     state.live = this.past === null ? this.poses : undefined;
-    this.mapView.draw();
+    this.views.draw();
     this.buttons.show(state.follow);
     if (recording.scans === 0) return;
     const scan = recording.scanAt(state.time);

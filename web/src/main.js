@@ -2,6 +2,7 @@
 import 'uplot/dist/uPlot.min.css';
 import './player.css';
 import './plots.css';
+import './view3d/view3d.css';
 import {fromBase64, gunzip} from './bytes.js';
 import {curvesCsv} from './curve_rows.js';
 import {element} from './dom.js';
@@ -18,6 +19,12 @@ function textOf(id) {
   return document.getElementById(id)?.textContent ?? null;
 }
 
+/** What can be seen in three dimensions; null where the recording does not say. */
+function sceneOf(recording) {
+  const bytes = recording.sections.get('scene');
+  return bytes ? JSON.parse(new TextDecoder().decode(bytes)) : null;
+}
+
 /** All that the player shows, parsed from the page. */
 async function load() {
   const page = JSON.parse(textOf('castaway-page'));
@@ -28,7 +35,7 @@ async function load() {
   const alarms = recording.localizers.map(({lost}) =>
     stretches(Array.from(lost), recording.time, recording.time.at(-1)).filter(({state}) => state === 1));
   const limits = {rightM: page.right_m, rightDeg: (page.right_rad * 180) / Math.PI};
-  return {recording, errors, states, alarms, limits, events: page.events};
+  return {recording, errors, states, alarms, limits, events: page.events, scene: sceneOf(recording)};
 }
 
 /** Buttons that save curves and pictures. */
@@ -38,7 +45,7 @@ function savers(player, run) {
   return [
     button('Curves as CSV', () => save(`${name}-curves.csv`, curvesCsv(run), 'text/csv')),
     button('Curves as PNG', () => saveCanvases(`${name}-curves.png`, player.curves.canvases(), player.colors.page)),
-    button('Map as PNG', () => saveCanvases(`${name}-map.png`, [player.mapView.canvas], player.colors.page)),
+    button('Map as PNG', () => saveCanvases(`${name}-map.png`, [player.views.shown], player.colors.page)),
   ];
 }
 

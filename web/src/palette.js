@@ -3,8 +3,8 @@
 /** Lines of the localizers, in their order. [px] drawn and left out in turn */
 export const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [14, 5], [5, 2, 1, 2]];
 
-const kCorners = [0, 4, 3, 4, 5, 6];  // Of the localizers' outlines; 0: a circle.
-const kTurns = [0, Math.PI / 4, 0, 0, 0, 0];
+export const kCorners = [0, 4, 3, 4, 5, 6];  // Of the localizers' outlines; 0: a circle.
+export const kTurns = [0, Math.PI / 4, 0, 0, 0, 0];
 
 /** The theme's colours now. */
 export function palette(element = document.documentElement) {

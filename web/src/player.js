@@ -5,6 +5,7 @@ import {element} from './dom.js';
 import {actionOf, ownsKey} from './keys.js';
 import {mapLegend, timeLegend} from './legend.js';
 import {MapView} from './map_view.js';
+import {Views} from './view3d/views.js';
 import {marksOf} from './marks.js';
 import {palette} from './palette.js';
 import {Panel} from './panel.js';
@@ -49,21 +50,24 @@ export class Player {
       'aria-label': 'Map with the robot, its estimates, particles, scan and people'});
     this.mapView = new MapView(canvas, recording, events, this.state);
     this.mapView.onMoved = () => this.buttons.show(this.state.follow);
-    this.buttons = mapButtons(act);
+    this.views = new Views(this.mapView, recording, events, this.state, () => this.changed(),
+      'drag: turn · right button or two fingers: move · wheel: nearer');
+    this.buttons = mapButtons(act, this.views.above);
     this.transport = transport(act);
     this.timePlace = element('div', {class: 'timeline'});
     this.curvePlace = element('div', {class: 'curve'});
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, this.run);
+    this.views.setScene(this.run.scene);
     canvas.style.aspectRatio = aspectOf(recording.header.map);
     this.place.append(
-      element('div', {class: 'map-frame'}, canvas, this.buttons.row), cards, this.transport.row, this.timePlace, timeLegend(marks),
+      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards, this.transport.row, this.timePlace, timeLegend(marks),
       this.curvePlace, layerChoices(this.state, recording.names, act), mapLegend(), help());
   }
 
   recolor() {
     this.colors = palette();
-    this.mapView.setColors(this.colors);
+    this.views.setColors(this.colors);
     this.panel.recolor(this.colors);
     this.timeline.draw();
     this.curves.redraw();
@@ -92,7 +96,7 @@ export class Player {
     const {time} = this.playback;
     this.state.time = time;
     const scan = this.run.recording.scanAt(time);
-    this.mapView.draw();
+    this.views.draw();
     this.buttons.show(this.state.follow);
     this.transport.show(this.playback);
     this.timeline.show(time, scan);
@@ -102,7 +106,7 @@ export class Player {
   }
 
   act(action, argument) {
-    const {playback, mapView, state} = this;
+    const {playback, views, state} = this;
     const acts = {
       toggle: () => playback.toggle(),
       seek: () => playback.seek(argument),
@@ -111,8 +115,10 @@ export class Player {
       jump: () => playback.jump(this.stops, argument),
       faster: () => playback.faster(argument),
       speed: () => playback.setSpeed(argument),
-      zoom: () => mapView.zoom(argument),
-      fit: () => mapView.fit(),
+      zoom: () => views.zoom(argument),
+      fit: () => views.fit(),
+      top: () => views.top(),
+      toggle3d: () => views.toggle(),
       follow: () => this.follow(!state.follow),
       draw: () => {},
     };

@@ -17,6 +17,13 @@ const std::array<Vector3f, 6> kCoats = {
 const std::array<Vector3f, 3> kTrousers = {
     Vector3f{0.22F, 0.25F, 0.33F}, Vector3f{0.35F, 0.29F, 0.24F}, Vector3f{0.15F, 0.15F, 0.17F}};
 
+/// Numbers of sides of round parts.
+struct Sides {
+  double share;
+
+  [[nodiscard]] int of(int sides) const { return static_cast<int>(std::lround(share * sides)); }
+};
+
 /// Stretches a mesh; normals stay unit and upright to the surface.
 TriangleMesh stretch(TriangleMesh mesh, const Vector3f& by) {
   for (Vector3f& v : mesh.vertices) v = v.cwiseProduct(by);
@@ -37,16 +44,15 @@ SceneItem item(TriangleMesh mesh, const Eigen::Vector2d& p_map, double z, double
 
 /// A shin, upright as the lidar meets it, and a thigh up to the hip.
 void add_leg(const PersonBody& body, const Eigen::Vector2d& foot, const Eigen::Vector2d& hip,
-             const Vector3f& color, std::vector<SceneItem>& items) {
-  constexpr double kHip = 0.85;  // [m]
+             const Vector3f& color, const Sides& sides, std::vector<SceneItem>& items) {
   const auto radius = static_cast<float>(body.leg_radius);
-  items.push_back(item(cylinder_mesh(radius, static_cast<float>(kTorsoBottom), 16), foot,
+  items.push_back(item(cylinder_mesh(radius, static_cast<float>(kTorsoBottom), sides.of(16)), foot,
                        0.5 * kTorsoBottom, 0.0, color));
-  items.push_back(item(sphere_mesh(radius, 6), foot, kTorsoBottom, 0.0, color));
+  items.push_back(item(sphere_mesh(radius, sides.of(6)), foot, kTorsoBottom, 0.0, color));
   const Eigen::Vector3d knee(foot.x(), foot.y(), kTorsoBottom);
-  const Eigen::Vector3d thigh = Eigen::Vector3d(hip.x(), hip.y(), kHip) - knee;
-  SceneItem upper =
-      item(cylinder_mesh(radius, static_cast<float>(thigh.norm()), 16), foot, 0.0, 0.0, color);
+  const Eigen::Vector3d thigh = Eigen::Vector3d(hip.x(), hip.y(), kHipHeight) - knee;
+  SceneItem upper = item(cylinder_mesh(radius, static_cast<float>(thigh.norm()), sides.of(16)),
+                         foot, 0.0, 0.0, color);
   const Eigen::Vector3d middle = knee + 0.5 * thigh;
   upper.T_map_mesh =
       (Eigen::Translation3d(middle) *
@@ -57,7 +63,9 @@ void add_leg(const PersonBody& body, const Eigen::Vector2d& foot, const Eigen::V
 
 }  // namespace
 
-std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState& state, int index) {
+std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState& state, int index,
+                                      double roundness) {
+  const Sides sides{roundness};
   const auto number = static_cast<std::size_t>(index);
   const Vector3f& coat = kCoats[number % kCoats.size()];
   const Vector3f& trousers = kTrousers[number / kCoats.size() % kTrousers.size()];
@@ -68,29 +76,29 @@ std::vector<SceneItem> person_visuals(const PersonBody& body, const PersonState&
   std::vector<SceneItem> items;
   for (const std::size_t side : {0U, 1U}) {
     const Eigen::Vector2d& foot = state.feet[side];
-    const Eigen::Vector2d hip = state.position + (side == 0 ? 0.09 : -0.09) * left;
+    const Eigen::Vector2d hip = state.position + (side == 0 ? kHipSide : -kHipSide) * left;
     items.push_back(item(box_mesh({0.26F, 0.1F, 0.09F}), foot + 0.05 * ahead, 0.045, yaw, kShoe));
-    add_leg(body, foot, hip, trousers, items);
+    add_leg(body, foot, hip, trousers, sides, items);
   }
   const auto length = static_cast<float>(shoulders - kTorsoBottom);
   const double middle = 0.5 * (shoulders + kTorsoBottom);
   const auto depth = static_cast<float>(kTorsoHalfDepth);
   const auto width = static_cast<float>(kTorsoHalfWidth - 0.045);
-  items.push_back(item(stretch(cylinder_mesh(1.0F, length, 24), {depth, width, 1.0F}),
+  items.push_back(item(stretch(cylinder_mesh(1.0F, length, sides.of(24)), {depth, width, 1.0F}),
                        state.position, middle, yaw, coat));
-  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {depth, width, 0.08F}), state.position,
-                       shoulders, yaw, coat));
+  items.push_back(item(stretch(sphere_mesh(1.0F, sides.of(8)), {depth, width, 0.08F}),
+                       state.position, shoulders, yaw, coat));
   for (const double side : {1.0, -1.0}) {
-    items.push_back(item(cylinder_mesh(0.045F, 0.62F, 12),
+    items.push_back(item(cylinder_mesh(0.045F, 0.62F, sides.of(12)),
                          state.position + side * (kTorsoHalfWidth - 0.045) * left, shoulders - 0.31,
                          yaw, 0.85F * coat));
   }
   const auto head = static_cast<float>(kHeadRadius);
-  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {head, 0.9F * head, 1.25F * head}),
+  items.push_back(item(stretch(sphere_mesh(1.0F, sides.of(8)), {head, 0.9F * head, 1.25F * head}),
                        state.position, body.height - 1.25 * kHeadRadius, yaw, kSkinColor));
-  items.push_back(item(stretch(sphere_mesh(1.0F, 8), {0.9F * head, 0.95F * head, 0.9F * head}),
-                       state.position - 0.025 * ahead, body.height - 0.8 * kHeadRadius, yaw,
-                       kShoe));
+  items.push_back(
+      item(stretch(sphere_mesh(1.0F, sides.of(8)), {0.9F * head, 0.95F * head, 0.9F * head}),
+           state.position - 0.025 * ahead, body.height - 0.8 * kHeadRadius, yaw, kShoe));
   for (SceneItem& part : items) {
     part.instance = static_cast<std::uint16_t>(kFirstPersonInstance + index);
   }

@@ -79,5 +79,15 @@ TEST(LiveFeed, HelloHasTheMap) {
   EXPECT_FALSE(hello.at("cells").get<std::string>().empty());
 }
 
+TEST(LiveFeed, TellsOfALiftedRobotOnly) {
+  LiveFeed feed = feed_of_two();
+  LivePoses poses{localization::from_seconds(1.0), {}, {{}, {}}};
+  EXPECT_FALSE(read_frame(feed.take_frame(poses)).head.contains("lift"));
+  poses.T_footprint_base = Eigen::Translation3d(0.0, 0.0, 0.5) *
+                           Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitY()) *
+                           Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(read_frame(feed.take_frame(poses)).head.at("lift"), nlohmann::json({0.5, 0.1, -0.2}));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

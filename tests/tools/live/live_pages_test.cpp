@@ -53,6 +53,7 @@ TEST(LivePages, ASlowPageMissesFramesAndNothingElse) {
 TEST(LivePages, ANewPageHearsWhatCameBefore) {
   LivePages pages;
   pages.say(R"({"said": "hello"})");
+  pages.say(R"({"said": "scene", "scene": {}})");
   pages.say(R"({"said": "events", "events": [{"time": 1.0}]})");
   pages.say(R"({"said": "done", "at_s": 2.0})");
   pages.say(R"({"said": "status", "now_s": 3.0})");
@@ -60,8 +61,17 @@ TEST(LivePages, ANewPageHearsWhatCameBefore) {
   pages.show("frame");
   const auto page = new_page();
   pages.open(page, kBegin);
-  EXPECT_EQ(kinds(*page),
-            (std::vector<std::string>{"hello", "events", "done", "status", "hands", "frame"}));
+  EXPECT_EQ(kinds(*page), (std::vector<std::string>{"hello", "scene", "events", "done", "status",
+                                                    "hands", "frame"}));
+}
+
+TEST(LivePages, TheNewestSceneIsKept) {
+  LivePages pages;
+  pages.say(R"({"said": "scene", "scene": 1})");
+  pages.say(R"({"said": "scene", "scene": 2})");
+  const auto page = new_page();
+  pages.open(page, kBegin);
+  EXPECT_EQ(taken(*page).front().at("scene"), 2);
 }
 
 TEST(LivePages, WhatTheRunWentBackOverIsForgotten) {

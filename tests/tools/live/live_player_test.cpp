@@ -125,6 +125,29 @@ TEST(LivePlayer, SaysHelloAndPlays) {
   EXPECT_GE(player.wait_for(paused).at("now_s"), 3.0);
 }
 
+TEST(LivePlayer, SaysOnceWhatCanBeSeen) {
+  Player player;
+  player.wait_for_said("hello");
+  EXPECT_FALSE(player.wait_for_said("scene")
+                   .at("scene")
+                   .at("world")
+                   .at("indices")
+                   .get<std::string>()
+                   .empty());
+  player.tell({{"do", "back"}, {"to_s", 0.0}});
+  bool told = false;
+  player.wait_for([&](const Json& json) {
+    told = told || json.value("said", "") == "scene";
+    return json.value("undone", false);
+  });
+  player.tell({{"do", "step"}});
+  player.wait_for([&](const Json& json) {
+    told = told || json.value("said", "") == "scene";
+    return json.contains("scans") && !json.at("scans").empty();
+  });
+  EXPECT_FALSE(told);
+}
+
 TEST(LivePlayer, StepsFromScanToScan) {
   Player player;
   player.tell({{"do", "step"}});

@@ -58,6 +58,13 @@ TEST(RecordingSink, MarksTheScanThatAKidnapTore) {
   EXPECT_EQ(column(unpack_recording(file_of(three_records())), "flags"), (Values{1, 3, 1}));
 }
 
+TEST(RecordingSink, KeepsWhatCanBeSeen) {
+  RecordingConfig config;
+  EXPECT_EQ(unpack_recording(file_of(three_records(), config)).sections.count("scene"), 0U);
+  config.scene = R"({"top":2})";
+  EXPECT_EQ(unpack_recording(file_of(three_records(), config)).sections.at("scene"), config.scene);
+}
+
 TEST(RecordingSink, SaysWhatIsNotThere) {
   std::vector<ScanRecord> records = three_records();
   records[1].T_map_base_true.reset();

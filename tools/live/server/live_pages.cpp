@@ -52,6 +52,7 @@ std::optional<PageMessage> LivePage::take() {
 void LivePages::open(const std::shared_ptr<LivePage>& page, Clock::time_point now) {
   pages_.push_back(page);
   if (hello_) page->say(hello_);
+  if (scene_) page->say(scene_);
   if (std::string history = history_.message(); !history.empty()) {
     page->say(shared(std::move(history)));
   }
@@ -99,6 +100,7 @@ void LivePages::tell_hands() const {
 void LivePages::remember(const PagesJson& said, const SharedBytes& text) {
   const std::string what = said.value("said", "");
   if (what == "hello") hello_ = text;
+  if (what == "scene") scene_ = text;
   if (what == "status") {
     status_ = text;
     // After the run went back, what came later never happened.

@@ -72,6 +72,7 @@ class LivePages {
   std::weak_ptr<LivePage> holder_;
   Clock::time_point used_{};
   SharedBytes hello_;
+  SharedBytes scene_;
   SharedBytes status_;
   struct Told {
     double time_s;

@@ -4,7 +4,7 @@ import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-const kFlags = ['--headless=new', '--no-sandbox', '--disable-gpu', '--no-first-run', '--hide-scrollbars',
+const kFlags = ['--headless=new', '--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader', '--no-first-run', '--hide-scrollbars',
   '--disable-extensions', '--disable-background-networking', '--remote-debugging-pipe', 'about:blank'];
 
 /** A browser with one page. Errors of the page's console and scripts gather in `errors`. */

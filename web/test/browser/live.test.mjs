@@ -7,6 +7,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {toScreen} from '../../src/view.js';
 import {Chromium} from './chromium.mjs';
+import {kPixels3d, kStill3d} from './pixels3d.mjs';
 
 let browser;
 let server;
@@ -105,6 +106,97 @@ test('is driven by keys', async () => {
   await browser.send('Input.dispatchKeyEvent', {type: 'keyDown', key: 'a', code: 'KeyA', text: 'a'});
   await logged('drive');
   await browser.send('Input.dispatchKeyEvent', {type: 'keyUp', key: 'a', code: 'KeyA'});
+});
+
+const still3d = async () => {
+  await browser.evaluate(kStill3d);
+  return browser.evaluate(kPixels3d);
+};
+/** Shows these layers, and no others. */
+const showOnly = (...layers) => browser.evaluate(`(() => {
+  for (const label of document.querySelectorAll('.layers label')) {
+    const box = label.querySelector('input');
+    if (box.checked !== ${JSON.stringify(layers)}.includes(label.textContent)) box.click();
+  }
+})()`);
+/** Presses the button that is called so. */
+const pressNamed = (name) => browser.evaluate(`document.querySelector('#castaway-live [aria-label="${name}"]').click()`);
+
+test('the 3-D view shows world and robot, and that it moves', async () => {
+  await pause();
+  await press('3-D');
+  const first = await still3d();
+  assert.ok(first.colors > 300, `${first.colors} colours`);
+  await shot('view-3d');
+  assert.deepEqual(await still3d(), first, 'nothing moves');
+  await press('Step a scan');
+  await browser.until(`(${kPixels3d}).sum !== ${first.sum}`);
+  await showOnly('truth');
+  const alone = await still3d();
+  await press('Anywhere');
+  await press('Step a scan');
+  await browser.until(`(${kPixels3d}).sum !== ${alone.sum}`);
+  const kidnapped = await still3d();
+  await showOnly('estimates');
+  assert.notEqual((await still3d()).sum, kidnapped.sum);
+  await showOnly('truth', 'estimates', 'particles', 'scan', 'people', 'last 12 s');
+  assert.deepEqual(browser.errors, []);
+});
+
+test('cameras: follows, from above, turned by keys; the map comes back', async () => {
+  const seen = [await still3d()];
+  for (const name of ['Follow the robot (f)', 'From above (t)']) {
+    await pressNamed(name);
+    seen.push(await still3d());
+  }
+  await pressNamed('Whole map (0)');
+  assert.deepEqual(await still3d(), seen[0], 'as it was at first');
+  await pressNamed('Closer (+)');
+  seen.push(await still3d());
+  await browser.evaluate(`document.querySelector('canvas.view-3d').focus()`);
+  await browser.key('ArrowLeft');
+  seen.push(await still3d());
+  assert.equal(new Set(seen.map(({sum}) => sum)).size, seen.length);
+  assert.equal(await browser.evaluate(`getComputedStyle(document.querySelector('canvas.map')).visibility`), 'hidden');
+  await browser.key('3');
+  await browser.until(`document.querySelector('canvas.view-3d').hidden`);
+  assert.equal(await browser.evaluate(`getComputedStyle(document.querySelector('canvas.map')).visibility`), 'visible');
+  assert.deepEqual(browser.errors, []);
+});
+
+test('a pointer in the 3-D view turns it, and does nothing to the robot', async () => {
+  await press('3-D');
+  const [before, from, count] = [await still3d(), await truth(), await browser.evaluate(`document.querySelector('.log').childElementCount`)];
+  const [x, y] = await browser.evaluate(`(() => {
+    const {left, top, width, height} = document.querySelector('canvas.view-3d').getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  })()`);
+  await browser.drag([[x, y], [x + 60, y + 20], [x + 90, y - 10]]);
+  assert.notEqual((await still3d()).sum, before.sum);
+  await browser.drag([[x, y]]);
+  await press('Step a scan');
+  await still3d();
+  const to = await truth();
+  assert.ok(Math.hypot(to.x - from.x, to.y - from.y) < 0.2);
+  assert.equal(await browser.evaluate(`document.querySelector('.log').childElementCount`), count);
+  await press('2-D');
+});
+
+test('without WebGL one line says so, and the map goes on', async () => {
+  const {identifier} = await browser.send('Page.addScriptToEvaluateOnNewDocument', {source: `{
+    const {getContext} = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function(kind, more) {
+      return kind.startsWith('webgl') ? null : getContext.call(this, kind, more);
+    };
+  }`});
+  await browser.open('about:blank');
+  await browser.open(url);
+  await press('3-D');
+  await browser.until(`!document.querySelector('.note-3d').hidden`);
+  assert.match(await browser.evaluate(`document.querySelector('.note-3d').textContent`), /WebGL/);
+  assert.equal(await browser.evaluate(`getComputedStyle(document.querySelector('canvas.map')).visibility`), 'visible');
+  assert.deepEqual(browser.errors, []);
+  await browser.send('Page.removeScriptToEvaluateOnNewDocument', {identifier});
 });
 
 test('a page that is loaded again knows the past', async () => {

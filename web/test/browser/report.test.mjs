@@ -7,6 +7,7 @@ import {join, resolve} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {Chromium} from './chromium.mjs';
+import {kPixels3d, kStill3d} from './pixels3d.mjs';
 
 const url = pathToFileURL(resolve(process.env.CASTAWAY_REPORT)).href;
 const folder = process.env.CASTAWAY_SCREENSHOTS;
@@ -256,6 +257,55 @@ test('the switch changes the colours of page and map', async () => {
   assert.equal(await browser.evaluate('document.documentElement.dataset.theme'), 'dark');
   assert.notEqual(await mapSum(), map);
   await act("document.querySelector('.theme').click()");
+  noErrors();
+});
+
+async function still3d() {
+  await browser.evaluate(kStill3d);
+  return browser.evaluate(kPixels3d);
+}
+const press3d = () => act(`[...document.querySelectorAll('#castaway-player button')]
+  .find((button) => button.textContent === '3-D').click()`);
+
+test('the 3-D view shows the moment of the player', async () => {
+  await open({width: 1440, height: 900});
+  await act("document.querySelector('#castaway-player .mark.kidnap').click()");
+  const height = await browser.evaluate("document.querySelector('#castaway-player').offsetHeight");
+  await press3d();
+  const kidnapped = await still3d();
+  assert.ok(kidnapped.colors > 300, `${kidnapped.colors} colours`);
+  await picture('view-3d');
+  assert.equal(await browser.evaluate("document.querySelector('#castaway-player').offsetHeight"), height);
+  await act("document.querySelector('[aria-label^=\"Last scan\"]').click()");
+  const last = await still3d();
+  assert.notEqual(last.sum, kidnapped.sum);
+  await act("document.querySelector('#castaway-player .mark.kidnap').click()");
+  assert.equal((await still3d()).sum, kidnapped.sum, 'the same moment looks the same');
+  await act("document.querySelectorAll('.layers input')[1].click()");
+  assert.notEqual((await still3d()).sum, kidnapped.sum, 'without estimates');
+  noErrors();
+});
+
+test('the 3-D view is turned by keys and by a finger, and the player stands still', async () => {
+  await open({width: 390, height: 844, mobile: true});
+  await press3d();
+  const seen = [await still3d()];
+  const begin = await time();
+  await act("document.querySelector('canvas.view-3d').focus()");
+  await press('ArrowRight');
+  seen.push(await still3d());
+  const [x, y] = await browser.evaluate(`(() => {
+    document.querySelector('canvas.view-3d').scrollIntoView();
+    const {left, top, width, height} = document.querySelector('canvas.view-3d').getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  })()`);
+  await browser.touch([[[x, y]], [[x + 30, y]], [[x + 60, y]]]);
+  seen.push(await still3d());
+  await browser.touch([[[x - 20, y], [x + 20, y]], [[x - 60, y], [x + 60, y]]]);
+  seen.push(await still3d());
+  assert.equal(new Set(seen.map(({sum}) => sum)).size, seen.length);
+  assert.equal(await time(), begin);
+  assert.ok(await browser.evaluate('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
   noErrors();
 });
 
