@@ -1,32 +1,20 @@
 // The page of a live run, used as a reader would. CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway.
 import assert from 'node:assert/strict';
-import {execFileSync, spawn} from 'node:child_process';
+import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {toScreen} from '../../src/view.js';
 import {Chromium} from './chromium.mjs';
+import {startLive} from './live_program.mjs';
 
 let browser;
 let server;
 let url;
 
-/** Starts the program; resolves to the address that it prints. */
-function start(...args) {
-  server = spawn(process.env.CASTAWAY_PROGRAM, ['live', '--port', '0', ...args], {stdio: ['ignore', 'pipe', 'inherit']});
-  return new Promise((resolve, reject) => {
-    let text = '';
-    server.stdout.on('data', (data) => {
-      text += data;
-      if (text.includes('\n')) resolve(text.trim());
-    });
-    server.on('exit', (code) => reject(new Error(`castaway live ended with ${code}`)));
-  });
-}
-
 before(async () => {
-  url = await start('--localizer', 'mh_amcl', '--localizer', 'amcl');
+  ({server, url} = await startLive(process.env.CASTAWAY_PROGRAM, ['--localizer', 'mh_amcl', '--localizer', 'amcl']));
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
   await browser.open(url);
   await browser.until(`document.getElementById('castaway-live').dataset.ready === 'true'`);
