@@ -1,6 +1,7 @@
 // The page of a live run: map, states, time, tools, a curve, and what happened.
 import {layerChoices, mapButtons} from './controls.js';
-import {clockText, element} from './dom.js';
+import {clockText, element, reveal} from './dom.js';
+import {ownsKey} from './keys.js';
 import {LiveCurve} from './live_curve.js';
 import {LiveDrive} from './live_drive.js';
 import {MapHand} from './live_hands.js';
@@ -97,13 +98,12 @@ export class LiveView {
   }
 
   key(event) {
-    const {target} = event;
-    if (['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (ownsKey(event.target, event.key) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (this.drive.key(event)) return;
     const acts = {' ': () => this.toggle(), '.': () => this.send({do: 'step'}), f: () => this.act('follow'),
       0: () => this.act('fit'), 3: () => this.act('toggle3d'), t: () => this.act('top'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8),
       ArrowLeft: () => this.stepPast(-1), ArrowRight: () => this.stepPast(1), Escape: () => this.look(null)};
-    if (!(event.key in acts) || (event.key === ' ' && target.tagName === 'BUTTON')) return;
+    if (!(event.key in acts)) return;
     event.preventDefault();
     acts[event.key]();
   }
@@ -131,7 +131,7 @@ export class LiveView {
   look(time) {
     const newest = this.recording.time.at(-1) ?? 0;
     this.past = time === null || time >= newest ? null : Math.max(time, this.recording.time[0]);
-    this.again.hidden = this.toNow.hidden = this.past === null;
+    for (const button of [this.again, this.toNow]) reveal(button, this.past !== null, this.play);
     this.drawnTime = -Infinity;
     this.changed();
   }
@@ -170,7 +170,7 @@ export class LiveView {
       report: () => this.offerReport(message),
       hands: () => {
         this.state.holds = message.yours;
-        this.hands.hidden = message.yours;
+        reveal(this.hands, !message.yours, this.play);
       },
     };
     takes[message.said]?.();
