@@ -21,7 +21,7 @@ std::optional<std::string> Checkpoints::keep(localization::Stamp now) {
     return std::nullopt;
   }
   close(line.in);
-  std::string woken_with = read_to_end(line.out);
+  std::string woken_with = read_line(line.out);
   close(line.out);
   if (woken_with.empty()) _exit(0);
   return woken_with;
@@ -34,9 +34,8 @@ void Checkpoints::clear() {
 bool Checkpoints::wake(localization::Stamp time, const std::string& with) {
   for (std::size_t i = sleepers_.size(); i-- > 0;) {
     if (sleepers_[i].time > time) continue;
-    write_whole(sleepers_[i].line, with);
-    give_up(i);  // The end of the file: it has all of the text.
-    return true;
+    if (write_whole(sleepers_[i].line, with + "\n")) return true;
+    give_up(i);  // Another copy had given it up.
   }
   return false;
 }
@@ -47,7 +46,9 @@ std::vector<localization::Stamp> Checkpoints::times() const {
   return times;
 }
 
+/// Copies have this end of the line, too: an end of the file would never come.
 void Checkpoints::give_up(std::size_t index) {
+  write_whole(sleepers_[index].line, "\n");
   close(sleepers_[index].line);
   sleepers_.erase(sleepers_.begin() + static_cast<std::ptrdiff_t>(index));
 }

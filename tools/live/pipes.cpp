@@ -36,14 +36,15 @@ int fork_with(const Pipe& pipe) {
   fail_to_copy();
 }
 
-void write_whole(int file, const std::string& text) {
+bool write_whole(int file, const std::string& text) {
   std::size_t at = 0;
   while (at < text.size()) {
     const ssize_t count = write(file, text.data() + at, text.size() - at);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;
+    if (count <= 0) return false;
     at += static_cast<std::size_t>(count);
   }
+  return true;
 }
 
 bool read_more(int file, std::string& text) {
@@ -55,6 +56,13 @@ bool read_more(int file, std::string& text) {
     text.append(buffer.data(), static_cast<std::size_t>(count));
     return true;
   }
+}
+
+std::string read_line(int file) {
+  std::string text;
+  while (text.find('\n') == std::string::npos && read_more(file, text)) {
+  }
+  return text.substr(0, text.find('\n'));
 }
 
 std::string read_to_end(int file) {

@@ -18,11 +18,14 @@ Pipe open_pipe();
 /// after it closed the pipe, if there can be none.
 int fork_with(const Pipe& pipe);
 
-/// Writes all of a text, unless nobody is left who reads it.
-void write_whole(int file, const std::string& text);
+/// Writes all of a text. Returns false if nobody is left who reads it.
+bool write_whole(int file, const std::string& text);
 
 /// Appends what there is to read, and waits for it. Returns false at the end of the file.
 bool read_more(int file, std::string& text);
+
+/// The first line, without its end; what there is of it at the end of the file.
+std::string read_line(int file);
 
 /// All bytes until the end of the file.
 std::string read_to_end(int file);

@@ -37,16 +37,13 @@ bool brings_file(const LiveRequest& request) {
 
 }  // namespace
 
-LiveHttp::LiveHttp(const LiveServerOptions& options, std::uint16_t port)
-    : options_(options), port_(port), files_(options.files) {}
-
 LiveResponse LiveHttp::answer(const LiveRequest& request, http::status status, std::string body) {
   return typed_answer(request, status, std::move(body), "text/plain; charset=utf-8");
 }
 
-const char* LiveHttp::refusal_of(const LiveRequest& request) const {
+const char* LiveHttp::refusal_of(const LiveRequest& request, std::uint16_t port) const {
   const std::string_view host = to_view(request[http::field::host]);
-  if (!is_own_host(host, port_)) return "another host name";
+  if (!is_own_host(host, port)) return "another host name";
   const std::string_view origin = to_view(request[http::field::origin]);
   const bool acts =
       boost::beast::websocket::is_upgrade(request) || request.method() == http::verb::post;

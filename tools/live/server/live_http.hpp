@@ -16,10 +16,11 @@ using LiveResponse = boost::beast::http::response<boost::beast::http::string_bod
 /// Paths: "/" is the page, "/report/3" a report, and "/file?name=map.yaml" takes a file by POST.
 class LiveHttp {
  public:
-  LiveHttp(const LiveServerOptions& options, std::uint16_t port);
+  /// `options` must outlive it.
+  explicit LiveHttp(const LiveServerOptions& options) : options_(options), files_(options.files) {}
 
-  /// Why a request is refused, by its header; nullptr if it is not.
-  [[nodiscard]] const char* refusal_of(const LiveRequest& request) const;
+  /// Why a request to the server at `port` is refused, by its header; nullptr if it is not.
+  [[nodiscard]] const char* refusal_of(const LiveRequest& request, std::uint16_t port) const;
   /// The largest body that may follow a header. [bytes]
   [[nodiscard]] static std::uint64_t body_limit(const LiveRequest& request);
   [[nodiscard]] LiveResponse respond(const LiveRequest& request);
@@ -30,7 +31,6 @@ class LiveHttp {
 
  private:
   const LiveServerOptions& options_;
-  std::uint16_t port_;
   LiveFiles files_;
 };
 

@@ -62,7 +62,9 @@ class LiveServer::Impl {
         acceptor_(context_),
         run_(context_, asio::local::stream_protocol(), run_socket),
         signals_(context_, SIGINT, SIGTERM),
-        http_((listen(), options_), port()) {}
+        http_(options_) {
+    listen();
+  }
 
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
   [[nodiscard]] const LiveServerOptions& options() const { return options_; }
@@ -134,7 +136,7 @@ class LiveServer::Impl {
                                        asio::redirect_error(use_awaitable, error));
       if (error && !parser.got_some()) co_return;  // Browsers open lines for later.
       if (error) co_return refuse("no request (" + error.message() + ")");
-      if (const char* wrong = http_.refusal_of(parser.get())) {
+      if (const char* wrong = http_.refusal_of(parser.get(), port())) {
         refuse(
             fmt::format("{} ({})", path_of(to_view(parser.get().target())).substr(0, 80), wrong));
         co_await http::async_write(
