@@ -69,7 +69,8 @@ float openSky(vec3 n) {
   vec2 there = texture(surroundings, at).rg;
   float above = mapPosition.z - there.g * top;
   float far = 1.0 + 2.0 * max(above, 0.0);
-  return above < -0.06 && n.z > 0.5 ? 0.55 : 1.0 - (1.0 - there.r) / (far * far);
+  if (above < -0.06) return n.z > 0.5 ? 0.55 : 0.85;  // Below something, or beside it.
+  return 1.0 - (1.0 - there.r) / (far * far);
 }
 float sunlight(vec3 n, float facing) {
   vec3 at = (shadowFromMap * vec4(mapPosition + shadowTexel * (2.5 - 2.0 * facing) * n, 1.0)).xyz;

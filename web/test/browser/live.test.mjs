@@ -108,11 +108,18 @@ const showOnly = (...layers) => browser.evaluate(`(() => {
     if (box.checked !== ${JSON.stringify(layers)}.includes(label.textContent)) box.click();
   }
 })()`);
+/** Until the run has played so far that this is true. */
+async function playUntil(expression) {
+  await press('Play');
+  await browser.until(expression);
+  await pause();
+}
 /** Presses the button that is called so. */
 const pressNamed = (name) => browser.evaluate(`document.querySelector('#castaway-live [aria-label="${name}"]').click()`);
 
 test('the 3-D view shows world and robot, and that it moves', async () => {
   await pause();
+  await browser.until(`document.querySelector('.view-choice')?.hidden === false`);
   await press('3-D');
   const first = await still3d();
   assert.ok(first.colors > 300, `${first.colors} colours`);
@@ -121,13 +128,14 @@ test('the 3-D view shows world and robot, and that it moves', async () => {
   await press('Step a scan');
   await browser.until(`(${kPixels3d}).sum !== ${first.sum}`);
   await showOnly('truth');
-  const alone = await still3d();
-  await press('Anywhere');
-  await press('Step a scan');
-  await browser.until(`(${kPixels3d}).sum !== ${alone.sum}`);
-  const kidnapped = await still3d();
+  await playUntil(`${kTime} > ${await browser.evaluate(kTime) + 4}`);  // No arc of a kidnap is left.
+  const [alone, from] = [await still3d(), await truth()];
+  await playUntil(`(({x, y}) => Math.hypot(x - ${from.x}, y - ${from.y}) > 0.3)(
+    JSON.parse(document.getElementById('castaway-live').dataset.truth))`);
+  const moved = await still3d();
+  assert.notEqual(moved.sum, alone.sum);
   await showOnly('estimates');
-  assert.notEqual((await still3d()).sum, kidnapped.sum);
+  assert.notEqual((await still3d()).sum, moved.sum);
   await showOnly('truth', 'estimates', 'particles', 'scan', 'people', 'last 12 s');
   assert.deepEqual(browser.errors, []);
 });
@@ -180,6 +188,7 @@ test('without WebGL one line says so, and the map goes on', async () => {
   }`});
   await browser.open('about:blank');
   await browser.open(url);
+  await browser.until(`document.querySelector('.view-choice')?.hidden === false`);
   await press('3-D');
   await browser.until(`!document.querySelector('.note-3d').hidden`);
   assert.match(await browser.evaluate(`document.querySelector('.note-3d').textContent`), /WebGL/);
