@@ -3,9 +3,9 @@ import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
 const kPeriod = 100;  // [ms] Of a frame, if the computer is fast enough.
-const kStep = 120;  // [px] The hand moves between two frames.
+const kStep = 150;  // [px] The hand moves between two frames.
 const kLongest = 200;  // [ms] A frame is shown, however long the computer took for it.
-const kLast = 1500;  // [ms] The last frame is shown.
+const kLast = 1200;  // [ms] The last frame is shown.
 const kPatience = 30;  // [s]
 
 /** The hand: an arrow that lies over the page and takes no events. */
@@ -58,13 +58,18 @@ export class Film {
   async press() {
     this.down = true;
     await this.mouse('mousePressed');
-    await this.shoot();
   }
 
   async release() {
     await this.mouse('mouseReleased');
     this.down = false;
     await this.shoot();
+  }
+
+  async click(at) {
+    await this.moveTo(at);
+    await this.press();
+    await this.release();
   }
 
   /** Takes a frame, when it is time for one. */

@@ -13,6 +13,7 @@ const kSize = {width: 1280, height: 880};
 const kScale = 0.75;  // 960 x 660 pixels.
 const kBegin = 6;  // [s] The film begins at this simulated time.
 const kGoal = [6.5, -0.3];  // [m] Where the robot is dragged to.
+const kBox = [5.0, -2.4];  // [m] Where a box is put.
 
 mkdirSync(folder, {recursive: true});
 const live = await startLive(program, ['lab/kidnap', '--set', 'seed=1', '--set', 'events=[]', '--set', 'people.count=0',
@@ -50,11 +51,7 @@ async function robot() {
   return onScreen(x, y);
 }
 
-async function click(expression) {
-  await film.moveTo(await middleOf(expression));
-  await film.press();
-  await film.release();
-}
+const click = async (expression) => film.click(await middleOf(expression));
 
 /** Films until the expression holds, and `more` seconds after that. */
 async function filmUntil(expression, more = 0) {
@@ -76,10 +73,23 @@ async function setSpeed(speed) {
   await film.shoot();
 }
 
+/** Puts a box there and people ahead, seen in 3-D, as far as this page has that. */
+async function changeWorld() {
+  if (await has('Box')) {
+    await click(buttonOf('Box'));
+    await film.click(await onScreen(...kBox));
+  }
+  for (const text of ['3-D', 'People ahead', '2-D']) {
+    if (!(await has(text))) continue;
+    await click(buttonOf(text));
+    await film.roll(text === '2-D' ? 0 : 0.8);
+  }
+}
+
 async function play() {
   await playTo(kBegin);
   await film.begin([700, 330]);
-  await film.roll(0.6);
+  await film.roll(0.4);
   const taken = await time();
 
   await setSpeed(0.25);  // A localizer that is lost is right again within some tenths of a second.
@@ -88,16 +98,11 @@ async function play() {
   await film.press();
   await film.moveTo(await onScreen(...kGoal));
   await film.release();
-  await filmUntil(`!${kStates}[0].startsWith('right')`);
-  await filmUntil(`${kStates}[0].startsWith('right') && !${kStates}[1].startsWith('right')`, 0.4);
+  await filmUntil(`document.querySelector('.log li') && ${kStates}[0].startsWith('right') && !${kStates}[1].startsWith('right')`, 0.2);
   await setSpeed(1);
-  await film.roll(1);
+  await film.roll(0.4);
 
-  for (const text of ['Box ahead', 'People ahead']) {
-    if (!(await has(text))) continue;
-    await click(buttonOf(text));
-    await film.roll(0.8);
-  }
+  await changeWorld();
 
   // The timeline grows while the hand moves: aim a second before the kidnap.
   const slider = `document.querySelector('.timeline input')`;
@@ -105,14 +110,12 @@ async function play() {
     const {left, top, width, height} = ${slider}.getBoundingClientRect();
     return [left, top + height / 2, width, Number(${slider}.min), Number(${slider}.max)];
   })()`);
-  await film.moveTo([left + 8 + ((taken - 1 - min) / (max - min)) * (width - 16), top]);
-  await film.press();
-  await film.release();
+  await film.click([left + 8 + ((taken - 1 - min) / (max - min)) * (width - 16), top]);
   await filmUntil(buttonOf('Go on from here'), 0.6);
   await click(buttonOf('Go on from here'));
-  await filmUntil(`${buttonOf('Play')} && !document.querySelector('.log li')`, 0.3);
+  await filmUntil(`${buttonOf('Play')} && !document.querySelector('.log li')`, 0.2);
   await click(buttonOf('Play'));
-  await film.roll(1.2);
+  await film.roll(0.9);
 }
 
 try {

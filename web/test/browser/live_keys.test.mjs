@@ -63,18 +63,32 @@ async function stops() {
   assert.fail('Tab does not come to an end');
 }
 
-const kControls = `[...document.querySelectorAll('button, select, input, canvas.map, summary, a[href], .log')]
-  .filter((it) => it.offsetWidth > 0 && !it.disabled).map(${kName})`;
+const kControls = `[...document.querySelectorAll('button, select, input, canvas[tabindex], summary, a[href], .log')]
+  .filter((it) => it.checkVisibility({visibilityProperty: true}) && !it.disabled).map(${kName})`;
 
-test('Tab reaches every control, seen to have the focus, in the order of the page', async () => {
+/** Tab leads to all controls, and each is seen to have the focus. Returns the stops. */
+async function assertReachable() {
   const found = await stops();
   assert.deepEqual(found.map(({name}) => name), await browser.evaluate(kControls));
   assert.deepEqual(found.filter(({outlined, inside}) => !outlined || !inside), []);
+  return found;
+}
+
+test('Tab reaches every control, seen to have the focus, in the order of the page', async () => {
+  const found = await assertReachable();
   const parts = found.map(({part}) => part);
   assert.deepEqual(parts, [...parts].sort((a, b) => a - b));
   const order = ['Play', 'Teleport', 'Anywhere', 'Break it', 'Time', 'Curve', 'What happened', 'truth'];
   const places = order.map((name) => found.findIndex((stop) => stop.name === name));
   assert.ok(places.every((place, i) => place >= 0 && (i === 0 || place > places[i - 1])), places.join());
+});
+
+test('the same in the 3-D view', async () => {
+  await press('3', 'Digit3');
+  await browser.until(`!document.querySelector('canvas.view-3d').hidden`);
+  await assertReachable();
+  await press('3', 'Digit3');
+  await browser.until(`document.querySelector('canvas.view-3d').hidden`);
 });
 
 test('Shift and Tab lead back', async () => {
