@@ -383,6 +383,7 @@ void Simulation::add(const WorldChange& change) {
     throw std::invalid_argument("there is no room: robot or people are in the way");
   }
   state_->changes.add(change, state_->config.world);
+  state_->change_world();  // As the next step would: what is added next must have room beside it.
 }
 
 const WorldSpec& Simulation::world() const { return state_->config.world; }

@@ -299,6 +299,17 @@ TEST(ChangingWorld, AChangeThatIsAddedEqualsOneThatIsConfigured) {
   }
 }
 
+TEST(ChangingWorld, WhatIsAddedInOneStepHasRoomBesideEachOther) {
+  SimulationConfig config = rooms_with_door();
+  config.open = true;
+  Simulation simulation(config, changing_streams());
+  simulation.add(people_event(0.0, {{2.0, 2.0, 0.0}}));
+  EXPECT_THROW(simulation.add(box_event(0.0, {2.0, 2.0})), std::invalid_argument);
+  EXPECT_THROW(simulation.add(people_event(0.0, {{2.1, 2.0, 0.0}})), std::invalid_argument);
+  EXPECT_NO_THROW(simulation.add(box_event(0.0, {3.0, 2.0})));
+  EXPECT_EQ(simulation.people().size(), 1U);
+}
+
 TEST(ChangingWorld, RefusesWhatIsImpossible) {
   SimulationConfig config = rooms_with_door();
   config.open = true;
