@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -111,6 +112,7 @@ struct Simulation::State {
   std::size_t next_command = 0;    ///< In `config.commands`.
   std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;
+  std::vector<SimFrame> noted;  ///< Changes of the world, to be delivered with the next step.
   std::deque<SimFrame> frames;
 };
 
@@ -233,7 +235,7 @@ bool Simulation::State::make(const WorldChange& change) {
     apply(change, config.world);
     take_new_world();
   }
-  frames.push_back({now, std::move(record)});
+  noted.push_back({now, std::move(record)});
   return true;
 }
 
@@ -305,6 +307,8 @@ void Simulation::State::read_lidar(const Motion& motion) {
 
 void Simulation::State::run_step() {
   change_world();
+  std::ranges::move(noted, std::back_inserter(frames));
+  noted.clear();
   kidnap();
   take_commands();
   move_people();
