@@ -294,6 +294,7 @@ test('a world of one\'s own takes the place of the run, and its door opens', asy
   await choose('room.yaml', kRoom);
   const things = `document.querySelector('#castaway-live [aria-label="Doors and boxes"]')`;
   await browser.until(`${things}.value === 'gate'`);
+  assert.equal(await browser.evaluate(`document.querySelector('h1').textContent`), 'room');
   await press('Open');
   await press('Play');
   await logged('gate open by 90 deg');
