@@ -21,6 +21,8 @@ template <typename... F>
 struct OneOf : F... {
   using F::operator()...;
 };
+template <typename... F>
+OneOf(F...) -> OneOf<F...>;  // Clang 14 does not find it by itself.
 
 std::vector<WorldObject>::iterator find_object(WorldSpec& world, const std::string& name) {
   return std::ranges::find(world.objects, name, &WorldObject::name);
