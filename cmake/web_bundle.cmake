@@ -25,6 +25,7 @@ set(CASTAWAY_WEB_FILES
   src/live_connection.js
   src/live_curve.js
   src/live_drive.js
+  src/live_files.js
   src/live_frame.js
   src/live_hands.js
   src/live_log.js
@@ -74,7 +75,8 @@ set(CASTAWAY_WEB_FILES
   src/view3d/view3d.css
   src/view3d/view3d.js
   src/view3d/views.js
-  src/view3d/world.js)
+  src/view3d/world.js
+  src/world_changes.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)
 set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")

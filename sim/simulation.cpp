@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,8 @@
 #include "sim/stages/kidnap_stage.hpp"
 #include "sim/stages/people_stage.hpp"
 #include "sim/stages/sensor_stage.hpp"
+#include "sim/stages/world_stage.hpp"
+#include "sim/world/footprint.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -65,6 +68,11 @@ struct Simulation::State {
   void kidnap();
   void kidnap_on_request();
   void take_commands();
+  void change_world();
+  bool make(const WorldChange& change);
+  void take_new_world();
+  void find_ways();
+  [[nodiscard]] bool has_room(const WorldChange& change) const;
   void require_open() const;
   void teleport(const KidnapRecord& record);
   [[nodiscard]] bool localized() const;
@@ -97,11 +105,14 @@ struct Simulation::State {
   DriveStage drive;
   PeopleStage people;
   ProgressWatch progress;
+  WorldStage changes;
+  bool changed = false;                                ///< The world is not the one of the start.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
   std::size_t next_command = 0;    ///< In `config.commands`.
   std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;
+  std::vector<SimFrame> noted;  ///< Changes of the world, to be delivered with the next step.
   std::deque<SimFrame> frames;
 };
 
@@ -118,7 +129,8 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       kidnaps(config, *spaces, sensors.scene(), streams.named),
       drive(config, *spaces),
       people(config, *spaces, start, streams.named),
-      progress(progress_of(config.drive, config.robot)) {}
+      progress(progress_of(config.drive, config.robot)),
+      changes(config.world, config.changes) {}
 
 template <typename Work>
 void Simulation::State::measure_cpu(const char* stage, Work work, int times) {
@@ -163,6 +175,7 @@ void Simulation::State::kidnap_on_request() {
 void Simulation::State::teleport(const KidnapRecord& record) {
   robot.teleport(record.T_map_to);
   people.on_kidnap(record.T_map_to);
+  if (changed) find_ways();
   progress.on_teleport();
   frames.push_back({now, record});
 }
@@ -173,6 +186,63 @@ void Simulation::State::take_commands() {
        ++next_command) {
     drive.set_command(commands[next_command].twist);
   }
+}
+
+/// True if no robot or person is where something solid or somebody comes.
+bool Simulation::State::has_room(const WorldChange& change) const {
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
+    return people.has_room(*arrival, T_map_base, config, *spaces);
+  }
+  const std::optional<WorldObject> solid = solid_of(change, config.world);
+  if (!solid) return true;
+  const Occupants occupants{T_map_base.position(), config.robot.footprint_radius,
+                            people.positions()};
+  return is_clear(*solid, occupants, config.map.resolution);
+}
+
+/// Finds the part of the free space in which the robot is.
+void Simulation::State::find_ways() {
+  const Eigen::Vector2d p_map = to_planar(robot.state().T_map_base).position();
+  const auto part = [&](double radius) { return spaces->driving_around(config, radius, p_map); };
+  robot.set_free([&] { return part(standing_radius(config)); });
+  if (!config.drive.by_estimate) {
+    drive.set_free(part(config.robot.footprint_radius + kDriveMargin));
+  }
+}
+
+void Simulation::State::take_new_world() {
+  changed = true;
+  spaces = std::make_shared<Spaces>(WalkParts::kAll);
+  robot.set_objects(config.world);
+  sensors.set_world(config.world);
+  kidnaps.set_world(config, *spaces);
+  if (people.people() != nullptr) people.set_cells(spaces->walking(config.world, config.map));
+  find_ways();
+}
+
+bool Simulation::State::make(const WorldChange& change) {
+  if (!has_room(change)) return false;
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  WorldRecord record{now, to_string(change), name_of(change), {}, {}, T_map_base};
+  if (const auto solid = solid_of(change, config.world)) {
+    record.outline = footprint(*solid).points;
+    record.z = {bounds(*solid).min().z(), bounds(*solid).max().z()};
+  }
+  if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
+    people.add(*arrival, now, T_map_base, config, *spaces);
+  } else {
+    apply(change, config.world);
+    take_new_world();
+  }
+  noted.push_back({now, std::move(record)});
+  return true;
+}
+
+/// Nothing is put where a robot may be that is held in the air.
+void Simulation::State::change_world() {
+  if (kidnaps.holds() || !changes.due(now)) return;
+  changes.advance(now, [this](const WorldChange& change) { return make(change); });
 }
 
 void Simulation::State::require_open() const {
@@ -236,6 +306,9 @@ void Simulation::State::read_lidar(const Motion& motion) {
 }
 
 void Simulation::State::run_step() {
+  change_world();
+  std::ranges::move(noted, std::back_inserter(frames));
+  noted.clear();
   kidnap();
   take_commands();
   move_people();
@@ -306,6 +379,18 @@ void Simulation::add(const DriveCommand& command) {
       std::ranges::upper_bound(to_come, commands.end(), command.at_s, {}, &DriveCommand::at_s),
       command);
 }
+
+void Simulation::add(const WorldChange& change) {
+  state_->require_open();
+  validate(change);
+  if (!state_->has_room(change)) {
+    throw std::invalid_argument("there is no room: robot or people are in the way");
+  }
+  state_->changes.add(change, state_->config.world);
+  state_->change_world();  // As the next step would: what is added next must have room beside it.
+}
+
+const WorldSpec& Simulation::world() const { return state_->config.world; }
 
 nanoseconds Simulation::now() const { return state_->now; }
 

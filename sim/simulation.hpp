@@ -34,7 +34,8 @@ class Simulation {
   ~Simulation();
 
   /// Returns the next delivery, in order of stamps; at the same time in the order kidnap, odometry,
-  /// scan, person hit, fault, pick-up, driving. Returns nothing once the run's duration is over.
+  /// scan, person hit, fault, pick-up, driving, change of the world. Returns nothing once the run's
+  /// duration is over.
   /// @throws std::runtime_error if a kidnap is impossible where the robot is.
   std::optional<SimFrame> next();
   /// Sets the driving localizer's estimate; without a pose the robot stops. Ignored unless
@@ -54,6 +55,8 @@ class Simulation {
   void add(const KidnapSpec& kidnap);
   void add(const FaultSpec& fault);
   void add(const DriveCommand& command);
+  /// A change for which there is no room right now is impossible.
+  void add(const WorldChange& change);
   /// Time of the next step.
   [[nodiscard]] std::chrono::nanoseconds now() const;
 
@@ -61,6 +64,8 @@ class Simulation {
   /// @throws std::invalid_argument if it would stand in an obstacle, or on a recorded path.
   void kidnap(const Pose2& T_map_base);
 
+  /// The world as it is now.
+  [[nodiscard]] const WorldSpec& world() const;
   /// True pose of base at the start of the run.
   [[nodiscard]] Pose2 start_pose() const;
   /// True pose of base now.

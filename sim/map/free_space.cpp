@@ -72,6 +72,18 @@ FreeSpace::FreeSpace(const Grid& grid, double radius) : radius_(radius) {
   *this = FreeSpace(radius, std::move(clearance), std::move(free));
 }
 
+FreeSpace FreeSpace::around(const Grid& grid, double radius, const Eigen::Vector2d& p_map) {
+  std::vector<float> clearance = distance_to_obstacle(grid);
+  Grid free = component_at(erode(grid, clearance, radius), p_map);
+  return {radius, std::move(clearance), std::move(free)};
+}
+
+FreeSpace FreeSpace::whole(const Grid& grid, double radius) {
+  std::vector<float> clearance = distance_to_obstacle(grid);
+  Grid free = erode(grid, clearance, radius);
+  return {radius, std::move(clearance), std::move(free)};
+}
+
 FreeSpace::FreeSpace(double radius, std::vector<float> clearance, Grid grid) : radius_(radius) {
   std::vector<std::size_t> free_in_row = count_rows(grid);
   parts_ = std::make_shared<const Parts>(

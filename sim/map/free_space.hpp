@@ -27,6 +27,10 @@ class FreeSpace {
  public:
   /// `radius` [m]: of the disc. Unknown cells and everything outside count as obstacles.
   FreeSpace(const Grid& grid, double radius);
+  /// The part at a point, or else the largest one.
+  static FreeSpace around(const Grid& grid, double radius, const Eigen::Vector2d& p_map);
+  /// All parts, whether or not a disc can get from one to another.
+  static FreeSpace whole(const Grid& grid, double radius);
 
   /// Returns the same space with disc-shaped obstacles added.
   [[nodiscard]] FreeSpace with_discs(std::span<const RoundObstacle> discs) const;

@@ -48,6 +48,12 @@ void RouteRunner::detour(const Pose2& T_map_base, FreeSpace free) {
   detour_ = std::move(free);
 }
 
+void RouteRunner::set_free(FreeSpace free) {
+  free_ = std::move(free);
+  detour_.reset();
+  follower_.reset();
+}
+
 std::vector<Eigen::Vector2d> RouteRunner::path() const {
   return follower_ ? follower_->path() : std::vector<Eigen::Vector2d>{};
 }

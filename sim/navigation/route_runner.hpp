@@ -44,6 +44,8 @@ class RouteRunner {
   /// Re-plans to the next waypoint in `free`, which excludes obstacles in the way. Keeps the
   /// current path if there is none.
   void detour(const Pose2& T_map_base, FreeSpace free);
+  /// Plans anew in another free space: the world changed, or the robot is in another part of it.
+  void set_free(FreeSpace free);
   /// The lane up to the point that the last command aimed at; nothing without a path.
   [[nodiscard]] std::optional<Lane> lane() const {
     if (!follower_ || !follower_->aim()) return std::nullopt;

@@ -22,6 +22,10 @@ class GoalFields {
   /// there is no room to walk.
   GoalFields(const WalkCells& cells, int places, Rng& rng);
 
+  /// The same places on other cells, which must outlive this: the world changed. People who cannot
+  /// get to a place any more stay where they are.
+  void set_cells(const WalkCells& cells);
+
   [[nodiscard]] const std::vector<Eigen::Vector2d>& places() const { return places_; }
   /// Returns the point to walk to from `p_map` on the way to a place: at most about 1.4 m ahead on
   /// the path, and reachable in a straight line. The first call for a place runs its search.
@@ -36,7 +40,7 @@ class GoalFields {
   [[nodiscard]] std::vector<StepIndex> search(Index goal) const;
   void spread(Index cell, Frontier& frontier, std::vector<StepIndex>& next) const;
 
-  const WalkCells& cells_;
+  const WalkCells* cells_;
   std::vector<Eigen::Vector2d> places_;
   std::vector<std::vector<StepIndex>> next_;  ///< By place and cell; empty before the search.
 };

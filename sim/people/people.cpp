@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "sim/people/arrivals.hpp"
 #include "sim/people/bodies/person_rays.hpp"
 #include "sim/people/forces/mutual_forces.hpp"
 #include "sim/people/gait.hpp"
@@ -35,16 +39,33 @@ Eigen::Vector2d limit_speed(const Eigen::Vector2d& v, double most) {
 
 People::People(const PeopleConfig& config, std::shared_ptr<const WalkCells> cells,
                const LidarConfig& lidar, const RobotBody& robot, const NamedStreams& streams)
-    : cells_((validate(config), std::move(cells))),
-      space_(cells_->space()),
-      goals_(goals_in(*cells_, streams)) {
-  agents_ = draw_people(config, space_, goals_, robot, streams);
-  for (const Agent& agent : agents_) {
-    before_.push_back(agent.state);
-    facing_.push_back({heading_vector(agent.state.heading), heading_vector(agent.state.heading)});
-  }
-  clear_for_.assign(agents_.size(), kHitGap);
+    : cells_((validate(config), std::move(cells))), goals_(goals_in(*cells_, streams)) {
+  agents_ = draw_people(config, space(), goals_, robot, streams);
+  for (const Agent& agent : agents_) begin(agent);
   if (config.blocked_share > 0.0) crowd_.emplace(config.blocked_share, lidar);
+}
+
+void People::begin(const Agent& agent) {
+  before_.push_back(agent.state);
+  facing_.push_back({heading_vector(agent.state.heading), heading_vector(agent.state.heading)});
+  clear_for_.push_back(kHitGap);
+}
+
+void People::add(const AddPeople& arrival, const RobotBody& robot, const NamedStreams& streams) {
+  if (static_cast<int>(agents_.size()) + arrival.count > kMaxPeople) {
+    throw std::runtime_error(fmt::format("people: more than {} in a run", kMaxPeople));
+  }
+  std::vector<Agent> agents = draw_arrivals(arrival, space(), goals_, robot, agents_, streams);
+  if (agents.empty()) throw std::runtime_error("people: no room for those who come");
+  for (Agent& agent : agents) {
+    begin(agent);
+    agents_.push_back(std::move(agent));
+  }
+}
+
+void People::set_cells(std::shared_ptr<const WalkCells> cells) {
+  goals_.set_cells(*cells);
+  cells_ = std::move(cells);
 }
 
 void People::note_hits(const RobotBody& robot) {
@@ -67,7 +88,7 @@ void People::update_sight(const RobotBody& robot) {
     const Eigen::Vector2d p_robot = robot.T_map_base.position();
     agent.sees_robot = reacts(agent.behaviour) &&
                        (p_robot - agent.state.position).norm() < kSight &&
-                       space_.sees(agent.state.position, p_robot);
+                       space().sees(agent.state.position, p_robot);
     const bool walks = agent.errand == Errand::kWalking && !agent.in_crowd;
     if (walks) agent.waypoint = goals_.ahead(agent.goal, agent.state.position);
   }
@@ -91,7 +112,7 @@ std::vector<Eigen::Vector2d> People::social_forces() const {
 Eigen::Vector2d People::force(std::size_t index, const RobotBody& robot, bool avoids_robot) const {
   const Agent& agent = agents_[index];
   const Eigen::Vector2d& p = agent.state.position;
-  const WallDistance wall = space_.wall(p);
+  const WallDistance wall = space().wall(p);
   Eigen::Vector2d walls = obstacle_force(forces_, wall.distance - WalkSpace::kBodyRoom, wall.away);
   if (!avoids_robot) return walls;
   if (agent.behaviour == Behaviour::kImpassive) {
@@ -130,7 +151,7 @@ void People::move(const std::vector<Intent>& intents, const RobotBody& robot) {
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     before_[i] = agents_[i].state;
-    agents_[i].state.position = slide_along_walls(space_, before_[i].position, ways[i]);
+    agents_[i].state.position = slide_along_walls(space(), before_[i].position, ways[i]);
   }
 }
 
@@ -139,13 +160,13 @@ void People::step(const RobotBody& robot) {
   update_sight(robot);
   const std::vector<Intent> wanted = intents(robot);
   move(wanted, robot);
-  separate(space_, robot, before_, agents_);
+  separate(space(), robot, before_, agents_);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     PersonState& state = agents_[i].state;
     const Eigen::Vector2d way = state.position - before_[i].position;
     state.velocity = limit_speed(way / kPeriod, wanted[i].top_speed);
     turn(i, wanted[i].heading);
-    walk(space_, before_[i], kPeriod, state);
+    walk(space(), before_[i], kPeriod, state);
     keep_feet_off(robot, state);
     note_progress(wanted[i], kPeriod, agents_[i]);
     facing_[i] = {facing_[i].now, heading_vector(state.heading)};
@@ -156,14 +177,14 @@ void People::step(const RobotBody& robot) {
 void People::gather(const RobotBody& robot, const RayScene& standing) {
   if (!crowd_) return;
   const MovingScene people = scene(1.0);
-  crowd_->plan(robot, space_, {standing, people}, agents_);
+  crowd_->plan(robot, space(), {standing, people}, agents_);
 }
 
 void People::make_way(const RobotBody& robot) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     PersonState& state = agents_[i].state;
     if (!stands_close(robot, agents_[i])) continue;
-    if (const auto p = place_aside(space_, robot, agents_[i])) state.position = *p;
+    if (const auto p = place_aside(space(), robot, agents_[i])) state.position = *p;
     stand(state);
     before_[i] = state;
     facing_[i].before = facing_[i].now;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/casting/moving_scene.hpp"
+#include "sim/events/world_change.hpp"
 #include "sim/people/agent.hpp"
 #include "sim/people/crowd.hpp"
 #include "sim/people/forces/social_force.hpp"
@@ -34,6 +35,12 @@ class People {
   People(const People&) = delete;
   People& operator=(const People&) = delete;
 
+  /// People come; there must be room for them. @throws std::runtime_error if there is none, or if
+  /// they would be more than `kMaxPeople`.
+  void add(const AddPeople& arrival, const RobotBody& robot, const NamedStreams& streams);
+  /// Lets them walk on other cells from now on: the world changed. Everybody must be in them.
+  void set_cells(std::shared_ptr<const WalkCells> cells);
+
   /// Advances by one step; `robot` is its state before the step.
   void step(const RobotBody& robot);
   /// Assigns the crowd, if there is one, to new places. `standing`: everything that does not move.
@@ -49,7 +56,7 @@ class People {
   [[nodiscard]] std::vector<PersonState> states(double fraction) const;
   /// What lidars can hit of the people at a fraction of the last step.
   [[nodiscard]] MovingScene scene(double fraction) const;
-  [[nodiscard]] const WalkSpace& space() const { return space_; }
+  [[nodiscard]] const WalkSpace& space() const { return cells_->space(); }
 
  private:
   /// Unit vectors in map of a person's heading at the beginning and the end of the last step, kept
@@ -59,6 +66,7 @@ class People {
     Eigen::Vector2d now;
   };
 
+  void begin(const Agent& agent);
   void note_hits(const RobotBody& robot);
   void update_sight(const RobotBody& robot);
   [[nodiscard]] std::vector<Eigen::Vector2d> social_forces() const;
@@ -70,7 +78,6 @@ class People {
 
   SocialForceConfig forces_;
   std::shared_ptr<const WalkCells> cells_;
-  const WalkSpace& space_;
   GoalFields goals_;
   std::vector<Agent> agents_;
   std::vector<PersonState> before_;  ///< At the beginning of the last step.

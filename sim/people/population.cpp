@@ -51,23 +51,12 @@ class Draw {
   }
 
  private:
-  Agent agent(const std::string& name, Errand errand) {
-    Agent agent;
-    agent.rng = streams_("people/" + name);
-    agent.errand = errand;
-    agent.body.desired_speed = desired_speed(agent.rng);
-    agent.body.height = draw_between(1.55, 1.92, agent.rng);
-    agent.body.leg_radius = draw_between(0.06, 0.08, agent.rng);
-    const int dice = boost::random::uniform_int_distribution<int>(-5, 4)(agent.rng);
-    const Behaviour mixed = kBehaviours[static_cast<std::size_t>(std::max(dice + 1, 0))];
-    agent.behaviour = config_.behaviour.value_or(mixed);
-    return agent;
+  [[nodiscard]] Agent agent(const std::string& name, Errand errand) const {
+    return draw_agent(name, errand, config_.behaviour, streams_);
   }
 
   void add(Agent agent, const Eigen::Vector2d& p_map, double heading) {
-    agent.state.position = agent.anchor = agent.waypoint = p_map;
-    agent.state.heading = agent.anchor_heading = heading;
-    stand(agent.state);
+    place_agent(p_map, heading, agent);
     agents_.push_back(std::move(agent));
   }
 
@@ -190,6 +179,26 @@ class Draw {
 };
 
 }  // namespace
+
+Agent draw_agent(const std::string& name, Errand errand, std::optional<Behaviour> behaviour,
+                 const NamedStreams& streams) {
+  Agent agent;
+  agent.rng = streams("people/" + name);
+  agent.errand = errand;
+  agent.body.desired_speed = desired_speed(agent.rng);
+  agent.body.height = draw_between(1.55, 1.92, agent.rng);
+  agent.body.leg_radius = draw_between(0.06, 0.08, agent.rng);
+  const int dice = boost::random::uniform_int_distribution<int>(-5, 4)(agent.rng);
+  const Behaviour mixed = kBehaviours[static_cast<std::size_t>(std::max(dice + 1, 0))];
+  agent.behaviour = behaviour.value_or(mixed);
+  return agent;
+}
+
+void place_agent(const Eigen::Vector2d& p_map, double heading, Agent& agent) {
+  agent.state.position = agent.anchor = agent.waypoint = p_map;
+  agent.state.heading = agent.anchor_heading = heading;
+  stand(agent.state);
+}
 
 std::vector<Agent> draw_people(const PeopleConfig& config, const WalkSpace& space,
                                const GoalFields& goals, const RobotBody& robot,

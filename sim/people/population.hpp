@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "sim/people/robot_body.hpp"
 
 namespace castaway::sim {
+
+/// A person of a stream "people/<name>", not placed yet. `behaviour`: nothing if it is drawn.
+Agent draw_agent(const std::string& name, Errand errand, std::optional<Behaviour> behaviour,
+                 const NamedStreams& streams);
+/// Lets a person stand at a place, which it returns to. `heading` [rad]
+void place_agent(const Eigen::Vector2d& p_map, double heading, Agent& agent);
 
 /// Draws all people of `config`, in its order, apart from each other and from the robot. @throws
 /// std::runtime_error naming the person for whom there is no room.

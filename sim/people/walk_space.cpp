@@ -41,8 +41,9 @@ Grid body_grid(const WorldSpec& world, const Grid& map) {
   return grid;
 }
 
-WalkSpace::WalkSpace(const Grid& grid)
-    : free_(grid, kBodyRoom),
+WalkSpace::WalkSpace(const Grid& grid, WalkParts parts)
+    : free_(parts == WalkParts::kAll ? FreeSpace::whole(grid, kBodyRoom)
+                                     : FreeSpace(grid, kBodyRoom)),
       turn_(Eigen::Rotation2Dd(-grid.origin_yaw).toRotationMatrix() / grid.resolution) {}
 
 Eigen::Vector2d WalkSpace::to_cells(const Eigen::Vector2d& p_map) const {

@@ -23,7 +23,10 @@ struct WallDistance {
 /// free on the map stay so.
 Grid body_grid(const WorldSpec& world, const Grid& map);
 
-/// Largest connected part of a grid's free space in which a person can move.
+/// Whether people who are in a part of the free space of their own can move in it.
+enum class WalkParts : std::uint8_t { kLargest, kAll };
+
+/// Largest connected part of a grid's free space in which a person can move, or all parts.
 ///
 /// A point in it is at least `kBodyRoom` - 1.5 cells from everything solid. So between two of its
 /// points that are less than twice that apart (a step of `kMaxStep`) there is nothing solid: a
@@ -34,7 +37,7 @@ class WalkSpace {
   static constexpr double kMaxStep = 0.15;   ///< [m]
 
   /// `grid`: from `body_grid`.
-  explicit WalkSpace(const Grid& grid);
+  explicit WalkSpace(const Grid& grid, WalkParts parts = WalkParts::kLargest);
 
   /// True if a person can stand at a point.
   [[nodiscard]] bool clear(const Eigen::Vector2d& p_map) const;

@@ -34,6 +34,15 @@ class SimRobot {
   void teleport(const Pose2& T_map_base) {
     std::visit([&](auto& robot) { robot.teleport(T_map_base); }, robot_);
   }
+  /// Takes the objects of a changed world as bodies, if it has physics.
+  void set_objects(const WorldSpec& world) {
+    if (auto* robot = std::get_if<RobotPhysics>(&robot_)) robot->set_objects(world);
+  }
+  /// Takes what `make_free` returns as the free space for the robot's disc, if it has no physics.
+  template <typename MakeFree>
+  void set_free(const MakeFree& make_free) {
+    if (auto* robot = std::get_if<KinematicRobot>(&robot_)) robot->set_free(make_free());
+  }
   [[nodiscard]] const RobotState& state() const {
     return std::visit([](const auto& robot) -> const RobotState& { return robot.state(); }, robot_);
   }

@@ -33,6 +33,8 @@ class BeamLight {
   [[nodiscard]] Echo echo(const Surroundings& around, const Ray& ray, const Eigen::Vector3d& across,
                           LidarDraws& draws, std::uint32_t guess) const;
 
+  void set_surfaces(const Surfaces& surfaces) { surfaces_ = surfaces; }
+
  private:
   [[nodiscard]] double cosine(const Surroundings& around, const Ray& ray, const Echo& echo) const;
   /// The first surface that returns light; panes of glass may let it pass.

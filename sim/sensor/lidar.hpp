@@ -35,6 +35,10 @@ class Lidar {
   /// Beam `index` from the base's pose.
   [[nodiscard]] Ray ray(const Eigen::Isometry3d& T_map_base, int index) const;
   [[nodiscard]] const LidarConfig& config() const { return config_; }
+  /// From now on, hits are on these.
+  void set_surfaces(const Surfaces& surfaces) {
+    if (light_) light_->set_surfaces(surfaces);
+  }
 
  private:
   [[nodiscard]] Eigen::Vector3d across(const Eigen::Isometry3d& T_map_base, const Ray& beam) const;
@@ -77,6 +81,8 @@ class LidarSweeper {
   /// Casts all beams due in [begin, end) of a motion; motions must follow each other without gaps
   /// in time. Returns the scans that were completed.
   std::vector<Sweep> advance(const Surroundings& around, const Motion& motion);
+  /// From now on, hits are on these.
+  void set_surfaces(const Surfaces& surfaces) { lidar_.set_surfaces(surfaces); }
   /// While covered, every beam is +inf and nothing is drawn.
   void set_covered(bool covered) { covered_ = covered; }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/common/geometry.hpp"
@@ -30,6 +31,11 @@ class DriveStage {
   void set_pose(const std::optional<Pose2>& T_map_base) { estimate_ = T_map_base; }
   /// Drives by this velocity; nothing: as configured.
   void set_command(const std::optional<Twist2>& command) { command_ = command; }
+  /// Plans in another free space of `kDriveMargin` more than the robot's radius. A robot that
+  /// drives by its estimate knows the map only, and what its lidar sees.
+  void set_free(FreeSpace free) {
+    if (route_) route_->set_free(std::move(free));
+  }
   /// Take what the robot's sensors delivered.
   void on_odometry(const OdometryReading& reading);
   void on_scan(const LidarReading& scan, const LidarConfig& lidar);

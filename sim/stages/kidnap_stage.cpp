@@ -69,6 +69,13 @@ void KidnapStage::add(const KidnapSpec& spec, const Pose2& T_map_base) {
   entries_.push_back({spec, {spec.when, clock_stream(spec, entries_.size(), streams_)}, radius});
 }
 
+void KidnapStage::set_world(const SimulationConfig& config, Spaces& spaces) {
+  landing_ = [&config, &spaces](double radius) { return spaces.landing(config, radius); };
+  for (auto& [radius, space] : spaces_) space = landing_(radius);
+  if (carry_space_) carry_space_ = landing_(0.0);
+  for (Entry& entry : entries_) entry.look_alikes.reset();
+}
+
 KidnapOutcome KidnapStage::advance(const KidnapInput& input, Rng& rng) {
   KidnapOutcome outcome;
   if (held_) outcome = finish(input.now);

@@ -46,6 +46,10 @@ class KidnapStage {
   /// Adds a kidnap; the robot is at `T_map_base`. @throws as the constructor.
   void add(const KidnapSpec& spec, const Pose2& T_map_base);
 
+  /// Targets are drawn in another world from now on; `spaces` are its own. What `scene` refers to
+  /// has changed, too. A robot that is held goes on to where it was meant to go.
+  void set_world(const SimulationConfig& config, Spaces& spaces);
+
   /// Advances to `input.now`. @throws std::runtime_error as `kidnap_target`.
   KidnapOutcome advance(const KidnapInput& input, Rng& rng);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/map/grid_tools.hpp"
+#include "sim/people/arrivals.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
 
@@ -31,21 +32,47 @@ std::vector<RoundObstacle> discs_near(const std::vector<Agent>& agents, const Po
   return discs;
 }
 
+RobotBody body_of(const SimulationConfig& config, const Pose2& T_map_base) {
+  return {robot_outline(config.robot), config.robot.footprint_radius, T_map_base, {0.0, 0.0}};
+}
+
 }  // namespace
 
 PeopleStage::PeopleStage(const SimulationConfig& config, Spaces& spaces, const Pose2& robot,
                          const NamedStreams& streams)
-    : yields_(config.people.robot_yields),
+    : streams_(streams),
+      yields_(config.people.robot_yields),
       guard_(guard_of(config.drive, config.robot), PersonBody{}.radius),
       patience_(kPushPatience) {
-  if (config.people.count() == 0) return;
-  if (!streams) {
+  if (config.people.count() > 0) begin(config, spaces, robot);
+}
+
+void PeopleStage::begin(const SimulationConfig& config, Spaces& spaces, const Pose2& T_map_base) {
+  if (!streams_) {
     throw std::invalid_argument(
         "people: no random streams for them: give SimulationStreams::named");
   }
-  robot_ = {robot_outline(config.robot), config.robot.footprint_radius, robot, {0.0, 0.0}};
+  robot_ = body_of(config, T_map_base);
   people_ = std::make_unique<People>(config.people, spaces.walking(config.world, config.map),
-                                     config.lidars.front(), robot_, streams);
+                                     config.lidars.front(), robot_, streams_);
+}
+
+bool PeopleStage::has_room(const AddPeople& arrival, const Pose2& T_map_base,
+                           const SimulationConfig& config, Spaces& spaces) const {
+  const std::shared_ptr<const WalkCells> cells = spaces.walking(config.world, config.map);
+  const std::vector<Agent> nobody;
+  return sim::has_room(arrival, cells->space(), body_of(config, T_map_base),
+                       people_ ? people_->agents() : nobody);
+}
+
+void PeopleStage::add(const AddPeople& arrival, nanoseconds now, const Pose2& T_map_base,
+                      const SimulationConfig& config, Spaces& spaces) {
+  if (!people_) {
+    begin(config, spaces, T_map_base);
+    next_step_ = next_scene_ = next_crowd_ = now;
+  }
+  robot_.T_map_base = T_map_base;
+  people_->add(arrival, robot_, streams_);
 }
 
 void PeopleStage::advance(nanoseconds now, const Pose2& T_map_base, const Eigen::Vector2d& velocity,

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/navigation/people_guard.hpp"
@@ -24,6 +25,17 @@ class PeopleStage {
   [[nodiscard]] bool due(std::chrono::nanoseconds now) const {
     return people_ && (now >= next_step_ || now >= next_scene_ || now >= next_crowd_);
   }
+  /// True if there is room for people now. `spaces`: of the world as it is.
+  [[nodiscard]] bool has_room(const AddPeople& arrival, const Pose2& T_map_base,
+                              const SimulationConfig& config, Spaces& spaces) const;
+  /// People come; there must be room. @throws as `People`.
+  void add(const AddPeople& arrival, std::chrono::nanoseconds now, const Pose2& T_map_base,
+           const SimulationConfig& config, Spaces& spaces);
+  /// Lets people walk in a changed world, in all parts of it.
+  void set_cells(std::shared_ptr<const WalkCells> cells) {
+    if (people_) people_->set_cells(std::move(cells));
+  }
+
   /// Advances people to `now`; the robot is at `T_map_base` and has `velocity` [m/s] in map.
   void advance(std::chrono::nanoseconds now, const Pose2& T_map_base,
                const Eigen::Vector2d& velocity, const RayScene& standing);
@@ -48,7 +60,10 @@ class PeopleStage {
   [[nodiscard]] double fraction(std::chrono::nanoseconds stamp) const;
 
  private:
+  void begin(const SimulationConfig& config, Spaces& spaces, const Pose2& T_map_base);
+
   std::unique_ptr<People> people_;
+  NamedStreams streams_;
   bool yields_;
   PeopleGuard guard_;
   int patience_;  ///< Calls of `yield_to_people` for which the robot waits before it re-plans.

@@ -54,6 +54,12 @@ void SensorStage::add(const FaultSpec& fault) {
   odometry_.add(fault);
 }
 
+void SensorStage::set_world(const WorldSpec& world) {
+  scene_ = RayScene(ray_primitives(world));
+  const Surfaces surfaces(world);
+  for (Device& device : devices_) device.sweeper.set_surfaces(surfaces);
+}
+
 void SensorStage::set_covered(bool covered) {
   for (Device& device : devices_) device.sweeper.set_covered(covered);
 }

@@ -22,6 +22,9 @@ class SensorStage {
   /// Adds a fault. @throws std::invalid_argument if it is impossible.
   void add(const FaultSpec& fault);
 
+  /// Replaces what lidars can hit of the world; `scene` stays where it is.
+  void set_world(const WorldSpec& world);
+
   /// Covers the lidars: every beam is +inf. They keep turning.
   void set_covered(bool covered);
 

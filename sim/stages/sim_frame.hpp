@@ -4,6 +4,9 @@
 #include <chrono>
 #include <string>
 #include <variant>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/common/geometry.hpp"
 #include "sim/events/fault.hpp"
@@ -26,11 +29,21 @@ struct DriveRecord {
   Pose2 T_map_base;  ///< True pose of base.
 };
 
+/// The world changed.
+struct WorldRecord {
+  std::chrono::nanoseconds stamp{};
+  std::string what;                      ///< As `to_string(WorldChange)`.
+  std::string name;                      ///< Of an object or a door; empty: people came.
+  std::vector<Eigen::Vector2d> outline;  ///< [m] Of what stands there now, in map; may be empty.
+  Eigen::Vector2d z{0.0, 0.0};           ///< [m] Its lower and its upper end.
+  Pose2 T_map_base;                      ///< True pose of base.
+};
+
 /// One delivery. A scan is delivered at the time of its last beam.
 struct SimFrame {
   std::chrono::nanoseconds stamp{};
   std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord, PickUpRecord,
-               DriveRecord>
+               DriveRecord, WorldRecord>
       data;
 };
 

@@ -15,6 +15,7 @@
 #include "sim/events/drive_command.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
+#include "sim/events/world_change.hpp"
 #include "sim/map/grid.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
@@ -59,6 +60,7 @@ struct SimulationConfig {
   std::vector<KidnapSpec> kidnaps;
   std::vector<FaultSpec> faults{};
   std::vector<DriveCommand> commands{};  ///< In order of time.
+  std::vector<WorldChange> changes{};
   /// Events may be added while it runs (`Simulation::add`). A run that is configured with them
   /// gives the same bytes.
   bool open = false;

@@ -47,6 +47,12 @@ FreeSpace Spaces::driving(const SimulationConfig& config, double radius) {
                       [&] { return FreeSpace(drive_grid(config), radius); });
 }
 
+FreeSpace Spaces::driving_around(const SimulationConfig& config, double radius,
+                                 const Eigen::Vector2d& p_map) {
+  require_same(config.world);
+  return FreeSpace::around(drive_grid(config), radius, p_map);
+}
+
 FreeSpace Spaces::landing(const SimulationConfig& config, double radius) {
   require_same(config.world);
   return find_or_make(landing_, Key{config.robot.height, radius},
@@ -55,7 +61,8 @@ FreeSpace Spaces::landing(const SimulationConfig& config, double radius) {
 
 std::shared_ptr<const WalkCells> Spaces::walking(const WorldSpec& world, const Grid& map) {
   require_same(world);
-  if (!walking_) walking_ = std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map)));
+  if (!walking_)
+    walking_ = std::make_shared<const WalkCells>(WalkSpace(body_grid(world, map), parts_));
   return walking_;
 }
 

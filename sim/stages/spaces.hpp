@@ -18,10 +18,16 @@ namespace castaway::sim {
 /// equal maps; std::logic_error is thrown for a world with another number of objects.
 class Spaces {
  public:
+  /// `parts`: where people can walk.
+  explicit Spaces(WalkParts parts = WalkParts::kLargest) : parts_(parts) {}
+
   /// Free space of the map itself for a disc of `radius` [m].
   FreeSpace on_map(const Grid& map, double radius);
   /// Free space of `drive_grid`.
   FreeSpace driving(const SimulationConfig& config, double radius);
+  /// The part of it at a point, or else the largest one; not kept.
+  FreeSpace driving_around(const SimulationConfig& config, double radius,
+                           const Eigen::Vector2d& p_map);
   /// Free space of `landing_grid`.
   FreeSpace landing(const SimulationConfig& config, double radius);
   /// Where people can walk.
@@ -34,6 +40,7 @@ class Spaces {
   const Grid& drive_grid(const SimulationConfig& config);
   const Grid& landing_grid(const SimulationConfig& config);
 
+  WalkParts parts_;
   std::optional<std::size_t> objects_;  ///< Of the world.
   std::map<double, Grid> drive_grids_;  ///< By the height of the robot.
   std::map<double, Grid> landing_grids_;

@@ -89,6 +89,16 @@ PhysicsWorld::~PhysicsWorld() {
   for (const auto& body : bodies_) world_->removeRigidBody(body.get());
 }
 
+void PhysicsWorld::set_objects(const WorldSpec& spec) {
+  while (bodies_.size() > 1) {
+    world_->removeRigidBody(bodies_.back().get());
+    bodies_.pop_back();
+  }
+  shapes_.resize(1);
+  meshes_.clear();
+  add_objects(spec);
+}
+
 void PhysicsWorld::step() { world_->stepSimulation(time_step_, 0); }
 
 /// Many objects are merged into one body per tile of a few square metres: a smaller tree of

@@ -38,6 +38,9 @@ class PhysicsWorld {
   PhysicsWorld(const PhysicsWorld&) = delete;
   PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
+  /// Replaces all objects; the floor stays. @throws std::runtime_error if a mesh cannot be read.
+  void set_objects(const WorldSpec& spec);
+
   /// Advances by one time step.
   void step();
   [[nodiscard]] btDiscreteDynamicsWorld& bullet() { return *world_; }
@@ -57,7 +60,7 @@ class PhysicsWorld {
   FewBodySolver solver_;
   std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
-  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;  ///< The floor's first, as among the shapes.
   std::unique_ptr<OneRobotWorld> world_;
 };
 

@@ -65,6 +65,7 @@ class LiveServer {
       const int err = open((folder / "err.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
       dup2(out, 1);
       dup2(err, 2);
+      fs::current_path(folder);
       execl(CASTAWAY_PROGRAM, "castaway", "live", "--port", "0", "--play", "--set",
             "localizers=[mh_amcl]", nullptr);
       _exit(9);
@@ -102,6 +103,16 @@ class LiveServer {
     const Line line(port());
     line.send_text("GET " + target + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n" +
                    headers + "\r\n");
+    return line.answer();
+  }
+  /// `length`: of the body that is announced; nothing: its own.
+  [[nodiscard]] std::string post(const std::string& target, const std::string& headers,
+                                 const std::string& body,
+                                 std::optional<std::size_t> length = std::nullopt) const {
+    const Line line(port());
+    line.send_text("POST " + target + " HTTP/1.1\r\nHost: " + host() +
+                   "\r\nConnection: close\r\nContent-Length: " +
+                   std::to_string(length.value_or(body.size())) + "\r\n" + headers + "\r\n" + body);
     return line.answer();
   }
   [[nodiscard]] std::string page() const { return get("/?token=" + token(), host()); }
@@ -157,7 +168,8 @@ class LiveAttack : public testing::Test {
     EXPECT_EQ(server_.stop(), 0) << server_.errors();
   }
 
-  LiveServer server_{fresh_folder()};
+  fs::path folder_ = fresh_folder();
+  LiveServer server_{folder_};
 };
 
 TEST_F(LiveAttack, WithoutTheTokenNobodyGetsIn) {
@@ -211,6 +223,26 @@ TEST_F(LiveAttack, LongHeadersAndBodiesAreRefused) {
   expect_unharmed();
 }
 
+TEST_F(LiveAttack, FilesAreKeptOnlyFromTheOwnPageWithinLimits) {
+  const std::string own = "Origin: http://" + server_.host() + "\r\n";
+  const std::string file = "/file?token=" + server_.token() + "&name=";
+  expect_contains(server_.post(file + "a%20b.yaml", own, "x: 1"), "HTTP/1.1 200");
+  EXPECT_EQ(text_of(folder_ / "runs/live-lab-kidnap-1/files/a b.yaml"), "x: 1");
+  expect_contains(server_.post("/file?name=b.yaml", own, "x"), "HTTP/1.1 403");
+  expect_contains(server_.post(file + "b.yaml", "", "x"), "HTTP/1.1 403");
+  expect_contains(server_.post(file + "b.yaml", "Origin: http://evil.example\r\n", "x"),
+                  "HTTP/1.1 403");
+  for (const std::string name : {"..%2Fevil", "%2Fetc%2Fpasswd", "", ".hidden", "a%00b"}) {
+    expect_contains(server_.post(file + name, own, "x"), "HTTP/1.1 400");
+  }
+  expect_contains(server_.get("/report/1?token=" + server_.token(), server_.host()),
+                  "HTTP/1.1 404");
+  EXPECT_EQ(server_.post(file + "big", own, "x", 1'000'000'000).find("200"), std::string::npos);
+  expect_contains(server_.errors(), "refused: no request (body limit exceeded");
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_ / "runs"), {}), 3);
+  expect_unharmed();
+}
+
 TEST_F(LiveAttack, HugeMessagesCloseThePage) {
   send_as_page({text_frame(std::string(200000, 'x'))});
   expect_error("closed a page: a message of more than 64 KiB");
@@ -239,6 +271,7 @@ TEST(Live, RefusesWhatItCannotServe) {
   const fs::path folder = fresh_folder();
   expect_refused(castaway(folder, "live --address nowhere"), {"'nowhere' is no IP address"});
   expect_refused(castaway(folder, "live no-such-scenario"), {"no-such-scenario"});
+  expect_refused(castaway(folder, "live ."), {"report.html", "castaway report"});
   expect_refused(castaway(folder, "live --localizer 'program:python3 mine.py'"),
                  {"is a program", "use a library"});
 }

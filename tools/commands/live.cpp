@@ -12,12 +12,15 @@
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/files/file.hpp"
 #include "tools/live/live_page.hpp"
 #include "tools/live/live_player.hpp"
 #include "tools/live/server/live_server.hpp"
 #include "tools/live/server/live_token.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/output/file_name.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/play/play.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
@@ -53,6 +56,26 @@ void refuse_programs(const std::vector<LocalizerSpec>& localizers) {
   }
 }
 
+/// runs/live-NAME-1, or the first with a higher number that is free.
+std::filesystem::path free_live_folder(const std::string& name) {
+  for (int number = 1;; ++number) {
+    std::filesystem::path folder = fmt::format("runs/live-{}-{}", file_name_of(name), number);
+    if (!std::filesystem::exists(folder)) return folder;
+  }
+}
+
+/// Plays a scenario whose report somebody asked for.
+void play_for_report(const LoadedScenario& loaded, const std::filesystem::path& base,
+                     const std::filesystem::path& out) {
+  LoadedScenario scenario = loaded;
+  scenario.scenario.outputs.report = true;
+  PlayOptions options;
+  options.base = base;
+  options.out = out;
+  options.quiet = true;
+  (void)play_to_the_end(scenario, options);
+}
+
 /// Starts the process of the run. Returns the line to it.
 int start_player(const LiveSetup& setup) {
   std::array<int, 2> ends{};  // Ours, the run's.
@@ -73,35 +96,71 @@ int start_player(const LiveSetup& setup) {
   return ends[0];
 }
 
-int run_live(const LiveArguments& arguments) {
-  const std::filesystem::path file = file_of_live(arguments);
-  LiveSetup setup{load_scenario(file, overrides_of_live(arguments)), file.parent_path(),
-                  arguments.play};
-  refuse_programs(setup.scenario.scenario.localizers);
+LiveServerOptions server_options(const LiveArguments& arguments) {
   LiveServerOptions options;
   options.address = arguments.address;
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.token = random_token();
-  options.page = live_page(setup.scenario.scenario.name);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // Copies of the run outlive the one that made them.
-  std::signal(SIGCHLD, SIG_IGN);     // Nobody waits for them.
-  LiveServer server(std::move(options), start_player(setup));
+  return options;
+}
+
+/// A line to a run that is over: nobody speaks at the other end, which stays open.
+int open_silent_line() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
+    throw std::runtime_error("cannot start: no socket");
+  }
+  return ends[0];
+}
+
+int serve(LiveServerOptions options, int line) {
+  LiveServer server(std::move(options), line);
   fmt::print("{}\n", server.url());
   std::fflush(stdout);
   const bool ended =
-      server.serve([](const std::string& line) { fmt::print(stderr, "castaway: {}\n", line); });
+      server.serve([](const std::string& text) { fmt::print(stderr, "castaway: {}\n", text); });
   if (!ended) return kDone;
   fmt::print(stderr, "castaway: the run ended\n");
   return kRunFailed;
 }
 
+/// Shows the report of a finished run.
+int show_run(const LiveArguments& arguments) {
+  const std::filesystem::path report = std::filesystem::path(arguments.scenario) / "report.html";
+  if (!std::filesystem::is_regular_file(report)) {
+    throw std::runtime_error("there is no " + report.string() +
+                             ": 'castaway report' makes the report of a run's folder");
+  }
+  LiveServerOptions options = server_options(arguments);
+  options.page = read_file(report);
+  return serve(std::move(options), open_silent_line());
+}
+
+int run_live(const LiveArguments& arguments) {
+  if (std::filesystem::is_directory(arguments.scenario)) return show_run(arguments);
+  const std::filesystem::path file = file_of_live(arguments);
+  LiveSetup setup{load_scenario(file, overrides_of_live(arguments)), file.parent_path(),
+                  arguments.play};
+  refuse_programs(setup.scenario.scenario.localizers);
+  setup.reports = free_live_folder(setup.scenario.scenario.name);
+  setup.files = setup.reports / "files";
+  setup.report = play_for_report;
+  LiveServerOptions options = server_options(arguments);
+  options.page = live_page(setup.scenario.scenario.name);
+  options.reports = setup.reports;
+  options.files = setup.files;
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // Copies of the run outlive the one that made them.
+  std::signal(SIGCHLD, SIG_IGN);     // Nobody waits for them.
+  return serve(std::move(options), start_player(setup));
+}
 }  // namespace
 
 void add_live_command(Command& app) {
   auto a = std::make_shared<LiveArguments>();
   Command command = app.add_command(
       "live", "A run in the browser: kidnap the robot, break sensors, drive, and save it all");
-  command.add_option("scenario", a->scenario, "A scenario's name or file (default: lab/kidnap)");
+  command.add_option("scenario", a->scenario,
+                     "A scenario's name or file, or a finished run's folder (default: lab/kidnap)");
   command.add_option("--set", a->sets, "key=value, as in a scenario; repeat for several")
       .repeatable();
   command
@@ -117,6 +176,7 @@ void add_live_command(Command& app) {
       "Examples:\n"
       "  castaway live\n"
       "  castaway live office/people --port 9000\n"
+      "  castaway live runs/lab-kidnap/seed-1\n"
       "  castaway live --localizer mh_amcl --localizer amcl --set people.count=10");
   command.action([a] { return run_live(*a); });
 }

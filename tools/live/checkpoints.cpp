@@ -1,78 +1,41 @@
 #include "tools/live/checkpoints.hpp"
 
-#include <sys/types.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <limits>
-#include <stdexcept>
+
+#include "tools/live/pipes.hpp"
 
 namespace castaway::testbed {
-namespace {
-
-[[noreturn]] void fail_to_copy() {
-  throw std::runtime_error(std::string("cannot keep a moment of the run: ") + std::strerror(errno));
-}
-
-/// All bytes until the end of the file.
-std::string read_to_end(int file) {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (true) {
-    const ssize_t count = read(file, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-}
-
-void write_whole(int file, const std::string& text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const ssize_t count = write(file, text.data() + at, text.size() - at);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;  // It has ended.
-    at += static_cast<std::size_t>(count);
-  }
-}
-
-}  // namespace
 
 Checkpoints::~Checkpoints() {
   for (const Sleeper& sleeper : sleepers_) close(sleeper.line);
 }
 
 std::optional<std::string> Checkpoints::keep(localization::Stamp now) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) fail_to_copy();
-  std::fflush(nullptr);  // Buffered output would be written twice.
-  const pid_t process = fork();
-  if (process < 0) {
-    for (const int end : ends) close(end);
-    fail_to_copy();
-  }
-  if (process > 0) {
-    close(ends[0]);
-    sleepers_.push_back({now, ends[1]});
+  const Pipe line = open_pipe();
+  if (fork_with(line) > 0) {
+    close(line.out);
+    sleepers_.push_back({now, line.in});
     thin();
     return std::nullopt;
   }
-  close(ends[1]);
-  std::string woken_with = read_to_end(ends[0]);
-  close(ends[0]);
+  close(line.in);
+  std::string woken_with = read_line(line.out);
+  close(line.out);
   if (woken_with.empty()) _exit(0);
   return woken_with;
+}
+
+void Checkpoints::clear() {
+  while (!sleepers_.empty()) give_up(sleepers_.size() - 1);
 }
 
 bool Checkpoints::wake(localization::Stamp time, const std::string& with) {
   for (std::size_t i = sleepers_.size(); i-- > 0;) {
     if (sleepers_[i].time > time) continue;
-    write_whole(sleepers_[i].line, with);
-    give_up(i);  // The end of the file: it has all of the text.
-    return true;
+    if (write_whole(sleepers_[i].line, with + "\n")) return true;
+    give_up(i);  // Another copy had given it up.
   }
   return false;
 }
@@ -83,7 +46,9 @@ std::vector<localization::Stamp> Checkpoints::times() const {
   return times;
 }
 
+/// Copies have this end of the line, too: an end of the file would never come.
 void Checkpoints::give_up(std::size_t index) {
+  write_whole(sleepers_[index].line, "\n");
   close(sleepers_[index].line);
   sleepers_.erase(sleepers_.begin() + static_cast<std::ptrdiff_t>(index));
 }

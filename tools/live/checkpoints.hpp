@@ -19,13 +19,16 @@ class Checkpoints {
   Checkpoints(const Checkpoints&) = delete;
   Checkpoints& operator=(const Checkpoints&) = delete;
 
-  /// Makes a copy at `now`. Returns nothing at once; in the copy, what it was woken with. If there
-  /// are too many, one is given up, so that those of the past are sparser; the first one stays.
-  /// Throws std::runtime_error if no process can be started.
+  /// Makes a copy at `now`. Returns nothing at once; in the copy, the line it was woken with. If
+  /// there are too many, one is given up, so that those of the past are sparser; the first one
+  /// stays. Throws std::runtime_error if no process can be started.
   std::optional<std::string> keep(localization::Stamp now);
   /// Wakes the newest copy that is not after `time`. Returns false if there is none; otherwise this
   /// process must end, and with it the copies after that one.
   bool wake(localization::Stamp time, const std::string& with);
+
+  /// Gives all copies up: the run that they would go on with is over.
+  void clear();
 
   [[nodiscard]] std::vector<localization::Stamp> times() const;
 

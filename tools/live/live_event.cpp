@@ -29,10 +29,18 @@ Json parse_event(const std::string& text) {
   return event;
 }
 
+/// Names an object that is put into the world.
+void name_object(std::size_t number, Json& event) {
+  const std::string kind = event.begin().key();
+  if (kind != "box" && kind != "cylinder") return;
+  if (!event.front().contains("name")) event.front()["name"] = kind + "-" + std::to_string(number);
+}
+
 }  // namespace
 
-LiveEvent read_live_event(const std::string& json, localization::Stamp at) {
+LiveEvent read_live_event(const std::string& json, localization::Stamp at, std::size_t number) {
   Json event = parse_event(json);
+  name_object(number, event);
   event.front()["at_s"] = localization::seconds(at);
   const Json list = {{"events", Json::array({std::move(event)})}};
   // JSON is YAML.

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "localization/geometry/stamp.hpp"
+#include "sim/world/door.hpp"
+#include "sim/world/footprint.hpp"
 #include "tools/records/recording.hpp"
 #include "tools/records/recording_blocks.hpp"
 #include "tools/records/recording_header.hpp"
@@ -59,6 +61,16 @@ bool is_torn_by(const std::vector<RunEvent>& kidnaps, const ScanRecord& record) 
   });
 }
 
+/// As if a door had just been turned.
+RunEvent leaf_event(const sim::Door& door, double open_deg) {
+  const sim::WorldObject leaf = sim::door_leaf(door, open_deg);
+  RunEvent event;
+  event.object = door.name;
+  event.outline = sim::footprint(leaf).points;
+  event.outline_z = {sim::bounds(leaf).min().z(), sim::bounds(leaf).max().z()};
+  return event;
+}
+
 /// Null within 2 mm and 2 mrad of the floor.
 FeedJson lift_json(const Eigen::Isometry3d& T_footprint_base) {
   constexpr double kLevel = 2e-3;
@@ -81,6 +93,15 @@ std::string length_bytes(std::size_t size) {
 LiveFeed::LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m)
     : header_(recording_header(info, map, robot_radius_m)), cells_(pack_cells(map)) {}
 
+void LiveFeed::set_doors(const sim::WorldSpec& world) {
+  FeedJson doors = FeedJson::array();
+  for (const sim::Door& door : world.doors) {
+    doors.push_back(change_entry(leaf_event(door, door.open_deg)));
+    doors.back()["closed"] = change_entry(leaf_event(door, 0.0))["outline"];
+  }
+  header_["doors"] = std::move(doors);
+}
+
 FeedJson LiveFeed::hello() const {
   FeedJson hello = header_;
   hello["cells"] = base64(cells_);
@@ -94,6 +115,7 @@ void LiveFeed::on_event(const RunEvent& event) {
                      {"localizer", event.localizer},
                      {"from", pose_json(event.T_map_from)},
                      {"to", pose_json(event.T_map_to)}});
+  if (!event.object.empty()) events_.back()["change"] = change_entry(event);
   if (event.kind != EventKind::kKidnap) return;
   if (kidnaps_.size() == kKeptKidnaps) kidnaps_.erase(kidnaps_.begin());
   kidnaps_.push_back(event);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/world/world_spec.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
@@ -31,8 +32,12 @@ class LiveFeed final : public RunSink {
   void on_scan(const ScanRecord& record) override;
   void finish(Stamp, const RunTiming&) override {}
 
+  /// Tells pages of a world's doors: [{name, outline, z, closed}], `closed` being the
+  /// outline of its leaf when it is closed; otherwise as in `change_entry`.
+  void set_doors(const sim::WorldSpec& world);
+
   /// The header of a recording (`recording_header`) with `cells`: the map as `pack_cells`, in
-  /// base64.
+  /// base64, and `doors`.
   [[nodiscard]] nlohmann::ordered_json hello() const;
 
   /// A frame: the length of its JSON in four bytes, lowest first, the JSON, and blocks of bytes.
@@ -55,7 +60,8 @@ class LiveFeed final : public RunSink {
   /// Leaves out what was not told yet, but the newest scan.
   void forget();
 
-  /// The events since the last call: [{time, kind, detail, localizer, from, to}].
+  /// The events since the last call: [{time, kind, detail, localizer, from, to}], with `change`
+  /// (`change_entry`) where the world changed.
   nlohmann::ordered_json take_events();
 
  private:

@@ -1,23 +1,25 @@
 #include "tools/live/live_player.hpp"
 
-#include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <csignal>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/live/checkpoints.hpp"
 #include "tools/live/live_clock.hpp"
 #include "tools/live/live_feed.hpp"
+#include "tools/live/live_line.hpp"
+#include "tools/live/live_loading.hpp"
+#include "tools/live/live_report.hpp"
 #include "tools/live/live_run.hpp"
-#include "tools/live/wire.hpp"
+#include "tools/live/live_trial.hpp"
+#include "tools/output/file_name.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -33,9 +35,6 @@ constexpr double kCheckpointEvery = 10.0;         // [s] Of simulated time.
 constexpr double kSlowest = 0.1;
 constexpr double kFastest = 100.0;
 
-/// The line to the pages is cut.
-struct LineCut {};
-
 /// A moment to go to: where a woken copy goes on.
 struct GoTo {
   Stamp time{};
@@ -44,25 +43,25 @@ struct GoTo {
 
 class LivePlayer {
  public:
-  LivePlayer(const LiveSetup& setup, int socket) : setup_(setup), socket_(socket) {}
+  LivePlayer(LiveSetup setup, int socket) : setup_(std::move(setup)), line_(socket) {}
 
   void play() {
     keep_checkpoint();
     build();
+    say_hello();
+    if (!undone_) say_scene();
     if (setup_.playing && !goal_) clock_.play(wall_time(), run_->now());
     while (true) turn();
   }
 
  private:
   void build() {
-    run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, worlds_,
+    run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, *worlds_,
                                      [this](const RunInfo& info, const RosMap& map, double radius) {
                                        auto feed = std::make_unique<LiveFeed>(info, map, radius);
                                        feed_ = feed.get();
                                        return feed;
                                      });
-    say_hello();
-    if (!undone_) say_scene();
   }
 
   /// A copy that is woken goes on here, with a goal.
@@ -93,6 +92,7 @@ class LivePlayer {
     clock_.set_speed(goal_->speed, wall_time(), run_->now());
     goal_.reset();
     say_hello();
+    say_scene();  // Its doors and boxes are those of this moment.
     tell();
   }
 
@@ -117,16 +117,7 @@ class LivePlayer {
     if (clock_.is_playing()) {
       patience = std::min(patience, clock_.until(run_->now() + Stamp(1), wall_time()));
     }
-    pollfd file{socket_, POLLIN, 0};
-    const auto wait_ms =
-        std::chrono::ceil<milliseconds>(std::max(patience, nanoseconds(0))).count();
-    if (::poll(&file, 1, static_cast<int>(wait_ms)) <= 0) return;
-    std::array<char, 65536> buffer{};
-    const ssize_t count = recv(socket_, buffer.data(), buffer.size(), 0);
-    if (count < 0 && errno == EINTR) return;
-    if (count <= 0) throw LineCut{};
-    reader_.take({buffer.data(), static_cast<std::size_t>(count)});
-    while (const auto message = reader_.next()) obey(message->body);
+    for (const std::string& command : line_.hear(patience)) obey(command);
   }
 
   void obey(const std::string& text) {
@@ -134,9 +125,9 @@ class LivePlayer {
       const PlayerJson command = PlayerJson::parse(text);
       obey(command.at("do").get<std::string>(), command);
     } catch (const PlayerJson::exception&) {
-      say({{"said", "error"}, {"text", "not a command"}});
+      line_.say({{"said", "error"}, {"text", "not a command"}});
     } catch (const std::exception& error) {
-      say({{"said", "error"}, {"text", error.what()}});
+      line_.say({{"said", "error"}, {"text", error.what()}});
     }
   }
 
@@ -155,11 +146,16 @@ class LivePlayer {
       clock_.set_speed(speed, wall_time(), run_->now());
     } else if (what == "event") {
       const Stamp at = run_->add(command.at("event").dump());
-      say({{"said", "done"}, {"event", command.at("event")}, {"at_s", localization::seconds(at)}});
+      line_.say(
+          {{"said", "done"}, {"event", command.at("event")}, {"at_s", localization::seconds(at)}});
     } else if (what == "back") {
       go_back(localization::from_seconds(command.at("to_s").get<double>()));
     } else if (what == "save") {
-      say({{"said", "scenario"}, {"yaml", run_->scenario()}});
+      line_.say({{"said", "scenario"}, {"yaml", run_->scenario()}});
+    } else if (what == "report") {
+      begin_report();
+    } else if (what == "load") {
+      load(command.at("file").get<std::string>());
     } else {
       throw std::runtime_error("unknown command '" + what + "'");
     }
@@ -173,24 +169,73 @@ class LivePlayer {
     if (checkpoints_.wake(time, order.dump())) _exit(0);
   }
 
+  void begin_report() {
+    std::filesystem::path out;
+    do {  // A run that went back has forgotten some.
+      out = setup_.reports / std::to_string(++reports_);
+    } while (std::filesystem::exists(out));
+    report_.start(
+        [&] {
+          YamlDocument played = YamlDocument::parse(run_->scenario(), "live");
+          setup_.report(read_scenario(std::move(played), setup_.base, setup_.scenario.scenario.name,
+                                      FilePrograms::kAllowed),
+                        setup_.base, out);
+        },
+        line_.socket());
+  }
+
+  void tell_of_report() {
+    const auto outcome = report_.outcome();
+    if (!outcome) return;
+    if (!outcome->empty())
+      return line_.say({{"said", "error"}, {"text", "no report: " + *outcome}});
+    line_.say({{"said", "report"},
+               {"number", reports_},
+               {"folder", (setup_.reports / std::to_string(reports_)).string()}});
+  }
+
+  /// Another run takes the place of this one, unless it cannot be built.
+  void load(const std::string& name) {
+    if (!file_name_error(name).empty()) throw std::runtime_error("no file of a page");
+    LoadedScenario scenario = with_file(setup_.scenario, setup_.files / name);
+    try_in_copy([&] {
+      checkpoints_.clear();
+      run_.reset();
+      worlds_ = std::make_unique<SharedWorlds>();
+      setup_.scenario = std::move(scenario);
+      build();
+    });
+    undone_ = false;
+    clock_.pause();
+    keep_checkpoint();
+    line_.say({{"said", "loaded"}, {"file", name}});
+    say_hello();
+    if (!goal_) say_scene();
+  }
+
   void tell() {
+    tell_of_report();
     next_frame_ = wall_time() + kFramePeriod;
     const PlayerJson events = feed_->take_events();
-    if (!events.empty()) say({{"said", "events"}, {"events", events}});
+    if (!events.empty()) line_.say({{"said", "events"}, {"events", events}});
+    const bool changed = std::ranges::any_of(
+        events, [](const PlayerJson& event) { return event.at("kind") == "world"; });
+    if (changed) say_scene();
     if (run_->now() == told_ && !feed_->has_news()) return say_status_now_and_then();
     told_ = run_->now();
-    send(WireKind::kFrame, feed_->take_frame({run_->now(), run_->true_pose(), run_->estimates(),
-                                              run_->T_footprint_base()}));
+    line_.show(feed_->take_frame(
+        {run_->now(), run_->true_pose(), run_->estimates(), run_->T_footprint_base()}));
     say_status_now_and_then();
   }
 
   void say_hello() {
-    say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
+    feed_->set_doors(run_->world());
+    line_.say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
     say_status();
   }
 
   /// Pages keep the last one.
-  void say_scene() { send(WireKind::kSaid, R"({"said":"scene","scene":)" + run_->scene() + "}"); }
+  void say_scene() { line_.say_text(R"({"said":"scene","scene":)" + run_->scene() + "}"); }
 
   void say_status_now_and_then() {
     if (wall_time() >= next_status_) say_status();
@@ -201,39 +246,25 @@ class LivePlayer {
     const double elapsed = localization::seconds(wall - status_wall_);
     const double times_real =
         elapsed > 0.0 ? localization::seconds(run_->now() - status_now_) / elapsed : 0.0;
-    say({{"said", "status"},
-         {"playing", clock_.is_playing()},
-         {"speed", clock_.speed()},
-         {"now_s", localization::seconds(run_->now())},
-         {"times_real", times_real}});
+    line_.say({{"said", "status"},
+               {"playing", clock_.is_playing()},
+               {"speed", clock_.speed()},
+               {"now_s", localization::seconds(run_->now())},
+               {"times_real", times_real}});
     status_wall_ = wall;
     status_now_ = run_->now();
     next_status_ = wall + std::chrono::seconds(1);
   }
 
-  void say(const PlayerJson& json) {
-    send(WireKind::kSaid, json.dump(-1, ' ', false, PlayerJson::error_handler_t::replace));
-  }
-
-  void send(WireKind kind, const std::string& body) {
-    const std::string bytes = to_wire(kind, body);
-    std::size_t at = 0;
-    while (at < bytes.size()) {
-      const ssize_t count = ::send(socket_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) throw LineCut{};
-      at += static_cast<std::size_t>(count);
-    }
-  }
-
-  const LiveSetup& setup_;
-  int socket_;
-  SharedWorlds worlds_;
+  LiveSetup setup_;
+  LiveLine line_;
+  std::unique_ptr<SharedWorlds> worlds_ = std::make_unique<SharedWorlds>();
   Checkpoints checkpoints_;
+  LiveReport report_;
+  int reports_ = 0;  ///< Begun so far.
   std::unique_ptr<LiveRun> run_;
   LiveFeed* feed_ = nullptr;
   LiveClock clock_;
-  WireReader reader_;
   std::optional<GoTo> goal_;
   bool undone_ = false;
   Stamp next_checkpoint_{};

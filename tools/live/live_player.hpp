@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "tools/scenario/scenario_file.hpp"
 
@@ -12,6 +13,14 @@ struct LiveSetup {
   LoadedScenario scenario;
   std::filesystem::path base;  ///< Folder of the scenario's file.
   bool playing = false;        ///< From the beginning on.
+  /// Where files lie that pages brought (`LiveFiles`).
+  std::filesystem::path files{};
+  /// Plays a scenario and leaves a run folder with a report in `out`, which must not exist. `base`:
+  /// the folder of the scenario's file. Throws std::exception if it fails.
+  std::function<void(const LoadedScenario& scenario, const std::filesystem::path& base,
+                     const std::filesystem::path& out)>
+      report{};
+  std::filesystem::path reports{};  ///< Folder for them: "1", "2"...
 };
 
 /// Plays until the other end of `socket` is closed: takes commands, as JSON, and says what happens
@@ -21,13 +30,18 @@ struct LiveSetup {
 ///   {"do": "event", "event": {...}}          `read_live_event`
 ///   {"do": "back", "to_s": 12.5}             events after that time are undone
 ///   {"do": "save"}                           the scenario that repeats the run until now
+///   {"do": "report"}                         plays that and makes a report
+///   {"do": "load", "file": "map.yaml"}       another run, in this world or with this robot
 /// It says
 ///   {"said": "hello", "run": {...}}          `LiveFeed::hello`; also at the start and after "back"
-///   {"said": "scene", "scene": {...}}        `page_scene_json`; after the first hello
+///   {"said": "scene", "scene": {...}}        `page_scene_json`; after a hello, and when
+///                                            the world changed
 ///   {"said": "status", "playing", "speed", "now_s", "times_real"}
 ///   {"said": "events", "events": [...]}      `LiveFeed::take_events`
 ///   {"said": "done", "event": {...}, "at_s"} an event of a hand took place
 ///   {"said": "scenario", "yaml": "..."}
+///   {"said": "report", "number": 1, "folder": "..."}
+///   {"said": "loaded", "file": "map.yaml"}   the hello of another run follows
 ///   {"said": "error", "text": "..."}         of one line
 /// A run that cannot be built or played is an error, and the end.
 void play_live(const LiveSetup& setup, int socket);

@@ -48,6 +48,7 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
 }
 
 std::string LiveRun::scene() {
+  scene_.world = page_world(source_->world());
   scene_.people = source_->people_bodies();
   return page_scene_json(scene_, kLiveSceneBytes);
 }
@@ -56,7 +57,7 @@ bool LiveRun::step() { return loop_->step(*source_); }
 
 /// The simulator's events take place at its next step, a localizer's after the last delivery.
 Stamp LiveRun::time_of(const std::string& event) const {
-  const LiveEvent now = read_live_event(event, loop_->now());
+  const LiveEvent now = read_live_event(event, loop_->now(), 1);
   return now.specs.orders.empty() ? source_->now() : loop_->now();
 }
 
@@ -65,14 +66,15 @@ void LiveRun::apply(const EventSpecs& specs) {
   for (const sim::KidnapSpec& kidnap : specs.kidnaps) source_->add(kidnap);
   for (const sim::FaultSpec& fault : specs.faults) source_->add(fault);
   for (const sim::DriveCommand& command : specs.commands) source_->add(command);
+  for (const sim::WorldChange& change : specs.changes) source_->add(change);
   for (const LocalizerOrder& order : specs.orders) loop_->add(order);
 }
 
 Stamp LiveRun::add(const std::string& event) {
   const Stamp at = time_of(event);
-  LiveEvent added = read_live_event(event, at);
-  apply(added.specs);
   YamlNode& events = child(scenario_, "events");
+  LiveEvent added = read_live_event(event, at, events.items.size() + 1);
+  apply(added.specs);
   events.kind = YamlNode::Kind::kList;
   events.items.push_back(std::move(added.node));
   return at;

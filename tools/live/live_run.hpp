@@ -45,6 +45,8 @@ class LiveRun {
   /// Adds an event now; see `read_live_event`. Returns its time. Throws std::runtime_error or
   /// std::invalid_argument of one line if it is impossible.
   Stamp add(const std::string& event);
+  /// The world as it is now.
+  [[nodiscard]] const sim::WorldSpec& world() const { return source_->world(); }
   /// The scenario with all events that were added, ending now.
   [[nodiscard]] std::string scenario() const;
 

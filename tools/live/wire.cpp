@@ -22,16 +22,24 @@ std::string to_wire(WireKind kind, std::string_view body) {
   return bytes;
 }
 
+/// Once for each message that is cut, or for all that are read, not for each that is read.
+void WireReader::drop_read() {
+  bytes_.erase(0, read_);
+  read_ = 0;
+}
+
 std::optional<WireMessage> WireReader::next() {
   WireHead head;
-  if (bytes_.size() - read_ < sizeof head) return std::nullopt;
+  if (bytes_.size() - read_ < sizeof head) {
+    drop_read();
+    return std::nullopt;
+  }
   std::memcpy(&head, bytes_.data() + read_, sizeof head);
   if (head.size > kLongest || head.kind < 1 || head.kind > 3) {
     throw std::runtime_error("not a message between server and run");
   }
   if (bytes_.size() - read_ < sizeof head + head.size) {
-    bytes_.erase(0, read_);  // Once for each message that is cut, not for each that is read.
-    read_ = 0;
+    drop_read();
     return std::nullopt;
   }
   WireMessage message{static_cast<WireKind>(head.kind),

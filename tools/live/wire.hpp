@@ -35,7 +35,12 @@ class WireReader {
   /// is none of messages.
   std::optional<WireMessage> next();
 
+  /// Bytes that it holds.
+  [[nodiscard]] std::size_t held() const { return bytes_.size(); }
+
  private:
+  void drop_read();
+
   std::string bytes_;
   std::size_t read_ = 0;
 };

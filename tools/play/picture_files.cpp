@@ -1,5 +1,7 @@
 #include "tools/play/picture_files.hpp"
 
+#include <utility>
+
 #include "sim/scene/bounds.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/scene/visible_scene.hpp"
@@ -13,10 +15,20 @@ std::size_t corners_of(const std::vector<sim::SceneItem>& items) {
   return corners;
 }
 
+/// A world with only those objects that are among `names`, or only the others.
+sim::WorldSpec part_of(sim::WorldSpec world, const std::set<std::string>& names, bool among) {
+  for (sim::WorldObject& object : world.objects) {
+    object.in_world = object.in_world && names.contains(object.name) == among;
+  }
+  return world;
+}
+
 PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   PictureWorld world;
-  world.world = sim::world_visuals(prepared.config.world);
-  std::vector<sim::SceneItem> open = sim::world_visuals_from_above(prepared.config.world);
+  const sim::WorldSpec fixed =
+      part_of(prepared.config.world, changing_objects(prepared.config.changes), false);
+  world.world = sim::world_visuals(fixed);
+  std::vector<sim::SceneItem> open = sim::world_visuals_from_above(fixed);
   if (open.size() < world.world.size() || corners_of(open) < corners_of(world.world)) {
     world.from_above = std::move(open);
     world.from_above.push_back(floor_item(prepared.config.world));
@@ -31,7 +43,8 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   return world;
 }
 
-std::map<int, std::string> instances_of(const sim::WorldSpec& world) {
+std::map<int, std::string> instances_of(const sim::SimulationConfig& config) {
+  const sim::WorldSpec world = sim::world_after(config.world, config.changes);
   std::map<int, std::string> instances;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     instances[sim::kFirstObjectInstance + static_cast<int>(i)] = world.objects[i].name;
@@ -40,6 +53,29 @@ std::map<int, std::string> instances_of(const sim::WorldSpec& world) {
 }
 
 }  // namespace
+
+std::set<std::string> changing_objects(const std::vector<sim::WorldChange>& changes) {
+  std::set<std::string> names;
+  for (const sim::WorldChange& change : changes) {
+    names.insert(sim::name_of(change));
+    names.insert(sim::name_of(change) + "/leaf");
+  }
+  return names;
+}
+
+std::function<std::vector<sim::SceneItem>()> moving_items(const SimulatorSource& source,
+                                                          bool people,
+                                                          std::set<std::string> changing) {
+  if (!people && changing.empty()) return {};
+  return [&source, changing = std::move(changing)] {
+    std::vector<sim::SceneItem> items = source.people_items();
+    if (changing.empty()) return items;
+    for (sim::SceneItem& item : sim::world_visuals(part_of(source.world(), changing, true))) {
+      items.push_back(std::move(item));
+    }
+    return items;
+  };
+}
 
 RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& video,
                        const PreparedSimulation& prepared) {
@@ -55,7 +91,7 @@ RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& v
                             robot_items(prepared.config.robot, prepared.config.lidars)};
   }
   files.camera = outputs.camera;
-  if (outputs.camera) files.instances = instances_of(prepared.config.world);
+  if (outputs.camera) files.instances = instances_of(prepared.config);
   if (outputs.snapshots) files.pictures = outputs.pictures;
   if (video.empty()) return files;
   files.film = outputs.video;

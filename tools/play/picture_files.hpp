@@ -2,10 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "tools/play/run_files.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/sources/build_simulation.hpp"
+#include "tools/sources/simulator_source.hpp"
 
 namespace castaway::testbed {
 
@@ -13,5 +18,14 @@ namespace castaway::testbed {
 /// empty, with the world that they show.
 RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& video,
                        const PreparedSimulation& prepared);
+
+/// What moves in pictures of a run: people, and what its events change. `source` must outlive it;
+/// nothing if nothing moves.
+std::function<std::vector<sim::SceneItem>()> moving_items(const SimulatorSource& source,
+                                                          bool people,
+                                                          std::set<std::string> changing);
+
+/// Names of the objects that changes put, take away or turn.
+std::set<std::string> changing_objects(const std::vector<sim::WorldChange>& changes);
 
 }  // namespace castaway::testbed

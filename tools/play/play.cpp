@@ -1,5 +1,9 @@
 #include "tools/play/play.hpp"
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "localization/geometry/stamp.hpp"
@@ -28,11 +32,24 @@ void enable_intensities(sim::SimulationConfig& config) {
   }
 }
 
+/// With everything that events put into it.
+sim::WorldSpec final_world(const sim::SimulationConfig& config) {
+  return sim::world_after(config.world, config.changes);
+}
+
+/// True if there are people at any time.
+bool has_people(const sim::SimulationConfig& config) {
+  return config.people.count() > 0 ||
+         std::ranges::any_of(config.changes, [](const sim::WorldChange& change) {
+           return std::holds_alternative<sim::AddPeople>(change.what);
+         });
+}
+
 void add_scan_files(const OutputSpec& outputs, PreparedSimulation& prepared, RunFiles& files) {
   files.points_every_s = outputs.points_every_s;
   if (!outputs.scans) return;
   enable_intensities(prepared.config);
-  files.label_name = [world = prepared.config.world](int label) {
+  files.label_name = [world = final_world(prepared.config)](int label) {
     return sim::hit_name(world, label);
   };
 }
@@ -42,7 +59,7 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   files.tables_csv = scenario.outputs.tables_csv;
   files.tables_hdf5 = scenario.outputs.tables_hdf5;
   if (!files.tables_csv && !files.tables_hdf5 && options.sinks.empty()) return;
-  LabelContext labels{hit_legend(prepared.config.world), {}};
+  LabelContext labels{hit_legend(final_world(prepared.config)), {}};
   labels.ambiguity =
       options.scores ? *options.scores
                      : map_scores(scenario, options.base, prepared.config.lidars.front()).places;
@@ -59,7 +76,7 @@ BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepar
     bag.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
   }
   bag.robot_file = robot.path;
-  bag.label_name = [world = prepared.config.world](int label) {
+  bag.label_name = [world = final_world(prepared.config)](int label) {
     return sim::hit_name(world, label);
   };
   return bag;
@@ -82,7 +99,7 @@ RunFiles files_of(const PlayOptions& options, const LoadedScenario& loaded,
   const Scenario& scenario = loaded.scenario;
   RunFiles files = picture_files(scenario.outputs, options.video, prepared);
   files.timing = options.timing;
-  if (scenario.people.config.count() > 0) files.people_every_s = scenario.people.log_every_s;
+  if (has_people(prepared.config)) files.people_every_s = scenario.people.log_every_s;
   add_scan_files(scenario.outputs, prepared, files);
   add_tables(options, scenario, prepared, files);
   add_exports(loaded, prepared, files);
@@ -96,11 +113,8 @@ RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
 }
 
 /// Lets pictures and bags read the state of the simulator, which must outlive the sinks.
-void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels, bool people,
-             RunFiles& files) {
+void connect(const SimulatorSource& source, std::vector<sim::DriveWheel> wheels, RunFiles& files) {
   files.picture_world.T_footprint_base = [&source] { return source.T_footprint_base(); };
-  if (people) files.picture_world.moving = [&source] { return source.people_items(); };
-  if (people && files.scene) files.scene->people = source.people_bodies();
   if (!files.exports.bag) return;
   files.exports.bag->drive = [&source, wheels = std::move(wheels)] {
     return source.drive_now(wheels);
@@ -133,9 +147,12 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
                                     {prepared.map, {}, lidars_of(prepared.config.lidars), folder},
                                     scenario.seed, options.models);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
+  std::set<std::string> changing = changing_objects(prepared.config.changes);
+  const bool people = has_people(prepared.config);
   auto source = build_source(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose());
-  connect(*source, std::move(wheels), scenario.people.config.count() > 0, files);
+  connect(*source, std::move(wheels), files);
+  files.picture_world.moving = moving_items(*source, people, std::move(changing));
   if (files.exports.bag && run.loop.start) files.exports.bag->start = run.loop.start->T_map_base;
   write_file(folder / "scenario.yaml", loaded.effective);
   const auto labels = files.labels;

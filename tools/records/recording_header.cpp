@@ -1,7 +1,10 @@
 #include "tools/records/recording_header.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "localization/geometry/stamp.hpp"
 #include "tools/records/recording.hpp"
 
 namespace castaway::testbed {
@@ -26,6 +29,9 @@ HeaderJson lidar_entry(const LaserScan& scan, std::size_t stride) {
           {"T_base_laser", matrix(scan.T_base_laser)}};
 }
 
+/// [m] To a whole millimetre.
+double millimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
+
 }  // namespace
 
 HeaderJson recording_header(const RunInfo& info, const RosMap& map, double robot_radius_m) {
@@ -43,6 +49,17 @@ HeaderJson recording_header(const RunInfo& info, const RosMap& map, double robot
             {"time", kRecordingTime}}},
           {"map", map_header(map)},
           {"lidars", HeaderJson::array()}};
+}
+
+HeaderJson change_entry(const RunEvent& event) {
+  HeaderJson outline = HeaderJson::array();
+  for (const Eigen::Vector2d& p : event.outline) {
+    outline.push_back({millimetres(p.x()), millimetres(p.y())});
+  }
+  return {{"time", localization::seconds(event.stamp)},
+          {"name", event.object},
+          {"outline", std::move(outline)},
+          {"z", {millimetres(event.outline_z.x()), millimetres(event.outline_z.y())}}};
 }
 
 std::size_t recorded_lidar(const LaserScan& scan, std::size_t stride, HeaderJson& header) {

@@ -15,6 +15,11 @@ namespace castaway::testbed {
 nlohmann::ordered_json recording_header(const RunInfo& info, const RosMap& map,
                                         double robot_radius_m);
 
+/// A change of the world, for the list `changes` in the header: {time [s], name, outline: [[x, y],
+/// ...], z: [lower, upper]} [m]. If the outline is empty, nothing of that name stands there any
+/// more.
+nlohmann::ordered_json change_entry(const RunEvent& event);
+
 /// Index of the scan's lidar in the header; it is added at its first scan. `stride`: of the beams
 /// that are kept.
 std::size_t recorded_lidar(const LaserScan& scan, std::size_t stride,

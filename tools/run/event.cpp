@@ -6,9 +6,9 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::array<const char*, 13> kNames = {
-    "kidnap",   "pick-up",   "collision", "fault on", "fault off", "driving",         "void",
-    "alarm on", "alarm off", "recovery",  "warning",  "operator",  "localizer failed"};
+constexpr std::array<const char*, 14> kNames = {
+    "kidnap",   "pick-up",   "collision", "fault on", "fault off", "driving",          "void",
+    "alarm on", "alarm off", "recovery",  "warning",  "operator",  "localizer failed", "world"};
 
 }  // namespace
 

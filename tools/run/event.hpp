@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "localization/localizer.hpp"
 
@@ -24,6 +27,7 @@ enum class EventKind : std::uint8_t {
   kWarning,    ///< A remark for the reader of the run.
   kOperator,   ///< An operator restarted a localizer, or switched it off or on.
   kFailure,    ///< A localizer failed; the run goes on without it.
+  kWorld,      ///< Something was put into the world, taken away, opened or closed; people came.
 };
 
 /// The name in files: "kidnap", "pick-up", "collision", "fault on", ...
@@ -41,6 +45,9 @@ struct RunEvent {
   std::optional<localization::SE2> T_map_to;    ///< True pose of base after.
   std::optional<localization::Stamp> since{};   ///< Its beginning; nothing: an instantaneous event.
   std::string localizer{};                      ///< That it is about; empty: it is about the run.
+  std::string object{};                         ///< Of the world, that changed; empty: none.
+  std::vector<Eigen::Vector2d> outline{};  ///< [m] Of what stands there now, in map; may be empty.
+  Eigen::Vector2d outline_z{0.0, 0.0};     ///< [m] Its lower and its upper end.
 
   /// Its beginning.
   [[nodiscard]] localization::Stamp begun() const { return since.value_or(stamp); }

@@ -15,6 +15,7 @@
 #include "tools/scenario/sections/operator_events.hpp"
 #include "tools/scenario/sections/output_spec.hpp"
 #include "tools/scenario/sections/people_spec.hpp"
+#include "tools/scenario/sections/world_events.hpp"
 #include "tools/scenario/world/difference_spec.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/settings.hpp"
@@ -144,6 +145,10 @@ std::vector<SettingText> scenario_settings() {
   fields(under("events[].drive."), command);
   LocalizerOrder order;
   fields(under("events[].localizer."), order);
+  for (const char* name : kWorldEvents) {
+    sim::WorldChange change;
+    fields(under(std::string("events[].") + name + "."), name, "", change);
+  }
   fields(under("people."), scenario.people);
   describe_localizers(texts);
   describe_outputs(under("outputs."));

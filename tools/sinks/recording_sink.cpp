@@ -46,6 +46,9 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
 
 void RecordingSink::on_event(const RunEvent& event) {
   if (event.kind == EventKind::kKidnap) kidnaps_.push_back(event);
+  if (event.kind == EventKind::kWorld && !event.object.empty()) {
+    header_["changes"].push_back(change_entry(event));
+  }
 }
 
 bool RecordingSink::is_torn(const ScanRecord& record) const {

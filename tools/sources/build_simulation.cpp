@@ -115,6 +115,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
       config.robot);
   config.kidnaps = scenario.events.kidnaps;
   config.commands = scenario.events.commands;
+  config.changes = scenario.events.changes;
   config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;

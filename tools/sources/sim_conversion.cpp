@@ -1,6 +1,7 @@
 #include "tools/sources/sim_conversion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "tools/sources/scan_truth.hpp"
 
@@ -82,6 +83,13 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
     const SE2 T_map_base = to_se2(driving->T_map_base);
     return {frame.stamp,
             RunEvent{driving->stamp, EventKind::kDriving, driving->what, T_map_base, T_map_base}};
+  }
+  if (const auto* change = std::get_if<sim::WorldRecord>(&frame.data)) {
+    RunEvent event{change->stamp, EventKind::kWorld, change->what, {}, {}};
+    event.object = change->name;
+    event.outline = change->outline;
+    event.outline_z = change->z;
+    return {frame.stamp, std::move(event)};
   }
   if (const auto* hit = std::get_if<sim::PersonHit>(&frame.data)) {
     const SE2 T_map_base = to_se2(hit->T_map_base_true);

@@ -44,6 +44,9 @@ class SimulatorSource final : public SensorSource {
   void add(const sim::KidnapSpec& kidnap) { simulation_.add(kidnap); }
   void add(const sim::FaultSpec& fault) { simulation_.add(fault); }
   void add(const sim::DriveCommand& command) { simulation_.add(command); }
+  void add(const sim::WorldChange& change) { simulation_.add(change); }
+  /// The world as it is now.
+  [[nodiscard]] const sim::WorldSpec& world() const { return simulation_.world(); }
   /// Time of the next step, and the true pose of base then.
   [[nodiscard]] Stamp now() const { return simulation_.now(); }
   [[nodiscard]] SE2 true_pose() const { return to_se2(simulation_.true_pose()); }

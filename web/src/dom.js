@@ -11,6 +11,12 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/** Shows or hides an element. If it had the focus, `heir` gets it. */
+export function reveal(it, shown, heir) {
+  if (!shown && document.activeElement === it) heir.focus();
+  it.hidden = !shown;
+}
+
 /** "83.1" seconds as "83.1 s"; from 100 s on also in minutes: "1:43.1". */
 export function clockText(seconds) {
   if (seconds < 100) return `${seconds.toFixed(1)} s`;

@@ -5,6 +5,7 @@ import {beamEnds, beamsOf, peopleOf, populationsOf} from './details.js';
 import {kDashes, outline, pick} from './palette.js';
 import {pieces, poseAt} from './poses.js';
 import {toScreen} from './view.js';
+import {worldAt} from './world_changes.js';
 
 const kTrail = 12;  // [s]
 const kKidnapShown = 3;  // [s]
@@ -91,6 +92,23 @@ export function drawScan(context, scene) {
       context.fillRect(px - 1.5, py - 1.5, 3, 3);
     }
   }
+}
+
+/** Doors, and what was put into the world. */
+export function drawWorld(context, {recording, view, colors, time}) {
+  context.save();
+  context.lineWidth = 1.5;
+  for (const {outline: corners, door} of worldAt(recording.header, recording.changes, time).values()) {
+    context.beginPath();
+    for (const [x, y] of corners) context.lineTo(...toScreen(view, x, y));
+    context.closePath();
+    context.fillStyle = context.strokeStyle = door ? colors.warn : colors.mark;
+    context.globalAlpha = 0.35;
+    context.fill();
+    context.globalAlpha = 1;
+    context.stroke();
+  }
+  context.restore();
 }
 
 export function drawPeople(context, {recording, view, colors, detail}) {

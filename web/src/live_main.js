@@ -24,6 +24,7 @@ const connection = new LiveConnection(streamUrl(location), {
       fresh = false;
       view?.end();
       view = new LiveView(place, message.run, (command) => connection.send(command));
+      document.querySelector('h1').textContent = message.run.scenario;
       for (const told of early.values()) view.said(told);
       place.dataset.ready = 'true';
     } else {

@@ -47,6 +47,7 @@ export class LiveRecording {
     this.errors = this.names.map(() => ({position: [], yaw: []}));
     this.states = this.names.map(() => []);
     this.details = [];
+    this.changes = [];  // Of the world, in order.
   }
 
   get scans() {
@@ -111,6 +112,12 @@ export class LiveRecording {
     const kept = lastAtMost(this.time, time + 1e-6) + 1;
     for (const column of this.columns()) column.length = kept;
     this.details = this.details.filter(({scan}) => scan < kept);
+    this.changes = this.changes.filter((change) => change.time <= time + 1e-6);
+  }
+
+  /** Takes a change of the world (`change_entry`). */
+  addChange(change) {
+    this.changes.push(change);
   }
 
   scanAt(time) {

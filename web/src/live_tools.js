@@ -1,6 +1,7 @@
 // The tools of a live run: what hands can do to robot, sensors and localizers.
 import {element} from './dom.js';
-import {kTools} from './live_hands.js';
+import {kTools, touchEvent} from './live_hands.js';
+import {isOpen} from './world_changes.js';
 
 /** Kidnaps that need no place. */
 const kKidnaps = [
@@ -62,7 +63,48 @@ function pointerTools(state, help) {
   return buttons;
 }
 
-/** All tools. `state`: {tool, choices}; `send(event)`: an event takes place. */
+/** People by name: how they come. */
+const kPeople = {
+  'a person who stands': {count: 1, walk: false},
+  'a person who walks': {count: 1, walk: true},
+  'three who talk': {count: 3, walk: false},
+  'three who walk together': {count: 3, walk: true},
+};
+
+const kAhead = 1.2;  // [m] Where a button puts things before the robot.
+
+/** The event that puts something before the robot. */
+export function aheadEvent(tool, {x, y, yaw}, choices) {
+  const pose = [x + kAhead * Math.cos(yaw), y + kAhead * Math.sin(yaw), yaw];
+  return kTools[tool].event(pose, choices);
+}
+
+/** Tools for the world, which also work without a pointer. */
+function worldTools(state, send) {
+  const people = choice('People who come', Object.keys(kPeople), (name) => {
+    state.choices.people = kPeople[name];
+  });
+  const ahead = (tool) => () => state.live && send(aheadEvent(tool, state.live.truth, state.choices));
+  const things = choice('Doors and boxes', []);
+  const touch = button('Open', () => send(touchEvent(things.value, state.things().get(things.value))));
+  const show = () => {
+    const thing = state.things().get(things.value);
+    touch.disabled = !thing;
+    touch.textContent = !thing?.door ? 'Take away' : isOpen(thing) ? 'Close' : 'Open';
+  };
+  things.addEventListener('change', show);
+  const parts = group('World', people, button('People ahead', ahead('person')), button('Box ahead', ahead('box')), things, touch);
+  const showThings = (all) => {
+    const chosen = things.value;
+    things.replaceChildren(...[...all.keys()].map((name) => element('option', {value: name}, name)));
+    if (all.has(chosen)) things.value = chosen;
+    things.hidden = touch.hidden = all.size === 0;
+    show();
+  };
+  return {parts, showThings};
+}
+
+/** All tools: {panel, showThings(things)}. `state`: {tool, choices}; `send(event)`: an event takes place. */
 export function liveTools(state, names, send) {
   const help = element('p', {class: 'soft', role: 'status'}, 'Drag the robot; a kidnap that takes no time.');
   const seconds = element('input', {type: 'number', min: 0.5, max: 600, step: 0.5, value: 5,
@@ -72,14 +114,16 @@ export function liveTools(state, names, send) {
     state.choices.localizer = name;
   });
   const order = (what) => () => send({localizer: {name: localizer.value, do: what}});
+  const world = worldTools(state, send);
   const tools = [
     group('Hands', ...pointerTools(state, help), help),
     group('Kidnap', ...kKidnaps.map(([text, event]) => button(text, () => send(event)))),
+    world.parts,
     group('Break', fault, seconds, button('Break it', () => send(faultEvent(fault.value, Number(seconds.value))))),
   ];
   if (names.length > 0) {
     tools.push(group('Localizer', localizer, button('Global localization', order('relocalize')),
       button('Off', order('off')), button('On', order('on'))));
   }
-  return element('div', {class: 'live-tools'}, ...tools);
+  return {panel: element('div', {class: 'live-tools'}, ...tools), showThings: world.showThings};
 }

@@ -1,9 +1,11 @@
 // The page of a live run: map, states, time, tools, a curve, and what happened.
 import {layerChoices, mapButtons} from './controls.js';
-import {clockText, element} from './dom.js';
+import {clockText, element, reveal} from './dom.js';
+import {ownsKey} from './keys.js';
 import {LiveCurve} from './live_curve.js';
 import {LiveDrive} from './live_drive.js';
 import {MapHand} from './live_hands.js';
+import {fileTools} from './live_files.js';
 import {drivenEvent, eventOf, LiveLog} from './live_log.js';
 import {LiveRecording} from './live_recording.js';
 import {liveTools} from './live_tools.js';
@@ -15,6 +17,7 @@ import {Panel} from './panel.js';
 import {save} from './saving.js';
 import {Timeline} from './timeline.js';
 import {Views} from './view3d/views.js';
+import {worldAt} from './world_changes.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const kTimelinePeriod = 250;  // [ms] Timeline and curve are drawn less often than the map.
@@ -31,7 +34,7 @@ export class LiveView {
     this.life = new AbortController();
     this.drawnTime = -Infinity;
     this.state = {time: 0, of: -1, scanAt: -1, follow: false, live: undefined, tool: 'teleport', holds: false,
-      choices: {localizer: hello.localizers[0]}, show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
+      choices: {localizer: hello.localizers[0], people: {count: 1, walk: false}}, things: () => this.things(), show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
         'trails'])};
     this.now = 0;
     this.past = null;  // The time that is looked at; null: now.
@@ -58,8 +61,10 @@ export class LiveView {
     this.drive = new LiveDrive(event);
     const time = element('div', {class: 'timeline'});
     const curve = element('div', {class: 'curve'});
-    this.place.replaceChildren(this.transport(), this.note,
-      liveTools(state, recording.names, event), element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
+    this.tools = liveTools(state, recording.names, event);
+    this.tools.showThings(this.things());
+    this.place.replaceChildren(this.transport(), this.note, this.tools.panel,
+      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
       time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
       element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed()), mapLegend()));
     this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
@@ -78,8 +83,11 @@ export class LiveView {
     this.again = button('Go on from here', () => this.goOn());
     this.toNow = button('Back to now', () => this.look(null));
     this.again.hidden = this.toNow.hidden = true;
+    const files = fileTools(this.place, this.life.signal, (file) => this.send({do: 'load', file}), (text) => this.noteText(text));
     return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
-      button('Save as scenario', order({do: 'save'})), this.hands, this.again, this.toNow, this.clock);
+      button('Save as scenario', order({do: 'save'})),
+      button('Report', order({do: 'report'}), {title: 'Plays the run until now again and makes its report'}), ...files,
+      this.hands, this.again, this.toNow, this.clock);
   }
 
   listen() {
@@ -90,13 +98,12 @@ export class LiveView {
   }
 
   key(event) {
-    const {target} = event;
-    if (['INPUT', 'SELECT', 'TEXTAREA'].includes(target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (ownsKey(event.target, event.key) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (this.drive.key(event)) return;
     const acts = {' ': () => this.toggle(), '.': () => this.send({do: 'step'}), f: () => this.act('follow'),
       0: () => this.act('fit'), 3: () => this.act('toggle3d'), t: () => this.act('top'), '+': () => this.act('zoom', 1.25), '-': () => this.act('zoom', 0.8),
       ArrowLeft: () => this.stepPast(-1), ArrowRight: () => this.stepPast(1), Escape: () => this.look(null)};
-    if (!(event.key in acts) || (event.key === ' ' && target.tagName === 'BUTTON')) return;
+    if (!(event.key in acts)) return;
     event.preventDefault();
     acts[event.key]();
   }
@@ -124,7 +131,7 @@ export class LiveView {
   look(time) {
     const newest = this.recording.time.at(-1) ?? 0;
     this.past = time === null || time >= newest ? null : Math.max(time, this.recording.time[0]);
-    this.again.hidden = this.toNow.hidden = this.past === null;
+    for (const button of [this.again, this.toNow]) reveal(button, this.past !== null, this.play);
     this.drawnTime = -Infinity;
     this.changed();
   }
@@ -156,13 +163,14 @@ export class LiveView {
       history: () => this.recording.add({scans: message.scans, blocks: []}),
       scene: () => this.views.setScene(message.scene),
       status: () => this.status(message),
-      events: () => message.events.forEach((event) => this.log.add(eventOf(event))),
+      events: () => message.events.forEach((event) => this.happened(event)),
       done: () => this.done(message),
       error: () => this.noteText(message.text),
       scenario: () => this.download(message.yaml),
+      report: () => this.offerReport(message),
       hands: () => {
         this.state.holds = message.yours;
-        this.hands.hidden = message.yours;
+        reveal(this.hands, !message.yours, this.play);
       },
     };
     takes[message.said]?.();
@@ -174,6 +182,18 @@ export class LiveView {
     this.play.textContent = playing ? 'Pause' : 'Play';
     if (document.activeElement !== this.speed) this.speed.value = String(speed);
     this.clock.textContent = `${clockText(now)} · ${playing ? `${real.toFixed(1)} × real time` : 'paused'}`;
+  }
+
+  happened(event) {
+    this.log.add(eventOf(event));
+    if (!event.change) return;
+    this.recording.addChange(event.change);
+    this.tools.showThings(this.things());
+  }
+
+  /** What stands in the world now, besides the map. */
+  things() {
+    return worldAt(this.recording.header, this.recording.changes, this.now);
   }
 
   /** An event of a hand took place. */
@@ -188,6 +208,13 @@ export class LiveView {
     this.note.textContent = text;
   }
 
+  offerReport({number, folder}) {
+    const link = element('a', {href: `/report/${number}${window.location.search}`, target: '_blank'},
+      `Report ${number}`);
+    this.note.hidden = false;
+    this.note.replaceChildren(link, ` of the run until then. Its folder: ${folder}`);
+  }
+
   download(yaml) {
     save(`${this.recording.header.scenario}-live.yaml`, yaml, 'application/yaml');
   }
@@ -197,6 +224,7 @@ export class LiveView {
     if (frame.now < this.now - 1e-6) {
       this.recording.cut(frame.now);
       this.log.cut(frame.now);
+      this.tools.showThings(this.things());
     }
     this.recording.add(frame);
     this.now = frame.now;

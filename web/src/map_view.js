@@ -145,6 +145,7 @@ export class MapView {
 
   drawRun(context, scene) {
     const {show} = scene;
+    layers.drawWorld(context, scene);
     if (show.has('paths')) layers.drawPaths(context, scene, true);
     if (show.has('trails')) layers.drawPaths(context, scene, false);
     if (show.has('particles')) layers.drawParticles(context, scene);

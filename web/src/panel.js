@@ -40,7 +40,7 @@ export class Panel {
       const state = element('span', {class: 'state'});
       const picture = swatch();
       place.append(element('div', {class: 'card'},
-        element('h4', {}, picture, element('span', {class: 'name'}, name), state),
+        element('h2', {}, picture, element('span', {class: 'name'}, name), state),
         element('dl', {}, ...kRows.flatMap((row, i) => [element('dt', {}, row), values[i]]))));
       return {values, state, picture};
     });

@@ -44,6 +44,7 @@ export class Recording {
     const {header, sections} = split(bytes);
     this.header = header;
     this.sections = sections;
+    this.changes = header.changes ?? [];  // Of the world, in order.
     this.scans = header.scans;
     this.names = header.localizers;
     const times = this.scans ? column(sections.get('time'), this.scans, header.steps.time) : [];

@@ -17,6 +17,7 @@ export class Timeline {
     this.colors = colors;
     this.seek = seek;
     this.takeEnds();
+    this.buttons = new Map();  // Of the marks that are shown, by what they say.
     this.markRow = element('div', {class: 'marks', role: 'group', 'aria-label': 'Events'});
     this.slider = element('input', {type: 'range', min: this.begin, max: this.end, step: 'any',
       value: this.begin, 'aria-label': 'Time', input: () => seek(Number(this.slider.value))});
@@ -55,12 +56,25 @@ export class Timeline {
   layOut() {
     const width = this.slider.clientWidth;
     if (!width) return;
-    const kept = spread(this.marks, this.begin, this.end, width, kApart);
-    this.markRow.replaceChildren(...kept.map((mark) => element('button', {
-      type: 'button', class: `mark ${mark.sort}`, 'aria-label': `Jump to ${mark.label}`, title: mark.label,
-      style: `left: ${this.x(mark.time, width)}px`, click: () => this.seek(mark.time),
-    }, mark.symbol)));
+    this.placeMarks(spread(this.marks, this.begin, this.end, width, kApart), width);
     this.draw();
+  }
+
+  /** The button of a mark stays as long as the mark does: it may have the focus, or be pressed just now. */
+  placeMarks(marks, width) {
+    const before = this.buttons;
+    this.buttons = new Map(marks.map((mark) => [mark.label, before.get(mark.label) ?? this.buttonOf(mark)]));
+    for (const [label, button] of before) if (!this.buttons.has(label)) button.remove();
+    marks.forEach(({time, label}, i) => {
+      const button = this.buttons.get(label);
+      if (this.markRow.children[i] !== button) this.markRow.insertBefore(button, this.markRow.children[i] ?? null);
+      button.style.left = `${this.x(time, width)}px`;
+    });
+  }
+
+  buttonOf({sort, symbol, label, time}) {
+    return element('button', {type: 'button', class: `mark ${sort}`, 'aria-label': `Jump to ${label}`, title: label,
+      click: () => this.seek(time)}, symbol);
   }
 
   draw() {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 
 #include "sim/common/geometry.hpp"
 #include "sim/events/lift.hpp"
@@ -23,6 +24,8 @@ class KinematicRobot {
   KinematicRobot(const RobotModel& robot, FreeSpace free, const Pose2& start,
                  const TwistLimits& limits, std::chrono::nanoseconds time_step);
 
+  /// From now on, the centre of its disc can be here.
+  void set_free(FreeSpace free) { free_ = std::move(free); }
   /// As in `RobotPhysics`.
   void set_command(const Twist2& command) { command_ = command; }
   void step();

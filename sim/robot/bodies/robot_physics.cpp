@@ -163,6 +163,8 @@ RobotPhysics::~RobotPhysics() = default;
 
 void RobotPhysics::set_command(const Twist2& command) { body_->command = command; }
 
+void RobotPhysics::set_objects(const WorldSpec& world) { body_->world.set_objects(world); }
+
 void RobotPhysics::step() {
   body_->drive();
   body_->world.step();

@@ -39,6 +39,10 @@ class RobotPhysics {
   /// Puts the robot elsewhere, standing still. Keeps wheel angles and the number of collisions.
   void teleport(const Pose2& T_map_base);
 
+  /// Replaces the objects of the world; nothing may be where the robot is. @throws
+  /// std::runtime_error if a mesh cannot be read.
+  void set_objects(const WorldSpec& world);
+
   [[nodiscard]] const RobotState& state() const;
   /// Number of contacts with the world, without the floor; a contact that returns within half a
   /// second is the same one.

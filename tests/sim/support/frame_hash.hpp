@@ -38,6 +38,7 @@ inline void add_data(const OdometryReading& r, Hash& hash) {
   hash.add(r.T_odom_base);
   hash.add(r.T_map_base_true);
 }
+inline void add_data(const WorldRecord& r, Hash& hash) { hash.add(r.T_map_base); }
 inline void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
 inline void add_data(const FaultRecord& r, Hash& hash) { hash.add(r.T_map_base_true); }
 inline void add_data(const LidarReading& r, Hash& hash) {

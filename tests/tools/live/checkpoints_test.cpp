@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +93,54 @@ TEST(Checkpoints, BeforeTheFirstThereIsNothing) {
     if (!checkpoints.wake(from_seconds(1.0), "x")) say(file, "none");
   });
   EXPECT_EQ(text, "none");
+}
+
+/// Processes of this one's group.
+int processes_of_group() {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    const bool is_process = name.find_first_not_of("0123456789") == std::string::npos;
+    count += is_process && getpgid(std::stoi(name)) == getpgrp() ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Checkpoints, ThatAreGivenUpEndAtOnce) {
+  const std::string text = written_by([](int file) {
+    setpgid(0, 0);
+    std::signal(SIGCHLD, SIG_IGN);  // Nobody waits for them.
+    Checkpoints checkpoints(4);
+    for (int i = 0; i < 40; ++i) {
+      if (checkpoints.keep(from_seconds(i))) return;
+    }
+    for (int tries = 0; tries < 200 && processes_of_group() > 5; ++tries) usleep(10000);
+    if (processes_of_group() != 5) say(file, "too many");
+    checkpoints.clear();
+    for (int tries = 0; tries < 200 && processes_of_group() > 1; ++tries) usleep(10000);
+    if (processes_of_group() != 1) say(file, "not cleared");
+  });
+  EXPECT_EQ(text, "");
+}
+
+/// Comes to 3, goes back to 2 and gives up all but the first and the newest; a copy that was made
+/// before knows those that are gone.
+TEST(Checkpoints, OneThatAnotherCopyGaveUpIsPassedOver) {
+  const std::string text = written_by([](int file) {
+    std::signal(SIGPIPE, SIG_IGN);
+    Checkpoints checkpoints(3);
+    for (int i = 0; i <= 6; ++i) {
+      if (const auto woken = checkpoints.keep(from_seconds(i))) {
+        say(file, "at " + std::to_string(i) + ";");
+        if (i > 0 && !checkpoints.wake(from_seconds(i - 1), "again")) say(file, "none;");
+        _exit(0);
+      }
+    }
+    usleep(200000);  // Those that are given up end.
+    checkpoints.wake(from_seconds(6.0), "first");
+  });
+  EXPECT_EQ(text.substr(0, 5), "at 6;");
+  EXPECT_EQ(text.substr(text.size() - 5), "at 0;");
 }
 
 }  // namespace

@@ -95,7 +95,11 @@ TEST(LiveRun, WhatHandsDidIsRepeatedToTheBit) {
       R"({"localizer": {"name": "amcl", "do": "relocalize"}})",
       R"({"fault": {"kind": "lidar-frozen", "for_s": 0.5}})",
       R"({"localizer": {"name": "mh_amcl", "do": "initialize", "pose": [0, 0, 0]}})",
+      R"({"box": {"at": [6.5, -0.3], "yaw_deg": 30}})",
+      R"({"people": {"at": [0, 1.85], "count": 2, "walk": true}})",
       R"({"kidnap": {"kind": "turn"}})",
+      R"({"remove": {"name": "box-6"}})",
+      R"({"cylinder": {"at": [6.5, -0.3], "radius": 0.2}})",
       R"({"drive": {}})",
       R"({"fault": {"kind": "odometry-scale", "for_s": 1, "scale": 1.3}})",
       R"({"kidnap": {"kind": "carry", "min_distance_m": 1, "lift_s": 0.2}})",
@@ -113,6 +117,7 @@ TEST(LiveRun, WhatHandsDidIsRepeatedToTheBit) {
   EXPECT_EQ(lived.numbers.size(), again.numbers.size());
   EXPECT_TRUE(lived.numbers == again.numbers);
   EXPECT_THAT(again.events, testing::Contains(HasSubstr("operator relocalize")));
+  EXPECT_THAT(again.events, testing::Contains(HasSubstr("world box-6 taken away")));
   lived.events.resize(std::min(lived.events.size(), again.events.size()));
   EXPECT_EQ(lived.events, again.events);
 }

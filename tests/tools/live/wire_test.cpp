@@ -34,5 +34,15 @@ TEST(Wire, OtherBytesAreRefused) {
   EXPECT_THROW(reader.next(), std::runtime_error);
 }
 
+TEST(WireReader, HoldsNothingOfWhatWasRead) {
+  WireReader reader;
+  for (int i = 0; i < 100; ++i) {
+    reader.take(to_wire(WireKind::kFrame, std::string(1000, 'x')));
+    while (reader.next()) {
+    }
+    EXPECT_EQ(reader.held(), 0U);
+  }
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -11,6 +11,7 @@
 #include <boost/beast.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tools/live/server/live_http.hpp"
 #include "tools/live/server/live_pages.hpp"
 #include "tools/live/server/live_token.hpp"
 #include "tools/live/wire.hpp"
@@ -25,12 +26,11 @@ namespace websocket = beast::websocket;
 using asio::use_awaitable;
 using asio::ip::tcp;
 using RunSocket = asio::local::stream_protocol::socket;
-using Request = http::request<http::string_body>;
-using Response = http::response<http::string_body>;
 using Steady = std::chrono::steady_clock;
 
 constexpr std::size_t kMostConnections = 64;
-constexpr std::chrono::seconds kPatience(10);  // For a whole request.
+constexpr std::chrono::seconds kPatience(10);       // For a whole request.
+constexpr std::chrono::seconds kFilePatience(120);  // For one that brings a file.
 constexpr std::size_t kLongestHeader = 8192;
 constexpr std::size_t kLongestCommand = std::size_t{64} << 10U;
 constexpr std::size_t kMostWaiting = std::size_t{8} << 20U;  // Bytes for a page that does not read.
@@ -53,22 +53,6 @@ class Rate {
   int count_ = 0;
 };
 
-Response answer_of(const Request& request, http::status status, std::string body,
-                   const char* type = "text/plain; charset=utf-8") {
-  Response response{status, request.version()};
-  response.set(http::field::content_type, type);
-  response.set(http::field::cache_control, "no-store");
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("Referrer-Policy", "no-referrer");
-  response.set("X-Frame-Options", "DENY");
-  response.keep_alive(request.keep_alive());
-  response.body() = std::move(body);
-  response.prepare_payload();
-  return response;
-}
-
-std::string_view to_view(boost::string_view text) { return {text.data(), text.size()}; }
-
 }  // namespace
 
 class LiveServer::Impl {
@@ -77,7 +61,8 @@ class LiveServer::Impl {
       : options_(std::move(options)),
         acceptor_(context_),
         run_(context_, asio::local::stream_protocol(), run_socket),
-        signals_(context_, SIGINT, SIGTERM) {
+        signals_(context_, SIGINT, SIGTERM),
+        http_(options_) {
     listen();
   }
 
@@ -136,6 +121,8 @@ class LiveServer::Impl {
     std::size_t& count_;
   };
 
+  void refuse(const std::string& what) const { log_("refused: " + what); }
+
   Awaitable converse(tcp::socket socket) {
     const Counted counted(connections_);
     beast::tcp_stream stream(std::move(socket));
@@ -144,52 +131,33 @@ class LiveServer::Impl {
       stream.expires_after(kPatience);
       http::request_parser<http::string_body> parser;
       parser.header_limit(kLongestHeader);
-      parser.body_limit(0);
       boost::system::error_code error;
-      co_await http::async_read(stream, buffer, parser, asio::redirect_error(use_awaitable, error));
+      co_await http::async_read_header(stream, buffer, parser,
+                                       asio::redirect_error(use_awaitable, error));
       if (error && !parser.got_some()) co_return;  // Browsers open lines for later.
-      if (error) {
-        log_("refused: no request (" + error.message() + ")");
-        co_return;
-      }
-      const Request request = parser.release();
-      if (const char* wrong = refusal_of(request)) {
-        log_(fmt::format("refused: {} ({})", path_of(to_view(request.target())).substr(0, 80),
-                         wrong));
+      if (error) co_return refuse("no request (" + error.message() + ")");
+      if (const char* wrong = http_.refusal_of(parser.get(), port())) {
+        refuse(
+            fmt::format("{} ({})", path_of(to_view(parser.get().target())).substr(0, 80), wrong));
         co_await http::async_write(
-            stream, answer_of(request, http::status::forbidden, std::string(wrong) + "\n"),
+            stream,
+            LiveHttp::answer(parser.get(), http::status::forbidden, std::string(wrong) + "\n"),
             use_awaitable);
         co_return;
       }
+      parser.body_limit(LiveHttp::body_limit(parser.get()));
+      if (LiveHttp::body_limit(parser.get()) > 0) stream.expires_after(kFilePatience);
+      co_await http::async_read(stream, buffer, parser, asio::redirect_error(use_awaitable, error));
+      if (error) co_return refuse("no request (" + error.message() + ")");
+      const LiveRequest request = parser.release();
       if (websocket::is_upgrade(request)) {
         co_await stream_to(std::move(stream), request);
         co_return;
       }
-      const Response response = respond(request);
+      const LiveResponse response = http_.respond(request);
       co_await http::async_write(stream, response, use_awaitable);
       if (!response.keep_alive()) co_return;
     }
-  }
-
-  /// Why a request is refused; nullptr if it is not.
-  const char* refusal_of(const Request& request) const {
-    const std::string_view host = to_view(request[http::field::host]);
-    if (!is_own_host(host, port())) return "another host name";
-    const std::string_view origin = to_view(request[http::field::origin]);
-    const bool upgrade = websocket::is_upgrade(request);
-    if ((upgrade || !origin.empty()) && !is_own_origin(origin, host)) return "another origin";
-    const std::string token = query_value(to_view(request.target()), "token");
-    return equal_tokens(token, options_.token) ? nullptr : "no token, or a wrong one";
-  }
-
-  Response respond(const Request& request) const {
-    if (request.method() != http::verb::get) {
-      return answer_of(request, http::status::method_not_allowed, "GET only\n");
-    }
-    if (path_of(to_view(request.target())) != "/") {
-      return answer_of(request, http::status::not_found, "nothing here\n");
-    }
-    return answer_of(request, http::status::ok, options_.page, "text/html; charset=utf-8");
   }
 
   using Stream = websocket::stream<beast::tcp_stream>;
@@ -203,7 +171,7 @@ class LiveServer::Impl {
     bool over = false;
   };
 
-  Awaitable stream_to(beast::tcp_stream stream, const Request& request) {
+  Awaitable stream_to(beast::tcp_stream stream, const LiveRequest& request) {
     if (path_of(to_view(request.target())) != "/live") co_return;
     stream.expires_never();
     auto line = std::make_shared<Line>(std::move(stream));
@@ -311,6 +279,7 @@ class LiveServer::Impl {
   tcp::acceptor acceptor_;
   RunSocket run_;
   asio::signal_set signals_;
+  LiveHttp http_;
   LivePages pages_;
   std::deque<std::string> to_run_;
   std::size_t connections_ = 0;

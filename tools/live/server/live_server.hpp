@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,7 +14,9 @@ struct LiveServerOptions {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8080;  ///< 0: any free one.
   std::string token;
-  std::string page;  ///< HTML of "/".
+  std::string page;                 ///< HTML of "/".
+  std::filesystem::path files{};    ///< Folder for what pages bring; it is made when needed.
+  std::filesystem::path reports{};  ///< Folder of the reports "/report/1", "/report/2"...
 };
 
 /// Serves pages in this thread: HTTP, and a WebSocket at "/live". A request without the token, from

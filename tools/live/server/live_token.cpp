@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -44,6 +45,20 @@ std::string query_value(std::string_view target, std::string_view key) {
     rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
   }
   return "";
+}
+
+std::string decoded_query_value(std::string_view target, std::string_view key) {
+  const std::string text = query_value(target, key);
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = 0;
+    const char* digits = text.data() + i + 1;
+    const bool is_code = text[i] == '%' && i + 2 < text.size() &&
+                         std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+    decoded += is_code ? static_cast<char>(code) : text[i] == '+' ? ' ' : text[i];
+    if (is_code) i += 2;
+  }
+  return decoded;
 }
 
 bool is_own_host(std::string_view host, unsigned port) {

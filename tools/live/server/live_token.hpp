@@ -15,6 +15,10 @@ bool equal_tokens(std::string_view a, std::string_view b);
 /// Value of a key in the query of a request's target: "/?token=ab&x=1". Empty if there is none.
 std::string query_value(std::string_view target, std::string_view key);
 
+/// As `query_value`, with %41 and + of an encoded value as what they stand for. A wrong code stays
+/// as it is.
+std::string decoded_query_value(std::string_view target, std::string_view key);
+
 /// The target without its query.
 std::string_view path_of(std::string_view target);
 

@@ -8,15 +8,6 @@ namespace {
 
 constexpr double kCrowdPerShare = 60.0;  // Walkers per blocked share of 1, if no count is given.
 
-std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() {
-  std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> names;
-  for (const sim::Behaviour behaviour : sim::kBehaviours) {
-    names.emplace_back(sim::behaviour_name(behaviour), behaviour);
-  }
-  names.emplace_back("mixed", std::nullopt);
-  return names;
-}
-
 /// Number of walkers that suffices for the share; more would block additional beams in passing.
 int crowd_count(double blocked_share) {
   return static_cast<int>(std::lround(kCrowdPerShare * blocked_share));
@@ -54,6 +45,15 @@ void crowd_fields(Settings settings, sim::PeopleConfig& people) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours() {
+  std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> names;
+  for (const sim::Behaviour behaviour : sim::kBehaviours) {
+    names.emplace_back(sim::behaviour_name(behaviour), behaviour);
+  }
+  names.emplace_back("mixed", std::nullopt);
+  return names;
+}
 
 void fields(Settings settings, PeopleSpec& people) {
   sim::PeopleConfig& config = people.config;

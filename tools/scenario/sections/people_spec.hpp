@@ -1,10 +1,18 @@
 /// People as YAML.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
+
+/// Behaviours by name; "mixed": nothing.
+std::vector<std::pair<std::string, std::optional<sim::Behaviour>>> behaviours();
 
 /// The settings under `people`.
 void fields(Settings settings, PeopleSpec& people);

@@ -17,6 +17,7 @@
 #include "sim/events/drive_command.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
+#include "sim/events/world_change.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
@@ -98,6 +99,7 @@ struct EventSpecs {
   std::vector<sim::FaultSpec> faults;
   std::vector<sim::DriveCommand> commands;  ///< In order of time.
   std::vector<LocalizerOrder> orders;       ///< In order of time.
+  std::vector<sim::WorldChange> changes;
   std::string watched;  ///< Localizer that kidnaps wait for; empty: no kidnap waits.
 };
 

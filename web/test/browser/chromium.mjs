@@ -92,8 +92,8 @@ export class Chromium {
   }
 
   async key(key, code = key, modifiers = 0) {
-    const text = key.length === 1 ? {text: key} : {};
-    const keys = {Home: 36, End: 35, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, ' ': 32};
+    const text = key.length === 1 ? {text: key} : key === 'Enter' ? {text: '\r'} : {};
+    const keys = {Tab: 9, Enter: 13, Escape: 27, Home: 36, End: 35, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, ' ': 32};
     const common = {key, code, modifiers, windowsVirtualKeyCode: keys[key] ?? key.charCodeAt(0)};
     await this.send('Input.dispatchKeyEvent', {type: 'keyDown', ...common, ...text});
     await this.send('Input.dispatchKeyEvent', {type: 'keyUp', ...common});

@@ -1,33 +1,22 @@
 // The page of a live run, used as a reader would. CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway.
 import assert from 'node:assert/strict';
-import {execFileSync, spawn} from 'node:child_process';
+import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {toScreen} from '../../src/view.js';
 import {Chromium} from './chromium.mjs';
+import {startLive} from './live_program.mjs';
 import {kPixels3d, kStill3d} from './pixels3d.mjs';
 
 let browser;
 let server;
 let url;
 
-/** Starts the program; resolves to the address that it prints. */
-function start(...args) {
-  server = spawn(process.env.CASTAWAY_PROGRAM, ['live', '--port', '0', ...args], {stdio: ['ignore', 'pipe', 'inherit']});
-  return new Promise((resolve, reject) => {
-    let text = '';
-    server.stdout.on('data', (data) => {
-      text += data;
-      if (text.includes('\n')) resolve(text.trim());
-    });
-    server.on('exit', (code) => reject(new Error(`castaway live ended with ${code}`)));
-  });
-}
-
 before(async () => {
-  url = await start('--localizer', 'mh_amcl', '--localizer', 'amcl');
+  ({server, url} = await startLive(process.env.CASTAWAY_PROGRAM, ['--localizer', 'mh_amcl', '--localizer', 'amcl',
+    '--set', 'outputs.snapshots=false']));
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
   await browser.open(url);
   await browser.until(`document.getElementById('castaway-live').dataset.ready === 'true'`);
@@ -236,6 +225,30 @@ test('looks at the past, goes back, and on from there', async () => {
   assert.deepEqual(browser.errors, []);
 });
 
+test('boxes and people are put before the robot, and a box is taken away', async () => {
+  await pause();
+  await press('People ahead');
+  await press('Box ahead');
+  await press('Play');
+  await browser.until(`document.querySelector('.log').textContent.includes('box-')
+    || !document.querySelector('#castaway-live .note').hidden`);  // There may be no room: then a line says so.
+  await pause();
+  const {x, y} = await truth();
+  const free = freePlaceFarFrom({x, y});
+  await press('Box');
+  await browser.drag([await onScreen(...free), await onScreen(free[0], free[1] + 0.5)]);
+  await browser.drag([await onScreen(...free), await onScreen(...free)]);  // There is one already.
+  await press('Play');
+  await logged('put');
+  await shot('box');
+  await pause();
+  await press('Door, remove');
+  await browser.drag([await onScreen(...free), await onScreen(...free)]);
+  await press('Play');
+  await logged('taken away');
+  await press('Teleport');
+});
+
 test('the saved scenario repeats the run', async () => {
   await press('Anywhere');
   await logged('kidnap');
@@ -251,4 +264,54 @@ test('the saved scenario repeats the run', async () => {
   const events = readFileSync(join(folder, 'run/events.csv'), 'utf8').split('\n').filter((row) => row.includes('kidnap'));
   assert.equal(events.length, shown);
   rmSync(folder, {recursive: true});
+});
+
+const kRoom = `name: room
+extent: {min: [-3, -3], max: [3, 3]}
+objects:
+  - wall: {name: outer, closed: true, points: [[-3, -3], [3, -3], [3, 3], [-3, 3]]}
+  - wall: {name: west, points: [[-3, 0], [-0.5, 0]]}
+  - wall: {name: east, points: [[0.5, 0], [3, 0]]}
+  - door: {name: gate, at: [0, 0], width: 1}
+`;
+
+/** Chooses files by the page's button. */
+const choose = (name, text) => browser.evaluate(`(() => {
+  const files = new DataTransfer();
+  files.items.add(new File([${JSON.stringify(text)}], ${JSON.stringify(name)}));
+  const input = document.querySelector('#castaway-live input[type=file]');
+  input.files = files.files;
+  input.dispatchEvent(new Event('change'));
+})()`);
+const noted = (word) => browser.until(
+  `document.querySelector('#castaway-live .note').textContent.includes(${JSON.stringify(word)})`);
+
+test('a world of one\'s own takes the place of the run, and its door opens', async () => {
+  await choose('note.txt', 'x');
+  await noted('Drop a world');
+  await choose('broken.yaml', 'objects: [3');
+  await noted('broken.yaml');
+  await choose('room.yaml', kRoom);
+  const things = `document.querySelector('#castaway-live [aria-label="Doors and boxes"]')`;
+  await browser.until(`${things}.value === 'gate'`);
+  assert.equal(await browser.evaluate(`document.querySelector('h1').textContent`), 'room');
+  await press('Open');
+  await press('Play');
+  await logged('gate open by 90 deg');
+  await pause();
+  await press('Close');
+  await press('Play');
+  await logged('gate closed');
+  await shot('own-world');
+  await pause();
+  assert.deepEqual(browser.errors, []);
+});
+
+test('a report of the run until now has its own address', async () => {
+  await press('Report');
+  await browser.until(`document.querySelector('#castaway-live .note a')`);
+  const link = await browser.evaluate(`document.querySelector('#castaway-live .note a').href`);
+  const report = await (await fetch(link)).text();
+  assert.match(report, /castaway-player/);
+  assert.equal((await fetch(link.replace(/token=.*/, 'token=x'))).status, 403);
 });
