@@ -39,7 +39,7 @@ LoadedScenario read_again(const YamlNode& root, const std::string& name) {
 /// Its file without events, expectations and the places of its world.
 YamlNode without_places(const LoadedScenario& scenario) {
   YamlNode root = parse_yaml(scenario.effective, "scenario");
-  for (const char* key : {"events", "expect", "start", "drive"}) remove_key(root, key);
+  for (const char* key : {"name", "events", "expect", "start", "drive"}) remove_key(root, key);
   root.entries.push_back({"start", yaml_pair("random", "true")});
   root.entries.push_back({"drive", yaml_pair("route", "random")});
   return root;

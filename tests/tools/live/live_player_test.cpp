@@ -222,9 +222,6 @@ TEST(LivePlayer, MakesReportsOfTheRunUntilNow) {
     EXPECT_THAT(read_file(fs::path(said.at("folder").get<std::string>()) / "made"),
                 HasSubstr("duration_s"));
   }
-  player.tell({{"do", "report"}});
-  player.tell({{"do", "report"}});
-  EXPECT_THAT(player.wait_for_said("error").at("text").get<std::string>(), HasSubstr("already"));
 }
 
 TEST(LivePlayer, GoesBackToAnyMomentAndOnFromThere) {
