@@ -1,3 +1,4 @@
+// Over 400 lines: all stages of one step share one state, which no other file needs to see.
 #include "sim/simulation.hpp"
 
 #include <algorithm>
