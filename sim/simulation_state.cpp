@@ -1,0 +1,268 @@
+#include "sim/simulation_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/common/seconds.hpp"
+#include "sim/stages/drive_space.hpp"
+#include "sim/world/footprint.hpp"
+
+namespace castaway::sim {
+namespace {
+
+using std::chrono::nanoseconds;
+
+// [m] A localizer's output nearer to the true pose is right.
+constexpr double kRightPosition = 0.5;
+constexpr double kRightYaw = 0.35;  // [rad] The same for its heading.
+// Stages of every step are timed in one of so many: reading the clock takes as long as some of
+// them. A prime, so that no period of a sensor is a multiple of it.
+constexpr int kTimedOf = 7;
+
+nanoseconds period_of(double hz, const char* what) {
+  if (!(hz > 0.0) || hz > 1e5) {
+    throw std::invalid_argument(fmt::format("simulation: {} is {}: give 0 to 100000", what, hz));
+  }
+  return nanoseconds(std::llround(1e9 / hz));
+}
+
+SimRobot make_robot(const SimulationConfig& config, Spaces& spaces, const Pose2& start,
+                    nanoseconds step) {
+  if (!config.drive.path.empty()) {
+    return SimRobot(PathRobot(config.robot, config.drive.path, step));
+  }
+  const TwistLimits limits = limits_of(config.drive, config.robot);
+  if (config.drive_model == DriveModel::kPhysics) {
+    return SimRobot(RobotPhysics(config.world, config.robot, start, limits, step));
+  }
+  return SimRobot(KinematicRobot(config.robot, spaces.driving(config, standing_radius(config)),
+                                 start, limits, step));
+}
+
+/// Orders deliveries by time, then by their kinds' order in `SimFrame`.
+bool earlier(const SimFrame& a, const SimFrame& b) {
+  return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
+}
+
+}  // namespace
+
+Simulation::State::State(SimulationConfig configuration, SimulationStreams random_streams,
+                         CpuClock clock)
+    : config(std::move(configuration)),
+      streams(std::move(random_streams)),
+      cpu_clock(std::move(clock)),
+      step(period_of(config.physics_hz, "physics_hz")),
+      spaces(config.spaces ? config.spaces : std::make_shared<Spaces>()),
+      start(castaway::sim::start_pose(config, *spaces, streams.events)),
+      robot(make_robot(config, *spaces, start, step)),
+      sensors(config, streams),
+      kidnaps(config, *spaces, sensors.scene(), streams.named),
+      drive(config, *spaces),
+      people(config, *spaces, start, streams.named),
+      progress(progress_of(config.drive, config.robot)),
+      changes(config.world, config.changes) {}
+
+template <typename Work>
+void Simulation::State::measure_cpu(const char* stage, Work work, int times) {
+  if (!cpu_clock) return work();
+  const nanoseconds before = cpu_clock();
+  work();
+  cpu[stage] += times * (cpu_clock() - before);
+}
+
+/// For stages of every step.
+template <typename Work>
+void Simulation::State::sample_cpu(const char* stage, Work work) {
+  if (steps % kTimedOf != 0) return work();
+  measure_cpu(stage, work, kTimedOf);
+}
+
+bool Simulation::State::localized() const {
+  if (!watched) return false;
+  const Pose2 error = inverse(to_planar(robot.state().T_map_base)) * *watched;
+  return error.position().norm() < kRightPosition && std::abs(error.yaw) < kRightYaw;
+}
+
+void Simulation::State::kidnap() {
+  const auto positions = [this] { return people.positions(); };
+  const KidnapOutcome outcome = kidnaps.advance(
+      {now, to_planar(robot.state().T_map_base), distance, localized(), positions}, streams.events);
+  if (outcome.done) {
+    teleport(*outcome.done);
+    if (kidnaps.was_power_cycle()) sensors.reset_odometry();
+  }
+  if (outcome.picked_up) frames.push_back({now, *outcome.picked_up});
+  if (!kidnaps.holds()) kidnap_on_request();
+}
+
+void Simulation::State::kidnap_on_request() {
+  if (!requested) return;
+  const Pose2 T_map_from = to_planar(robot.state().T_map_base);
+  teleport({now, KidnapKind::kTeleportTo, T_map_from, *requested, now});
+  requested.reset();
+}
+
+void Simulation::State::teleport(const KidnapRecord& record) {
+  robot.teleport(record.T_map_to);
+  people.on_kidnap(record.T_map_to);
+  if (changed) find_ways();
+  progress.on_teleport();
+  frames.push_back({now, record});
+}
+
+void Simulation::State::take_commands() {
+  const std::vector<DriveCommand>& commands = config.commands;
+  for (; next_command < commands.size() && commands[next_command].at_s <= to_seconds(now);
+       ++next_command) {
+    drive.set_command(commands[next_command].twist);
+  }
+}
+
+/// True if no robot or person is where something solid or somebody comes.
+bool Simulation::State::has_room(const WorldChange& change) const {
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
+    return people.has_room(*arrival, T_map_base, config, *spaces);
+  }
+  const std::optional<WorldObject> solid = solid_of(change, config.world);
+  if (!solid) return true;
+  const Occupants occupants{T_map_base.position(), config.robot.footprint_radius,
+                            people.positions()};
+  return is_clear(*solid, occupants, config.map.resolution);
+}
+
+/// Finds the part of the free space in which the robot is.
+void Simulation::State::find_ways() {
+  const Eigen::Vector2d p_map = to_planar(robot.state().T_map_base).position();
+  const auto part = [&](double radius) { return spaces->driving_around(config, radius, p_map); };
+  robot.set_free([&] { return part(standing_radius(config)); });
+  if (!config.drive.by_estimate) {
+    drive.set_free(part(config.robot.footprint_radius + kDriveMargin));
+  }
+}
+
+void Simulation::State::take_new_world() {
+  changed = true;
+  spaces = std::make_shared<Spaces>(WalkParts::kAll);
+  robot.set_objects(config.world);
+  sensors.set_world(config.world);
+  kidnaps.set_world(config, *spaces);
+  if (people.people() != nullptr) people.set_cells(spaces->walking(config.world, config.map));
+  find_ways();
+}
+
+bool Simulation::State::make(const WorldChange& change) {
+  if (!has_room(change)) return false;
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  WorldRecord record{now, to_string(change), name_of(change), {}, {}, T_map_base};
+  if (const auto solid = solid_of(change, config.world)) {
+    record.outline = footprint(*solid).points;
+    record.z = {bounds(*solid).min().z(), bounds(*solid).max().z()};
+  }
+  if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
+    people.add(*arrival, now, T_map_base, config, *spaces);
+  } else {
+    apply(change, config.world);
+    take_new_world();
+  }
+  noted.push_back({now, std::move(record)});
+  return true;
+}
+
+/// Nothing is put where a robot may be that is held in the air.
+void Simulation::State::change_world() {
+  if (kidnaps.holds() || !changes.due(now)) return;
+  changes.advance(now, [this](const WorldChange& change) { return make(change); });
+}
+
+void Simulation::State::require_open() const {
+  if (!config.open) throw std::logic_error("an event for a run that is not open");
+}
+
+void Simulation::State::move_people() {
+  if (!people.due(now)) return;
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  measure_cpu("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
+  for (const int person : people.take_hits()) {
+    frames.push_back({now, PersonHit{now, person, T_map_base}});
+  }
+}
+
+void Simulation::State::command() {
+  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
+  commanded = drive.command(now, T_map_base, people);
+  robot.set_command(commanded);
+  progress.update({now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(),
+                   drive.waypoints_reached()});
+  for (std::string& what : drive.take_events()) {
+    frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
+  }
+}
+
+void Simulation::State::move_robot() {
+  if (kidnaps.holds()) {
+    robot.step_held(kidnaps.held_at(now + step), kidnaps.wheels());
+  } else {
+    robot.step();
+  }
+}
+
+/// A robot that is switched off delivers nothing.
+void Simulation::State::deliver(const std::vector<OdometryReading>& readings) {
+  if (kidnaps.is_off()) return;
+  for (const OdometryReading& reading : readings) {
+    drive.on_odometry(reading);
+    frames.push_back({reading.stamp, reading});
+  }
+}
+
+void Simulation::State::deliver(std::vector<SimFrame> scans) {
+  if (kidnaps.is_off()) return;
+  for (SimFrame& frame : scans) {
+    const auto& scan = std::get<LidarReading>(frame.data);
+    drive.on_scan(scan, sensors.lidars()[scan.lidar]);
+    frames.push_back(std::move(frame));
+  }
+}
+
+void Simulation::State::read_lidar(const Motion& motion) {
+  sensors.set_covered(kidnaps.covered());
+  std::vector<SimFrame> scans = sensors.read_lidars(people.around(sensors.scene()), motion);
+  for (SimFrame& frame : scans) {
+    auto& reading = std::get<LidarReading>(frame.data);
+    reading.people = people.readings(reading.stamp, reading.T_map_base_true);
+  }
+  deliver(std::move(scans));
+}
+
+void Simulation::State::run_step() {
+  change_world();
+  std::ranges::move(noted, std::back_inserter(frames));
+  noted.clear();
+  kidnap();
+  take_commands();
+  move_people();
+  const RobotState before = robot.state();
+  if (drive.due(now)) measure_cpu("drive", [this] { command(); });
+  sample_cpu("physics", [this] { move_robot(); });
+  const RobotState& after = robot.state();
+  const Motion motion{now, now + step, before.T_map_base, after.T_map_base};
+  const Eigen::Vector2d way =
+      (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
+  if (!kidnaps.holds()) distance += way.norm();
+  velocity = way / to_seconds(step);
+  for (const FaultRecord& fault : sensors.read_faults(motion))
+    frames.push_back({fault.stamp, fault});
+  deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
+  sample_cpu("lidar", [&] { read_lidar(motion); });
+  if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
+  now += step;
+  ++steps;
+}
+
+}  // namespace castaway::sim
