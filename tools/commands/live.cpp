@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -21,6 +22,7 @@
 #include "tools/output/file_name.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/play.hpp"
+#include "tools/replay/play_replay.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
@@ -28,7 +30,9 @@ namespace castaway::testbed {
 namespace {
 
 struct LiveArguments {
-  std::string scenario;
+  std::string scenario;  ///< Or a log, or the folder of a finished run.
+  std::string map;       ///< Of a log.
+  std::string start = "unknown";
   std::vector<std::string> sets;
   std::vector<std::string> localizers;
   std::string address = "127.0.0.1";
@@ -45,6 +49,44 @@ std::vector<std::string> overrides_of_live(const LiveArguments& arguments) {
   std::vector<std::string> overrides = localizer_override(arguments.localizers);
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
   return overrides;
+}
+
+/// True for a recorded log: a file, or the folder of a bag.
+bool is_log(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) {
+    return !std::filesystem::exists(path / "summary.json") &&
+           std::filesystem::exists(path / "metadata.yaml");
+  }
+  const std::string name = path.filename().string();
+  return std::ranges::any_of(std::array{".log", ".gz", ".carmen", ".mcap"},
+                             [&](const char* ending) { return name.ends_with(ending); });
+}
+
+/// True for the file of a session, which names a log.
+bool is_session(const std::filesystem::path& path) {
+  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
+  if (!is_yaml || !std::filesystem::is_regular_file(path)) return false;
+  return parse_yaml(read_file(path), path.string()).find("log") != nullptr;
+}
+
+/// The log that is to be played; nothing: a scenario is.
+std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
+  const bool has_log = is_log(arguments.scenario);
+  if (!has_log && !is_session(arguments.scenario)) {
+    if (arguments.map.empty()) return std::nullopt;
+    throw std::invalid_argument(
+        "--map is of a log: name one (.log, .log.gz, .mcap, a bag's folder)");
+  }
+  YamlDocument document =
+      has_log ? YamlDocument::parse("{}", "live") : YamlDocument::load(arguments.scenario);
+  if (has_log) {
+    document.set("log=" + write_yaml(arguments.scenario).scalar);
+    if (!arguments.map.empty()) document.set("map=" + arguments.map);
+    document.set("start=" + arguments.start);
+  }
+  for (const std::string& text : overrides_of_live(arguments)) document.set(text);
+  return read_session(std::move(document),
+                      {std::filesystem::path(arguments.scenario).parent_path(), {}});
 }
 
 /// A copy of the run's process would speak to the same program.
@@ -136,17 +178,32 @@ int show_run(const LiveArguments& arguments) {
   return serve(std::move(options), open_silent_line());
 }
 
+/// The scenario, which of a log is that of the worlds that pages bring.
+LoadedScenario scenario_of_live(const LiveArguments& arguments, bool has_log) {
+  if (!has_log) return load_scenario(file_of_live(arguments), overrides_of_live(arguments));
+  return load_scenario(file_of_live({}), localizer_override(arguments.localizers));
+}
+
+std::string name_of_live(const LiveSetup& setup) {
+  if (!setup.session) return setup.scenario.scenario.name;
+  const std::filesystem::path log = setup.session->log;
+  return "replay-" + (log.has_filename() ? log : log.parent_path()).stem().stem().string();
+}
+
 int run_live(const LiveArguments& arguments) {
-  if (std::filesystem::is_directory(arguments.scenario)) return show_run(arguments);
-  const std::filesystem::path file = file_of_live(arguments);
-  LiveSetup setup{load_scenario(file, overrides_of_live(arguments)), file.parent_path(),
-                  arguments.play};
-  refuse_programs(setup.scenario.scenario.localizers);
-  setup.reports = free_live_folder(setup.scenario.scenario.name);
+  const bool has_log = is_log(arguments.scenario);
+  if (!has_log && std::filesystem::is_directory(arguments.scenario)) return show_run(arguments);
+  std::optional<ReplaySession> session = session_of_live(arguments);
+  LiveSetup setup{scenario_of_live(arguments, session.has_value()),
+                  session ? "." : file_of_live(arguments).parent_path(), arguments.play};
+  setup.session = std::move(session);
+  refuse_programs(setup.session ? setup.session->localizers : setup.scenario.scenario.localizers);
+  setup.reports = free_live_folder(name_of_live(setup));
   setup.files = setup.reports / "files";
   setup.report = play_for_report;
+  setup.replay = play_replay;
   LiveServerOptions options = server_options(arguments);
-  options.page = live_page(setup.scenario.scenario.name);
+  options.page = live_page(name_of_live(setup));
   options.reports = setup.reports;
   options.files = setup.files;
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // Copies of the run outlive the one that made them.
@@ -159,8 +216,14 @@ void add_live_command(Command& app) {
   auto a = std::make_shared<LiveArguments>();
   Command command = app.add_command(
       "live", "A run in the browser: kidnap the robot, break sensors, drive, and save it all");
-  command.add_option("scenario", a->scenario,
-                     "A scenario's name or file, or a finished run's folder (default: lab/kidnap)");
+  command.add_option(
+      "scenario", a->scenario,
+      "A scenario's name or file; a recorded log, or what a live run of one saved; or "
+      "a finished run's folder (default: lab/kidnap)");
+  command.add_option("--map", a->map, "Of a log: ROS map (.yaml); of a bag, instead of its own");
+  command.add_option("--start", a->start, "Of a log: truth or unknown")
+      .one_of({"truth", "unknown"})
+      .show_default();
   command.add_option("--set", a->sets, "key=value, as in a scenario; repeat for several")
       .repeatable();
   command
@@ -177,6 +240,7 @@ void add_live_command(Command& app) {
       "  castaway live\n"
       "  castaway live office/people --port 9000\n"
       "  castaway live runs/lab-kidnap/seed-1\n"
+      "  castaway live intel.log.gz --map intel.yaml\n"
       "  castaway live --localizer mh_amcl --localizer amcl --set people.count=10");
   command.action([a] { return run_live(*a); });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace castaway::testbed {
 /// Where robot and estimates are between scans.
 struct LivePoses {
   Stamp now{};
-  SE2 T_map_base_true;
+  std::optional<SE2> T_map_base_true;         ///< Nothing if it is unknown.
   std::vector<std::optional<SE2>> estimates;  ///< By localizer, carried on by odometry.
   /// Height, roll and pitch of base.
   Eigen::Isometry3d T_footprint_base = Eigen::Isometry3d::Identity();
@@ -36,13 +37,16 @@ class LiveFeed final : public RunSink {
   /// outline of its leaf when it is closed; otherwise as in `change_entry`.
   void set_doors(const sim::WorldSpec& world);
 
+  /// Tells pages that a log of so many scans is played: `recorded` of the header.
+  void set_recorded(std::size_t scans) { header_["recorded"] = {{"scans", scans}}; }
+
   /// The header of a recording (`recording_header`) with `cells`: the map as `pack_cells`, in
   /// base64, and `doors`.
   [[nodiscard]] nlohmann::ordered_json hello() const;
 
   /// A frame: the length of its JSON in four bytes, lowest first, the JSON, and blocks of bytes.
   ///   now          [s]
-  ///   truth        [x, y, yaw]
+  ///   truth        [x, y, yaw], or null
   ///   lift         [height, roll, pitch] of base; absent while it stands on level floor
   ///   estimates    the same for each localizer, or null
   ///   scans        those since the last frame: [t, torn, truth, localizers], of each localizer

@@ -1,17 +1,20 @@
 #include "tools/live/live_loading.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-bool has_ending(const std::filesystem::path& file, std::string_view ending) {
-  return file.filename().string().ends_with(ending);
+bool has_ending(std::string_view file, std::initializer_list<std::string_view> endings) {
+  return std::ranges::any_of(endings, [&](std::string_view end) { return file.ends_with(end); });
 }
 
 void remove_key(YamlNode& map, const std::string& key) {
@@ -45,6 +48,28 @@ YamlNode without_places(const LoadedScenario& scenario) {
   return root;
 }
 
+/// The log with the localizers of what is played now, and the map `map`; empty: that of the log
+/// that is played now.
+ReplaySession with_log(const LiveSetup& setup, const std::filesystem::path& log,
+                       const std::string& map) {
+  const YamlNode now =
+      setup.session ? setup.session->tree : parse_yaml(setup.scenario.effective, "scenario");
+  YamlNode root;
+  root.kind = YamlNode::Kind::kMap;
+  root.entries.push_back({"log", yaml_scalar(std::filesystem::absolute(log).string())});
+  if (!map.empty()) {
+    root.entries.push_back({"map", yaml_scalar(std::filesystem::absolute(map).string())});
+  } else if (setup.session && !is_bag(log)) {
+    root.entries.push_back({"map", yaml_scalar(setup.session->map)});
+  }
+  root.entries.push_back({"localizers", *now.find("localizers")});
+  ReplaySession session = read_session(YamlDocument(std::move(root)), {{}, FilePrograms::kAllowed});
+  if (session.map.empty() && !is_bag(log)) {
+    throw std::runtime_error("a CARMEN log holds no map: drop a .yaml with its picture beside it");
+  }
+  return session;
+}
+
 }  // namespace
 
 LoadedScenario in_world(const LoadedScenario& scenario, const std::filesystem::path& file) {
@@ -60,16 +85,28 @@ LoadedScenario with_robot(const LoadedScenario& scenario, const std::filesystem:
   return read_again(root, scenario.scenario.name);
 }
 
-LoadedScenario with_file(const LoadedScenario& scenario, const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    throw std::runtime_error("there is no file " + file.filename().string() + "; drop it again");
+LiveSetup with_file(const LiveSetup& setup, const std::string& file, const std::string& map) {
+  const std::filesystem::path path = setup.files / file;
+  for (const std::string& name : {file, map}) {
+    if (name.empty() || std::filesystem::is_regular_file(setup.files / name)) continue;
+    throw std::runtime_error("there is no file " + name + "; drop it again");
   }
-  for (const char* ending : {".sdf", ".world", ".yaml", ".yml", ".sdf.xacro", ".world.xacro"}) {
-    if (has_ending(file, ending)) return in_world(scenario, file);
+  LiveSetup changed = setup;
+  if (has_ending(file, {".log", ".log.gz", ".carmen", ".carmen.gz", ".mcap"})) {
+    changed.session = with_log(setup, path, map.empty() ? "" : (setup.files / map).string());
+    return changed;
   }
-  if (has_ending(file, ".urdf") || has_ending(file, ".xacro")) return with_robot(scenario, file);
-  throw std::runtime_error("'" + file.filename().string() +
-                           "' is no world (.yaml, .sdf, .world) and no robot (.urdf, .xacro)");
+  changed.session.reset();
+  if (has_ending(file, {".sdf", ".world", ".yaml", ".yml", ".sdf.xacro", ".world.xacro"})) {
+    changed.scenario = in_world(setup.scenario, path);
+  } else if (has_ending(file, {".urdf", ".xacro"})) {
+    changed.scenario = with_robot(setup.scenario, path);
+  } else {
+    throw std::runtime_error("'" + file +
+                             "' is no world (.yaml, .sdf, .world), no robot (.urdf, .xacro) and no "
+                             "log (.log, .log.gz, .mcap)");
+  }
+  return changed;
 }
 
 }  // namespace castaway::testbed

@@ -1,8 +1,9 @@
-/// Worlds and robots that a page brings to a live run.
+/// Worlds, robots and logs that a page brings to a live run.
 #pragma once
 
 #include <filesystem>
 
+#include "tools/live/live_player.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -16,9 +17,10 @@ LoadedScenario in_world(const LoadedScenario& scenario, const std::filesystem::p
 /// Throws std::runtime_error if it is no scenario.
 LoadedScenario with_robot(const LoadedScenario& scenario, const std::filesystem::path& file);
 
-/// The scenario in or with `file`, by its name: *.urdf and *.xacro (unless *.world.xacro and
-/// *.sdf.xacro) are robots, *.sdf, *.world and *.yaml worlds. Throws std::runtime_error for others,
-/// and if there is no such file.
-LoadedScenario with_file(const LoadedScenario& scenario, const std::filesystem::path& file);
+/// The setup with a file of `setup.files`, by its name: *.urdf and *.xacro (unless *.world.xacro
+/// and *.sdf.xacro) are robots, *.sdf, *.world and *.yaml worlds, *.log, *.log.gz, *.carmen,
+/// *.carmen.gz and *.mcap recorded logs. `map`: of such a log, a *.yaml; empty: its own, or that of
+/// the log that is played now. Throws std::runtime_error for others, and if there is no such file.
+LiveSetup with_file(const LiveSetup& setup, const std::string& file, const std::string& map);
 
 }  // namespace castaway::testbed

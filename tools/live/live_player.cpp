@@ -16,6 +16,7 @@
 #include "tools/live/live_feed.hpp"
 #include "tools/live/live_line.hpp"
 #include "tools/live/live_loading.hpp"
+#include "tools/live/live_log.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_run.hpp"
 #include "tools/live/live_trial.hpp"
@@ -56,12 +57,16 @@ class LivePlayer {
 
  private:
   void build() {
-    run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, *worlds_,
-                                     [this](const RunInfo& info, const RosMap& map, double radius) {
-                                       auto feed = std::make_unique<LiveFeed>(info, map, radius);
-                                       feed_ = feed.get();
-                                       return feed;
-                                     });
+    const LiveSinkMaker make = [this](const RunInfo& info, const RosMap& map, double radius) {
+      auto feed = std::make_unique<LiveFeed>(info, map, radius);
+      feed_ = feed.get();
+      return feed;
+    };
+    if (setup_.session) {
+      run_ = std::make_unique<LiveLog>(*setup_.session, make);
+    } else {
+      run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, *worlds_, make);
+    }
   }
 
   /// A copy that is woken goes on here, with a goal.
@@ -151,11 +156,11 @@ class LivePlayer {
     } else if (what == "back") {
       go_back(localization::from_seconds(command.at("to_s").get<double>()));
     } else if (what == "save") {
-      line_.say({{"said", "scenario"}, {"yaml", run_->scenario()}});
+      line_.say({{"said", "scenario"}, {"yaml", run_->saved()}});
     } else if (what == "report") {
       begin_report();
     } else if (what == "load") {
-      load(command.at("file").get<std::string>());
+      load(command.at("file").get<std::string>(), command.value("map", ""));
     } else {
       throw std::runtime_error("unknown command '" + what + "'");
     }
@@ -174,14 +179,19 @@ class LivePlayer {
     do {  // A run that went back has forgotten some.
       out = setup_.reports / std::to_string(++reports_);
     } while (std::filesystem::exists(out));
-    report_.start(
-        [&] {
-          YamlDocument played = YamlDocument::parse(run_->scenario(), "live");
-          setup_.report(read_scenario(std::move(played), setup_.base, setup_.scenario.scenario.name,
-                                      FilePrograms::kAllowed),
-                        setup_.base, out);
-        },
-        line_.socket());
+    report_.start([&] { make_report(YamlDocument::parse(run_->saved(), "live"), out); },
+                  line_.socket());
+  }
+
+  /// Its localizers were accepted at the command line.
+  void make_report(YamlDocument played, const std::filesystem::path& out) {
+    if (setup_.session) {
+      setup_.replay(read_session(std::move(played), {{}, FilePrograms::kAllowed}), out);
+    } else {
+      setup_.report(read_scenario(std::move(played), setup_.base, setup_.scenario.scenario.name,
+                                  FilePrograms::kAllowed),
+                    setup_.base, out);
+    }
   }
 
   void tell_of_report() {
@@ -195,14 +205,16 @@ class LivePlayer {
   }
 
   /// Another run takes the place of this one, unless it cannot be built.
-  void load(const std::string& name) {
-    if (!file_name_error(name).empty()) throw std::runtime_error("no file of a page");
-    LoadedScenario scenario = with_file(setup_.scenario, setup_.files / name);
+  void load(const std::string& name, const std::string& map) {
+    for (const std::string& file : {name, map.empty() ? name : map}) {
+      if (!file_name_error(file).empty()) throw std::runtime_error("no file of a page");
+    }
+    LiveSetup setup = with_file(setup_, name, map);
     try_in_copy([&] {
       checkpoints_.clear();
       run_.reset();
       worlds_ = std::make_unique<SharedWorlds>();
-      setup_.scenario = std::move(scenario);
+      setup_ = std::move(setup);
       build();
     });
     undone_ = false;
@@ -229,13 +241,17 @@ class LivePlayer {
   }
 
   void say_hello() {
-    feed_->set_doors(run_->world());
+    if (const sim::WorldSpec* world = run_->world()) feed_->set_doors(*world);
+    if (const auto scans = run_->recorded_scans()) feed_->set_recorded(*scans);
     line_.say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
     say_status();
   }
 
   /// Pages keep the last one.
-  void say_scene() { line_.say_text(R"({"said":"scene","scene":)" + run_->scene() + "}"); }
+  void say_scene() {
+    const std::string scene = run_->scene();
+    if (!scene.empty()) line_.say_text(R"({"said":"scene","scene":)" + scene + "}");
+  }
 
   void say_status_now_and_then() {
     if (wall_time() >= next_status_) say_status();
@@ -262,7 +278,7 @@ class LivePlayer {
   Checkpoints checkpoints_;
   LiveReport report_;
   int reports_ = 0;  ///< Begun so far.
-  std::unique_ptr<LiveRun> run_;
+  std::unique_ptr<LivePlay> run_;
   LiveFeed* feed_ = nullptr;
   LiveClock clock_;
   std::optional<GoTo> goal_;

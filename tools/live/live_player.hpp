@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
+#include "tools/replay/replay_session.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -21,6 +23,10 @@ struct LiveSetup {
                      const std::filesystem::path& out)>
       report{};
   std::filesystem::path reports{};  ///< Folder for them: "1", "2"...
+  /// The same as `report` for a recorded log.
+  std::function<void(const ReplaySession& session, const std::filesystem::path& out)> replay{};
+  /// Played in place of the scenario, which then serves for the worlds and robots of pages.
+  std::optional<ReplaySession> session{};
 };
 
 /// Plays until the other end of `socket` is closed: takes commands, as JSON, and says what happens
@@ -29,9 +35,11 @@ struct LiveSetup {
 ///   {"do": "speed", "value": 2}              0.1 to 100 times real time
 ///   {"do": "event", "event": {...}}          `read_live_event`
 ///   {"do": "back", "to_s": 12.5}             events after that time are undone
-///   {"do": "save"}                           the scenario that repeats the run until now
+///   {"do": "save"}                           the scenario that repeats the run until now; of a
+///                                            log, the session
 ///   {"do": "report"}                         plays that and makes a report
-///   {"do": "load", "file": "map.yaml"}       another run, in this world or with this robot
+///   {"do": "load", "file": "map.yaml"}       another run, in this world or with this robot; a log,
+///                                            with "map": its map
 /// It says
 ///   {"said": "hello", "run": {...}}          `LiveFeed::hello`; also at the start and after "back"
 ///   {"said": "scene", "scene": {...}}        `page_scene_json`; after a hello, and when

@@ -80,7 +80,7 @@ Stamp LiveRun::add(const std::string& event) {
   return at;
 }
 
-std::string LiveRun::scenario() const {
+std::string LiveRun::saved() const {
   YamlNode saved = scenario_;
   child(saved, "duration_s") = write_yaml(localization::seconds(source_->now()));
   return emit_yaml(saved);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/live/live_event.hpp"
+#include "tools/live/live_play.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/scene/page_scene.hpp"
@@ -17,38 +17,32 @@
 
 namespace castaway::testbed {
 
-/// Makes the sink that hears of a run; `radius` [m]: of the robot.
-using LiveSinkMaker =
-    std::function<std::unique_ptr<RunSink>(const RunInfo& info, const RosMap& map, double radius)>;
-
-/// A run without an end. Played again from `scenario`, it gives the same data.
-class LiveRun {
+/// A run without an end. Saved, it is a scenario.
+class LiveRun final : public LivePlay {
  public:
   /// Builds the run; `base` is the folder of the scenario's file. Throws as `build_simulation` and
   /// `build_localizers`.
   LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base, SharedWorlds& worlds,
           const LiveSinkMaker& make_sink);
 
-  /// Plays the next delivery. Returns false once simulated time ends, after 100 days.
-  bool step();
-  /// Stamp of the last delivery.
-  [[nodiscard]] Stamp now() const { return loop_->now(); }
-  /// True pose of base now, which may be a physics step ahead of the last delivery.
-  [[nodiscard]] SE2 true_pose() const { return source_->true_pose(); }
-  /// Height, roll and pitch of base now.
-  [[nodiscard]] Eigen::Isometry3d T_footprint_base() const { return source_->T_footprint_base(); }
-  /// What can be seen, people included, as JSON (`page_scene_json`).
-  [[nodiscard]] std::string scene();
-  /// Estimates carried on by odometry to the last reading; nothing of a localizer without one.
-  [[nodiscard]] std::vector<std::optional<SE2>> estimates() const { return loop_->estimates(); }
+  /// Simulated time ends after 100 days.
+  bool step() override;
+  [[nodiscard]] Stamp now() const override { return loop_->now(); }
+  /// It may be a physics step ahead of the last delivery.
+  [[nodiscard]] std::optional<SE2> true_pose() const override { return source_->true_pose(); }
+  [[nodiscard]] Eigen::Isometry3d T_footprint_base() const override {
+    return source_->T_footprint_base();
+  }
+  [[nodiscard]] std::string scene() override;
+  [[nodiscard]] std::vector<std::optional<SE2>> estimates() const override {
+    return loop_->estimates();
+  }
 
-  /// Adds an event now; see `read_live_event`. Returns its time. Throws std::runtime_error or
-  /// std::invalid_argument of one line if it is impossible.
-  Stamp add(const std::string& event);
-  /// The world as it is now.
-  [[nodiscard]] const sim::WorldSpec& world() const { return source_->world(); }
-  /// The scenario with all events that were added, ending now.
-  [[nodiscard]] std::string scenario() const;
+  /// See `read_live_event`.
+  Stamp add(const std::string& event) override;
+  [[nodiscard]] const sim::WorldSpec* world() const override { return &source_->world(); }
+  [[nodiscard]] std::optional<std::size_t> recorded_scans() const override { return std::nullopt; }
+  [[nodiscard]] std::string saved() const override;
 
  private:
   [[nodiscard]] Stamp time_of(const std::string& event) const;

@@ -1,4 +1,4 @@
-/// Plays recorded frames: a part of a log, or two parts spliced into a kidnap.
+/// Plays recorded frames: a log, or a part of it.
 #pragma once
 
 #include <memory>
@@ -20,18 +20,6 @@ Frames stretch(const Frames& frames, std::size_t first, Stamp window);
 
 /// Frames up to and including the `count`-th scan.
 Frames first_scans(const Frames& frames, std::size_t count);
-
-/// Makes a kidnap from recorded data. The frames from scan `from_first` to scan `from` are followed
-/// by those from scan `to` on for `window`, with a kidnap event between them. Odometry continues
-/// without a jump, and the time of the gap is the one recorded after scan `from`. Throws
-/// std::out_of_range if there are no such scans, std::invalid_argument if from_first > from.
-struct Splice {
-  std::size_t from_first = 0;   ///< Index of the first scan played.
-  std::size_t from = 0;         ///< Index of the last scan before the jump.
-  std::size_t to = 0;           ///< Index of the first scan after the jump.
-  Stamp window = Stamp::max();  ///< Duration after the jump.
-};
-Frames splice(const Frames& frames, const Splice& at);
 
 /// Plays frames that it owns.
 class RecordedSource final : public SensorSource {

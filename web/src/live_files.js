@@ -1,15 +1,19 @@
-// Worlds and robots of one's own: files that are dropped on the page of a live run, or chosen.
+// Worlds, robots and logs of one's own: files that are dropped on the page of a live run, or chosen.
 import {element} from './dom.js';
 
 const kLargest = 64 * 1024 * 1024;  // [bytes]
 const kWorlds = ['.sdf', '.world', '.sdf.xacro', '.world.xacro'];
 const kRobots = ['.urdf', '.xacro'];
 const kMaps = ['.yaml', '.yml'];
+const kLogs = ['.log', '.log.gz', '.carmen', '.carmen.gz', '.mcap'];
 
-/** The file among `names` that is a world, a robot or a map; null if there is none. */
+/** What to load of the files `names`: {file}, a world, a robot or a map; a log with its {map}; null: nothing. */
 export function mainFile(names) {
   const ending = (endings) => names.find((name) => endings.some((end) => name.toLowerCase().endsWith(end)));
-  return ending(kWorlds) ?? ending(kMaps) ?? ending(kRobots) ?? null;
+  const log = ending(kLogs);
+  if (log) return {file: log, map: ending(kMaps) ?? ''};
+  const file = ending(kWorlds) ?? ending(kMaps) ?? ending(kRobots);
+  return file ? {file} : null;
 }
 
 /** Why files cannot be used, in one line; null if they can. */
@@ -17,7 +21,8 @@ export function refusalOf(files) {
   const large = files.find((file) => file.size > kLargest);
   if (large) return `${large.name} has more than 64 MiB.`;
   return mainFile(files.map((file) => file.name)) ? null
-    : 'Drop a world (.yaml with its picture, .sdf, .world) or a robot (.urdf, .xacro), with the files that it needs.';
+    : 'Drop a world (.yaml with its picture, .sdf, .world), a robot (.urdf, .xacro) or a log (.log, .log.gz, .mcap), with '
+      + 'the files that it needs.';
 }
 
 /** Sends files to the server at `location`. Throws Error with its words if it refuses one. */
@@ -30,7 +35,7 @@ export async function bring(files, location) {
   }
 }
 
-/** Takes files that are dropped on `place`, and those of a button, which it returns. `load(name)`, `note(text)`. */
+/** Takes files that are dropped on `place`, and those of a button, which it returns. `load({file, map})`, `note(text)`. */
 export function fileTools(place, signal, load, note) {
   const take = async (list) => {
     const files = [...list];
@@ -51,6 +56,6 @@ export function fileTools(place, signal, load, note) {
     take(event.dataTransfer.files);
   }, {signal});
   const button = element('button', {type: 'button', title: 'Or drop the files on the page', click: () => input.click()},
-    'Own world or robot…');
+    'Own world, robot or log…');
   return [button, input];
 }

@@ -49,8 +49,8 @@ function group(name, ...parts) {
 }
 
 /** Tools of the pointer: one of them, or none, is chosen. */
-function pointerTools(state, help) {
-  const buttons = Object.entries(kTools).map(([name, {text, help: words}]) =>
+function pointerTools(tools, state, help) {
+  const buttons = tools.map(([name, {text, help: words}]) =>
     button(text, () => {
       state.tool = state.tool === name ? null : name;
       help.textContent = state.tool ? words : 'The pointer moves the map.';
@@ -104,9 +104,22 @@ function worldTools(state, send) {
   return {parts, showThings};
 }
 
-/** All tools: {panel, showThings(things)}. `state`: {tool, choices}; `send(event)`: an event takes place. */
-export function liveTools(state, names, send) {
-  const help = element('p', {class: 'soft', role: 'status'}, 'Drag the robot; a kidnap that takes no time.');
+/** What can be done to a log of `scans` scans: it is spliced. */
+function logTools(scans, send) {
+  const scan = element('input', {type: 'number', min: 0, max: scans - 1, step: 1, value: 0, 'aria-label': 'Scan of the log'});
+  const go = () => send({splice: {to_scan: Number(scan.value)}});
+  return group('Log', scan, `of ${scans} scans`, button('Go on from this scan', go));
+}
+
+const kOfLogs = ['teleport', 'initial'];  // Tools of the pointer for recorded logs.
+
+/**
+ * All tools: {panel, showThings(things)}. `state`: {tool, choices}; `send(event)`: an event takes place. `recorded`:
+ * {scans} of a log that is played, which has no world, undefined for a simulated run.
+ */
+export function liveTools(state, names, send, recorded) {
+  const help = element('p', {class: 'soft', role: 'status'}, recorded
+    ? 'Drag the robot: the log goes on from the scan nearest to there.' : 'Drag the robot; a kidnap that takes no time.');
   const seconds = element('input', {type: 'number', min: 0.5, max: 600, step: 0.5, value: 5,
     'aria-label': 'Duration of the fault [s]'});
   const fault = choice('Fault', Object.keys(kFaults));
@@ -115,11 +128,13 @@ export function liveTools(state, names, send) {
   });
   const order = (what) => () => send({localizer: {name: localizer.value, do: what}});
   const world = worldTools(state, send);
+  const pointer = Object.entries(kTools).filter(([name]) => !recorded || kOfLogs.includes(name));
+  const kidnaps = recorded ? kKidnaps.slice(0, 2) : kKidnaps;
   const tools = [
-    group('Hands', ...pointerTools(state, help), help),
-    group('Kidnap', ...kKidnaps.map(([text, event]) => button(text, () => send(event)))),
-    world.parts,
-    group('Break', fault, seconds, button('Break it', () => send(faultEvent(fault.value, Number(seconds.value))))),
+    group('Hands', ...pointerTools(pointer, state, help), help),
+    group('Kidnap', ...kidnaps.map(([text, event]) => button(text, () => send(event)))),
+    ...(recorded ? [logTools(recorded.scans, send)] : [world.parts,
+      group('Break', fault, seconds, button('Break it', () => send(faultEvent(fault.value, Number(seconds.value)))))]),
   ];
   if (names.length > 0) {
     tools.push(group('Localizer', localizer, button('Global localization', order('relocalize')),

@@ -58,10 +58,10 @@ export class LiveView {
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, recordingRun(recording));
     this.note = element('p', {role: 'alert', class: 'note', hidden: true});
-    this.drive = new LiveDrive(event);
+    this.drive = new LiveDrive(recording.header.recorded ? () => {} : event);
     const time = element('div', {class: 'timeline'});
     const curve = element('div', {class: 'curve'});
-    this.tools = liveTools(state, recording.names, event);
+    this.tools = liveTools(state, recording.names, event, recording.header.recorded);
     this.tools.showThings(this.things());
     this.place.replaceChildren(this.transport(), this.note, this.tools.panel,
       element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
@@ -83,7 +83,7 @@ export class LiveView {
     this.again = button('Go on from here', () => this.goOn());
     this.toNow = button('Back to now', () => this.look(null));
     this.again.hidden = this.toNow.hidden = true;
-    const files = fileTools(this.place, this.life.signal, (file) => this.send({do: 'load', file}), (text) => this.noteText(text));
+    const files = fileTools(this.place, this.life.signal, (chosen) => this.send({do: 'load', ...chosen}), (text) => this.noteText(text));
     return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
       button('Save as scenario', order({do: 'save'})),
       button('Report', order({do: 'report'}), {title: 'Plays the run until now again and makes its report'}), ...files,

@@ -9,10 +9,12 @@ afterEach(() => {
 });
 
 test('a world, a map or a robot is found among its files', () => {
-  assert.equal(mainFile(['wall.dae', 'House.SDF']), 'House.SDF');
-  assert.equal(mainFile(['map.pgm', 'map.yaml']), 'map.yaml');
-  assert.equal(mainFile(['base.stl', 'robot.urdf.xacro']), 'robot.urdf.xacro');
-  assert.equal(mainFile(['shop.world.xacro', 'map.yaml']), 'shop.world.xacro');
+  assert.deepEqual(mainFile(['wall.dae', 'House.SDF']), {file: 'House.SDF'});
+  assert.deepEqual(mainFile(['map.pgm', 'map.yaml']), {file: 'map.yaml'});
+  assert.deepEqual(mainFile(['base.stl', 'robot.urdf.xacro']), {file: 'robot.urdf.xacro'});
+  assert.deepEqual(mainFile(['shop.world.xacro', 'map.yaml']), {file: 'shop.world.xacro'});
+  assert.deepEqual(mainFile(['map.pgm', 'map.yaml', 'intel.log.gz']), {file: 'intel.log.gz', map: 'map.yaml'});
+  assert.deepEqual(mainFile(['walk.mcap']), {file: 'walk.mcap', map: ''});
   assert.equal(mainFile(['map.pgm']), null);
 });
 

@@ -39,7 +39,7 @@ TEST(LiveFeed, FramesHoldWhatHappenedSinceTheLastOne) {
   second.localizers[1].estimate.reset();
   feed.on_scan(second);
   const LivePoses poses{
-      localization::from_seconds(1.15), {1.0, 2.0, 0.5}, {SE2{3.0, 4.0, 0.1}, {}}};
+      localization::from_seconds(1.15), SE2{1.0, 2.0, 0.5}, {SE2{3.0, 4.0, 0.1}, {}}};
   const ReadFrame frame = read_frame(feed.take_frame(poses));
   EXPECT_EQ(frame.head.at("now"), 1.15);
   EXPECT_EQ(frame.head.at("truth"), (nlohmann::json{1.0, 2.0, 0.5}));

@@ -111,7 +111,7 @@ TEST(LiveRun, WhatHandsDidIsRepeatedToTheBit) {
     run.add(hand);
   }
   play_until(run, at_s + 3.0);
-  const Delivered again = replayed(run.scenario());
+  const Delivered again = replayed(run.saved());
   ASSERT_GT(again.numbers.size(), 10000U);
   lived.numbers.resize(std::min(lived.numbers.size(), again.numbers.size()));
   EXPECT_EQ(lived.numbers.size(), again.numbers.size());
@@ -132,7 +132,7 @@ TEST(LiveRun, EventsOfTheScenarioTakePlaceBesideThoseOfHands) {
   run.add(R"({"drive": {"w": 0.5}})");
   run.add(R"({"kidnap": {"min_distance_m": 1}})");
   play_until(run, 5.0);
-  const Delivered again = replayed(run.scenario());
+  const Delivered again = replayed(run.saved());
   ASSERT_LE(again.numbers.size(), lived.numbers.size() + 20);
   lived.numbers.resize(std::min(lived.numbers.size(), again.numbers.size()));
   EXPECT_TRUE(std::equal(lived.numbers.begin(), lived.numbers.end(), again.numbers.begin()));
@@ -161,7 +161,7 @@ TEST(LiveRun, SaysWhatIsWrongAndGoesOn) {
               HasSubstr("no lidar 'top'"));
   EXPECT_THAT(error_of(R"({"localizer": {"name": "gmapping", "do": "off"}})"),
               HasSubstr("gmapping"));
-  const std::string before = run.scenario();
+  const std::string before = run.saved();
   play_until(run, 1.0);
   EXPECT_EQ(before.find("900"), std::string::npos);
   EXPECT_TRUE(run.step());
@@ -174,7 +174,7 @@ TEST(LiveRun, KnowsWhereEverythingIsBetweenScans) {
   play_until(run, 2.055);
   const auto estimates = run.estimates();
   ASSERT_EQ(estimates.size(), 2U);
-  EXPECT_LT(localization::distance(estimates[0].value(), run.true_pose()), 0.1);
+  EXPECT_LT(localization::distance(estimates[0].value(), run.true_pose().value()), 0.1);
 }
 
 }  // namespace

@@ -51,12 +51,12 @@ std::vector<LocalizerSpec> load_localizers(const std::string& file, FilePrograms
   return specs;
 }
 
+}  // namespace
+
 bool names_a_file(const std::string& text) {
   const bool is_foreign = text.starts_with("program:") || text.starts_with("library:");
   return !is_foreign && (text.ends_with(".yaml") || text.ends_with(".yml"));
 }
-
-}  // namespace
 
 std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key,
                                            const ForeignRules& rules) {

@@ -18,6 +18,9 @@ void describe_localizers(std::vector<SettingText>& texts);
 std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key,
                                            const ForeignRules& rules = {});
 
+/// True if a text of the command line is a YAML file with a list `localizers`.
+bool names_a_file(const std::string& text);
+
 /// Parses a localizer from the command line: `mh_amcl`, `amcl:amcl-recovery`,
 /// `program:python3 mine.py`, `library:./libmine.so`.
 LocalizerSpec parse_localizer(const std::string& text);

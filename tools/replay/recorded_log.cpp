@@ -1,0 +1,124 @@
+#include "tools/replay/recorded_log.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "tools/output/file_name.hpp"
+#include "tools/ros/bag_topics.hpp"
+#include "tools/scenario/files/bag_folder.hpp"
+#include "tools/scenario/files/ros_map_file.hpp"
+#include "tools/sources/bag/bag_reading.hpp"
+#include "tools/sources/map_conversion.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using Scans = CarmenSourceConfig::Scans;
+
+/// Index, among the scans that are used, of the first one from `scan` of the log on.
+std::size_t used_scan(Scans used, std::size_t scan) {
+  if (used == Scans::kAll) return scan;
+  return used == Scans::kEven ? (scan + 1) / 2 : scan / 2;
+}
+
+/// How many scans of the log are needed; nothing: all, as a jump may lead anywhere.
+std::optional<std::int64_t> needed_scans(const ReplaySession& session) {
+  const SplicedPart& part = session.part;
+  if (!part.scans || !part.jumps.empty()) return std::nullopt;
+  return static_cast<std::int64_t>(used_scan(session.scans_used, part.from_scan) + *part.scans);
+}
+
+RecordedLog open_carmen(const ReplaySession& session) {
+  if (!std::filesystem::exists(session.log)) {
+    throw std::runtime_error(session.log + ": cannot be read; check the path and its permissions");
+  }
+  if (session.map.empty()) {
+    throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
+  }
+  RecordedLog log;
+  log.map = load_ros_map(session.map);
+  log.warnings = log.map.warnings;
+  CarmenSourceConfig config;
+  config.selection = session.scans_used;
+  config.scans = needed_scans(session);
+  CarmenSource source(session.log, config);
+  log.frames = std::make_shared<const Frames>(all_frames(source));
+  return log;
+}
+
+/// The map that the session names, or the bag's own.
+RosMap map_of(const ReplaySession& session, const BagInventory& bag,
+              const BagRecording& recording) {
+  if (!session.map.empty()) return load_ros_map(session.map);
+  if (!recording.map) {
+    throw std::runtime_error(session.log + ": holds no OccupancyGrid; name a map by --map");
+  }
+  RosMap map = *recording.map;
+  const auto run = bag.metadata.find("run");
+  const bool named = run != bag.metadata.end() && run->second.contains("world");
+  map.name = named ? run->second.at("world") : bag.files.front().stem().string();
+  return map;
+}
+
+RecordedLog open_bag(const ReplaySession& session) {
+  if (session.scans_used != Scans::kAll) {
+    throw std::invalid_argument("--use takes CARMEN logs, not bags");
+  }
+  const BagInventory bag = take_inventory(session.log, bag_files(session.log));
+  BagRecording recording = read_bag(bag, choose_topics(bag, session.topics));
+  RecordedLog log;
+  log.map = map_of(session, bag, recording);
+  log.warnings = std::move(recording.warnings);
+  log.warnings.insert(log.warnings.end(), log.map.warnings.begin(), log.map.warnings.end());
+  log.start = recording.start;
+  log.lidars = lidars_of(recording.frames);
+  log.frames = std::make_shared<const Frames>(std::move(recording.frames));
+  return log;
+}
+
+}  // namespace
+
+RecordedLog open_log(const ReplaySession& session) {
+  return is_bag(session.log) ? open_bag(session) : open_carmen(session);
+}
+
+std::string replay_name(const RecordedLog& log) { return "replay-" + file_name_of(log.map.name); }
+
+RunInfo run_info(const ReplaySession& session, const RecordedLog& log) {
+  RunInfo info;
+  info.scenario = replay_name(log);
+  info.world = log.map.name;
+  info.robot = "recorded";
+  info.seed = session.seed;
+  info.known_start = session.known_start;
+  info.localizers = names_of(session.localizers);
+  return info;
+}
+
+std::unique_ptr<SplicedSource> spliced_source(const RecordedLog& log,
+                                              const ReplaySession& session) {
+  SplicedPart part = session.part;
+  part.from_scan = used_scan(session.scans_used, part.from_scan);
+  try {
+    return std::make_unique<SplicedSource>(log.frames, std::move(part));
+  } catch (const std::out_of_range& error) {
+    throw std::runtime_error(session.log + ": " + error.what());
+  }
+}
+
+std::optional<localization::PoseWithCovariance> initial_pose(const ReplaySession& session,
+                                                             const RecordedLog& log,
+                                                             const SensorSource& source) {
+  if (!session.known_start) return std::nullopt;
+  const bool at_begin = session.part.from_scan == 0;
+  const std::optional<SE2> start = at_begin && log.start ? log.start : source.start_pose();
+  if (!start) {
+    throw std::runtime_error(session.log +
+                             ": holds no truth at the first scan, so there is no true start; use "
+                             "--start unknown");
+  }
+  return localization::PoseWithCovariance{*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+}
+
+}  // namespace castaway::testbed

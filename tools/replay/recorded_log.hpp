@@ -1,0 +1,44 @@
+/// Opens the log of a replay: a CARMEN log with its map, or a bag.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/foreign/protocol/lidar_facts.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/replay/replay_session.hpp"
+#include "tools/run/run_sink.hpp"
+
+namespace castaway::testbed {
+
+/// Contents of a log.
+struct RecordedLog {
+  std::shared_ptr<const Frames> frames;
+  RosMap map;
+  std::optional<SE2> start;        ///< Start pose given to the localizers, in castaway's own bags.
+  std::vector<LidarFacts> lidars;  ///< Of a bag.
+  std::vector<std::string> warnings;
+};
+
+/// Reads the log, and its map, into memory. Throws std::runtime_error naming the file, or
+/// std::invalid_argument for settings that it cannot have.
+RecordedLog open_log(const ReplaySession& session);
+
+/// "replay-<map>": the name of its runs.
+std::string replay_name(const RecordedLog& log);
+
+/// Facts of the run.
+RunInfo run_info(const ReplaySession& session, const RecordedLog& log);
+
+/// The log's source that plays the session.
+std::unique_ptr<SplicedSource> spliced_source(const RecordedLog& log, const ReplaySession& session);
+
+/// The initial pose that the session gives to its localizers; nothing: unknown. Throws
+/// std::runtime_error if it is the true one, which the log does not hold.
+std::optional<localization::PoseWithCovariance> initial_pose(const ReplaySession& session,
+                                                             const RecordedLog& log,
+                                                             const SensorSource& source);
+
+}  // namespace castaway::testbed

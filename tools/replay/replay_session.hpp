@@ -1,0 +1,54 @@
+/// What `castaway replay` plays, as YAML: a log, localizers, and what happens on the way.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/ros/bag_topics.hpp"
+#include "tools/run/localizer_order.hpp"
+#include "tools/scenario/localizers/foreign_spec.hpp"
+#include "tools/scenario/sections/scenario.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
+#include "tools/sources/carmen_source.hpp"
+#include "tools/sources/spliced_source.hpp"
+
+namespace castaway::testbed {
+
+/// A replay:
+///
+///     log: intel.log.gz             # CARMEN log or bag
+///     map: intel.yaml               # of a bag: in place of its own
+///     start: unknown                # truth, unknown
+///     from_scan: 0
+///     scans: ~                      # how many; ~: all
+///     scans_used: all               # all, even, odd
+///     scan_topics: []               # of a bag; as --scan-topic
+///     odom_topic: ""
+///     truth_topic: ""
+///     seed: 1
+///     localizers: [mh_amcl]         # as in a scenario
+///     events:
+///       - splice: {after_scans: 120, to_scan: 900}
+///       - localizer: {name: mh_amcl, do: relocalize, at_s: 30}
+///
+/// A splice goes on from scan `to_scan` of the log once `after_scans` scans have been played.
+struct ReplaySession {
+  std::string log;
+  std::string map;  ///< Empty: the bag's own.
+  bool known_start = false;
+  /// `from_scan`: of the log; the other numbers: of the scans that are used.
+  SplicedPart part;
+  CarmenSourceConfig::Scans scans_used = CarmenSourceConfig::Scans::kAll;
+  BagTopicOptions topics;
+  std::uint64_t seed = 1;
+  std::vector<LocalizerSpec> localizers;
+  std::vector<LocalizerOrder> orders;  ///< In order of time.
+  YamlNode tree;                       ///< All of it, with defaults filled in.
+};
+
+/// Reads a session. Throws std::runtime_error or std::invalid_argument naming file, line and key.
+ReplaySession read_session(YamlDocument document, const ForeignRules& rules = {});
+
+}  // namespace castaway::testbed

@@ -1,0 +1,87 @@
+#include "tools/replay/splice_target.hpp"
+
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tools/evaluate/spliced_kidnap.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+constexpr double kFarthestFromLog = 2.0;  // [m]
+constexpr double kPerRadian = 0.5;        // [m/rad]
+
+std::vector<const ScanFrame*> scans_of(const Frames& frames) {
+  std::vector<const ScanFrame*> scans;
+  for (const Frame& frame : frames) {
+    if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) scans.push_back(scan);
+  }
+  return scans;
+}
+
+/// The scan of the least cost; an infinite cost excludes it.
+template <typename Cost>
+std::size_t cheapest(const std::vector<const ScanFrame*>& scans, Cost cost, const char* missing) {
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const double c =
+        scans[i]->T_map_base_true ? cost(*scans[i]) : std::numeric_limits<double>::infinity();
+    if (c >= least) continue;
+    least = c;
+    best = i;
+  }
+  if (!std::isfinite(least)) throw std::runtime_error(missing);
+  return best;
+}
+
+}  // namespace
+
+std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base) {
+  const auto scans = scans_of(frames);
+  const std::size_t best = cheapest(
+      scans,
+      [&](const ScanFrame& scan) {
+        return distance(*scan.T_map_base_true, T_map_base) +
+               kPerRadian * yaw_distance(*scan.T_map_base_true, T_map_base);
+      },
+      "the log holds no true poses: choose a scan to go on from");
+  if (distance(*scans[best]->T_map_base_true, T_map_base) > kFarthestFromLog) {
+    throw std::runtime_error(fmt::format("the log was never within {} m of ({:.2f}, {:.2f}) m",
+                                         kFarthestFromLog, T_map_base.x, T_map_base.y));
+  }
+  return best;
+}
+
+std::size_t far_scan(const Frames& frames, std::size_t from, double min_distance_m) {
+  const auto scans = scans_of(frames);
+  const auto& T_map_from = scans.at(from)->T_map_base_true;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const std::size_t to = (from + scans.size() / 2 + i) % scans.size();
+    const auto& T_map_to = scans[to]->T_map_base_true;
+    if (!T_map_from && to != from) return to;
+    if (T_map_from && T_map_to && distance(*T_map_from, *T_map_to) >= min_distance_m) return to;
+  }
+  throw std::runtime_error(
+      fmt::format("no scan of the log is {} m away from this one", min_distance_m));
+}
+
+std::size_t look_alike_scan(const Frames& frames, std::size_t from, double min_distance_m) {
+  const auto scans = scans_of(frames);
+  const ScanFrame& here = *scans.at(from);
+  return cheapest(
+      scans,
+      [&](const ScanFrame& scan) {
+        const bool elsewhere =
+            here.T_map_base_true &&
+            distance(*scan.T_map_base_true, *here.T_map_base_true) >= min_distance_m;
+        return elsewhere ? range_difference(here.scan, scan.scan, 0.0)
+                         : std::numeric_limits<double>::infinity();
+      },
+      "the log has no other place with a true pose");
+}
+
+}  // namespace castaway::testbed
