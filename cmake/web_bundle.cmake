@@ -60,6 +60,7 @@ set(CASTAWAY_WEB_FILES
   src/varint.js
   src/view.js
   src/view3d/camera.js
+  src/view3d/changing.js
   src/view3d/content.js
   src/view3d/gait.js
   src/view3d/geometry.js

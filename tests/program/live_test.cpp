@@ -228,6 +228,9 @@ TEST_F(LiveAttack, FilesAreKeptOnlyFromTheOwnPageWithinLimits) {
   const std::string file = "/file?token=" + server_.token() + "&name=";
   expect_contains(server_.post(file + "a%20b.yaml", own, "x: 1"), "HTTP/1.1 200");
   EXPECT_EQ(text_of(folder_ / "runs/live-lab-kidnap-1/files/a b.yaml"), "x: 1");
+  const std::string mesh(3'000'000, 'm');
+  expect_contains(server_.post(file + "robot%2Fmeshes%2Fbase.stl", own, mesh), "HTTP/1.1 200");
+  EXPECT_EQ(text_of(folder_ / "runs/live-lab-kidnap-1/files/robot/meshes/base.stl"), mesh);
   expect_contains(server_.post("/file?name=b.yaml", own, "x"), "HTTP/1.1 403");
   expect_contains(server_.post(file + "b.yaml", "", "x"), "HTTP/1.1 403");
   expect_contains(server_.post(file + "b.yaml", "Origin: http://evil.example\r\n", "x"),
@@ -239,7 +242,7 @@ TEST_F(LiveAttack, FilesAreKeptOnlyFromTheOwnPageWithinLimits) {
                   "HTTP/1.1 404");
   EXPECT_EQ(server_.post(file + "big", own, "x", 1'000'000'000).find("200"), std::string::npos);
   expect_contains(server_.errors(), "refused: no request (body limit exceeded");
-  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_ / "runs"), {}), 3);
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_ / "runs"), {}), 6);
   expect_unharmed();
 }
 

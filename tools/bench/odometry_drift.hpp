@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "localization/geometry/se2.hpp"
-#include "tools/sources/spliced_source.hpp"
+#include "tools/sources/recorded/spliced_source.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 
 #include "localization/geometry/random.hpp"
 #include "tools/formats/ros_map.hpp"
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

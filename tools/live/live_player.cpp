@@ -207,7 +207,7 @@ class LivePlayer {
   /// Another run takes the place of this one, unless it cannot be built.
   void load(const std::string& name, const std::string& map) {
     for (const std::string& file : {name, map.empty() ? name : map}) {
-      if (!file_name_error(file).empty()) throw std::runtime_error("no file of a page");
+      if (!file_path_error(file).empty()) throw std::runtime_error("no file of a page");
     }
     LiveSetup setup = with_file(setup_, name, map);
     try_in_copy([&] {

@@ -30,6 +30,17 @@ std::string file_name_error(std::string_view name) {
   return "";
 }
 
+std::string file_path_error(std::string_view path) {
+  constexpr int kMostParts = 12;
+  for (int part = 0; part < kMostParts; ++part) {
+    const std::size_t slash = path.find('/');
+    if (std::string error = file_name_error(path.substr(0, slash)); !error.empty()) return error;
+    if (slash == std::string_view::npos) return "";
+    path.remove_prefix(slash + 1);
+  }
+  return "must not lie in so many folders";
+}
+
 std::string file_name_of(std::string_view text) {
   std::string name(text.substr(0, kMaxBytes));
   std::replace_if(

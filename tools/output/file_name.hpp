@@ -11,6 +11,10 @@ namespace castaway::testbed {
 /// blank at either end.
 std::string file_name_error(std::string_view name);
 
+/// Why a text cannot name a file in a folder or, with slashes, in folders of it: every part must be
+/// a name, and there are at most 12. Empty if it can.
+std::string file_path_error(std::string_view path);
+
 /// Converts a text to a file name: invalid characters become '_'; "unnamed" if nothing is left.
 std::string file_name_of(std::string_view text);
 

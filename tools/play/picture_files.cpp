@@ -1,7 +1,9 @@
 #include "tools/play/picture_files.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "sim/events/world_change.hpp"
 #include "sim/scene/bounds.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/scene/visible_scene.hpp"
@@ -21,6 +23,35 @@ sim::WorldSpec part_of(sim::WorldSpec world, const std::set<std::string>& names,
     object.in_world = object.in_world && names.contains(object.name) == among;
   }
   return world;
+}
+
+/// Objects that events change, with what they look like at first and after each change.
+std::map<std::string, PageStates> changing_states(const sim::SimulationConfig& config) {
+  std::vector<sim::WorldChange> changes = config.changes;
+  std::ranges::stable_sort(changes, {}, &sim::WorldChange::at_s);
+  std::erase_if(changes, [](const sim::WorldChange& change) {
+    return std::holds_alternative<sim::AddPeople>(change.what);
+  });
+  sim::WorldSpec world = config.world;
+  const auto look = [&](const std::string& name) {
+    return sim::world_visuals(part_of(world, {name, name + "/leaf"}, true));
+  };
+  std::map<std::string, PageStates> states;
+  for (const sim::WorldChange& change : changes) {
+    const std::string name = sim::name_of(change);
+    if (!states.contains(name)) states[name].push_back(look(name));
+    sim::apply(change, world);
+    states[name].push_back(look(name));
+  }
+  return states;
+}
+
+PageScene page_scene_of(const sim::SimulationConfig& config) {
+  const std::set<std::string> changing = changing_objects(config.changes);
+  PageScene scene{page_world(part_of(config.world, changing, false)),
+                  robot_items(config.robot, config.lidars)};
+  scene.changing = changing_states(config);
+  return scene;
 }
 
 PictureWorld picture_world_of(const PreparedSimulation& prepared) {
@@ -87,8 +118,7 @@ RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& v
     files.picture_world = picture_world_of(prepared);
   }
   if (files.report && files.player) {
-    files.scene = PageScene{page_world(prepared.config.world),
-                            robot_items(prepared.config.robot, prepared.config.lidars)};
+    files.scene = page_scene_of(prepared.config);
   }
   files.camera = outputs.camera;
   if (outputs.camera) files.instances = instances_of(prepared.config);

@@ -17,6 +17,7 @@
 #include "tools/play/play_runs.hpp"
 #include "tools/play/seeds_summary.hpp"
 #include "tools/play/verdict_output.hpp"
+#include "tools/report/runs_page.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -72,6 +73,7 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   }
   if (!request.junit.empty()) require_own_file(request.junit);
   request.out = output.target;
+  if (scenario.outputs.report) require_own_file(request.out / "index.html");
   return {std::move(output), runs};
 }
 
@@ -145,6 +147,21 @@ std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
   return runs;
 }
 
+/// index.html leads to the reports of the seeds.
+void put_index(const SeedsRequest& request, const Scenario& scenario, const Outcomes& outcomes,
+               RunsFolder& folder) {
+  if (!scenario.outputs.report) return;
+  std::vector<std::filesystem::path> folders;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].run || outcomes[i].void_because) {
+      folders.push_back(folder_of(request, static_cast<int>(i)));
+    }
+  }
+  if (!folders.empty()) {
+    folder.put("index.html", render_runs_page(folders, request.out / "index.html"));
+  }
+}
+
 void write_junit(const SeedsRequest& request, const std::string& scenario, const Outcomes& outcomes,
                  const std::vector<Check>& checks) {
   if (request.junit.empty()) return;
@@ -173,6 +190,7 @@ int run_seeds(SeedsRequest request) {
   const Json summary = summary_of(request, scenario.name, outcomes);
   folder.put("summary.json", summary.dump(2) + "\n");
   folder.put("timing.json", timing_of(runs).dump(2) + "\n");
+  put_index(request, scenario, outcomes, folder);
   folder.finish();
   const std::vector<Check> checks = judge(expectations, runs);
   write_junit(request, scenario.name, outcomes, checks);

@@ -27,8 +27,8 @@ struct SeedsRequest {
 };
 
 /// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`
-/// "seeds") and timing.json. Returns the exit code: kRunFailed if a run failed, else
-/// kExpectationNotMet if an expectation was not met.
+/// "seeds"), timing.json and, where the runs have reports, index.html. Returns the exit code:
+/// kRunFailed if a run failed, else kExpectationNotMet if an expectation was not met.
 int run_seeds(SeedsRequest request);
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 #include "tools/prediction/calibration_page.hpp"
 #include "tools/prediction/place_picture.hpp"
 #include "tools/prediction/twin_replay.hpp"
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
 

@@ -10,7 +10,7 @@
 #include "tools/play/terminal.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/sources/build_localizers.hpp"
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -12,7 +12,7 @@
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 #include "tools/sources/carmen_source.hpp"
-#include "tools/sources/spliced_source.hpp"
+#include "tools/sources/recorded/spliced_source.hpp"
 
 namespace castaway::testbed {
 

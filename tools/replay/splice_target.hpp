@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

@@ -15,6 +15,7 @@
 #include "tools/report/map_plot.hpp"
 #include "tools/report/pictures_section.hpp"
 #include "tools/report/player_section.hpp"
+#include "tools/report/repeat_section.hpp"
 #include "tools/report/report_tables.hpp"
 #include "tools/report/report_words.hpp"
 
@@ -76,12 +77,12 @@ std::string render_report(const RunFolder& run, const std::optional<RosMap>& map
   const bool player = has_player(run);
   const std::string body = "<div id=\"castaway-theme-place\"></div>\n<h1>" + escape_html(title) +
                            "</h1>\n" + lead_text(run) + player_section(run) +
-                           html_section("Figures", metric_table(run)) +
+                           html_section("Figures", metric_table(run)) + expectations_section(run) +
                            (player ? "" : curves_section(run)) + calibration_section(run) +
                            hidden_by_player(html_section(
                                "Path on the map", map_legend(run) + render_map_plot(run, map))) +
                            html_section("Events", event_table(run)) + pictures_section(run) +
-                           player_data(run) + timing_section(run);
+                           repeat_section(run) + player_data(run) + timing_section(run);
   return html_page(
       {.title = title, .body = body, .bundle = player ? player_bundle() : plots_bundle()});
 }

@@ -68,7 +68,7 @@ std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 std::string heading(const std::string& text) { return "<th>" + escape_html(text) + "</th>"; }
 
 std::string localizer_headings(const Json& localizers) {
-  std::string head = "<th></th>";
+  std::string head = "<td></td>";
   for (const auto& [name, figures] : localizers.items()) head += heading(name);
   return head;
 }
@@ -119,7 +119,7 @@ std::string event_table(const RunFolder& run) {
             cell(event.time_s ? readable(event.time_s, "s") : "") + "</tr>";
   }
   if (body.empty()) return "<p>Nothing happened to the robot.</p>\n";
-  return table("<th>time</th><th>what</th><th></th><th>localizer</th><th>took</th>", body);
+  return table("<th>time</th><th>what</th><th>more</th><th>localizer</th><th>took</th>", body);
 }
 
 std::string timing_tables(const RunFolder& run) {

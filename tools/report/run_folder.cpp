@@ -120,6 +120,8 @@ RunFolder load_run_folder(const std::filesystem::path& folder) {
   read_pictures(folder / "snapshots", run);
   const auto recording = folder / "recording.gz";
   if (std::filesystem::exists(recording)) run.recording = read_file(recording);
+  const auto settings = folder / "scenario.yaml";
+  if (std::filesystem::exists(settings)) run.settings = read_file(settings);
   return run;
 }
 

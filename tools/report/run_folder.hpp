@@ -56,10 +56,11 @@ struct RunFolder {
   std::optional<std::string> pictures_missing;  ///< Why there are none, if known.
   std::string recording;                        ///< Bytes of recording.gz; empty if it does not
                                                 ///< exist.
+  std::string settings;  ///< Text of scenario.yaml; empty if it does not exist.
 };
 
-/// Reads summary.json, errors.csv and events.csv, which must exist, and timing.json, the recording
-/// and the pictures, which are optional. Throws std::runtime_error naming the file.
+/// Reads summary.json, errors.csv and events.csv, which must exist, and scenario.yaml, timing.json,
+/// the recording and the pictures, which are optional. Throws std::runtime_error naming the file.
 RunFolder load_run_folder(const std::filesystem::path& folder);
 
 }  // namespace castaway::testbed

@@ -55,17 +55,22 @@ std::string rows_of(const fs::path& folder, const fs::path& page) {
 
 }  // namespace
 
-void write_runs_page(const std::vector<fs::path>& folders, const fs::path& page) {
+std::string render_runs_page(const std::vector<fs::path>& folders, const fs::path& page) {
   const std::string title = fmt::format("{} runs", folders.size());
   std::string body = fmt::format(
-      "<h1>{}</h1>\n<div class=\"wide\"><table><thead><tr><th>run</th><th></th><th>position error, "
+      "<h1>{}</h1>\n<div class=\"wide\"><table><thead><tr><th>run</th><th>result</th><th>position "
+      "error, "
       "median</th><th>95 % below</th><th>slowest recovery</th></tr></thead><tbody>\n",
       title);
   for (const fs::path& folder : folders) body += rows_of(folder, page);
-  write_file(page, html_page({.title = title,
-                              .body = body + "</tbody></table></div>",
-                              .style = "td.words { white-space: normal; text-align: left; "
-                                       "min-width: 18rem; } td { vertical-align: top; }"}));
+  return html_page({.title = title,
+                    .body = body + "</tbody></table></div>",
+                    .style = "td.words { white-space: normal; text-align: left; "
+                             "min-width: 18rem; } td { vertical-align: top; }"});
+}
+
+void write_runs_page(const std::vector<fs::path>& folders, const fs::path& page) {
+  write_file(page, render_runs_page(folders, page));
 }
 
 }  // namespace castaway::testbed

@@ -42,13 +42,24 @@ SceneMeshes fit_scene(const PageScene& scene, std::size_t most_bytes) {
   return meshes;
 }
 
+SceneJson changing_json(const std::map<std::string, PageStates>& changing, float cell) {
+  SceneJson json;
+  for (const auto& [name, states] : changing) {
+    SceneJson& list = json[name] = SceneJson::array();
+    for (const std::vector<sim::SceneItem>& items : states) {
+      list.push_back(items.empty() ? SceneJson() : mesh_json(merge_items(items, cell)));
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string page_scene_json(const PageScene& scene, std::size_t most_bytes) {
   const PageWorld& world = scene.world;
   const SceneMeshes meshes = fit_scene(scene, most_bytes);
   const Eigen::Vector3f& floor = world.floor_color;
-  const SceneJson json = {
+  SceneJson json = {
       {"extent",
        {world.min_corner.x(), world.min_corner.y(), world.max_corner.x(), world.max_corner.y()}},
       {"top", world.top},
@@ -59,6 +70,7 @@ std::string page_scene_json(const PageScene& scene, std::size_t most_bytes) {
       {"ghost", mesh_json(merge_items(scene.robot, std::max(kGhostCell, meshes.cell)))},
       {"person", person_json(scene.people)},
       {"thinned_m", meshes.cell}};
+  if (!scene.changing.empty()) json["changing"] = changing_json(scene.changing, meshes.cell);
   return json.dump();
 }
 

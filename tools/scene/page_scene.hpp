@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,16 @@ struct PageWorld {
   double top = 0.0;                      ///< [m] Top of the items.
 };
 
+/// What an object of the world looks like at first, and after each of its changes; without items it
+/// is not there.
+using PageStates = std::vector<std::vector<sim::SceneItem>>;
+
 /// Everything.
 struct PageScene {
-  PageWorld world;
-  std::vector<sim::SceneItem> robot;      ///< In base, with all joints at 0.
-  std::vector<sim::PersonBody> people{};  ///< By number.
+  PageWorld world;                               ///< Without `changing`.
+  std::vector<sim::SceneItem> robot;             ///< In base, with all joints at 0.
+  std::vector<sim::PersonBody> people{};         ///< By number.
+  std::map<std::string, PageStates> changing{};  ///< Objects that events change, by name.
 };
 
 inline constexpr std::size_t kLiveSceneBytes = 6'000'000;    ///< Limit in the page of a live run.
@@ -39,6 +45,7 @@ inline constexpr std::size_t kReportSceneBytes = 3'000'000;  ///< Limit in a rep
 ///   world, roof, robot   meshes (`mesh_json`), in map and in base; roof: null without one
 ///   ghost      the robot again, thinned: pages draw it several times
 ///   person     `person_json`
+///   changing   {name: [mesh or null, ...]}: `PageScene::changing`; absent if that is empty
 ///   thinned_m  size of the cubes to which meshes were thinned, so that the JSON has at most about
 ///              `most_bytes`; 0 if they were not
 std::string page_scene_json(const PageScene& scene, std::size_t most_bytes);

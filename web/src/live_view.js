@@ -83,7 +83,8 @@ export class LiveView {
     this.again = button('Go on from here', () => this.goOn());
     this.toNow = button('Back to now', () => this.look(null));
     this.again.hidden = this.toNow.hidden = true;
-    const files = fileTools(this.place, this.life.signal, (chosen) => this.send({do: 'load', ...chosen}), (text) => this.noteText(text));
+    const files = fileTools(this.place, this.life.signal, (chosen) => this.send({do: 'load', ...chosen}),
+      (...parts) => this.noteParts(parts));
     return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
       button('Save as scenario', order({do: 'save'})),
       button('Report', order({do: 'report'}), {title: 'Plays the run until now again and makes its report'}), ...files,
@@ -208,11 +209,15 @@ export class LiveView {
     this.note.textContent = text;
   }
 
+  noteParts(parts) {
+    this.note.hidden = false;
+    this.note.replaceChildren(...parts);
+  }
+
   offerReport({number, folder}) {
     const link = element('a', {href: `/report/${number}${window.location.search}`, target: '_blank'},
       `Report ${number}`);
-    this.note.hidden = false;
-    this.note.replaceChildren(link, ` of the run until then. Its folder: ${folder}`);
+    this.noteParts([link, ` of the run until then. Its folder: ${folder}`]);
   }
 
   download(yaml) {

@@ -14,6 +14,11 @@ export function worldAt(header, changes, time) {
   return found;
 }
 
+/** How many of `changes`, in order of time, are of the object `name` and not after `time`. */
+export function changesSoFar(changes, name, time) {
+  return changes.filter((change) => change.name === name && change.time <= time + 1e-9).length;
+}
+
 /** True if a point is in a convex outline, counter-clockwise. */
 export function isIn(outline, [x, y]) {
   return outline.length > 2 && outline.every(([ax, ay], i) => {

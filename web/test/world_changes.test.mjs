@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {distanceTo, isIn, isOpen, nearest, worldAt} from '../src/world_changes.js';
+import {changesSoFar, distanceTo, isIn, isOpen, nearest, worldAt} from '../src/world_changes.js';
 
 const square = (x, y) => [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
 const change = (time, name, outline) => ({time, name, outline, z: [0, 1]});
@@ -13,6 +13,12 @@ test('objects come and go', () => {
   assert.deepEqual(names(1), ['A']);
   assert.deepEqual(names(2.5), ['A', 'B']);
   assert.deepEqual(names(9), ['B']);
+});
+
+test('changes of an object are counted', () => {
+  const changes = [change(1, 'A', square(0, 0)), change(2, 'B', square(3, 0)), change(3, 'A', [])];
+  assert.deepEqual([0, 1, 2, 3].map((time) => changesSoFar(changes, 'A', time)), [0, 1, 1, 2]);
+  assert.equal(changesSoFar(changes, 'C', 9), 0);
 });
 
 test('doors are there from the beginning, and stay doors', () => {

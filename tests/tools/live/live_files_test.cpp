@@ -19,7 +19,11 @@ TEST(LiveFiles, KeepsFilesWithinTheirFolder) {
   EXPECT_EQ(files.keep("map.yaml", "a"), "");
   EXPECT_EQ(files.keep("map.yaml", "b"), "");
   EXPECT_EQ(read_file(folder / "map.yaml"), "b");
-  for (const char* name : {"", "..", "../x", "a/b", ".profile", "-x", "a\\b"}) {
+  EXPECT_EQ(files.keep("robot_description/meshes/base.stl", "c"), "");
+  EXPECT_EQ(read_file(folder / "robot_description/meshes/base.stl"), "c");
+  EXPECT_NE(files.keep("map.yaml/b", "d"), "");  // There is a file.
+  for (const char* name :
+       {"", "..", "../x", "a/../b", "a//b", "/a", "a/", "a/.b", ".profile", "-x", "a\\b"}) {
     EXPECT_THAT(files.keep(name, "x"), HasSubstr("name")) << name;
   }
 }

@@ -41,7 +41,7 @@ std::vector<ScanRecord> records(int count) {
 /// Writes a run of these records and returns its report.
 std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kReported),
                       double wall_s = 1.0, const std::optional<RosMap>& map = reported_map(),
-                      double end_s = 20.0) {
+                      double end_s = 20.0, const std::string& settings = "") {
   const TemporaryFolder folder;
   std::vector<std::unique_ptr<RunSink>> sinks;
   sinks.push_back(std::make_unique<ErrorsSink>(folder.path()));
@@ -52,6 +52,7 @@ std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(
     for (const ScanRecord& record : all) sink->on_scan(record);
     sink->finish(localization::from_seconds(end_s), {wall_s, {{"lidar", 0.1 * wall_s}}});
   }
+  if (!settings.empty()) folder.put("scenario.yaml", settings);
   folder.put("snapshots/t0004.500-kidnap-1-map.png", "\x89PNG");
   write_report(folder.path(), map);
   return read_file(folder.path() / "report.html");
@@ -119,6 +120,25 @@ TEST(Report, DescribesTheCurvesOfARunWithoutARecording) {
   EXPECT_EQ(plots[1].at("title"), "Yaw error");
   EXPECT_EQ(plots[1].at("series")[0].at("y")[0], 5.73);  // 0.1 rad
   EXPECT_EQ(plots[2].at("series")[1].at("y")[1], nullptr);
+}
+
+TEST(Report, SaysHowToRepeatTheRunAndWhatWasExpected) {
+  const std::string html = report_of(
+      records(20), run_of(kReported), 1.0, reported_map(), 20.0,
+      "name: '<i>'\nexpect:\n  a.position_error_m.mean: < 0.5\n"
+      "  a.recovery.success: {is: \">= 2\", for: all seeds}\n  distance_m: {is: < 9, for: mean}\n"
+      "  timing.wall_s: < 100\n");
+  EXPECT_TRUE(contains(html, "castaway run scenario.yaml --out again"));
+  EXPECT_TRUE(contains(html, "name: &#39;&lt;i&gt;&#39;"));
+  EXPECT_TRUE(contains(html, "<td>a.position_error_m.mean</td><td>&lt; 0.5</td>"));
+  EXPECT_TRUE(contains(html, "<td>met</td>"));
+  EXPECT_TRUE(contains(html, "<td><strong>not met</strong></td>"));
+  EXPECT_TRUE(contains(html, "(mean of the seeds)"));
+  EXPECT_EQ(html.find("<td>timing.wall_s"), std::string::npos);
+  const std::string replay = report_of(records(20), run_of(kReported), 1.0, reported_map(), 20.0,
+                                       "log: a.log\nmap: m.yaml\n");
+  EXPECT_TRUE(contains(replay, "castaway replay scenario.yaml --out again"));
+  EXPECT_EQ(report_of(records(20)).find("Repeat it"), std::string::npos);
 }
 
 TEST(Report, EscapesEveryText) {

@@ -41,6 +41,18 @@ TEST(PageScene, TellsOfFloorMeshesAndPeople) {
             json.at("robot").at("positions").get<std::string>().size());
 }
 
+TEST(PageScene, ChangingObjectsHaveALookForEachChange) {
+  PageScene scene = scene_of(8);
+  EXPECT_FALSE(Json::parse(page_scene_json(scene, kReportSceneBytes)).contains("changing"));
+  scene.changing["crate"] = {{}, {ball(4)}, {}};
+  const Json looks =
+      Json::parse(page_scene_json(scene, kReportSceneBytes)).at("changing").at("crate");
+  ASSERT_EQ(looks.size(), 3U);
+  EXPECT_TRUE(looks[0].is_null());
+  EXPECT_FALSE(looks[1].at("indices").get<std::string>().empty());
+  EXPECT_TRUE(looks[2].is_null());
+}
+
 TEST(PageScene, RoofsAreApart) {
   PageScene scene = scene_of(8);
   const Json open = Json::parse(page_scene_json(scene, kReportSceneBytes));

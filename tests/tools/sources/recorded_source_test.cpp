@@ -1,4 +1,4 @@
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 #include <algorithm>
 #include <stdexcept>

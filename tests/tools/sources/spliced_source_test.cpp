@@ -1,4 +1,4 @@
-#include "tools/sources/spliced_source.hpp"
+#include "tools/sources/recorded/spliced_source.hpp"
 
 #include <stdexcept>
 
@@ -95,6 +95,26 @@ TEST(SplicedSource, AJumpByHandIsOneThatWasAskedForBefore) {
   const Frames tail(whole.end() - static_cast<std::ptrdiff_t>(rest.size()), whole.end());
   EXPECT_EQ(listed(rest), listed(tail));
   EXPECT_EQ(by_hand.played(), asked.played());
+}
+
+TEST(SplicedSource, CarriesTheTruthOnByOdometry) {
+  Frames frames = straight_log(6);
+  for (Frame& frame : frames) {  // As in CARMEN logs: only scans have a true pose.
+    auto* odometry = std::get_if<OdometryFrame>(&frame.data);
+    if (odometry != nullptr && frame.stamp % std::chrono::milliseconds(200) != Stamp{}) {
+      odometry->T_map_base_true.reset();
+    }
+  }
+  SplicedSource source(std::make_shared<const Frames>(frames), {0, {}, {{2, 4}}});
+  EXPECT_FALSE(source.true_pose());
+  play_scan(source);
+  (void)source.next();
+  EXPECT_NEAR(source.true_pose()->x, 20.05, 1e-9);
+  play_scan(source);
+  (void)source.next();
+  EXPECT_FALSE(source.true_pose());  // A jump.
+  (void)source.next();
+  EXPECT_NEAR(source.true_pose()->x, 20.4, 1e-9);
 }
 
 TEST(SplicedSource, RefusesScansThatTheLogDoesNotHave) {

@@ -22,7 +22,7 @@ bool is_number(std::string_view text) {
 }  // namespace
 
 std::string LiveFiles::keep(const std::string& name, std::string_view bytes) {
-  if (const std::string error = file_name_error(name); !error.empty()) {
+  if (const std::string error = file_path_error(name); !error.empty()) {
     return "a file's name " + error;
   }
   if (files_ >= limits_.files || bytes_ + bytes.size() > limits_.bytes) {
@@ -30,7 +30,7 @@ std::string LiveFiles::keep(const std::string& name, std::string_view bytes) {
                        limits_.bytes >> 20U);
   }
   try {
-    std::filesystem::create_directories(folder_);
+    std::filesystem::create_directories((folder_ / name).parent_path());
     write_file(folder_ / name, bytes);
   } catch (const std::exception& error) {
     return error.what();

@@ -12,7 +12,7 @@ namespace castaway::testbed {
 /// Limits of what pages bring, together.
 struct FileLimits {
   std::uint64_t bytes = std::uint64_t{256} << 20U;
-  std::size_t files = 200;
+  std::size_t files = 2000;
 };
 
 /// The largest file that a page may bring. [bytes]
@@ -24,7 +24,8 @@ class LiveFiles {
   explicit LiveFiles(std::filesystem::path folder, FileLimits limits = {})
       : folder_(std::move(folder)), limits_(limits) {}
 
-  /// Keeps a file; one of the same name is replaced. Returns why it cannot, or an empty text.
+  /// Keeps a file, `name` being its path with slashes; one of the same name is replaced. Returns
+  /// why it cannot, or an empty text.
   std::string keep(const std::string& name, std::string_view bytes);
 
  private:

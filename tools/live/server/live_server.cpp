@@ -131,6 +131,7 @@ class LiveServer::Impl {
       stream.expires_after(kPatience);
       http::request_parser<http::string_body> parser;
       parser.header_limit(kLongestHeader);
+      parser.body_limit(kLargestUpload);  // Checked with the header.
       boost::system::error_code error;
       co_await http::async_read_header(stream, buffer, parser,
                                        asio::redirect_error(use_awaitable, error));
@@ -145,8 +146,10 @@ class LiveServer::Impl {
             use_awaitable);
         co_return;
       }
-      parser.body_limit(LiveHttp::body_limit(parser.get()));
-      if (LiveHttp::body_limit(parser.get()) > 0) stream.expires_after(kFilePatience);
+      const std::uint64_t limit = LiveHttp::body_limit(parser.get());
+      if (parser.content_length().value_or(0) > limit) co_return refuse("a body that is too long");
+      parser.body_limit(limit);
+      if (limit > 0) stream.expires_after(kFilePatience);
       co_await http::async_read(stream, buffer, parser, asio::redirect_error(use_awaitable, error));
       if (error) co_return refuse("no request (" + error.message() + ")");
       const LiveRequest request = parser.release();

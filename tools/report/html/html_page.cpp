@@ -21,8 +21,8 @@ std::string html_page(const HtmlPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>castaway: {}</title><style>{}{}{}</style></head>\n<body class=\"{}\">\n{}{}"
-      "</body></html>\n",
+      "<title>castaway: {}</title><style>{}{}{}</style></head>\n<body class=\"{}\">\n"
+      "<main>\n{}</main>\n{}</body></html>\n",
       std::string(kPolicy) + (page.talks ? "; connect-src 'self'" : ""), escape_html(page.title),
       kReportStyle, page.style, page.bundle ? page.bundle->style : "", page.body_class, page.body,
       script);

@@ -52,6 +52,8 @@ svg.map { max-height: 80vh; } svg text { fill: var(--soft); font: 11px system-ui
 .legend line { stroke-width: 3; } .legend .truth { stroke: var(--ink); stroke-width: 5; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 0.8rem; }
 figure { margin: 0; } figure img { width: 100%; height: auto; border-radius: 6px; border: 1px solid var(--line); }
+pre { overflow-x: auto; margin: 0.4rem 0; padding: 0.6rem 0.8rem; background: var(--card); border: 1px solid var(--line);
+  border-radius: 6px; font-size: 0.85rem; line-height: 1.4; } summary { cursor: pointer; }
 figcaption { font-size: 0.85rem; color: var(--soft); }
 @media (max-width: 700px) {
   body { padding: 0.7rem; } th, td { padding: 0.2rem 0.35rem; } th, td { white-space: normal; } tr.group th { text-align: left; }

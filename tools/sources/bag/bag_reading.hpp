@@ -12,7 +12,7 @@
 
 #include "tools/formats/ros_map.hpp"
 #include "tools/ros/bag_topics.hpp"
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

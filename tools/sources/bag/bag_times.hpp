@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "tools/ros/bag_topics.hpp"
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

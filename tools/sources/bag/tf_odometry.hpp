@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

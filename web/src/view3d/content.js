@@ -2,6 +2,7 @@
 import {beamPoints, beamsOf, peopleOf, populationsOf} from '../details.js';
 import {kCorners, kTurns, pick, rgb} from '../palette.js';
 import {pieces, poseAt} from '../poses.js';
+import {Changing3d} from './changing.js';
 import {Walks, peopleBetween} from './gait.js';
 import {addArc, arrows, Dots, softShadows, Trail} from './marks.js';
 import {poseMatrix} from './meshes.js';
@@ -23,6 +24,7 @@ export class Content3d {
     this.world = new World3d(json, light);
     this.robots = new Robots3d(json, light, names, {corners: kCorners, turns: kTurns});
     this.people = new People3d(json.person, light);
+    this.changing = new Changing3d(json.changing, light);
     this.walks = new Walks();
     this.hits = new Dots(8000, 3, {order: 5});
     this.particles = new Dots(12000, 3, {order: 3, opacity: 0.85});
@@ -31,8 +33,12 @@ export class Content3d {
     this.arrows = arrows(300);
     this.trails = [new Trail(0.3, 2), ...names.map(() => new Trail(0.75, 2.5))];
     this.scene = scene;
-    for (const part of [this.world, this.robots, this.people]) part.addTo(scene);
+    for (const part of this.parts()) part.addTo(scene);
     scene.add(...this.objects());
+  }
+
+  parts() {
+    return [this.world, this.robots, this.people, this.changing];
   }
 
   objects() {
@@ -40,7 +46,7 @@ export class Content3d {
   }
 
   remove() {
-    for (const part of [this.world, this.robots, this.people]) part.removeFrom(this.scene);
+    for (const part of this.parts()) part.removeFrom(this.scene);
     this.scene.remove(...this.objects());
     for (const object of this.objects()) object.geometry.dispose();
   }
@@ -52,6 +58,7 @@ export class Content3d {
 
   /** `eye`: where the camera is [m]; `ratio`: of the canvas's pixels to the page's. */
   show(moment, eye, ratio) {
+    this.changing.show(moment.recording.changes, moment.time);
     this.showRobots(moment, eye);
     this.showPeople(moment, eye);
     this.showHits(moment);

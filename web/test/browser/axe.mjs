@@ -2,14 +2,14 @@
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-const kGrave = ['serious', 'critical'];
+const kGrave = ['moderate', 'serious', 'critical'];
 
 /** The source of axe-core; `modules`: the folder in which `npm ci` was run. */
 export function axeSource(modules) {
   return readFileSync(join(modules, 'node_modules/axe-core/axe.min.js'), 'utf8');
 }
 
-/** Violations of the open page of impact serious or critical, a line an element. */
+/** Violations of the open page of impact moderate and above, a line an element. */
 export async function graveViolations(browser, source) {
   await browser.evaluate(`${source}; void 0`);
   const violations = await browser.evaluate(`axe.run(document, {resultTypes: ['violations']})

@@ -1,4 +1,4 @@
-// No page has a violation of axe-core's rules of impact serious or critical, wide and narrow, light and dark.
+// No page has a violation of axe-core's rules of impact moderate and above, wide and narrow, light and dark.
 // CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway; CASTAWAY_MODULES: folder of node_modules; CASTAWAY_REPORT: a
 // run's page; CASTAWAY_PAGES: folder of the pages of experiments, comparisons and campaigns.
 import assert from 'node:assert/strict';

@@ -3,9 +3,9 @@
 // FOLDER, and there `frames.txt`: the arguments of img2webp for them. Every step waits for what the page shows.
 import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {toScreen} from '../../src/view.js';
 import {Chromium} from './chromium.mjs';
 import {Film} from './film.mjs';
+import {kTime, LivePage} from './live_page.mjs';
 import {startLive} from './live_program.mjs';
 
 const [program, chromium, folder] = process.argv.slice(2);
@@ -23,7 +23,7 @@ await browser.open(live.url, kSize);
 await browser.until(`document.getElementById('castaway-live').dataset.ready === 'true'`);
 const film = new Film(browser, folder);
 
-const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
+const page = new LivePage(browser);
 const kStates = `[...document.querySelectorAll('.card .state')].map(({textContent}) => textContent)`;
 const buttonOf = (text) => `[...document.querySelectorAll('#castaway-live button')]
   .find(({textContent, hidden, offsetWidth}) => textContent === ${JSON.stringify(text)} && !hidden && offsetWidth)`;
@@ -36,18 +36,10 @@ const middleOf = (expression) => browser.evaluate(`(() => {
   return [left + width / 2, top + height / 2];
 })()`);
 
-/** The point of the window where the map shows a point. */
-async function onScreen(x, y) {
-  const [left, top, view] = await browser.evaluate(`(() => {
-    const box = document.querySelector('canvas.map').getBoundingClientRect();
-    return [box.left, box.top, JSON.parse(document.getElementById('castaway-live').dataset.view)];
-  })()`);
-  const [px, py] = toScreen(view, x, y);
-  return [left + px, top + py];
-}
+const onScreen = (x, y) => page.onScreen(x, y);
 
 async function robot() {
-  const {x, y} = await browser.evaluate(`JSON.parse(document.getElementById('castaway-live').dataset.truth)`);
+  const {x, y} = await page.truth();
   return onScreen(x, y);
 }
 

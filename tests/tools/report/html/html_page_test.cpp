@@ -14,13 +14,13 @@ TEST(HtmlPage, IsWholeAndLoadsNothing) {
   EXPECT_TRUE(contains(html, "content=\"default-src 'none'; "));
   EXPECT_TRUE(contains(html, "p {}</style>"));
   EXPECT_FALSE(contains(html, "<script>"));
-  EXPECT_TRUE(html.ends_with("<p>text</p></body></html>\n"));
+  EXPECT_TRUE(html.ends_with("<p>text</p></main>\n</body></html>\n"));
 }
 
 TEST(HtmlPage, RunsItsScriptAfterTheBody) {
   const std::string html = html_page({.body = "text", .bundle = WebBundle{"run()", "i {}"}});
   EXPECT_TRUE(contains(html, "i {}</style>"));
-  EXPECT_TRUE(html.ends_with("text<script>run()</script>\n</body></html>\n"));
+  EXPECT_TRUE(html.ends_with("text</main>\n<script>run()</script>\n</body></html>\n"));
 }
 
 TEST(HtmlSection, EscapesItsTitle) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/sources/recorded_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 
@@ -41,8 +41,9 @@ class SplicedSource final : public SensorSource {
   [[nodiscard]] std::size_t scans() const { return scans_.size(); }
   /// Index in the log of the last scan that was delivered, or of the first one to be.
   [[nodiscard]] std::size_t last_scan() const { return last_scan_; }
-  /// True pose of base at the last odometry; nothing if it is unknown.
-  [[nodiscard]] std::optional<SE2> true_pose() const { return last_odometry_.T_map_base_true; }
+  /// True pose of base at the last odometry: the last one that is known, carried on by odometry.
+  /// Nothing if none is since the last jump.
+  [[nodiscard]] std::optional<SE2> true_pose() const;
   /// Those that took place, and the one that is to come.
   [[nodiscard]] const std::vector<LogJump>& jumps() const { return part_.jumps; }
   /// Scans delivered so far.
@@ -76,9 +77,10 @@ class SplicedSource final : public SensorSource {
   std::size_t last_scan_ = 0;
   bool after_scan_ = false;  ///< The last delivery was a scan.
   Stamp now_{};
-  OdometryFrame last_odometry_;  ///< As it was delivered.
-  Stamp shift_{};                ///< Of stamps, by the jumps so far.
-  SE2 T_new_old_;                ///< Of odometry, by the jumps so far.
+  OdometryFrame last_odometry_;              ///< As it was delivered.
+  std::optional<OdometryFrame> last_known_;  ///< The same with a true pose, since the last jump.
+  Stamp shift_{};                            ///< Of stamps, by the jumps so far.
+  SE2 T_new_old_;                            ///< Of odometry, by the jumps so far.
 };
 
 /// Makes a kidnap from recorded data. The frames from scan `from_first` to scan `from` are followed

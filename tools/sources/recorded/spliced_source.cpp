@@ -1,4 +1,4 @@
-#include "tools/sources/spliced_source.hpp"
+#include "tools/sources/recorded/spliced_source.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -99,6 +99,7 @@ Frame SplicedSource::make_jump(std::size_t to_scan) {
   shift_ = at - target.stamp;
   T_new_old_ = last_odometry_.odometry.T_odom_base * after.odometry.T_odom_base.inverse();
   last_scan_ = to_scan;
+  last_known_.reset();
   after_scan_ = false;
   return {at, RunEvent{at, EventKind::kKidnap, "splice", last_odometry_.T_map_base_true,
                        after.T_map_base_true}};
@@ -117,7 +118,10 @@ std::optional<Frame> SplicedSource::next() {
     ++played_;
     last_scan_ = static_cast<std::size_t>(std::ranges::lower_bound(scans_, next_) - scans_.begin());
   }
-  if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) last_odometry_ = *odometry;
+  if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
+    last_odometry_ = *odometry;
+    if (odometry->T_map_base_true) last_known_ = *odometry;
+  }
   now_ = frame.stamp;
   ++next_;
   return frame;
@@ -128,6 +132,13 @@ LogJump SplicedSource::jump(std::size_t to_scan) {
   part_.jumps.resize(next_jump_);  // One that has not taken place yet is replaced.
   part_.jumps.push_back({after_scan_ ? played_ : played_ + 1, to_scan});
   return part_.jumps.back();
+}
+
+std::optional<SE2> SplicedSource::true_pose() const {
+  if (!last_known_) return std::nullopt;
+  const SE2 T_known_now =
+      last_known_->odometry.T_odom_base.inverse() * last_odometry_.odometry.T_odom_base;
+  return *last_known_->T_map_base_true * T_known_now;
 }
 
 Stamp SplicedSource::duration() const { return frames_->back().stamp - frames_->front().stamp; }

@@ -1,0 +1,74 @@
+// What a reader does on the page of a live run, by the browser that shows it.
+import {toScreen} from '../../src/view.js';
+
+export const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
+
+export class LivePage {
+  constructor(browser) {
+    this.browser = browser;
+  }
+
+  /** Presses the button with this text, once there is one. */
+  async press(text) {
+    const button = `[...document.querySelectorAll('#castaway-live button')]
+      .find((button) => button.textContent === ${JSON.stringify(text)})`;
+    await this.browser.until(`${button} && !${button}.hidden`);
+    await this.browser.evaluate(`${button}.click()`);
+  }
+
+  /** Until the run stands still. */
+  async pause() {
+    const text = "document.querySelector('#castaway-live .play').textContent";
+    if (await this.browser.evaluate(text) === 'Pause') await this.press('Pause');
+    await this.browser.until(`${text} === 'Play'`);
+  }
+
+  /** Until the run has played so far that this is true. */
+  async playUntil(expression) {
+    await this.press('Play');
+    await this.browser.until(expression);
+    await this.pause();
+  }
+
+  /** The point of the window where the map shows a point of the frame map. */
+  async onScreen(x, y) {
+    const [left, top, view] = await this.browser.evaluate(`(() => {
+      const box = document.querySelector('canvas.map').getBoundingClientRect();
+      return [box.left, box.top, JSON.parse(document.getElementById('castaway-live').dataset.view)];
+    })()`);
+    const [px, py] = toScreen(view, x, y);
+    return [left + px, top + py];
+  }
+
+  /** The true pose that the page shows. */
+  truth() {
+    return this.browser.evaluate(`JSON.parse(document.getElementById('castaway-live').dataset.truth)`);
+  }
+
+  /** Until something like this happened. */
+  logged(word) {
+    return this.browser.until(
+      `[...document.querySelectorAll('.log li')].some((li) => li.textContent.includes(${JSON.stringify(word)}))`);
+  }
+
+  /** Until the page says this. */
+  noted(word) {
+    return this.browser.until(
+      `document.querySelector('#castaway-live .note').textContent.includes(${JSON.stringify(word)})`);
+  }
+
+  /** Chooses files, by name with their texts, by the page's button. */
+  choose(files) {
+    return this.browser.evaluate(`(() => {
+      const files = new DataTransfer();
+      for (const [path, text] of ${JSON.stringify(Object.entries(files))}) {
+        const file = new File([text], path.split('/').at(-1));
+        Object.defineProperty(file, 'webkitRelativePath', {value: path.includes('/') ? path : ''});
+        files.items.add(file);
+      }
+      const input = document.querySelector('#castaway-live input[type=file]');
+      input.files = files.files;
+      input.dispatchEvent(new Event('change'));
+    })()`);
+  }
+}
