@@ -33,7 +33,7 @@ async function shot(name) {
 }
 
 test('plays, and reports no error', async () => {
-  await page.press('Play');
+  await page.play();
   await browser.until(`${kTime} > 2`);
   await shot('playing');
   assert.deepEqual(browser.errors, []);
@@ -48,7 +48,7 @@ test('the robot is dragged', async () => {
   const from = await page.truth();
   const goal = await freePlaceFarFrom(from);
   await browser.drag([await page.onScreen(from.x, from.y), await page.onScreen(2, 1), await page.onScreen(...goal)]);
-  await page.press('Play');
+  await page.play();
   await page.logged('kidnap');
   await browser.until(`(({x, y}) => Math.hypot(x - ${goal[0]}, y - ${goal[1]}) < 0.3)(
     JSON.parse(document.getElementById('castaway-live').dataset.truth))`);
@@ -187,7 +187,7 @@ test('looks at the past, goes back, and on from there', async () => {
   await shot('past');
   await page.press('Go on from here');
   await browser.until(`${kTime} < ${before} && ${kTime} >= 0.9 && document.querySelector('.log').childElementCount === 0`);
-  await page.press('Play');
+  await page.play();
   await browser.until(`${kTime} > 2`);
   assert.deepEqual(browser.errors, []);
 });
@@ -196,7 +196,7 @@ test('boxes and people are put before the robot, and a box is taken away', async
   await page.pause();
   await page.press('People ahead');
   await page.press('Box ahead');
-  await page.press('Play');
+  await page.play();
   await browser.until(`document.querySelector('.log').textContent.includes('box-')
     || !document.querySelector('#castaway-live .note').hidden`);  // There may be no room: then a line says so.
   await page.pause();
@@ -205,13 +205,13 @@ test('boxes and people are put before the robot, and a box is taken away', async
   await page.press('Box');
   await browser.drag([await page.onScreen(...free), await page.onScreen(free[0], free[1] + 0.5)]);
   await browser.drag([await page.onScreen(...free), await page.onScreen(...free)]);  // There is one already.
-  await page.press('Play');
+  await page.play();
   await page.logged('put');
   await shot('box');
   await page.pause();
   await page.press('Door, remove');
   await browser.drag([await page.onScreen(...free), await page.onScreen(...free)]);
-  await page.press('Play');
+  await page.play();
   await page.logged('taken away');
   await page.press('Teleport');
 });
@@ -252,11 +252,11 @@ test('a world of one\'s own takes the place of the run, and its door opens', asy
   await browser.until(`${things}.value === 'gate'`);
   assert.equal(await browser.evaluate(`document.querySelector('h1').textContent`), 'room');
   await page.press('Open');
-  await page.press('Play');
+  await page.play();
   await page.logged('gate open by 90 deg');
   await page.pause();
   await page.press('Close');
-  await page.press('Play');
+  await page.play();
   await page.logged('gate closed');
   await shot('own-world');
   await page.pause();

@@ -3,6 +3,8 @@ import {toScreen} from '../../src/view.js';
 
 export const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
 
+const kButton = `document.querySelector('#castaway-live .play').textContent`;
+
 export class LivePage {
   constructor(browser) {
     this.browser = browser;
@@ -16,16 +18,21 @@ export class LivePage {
     await this.browser.evaluate(`${button}.click()`);
   }
 
+  /** Until the run plays, as the page knows, too: a moment later. */
+  async play() {
+    await this.press('Play');
+    await this.browser.until(`${kButton} === 'Pause'`);
+  }
+
   /** Until the run stands still. */
   async pause() {
-    const text = "document.querySelector('#castaway-live .play').textContent";
-    if (await this.browser.evaluate(text) === 'Pause') await this.press('Pause');
-    await this.browser.until(`${text} === 'Play'`);
+    if (await this.browser.evaluate(kButton) === 'Pause') await this.press('Pause');
+    await this.browser.until(`${kButton} === 'Play'`);
   }
 
   /** Until the run has played so far that this is true. */
   async playUntil(expression) {
-    await this.press('Play');
+    await this.play();
     await this.browser.until(expression);
     await this.pause();
   }
