@@ -55,7 +55,8 @@ TEST_F(RecordedLogTest, PlaysTheSameScansAsTheSourceOfTheLog) {
 }
 
 TEST_F(RecordedLogTest, JumpsAnywhereInTheLog) {
-  const Frames frames = frames_of("scans: 12\nevents: [{splice: {after_scans: 10, to_scan: 50}}]\n");
+  const Frames frames =
+      frames_of("scans: 12\nevents: [{splice: {after_scans: 10, to_scan: 50}}]\n");
   ASSERT_EQ(frames.size(), 20U + 1U + 4U);
   const auto& event = std::get<RunEvent>(frames[20].data);
   EXPECT_EQ(event.detail, "splice");
@@ -72,8 +73,8 @@ TEST_F(RecordedLogTest, KnowsWhereItStarts) {
 }
 
 TEST_F(RecordedLogTest, NamesTheLogInErrors) {
-  EXPECT_TRUE(
-      contains(error_of([&] { (void)frames_of("from_scan: 60\n"); }), "log.carmen: there is no scan 60"));
+  EXPECT_TRUE(contains(error_of([&] { (void)frames_of("from_scan: 60\n"); }),
+                       "log.carmen: there is no scan 60"));
   EXPECT_TRUE(contains(
       error_of([] { (void)open_log(read_session(YamlDocument::parse("log: none.log\n", "s"))); }),
       "none.log: cannot be read"));
