@@ -12,6 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 const std::string kBare = " --set outputs.snapshots=false --set outputs.report=false";
+const std::string kNoPictures = " --no-pictures";
 const std::string kReplay =
     " --start truth --seed 3 --localizer mh_amcl --localizer amcl --no-pictures --out again";
 
@@ -62,6 +63,25 @@ TEST(Bag, OfAnUpsideDownAndATurnedLidarIsReplayedToTheByte) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_same_file(folder, "mh_amcl.tum");
   expect_same_file(folder, "amcl.tum");
+}
+
+TEST(Bag, IsSplicedAndItsSessionRepeatsThat) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true --set events=[]");
+  const Outcome outcome = castaway(
+      folder, "replay run/bag --splice 20:90 --from-scan 5 --scans 60 --out spliced" + kNoPictures);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string events = text_of(folder / "spliced/events.csv");
+  expect_contains(events, "kidnap,splice");
+  const Outcome again =
+      castaway(folder, "replay spliced/scenario.yaml --out repeated" + kNoPictures);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(text_of(folder / "repeated/events.csv"), events);
+  EXPECT_EQ(text_of(folder / "repeated/errors.csv"), text_of(folder / "spliced/errors.csv"));
+  const Outcome both =
+      castaway(folder, "replay spliced/scenario.yaml --seed 4 --out other" + kNoPictures);
+  EXPECT_EQ(both.exit_code, 2);
+  expect_contains(both.err, "states what is played; change it there, not by options");
 }
 
 TEST(Bag, OfAnEarlierRunIsReplacedOrRemoved) {
@@ -132,7 +152,7 @@ TEST(Bag, RefusesWhatItCannotDoInOneLine) {
   refused("replay a.db3", "ros2 bag convert -i a.db3");
   refused("replay b.mcap", "b.mcap: is not an MCAP file");
   refused("replay gone.mcap", "gone.mcap: cannot be read");
-  refused("replay b.mcap --splice 1:2", "take CARMEN logs, not bags");
+  refused("replay b.mcap --use even", "--use takes CARMEN logs, not bags");
   refused("bag b.mcap", "b.mcap: is not an MCAP file");
   std::ofstream(folder / "some.log") << "";
   refused("replay some.log", "--map is missing");
