@@ -83,8 +83,9 @@ YamlNode localizers_node(const std::vector<std::string>& texts) {
       YamlReader root = document.root();
       more = root.child("localizers").copy();
     } else {
-      apply_override(more, "localizers=[" + localizer_yaml(text) + "]");
-      more = *std::as_const(more).find("localizers");
+      YamlNode root;
+      apply_override(root, "localizers=[" + localizer_yaml(text) + "]");
+      more = *root.find("localizers");
     }
     list.items.splice(list.items.end(), more.items);
   }
