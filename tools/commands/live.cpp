@@ -89,15 +89,6 @@ std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
                       {std::filesystem::path(arguments.scenario).parent_path(), {}});
 }
 
-/// A copy of the run's process would speak to the same program.
-void refuse_programs(const std::vector<LocalizerSpec>& localizers) {
-  for (const LocalizerSpec& localizer : localizers) {
-    if (!std::holds_alternative<ProgramConfig>(localizer.config)) continue;
-    throw std::runtime_error("localizer '" + localizer.name +
-                             "' is a program, with which a live run cannot go back; use a library");
-  }
-}
-
 /// runs/live-NAME-1, or the first with a higher number that is free.
 std::filesystem::path free_live_folder(const std::string& name) {
   for (int number = 1;; ++number) {
@@ -197,7 +188,6 @@ int run_live(const LiveArguments& arguments) {
   LiveSetup setup{scenario_of_live(arguments, session.has_value()),
                   session ? "." : file_of_live(arguments).parent_path(), arguments.play};
   setup.session = std::move(session);
-  refuse_programs(setup.session ? setup.session->localizers : setup.scenario.scenario.localizers);
   setup.reports = free_live_folder(name_of_live(setup));
   setup.files = setup.reports / "files";
   setup.report = play_for_report;

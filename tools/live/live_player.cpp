@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -30,21 +31,59 @@ using PlayerJson = nlohmann::ordered_json;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds kFramePeriod = milliseconds(33);
+constexpr nanoseconds kFramePeriod = milliseconds(25);
 constexpr nanoseconds kBurst = milliseconds(10);  // Wall time between two looks at the commands.
 constexpr double kCheckpointEvery = 10.0;         // [s] Of simulated time.
 constexpr double kSlowest = 0.1;
 constexpr double kFastest = 100.0;
 
+/// An event of a hand.
+struct Done {
+  std::size_t step = 0;  ///< How many steps the run had taken before it.
+  Stamp at{};            ///< When it takes place.
+  std::string event;     ///< JSON.
+};
+
 /// A moment to go to: where a woken copy goes on.
 struct GoTo {
   Stamp time{};
   double speed = 1.0;
+  std::vector<Done> events{};  ///< To be done again on the way, in order.
 };
+
+std::string to_line(const GoTo& goal) {
+  PlayerJson events = PlayerJson::array();
+  for (const Done& done : goal.events) {
+    if (done.at <= goal.time) events.push_back({done.step, done.at.count(), done.event});
+  }
+  return PlayerJson{
+      {"time_ns", goal.time.count()}, {"speed", goal.speed}, {"events", std::move(events)}}
+      .dump();
+}
+
+GoTo goal_of(const std::string& line) {
+  const PlayerJson order = PlayerJson::parse(line);
+  GoTo goal{Stamp(order.at("time_ns").get<std::int64_t>()), order.at("speed").get<double>(), {}};
+  for (const PlayerJson& done : order.at("events")) {
+    goal.events.push_back({done.at(0).get<std::size_t>(), Stamp(done.at(1).get<std::int64_t>()),
+                           done.at(2).get<std::string>()});
+  }
+  return goal;
+}
+
+/// True if a localizer is a program. It cannot be copied, so that the run begins again to go back.
+bool has_programs(const LiveSetup& setup) {
+  const auto& localizers =
+      setup.session ? setup.session->localizers : setup.scenario.scenario.localizers;
+  return std::ranges::any_of(localizers, [](const LocalizerSpec& localizer) {
+    return std::holds_alternative<ProgramConfig>(localizer.config);
+  });
+}
 
 class LivePlayer {
  public:
-  LivePlayer(LiveSetup setup, int socket) : setup_(std::move(setup)), line_(socket) {}
+  LivePlayer(LiveSetup setup, int socket)
+      : setup_(std::move(setup)), line_(socket), has_programs_(has_programs(setup_)) {}
 
   void play() {
     keep_checkpoint();
@@ -74,10 +113,16 @@ class LivePlayer {
     const Stamp now = run_ ? run_->now() : Stamp{};
     next_checkpoint_ = now + localization::from_seconds(kCheckpointEvery);
     while (const auto woken = checkpoints_.keep(now)) {
-      const PlayerJson order = PlayerJson::parse(*woken);
-      goal_ = GoTo{Stamp(order.at("time_ns").get<std::int64_t>()), order.at("speed").get<double>()};
+      goal_ = goal_of(*woken);
       undone_ = true;
+      if (has_programs_ && run_) begin_again();
     }
+  }
+
+  /// The programs of the run start anew.
+  void begin_again() {
+    run_.reset();
+    build();
   }
 
   void turn() {
@@ -90,8 +135,9 @@ class LivePlayer {
 
   /// Plays until now, as fast as it can, without telling.
   void reach_goal() {
-    while (run_->now() < goal_->time && step()) {
-    }
+    do {
+      do_again();
+    } while (run_->now() < goal_->time && step());
     feed_->forget();
     clock_.pause();
     clock_.set_speed(goal_->speed, wall_time(), run_->now());
@@ -101,9 +147,23 @@ class LivePlayer {
     tell();
   }
 
+  /// Events that were done at this step, but for those that this copy has seen.
+  void do_again() {
+    while (done_.size() < goal_->events.size() && goal_->events[done_.size()].step == steps_) {
+      do_event(goal_->events[done_.size()].event);
+    }
+  }
+
+  Stamp do_event(const std::string& event) {
+    const Stamp at = run_->add(event);
+    done_.push_back({steps_, at, event});
+    return at;
+  }
+
   bool step() {
     if (!run_->step()) return false;
-    if (!goal_ && run_->now() >= next_checkpoint_) keep_checkpoint();
+    ++steps_;
+    if (!goal_ && !has_programs_ && run_->now() >= next_checkpoint_) keep_checkpoint();
     return true;
   }
 
@@ -150,7 +210,7 @@ class LivePlayer {
       const double speed = std::clamp(command.at("value").get<double>(), kSlowest, kFastest);
       clock_.set_speed(speed, wall_time(), run_->now());
     } else if (what == "event") {
-      const Stamp at = run_->add(command.at("event").dump());
+      const Stamp at = do_event(command.at("event").dump());
       line_.say(
           {{"said", "done"}, {"event", command.at("event")}, {"at_s", localization::seconds(at)}});
     } else if (what == "back") {
@@ -169,9 +229,10 @@ class LivePlayer {
 
   /// Hands over to a copy and ends.
   void go_back(Stamp time) {
-    const PlayerJson order = {{"time_ns", std::clamp(time, Stamp{}, run_->now()).count()},
-                              {"speed", clock_.speed()}};
-    if (checkpoints_.wake(time, order.dump())) _exit(0);
+    const GoTo goal{std::clamp(time, Stamp{}, run_->now()), clock_.speed(), done_};
+    if (!checkpoints_.wake(goal.time, to_line(goal))) return;
+    if (has_programs_) run_.reset();  // They end.
+    _exit(0);
   }
 
   void begin_report() {
@@ -212,12 +273,20 @@ class LivePlayer {
     LiveSetup setup = with_file(setup_, name, map);
     try_in_copy([&] {
       checkpoints_.clear();
-      run_.reset();
+      // If this fails, the programs of the old run go on in the process that tried it.
+      if (has_programs_) {
+        replaced_ = std::move(run_);
+      } else {
+        run_.reset();
+      }
       worlds_ = std::make_unique<SharedWorlds>();
       setup_ = std::move(setup);
       build();
     });
+    replaced_.reset();
     undone_ = false;
+    done_.clear();
+    steps_ = 0;
     clock_.pause();
     keep_checkpoint();
     line_.say({{"said", "loaded"}, {"file", name}});
@@ -274,13 +343,17 @@ class LivePlayer {
 
   LiveSetup setup_;
   LiveLine line_;
+  bool has_programs_;  ///< All runs of a page have the localizers of the command line.
   std::unique_ptr<SharedWorlds> worlds_ = std::make_unique<SharedWorlds>();
   Checkpoints checkpoints_;
   LiveReport report_;
   int reports_ = 0;  ///< Begun so far.
   std::unique_ptr<LivePlay> run_;
+  std::unique_ptr<LivePlay> replaced_;  ///< Until it is known that another one could be built.
   LiveFeed* feed_ = nullptr;
   LiveClock clock_;
+  std::vector<Done> done_;  ///< Events of hands since the beginning,
+  std::size_t steps_ = 0;   ///< and the steps that the run has taken.
   std::optional<GoTo> goal_;
   bool undone_ = false;
   Stamp next_checkpoint_{};

@@ -244,6 +244,35 @@ TEST(LivePlayer, GoesBackToAnyMomentAndOnFromThere) {
               testing::Not(HasSubstr("min_distance_m: 1\n")));
 }
 
+TEST(LivePlayer, GoingBackKeepsWhatHandsDidBefore) {
+  Player player;
+  player.wait_for_said("hello");
+  player.tell({{"do", "speed"}, {"value", 100}});
+  const auto play_until = [&](double time_s) {
+    player.tell({{"do", "play"}});
+    player.wait_for_frame(time_s);
+  };
+  const auto kidnap = [&](double min_distance_m) {
+    player.tell({{"do", "event"}, {"event", {{"kidnap", {{"min_distance_m", min_distance_m}}}}}});
+    return player.wait_for_said("done").at("at_s").get<double>();
+  };
+  play_until(12.0);  // After the copy at 10 s.
+  const double kept_at_s = kidnap(1.25);
+  play_until(16.0);
+  kidnap(1.5);
+  const auto go_back = [&] {
+    player.tell({{"do", "back"}, {"to_s", kept_at_s + 1.0}});
+    player.wait_for_said("hello");
+    player.tell({{"do", "save"}});
+    return player.wait_for_said("scenario").at("yaml").get<std::string>();
+  };
+  const std::string saved = go_back();
+  EXPECT_THAT(saved, HasSubstr("min_distance_m: 1.25\n"));
+  EXPECT_THAT(saved, testing::Not(HasSubstr("min_distance_m: 1.5\n")));
+  play_until(25.0);
+  EXPECT_EQ(go_back(), saved);
+}
+
 TEST(LivePlayer, GoingBackChangesNothingOfThePast) {
   const auto truth_at = [](bool back) {
     Player player;
