@@ -88,4 +88,4 @@ function(castaway_ros_headers)
   endforeach()
 endfunction()
 
-castaway_ros_headers(std geometry sensor visualization)
+castaway_ros_headers(std geometry sensor visualization wire)

@@ -114,6 +114,12 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
             Names{});
 }
 
+TEST(Includes, DdsAppearsInItsFolderOnly) {
+  EXPECT_EQ(violations([](const std::string& h) { return starts_with(h, "dds/"); },
+                       [](const std::string& f) { return starts_with(f, "tools/ros2/dds/"); }),
+            Names{});
+}
+
 TEST(Includes, PythonAppearsInItsFolderOnly) {
   EXPECT_EQ(violations(
                 [](const std::string& h) {
@@ -157,14 +163,14 @@ const Layers kSimLayers = {
 };
 
 const Layers kToolsLayers = {
-    {"tools/files", "tools/metrics/statistics", "tools/report/html", "tools/run"},
+    {"tools/files", "tools/metrics/statistics", "tools/report/html", "tools/ros2/dds", "tools/run"},
     {"tools/formats/images", "tools/ros/mcap", "tools/scenario/yaml"},
     {"tools/formats"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
     {"tools/campaign", "tools/cluster", "tools/foreign/child", "tools/records", "tools/workers"},
     {"tools/foreign/protocol", "tools/pictures", "tools/scene", "tools/sinks"},
     {"tools/foreign"},
-    {"tools/scenario/sections"},
+    {"tools/ros2", "tools/scenario/sections"},
     {"tools/report", "tools/scenario/localizers", "tools/scenario/world"},
     {"tools/scenario", "tools/sources", "tools/sources/recorded"},
     {"tools/inspect", "tools/sources/bag", "tools/trials"},

@@ -16,7 +16,9 @@
 #include "tools/play/terminal.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/localizers/ros2_spec.hpp"
 #include "tools/sources/build_localizers.hpp"
+#include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/sources/map_conversion.hpp"
 #include "tools/sources/scan_truth.hpp"
@@ -143,9 +145,11 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   const RunInfo info = info_of(scenario, prepared);
   RunFiles files = files_of(options, loaded, prepared);
   Run run;
-  run.localizers = build_localizers(scenario.localizers,
-                                    {prepared.map, {}, lidars_of(prepared.config.lidars), folder},
-                                    scenario.seed, options.models);
+  LocalizerPlace place{prepared.map, {}, lidars_of(prepared.config.lidars), folder};
+  if (std::ranges::any_of(scenario.localizers, is_node)) {
+    place.robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
+  }
+  run.localizers = build_localizers(scenario.localizers, place, scenario.seed, options.models);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
   std::set<std::string> changing = changing_objects(prepared.config.changes);
   const bool people = has_people(prepared.config);

@@ -80,6 +80,22 @@ std::string driving_line(const Json& summary) {
   return text.empty() ? text : text + "\n\n";
 }
 
+/// What became of the scans that were sent to nodes of ROS 2; empty if there are none.
+std::string answer_lines(const Json& summary) {
+  std::string text;
+  for (const auto& [name, metrics] : summary.at("localizers").items()) {
+    if (!metrics.contains("answers")) continue;
+    const Json& answers = metrics.at("answers");
+    const auto count = [&](const char* what) { return integer<std::int64_t>(answers.at(what)); };
+    text += fmt::format("\n{}: {} of {} scans answered, {} missing; {} answers late, {} doubled",
+                        name, count("answered"), count("sent"), count("missing"), count("late"),
+                        count("doubled"));
+    if (count("malformed") > 0) text += fmt::format(", {} malformed", count("malformed"));
+    text += "\n";
+  }
+  return text;
+}
+
 /// Kidnaps that are not scored; empty if all are.
 std::string unscored_line(const Json& summary) {
   const Json& localizers = summary.at("localizers");
@@ -129,6 +145,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
     text += localizer_line(name, metrics, timing.at("localizers"));
   }
   for (const std::string& sentence : failure_sentences(summary)) text += "\n" + sentence + ".\n";
+  text += answer_lines(summary);
   text += unscored_line(summary);
   text += cost_line(timing);
   text += fmt::format("\nRun folder: {}\n", run_folder.string());

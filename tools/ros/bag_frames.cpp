@@ -17,12 +17,11 @@ ros::TransformStamped edge(Stamp stamp, const std::string& parent, const std::st
 }  // namespace
 
 BagFrames::BagFrames(std::map<std::string, Eigen::Isometry3d> links,
-                     const std::vector<BagLidar>& lidars)
-    : T_base_frame_(std::move(links)) {
-  T_base_frame_.erase(kBaseFrame);
+                     const std::vector<BagLidar>& lidars, std::string base)
+    : base_(std::move(base)), T_base_frame_(std::move(links)) {
+  T_base_frame_.erase(base_);
   for (const BagLidar& lidar : lidars) {
-    const bool taken = lidar.frame.empty() || lidar.frame == kBaseFrame ||
-                       lidar.frame == kBaseLink ||
+    const bool taken = lidar.frame.empty() || lidar.frame == base_ || lidar.frame == kBaseLink ||
                        std::any_of(frame_of_lidar_.begin(), frame_of_lidar_.end(),
                                    [&](const auto& other) { return other.second == lidar.frame; });
     const std::string frame = taken ? lidar.name + "_frame" : lidar.frame;
@@ -48,12 +47,12 @@ ros::TFMessage BagFrames::message(Stamp stamp) const {
   ros::TFMessage message;
   const auto link = T_base_frame_.find(kBaseLink);
   const bool has_link = link != T_base_frame_.end();
-  if (has_link) message.transforms.push_back(edge(stamp, kBaseFrame, kBaseLink, link->second));
+  if (has_link) message.transforms.push_back(edge(stamp, base_, kBaseLink, link->second));
   for (const auto& [frame, T_base_frame] : T_base_frame_) {
     if (frame == kBaseLink) continue;
     message.transforms.push_back(
         has_link ? edge(stamp, kBaseLink, frame, link->second.inverse() * T_base_frame)
-                 : edge(stamp, kBaseFrame, frame, T_base_frame));
+                 : edge(stamp, base_, frame, T_base_frame));
   }
   return message;
 }

@@ -27,7 +27,8 @@ struct BagLidar {
 class BagFrames {
  public:
   /// `links`: T_base_link of each link.
-  BagFrames(std::map<std::string, Eigen::Isometry3d> links, const std::vector<BagLidar>& lidars);
+  BagFrames(std::map<std::string, Eigen::Isometry3d> links, const std::vector<BagLidar>& lidars,
+            std::string base = kBaseFrame);
 
   /// Frame of a lidar's scans.
   [[nodiscard]] std::string frame_of(const std::string& lidar) const;
@@ -36,6 +37,7 @@ class BagFrames {
   [[nodiscard]] ros::TFMessage message(Stamp stamp) const;
 
  private:
+  std::string base_;
   std::map<std::string, Eigen::Isometry3d> T_base_frame_;
   std::map<std::string, std::string> frame_of_lidar_;
 };

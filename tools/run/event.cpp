@@ -6,9 +6,10 @@
 namespace castaway::testbed {
 namespace {
 
-constexpr std::array<const char*, 14> kNames = {
-    "kidnap",   "pick-up",   "collision", "fault on", "fault off", "driving",          "void",
-    "alarm on", "alarm off", "recovery",  "warning",  "operator",  "localizer failed", "world"};
+constexpr std::array<const char*, 15> kNames = {
+    "kidnap",  "pick-up",  "collision",        "fault on",  "fault off",
+    "driving", "void",     "alarm on",         "alarm off", "recovery",
+    "warning", "operator", "localizer failed", "node",      "world"};
 
 }  // namespace
 

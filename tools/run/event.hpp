@@ -27,6 +27,7 @@ enum class EventKind : std::uint8_t {
   kWarning,    ///< A remark for the reader of the run.
   kOperator,   ///< An operator restarted a localizer, or switched it off or on.
   kFailure,    ///< A localizer failed; the run goes on without it.
+  kNode,       ///< A node of ROS 2 came, went or was not understood.
   kWorld,      ///< Something was put into the world, taken away, opened or closed; people came.
 };
 

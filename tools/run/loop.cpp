@@ -62,6 +62,14 @@ void Loop::lose(std::size_t index, const std::string& what) {
   untold_.push_back({now_, EventKind::kFailure, what, {}, {}, {}, name});
 }
 
+void Loop::take_news(std::size_t index) {
+  const NamedLocalizer& named = localizers_[index];
+  if (!named.news) return;
+  for (std::string& sentence : named.news()) {
+    untold_.push_back({now_, EventKind::kNode, std::move(sentence), {}, {}, {}, named.name});
+  }
+}
+
 /// Adds what a localizer used elsewhere since the last call to its cost.
 void Loop::add_outside(std::size_t index) {
   if (!localizers_[index].outside_cpu) return;
@@ -224,6 +232,7 @@ void Loop::take(const ScanFrame& frame, Stamp delivered) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     call(i, [&](auto& localizer) { localizer.on_scan(frame.scan); });
     add_outside(i);
+    take_news(i);
   }
   const ScanRecord record = record_of(frame, delivered);
   tell_sinks([&](RunSink& sink) { sink.on_scan(record); });

@@ -24,6 +24,8 @@ struct NamedLocalizer {
   bool relocalize_at_kidnap = false;
   /// CPU time that it used so far outside of the calling thread; empty: none.
   std::function<std::chrono::nanoseconds()> outside_cpu = {};
+  /// What happened outside of castaway since the last call, in one sentence each; empty: nothing.
+  std::function<std::vector<std::string>()> news = {};
   /// Ends what it started outside of the calling thread; empty: nothing.
   std::function<OutsideUse()> finish = {};
 };
@@ -81,6 +83,7 @@ class Loop {
   template <typename Body>
   void call(std::size_t index, Body&& body);
   void lose(std::size_t index, const std::string& what);
+  void take_news(std::size_t index);
   void add_outside(std::size_t index);
   void tell_failures();
   void carry_out_orders(Stamp before);

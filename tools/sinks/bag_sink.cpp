@@ -8,37 +8,15 @@
 #include "tools/files/file.hpp"
 #include "tools/ros/bag_markers.hpp"
 #include "tools/ros/event_json.hpp"
+#include "tools/ros/robot_messages.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-ros::Odometry odometry_message(Stamp stamp, const std::string& frame, const SE2& pose) {
-  ros::Odometry message;
-  message.header = ros_header(stamp, frame);
-  message.child_frame_id = kBaseFrame;
-  message.pose.pose = to_ros_pose(pose);
-  return message;
-}
-
-ros::TFMessage transform_message(const ros::Header& header, const std::string& child,
-                                 const ros::Pose& pose) {
-  const ros::Point& p = pose.position;
-  return {{{header, child, {{p.x, p.y, p.z}, pose.orientation}}}};
-}
-
 ros::Int32MultiArray labels_message(const std::vector<int>& labels) {
   const auto count = static_cast<std::uint32_t>(labels.size());
   return {{{{"beam", count, count}}, 0}, {labels.begin(), labels.end()}};
-}
-
-ros::PoseArray particles_message(Stamp stamp,
-                                 const std::vector<localization::PopulationView>& populations) {
-  ros::PoseArray message{ros_header(stamp, "map"), {}};
-  for (const auto& population : populations) {
-    for (const SE2& particle : population.particles) message.poses.push_back(to_ros_pose(particle));
-  }
-  return message;
 }
 
 /// "/front" if there are several lidars, "" if there is only one.
@@ -100,13 +78,14 @@ void BagSink::on_odometry(const OdometryFrame& frame) {
   const SE2& T_odom_base = frame.odometry.T_odom_base;
   const double dt_s = last_ ? seconds(stamp - last_->odometry.stamp) : 0.0;
   T_odom_base_.add(stamp, T_odom_base);
-  ros::Odometry odometry = odometry_message(stamp, "odom", T_odom_base);
+  ros::Odometry odometry = odometry_message(ros_header(stamp, "odom"), kBaseFrame, T_odom_base);
   if (last_) odometry.twist.twist = twist_between(last_->odometry.T_odom_base, T_odom_base, dt_s);
   bag_.publish(channels_.odom, stamp, odometry);
   bag_.publish(channels_.tf, stamp,
                transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
   if (frame.T_map_base_true) {
-    ros::Odometry truth = odometry_message(stamp, "map", *frame.T_map_base_true);
+    ros::Odometry truth =
+        odometry_message(ros_header(stamp, "map"), kBaseFrame, *frame.T_map_base_true);
     if (last_ && last_->T_map_base_true) {
       truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
     }
@@ -165,17 +144,16 @@ void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
   const LocalizerRecord& localizer = record.localizers[index];
   const LocalizerChannels& channels = channels_.localizers[index];
   if (localizer.estimate) {
-    ros::PoseWithCovarianceStamped pose;
-    pose.header = ros_header(localizer.estimate->stamp, "map");
-    pose.pose.pose = to_ros_pose(localizer.estimate->T_map_base);
-    pose.pose.covariance = to_ros_covariance(localizer.estimate->covariance);
-    bag_.publish(channels.pose, record.delivered, pose);
+    bag_.publish(channels.pose, record.delivered,
+                 pose_message(ros_header(localizer.estimate->stamp, "map"),
+                              localizer.estimate->T_map_base, localizer.estimate->covariance));
   }
   const auto& populations = localizer.diagnostics.populations;
   bag_.publish(channels.hypotheses, record.delivered,
                hypothesis_markers(record.stamp, populations));
   if (!config_.options.particles) return;
-  bag_.publish(channels.particles, record.delivered, particles_message(record.stamp, populations));
+  bag_.publish(channels.particles, record.delivered,
+               particles_message(ros_header(record.stamp, "map"), populations));
 }
 
 /// Pictures are taken after this sink has handled a scan, so they are logged with the next one.

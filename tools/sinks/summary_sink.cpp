@@ -88,7 +88,7 @@ Json faults_json(const RunHistory& history, Stamp end) {
 }
 
 Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics,
-             const std::optional<PeopleMetrics>& people, Stamp end) {
+             const std::optional<PeopleMetrics>& people, Stamp end, const RunTiming& timing) {
   const RunInfo& info = history.info;
   const std::optional<double> distance_m = total_distance(history);
   Json root{{"castaway", CASTAWAY_VERSION},
@@ -115,6 +115,9 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     root["localizers"][info.localizers[i]] = to_json(metrics[i]);
   }
+  for (const auto& [name, use] : timing.outside) {
+    if (!use.counts.empty()) root["localizers"][name]["answers"] = use.counts;
+  }
   return root;
 }
 
@@ -136,14 +139,14 @@ void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::pa
 
 }  // namespace
 
-void SummarySink::finish(Stamp end, const RunTiming&) {
+void SummarySink::finish(Stamp end, const RunTiming& timing) {
   std::vector<LocalizerMetrics> metrics;
   for (std::size_t i = 0; i < history_.rows.size(); ++i) {
     metrics.push_back(history_.metrics(i, end));
   }
   write_events(log_events(history_, metrics), run_folder_ / "events.csv");
   write_file(run_folder_ / "summary.json",
-             summary(history_, metrics, people_.metrics(), end).dump(2) + "\n");
+             summary(history_, metrics, people_.metrics(), end, timing).dump(2) + "\n");
 }
 
 }  // namespace castaway::testbed

@@ -73,6 +73,7 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
     }
   }
   for (const auto& [name, use] : timing.outside) {
+    if (!use.counts.empty()) continue;  // A node of ROS 2: its process is not ours.
     root["localizers"][name]["outside"] = {{"cpu_s", localization::seconds(use.cpu)},
                                            {"peak_memory_mb", use.peak_memory_mb}};
   }

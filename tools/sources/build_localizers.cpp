@@ -11,6 +11,7 @@
 #include "localization/paper/published/published_stages.hpp"
 #include "tools/foreign/library_localizer.hpp"
 #include "tools/foreign/program_localizer.hpp"
+#include "tools/ros2/build_ros2.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/sources/map_conversion.hpp"
 
@@ -34,8 +35,9 @@ NamedLocalizer named(const Site& site, std::unique_ptr<localization::Localizer> 
 Greeting greeting_of(const Site& site) {
   std::error_code ignored;
   const std::filesystem::path file = std::filesystem::absolute(site.place.map_file, ignored);
-  return {site.spec.name, site.seed, site.place.map,
-          site.place.map_file.empty() ? "" : file.string(), site.place.lidars};
+  return {site.spec.name,    site.seed,
+          site.place.map,    site.place.map_file.empty() ? "" : file.string(),
+          site.place.lidars, site.place.robot};
 }
 
 /// Visitor that builds the localizer of each settings type.
@@ -76,6 +78,11 @@ struct Maker {
   NamedLocalizer operator()(const OwnConfig& c) const {
     if (!c.make) throw std::runtime_error("is an object of Python: castaway.run takes it");
     return named(site, c.make(greeting_of(site)));
+  }
+  NamedLocalizer operator()(const Ros2Config& c) const {
+    NamedLocalizer node = build_ros2(c, greeting_of(site));
+    node.relocalize_at_kidnap = site.spec.relocalize_at_kidnap;
+    return node;
   }
 
   const Site& site;

@@ -23,6 +23,7 @@ struct LocalizerPlace {
   std::filesystem::path map_file = {};    ///< Its YAML file; empty: there is none.
   std::vector<LidarFacts> lidars = {};    ///< Those that are known before the run.
   std::filesystem::path log_folder = {};  ///< For `<name>.log` of programs; empty: no such files.
+  RobotFacts robot = {};
 };
 
 /// Builds the localizers of several runs on one map. What depends on the map alone is built once

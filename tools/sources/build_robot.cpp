@@ -62,4 +62,9 @@ sim::RobotModel build_robot(const RobotSpec& spec, const std::filesystem::path& 
   return sim::load_robot(find_robot(spec.file, base).string(), robot_options(spec, base));
 }
 
+RobotFacts robot_facts(const RobotSpec& spec, const std::filesystem::path& base,
+                       const sim::RobotModel& robot) {
+  return {robot.frames, sim::expand_robot(robot.path, robot_options(spec, base)).urdf};
+}
+
 }  // namespace castaway::testbed

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "sim/robot/load_robot.hpp"
+#include "tools/foreign/protocol/message_text.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -14,5 +15,9 @@ sim::RobotOptions robot_options(const RobotSpec& spec, const std::filesystem::pa
 
 /// Finds and loads a robot. Throws std::runtime_error naming what is wrong.
 sim::RobotModel build_robot(const RobotSpec& spec, const std::filesystem::path& base);
+
+/// What nodes of ROS 2 are told about the robot that was built so.
+RobotFacts robot_facts(const RobotSpec& spec, const std::filesystem::path& base,
+                       const sim::RobotModel& robot);
 
 }  // namespace castaway::testbed

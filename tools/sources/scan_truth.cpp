@@ -92,6 +92,7 @@ std::vector<LidarFacts> lidars_of(const std::vector<sim::LidarConfig>& lidars) {
     sim::LidarReading reading;
     reading.ranges.resize(static_cast<std::size_t>(lidar.beams) * lidar.elevations.size());
     facts.push_back(lidar_facts(planar_scan(reading, lidar)));
+    facts.back().frame = lidar.frame;
   }
   return facts;
 }

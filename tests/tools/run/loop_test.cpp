@@ -1,6 +1,7 @@
 #include "tools/run/loop.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,7 @@ class ListSink final : public RunSink {
  public:
   void on_event(const RunEvent& event) override {
     calls.push_back("event " + event_name(event.kind));
+    details.push_back(event.detail);
   }
   void on_odometry(const OdometryFrame&) override { calls.emplace_back("odometry"); }
   void on_scan(const ScanRecord& record) override {
@@ -49,6 +51,7 @@ class ListSink final : public RunSink {
     cpu_s = timing.cpu_s;
   }
   std::vector<std::string> calls;
+  std::vector<std::string> details;  ///< Of events.
   std::vector<ScanRecord> records;
   std::map<std::string, double> cpu_s;
 };
@@ -87,6 +90,15 @@ TEST_F(LoopTest, TellsSinksEverythingInOrder) {
   Loop(config_, localizers_, sinks_).run(source_);
   EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "odometry", "scan", "event kidnap",
                                                     "odometry", "finish 1000"}));
+}
+
+TEST_F(LoopTest, TellsWhatHappenedOutsideAfterTheScan) {
+  std::vector<std::string> news{"the node went"};
+  localizers_.front().news = [&news] { return std::exchange(news, {}); };
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "odometry", "scan", "event node",
+                                                    "event kidnap", "odometry", "finish 1000"}));
+  EXPECT_EQ(sink_->details.front(), "the node went");
 }
 
 TEST_F(LoopTest, RecordsEveryLocalizersAnswerBesideTheTruth) {

@@ -17,6 +17,7 @@ struct LidarFacts {
   double range_min = 0.0;        ///< [m]
   double range_max = 0.0;        ///< [m]
   std::size_t beams = 0;
+  std::string frame = {};  ///< Of the robot's description; empty: not known.
 };
 
 /// The facts of the lidar that took `scan`.

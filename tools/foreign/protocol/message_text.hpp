@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,12 @@ namespace castaway::testbed {
 
 inline constexpr int kProtocolVersion = 1;
 
+/// The robot's description, as far as it is known.
+struct RobotFacts {
+  std::map<std::string, Eigen::Isometry3d> links{};  ///< T_base_link, by name.
+  std::string description{};                         ///< URDF.
+};
+
 /// What a foreign localizer is told once, before anything else.
 struct Greeting {
   std::string name;        ///< Of the localizer in the run.
@@ -20,6 +27,7 @@ struct Greeting {
   RosMap map;
   std::string map_file;            ///< Absolute path of the map's YAML file; empty: there is none.
   std::vector<LidarFacts> lidars;  ///< Those that are known before the run.
+  RobotFacts robot = {};           ///< Programs are not told.
 };
 
 /// Each appends one line to `text`. `params`: a JSON object. Numbers are written in the shortest

@@ -9,17 +9,19 @@
 #include "tools/scenario/localizers/amcl_spec.hpp"
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 #include "tools/scenario/localizers/mh_amcl_spec.hpp"
+#include "tools/scenario/localizers/ros2_spec.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl", "program", "library"};
+const std::vector<std::string> kLocalizerKinds = {"mh_amcl", "amcl", "program", "library", "ros2"};
 const char* const kToldPreset = "amcl-global";
 
 LocalizerSpec read_localizer(YamlReader item, const ForeignRules& rules) {
   if (auto foreign = read_foreign(item, rules)) return *foreign;
+  if (auto node = read_ros2(item, rules)) return *node;
   auto [kind, body] = item.name_and_body();
   LocalizerSpec spec;
   if (kind == "mh_amcl") {
@@ -94,10 +96,12 @@ void describe_localizers(std::vector<SettingText>& texts) {
   localization::AmclConfig amcl;
   fields(nav2, amcl);
   describe_foreign(texts);
+  describe_ros2(texts);
 }
 
 LocalizerSpec parse_localizer(const std::string& text) {
   if (auto foreign = parse_foreign(text)) return *foreign;
+  if (auto node = parse_ros2(text)) return *node;
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string preset = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -128,6 +132,7 @@ LocalizerSpec parse_localizer(const std::string& text) {
 std::string localizer_yaml(const std::string& text) {
   const LocalizerSpec spec = parse_localizer(text);  // Throws if there is no such localizer.
   if (is_foreign(spec)) return foreign_yaml(spec);
+  if (is_node(spec)) return ros2_yaml(text);
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return text;
   const std::string kind = text.substr(0, colon);

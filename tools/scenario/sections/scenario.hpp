@@ -22,6 +22,7 @@
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "tools/foreign/foreign_config.hpp"
+#include "tools/foreign/ros2_config.hpp"
 #include "tools/metrics/expectation.hpp"
 #include "tools/pictures/picture_config.hpp"
 #include "tools/ros/bag_options.hpp"
@@ -114,7 +115,7 @@ struct LocalizerSpec {
   std::string name;  ///< Unique; used in file names.
   std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
                localization::PublishedMhAmclConfig, localization::AmclConfig, ProgramConfig,
-               LibraryConfig, OwnConfig>
+               LibraryConfig, OwnConfig, Ros2Config>
       config;
   /// If true, the localizer is notified of every kidnap and relocalizes globally. Otherwise it must
   /// notice a kidnap by itself.

@@ -1,0 +1,76 @@
+// A node that stands for those of users: Fast DDS, Fast CDR and messages written from ROS 2's own
+// descriptions, with mh_amcl behind them. It plays until nothing has come for a while, then prints
+// what it received as JSON.
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "localization/geometry/random.hpp"
+#include "tests/program/ros2_peer/served_localizer.hpp"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using castaway::peer::Manners;
+using castaway::peer::ServedLocalizer;
+using castaway::peer::Wire;
+
+void print(const castaway::peer::Received& received, const Wire& wire) {
+  nlohmann::json root;
+  root["messages"] = received.messages;
+  root["publications"] = wire.publications().seen();
+  root["frames"] = received.frames;
+  root["description"] = received.description;
+  std::printf("%s\n", root.dump().c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("A node of ROS 2 for tests");
+  int domain = 0;
+  std::uint64_t seed = 1;
+  double patience_s = 3.0;
+  double first_patience_s = 60.0;
+  int scans = 0;
+  bool local = true;
+  Manners manners;
+  app.add_option("--domain", domain);
+  app.add_option("--seed", seed, "Of the run: the localizer's are those of 'mh_amcl' in it");
+  app.add_option("--patience", patience_s, "[s] Ends when nothing has come for so long");
+  app.add_option("--first-patience", first_patience_s);
+  app.add_option("--scans", scans, "Breaks off after so many scans");
+  app.add_option("--answer-every", manners.answer_every);
+  app.add_option("--late", manners.late_ms, "[ms]");
+  app.add_option("--ahead", manners.ahead_ns, "[ns]");
+  app.add_flag("!--not-local", local);
+  app.add_flag("--twice", manners.twice);
+  app.add_flag("--garbage", manners.garbage);
+  app.add_flag("!--no-transform", manners.with_transform);
+  app.add_flag("!--unknown-start", manners.known_start);
+  CLI11_PARSE(app, argc, argv);
+
+  Wire wire(domain, local);
+  ServedLocalizer node(wire, castaway::localization::substream(seed, "localizer/mh_amcl")(),
+                       manners);
+  auto last = Clock::now();
+  const auto is_patient = [&] {
+    const double patience = node.received().messages.empty() ? first_patience_s : patience_s;
+    return Clock::now() - last < std::chrono::duration<double>(patience);
+  };
+  while (is_patient()) {
+    if (node.turn()) {
+      last = Clock::now();
+    } else {
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    const auto seen = node.received().messages.find("scan");
+    if (scans > 0 && seen != node.received().messages.end() && seen->second >= scans) break;
+  }
+  print(node.received(), wire);
+  return 0;
+}

@@ -1,0 +1,262 @@
+// Localizers that are nodes of ROS 2: castaway (CycloneDDS) and a node on Fast DDS, over the
+// loopback interface. Each test has a domain of its own.
+#include <cmath>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kRos2Run =
+    "run --set outputs.snapshots=false --set outputs.report=false --out run ";
+
+/// A node in the background; it ends when nothing comes any more.
+class Node {
+ public:
+  Node(const fs::path& folder, int domain, const std::string& arguments = "")
+      : folder_(folder), file_(folder / ("node" + std::to_string(domain) + ".json")) {
+    const std::string command = "exec '" CASTAWAY_ROS2_PEER "' --patience 2 --domain " +
+                                std::to_string(domain) + " " + arguments + " >'" + file_.string() +
+                                "' 2>&1";
+    thread_ = std::thread([command] { (void)std::system(command.c_str()); });
+  }
+  ~Node() {
+    if (thread_.joinable()) thread_.join();
+  }
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
+  /// What it received, once it has ended.
+  Json received() {
+    thread_.join();
+    return Json::parse(text_of(file_));
+  }
+
+ private:
+  fs::path folder_;
+  fs::path file_;
+  std::thread thread_;
+};
+
+std::string node_in(int domain, const std::string& settings = "") {
+  return "--localizer mh_amcl --localizer ros2:" + std::to_string(domain) + " " + settings + " ";
+}
+
+Json ros2_summary(const fs::path& folder) {
+  return Json::parse(text_of(folder / "run/summary.json"));
+}
+
+Json answers_in(const fs::path& folder) {
+  return ros2_summary(folder).at("localizers").at("ros2").at("answers");
+}
+
+/// A robot whose scans survive the wire unchanged: its angles are floats.
+fs::path exact_robot(const fs::path& folder) {
+  std::string urdf = text_of(fs::path(CASTAWAY_SOURCE_DIR) / "robots/waffle/waffle.urdf");
+  const auto replace = [&](const std::string& old, const std::string& by) {
+    const std::size_t at = urdf.find(old);
+    ASSERT_NE(at, std::string::npos) << old;
+    urdf.replace(at, old.size(), by);
+  };
+  replace("<samples>360<", "<samples>401<");
+  replace("<min_angle>0<", "<min_angle>-3.125<");
+  replace("<max_angle>6.2657320146596<", "<max_angle>3.125<");
+  replace("<update_rate>5<", "<update_rate>10<");
+  replace("<min>0.12<", "<min>0.125<");
+  replace("<max>3.5<", "<max>12<");
+  fs::create_directories(folder / "robot");
+  fs::create_directory_symlink(fs::path(CASTAWAY_SOURCE_DIR) / "robots/waffle/meshes",
+                               folder / "robot/meshes");
+  std::ofstream(folder / "robot/waffle.urdf") << urdf;
+  return folder / "robot/waffle.urdf";
+}
+
+TEST(Ros2, TheNodesTrajectoryIsThatOfTheSameLocalizerInside) {
+  const fs::path folder = fresh_folder();
+  const std::string robot = exact_robot(folder).string();
+  Node node(folder, 101);
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(101) +
+                           "--duration 30 --set events.0.kidnap.at_s=8 --set robot=" + robot);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.out, "ros2: 300 of 300 scans answered, 0 missing; 0 answers late");
+  EXPECT_EQ(ros2_summary(folder).at("localizers").at("ros2").at("recovery").at("recovered"), 1);
+  const std::string ours = text_of(folder / "run/mh_amcl.tum");
+  EXPECT_GT(std::count(ours.begin(), ours.end(), '\n'), 290);
+  EXPECT_EQ(text_of(folder / "run/ros2.tum"), ours);
+}
+
+// docs.ros.org: topic and type names on the wire, and the quality of service of tf2_ros, of
+// nav2_map_server and of sensor data.
+TEST(Ros2, TopicsHaveTheNamesTypesAndQualityOfRos2) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 102);
+  EXPECT_EQ(castaway(folder, kRos2Run + node_in(102) + "--duration 4").exit_code, 0);
+  const Json received = node.received();
+  const Json expected = {
+      {"rt/clock", "rosgraph_msgs::msg::dds_::Clock_ reliable volatile"},
+      {"rt/scan", "sensor_msgs::msg::dds_::LaserScan_ best_effort volatile"},
+      {"rt/odom", "nav_msgs::msg::dds_::Odometry_ reliable volatile"},
+      {"rt/tf", "tf2_msgs::msg::dds_::TFMessage_ reliable volatile"},
+      {"rt/tf_static", "tf2_msgs::msg::dds_::TFMessage_ reliable transient_local"},
+      {"rt/map", "nav_msgs::msg::dds_::OccupancyGrid_ reliable transient_local"},
+      {"rt/initialpose", "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_ reliable volatile"},
+      {"rt/robot_description", "std_msgs::msg::dds_::String_ reliable transient_local"}};
+  for (const auto& [topic, seen] : expected.items()) {
+    EXPECT_EQ(received.at("publications").value(topic, ""), seen) << topic;
+  }
+  const Json& messages = received.at("messages");
+  EXPECT_EQ(messages.at("scan"), 40);
+  EXPECT_EQ(messages.at("odom"), 400);
+  EXPECT_EQ(messages.at("initialpose"), 1);
+  EXPECT_EQ(messages.at("map"), 1);
+  expect_contains(received.at("frames"), "odom>base_footprint ");
+  expect_contains(received.at("frames"), "base_footprint>base_link ");
+  expect_contains(received.at("frames"), "base_link>base_scan ");
+  expect_contains(received.at("description"), "<robot name=\"waffle\">");
+}
+
+TEST(Ros2, TheSameRunGivesTheSameTrajectory) {
+  const fs::path folder = fresh_folder();
+  std::vector<std::string> trajectories;
+  for (int i = 0; i < 2; ++i) {
+    fs::remove_all(folder / "run");
+    Node node(folder, 103);
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(103) + "--duration 10").exit_code, 0);
+    trajectories.push_back(text_of(folder / "run/ros2.tum"));
+  }
+  EXPECT_GT(trajectories[0].size(), 1000U);
+  EXPECT_EQ(trajectories[0], trajectories[1]);
+}
+
+TEST(Ros2, AnswersStampedAheadAreThoseOfTheirScans) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 104, "--ahead 1000000000");
+  EXPECT_EQ(castaway(folder,
+                     kRos2Run + node_in(104, "--set localizers.1.ros2.ahead_s=1") + "--duration 5")
+                .exit_code,
+            0);
+  EXPECT_EQ(answers_in(folder).at("answered"), 50);
+  EXPECT_EQ(answers_in(folder).at("late"), 0);
+}
+
+TEST(Ros2, ANodeWithoutTransformsIsHeardByItsPose) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 105, "--no-transform");
+  EXPECT_EQ(castaway(folder, kRos2Run + node_in(105, "--set localizers.1.ros2.answer=pose") +
+                                 "--duration 5")
+                .exit_code,
+            0);
+  EXPECT_EQ(answers_in(folder).at("answered"), 50);
+}
+
+TEST(Ros2, CountsWhatIsMissingLateAndDoubled) {
+  const fs::path folder = fresh_folder();
+  {
+    Node node(folder, 106, "--answer-every 4");
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(106, "--set localizers.1.ros2.timeout_s=0.05") +
+                                   "--duration 2")
+                  .exit_code,
+              0);
+  }
+  EXPECT_EQ(answers_in(folder).at("sent"), 20);
+  EXPECT_EQ(answers_in(folder).at("answered"), 5);
+  EXPECT_EQ(answers_in(folder).at("missing"), 15);
+  fs::remove_all(folder / "run");
+  {
+    Node node(folder, 106, "--late 400");
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(106, "--set localizers.1.ros2.timeout_s=0.2") +
+                                   "--duration 3")
+                  .exit_code,
+              0);
+  }
+  EXPECT_GE(answers_in(folder).at("late"), 2);
+  EXPECT_GE(answers_in(folder).at("missing"), 2);
+  fs::remove_all(folder / "run");
+  {
+    Node node(folder, 106, "--twice");
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(106) + "--duration 2").exit_code, 0);
+  }
+  EXPECT_GE(answers_in(folder).at("doubled"), 19);
+  EXPECT_EQ(answers_in(folder).at("missing"), 0);
+}
+
+TEST(Ros2, MalformedMessagesAreCountedAndHarmNothing) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 107, "--garbage");
+  const Outcome outcome = castaway(folder, kRos2Run + node_in(107) + "--duration 3");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(answers_in(folder).at("answered"), 30);
+  EXPECT_EQ(answers_in(folder).at("malformed"), 60);
+  expect_contains(outcome.out, "60 malformed");
+}
+
+TEST(Ros2, ANodeThatGoesAndComesIsAnEvent) {
+  const fs::path folder = fresh_folder();
+  Node first(folder, 108, "--scans 20");
+  std::thread second([&] {
+    (void)first.received();
+    Node again(folder, 108, "--unknown-start");
+  });
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(108, "--set localizers.1.ros2.pace=4") + "--duration 40");
+  second.join();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string events = text_of(folder / "run/events.csv");
+  expect_contains(events, "node,the node went,ros2");
+  expect_contains(events, "node,the node came back,ros2");
+  EXPECT_GT(answers_in(folder).at("answered"), 50);
+}
+
+TEST(Ros2, WithoutANodeTheRunGoesOnAndSaysWhatIsMissing) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(109, "--set localizers.1.ros2.start_timeout_s=0.3") +
+                           "--duration 2");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  expect_contains(outcome.err, "domain 109");
+  expect_contains(outcome.err, "nobody subscribes to /scan");
+  EXPECT_TRUE(fs::exists(folder / "run/mh_amcl.tum"));
+}
+
+TEST(Ros2, BadSettingsAreRefused) {
+  const fs::path folder = fresh_folder();
+  expect_refused(castaway(folder, "run --localizer ros2:300"), {"ros2:300", "232"});
+  const auto set = [&](const std::string& setting) {
+    return castaway(folder, kRos2Run + node_in(110, "--set 'localizers.1.ros2." + setting + "'"));
+  };
+  expect_refused(set("interface=nowhere0"), {"nowhere0"});
+  expect_refused(set("topics.scan=my scan"), {"my scan"});
+  expect_refused(set("namespace=2nd"), {"2nd"});
+  expect_refused(set("answer=guess"), {"answer", "transform"});
+  std::ofstream(folder / "open.yaml") << "localizers: [{ros2: {interface: any}}]\n";
+  expect_refused(castaway(folder, "run open.yaml"), {"open.yaml", "--allow-programs"});
+  EXPECT_FALSE(fs::exists(folder / "run"));
+}
+
+TEST(Ros2, TwoRunsInOneDomainDoNotMix) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 111);
+  std::thread first([&] {
+    EXPECT_EQ(castaway(folder,
+                       kRos2Run + node_in(111, "--set localizers.1.ros2.pace=2") + "--duration 12")
+                  .exit_code,
+              0);
+  });
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  const fs::path other = folder / "other";
+  fs::create_directories(other);
+  const Outcome outcome = castaway(other, kRos2Run + node_in(111) + "--duration 2");
+  first.join();
+  expect_refused(outcome, {"someone else publishes /clock in domain 111"});
+}
+
+}  // namespace
+}  // namespace castaway::test

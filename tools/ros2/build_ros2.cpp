@@ -1,0 +1,16 @@
+#include "tools/ros2/build_ros2.hpp"
+
+#include "tools/ros2/ros2_localizer.hpp"
+
+namespace castaway::testbed {
+
+NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting) {
+  auto node = std::make_unique<Ros2Localizer>(config, greeting);
+  Ros2Localizer* running = node.get();
+  NamedLocalizer localizer{greeting.name, std::move(node)};
+  localizer.news = [running] { return running->take_news(); };
+  localizer.finish = [running] { return OutsideUse{{}, 0.0, running->counts()}; };
+  return localizer;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,113 @@
+#include "tools/ros2/robot_feed.hpp"
+
+#include <utility>
+
+#include "tools/ros/bag_writer.hpp"
+#include "tools/ros/robot_messages.hpp"
+#include "tools/ros2/ros_qos.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+std::vector<BagLidar> lidars_of(const Greeting& greeting) {
+  std::vector<BagLidar> lidars;
+  for (const LidarFacts& lidar : greeting.lidars) {
+    lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
+  }
+  return lidars;
+}
+
+}  // namespace
+
+RobotFeed::RobotFeed(DdsParticipant& participant, const Ros2Config& config,
+                     const Greeting& greeting)
+    : participant_(participant),
+      config_(config),
+      several_lidars_(greeting.lidars.size() > 1),
+      tree_(greeting.robot.links, lidars_of(greeting), config.frames.base),
+      clock_(participant, "/clock", ros_qos::kUsual),
+      odometry_(participant, full_topic(config.name_space, config.topics.odom), ros_qos::kUsual),
+      tf_(participant, full_topic(config.name_space, config.topics.tf), ros_qos::kTransforms),
+      tf_static_(participant, full_topic(config.name_space, config.topics.tf_static),
+                 ros_qos::kLatched),
+      map_(participant, full_topic(config.name_space, config.topics.map), ros_qos::kLatched),
+      initial_pose_(participant, full_topic(config.name_space, config.topics.initial_pose),
+                    ros_qos::kUsual) {
+  ros::OccupancyGrid grid = to_ros_grid(greeting.map);
+  grid.header.frame_id = config.frames.map;
+  map_.publish(grid);
+  publish_frames();
+  for (const LidarFacts& lidar : greeting.lidars) scans_of(lidar.name);
+  if (greeting.robot.description.empty()) return;
+  description_.emplace(participant, full_topic(config.name_space, "robot_description"),
+                       ros_qos::kLatched);
+  description_->publish({greeting.robot.description});
+}
+
+void RobotFeed::publish_frames() { tf_static_.publish(tree_.message({})); }
+
+RosPublisher<ros::LaserScan>& RobotFeed::scans_of(const std::string& lidar) {
+  const auto found = scans_.find(lidar);
+  if (found != scans_.end()) return found->second;
+  const std::string name =
+      several_lidars_ ? topic_part(lidar) + "/" + config_.topics.scan : config_.topics.scan;
+  RosPublisher<ros::LaserScan> scans(participant_, full_topic(config_.name_space, name),
+                                     {config_.reliable_scans, false, 10});
+  return scans_.emplace(lidar, std::move(scans)).first->second;
+}
+
+void RobotFeed::set_time(Stamp now) {
+  if (now <= now_) return;
+  now_ = now;
+  clock_.publish({to_ros_time(now)});
+}
+
+void RobotFeed::publish(const Odometry& odometry) {
+  set_time(odometry.stamp);
+  const ros::Header header = ros_header(odometry.stamp, config_.frames.odom);
+  ros::Odometry message = odometry_message(header, config_.frames.base, odometry.T_odom_base);
+  if (before_) {
+    message.twist.twist = twist_between(before_->T_odom_base, odometry.T_odom_base,
+                                        seconds(odometry.stamp - before_->stamp));
+  }
+  before_ = odometry;
+  odometry_.publish(message);
+  tf_.publish(transform_message(header, config_.frames.base, message.pose.pose));
+}
+
+void RobotFeed::publish(const LaserScan& scan) {
+  if (!scan.ranges.empty()) set_time(scan.beam_stamp(scan.ranges.size() - 1));
+  if (tree_.set_mount(scan.lidar, scan.T_base_laser)) publish_frames();
+  scans_of(scan.lidar).publish(to_ros_scan(scan, {}, tree_.frame_of(scan.lidar)));
+}
+
+void RobotFeed::publish_initial_pose(const localization::PoseWithCovariance& pose) {
+  initial_pose_.publish(pose_message(ros_header(std::max(now_, Stamp{}), config_.frames.map),
+                                     pose.T_map_base, pose.covariance));
+}
+
+int RobotFeed::scan_subscribers() const {
+  int subscribers = 0;
+  for (const auto& [lidar, scans] : scans_) subscribers += scans.subscribers();
+  return subscribers;
+}
+
+std::vector<std::string> RobotFeed::refused() {
+  std::vector<std::string> sentences;
+  const auto ask = [&](auto& publisher) {
+    const auto policy = publisher.writer().refused();
+    if (!policy) return;
+    sentences.push_back("a subscriber of " + publisher.name() + " gets nothing: it asks for more " +
+                        *policy + " than is offered");
+  };
+  ask(clock_);
+  ask(odometry_);
+  ask(tf_);
+  ask(tf_static_);
+  ask(map_);
+  ask(initial_pose_);
+  for (auto& [lidar, scans] : scans_) ask(scans);
+  return sentences;
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,58 @@
+/// What a robot of ROS 2 publishes.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/foreign/protocol/message_text.hpp"
+#include "tools/foreign/ros2_config.hpp"
+#include "tools/ros/bag_frames.hpp"
+#include "tools/ros/ros_conversion.hpp"
+#include "tools/ros/ros_sensor.hpp"
+#include "tools/ros/ros_wire.hpp"
+#include "tools/ros2/ros_topic.hpp"
+
+namespace castaway::testbed {
+
+/// Publishes time, sensors, frames and the map, as localizers of ROS 2 want them.
+class RobotFeed {
+ public:
+  /// Publishes what does not change: the map, the fixed frames and the robot's description.
+  RobotFeed(DdsParticipant& participant, const Ros2Config& config, const Greeting& greeting);
+
+  /// Advances the simulated time; an earlier one is ignored.
+  void set_time(Stamp now);
+  void repeat_time() { clock_.publish({to_ros_time(std::max(now_, Stamp{}))}); }
+  void publish(const Odometry& odometry);
+  /// At the time of its last beam.
+  void publish(const LaserScan& scan);
+  void publish_initial_pose(const localization::PoseWithCovariance& pose);
+
+  [[nodiscard]] int scan_subscribers() const;
+  /// What subscribers ask for that is not offered, in one sentence each, since the last call.
+  std::vector<std::string> refused();
+
+ private:
+  RosPublisher<ros::LaserScan>& scans_of(const std::string& lidar);
+  void publish_frames();
+
+  DdsParticipant& participant_;
+  Ros2Config config_;
+  bool several_lidars_;
+  BagFrames tree_;
+  RosPublisher<ros::Clock> clock_;
+  RosPublisher<ros::Odometry> odometry_;
+  RosPublisher<ros::TFMessage> tf_;
+  RosPublisher<ros::TFMessage> tf_static_;
+  RosPublisher<ros::OccupancyGrid> map_;
+  RosPublisher<ros::PoseWithCovarianceStamped> initial_pose_;
+  std::optional<RosPublisher<ros::String>> description_;
+  std::map<std::string, RosPublisher<ros::LaserScan>> scans_;  ///< By lidar.
+  std::optional<Odometry> before_;
+  Stamp now_{-1};
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,82 @@
+/// A localizer that is a node of ROS 2: docs/ros2.md.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "localization/geometry/transform_buffer.hpp"
+#include "tools/foreign/protocol/answer.hpp"
+#include "tools/ros2/answer_count.hpp"
+#include "tools/ros2/robot_feed.hpp"
+
+namespace castaway::testbed {
+
+/// Publishes what a robot does and takes the node's estimate. In lock step, it waits for the answer
+/// to every scan. What ends the conversation is thrown as LocalizerFailure.
+class Ros2Localizer final : public localization::Localizer {
+ public:
+  /// Takes part in the domain. Throws std::runtime_error if it cannot, or if someone else publishes
+  /// simulated time there.
+  Ros2Localizer(const Ros2Config& config, const Greeting& greeting);
+
+  /// An unknown start is not told. The first call waits for the node.
+  void initialize(const std::optional<localization::PoseWithCovariance>& start) override;
+  void on_odometry(const Odometry& odometry) override;
+  void on_scan(const LaserScan& scan) override;
+  [[nodiscard]] std::optional<localization::Estimate> estimate() const override {
+    return answer_.estimate;
+  }
+  [[nodiscard]] localization::Diagnostics diagnostics() const override;
+
+  /// What became of the scans, `AnswerCount::counts`, and messages that were "malformed".
+  [[nodiscard]] std::map<std::string, std::int64_t> counts() const;
+  /// What happened on the wire since the last call, in one sentence each.
+  std::vector<std::string> take_news() { return std::exchange(news_, {}); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void refuse_other_clocks();
+  void wait_for_node();
+  [[nodiscard]] bool is_there() const;
+  [[nodiscard]] std::string what_is_missing() const;
+  void watch_node();
+  void keep_pace(Stamp now);
+  void send(const LaserScan& scan);
+  void wait_for_first_answer(const LaserScan& scan);
+  void wait_for_answer();
+  bool hear_until(Clock::time_point end);
+  void hear();
+  void take(const ros::TFMessage& message);
+  void take(const ros::PoseWithCovarianceStamped& message);
+  void take(const ros::ParticleCloud& message);
+  void settle(const LaserScan& scan);
+
+  Ros2Config config_;
+  DdsParticipant participant_;
+  RosSubscription<ros::Clock> other_clocks_;
+  std::optional<RobotFeed> feed_;
+  RosSubscription<ros::TFMessage> transforms_;
+  RosSubscription<ros::PoseWithCovarianceStamped> poses_;
+  RosSubscription<ros::ParticleCloud> clouds_;
+  AnswerCount count_;
+  int unanswered_ = 0;  ///< Scans in a row.
+  bool is_present_ = false;
+  bool has_answered_ = false;
+  std::vector<Odometry> early_;                            ///< Before the first answer.
+  std::optional<localization::PoseWithCovariance> start_;  ///< To be told with the next scan.
+  localization::TransformBuffer T_odom_base_;
+  std::optional<localization::SE2> T_map_odom_;
+  std::optional<ros::PoseWithCovarianceStamped> pose_;  ///< The newest one.
+  std::vector<localization::SE2> particles_;
+  Answer answer_;
+  std::vector<std::string> news_;
+  int bad_ = 0;                                               ///< Answers that are no poses.
+  std::optional<std::pair<Stamp, Clock::time_point>> began_;  ///< For the pace.
+};
+
+}  // namespace castaway::testbed
