@@ -258,5 +258,88 @@ TEST(Ros2, TwoRunsInOneDomainDoNotMix) {
   expect_refused(outcome, {"someone else publishes /clock in domain 111"});
 }
 
+const std::string kWatched =
+    "--watch 'rt/castaway/events std_msgs::msg::dds_::String_' "
+    "--watch 'rt/castaway/ground_truth/odom nav_msgs::msg::dds_::Odometry_' "
+    "--watch 'rt/castaway/mh_amcl/amcl_pose "
+    "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_' ";
+
+TEST(Ros2, OthersMayLookOnAtARun) {
+  const fs::path folder = fresh_folder();
+  const std::string settings =
+      "--localizer mh_amcl --set events.0.kidnap.at_s=2 --set 'people.count=2' --duration 8 ";
+  EXPECT_EQ(castaway(folder, kRos2Run + settings).exit_code, 0);
+  const std::string alone = text_of(folder / "run/mh_amcl.tum");
+  fs::remove_all(folder / "run");
+  Node node(folder, 112, kWatched);
+  const Outcome outcome = castaway(
+      folder, kRos2Run + settings + "--ros2 --ros2-domain 112 --ros2-pace 4 --ros2-namespace r1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(text_of(folder / "run/mh_amcl.tum"), alone);
+  const Json names = node.received().at("publications");
+  for (const char* topic :
+       {"clock", "r1/scan", "r1/odom", "r1/tf", "r1/tf_static", "r1/map", "r1/initialpose",
+        "r1/robot_description", "r1/joint_states", "r1/castaway/ground_truth/odom",
+        "r1/castaway/events", "r1/castaway/people", "r1/castaway/cmd_vel",
+        "r1/castaway/mh_amcl/amcl_pose", "r1/castaway/mh_amcl/hypotheses"}) {
+    EXPECT_TRUE(names.contains(std::string("rt/") + topic)) << topic;
+  }
+}
+
+TEST(Ros2, LookersOnGetEveryMessageInTime) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 113, kWatched);
+  const Outcome outcome =
+      castaway(folder, std::string(kRos2Run) + "--localizer mh_amcl --set events.0.kidnap.at_s=6 " +
+                           "--duration 12 --ros2 --ros2-domain 113 --ros2-pace 4");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json received = node.received();
+  EXPECT_GE(received.at("watched").at("rt/castaway/events"), 1);  // The kidnap.
+  EXPECT_GT(received.at("watched").at("rt/castaway/ground_truth/odom"), 1000);
+  EXPECT_GT(received.at("watched").at("rt/castaway/mh_amcl/amcl_pose"), 100);
+  EXPECT_GT(received.at("messages").at("scan"), 100);
+  expect_contains(received.at("frames"), "map>odom ");
+}
+
+TEST(Ros2, OthersMayLookOnAtARecordedLog) {
+  const fs::path folder = fresh_folder();
+  EXPECT_EQ(castaway(folder, std::string(kRos2Run) +
+                                 "--localizer mh_amcl --duration 8 --set outputs.carmen=true "
+                                 "--set outputs.map=true")
+                .exit_code,
+            0);
+  Node node(folder, 114, kWatched);
+  const Outcome outcome =
+      castaway(folder,
+               "replay run/log.carmen --map run/map/map.yaml --start truth --no-pictures --out "
+               "again --ros2 --ros2-domain 114 --ros2-pace 4");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json received = node.received();
+  EXPECT_GT(received.at("messages").at("scan"), 50);
+  EXPECT_GE(received.at("messages").at("map"), 1);
+  EXPECT_GT(received.at("watched").at("rt/castaway/mh_amcl/amcl_pose"), 50);
+}
+
+TEST(Ros2, ARunWithANodeIsLookedOnWithoutASecondRobot) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 115, kWatched);
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(115) + "--duration 6 --ros2 --ros2-domain 115");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(answers_in(folder).at("answered"), 60);
+  const Json received = node.received();
+  EXPECT_EQ(received.at("messages").at("scan"), 60);
+  EXPECT_GT(received.at("watched").at("rt/castaway/ground_truth/odom"), 500);
+}
+
+TEST(Ros2, SubscribersThatGetNothingAreNamed) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 116, "--watch 'rt/scan sensor_msgs::msg::dds_::LaserScan_'");
+  const Outcome outcome = castaway(folder, kRos2Run + node_in(116) + "--duration 2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(text_of(folder / "run/events.csv"),
+                  "a subscriber of /scan gets nothing: it asks for more reliability");
+}
+
 }  // namespace
 }  // namespace castaway::test

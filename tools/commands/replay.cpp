@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
+#include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/output/default_folder.hpp"
@@ -36,6 +37,7 @@ struct ReplayArguments {
   bool force = false;
   bool json = false;
   ReplayOutputs outputs;
+  Ros2Arguments ros2;
 };
 
 /// Parses "I:J" as two indices of scans.
@@ -168,7 +170,9 @@ int replay_log(const ReplayArguments& arguments) {
   for (const std::string& warning : log.warnings) print_warning(warning);
   const OutputRequest request = output_request(arguments, session, replay_name(log));
   OutputFolder output(request);
-  Run run = build_replay(session, log, output.folder(), arguments.outputs);
+  ReplayOutputs outputs = arguments.outputs;
+  outputs.bridge = arguments.ros2.bridge();
+  Run run = build_replay(session, log, output.folder(), outputs);
   run.loop.load_s = seconds(wall_time() - begin);
   return execute_and_print(run, output, request.target, {arguments.json});
 }
@@ -215,6 +219,7 @@ void add_replay_command(Command& app) {
       .add_option("--pictures-every", a->outputs.pictures_every_s,
                   "Also a picture every so many seconds")
       .not_negative();
+  add_ros2_options(command, a->ros2);
   command.footer(
       "TRUEPOS lines, and the truth topic of a bag, are the truth of the metrics; no localizer "
       "sees "

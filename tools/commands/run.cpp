@@ -7,6 +7,7 @@
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/robot_arguments.hpp"
+#include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/metrics/void_run.hpp"
@@ -39,6 +40,7 @@ struct RunArguments {
   bool force = false;
   bool strict = false;
   bool allow_programs = false;
+  Ros2Arguments ros2;
 };
 
 std::filesystem::path file_of(const RunArguments& arguments) {
@@ -125,6 +127,7 @@ int run_once(const RunArguments& arguments) {
   options.out = folder_of(arguments, loaded, options.inputs);
   options.video = arguments.video;
   options.json = arguments.json;
+  options.bridge = arguments.ros2.bridge();
   const int exit_code = play(loaded, options);
   if (exit_code != kDone) return exit_code;
   const int judged = judge_run(arguments, scenario, options.out);
@@ -134,6 +137,9 @@ int run_once(const RunArguments& arguments) {
 int run_many(const RunArguments& arguments) {
   if (!arguments.video.empty()) {
     throw std::invalid_argument("--video films one run; leave --seeds away, or give one --seed");
+  }
+  if (arguments.ros2.on) {
+    throw std::invalid_argument("--ros2 shows one run; leave --seeds away, or give one --seed");
   }
   SeedsRequest request;
   request.scenario = file_of(arguments);
@@ -218,6 +224,7 @@ void add_run_command(Command& app) {
   command.add_flag("--strict", arguments->strict,
                    "Refuse an SDF world if a piece of it cannot be read");
   add_allow_programs(command, arguments->allow_programs);
+  add_ros2_options(command, arguments->ros2);
   command.add_flag("--json", arguments->json, "Print summary.json instead of words");
   command.footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"

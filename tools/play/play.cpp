@@ -11,9 +11,11 @@
 #include "tools/files/sha256.hpp"
 #include "tools/inspect/map_scores.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/play/bridge.hpp"
 #include "tools/play/execute.hpp"
 #include "tools/play/picture_files.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/ros2/build_ros2.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
@@ -68,15 +70,21 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   files.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
+std::vector<BagLidar> bag_lidars(const PreparedSimulation& prepared) {
+  std::vector<BagLidar> lidars;
+  for (const sim::LidarConfig& lidar : prepared.config.lidars) {
+    lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
+  }
+  return lidars;
+}
+
 /// The bag of the run; `connect` and the start pose complete it.
 BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepared) {
   const sim::RobotModel& robot = prepared.config.robot;
   BagConfig bag;
   bag.options = options;
   bag.links = robot.frames;
-  for (const sim::LidarConfig& lidar : prepared.config.lidars) {
-    bag.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
-  }
+  bag.lidars = bag_lidars(prepared);
   bag.robot_file = robot.path;
   bag.label_name = [world = final_world(prepared.config)](int label) {
     return sim::hit_name(world, label);
@@ -138,6 +146,17 @@ void warn(const PlayOptions& options, const std::vector<std::string>& warnings) 
   }
 }
 
+/// The bridge of a run; the start pose and the state of the drive complete it.
+BridgeConfig bridge_of(const PlayOptions& options, const Scenario& scenario,
+                       const PreparedSimulation& prepared) {
+  BridgeConfig bridge = bridge_config(*options.bridge, scenario.localizers);
+  RobotFacts robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
+  bridge.messages.links = std::move(robot.links);
+  bridge.messages.lidars = bag_lidars(prepared);
+  bridge.description = std::move(robot.description);
+  return bridge;
+}
+
 /// Builds the run; its files go into `folder`.
 Run build_run(const LoadedScenario& loaded, const PlayOptions& options, PreparedSimulation prepared,
               const std::filesystem::path& folder) {
@@ -150,11 +169,16 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
     place.robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
   }
   run.localizers = build_localizers(scenario.localizers, place, scenario.seed, options.models);
+  std::optional<BridgeConfig> bridge;
+  if (options.bridge) bridge = bridge_of(options, scenario, prepared);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
   std::set<std::string> changing = changing_objects(prepared.config.changes);
   const bool people = has_people(prepared.config);
   auto source = build_source(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose());
+  if (bridge) {
+    bridge->messages.drive = [&source = *source, wheels] { return source.drive_now(wheels); };
+  }
   connect(*source, std::move(wheels), files);
   files.picture_world.moving = moving_items(*source, people, std::move(changing));
   if (files.exports.bag && run.loop.start) files.exports.bag->start = run.loop.start->T_map_base;
@@ -163,6 +187,10 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   RunSinks built = build_sinks(folder, info, prepared.map, source->duration(), std::move(files));
   warn(options, built.warnings);
   run.sinks = std::move(built.sinks);
+  if (bridge) {
+    bridge->start = run.loop.start;
+    run.sinks.push_back(build_bridge(info, prepared.map, std::move(*bridge)));
+  }
   if (options.watcher) run.sinks.push_back(options.watcher());
   for (const SinkMaker& make : options.sinks) run.sinks.push_back(make(info, labels));
   run.source = std::move(source);

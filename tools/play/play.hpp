@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/records/scan_row.hpp"
+#include "tools/ros2/bridge_config.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/sources/build_localizers.hpp"
@@ -28,10 +30,11 @@ struct PlayOptions {
   bool keep_list = true;                        ///< As in `OutputRequest`.
   bool json = false;                            ///< Prints summary.json instead of words.
   bool silent = false;                          ///< Prints no result.
-  bool quiet = false;              ///< Prints nothing at all: no progress, no warnings.
-  std::filesystem::path video{};   ///< Film of the run; empty: none.
-  bool timing = true;              ///< As in `RunFiles`.
-  std::vector<SinkMaker> sinks{};  ///< Further ones.
+  bool quiet = false;                     ///< Prints nothing at all: no progress, no warnings.
+  std::filesystem::path video{};          ///< Film of the run; empty: none.
+  std::optional<BridgeOptions> bridge{};  ///< Lets nodes of ROS 2 look on.
+  bool timing = true;                     ///< As in `RunFiles`.
+  std::vector<SinkMaker> sinks{};         ///< Further ones.
   std::function<std::unique_ptr<RunSink>()> watcher{};  ///< Makes one that needs no labels.
   std::function<void(const std::string&)> warn{};  ///< Takes warnings; empty: they are printed.
   /// Likeness of places, for labels; nothing: computed where labels are written.

@@ -5,9 +5,11 @@
 
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
+#include "tools/play/bridge.hpp"
 #include "tools/play/execute.hpp"
 #include "tools/play/run_files.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/ros2/build_ros2.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/recorded/recorded_source.hpp"
@@ -49,6 +51,14 @@ Run build_replay(const ReplaySession& session, const RecordedLog& log,
       build_sinks(folder, info, log.map, run.source->duration(), files_of(log, outputs));
   for (const std::string& warning : built.warnings) print_warning(warning);
   run.sinks = std::move(built.sinks);
+  if (outputs.bridge) {
+    BridgeConfig bridge = bridge_config(*outputs.bridge, session.localizers);
+    bridge.start = run.loop.start;
+    for (const LidarFacts& lidar : log.lidars) {
+      bridge.messages.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
+    }
+    run.sinks.push_back(build_bridge(info, log.map, std::move(bridge)));
+  }
   return run;
 }
 

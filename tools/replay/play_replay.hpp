@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "tools/output/output_folder.hpp"
 #include "tools/replay/recorded_log.hpp"
+#include "tools/ros2/bridge_config.hpp"
 #include "tools/run/run.hpp"
 
 namespace castaway::testbed {
@@ -12,7 +14,8 @@ namespace castaway::testbed {
 /// What a replay writes besides its tables.
 struct ReplayOutputs {
   bool pictures = true;
-  double pictures_every_s = 0.0;  ///< [s] 0: of kidnaps and recoveries only.
+  double pictures_every_s = 0.0;          ///< [s] 0: of kidnaps and recoveries only.
+  std::optional<BridgeOptions> bridge{};  ///< Lets nodes of ROS 2 look on.
 };
 
 /// The files that the replay reads.

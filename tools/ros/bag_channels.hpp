@@ -5,9 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tools/ros/bag_writer.hpp"
+#include "tools/ros/topic_writer.hpp"
 
 namespace castaway::testbed {
+
+/// Converts `name` to a part of a topic: letters, digits and underscores, not starting with a
+/// digit.
+std::string topic_part(const std::string& name);
 
 /// Channel ids of a localizer's topics.
 struct LocalizerChannels {
@@ -41,6 +45,6 @@ struct OptionalTopics {
 
 /// Adds the channels, always in the same order. Localizers whose topics would coincide get
 /// underscores.
-BagChannels add_channels(const OptionalTopics& wanted, BagWriter& bag);
+BagChannels add_channels(const OptionalTopics& wanted, TopicWriter& writer);
 
 }  // namespace castaway::testbed

@@ -2,32 +2,17 @@
 
 #include <algorithm>
 
+#include "tools/ros/bag_channels.hpp"
+
 namespace castaway::testbed {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_';
-}
-
-}  // namespace
-
-std::string topic_part(const std::string& name) {
-  std::string part = name;
-  std::replace_if(
-      part.begin(), part.end(), [](char c) { return !is_name_character(c); }, '_');
-  return part.empty() || is_digit(part.front()) ? "_" + part : part;
-}
-
 BagWriter::BagWriter(std::filesystem::path folder, const std::string& name,
                      McapCompression compression)
     : folder_(std::move(folder)),
       file_(topic_part(name) + ".mcap"),
       mcap_(folder_ / file_, {compression, 1 << 20, "ros2", "castaway " CASTAWAY_VERSION}) {}
 
-std::uint16_t BagWriter::add_topic(const BagTopic& topic, const char* definition,
-                                   std::map<std::string, std::string> metadata) {
+std::uint16_t BagWriter::add(const BagTopic& topic, const char* definition,
+                             std::map<std::string, std::string> metadata) {
   const auto [schema, first] = schemas_.try_emplace(topic.type);
   if (first) schema->second = mcap_.add_schema({topic.type, "ros2msg", definition});
   metadata["offered_qos_profiles"] = qos_text(topic.durability);

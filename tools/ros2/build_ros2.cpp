@@ -1,5 +1,8 @@
 #include "tools/ros2/build_ros2.hpp"
 
+#include <utility>
+
+#include "tools/ros2/bridge_sink.hpp"
 #include "tools/ros2/ros2_localizer.hpp"
 
 namespace castaway::testbed {
@@ -11,6 +14,10 @@ NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting) {
   localizer.news = [running] { return running->take_news(); };
   localizer.finish = [running] { return OutsideUse{{}, 0.0, running->counts()}; };
   return localizer;
+}
+
+std::unique_ptr<RunSink> build_bridge(const RunInfo& info, const RosMap& map, BridgeConfig config) {
+  return std::make_unique<BridgeSink>(info, map, std::move(config));
 }
 
 }  // namespace castaway::testbed

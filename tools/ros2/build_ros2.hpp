@@ -1,8 +1,11 @@
-/// Localizers that are nodes of ROS 2, where the build has them.
+/// What castaway is on the wire of ROS 2, where the build has it.
 #pragma once
+
+#include <memory>
 
 #include "tools/foreign/protocol/message_text.hpp"
 #include "tools/foreign/ros2_config.hpp"
+#include "tools/ros2/bridge_config.hpp"
 #include "tools/run/loop.hpp"
 
 namespace castaway::testbed {
@@ -10,5 +13,8 @@ namespace castaway::testbed {
 /// Takes part in the domain. Throws std::runtime_error if it cannot, or if castaway was built
 /// without CycloneDDS.
 NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting);
+
+/// Takes part in the domain and publishes the run there. Throws as `build_ros2`.
+std::unique_ptr<RunSink> build_bridge(const RunInfo& info, const RosMap& map, BridgeConfig config);
 
 }  // namespace castaway::testbed

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tools/ros/bag_writer.hpp"
+#include "tools/ros/bag_channels.hpp"
 #include "tools/ros/robot_messages.hpp"
 #include "tools/ros2/ros_qos.hpp"
 
@@ -97,8 +97,7 @@ std::vector<std::string> RobotFeed::refused() {
   const auto ask = [&](auto& publisher) {
     const auto policy = publisher.writer().refused();
     if (!policy) return;
-    sentences.push_back("a subscriber of " + publisher.name() + " gets nothing: it asks for more " +
-                        *policy + " than is offered");
+    sentences.push_back(refusal_sentence(publisher.name(), *policy));
   };
   ask(clock_);
   ask(odometry_);

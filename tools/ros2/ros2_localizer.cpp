@@ -17,7 +17,6 @@ using localization::PopulationView;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLook(50);          // Between two looks whether the node is there.
-constexpr milliseconds kDiscovery(300);    // In which participants that are there are found.
 constexpr int kSilent = 5;                 // [scans] Without an answer in a row.
 constexpr std::chrono::seconds kAgain(1);  // Between two tries to wake a node that begins.
 
@@ -45,40 +44,25 @@ SE2 planar_pose(const ros::Transform& transform) {
 Ros2Localizer::Ros2Localizer(const Ros2Config& config, const Greeting& greeting)
     : config_(config),
       participant_({config.domain, config.interface}),
-      other_clocks_(participant_, "/clock", ros_qos::kClock),
+      other_clocks_(participant_, config.domain),
+      feed_(participant_, config, greeting),
       transforms_(participant_, full_topic(config.name_space, config.topics.tf),
                   ros_qos::kTransforms),
       poses_(participant_, full_topic(config.name_space, config.topics.pose), ros_qos::kUsual),
       clouds_(participant_, full_topic(config.name_space, config.topics.particles),
-              ros_qos::kSensor) {
-  refuse_other_clocks();
-  feed_.emplace(participant_, config, greeting);
-}
+              ros_qos::kSensor) {}
 
 void Ros2Localizer::initialize(const std::optional<localization::PoseWithCovariance>& start) {
-  feed_->set_time({});
+  feed_.set_time({});
   if (!is_present_) wait_for_node();
   start_ = start;
   answer_ = {};
 }
 
-/// Two times would confuse every node.
-void Ros2Localizer::refuse_other_clocks() {
-  const auto end = Clock::now() + kDiscovery;
-  while (Clock::now() < end) {
-    if (other_clocks_.publishers() > 0) {
-      throw std::runtime_error(
-          fmt::format("someone else publishes /clock in domain {}: give this run another domain",
-                      config_.domain));
-    }
-    std::this_thread::sleep_for(kLook);
-  }
-}
-
 bool Ros2Localizer::is_there() const {
   const int answering =
       config_.answer == Ros2Answer::kTransform ? transforms_.publishers() : poses_.publishers();
-  return answering > 0 && feed_->scan_subscribers() > 0;
+  return answering > 0 && feed_.scan_subscribers() > 0;
 }
 
 void Ros2Localizer::wait_for_node() {
@@ -97,7 +81,7 @@ std::string Ros2Localizer::what_is_missing() const {
           ? "; nodes must be local: ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, in ROS 2 Humble "
             "ROS_LOCALHOST_ONLY=1"
           : "";
-  if (feed_->scan_subscribers() == 0) {
+  if (feed_.scan_subscribers() == 0) {
     return "nobody subscribes to " + full_topic(config_.name_space, config_.topics.scan) + hint;
   }
   const bool by_transform = config_.answer == Ros2Answer::kTransform;
@@ -125,20 +109,20 @@ void Ros2Localizer::on_odometry(const Odometry& odometry) {
   keep_pace(odometry.stamp);
   T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
   if (!has_answered_) early_.push_back(odometry);
-  feed_->publish(odometry);
+  feed_.publish(odometry);
 }
 
 void Ros2Localizer::send(const LaserScan& scan) {
-  if (start_) feed_->publish_initial_pose(*start_);
+  if (start_) feed_.publish_initial_pose(*start_);
   start_.reset();
-  feed_->publish(scan);
+  feed_.publish(scan);
 }
 
 void Ros2Localizer::on_scan(const LaserScan& scan) {
   if (!scan.ranges.empty()) keep_pace(scan.beam_stamp(scan.ranges.size() - 1));
   hear();  // Late ones.
   watch_node();
-  for (std::string& sentence : feed_->refused()) news_.push_back(std::move(sentence));
+  for (std::string& sentence : feed_.refused()) news_.push_back(std::move(sentence));
   count_.expect(scan.stamp);
   if (has_answered_) {
     send(scan);
@@ -159,8 +143,8 @@ void Ros2Localizer::wait_for_first_answer(const LaserScan& scan) {
       throw LocalizerFailure(
           fmt::format("gave no estimate within {:g} s", config_.start_timeout_s));
     }
-    feed_->repeat_time();
-    for (const Odometry& odometry : early_) feed_->publish(odometry);
+    feed_.repeat_time();
+    for (const Odometry& odometry : early_) feed_.publish(odometry);
     start_ = start;
     send(scan);
   }
@@ -201,8 +185,7 @@ void Ros2Localizer::hear() {
   while (const auto message = poses_.take()) take(*message);
   while (const auto message = clouds_.take()) take(*message);
   while (const auto message = transforms_.take()) take(*message);
-  while (other_clocks_.take()) {
-  }
+  other_clocks_.drain();
 }
 
 void Ros2Localizer::take(const ros::TFMessage& message) {

@@ -11,6 +11,7 @@
 #include "localization/geometry/transform_buffer.hpp"
 #include "tools/foreign/protocol/answer.hpp"
 #include "tools/ros2/answer_count.hpp"
+#include "tools/ros2/other_clocks.hpp"
 #include "tools/ros2/robot_feed.hpp"
 
 namespace castaway::testbed {
@@ -40,7 +41,6 @@ class Ros2Localizer final : public localization::Localizer {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void refuse_other_clocks();
   void wait_for_node();
   [[nodiscard]] bool is_there() const;
   [[nodiscard]] std::string what_is_missing() const;
@@ -58,8 +58,8 @@ class Ros2Localizer final : public localization::Localizer {
 
   Ros2Config config_;
   DdsParticipant participant_;
-  RosSubscription<ros::Clock> other_clocks_;
-  std::optional<RobotFeed> feed_;
+  OtherClocks other_clocks_;
+  RobotFeed feed_;
   RosSubscription<ros::TFMessage> transforms_;
   RosSubscription<ros::PoseWithCovarianceStamped> poses_;
   RosSubscription<ros::ParticleCloud> clouds_;

@@ -27,6 +27,11 @@ std::string full_topic(const std::string& name_space, const std::string& name) {
   return full;
 }
 
+std::string refusal_sentence(const std::string& topic, const std::string& policy) {
+  return "a subscriber of " + topic + " gets nothing: it asks for more " + policy +
+         " than is offered";
+}
+
 std::string dds_topic_name(const std::string& full) { return "rt" + full; }
 
 std::string dds_type_name(const std::string& type) {

@@ -9,6 +9,9 @@ namespace castaway::testbed {
 /// Throws std::invalid_argument for what is no name of ROS 2.
 std::string full_topic(const std::string& name_space, const std::string& name);
 
+/// What is wrong where a subscriber asks for more `policy` than is offered.
+std::string refusal_sentence(const std::string& topic, const std::string& policy);
+
 /// "rt/robot1/scan" for "/robot1/scan".
 std::string dds_topic_name(const std::string& full);
 

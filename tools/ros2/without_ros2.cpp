@@ -4,10 +4,17 @@
 #include "tools/ros2/build_ros2.hpp"
 
 namespace castaway::testbed {
+namespace {
 
-NamedLocalizer build_ros2(const Ros2Config&, const Greeting&) {
+[[noreturn]] void refuse() {
   throw std::runtime_error(
       "this castaway was built without ROS 2: install cyclonedds-dev and build it again");
 }
+
+}  // namespace
+
+NamedLocalizer build_ros2(const Ros2Config&, const Greeting&) { refuse(); }
+
+std::unique_ptr<RunSink> build_bridge(const RunInfo&, const RosMap&, BridgeConfig) { refuse(); }
 
 }  // namespace castaway::testbed

@@ -1,28 +1,13 @@
 #include "tools/sinks/bag_sink.hpp"
 
-#include <algorithm>
-#include <cassert>
-
 #include <fmt/format.h>
 
 #include "tools/files/file.hpp"
-#include "tools/ros/bag_markers.hpp"
-#include "tools/ros/event_json.hpp"
-#include "tools/ros/robot_messages.hpp"
-#include "tools/ros/ros_visualization.hpp"
+#include "tools/ros/ros_conversion.hpp"
+#include "tools/ros/ros_sensor.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-ros::Int32MultiArray labels_message(const std::vector<int>& labels) {
-  const auto count = static_cast<std::uint32_t>(labels.size());
-  return {{{{"beam", count, count}}, 0}, {labels.begin(), labels.end()}};
-}
-
-/// "/front" if there are several lidars, "" if there is only one.
-std::string prefix_of(const LaserScan& scan, const BagConfig& config) {
-  return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
-}
 
 void attach_inputs(const BagConfig& config, const RosMap& map, BagWriter& bag) {
   bag.attach("scenario.yaml", "application/yaml", config.scenario_yaml);
@@ -51,109 +36,12 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
                  BagConfig config)
     : config_(std::move(config)),
       bag_(run_folder / "bag", info.scenario, config_.options.compression),
-      frames_(config_.links, config_.lidars),
-      channels_(add_channels(
-          {info.localizers, static_cast<bool>(config_.drive), config_.options.particles}, bag_)),
+      messages_(info, {config_.links, config_.lidars, config_.options.particles, config_.drive},
+                bag_),
       snapshots_(run_folder) {
   attach_inputs(config_, map, bag_);
   bag_.add_metadata("run", run_metadata(info, config_.start));
-  bag_.publish(channels_.map, {}, to_ros_grid(map));
-  bag_.publish(channels_.tf_static, {}, frames_.message({}));
-}
-
-void BagSink::on_event(const RunEvent& event) {
-  bag_.publish(channels_.events, event.stamp, ros::String{event_json(event)});
-}
-
-void BagSink::write_drive(Stamp stamp, double dt_s) {
-  if (!config_.drive) return;
-  DriveNow now = config_.drive();
-  bag_.publish(channels_.command, stamp, command_message(stamp, now));
-  bag_.publish(channels_.joints, stamp, joints_message(stamp, now, drive_, dt_s));
-  drive_ = std::move(now);
-}
-
-void BagSink::on_odometry(const OdometryFrame& frame) {
-  const Stamp stamp = frame.odometry.stamp;
-  const SE2& T_odom_base = frame.odometry.T_odom_base;
-  const double dt_s = last_ ? seconds(stamp - last_->odometry.stamp) : 0.0;
-  T_odom_base_.add(stamp, T_odom_base);
-  ros::Odometry odometry = odometry_message(ros_header(stamp, "odom"), kBaseFrame, T_odom_base);
-  if (last_) odometry.twist.twist = twist_between(last_->odometry.T_odom_base, T_odom_base, dt_s);
-  bag_.publish(channels_.odom, stamp, odometry);
-  bag_.publish(channels_.tf, stamp,
-               transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
-  if (frame.T_map_base_true) {
-    ros::Odometry truth =
-        odometry_message(ros_header(stamp, "map"), kBaseFrame, *frame.T_map_base_true);
-    if (last_ && last_->T_map_base_true) {
-      truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
-    }
-    bag_.publish(channels_.true_odom, stamp, truth);
-  }
-  write_drive(stamp, dt_s);
-  last_ = frame;
-}
-
-const BagSink::LidarTopics& BagSink::topics_of(const LaserScan& scan) {
-  const auto [topics, first] = lidars_.try_emplace(scan.lidar);
-  if (first) {
-    const std::string prefix = prefix_of(scan, config_);
-    topics->second.scan = bag_.add_topic<ros::LaserScan>(prefix + "/scan", Durability::kVolatile,
-                                                         exact_scan_numbers(scan));
-    topics->second.labels = bag_.add_topic<ros::Int32MultiArray>(prefix + "/scan_labels");
-  }
-  return topics->second;
-}
-
-void BagSink::write_scan(const ScanRecord& record) {
-  const LidarTopics& topics = topics_of(record.scan);
-  if (frames_.set_mount(record.scan.lidar, record.scan.T_base_laser)) {
-    bag_.publish(channels_.tf_static, record.delivered, frames_.message(record.stamp));
-  }
-  bag_.publish(topics.scan, record.delivered,
-               to_ros_scan(record.scan, record.truth, frames_.frame_of(record.scan.lidar)));
-  if (record.truth.labels.empty()) return;
-  bag_.publish(topics.labels, record.delivered, labels_message(record.truth.labels));
-  labels_.insert(record.truth.labels.begin(), record.truth.labels.end());
-}
-
-void BagSink::write_truth(const ScanRecord& record) {
-  if (record.T_map_base_true) {
-    bag_.publish(
-        channels_.true_pose, record.delivered,
-        ros::PoseStamped{ros_header(record.stamp, "map"), to_ros_pose(*record.T_map_base_true)});
-  }
-  if (record.people.people.empty()) return;
-  bag_.publish(channels_.people, record.delivered,
-               people_markers(record.stamp, record.people.people));
-}
-
-/// Writes map -> odom of the first localizer, once it has an estimate.
-void BagSink::write_map_frame(const ScanRecord& record) {
-  if (record.localizers.empty() || !record.localizers.front().estimate) return;
-  const localization::Estimate& estimate = *record.localizers.front().estimate;
-  const std::optional<SE2> T_odom_base = T_odom_base_.at(estimate.stamp);
-  if (!T_odom_base) return;
-  bag_.publish(channels_.tf, record.delivered,
-               transform_message(ros_header(estimate.stamp, "map"), "odom",
-                                 to_ros_pose(estimate.T_map_base * T_odom_base->inverse())));
-}
-
-void BagSink::write_localizer(const ScanRecord& record, std::size_t index) {
-  const LocalizerRecord& localizer = record.localizers[index];
-  const LocalizerChannels& channels = channels_.localizers[index];
-  if (localizer.estimate) {
-    bag_.publish(channels.pose, record.delivered,
-                 pose_message(ros_header(localizer.estimate->stamp, "map"),
-                              localizer.estimate->T_map_base, localizer.estimate->covariance));
-  }
-  const auto& populations = localizer.diagnostics.populations;
-  bag_.publish(channels.hypotheses, record.delivered,
-               hypothesis_markers(record.stamp, populations));
-  if (!config_.options.particles) return;
-  bag_.publish(channels.particles, record.delivered,
-               particles_message(ros_header(record.stamp, "map"), populations));
+  messages_.begin(map);
 }
 
 /// Pictures are taken after this sink has handled a scan, so they are logged with the next one.
@@ -173,19 +61,17 @@ void BagSink::write_snapshots(Stamp delivered) {
 }
 
 void BagSink::on_scan(const ScanRecord& record) {
-  assert(record.localizers.size() == channels_.localizers.size());
   write_snapshots(record.delivered);
-  write_scan(record);
-  write_truth(record);
-  write_map_frame(record);
-  for (std::size_t i = 0; i < channels_.localizers.size(); ++i) write_localizer(record, i);
+  messages_.on_scan(record);
 }
 
 void BagSink::finish(Stamp end, const RunTiming&) {
   write_snapshots(end);
   if (config_.label_name) {
     std::map<std::string, std::string> names;
-    for (const int label : labels_) names[std::to_string(label)] = config_.label_name(label);
+    for (const int label : messages_.labels()) {
+      names[std::to_string(label)] = config_.label_name(label);
+    }
     bag_.add_metadata("labels", names);
   }
   bag_.finish();

@@ -6,18 +6,14 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "localization/geometry/transform_buffer.hpp"
 #include "tools/records/snapshot_feed.hpp"
-#include "tools/ros/bag_channels.hpp"
-#include "tools/ros/bag_drive.hpp"
-#include "tools/ros/bag_frames.hpp"
 #include "tools/ros/bag_options.hpp"
 #include "tools/ros/bag_writer.hpp"
 #include "tools/run/run_sink.hpp"
+#include "tools/sinks/run_messages.hpp"
 
 namespace castaway::testbed {
 
@@ -41,36 +37,19 @@ class BagSink final : public RunSink {
   BagSink(const std::filesystem::path& run_folder, const RunInfo& info, const RosMap& map,
           BagConfig config);
 
-  void on_event(const RunEvent& event) override;
-  void on_odometry(const OdometryFrame& frame) override;
+  void on_event(const RunEvent& event) override { messages_.on_event(event); }
+  void on_odometry(const OdometryFrame& frame) override { messages_.on_odometry(frame); }
   void on_scan(const ScanRecord& record) override;
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
-  /// Channel ids of a lidar's topics.
-  struct LidarTopics {
-    std::uint16_t scan = 0;
-    std::uint16_t labels = 0;
-  };
-  const LidarTopics& topics_of(const LaserScan& scan);
-  void write_scan(const ScanRecord& record);
-  void write_truth(const ScanRecord& record);
-  void write_map_frame(const ScanRecord& record);
   void write_snapshots(Stamp delivered);
-  void write_drive(Stamp stamp, double dt_s);
-  void write_localizer(const ScanRecord& record, std::size_t index);
 
   BagConfig config_;
   BagWriter bag_;
-  BagFrames frames_;
-  BagChannels channels_;
-  std::map<std::string, LidarTopics> lidars_;
-  localization::TransformBuffer T_odom_base_;
-  std::optional<OdometryFrame> last_;
+  RunMessages messages_;
   SnapshotFeed snapshots_;
   std::map<std::string, std::uint16_t> views_;  ///< Channel ids of the pictures' topics, by view.
-  std::set<int> labels_;
-  std::optional<DriveNow> drive_;  ///< At the newest odometry.
 };
 
 }  // namespace castaway::testbed

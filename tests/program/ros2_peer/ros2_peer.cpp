@@ -3,8 +3,10 @@
 // what it received as JSON.
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -19,10 +21,40 @@ using castaway::peer::Manners;
 using castaway::peer::ServedLocalizer;
 using castaway::peer::Wire;
 
-void print(const castaway::peer::Received& received, const Wire& wire) {
+/// Counts the messages of topics whatever they hold.
+class Watch {
+ public:
+  /// `topics`: "name type".
+  Watch(Wire& wire, const std::vector<std::string>& topics) {
+    for (const std::string& topic : topics) {
+      const std::size_t blank = topic.find(' ');
+      const std::string name = topic.substr(0, blank);
+      readers_[name] = wire.reader(name, topic.substr(blank + 1), {true, false, 1000});
+      counts_[name] = 0;
+    }
+  }
+  bool turn() {
+    bool any = false;
+    for (const auto& [name, reader] : readers_) {
+      while (castaway::peer::take_bytes(*reader)) {
+        ++counts_[name];
+        any = true;
+      }
+    }
+    return any;
+  }
+  [[nodiscard]] const std::map<std::string, int>& counts() const { return counts_; }
+
+ private:
+  std::map<std::string, castaway::peer::dds::DataReader*> readers_;
+  std::map<std::string, int> counts_;
+};
+
+void print(const castaway::peer::Received& received, const Watch& watch, const Wire& wire) {
   nlohmann::json root;
   root["messages"] = received.messages;
   root["publications"] = wire.publications().seen();
+  root["watched"] = watch.counts();
   root["frames"] = received.frames;
   root["description"] = received.description;
   std::printf("%s\n", root.dump().c_str());
@@ -38,6 +70,7 @@ int main(int argc, char** argv) {
   double first_patience_s = 60.0;
   int scans = 0;
   bool local = true;
+  std::vector<std::string> watched;
   Manners manners;
   app.add_option("--domain", domain);
   app.add_option("--seed", seed, "Of the run: the localizer's are those of 'mh_amcl' in it");
@@ -48,6 +81,7 @@ int main(int argc, char** argv) {
   app.add_option("--late", manners.late_ms, "[ms]");
   app.add_option("--ahead", manners.ahead_ns, "[ns]");
   app.add_flag("!--not-local", local);
+  app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
   app.add_flag("--twice", manners.twice);
   app.add_flag("--garbage", manners.garbage);
   app.add_flag("!--no-transform", manners.with_transform);
@@ -57,13 +91,15 @@ int main(int argc, char** argv) {
   Wire wire(domain, local);
   ServedLocalizer node(wire, castaway::localization::substream(seed, "localizer/mh_amcl")(),
                        manners);
+  Watch watch(wire, watched);
   auto last = Clock::now();
   const auto is_patient = [&] {
     const double patience = node.received().messages.empty() ? first_patience_s : patience_s;
     return Clock::now() - last < std::chrono::duration<double>(patience);
   };
   while (is_patient()) {
-    if (node.turn()) {
+    const bool counted = watch.turn();
+    if (node.turn() || counted) {
       last = Clock::now();
     } else {
       std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -71,6 +107,6 @@ int main(int argc, char** argv) {
     const auto seen = node.received().messages.find("scan");
     if (scans > 0 && seen != node.received().messages.end() && seen->second >= scans) break;
   }
-  print(node.received(), wire);
+  print(node.received(), watch, wire);
   return 0;
 }

@@ -6,6 +6,7 @@
 
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
+#include "tools/ros/bag_writer.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,0 +1,25 @@
+/// Options of commands whose runs nodes of ROS 2 may look on.
+#pragma once
+
+#include <optional>
+
+#include "tools/commands/arguments/command_line.hpp"
+#include "tools/ros2/bridge_config.hpp"
+
+namespace castaway::testbed {
+
+/// Values from the command line.
+struct Ros2Arguments {
+  bool on = false;
+  BridgeOptions options;
+
+  /// Nothing: nobody looks on.
+  [[nodiscard]] std::optional<BridgeOptions> bridge() const {
+    return on ? std::optional(options) : std::nullopt;
+  }
+};
+
+/// Adds --ros2 and what belongs to it.
+void add_ros2_options(Command& command, Ros2Arguments& arguments);
+
+}  // namespace castaway::testbed

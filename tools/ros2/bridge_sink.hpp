@@ -1,0 +1,31 @@
+/// A run that nodes of ROS 2 look on: RViz, Foxglove, rosbag2.
+#pragma once
+
+#include <optional>
+
+#include "tools/ros2/other_clocks.hpp"
+#include "tools/ros2/wire_writer.hpp"
+
+namespace castaway::testbed {
+
+/// Publishes what happens, and how the localizers take it.
+class BridgeSink final : public RunSink {
+ public:
+  /// Throws std::runtime_error if the domain cannot be opened, or has a time already.
+  BridgeSink(const RunInfo& info, const RosMap& map, BridgeConfig config);
+
+  void on_event(const RunEvent& event) override { messages_.on_event(event); }
+  void on_odometry(const OdometryFrame& frame) override { messages_.on_odometry(frame); }
+  void on_scan(const ScanRecord& record) override;
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  BridgeConfig config_;
+  DdsParticipant participant_;
+  std::optional<OtherClocks> other_clocks_;
+  WireWriter writer_;
+  RunMessages messages_;
+  std::uint16_t initial_pose_;
+};
+
+}  // namespace castaway::testbed

@@ -1,0 +1,76 @@
+#include "tools/ros2/wire_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <thread>
+
+#include "tools/ros/ros_conversion.hpp"
+#include "tools/ros/ros_wire.hpp"
+#include "tools/ros2/ros_qos.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+/// True for what a robot publishes itself.
+bool is_of_robot(const std::string& name) {
+  constexpr std::array<std::string_view, 7> kNames{
+      "/map", "/tf", "/tf_static", "/odom", "/joint_states", "/initialpose", "/robot_description"};
+  return name.ends_with("/scan") || std::ranges::find(kNames, name) != kNames.end();
+}
+
+DdsQos qos_of(const BagTopic& topic) {
+  if (topic.durability == Durability::kTransientLocal) return ros_qos::kLatched;
+  if (topic.name.ends_with("/scan")) return ros_qos::kSensor;
+  return topic.name == "/tf" ? ros_qos::kTransforms : ros_qos::kUsual;
+}
+
+}  // namespace
+
+WireWriter::WireWriter(DdsParticipant& participant, const BridgeConfig& config)
+    : participant_(participant), config_(config) {
+  if (config.without_robot) return;
+  clock_ = Topic{"/clock", participant.writer(dds_topic<ros::Clock>("/clock", ros_qos::kUsual))};
+}
+
+std::uint16_t WireWriter::add(const BagTopic& topic, const char*,
+                              std::map<std::string, std::string>) {
+  const bool robot = is_of_robot(topic.name);
+  std::optional<Topic> added;
+  if (!robot || !config_.without_robot) {
+    const std::string relative = (robot ? "" : "castaway/") + topic.name.substr(1);
+    const std::string full = full_topic(config_.options.name_space, relative);
+    added = Topic{full, participant_.writer(
+                            {dds_topic_name(full), dds_type_name(topic.type), qos_of(topic)})};
+  }
+  topics_.push_back(std::move(added));
+  return static_cast<std::uint16_t>(topics_.size() - 1);
+}
+
+void WireWriter::set_time(Stamp now) {
+  if (now <= now_) return;
+  now_ = now;
+  if (config_.options.pace > 0.0) {
+    if (!began_) began_ = {now, Clock::now()};
+    const double due_s = seconds(now - began_->first) / config_.options.pace;
+    std::this_thread::sleep_until(began_->second + localization::from_seconds(due_s));
+  }
+  if (clock_) clock_->writer.write(CdrWriter::encode(ros::Clock{to_ros_time(now)}));
+}
+
+void WireWriter::write(std::uint16_t topic, Stamp delivered, const std::string& message) {
+  set_time(delivered);
+  if (topics_[topic]) topics_[topic]->writer.write(message);
+}
+
+std::vector<std::string> WireWriter::refused() {
+  std::vector<std::string> sentences;
+  for (std::optional<Topic>& topic : topics_) {
+    if (!topic) continue;
+    const auto policy = topic->writer.refused();
+    if (policy) sentences.push_back(refusal_sentence(topic->name, *policy));
+  }
+  return sentences;
+}
+
+}  // namespace castaway::testbed
