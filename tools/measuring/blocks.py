@@ -3,7 +3,7 @@
 import dataclasses
 import typing
 
-from measuring import foreign, live, localizers, people, robots, sensors, speed, twins, worlds
+from measuring import foreign, live, localizers, people, robots, ros2, sensors, speed, twins, worlds
 from measuring.lab import bench
 
 LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/sources/build_localizers.cpp"]
@@ -69,6 +69,7 @@ BLOCKS = {
     "physics": Block(SIMULATION, bench("bench", "physics"), ["sim/robot", "sim/stages/drive_stage.cpp", "robots/waffle"], cheap=True),
     "shipped-robots": Block(SIMULATION, robots.shipped_robots, ["sim/robot", "robots"]),
     "dataset-speed": Block(SPEED, speed.dataset_speed, ["tools/dataset", "sim"], times=True),
+    "ros2": Block("docs/ros2.md", ros2.lock_step, ["tools/ros2", "tests/program/ros2_peer"], times=True),
     "live": Block("docs/live.md", live.live, ["tools/live", "tools/commands/live.cpp", "web/src"], times=True),
     "bag-cost": Block(SPEED, speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"], times=True),
 }
