@@ -25,6 +25,7 @@
 #include "tools/replay/play_replay.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
+#include "tools/scenario/localizers/ros2_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -87,6 +88,16 @@ std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
   for (const std::string& text : overrides_of_live(arguments)) document.set(text);
   return read_session(std::move(document),
                       {std::filesystem::path(arguments.scenario).parent_path(), {}});
+}
+
+/// Threads of DDS do not survive that the run's process is copied.
+void refuse_nodes(const std::vector<LocalizerSpec>& localizers) {
+  for (const LocalizerSpec& localizer : localizers) {
+    if (!is_node(localizer)) continue;
+    throw std::runtime_error("localizer '" + localizer.name +
+                             "' is a node of ROS 2, with which a live run cannot go back; use "
+                             "castaway run");
+  }
 }
 
 /// runs/live-NAME-1, or the first with a higher number that is free.
@@ -188,6 +199,7 @@ int run_live(const LiveArguments& arguments) {
   LiveSetup setup{scenario_of_live(arguments, session.has_value()),
                   session ? "." : file_of_live(arguments).parent_path(), arguments.play};
   setup.session = std::move(session);
+  refuse_nodes(setup.session ? setup.session->localizers : setup.scenario.scenario.localizers);
   setup.reports = free_live_folder(name_of_live(setup));
   setup.files = setup.reports / "files";
   setup.report = play_for_report;

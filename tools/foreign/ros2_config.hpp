@@ -21,6 +21,7 @@ struct Ros2Topics {
   std::string initial_pose = "initialpose";
   std::string pose = "amcl_pose";
   std::string particles = "particle_cloud";
+  std::string command = "cmd_vel";
 };
 
 /// Names of frames (REP-105). Those of lidars are the robot's.
@@ -36,11 +37,13 @@ struct Ros2Config {
   std::string interface = "loopback";  ///< "loopback", "any" or a name.
   std::string name_space;              ///< Of the topics.
   Ros2Answer answer = Ros2Answer::kTransform;
-  double ahead_s = 0.0;           ///< [s] How long after its scan map->odom is stamped.
-  double timeout_s = 1.0;         ///< [s] Wall time for the answer to a scan.
-  double start_timeout_s = 60.0;  ///< [s] Wall time until the node answers for the first time.
-  double pace = 0.0;              ///< Times real time; 0: in lock step.
-  bool reliable_scans = false;    ///< Quality of service of scans; false: best effort.
+  double ahead_s = 0.0;            ///< [s] How long after its scan map->odom is stamped.
+  double timeout_s = 1.0;          ///< [s] Wall time for the answer to a scan.
+  double start_timeout_s = 60.0;   ///< [s] Wall time until the node answers for the first time.
+  double pace = 0.0;               ///< Times real time; 0: in lock step.
+  bool reliable_scans = false;     ///< Quality of service of scans; false: best effort.
+  bool drive = false;              ///< The robot follows the node's commands.
+  double command_timeout_s = 0.5;  ///< [s] Simulated time after which it stops without a new one.
   Ros2Topics topics;
   Ros2Frames frames;
 };

@@ -12,6 +12,7 @@ NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting) {
   Ros2Localizer* running = node.get();
   NamedLocalizer localizer{greeting.name, std::move(node)};
   localizer.news = [running] { return running->take_news(); };
+  if (running->drives()) localizer.velocity = [running] { return running->velocity(); };
   localizer.finish = [running] { return OutsideUse{{}, 0.0, running->counts()}; };
   return localizer;
 }

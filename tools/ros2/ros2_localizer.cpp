@@ -50,7 +50,11 @@ Ros2Localizer::Ros2Localizer(const Ros2Config& config, const Greeting& greeting)
                   ros_qos::kTransforms),
       poses_(participant_, full_topic(config.name_space, config.topics.pose), ros_qos::kUsual),
       clouds_(participant_, full_topic(config.name_space, config.topics.particles),
-              ros_qos::kSensor) {}
+              ros_qos::kSensor) {
+  if (!config.drive) return;
+  commands_.emplace(participant_, full_topic(config.name_space, config.topics.command),
+                    config.command_timeout_s);
+}
 
 void Ros2Localizer::initialize(const std::optional<localization::PoseWithCovariance>& start) {
   feed_.set_time({});
@@ -110,6 +114,8 @@ void Ros2Localizer::on_odometry(const Odometry& odometry) {
   T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
   if (!has_answered_) early_.push_back(odometry);
   feed_.publish(odometry);
+  now_ = odometry.stamp;
+  if (commands_) commands_->hear(now_);
 }
 
 void Ros2Localizer::send(const LaserScan& scan) {
@@ -260,7 +266,8 @@ localization::Diagnostics Ros2Localizer::diagnostics() const {
 
 std::map<std::string, std::int64_t> Ros2Localizer::counts() const {
   auto counts = count_.counts();
-  counts["malformed"] = bad_ + transforms_.malformed() + poses_.malformed() + clouds_.malformed();
+  counts["malformed"] = (commands_ ? commands_->malformed() : 0) + bad_ + transforms_.malformed() +
+                        poses_.malformed() + clouds_.malformed();
   return counts;
 }
 

@@ -13,6 +13,7 @@
 #include "tools/ros2/answer_count.hpp"
 #include "tools/ros2/other_clocks.hpp"
 #include "tools/ros2/robot_feed.hpp"
+#include "tools/ros2/velocity_commands.hpp"
 
 namespace castaway::testbed {
 
@@ -33,6 +34,9 @@ class Ros2Localizer final : public localization::Localizer {
   }
   [[nodiscard]] localization::Diagnostics diagnostics() const override;
 
+  /// The node's command at the newest odometry; only if it drives.
+  [[nodiscard]] BaseVelocity velocity() const { return commands_->at(now_); }
+  [[nodiscard]] bool drives() const { return commands_.has_value(); }
   /// What became of the scans, `AnswerCount::counts`, and messages that were "malformed".
   [[nodiscard]] std::map<std::string, std::int64_t> counts() const;
   /// What happened on the wire since the last call, in one sentence each.
@@ -63,6 +67,8 @@ class Ros2Localizer final : public localization::Localizer {
   RosSubscription<ros::TFMessage> transforms_;
   RosSubscription<ros::PoseWithCovarianceStamped> poses_;
   RosSubscription<ros::ParticleCloud> clouds_;
+  std::optional<VelocityCommands> commands_;  ///< Nothing: it does not drive.
+  Stamp now_{};                               ///< Of the newest odometry.
   AnswerCount count_;
   int unanswered_ = 0;  ///< Scans in a row.
   bool is_present_ = false;

@@ -63,6 +63,12 @@ struct OdometryFrame {
   std::optional<SE2> T_map_base_true;
 };
 
+/// A velocity of the base, as it is commanded.
+struct BaseVelocity {
+  double v = 0.0;  ///< [m/s] Forward.
+  double w = 0.0;  ///< [rad/s] Counter-clockwise.
+};
+
 /// One delivery of a source. Deliveries come in order of `stamp`, which for a scan is the time of
 /// its last beam.
 struct Frame {

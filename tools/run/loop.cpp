@@ -27,6 +27,10 @@ Loop::Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
   for (const LocalizerOrder& order : config_.orders) {
     (void)index_of(order.localizer, "localizer.name");
   }
+  const auto drives = [](const NamedLocalizer& each) { return static_cast<bool>(each.velocity); };
+  if (std::ranges::count_if(localizers_, drives) > 1) {
+    throw std::invalid_argument("two localizers drive the robot by their commands; let one do so");
+  }
 }
 
 /// Nothing for an empty name.
@@ -184,6 +188,7 @@ void Loop::take(SensorSource& source, const OdometryFrame& frame) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     call(i, [&](auto& localizer) { localizer.on_odometry(frame.odometry); });
   }
+  drive(source);
   report(source, frame.odometry);
   tell_sinks([&](RunSink& sink) { sink.on_odometry(frame); });
 }
@@ -212,6 +217,15 @@ std::vector<std::optional<SE2>> Loop::estimates() const {
 std::optional<localization::Estimate> Loop::estimate_of(std::size_t index) const {
   if (costs_[index].is_lost || costs_[index].is_off) return std::nullopt;
   return localizers_[index].localizer->estimate();
+}
+
+/// The commands of a localizer that is lost or off stop the robot.
+void Loop::drive(SensorSource& source) const {
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    if (!localizers_[i].velocity) continue;
+    const bool heard = !costs_[i].is_lost && !costs_[i].is_off;
+    source.set_velocity(heard ? localizers_[i].velocity() : BaseVelocity{});
+  }
 }
 
 /// Passes estimates to the source: the driving localizer's, and the watched one's unless it is

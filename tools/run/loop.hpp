@@ -26,6 +26,8 @@ struct NamedLocalizer {
   std::function<std::chrono::nanoseconds()> outside_cpu = {};
   /// What happened outside of castaway since the last call, in one sentence each; empty: nothing.
   std::function<std::vector<std::string>()> news = {};
+  /// The velocity at which it drives the robot; empty: it does not.
+  std::function<BaseVelocity()> velocity = {};
   /// Ends what it started outside of the calling thread; empty: nothing.
   std::function<OutsideUse()> finish = {};
 };
@@ -56,7 +58,7 @@ struct LoopConfig {
 class Loop {
  public:
   /// Localizers and sinks must outlive the loop. Throws std::invalid_argument if `drive_by` or
-  /// `watch` names no localizer.
+  /// `watch` names no localizer, or if two localizers drive the robot.
   Loop(LoopConfig config, std::vector<NamedLocalizer>& localizers,
        std::vector<std::unique_ptr<RunSink>>& sinks);
 
@@ -94,6 +96,7 @@ class Loop {
   void take(const RunEvent& event);
   void take(const ScanFrame& frame, Stamp delivered);
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& name, const char* key) const;
+  void drive(SensorSource& source) const;
   void report(SensorSource& source, const Odometry& odometry) const;
   [[nodiscard]] std::optional<localization::Estimate> estimate_of(std::size_t index) const;
   [[nodiscard]] std::optional<SE2> carried_on(const localization::Estimate& estimate,

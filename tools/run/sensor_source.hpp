@@ -23,6 +23,9 @@ class SensorSource {
   /// Sets the estimate of the watched localizer; nothing while it has none or is lost. Ignored by
   /// sources without triggered kidnaps.
   virtual void set_watched_pose(const std::optional<SE2>& T_map_base) = 0;
+  /// Drives the robot from now on, in place of its route. Ignored by sources whose robot cannot be
+  /// driven.
+  virtual void set_velocity(const BaseVelocity&) {}
   /// True pose of base at the start; `nullopt` if it is unknown.
   [[nodiscard]] virtual std::optional<SE2> start_pose() const = 0;
   /// Total simulated or recorded time, for progress. Zero if unknown.

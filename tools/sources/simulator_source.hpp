@@ -27,6 +27,9 @@ class SimulatorSource final : public SensorSource {
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>& T_map_base) override;
   void set_watched_pose(const std::optional<SE2>& T_map_base) override;
+  void set_velocity(const BaseVelocity& velocity) override {
+    set_command(sim::Twist2{velocity.v, velocity.w});
+  }
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override { return duration_; }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override;

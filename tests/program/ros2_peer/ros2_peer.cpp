@@ -1,6 +1,6 @@
 // A node that stands for those of users: Fast DDS, Fast CDR and messages written from ROS 2's own
-// descriptions, with mh_amcl behind them. It plays until nothing has come for a while, then prints
-// what it received as JSON.
+// descriptions, with mh_amcl behind them. It plays until the simulator has gone or nothing has come
+// for long, then prints what it received as JSON.
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   CLI::App app("A node of ROS 2 for tests");
   int domain = 0;
   std::uint64_t seed = 1;
-  double patience_s = 3.0;
+  double patience_s = 60.0;
   double first_patience_s = 60.0;
   int scans = 0;
   bool local = true;
@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
   app.add_option("--ahead", manners.ahead_ns, "[ns]");
   app.add_flag("!--not-local", local);
   app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
+  app.add_option("--drive", manners.drive, "plain or stamped");
   app.add_flag("--twice", manners.twice);
   app.add_flag("--garbage", manners.garbage);
   app.add_flag("!--no-transform", manners.with_transform);
@@ -97,7 +98,7 @@ int main(int argc, char** argv) {
     const double patience = node.received().messages.empty() ? first_patience_s : patience_s;
     return Clock::now() - last < std::chrono::duration<double>(patience);
   };
-  while (is_patient()) {
+  while (is_patient() && !node.is_over()) {
     const bool counted = watch.turn();
     if (node.turn() || counted) {
       last = Clock::now();

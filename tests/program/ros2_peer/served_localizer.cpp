@@ -82,7 +82,23 @@ ServedLocalizer::ServedLocalizer(Wire& wire, std::uint64_t seed, Manners manners
       answers_(wire.writer("rt/tf", TFMessage::kType, kDefault)),
       poses_(wire.writer("rt/amcl_pose", PoseWithCovarianceStamped::kType, kLatched)),
       garbage_(wire.writer("rt/tf", TFMessage::kType, kDefault)),
-      clouds_(wire.writer("rt/particle_cloud", ParticleCloud::kType, kSensor)) {}
+      clouds_(wire.writer("rt/particle_cloud", ParticleCloud::kType, kSensor)) {
+  if (manners_.drive.empty()) return;
+  commands_ = wire.writer(
+      "rt/cmd_vel", manners_.drive == "stamped" ? TwistStamped::kType : Twist::kType, kDefault);
+}
+
+/// A circle of 0.6 m.
+void ServedLocalizer::drive(const Header& header) {
+  Twist twist;
+  twist.linear.x = 0.12;
+  twist.angular.z = 0.4;
+  if (manners_.drive == "stamped") {
+    write(*commands_, TwistStamped{{header.stamp, "base_footprint"}, twist});
+  } else if (commands_ != nullptr) {
+    write(*commands_, twist);
+  }
+}
 
 void ServedLocalizer::take_map() {
   while (const auto map = take<OccupancyGrid>(*map_)) {
@@ -173,6 +189,7 @@ void ServedLocalizer::handle(const LaserScan& message) {
     scan.T_base_laser = T_parent_frame_.at(frame) * scan.T_base_laser;
   }
   localizer_->on_scan(scan);
+  drive(message.header);
   answer(message);
 }
 
@@ -223,6 +240,13 @@ void ServedLocalizer::send(const localization::Estimate& estimate, const LaserSc
                                    {T_map_odom.x, T_map_odom.y, 0.0},
                                    turned(T_map_odom.yaw)});
   write(*answers_, transforms);
+}
+
+bool ServedLocalizer::is_over() {
+  dds::SubscriptionMatchedStatus status;
+  clock_->get_subscription_matched_status(status);
+  had_simulator_ = had_simulator_ || status.current_count > 0;
+  return had_simulator_ && status.current_count == 0;
 }
 
 bool ServedLocalizer::turn() {

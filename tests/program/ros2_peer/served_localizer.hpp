@@ -20,6 +20,7 @@ struct Manners {
   int late_ms = 0;             ///< Waits so long before every tenth answer.
   std::int64_t ahead_ns = 0;   ///< Added to the stamps of transforms.
   bool garbage = false;        ///< Sends malformed messages, too.
+  std::string drive;           ///< "plain" or "stamped" commands to drive in a circle.
   bool with_transform = true;  ///< Answers on /tf.
 };
 
@@ -37,6 +38,8 @@ class ServedLocalizer {
 
   /// Takes what has come, and answers. Returns true if there was anything.
   bool turn();
+  /// True once a simulator was there and has gone.
+  bool is_over();
   [[nodiscard]] const Received& received() const { return received_; }
 
  private:
@@ -46,6 +49,7 @@ class ServedLocalizer {
   bool ready_for(const LaserScan& scan) const;
   void handle(const LaserScan& scan);
   void answer(const LaserScan& scan);
+  void drive(const Header& header);
   void send(const localization::Estimate& estimate, const LaserScan& scan);
 
   Manners manners_;
@@ -61,6 +65,7 @@ class ServedLocalizer {
   dds::DataWriter* answers_;
   dds::DataWriter* poses_;
   dds::DataWriter* garbage_;
+  dds::DataWriter* commands_ = nullptr;
   dds::DataWriter* clouds_;
   Received received_;
   std::unique_ptr<localization::MhAmcl> localizer_;
@@ -68,6 +73,7 @@ class ServedLocalizer {
   std::map<std::string, std::string> parent_;
   std::optional<localization::PoseWithCovariance> initial_pose_;
   bool is_started_ = false;
+  bool had_simulator_ = false;
   std::deque<LaserScan> scans_;
   std::deque<localization::Odometry> odometry_;
   std::int64_t newest_odometry_ns_ = -1;

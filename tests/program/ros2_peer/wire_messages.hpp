@@ -95,6 +95,17 @@ struct Odometry {
     visitor(m.header, m.child_frame_id, m.pose, m.linear, m.angular, m.twist_covariance);
   }
 };
+struct Twist {
+  static constexpr const char* kType = "geometry_msgs::msg::dds_::Twist_";
+  Vector3 linear, angular;
+  static void visit(auto& m, auto&& visitor) { visitor(m.linear, m.angular); }
+};
+struct TwistStamped {
+  static constexpr const char* kType = "geometry_msgs::msg::dds_::TwistStamped_";
+  Header header;
+  Twist twist;
+  static void visit(auto& m, auto&& visitor) { visitor(m.header, m.twist); }
+};
 struct OccupancyGrid {
   static constexpr const char* kType = "nav_msgs::msg::dds_::OccupancyGrid_";
   Header header;

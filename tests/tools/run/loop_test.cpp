@@ -20,6 +20,7 @@ class ListSource final : public SensorSource {
   }
   void set_drive_pose(const std::optional<SE2>& pose) override { driven.push_back(pose); }
   void set_watched_pose(const std::optional<SE2>& pose) override { watched.push_back(pose); }
+  void set_velocity(const BaseVelocity& velocity) override { speeds.push_back(velocity.v); }
   [[nodiscard]] std::optional<SE2> start_pose() const override { return SE2{}; }
   [[nodiscard]] Stamp duration() const override { return Stamp(1000); }
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
@@ -28,6 +29,7 @@ class ListSource final : public SensorSource {
   [[nodiscard]] std::vector<std::string> warnings() const override { return {}; }
   std::vector<std::optional<SE2>> driven;
   std::vector<std::optional<SE2>> watched;
+  std::vector<double> speeds;  ///< Commanded.
 
  private:
   std::vector<Frame> frames_;
@@ -90,6 +92,19 @@ TEST_F(LoopTest, TellsSinksEverythingInOrder) {
   Loop(config_, localizers_, sinks_).run(source_);
   EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "odometry", "scan", "event kidnap",
                                                     "odometry", "finish 1000"}));
+}
+
+TEST_F(LoopTest, DrivesByALocalizersCommandsAtEveryOdometry) {
+  localizers_.front().velocity = [] { return BaseVelocity{0.3, 0.1}; };
+  config_.orders = {{Stamp(12), localizers_.front().name, LocalizerOrder::What::kOff, {}}};
+  Loop(config_, localizers_, sinks_).run(source_);
+  EXPECT_EQ(source_.speeds, (std::vector<double>{0.3, 0.3, 0.0}));
+}
+
+TEST_F(LoopTest, OneLocalizerDrivesAtMost) {
+  localizers_.push_back({"again", nullptr});
+  for (NamedLocalizer& each : localizers_) each.velocity = [] { return BaseVelocity{}; };
+  EXPECT_THROW(Loop(config_, localizers_, sinks_), std::invalid_argument);
 }
 
 TEST_F(LoopTest, TellsWhatHappenedOutsideAfterTheScan) {

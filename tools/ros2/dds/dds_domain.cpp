@@ -30,7 +30,8 @@ void hear(void*, const dds_log_data_t* data) {
 }
 
 /// Participants on the loopback interface find each other by its address alone: it has no
-/// multicast. So do those of ROS 2 (ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST).
+/// multicast. So do those of ROS 2 (ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST). Without hashes of
+/// keys, Fast DDS does not understand who has gone.
 std::string xml_of(const DdsNetwork& network) {
   const bool local = network.interface == "loopback";
   const std::string interface =
@@ -41,9 +42,11 @@ std::string xml_of(const DdsNetwork& network) {
   const std::string discovery =
       "<ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+      "<SPDPInterval>1s</SPDPInterval>"  // So long may a node wait that comes later.
       R"(<Peers><Peer address="127.0.0.1"/></Peers>)";
   return fmt::format(R"(<CycloneDDS><Domain id="any"><General><Interfaces>{}</Interfaces>)"
-                     "<AllowMulticast>{}</AllowMulticast></General><Discovery>{}</Discovery></"
+                     "<AllowMulticast>{}</AllowMulticast></General><Discovery>{}</Discovery>"
+                     "<Internal><GenerateKeyhash>true</GenerateKeyhash></Internal></"
                      "Domain></CycloneDDS>",
                      interface, local ? "false" : "default", local ? discovery : "");
 }

@@ -21,6 +21,7 @@ void fields(Settings settings, Ros2Topics& topics) {
   settings.field({"initial_pose", "", "A start that is known."}, topics.initial_pose);
   settings.field({"pose", "", "The node's pose."}, topics.pose);
   settings.field({"particles", "", "The node's particles."}, topics.particles);
+  settings.field({"command", "", "Velocities that drive the robot."}, topics.command);
 }
 
 void fields(Settings settings, Ros2Frames& frames) {
@@ -47,6 +48,10 @@ void fields(Settings settings, Ros2Config& config) {
   settings.field({"pace", "", "Times real time; 0: in lock step.", {0.0, 1e4}}, config.pace);
   settings.field({"reliable_scans", "", "Scans are sent reliably, not with best effort."},
                  config.reliable_scans);
+  settings.field({"drive", "", "The robot follows /cmd_vel in place of its route."}, config.drive);
+  settings.field(
+      {"command_timeout_s", "s", "Without a command for so long, it stops.", {1e-3, 1e5}},
+      config.command_timeout_s);
   fields(settings.group("topics"), config.topics);
   fields(settings.group("frames"), config.frames);
 }
