@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
+#include "tools/formats/ros_map.hpp"
 #include "tools/ros/bag_channels.hpp"
 #include "tools/ros/bag_drive.hpp"
 #include "tools/ros/bag_frames.hpp"
