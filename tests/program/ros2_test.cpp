@@ -1,6 +1,11 @@
 // Localizers that are nodes of ROS 2: castaway (CycloneDDS) and a node on Fast DDS, over the
 // loopback interface. Each test has a domain of its own.
-#include <cmath>
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <random>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -194,6 +199,96 @@ TEST(Ros2, MalformedMessagesAreCountedAndHarmNothing) {
   EXPECT_EQ(answers_in(folder).at("answered"), 30);
   EXPECT_EQ(answers_in(folder).at("malformed"), 60);
   expect_contains(outcome.out, "60 malformed");
+}
+
+/// A robot with a second lidar that looks back.
+fs::path robot_with_two_lidars(const fs::path& folder) {
+  const fs::path file = exact_robot(folder);
+  std::string urdf = text_of(file);
+  const std::string more =
+      "<joint name=\"rear_joint\" type=\"fixed\"><parent link=\"base_link\"/>"
+      "<child link=\"rear_scan\"/><origin xyz=\"-0.1 0 0.2\" rpy=\"0 0 3.14\"/></joint>"
+      "<link name=\"rear_scan\"/><gazebo reference=\"rear_scan\"><sensor name=\"rear\" "
+      "type=\"ray\">"
+      "<update_rate>10</update_rate><ray><scan><horizontal><samples>180</samples>"
+      "<min_angle>-1.5</min_angle><max_angle>1.5</max_angle></horizontal></scan>"
+      "<range><min>0.1</min><max>8</max></range></ray></sensor></gazebo></robot>";
+  const std::string end = "</robot>";
+  urdf.replace(urdf.rfind(end), end.size(), more);
+  std::ofstream(file) << urdf;
+  return file;
+}
+
+TEST(Ros2, ANodeMayTakeOneOfSeveralLidars) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 124, "--scan-topic rt/lidar/scan");
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(124) + "--duration 5 --set events=[] --set robot=" +
+                           robot_with_two_lidars(folder).string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(answers_in(folder).at("answered"), 50);
+  EXPECT_EQ(answers_in(folder).at("missing"), 0);
+  const Json received = node.received();
+  EXPECT_TRUE(received.at("publications").contains("rt/rear/scan"));
+  expect_contains(received.at("frames"), "base_link>rear_scan ");
+}
+
+TEST(Ros2, OtherTypesOnItsTopicsAreNotHeard) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 120);
+  fs::create_directories(folder / "other");
+  Node other(folder / "other", 120, "--wrong-types");
+  const Outcome outcome = castaway(folder, kRos2Run + node_in(120) + "--duration 20");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(answers_in(folder).at("answered"), 200);
+  EXPECT_EQ(answers_in(folder).at("malformed"), 0);
+}
+
+/// Sends bytes that are no DDS, or begin like it, to the ports of a domain while it lives.
+class Noise {
+ public:
+  explicit Noise(int domain) : first_port_(7400 + 250 * domain) {
+    thread_ = std::thread([this] { send(); });
+  }
+  ~Noise() {
+    over_ = true;
+    thread_.join();
+  }
+  Noise(const Noise&) = delete;
+  Noise& operator=(const Noise&) = delete;
+
+ private:
+  void send() {
+    const int file = socket(AF_INET, SOCK_DGRAM, 0);
+    std::minstd_rand random(1);
+    while (!over_) {
+      std::string bytes = random() % 2 == 0 ? "RTPS\x02\x01\x01\x10" : "";
+      const std::size_t size = random() % 1400;
+      while (bytes.size() < size) bytes += static_cast<char>(random());
+      sockaddr_in to{};
+      to.sin_family = AF_INET;
+      to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+      to.sin_port = htons(static_cast<std::uint16_t>(first_port_ + random() % 40));
+      ::sendto(file, bytes.data(), bytes.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof(to));
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    close(file);
+  }
+
+  int first_port_;
+  std::atomic<bool> over_ = false;
+  std::thread thread_;
+};
+
+TEST(Ros2, GarbageOnThePortsHarmsNothing) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 121);
+  const Noise noise(121);
+  const Outcome outcome =
+      castaway(folder, kRos2Run + node_in(121, "--set localizers.1.ros2.pace=5") + "--duration 20");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_GT(answers_in(folder).at("answered"), 150);
 }
 
 TEST(Ros2, ANodeThatGoesAndComesIsAnEvent) {

@@ -13,23 +13,27 @@ namespace castaway::testbed {
 /// Matches answers to scans by their stamps, and counts.
 class AnswerCount {
  public:
-  /// A scan was sent; its answer has this stamp or a later one.
+  /// A scan was sent; its answer has this stamp or a later one. The scan before is not waited for
+  /// any longer.
   void expect(localization::Stamp scan);
   /// An answer came.
   void take(localization::Stamp stamp);
   /// True if the newest scan was answered since it was sent.
   [[nodiscard]] bool answered() const { return answered_; }
   /// No answer to the newest scan is waited for any longer.
-  void give_up() { ++missing_; }
+  void give_up();
 
   /// Scans "sent", "answered" in time and "missing"; answers "late", to a scan before the newest,
   /// and "doubled", with the stamp of the answer before.
   [[nodiscard]] std::map<std::string, std::int64_t> counts() const;
 
  private:
+  [[nodiscard]] bool is_open() const;
+
   std::optional<localization::Stamp> scan_;
   std::optional<localization::Stamp> newest_;  ///< Of all answers.
   bool answered_ = false;
+  bool given_up_ = false;
   std::int64_t sent_ = 0;
   std::int64_t in_time_ = 0;
   std::int64_t missing_ = 0;

@@ -92,6 +92,11 @@ int RobotFeed::scan_subscribers() const {
   return subscribers;
 }
 
+bool RobotFeed::is_heard(const std::string& lidar) const {
+  const auto scans = scans_.find(lidar);
+  return scans != scans_.end() && scans->second.subscribers() > 0;
+}
+
 std::vector<std::string> RobotFeed::refused() {
   std::vector<std::string> sentences;
   const auto ask = [&](auto& publisher) {

@@ -32,6 +32,8 @@ class RobotFeed {
   void publish_initial_pose(const localization::PoseWithCovariance& pose);
 
   [[nodiscard]] int scan_subscribers() const;
+  /// True if anybody subscribes to the scans of this lidar.
+  [[nodiscard]] bool is_heard(const std::string& lidar) const;
   /// What subscribers ask for that is not offered, in one sentence each, since the last call.
   std::vector<std::string> refused();
 

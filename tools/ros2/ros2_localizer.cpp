@@ -129,6 +129,10 @@ void Ros2Localizer::on_scan(const LaserScan& scan) {
   hear();  // Late ones.
   watch_node();
   for (std::string& sentence : feed_.refused()) news_.push_back(std::move(sentence));
+  if (feed_.scan_subscribers() > 0 && !feed_.is_heard(scan.lidar)) {  // It wants other lidars.
+    feed_.publish(scan);
+    return settle(scan);
+  }
   count_.expect(scan.stamp);
   if (has_answered_) {
     send(scan);
@@ -166,9 +170,10 @@ void Ros2Localizer::wait_for_answer() {
   } else {
     hear_until(Clock::now() + (was_silent ? kLook : localization::from_seconds(config_.timeout_s)));
   }
+  if (config_.pace > 0.0) return;  // It may come until the next scan.
   unanswered_ = count_.answered() ? 0 : unanswered_ + 1;
   if (!count_.answered()) count_.give_up();
-  if (config_.pace > 0.0 || !is_present_) return;
+  if (!is_present_) return;
   if (was_silent && unanswered_ == 0) news_.emplace_back("the node answers again");
   if (!was_silent && unanswered_ == kSilent) news_.emplace_back("the node is silent");
 }
@@ -188,9 +193,10 @@ bool Ros2Localizer::hear_until(Clock::time_point end) {
 }
 
 void Ros2Localizer::hear() {
+  while (const auto message = transforms_.take()) take(*message);
+  // A pose that was sent before its transform is there by now.
   while (const auto message = poses_.take()) take(*message);
   while (const auto message = clouds_.take()) take(*message);
-  while (const auto message = transforms_.take()) take(*message);
   other_clocks_.drain();
 }
 

@@ -50,6 +50,27 @@ class Watch {
   std::map<std::string, int> counts_;
 };
 
+/// Sends what is no transform and no pose on their topics until the simulator has gone.
+void send_wrong_types(Wire& wire) {
+  using castaway::peer::String;
+  auto* tf = wire.writer("rt/tf", String::kType, {true, false, 10});
+  auto* pose = wire.writer("rt/amcl_pose", String::kType, {true, true, 1});
+  auto* clock = wire.reader("rt/clock", castaway::peer::Clock::kType, {false, false, 1});
+  const auto is_here = [&] {
+    castaway::peer::dds::SubscriptionMatchedStatus status;
+    clock->get_subscription_matched_status(status);
+    return status.current_count > 0;
+  };
+  const auto end = Clock::now() + std::chrono::seconds(60);
+  bool was_here = false;
+  while (Clock::now() < end && (is_here() || !was_here)) {
+    was_here = was_here || is_here();
+    castaway::peer::write(*tf, String{"here I am"});
+    castaway::peer::write(*pose, String{"here I am"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 void print(const castaway::peer::Received& received, const Watch& watch, const Wire& wire) {
   nlohmann::json root;
   root["messages"] = received.messages;
@@ -70,6 +91,7 @@ int main(int argc, char** argv) {
   double first_patience_s = 60.0;
   int scans = 0;
   bool local = true;
+  bool wrong_types = false;
   std::vector<std::string> watched;
   Manners manners;
   app.add_option("--domain", domain);
@@ -77,10 +99,12 @@ int main(int argc, char** argv) {
   app.add_option("--patience", patience_s, "[s] Ends when nothing has come for so long");
   app.add_option("--first-patience", first_patience_s);
   app.add_option("--scans", scans, "Breaks off after so many scans");
+  app.add_option("--scan-topic", manners.scan_topic);
   app.add_option("--answer-every", manners.answer_every);
   app.add_option("--late", manners.late_ms, "[ms]");
   app.add_option("--ahead", manners.ahead_ns, "[ns]");
   app.add_flag("!--not-local", local);
+  app.add_flag("--wrong-types", wrong_types);
   app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
   app.add_option("--drive", manners.drive, "plain or stamped");
   app.add_flag("--twice", manners.twice);
@@ -90,6 +114,10 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   Wire wire(domain, local);
+  if (wrong_types) {
+    send_wrong_types(wire);
+    return 0;
+  }
   ServedLocalizer node(wire, castaway::localization::substream(seed, "localizer/mh_amcl")(),
                        manners);
   Watch watch(wire, watched);

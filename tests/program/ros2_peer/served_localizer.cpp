@@ -72,7 +72,7 @@ ServedLocalizer::ServedLocalizer(Wire& wire, std::uint64_t seed, Manners manners
     : manners_(manners),
       seed_(seed),
       clock_(wire.reader("rt/clock", Clock::kType, {false, false, 1})),
-      scan_(wire.reader("rt/scan", LaserScan::kType, kSensor)),
+      scan_(wire.reader(manners.scan_topic, LaserScan::kType, kSensor)),
       odom_(wire.reader("rt/odom", Odometry::kType, kDefault)),
       tf_(wire.reader("rt/tf", TFMessage::kType, kDefault)),
       tf_static_(wire.reader("rt/tf_static", TFMessage::kType, kLatched)),

@@ -14,7 +14,8 @@ namespace castaway::peer {
 
 /// How the node behaves, well or badly.
 struct Manners {
-  bool known_start = true;     ///< Waits for /initialpose before the first scan.
+  bool known_start = true;  ///< Waits for /initialpose before the first scan.
+  std::string scan_topic = "rt/scan";
   int answer_every = 1;        ///< Answers only one scan in so many.
   bool twice = false;          ///< Sends every answer twice.
   int late_ms = 0;             ///< Waits so long before every tenth answer.

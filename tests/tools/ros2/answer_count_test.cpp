@@ -52,6 +52,29 @@ TEST(AnswerCount, CountsWhatIsLateMissingAndDoubled) {
   EXPECT_EQ(count.counts(), counts(2, 1, 1, 1, 1));
 }
 
+TEST(AnswerCount, WithoutGivingUpAnAnswerMayComeUntilTheNextScan) {
+  AnswerCount count;
+  count.expect(Stamp(100));
+  EXPECT_EQ(count.counts(), counts(1, 0, 1, 0, 0));
+  count.take(Stamp(100));
+  EXPECT_EQ(count.counts(), counts(1, 1, 0, 0, 0));
+  count.expect(Stamp(200));
+  count.expect(Stamp(300));
+  count.take(Stamp(200));
+  count.take(Stamp(300));
+  EXPECT_EQ(count.counts(), counts(3, 2, 1, 1, 0));
+}
+
+TEST(AnswerCount, AfterGivingUpAnAnswerIsLate) {
+  AnswerCount count;
+  count.expect(Stamp(100));
+  count.give_up();
+  count.take(Stamp(100));
+  EXPECT_FALSE(count.answered());
+  count.expect(Stamp(200));
+  EXPECT_EQ(count.counts(), counts(2, 0, 2, 1, 0));
+}
+
 TEST(AnswerCount, MoreAnswersThanScansAreNoError) {
   AnswerCount count;
   count.take(Stamp(50));
