@@ -126,6 +126,16 @@ TEST(Ros2, TopicsHaveTheNamesTypesAndQualityOfRos2) {
   expect_contains(received.at("description"), "<robot name=\"waffle\">");
 }
 
+TEST(Ros2, NodesAreFoundHoweverRos2ConfiguresThem) {
+  const fs::path folder = fresh_folder();
+  for (const char* range : {"localhost", "whitelist", "subnet"}) {
+    fs::remove_all(folder / "run");
+    Node node(folder, 125, std::string("--range ") + range);
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(125) + "--duration 3").exit_code, 0) << range;
+    EXPECT_EQ(answers_in(folder).at("answered"), 30) << range;
+  }
+}
+
 TEST(Ros2, TheSameRunGivesTheSameTrajectory) {
   const fs::path folder = fresh_folder();
   std::vector<std::string> trajectories;

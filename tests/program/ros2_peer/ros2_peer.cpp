@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   double patience_s = 60.0;
   double first_patience_s = 60.0;
   int scans = 0;
-  bool local = true;
+  std::string range = "localhost";
   bool wrong_types = false;
   std::vector<std::string> watched;
   Manners manners;
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   app.add_option("--answer-every", manners.answer_every);
   app.add_option("--late", manners.late_ms, "[ms]");
   app.add_option("--ahead", manners.ahead_ns, "[ns]");
-  app.add_flag("!--not-local", local);
+  app.add_option("--range", range, "localhost, whitelist or subnet: see Wire");
   app.add_flag("--wrong-types", wrong_types);
   app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
   app.add_option("--drive", manners.drive, "plain or stamped");
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   app.add_flag("!--unknown-start", manners.known_start);
   CLI11_PARSE(app, argc, argv);
 
-  Wire wire(domain, local);
+  Wire wire(domain, range);
   if (wrong_types) {
     send_wrong_types(wire);
     return 0;

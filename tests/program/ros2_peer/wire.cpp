@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
@@ -82,14 +83,23 @@ std::map<std::string, std::string> Publications::seen() const {
   return seen_;
 }
 
-Wire::Wire(int domain, bool local) {
+Wire::Wire(int domain, const std::string& range) {
   auto* factory = dds::DomainParticipantFactory::get_instance();
   dds::DomainParticipantQos qos = factory->get_default_participant_qos();
-  if (local) {
+  if (range != "subnet") {
     const auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-    transport->interfaceWhiteList.emplace_back("127.0.0.1");
+    if (range == "whitelist") transport->interfaceWhiteList.emplace_back("127.0.0.1");
+    transport->maxInitialPeersRange = 32;
     qos.transport().use_builtin_transports = false;
     qos.transport().user_transports.push_back(transport);
+  }
+  if (range == "localhost") {
+    auto& builtin = qos.wire_protocol().builtin;
+    builtin.metatrafficMulticastLocatorList.clear();
+    builtin.metatrafficUnicastLocatorList.push_back(rtps::Locator_t());
+    rtps::Locator_t peer;
+    rtps::IPLocator::setIPv4(peer, "127.0.0.1");
+    builtin.initialPeersList.push_back(peer);
   }
   participant_ = made(factory->create_participant(static_cast<std::uint32_t>(domain), qos,
                                                   &publications_, dds::StatusMask::none()));

@@ -46,8 +46,9 @@ class Publications final : public dds::DomainParticipantListener {
 /// The participant; readers and writers must not outlive it.
 class Wire {
  public:
-  /// `local`: as ROS 2 has it with ROS_LOCALHOST_ONLY=1.
-  Wire(int domain, bool local);
+  /// `range`: how ROS 2 configures Fast DDS. "localhost": ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST,
+  /// from Iron on. "whitelist": ROS_LOCALHOST_ONLY=1, in Humble. "subnet": its default.
+  Wire(int domain, const std::string& range);
   ~Wire();
   Wire(const Wire&) = delete;
   Wire& operator=(const Wire&) = delete;

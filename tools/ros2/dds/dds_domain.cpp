@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <dds/dds.h>
 #include <fmt/format.h>
@@ -29,26 +31,33 @@ void hear(void*, const dds_log_data_t* data) {
   std::erase(said(), '\n');
 }
 
-/// Participants on the loopback interface find each other by its address alone: it has no
-/// multicast. So do those of ROS 2 (ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST). Without hashes of
-/// keys, Fast DDS does not understand who has gone.
-std::string xml_of(const DdsNetwork& network) {
-  const bool local = network.interface == "loopback";
-  const std::string interface =
-      local ? R"(<NetworkInterface address="127.0.0.1"/>)"
-      : network.interface == "any"
-          ? R"(<NetworkInterface autodetermine="true"/>)"
-          : fmt::format(R"(<NetworkInterface name="{}"/>)", network.interface);
-  const std::string discovery =
-      "<ParticipantIndex>auto</ParticipantIndex>"
-      "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
-      "<SPDPInterval>1s</SPDPInterval>"  // So long may a node wait that comes later.
-      R"(<Peers><Peer address="127.0.0.1"/></Peers>)";
+/// On this machine alone, participants find each other by the address 127.0.0.1, without multicast,
+/// as those of ROS 2 do (ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST).
+constexpr const char* kLocalDiscovery =
+    "<ParticipantIndex>auto</ParticipantIndex>"
+    "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+    "<SPDPInterval>1s</SPDPInterval>"  // So long may a node wait that comes later.
+    R"(<Peers><Peer address="127.0.0.1"/></Peers>)";
+
+/// Without hashes of keys, Fast DDS does not understand who has gone.
+std::string xml_of(const std::string& interfaces, bool local) {
   return fmt::format(R"(<CycloneDDS><Domain id="any"><General><Interfaces>{}</Interfaces>)"
                      "<AllowMulticast>{}</AllowMulticast></General><Discovery>{}</Discovery>"
-                     "<Internal><GenerateKeyhash>true</GenerateKeyhash></Internal></"
-                     "Domain></CycloneDDS>",
-                     interface, local ? "false" : "default", local ? discovery : "");
+                     "<Internal><GenerateKeyhash>true</GenerateKeyhash></Internal></Domain>"
+                     "</CycloneDDS>",
+                     interfaces, local ? "false" : "default", local ? kLocalDiscovery : "");
+}
+
+/// Configurations, of which the first is taken that works. Nodes on this machine state the address
+/// of its network interface, or 127.0.0.1: packets to either go by the loopback device.
+std::vector<std::string> configurations(const DdsNetwork& network) {
+  const std::string any = R"(<NetworkInterface autodetermine="true"/>)";
+  const std::string loopback = R"(<NetworkInterface address="127.0.0.1"/>)";
+  if (network.interface == "loopback") {
+    return {xml_of(any + loopback, true), xml_of(loopback, true)};  // There may be no network.
+  }
+  if (network.interface == "any") return {xml_of(any, false)};
+  return {xml_of(fmt::format(R"(<NetworkInterface name="{}"/>)", network.interface), false)};
 }
 
 /// Names of interfaces need no quoting in XML.
@@ -69,8 +78,11 @@ std::int32_t open_domain(const DdsNetwork& network) {
   said().clear();
   dds_set_log_sink(hear, nullptr);
   dds_set_trace_sink(hear, nullptr);
-  const dds_entity_t domain =
-      dds_create_domain(static_cast<dds_domainid_t>(network.domain), xml_of(network).c_str());
+  dds_entity_t domain = DDS_RETCODE_ERROR;
+  for (const std::string& xml : configurations(network)) {
+    if (domain > 0) break;
+    domain = dds_create_domain(static_cast<dds_domainid_t>(network.domain), xml.c_str());
+  }
   if (domain < 0 && !said().empty()) {
     throw std::runtime_error(fmt::format("cannot open domain {} on interface '{}': {}",
                                          network.domain, network.interface, said()));
