@@ -275,8 +275,6 @@ TEST(Live, RefusesWhatItCannotServe) {
   expect_refused(castaway(folder, "live --address nowhere"), {"'nowhere' is no IP address"});
   expect_refused(castaway(folder, "live no-such-scenario"), {"no-such-scenario"});
   expect_refused(castaway(folder, "live ."), {"report.html", "castaway report"});
-  expect_refused(castaway(folder, "live --localizer 'program:python3 mine.py'"),
-                 {"is a program", "use a library"});
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/foreign/child/no_pipe_signal.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -118,7 +120,10 @@ std::optional<std::string> ChildProcess::how_it_ended(std::chrono::milliseconds 
 
 std::chrono::nanoseconds ChildProcess::end() {
   // A copy of this process may hold the pipe open, too: its end of file would not come.
-  if (control_ >= 0) (void)!write(control_, ".", 1);
+  if (control_ >= 0) {
+    const NoPipeSignal none;  // It may have ended by itself.
+    (void)!write(control_, ".", 1);
+  }
   close_file(control_);
   close_file(input_);
   close_file(output_);

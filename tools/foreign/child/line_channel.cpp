@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "tools/foreign/child/no_pipe_signal.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/run/cpu_clock.hpp"
 
@@ -20,28 +20,6 @@ namespace {
 using std::chrono::nanoseconds;
 
 constexpr std::chrono::milliseconds kUntilReported(500);  // A program that ended is reported.
-
-/// Writing to a program that has ended is an error here, not a signal for the process.
-class NoPipeSignal {
- public:
-  NoPipeSignal() {
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-  }
-  ~NoPipeSignal() {
-    const timespec at_once{};
-    while (sigtimedwait(&pipe_, nullptr, &at_once) < 0 && errno == EINTR) {
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  NoPipeSignal(const NoPipeSignal&) = delete;
-  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-
- private:
-  sigset_t pipe_{};
-  sigset_t before_{};
-};
 
 }  // namespace
 
