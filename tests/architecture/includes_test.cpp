@@ -163,7 +163,8 @@ const Layers kSimLayers = {
 };
 
 const Layers kToolsLayers = {
-    {"tools/files", "tools/metrics/statistics", "tools/report/html", "tools/ros2/dds", "tools/run"},
+    {"tools/files", "tools/live/lines", "tools/metrics/statistics", "tools/report/html",
+     "tools/ros2/dds", "tools/run"},
     {"tools/formats/images", "tools/ros/mcap", "tools/scenario/yaml"},
     {"tools/formats"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
@@ -175,7 +176,7 @@ const Layers kToolsLayers = {
     {"tools/scenario", "tools/sources", "tools/sources/recorded"},
     {"tools/inspect", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/cells/rows", "tools/evaluate", "tools/play"},
-    {"tools/replay"},
+    {"tools/live/bridge", "tools/replay"},
     {"tools/alignment", "tools/cells", "tools/dataset", "tools/live"},
     {"tools/live/server"},
     {"tools/campaign_page/figures", "tools/twin/fits"},

@@ -46,6 +46,13 @@ inline std::string node_in(int domain, const std::string& settings = "") {
   return "--localizer mh_amcl --localizer ros2:" + std::to_string(domain) + " " + settings + " ";
 }
 
+/// Topics of a run that only lookers-on want.
+inline const std::string kWatched =
+    "--watch 'rt/castaway/events std_msgs::msg::dds_::String_' "
+    "--watch 'rt/castaway/ground_truth/odom nav_msgs::msg::dds_::Odometry_' "
+    "--watch 'rt/castaway/mh_amcl/amcl_pose "
+    "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_' ";
+
 inline Json ros2_summary(const fs::path& folder) {
   return Json::parse(text_of(folder / "run/summary.json"));
 }

@@ -186,10 +186,6 @@ TEST(Ros2, BadSettingsAreRefused) {
   EXPECT_FALSE(fs::exists(folder / "run"));
 }
 
-TEST(Ros2, ALiveRunWithANodeIsRefused) {
-  expect_refused(castaway(fresh_folder(), "live --localizer ros2:119"), {"ros2", "castaway run"});
-}
-
 /// The robot's true path is a circle of 0.6 m.
 void expect_circle(const fs::path& folder) {
   std::istringstream truth(text_of(folder / "run/truth.tum"));

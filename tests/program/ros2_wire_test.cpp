@@ -128,7 +128,7 @@ TEST(Ros2Wire, TwoRunsInOneDomainDoNotMix) {
   Node node(folder, 111);
   std::thread first([&] {
     EXPECT_EQ(castaway(folder,
-                       kRos2Run + node_in(111, "--set localizers.1.ros2.pace=2") + "--duration 12")
+                       kRos2Run + node_in(111, "--set localizers.1.ros2.pace=2") + "--duration 24")
                   .exit_code,
               0);
   });
@@ -148,12 +148,6 @@ TEST(Ros2Wire, SubscribersThatGetNothingAreNamed) {
   expect_contains(text_of(folder / "run/events.csv"),
                   "a subscriber of /scan gets nothing: it asks for more reliability");
 }
-
-const std::string kWatched =
-    "--watch 'rt/castaway/events std_msgs::msg::dds_::String_' "
-    "--watch 'rt/castaway/ground_truth/odom nav_msgs::msg::dds_::Odometry_' "
-    "--watch 'rt/castaway/mh_amcl/amcl_pose "
-    "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_' ";
 
 TEST(Ros2Wire, OthersMayLookOnAtARun) {
   const fs::path folder = fresh_folder();

@@ -12,20 +12,23 @@
 #include <fmt/format.h>
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
+#include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
+#include "tools/live/bridge/bridge_process.hpp"
 #include "tools/live/live_page.hpp"
 #include "tools/live/live_player.hpp"
+#include "tools/live/served_nodes.hpp"
 #include "tools/live/server/live_server.hpp"
 #include "tools/live/server/live_token.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/play/bridge.hpp"
 #include "tools/play/play.hpp"
 #include "tools/replay/play_replay.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
-#include "tools/scenario/localizers/ros2_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -39,6 +42,7 @@ struct LiveArguments {
   std::string address = "127.0.0.1";
   int port = 8080;
   bool play = false;
+  Ros2Arguments ros2;
 };
 
 std::filesystem::path file_of_live(const LiveArguments& arguments) {
@@ -88,16 +92,6 @@ std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
   for (const std::string& text : overrides_of_live(arguments)) document.set(text);
   return read_session(std::move(document),
                       {std::filesystem::path(arguments.scenario).parent_path(), {}});
-}
-
-/// Threads of DDS do not survive that the run's process is copied.
-void refuse_nodes(const std::vector<LocalizerSpec>& localizers) {
-  for (const LocalizerSpec& localizer : localizers) {
-    if (!is_node(localizer)) continue;
-    throw std::runtime_error("localizer '" + localizer.name +
-                             "' is a node of ROS 2, with which a live run cannot go back; use "
-                             "castaway run");
-  }
 }
 
 /// runs/live-NAME-1, or the first with a higher number that is free.
@@ -199,7 +193,7 @@ int run_live(const LiveArguments& arguments) {
   LiveSetup setup{scenario_of_live(arguments, session.has_value()),
                   session ? "." : file_of_live(arguments).parent_path(), arguments.play};
   setup.session = std::move(session);
-  refuse_nodes(setup.session ? setup.session->localizers : setup.scenario.scenario.localizers);
+  check_nodes(setup.localizers());
   setup.reports = free_live_folder(name_of_live(setup));
   setup.files = setup.reports / "files";
   setup.report = play_for_report;
@@ -208,6 +202,10 @@ int run_live(const LiveArguments& arguments) {
   options.page = live_page(name_of_live(setup));
   options.reports = setup.reports;
   options.files = setup.files;
+  if (auto bridge = arguments.ros2.bridge()) {
+    bridge->pace = 0.0;  // Pages set the speed.
+    setup.bridge = start_bridge(bridge_config(*bridge, setup.localizers()));
+  }
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // Copies of the run outlive the one that made them.
   std::signal(SIGCHLD, SIG_IGN);     // Nobody waits for them.
   return serve(std::move(options), start_player(setup));
@@ -235,6 +233,7 @@ void add_live_command(Command& app) {
       .repeatable();
   command.add_option("--port", a->port, "Port; 0: any free one").range(0, 65535).show_default();
   command.add_option("--address", a->address, "IP address to listen on").show_default();
+  add_ros2_options(command, a->ros2);
   command.add_flag("--play", a->play, "Play from the beginning on");
   command.footer(
       "Prints the address of the page, with a token without which nobody gets in.\n"

@@ -220,6 +220,7 @@ void add_replay_command(Command& app) {
                   "Also a picture every so many seconds")
       .not_negative();
   add_ros2_options(command, a->ros2);
+  add_ros2_pace(command, a->ros2);
   command.footer(
       "TRUEPOS lines, and the truth topic of a bag, are the truth of the metrics; no localizer "
       "sees "

@@ -225,6 +225,7 @@ void add_run_command(Command& app) {
                    "Refuse an SDF world if a piece of it cannot be read");
   add_allow_programs(command, arguments->allow_programs);
   add_ros2_options(command, arguments->ros2);
+  add_ros2_pace(command, arguments->ros2);
   command.add_flag("--json", arguments->json, "Print summary.json instead of words");
   command.footer(
       "Exit codes: 0 done, 1 a run failed, 2 bad usage or input, 3 an expectation was not met.\n"

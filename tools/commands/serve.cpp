@@ -33,6 +33,9 @@ class Served {
       localizer_.localizer->on_odometry(*odometry);
     } else if (const auto* scan = std::get_if<LaserScan>(&message)) {
       localizer_.localizer->on_scan(*scan);
+      if (localizer_.news) {
+        for (const auto& sentence : localizer_.news()) fmt::print(stderr, "{}\n", sentence);
+      }
       auto estimate = localizer_.localizer->estimate();
       if (estimate && estimate->stamp != scan->stamp) estimate.reset();
       fmt::print("{}", estimate_text(scan->stamp, estimate));
@@ -46,8 +49,19 @@ class Served {
   NamedLocalizer localizer_;
 };
 
+/// A name, or an element of a scenario's list in YAML: "{ros2: {domain: 3}}".
+LocalizerSpec served_spec(const std::string& text) {
+  if (!text.starts_with('{')) return parse_localizer(text);
+  YamlDocument document = YamlDocument::parse("localizers: [" + text + "]", "serve");
+  YamlReader root = document.root();
+  auto specs = read_localizers(root, "localizers", {{}, FilePrograms::kAllowed});
+  document.reject_unknown_keys();
+  if (specs.size() != 1) throw std::invalid_argument(text + ": is not one localizer");
+  return std::move(specs.front());
+}
+
 int serve(const std::string& text) {
-  Served served(parse_localizer(text));
+  Served served(served_spec(text));
   MessageReader reader;
   for (std::string line; std::getline(std::cin, line);) {
     if (!served.take(reader.read(line))) break;

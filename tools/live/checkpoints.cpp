@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tools/live/pipes.hpp"
+#include "tools/live/lines/pipes.hpp"
 
 namespace castaway::testbed {
 

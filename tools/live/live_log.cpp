@@ -9,6 +9,7 @@
 
 #include "tools/live/live_event.hpp"
 #include "tools/replay/splice_target.hpp"
+#include "tools/ros2/bridge_messages.hpp"
 #include "tools/sources/build_localizers.hpp"
 
 namespace castaway::testbed {
@@ -57,7 +58,7 @@ void make_absolute(YamlNode& session, const std::string& key) {
 
 }  // namespace
 
-LiveLog::LiveLog(ReplaySession session, const LiveSinkMaker& make_sink)
+LiveLog::LiveLog(ReplaySession session, const LiveSinkMaker& make_sink, TopicWriter* bridge)
     : session_(std::move(session)), log_(open_log(session_)), orders_(orders_in(session_.tree)) {
   source_ = spliced_source(log_, session_);
   sinks_.push_back(make_sink(run_info(session_, log_), log_.map, kRecordedRadius));
@@ -68,6 +69,13 @@ LiveLog::LiveLog(ReplaySession session, const LiveSinkMaker& make_sink)
   config.orders = session_.orders;
   loop_ = std::make_unique<Loop>(std::move(config), localizers_, sinks_);
   loop_->begin();
+  if (bridge != nullptr) {
+    BridgeConfig told;
+    told.start = initial_pose(session_, log_, *source_);
+    told.messages.lidars = bag_lidars(log_.lidars);
+    sinks_.push_back(
+        std::make_unique<BridgeMessages>(run_info(session_, log_), log_.map, told, *bridge));
+  }
   step();  // Stamps of a log may begin late.
 }
 

@@ -8,6 +8,7 @@
 
 #include "tools/live/live_play.hpp"
 #include "tools/replay/recorded_log.hpp"
+#include "tools/ros/topic_writer.hpp"
 #include "tools/run/loop.hpp"
 
 namespace castaway::testbed {
@@ -16,7 +17,8 @@ namespace castaway::testbed {
 class LiveLog final : public LivePlay {
  public:
   /// Opens the log. Throws as `open_log` and `build_localizers`.
-  LiveLog(ReplaySession session, const LiveSinkMaker& make_sink);
+  /// `bridge`: as of `LiveRun`.
+  LiveLog(ReplaySession session, const LiveSinkMaker& make_sink, TopicWriter* bridge = nullptr);
 
   bool step() override { return loop_->step(*source_); }
   [[nodiscard]] Stamp now() const override { return loop_->now(); }
@@ -28,6 +30,7 @@ class LiveLog final : public LivePlay {
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const override {
     return loop_->estimates();
   }
+  void finish_localizers() override { (void)loop_->finish_localizers(); }
 
   /// Events: kidnaps `teleport` with a pose (to the nearest recorded one), `teleport` (far away in
   /// the log) and `look_alike`; {"splice": {"to_scan": 900}}; orders to a localizer.

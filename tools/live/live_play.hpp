@@ -36,6 +36,9 @@ class LivePlay {
   /// Estimates carried on by odometry to the last reading; nothing of a localizer without one.
   [[nodiscard]] virtual std::vector<std::optional<SE2>> estimates() const = 0;
 
+  /// Ends the localizers that are programs; nothing but the destructor may follow.
+  virtual void finish_localizers() = 0;
+
   /// Adds an event now, as JSON: {"kidnap": {...}}. Returns its time. Throws std::runtime_error or
   /// std::invalid_argument of one line if it is impossible.
   virtual Stamp add(const std::string& event) = 0;

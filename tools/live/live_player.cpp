@@ -13,16 +13,18 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/live/checkpoints.hpp"
+#include "tools/live/lines/live_line.hpp"
 #include "tools/live/live_clock.hpp"
 #include "tools/live/live_feed.hpp"
-#include "tools/live/live_line.hpp"
 #include "tools/live/live_loading.hpp"
 #include "tools/live/live_log.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_run.hpp"
 #include "tools/live/live_trial.hpp"
+#include "tools/live/served_nodes.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/run/cpu_clock.hpp"
+#include "tools/scenario/localizers/ros2_spec.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -72,11 +74,11 @@ GoTo goal_of(const std::string& line) {
 }
 
 /// True if a localizer is a program. It cannot be copied, so that the run begins again to go back.
+bool has_nodes(const LiveSetup& setup) { return std::ranges::any_of(setup.localizers(), is_node); }
+
 bool has_programs(const LiveSetup& setup) {
-  const auto& localizers =
-      setup.session ? setup.session->localizers : setup.scenario.scenario.localizers;
-  return std::ranges::any_of(localizers, [](const LocalizerSpec& localizer) {
-    return std::holds_alternative<ProgramConfig>(localizer.config);
+  return std::ranges::any_of(setup.localizers(), [](const LocalizerSpec& localizer) {
+    return std::holds_alternative<ProgramConfig>(localizer.config) || is_node(localizer);
   });
 }
 
@@ -84,6 +86,7 @@ class LivePlayer {
  public:
   LivePlayer(LiveSetup setup, int socket)
       : setup_(std::move(setup)), line_(socket), has_programs_(has_programs(setup_)) {}
+  ~LivePlayer() { end_run(); }
 
   void play() {
     keep_checkpoint();
@@ -101,10 +104,15 @@ class LivePlayer {
       feed_ = feed.get();
       return feed;
     };
+    if (setup_.bridge) setup_.bridge->restart();
     if (setup_.session) {
-      run_ = std::make_unique<LiveLog>(*setup_.session, make);
+      ReplaySession session = *setup_.session;
+      serve_nodes(session.tree, session.localizers);
+      run_ = std::make_unique<LiveLog>(std::move(session), make, setup_.bridge.get());
     } else {
-      run_ = std::make_unique<LiveRun>(setup_.scenario, setup_.base, *worlds_, make);
+      LoadedScenario scenario = setup_.scenario;
+      serve_nodes(parse_yaml(scenario.effective, "scenario"), scenario.scenario.localizers);
+      run_ = std::make_unique<LiveRun>(scenario, setup_.base, *worlds_, make, setup_.bridge.get());
     }
   }
 
@@ -121,8 +129,13 @@ class LivePlayer {
 
   /// The programs of the run start anew.
   void begin_again() {
-    run_.reset();
+    end_run();
     build();
+  }
+
+  void end_run() {
+    if (run_) run_->finish_localizers();
+    run_.reset();
   }
 
   void turn() {
@@ -135,9 +148,11 @@ class LivePlayer {
 
   /// Plays until now, as fast as it can, without telling.
   void reach_goal() {
+    if (setup_.bridge) setup_.bridge->mute(true);
     do {
       do_again();
     } while (run_->now() < goal_->time && step());
+    if (setup_.bridge) setup_.bridge->mute(false);
     feed_->forget();
     clock_.pause();
     clock_.set_speed(goal_->speed, wall_time(), run_->now());
@@ -231,7 +246,7 @@ class LivePlayer {
   void go_back(Stamp time) {
     const GoTo goal{std::clamp(time, Stamp{}, run_->now()), clock_.speed(), done_};
     if (!checkpoints_.wake(goal.time, to_line(goal))) return;
-    if (has_programs_) run_.reset();  // They end.
+    if (has_programs_) end_run();
     _exit(0);
   }
 
@@ -270,6 +285,10 @@ class LivePlayer {
     for (const std::string& file : {name, map.empty() ? name : map}) {
       if (!file_path_error(file).empty()) throw std::runtime_error("no file of a page");
     }
+    if (has_nodes(setup_)) {
+      throw std::runtime_error(
+          "a run with a node of ROS 2 loads nothing else: its domain is taken");
+    }
     LiveSetup setup = with_file(setup_, name, map);
     try_in_copy([&] {
       checkpoints_.clear();
@@ -277,12 +296,13 @@ class LivePlayer {
       if (has_programs_) {
         replaced_ = std::move(run_);
       } else {
-        run_.reset();
+        end_run();
       }
       worlds_ = std::make_unique<SharedWorlds>();
       setup_ = std::move(setup);
       build();
     });
+    if (replaced_) replaced_->finish_localizers();
     replaced_.reset();
     undone_ = false;
     done_.clear();

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
+#include "tools/live/bridge/bridge_link.hpp"
 #include "tools/replay/replay_session.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
@@ -27,6 +29,12 @@ struct LiveSetup {
   std::function<void(const ReplaySession& session, const std::filesystem::path& out)> replay{};
   /// Played in place of the scenario, which then serves for the worlds and robots of pages.
   std::optional<ReplaySession> session{};
+  std::shared_ptr<BridgeLink> bridge{};  ///< To nodes of ROS 2 that look on; null: none do.
+
+  /// Of what is played.
+  [[nodiscard]] const std::vector<LocalizerSpec>& localizers() const {
+    return session ? session->localizers : scenario.scenario.localizers;
+  }
 };
 
 /// Plays until the other end of `socket` is closed: takes commands, as JSON, and says what happens

@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/ros2/bridge_messages.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 #include "tools/scene/visible_scene.hpp"
 #include "tools/sources/build_localizers.hpp"
+#include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_sensors.hpp"
 #include "tools/sources/build_simulation.hpp"
 #include "tools/sources/scan_truth.hpp"
@@ -24,7 +26,7 @@ YamlNode& child(YamlNode& map, const std::string& key) {
 }  // namespace
 
 LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base,
-                 SharedWorlds& worlds, const LiveSinkMaker& make_sink)
+                 SharedWorlds& worlds, const LiveSinkMaker& make_sink, TopicWriter* bridge)
     : scenario_(parse_yaml(loaded.effective, "scenario")) {
   Scenario scenario = loaded.scenario;
   scenario.duration_s = kEndless;
@@ -38,6 +40,8 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
   lidars_ = prepared.config.lidars;
   scene_ = {page_world(prepared.config.world), robot_items(prepared.config.robot, lidars_)};
+  BridgeConfig told;
+  if (bridge != nullptr) tell_robot(scenario.robot, base, prepared.config, told);
   localizers_ =
       build_localizers(scenario.localizers,
                        {prepared.map, {}, lidars_of(prepared.config.lidars), {}}, scenario.seed);
@@ -45,6 +49,9 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   loop_ =
       std::make_unique<Loop>(loop_config(scenario, *source_->start_pose()), localizers_, sinks_);
   loop_->begin();
+  if (bridge == nullptr) return;
+  told.start = loop_config(scenario, *source_->start_pose()).start;
+  sinks_.push_back(std::make_unique<BridgeMessages>(info, prepared.map, told, *bridge));
 }
 
 std::string LiveRun::scene() {

@@ -9,6 +9,7 @@
 
 #include "tools/live/live_event.hpp"
 #include "tools/live/live_play.hpp"
+#include "tools/ros/topic_writer.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/scene/page_scene.hpp"
@@ -20,10 +21,10 @@ namespace castaway::testbed {
 /// A run without an end. Saved, it is a scenario.
 class LiveRun final : public LivePlay {
  public:
-  /// Builds the run; `base` is the folder of the scenario's file. Throws as `build_simulation` and
-  /// `build_localizers`.
+  /// Builds the run; `base` is the folder of the scenario's file. `bridge`: takes its messages;
+  /// null: nobody does. Throws as `build_simulation` and `build_localizers`.
   LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base, SharedWorlds& worlds,
-          const LiveSinkMaker& make_sink);
+          const LiveSinkMaker& make_sink, TopicWriter* bridge = nullptr);
 
   /// Simulated time ends after 100 days.
   bool step() override;
@@ -37,6 +38,7 @@ class LiveRun final : public LivePlay {
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const override {
     return loop_->estimates();
   }
+  void finish_localizers() override { (void)loop_->finish_localizers(); }
 
   /// See `read_live_event`.
   Stamp add(const std::string& event) override;

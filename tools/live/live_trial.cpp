@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tools/live/pipes.hpp"
+#include "tools/live/lines/pipes.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {

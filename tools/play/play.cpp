@@ -70,21 +70,13 @@ void add_tables(const PlayOptions& options, const Scenario& scenario,
   files.labels = std::make_shared<const LabelContext>(std::move(labels));
 }
 
-std::vector<BagLidar> bag_lidars(const PreparedSimulation& prepared) {
-  std::vector<BagLidar> lidars;
-  for (const sim::LidarConfig& lidar : prepared.config.lidars) {
-    lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
-  }
-  return lidars;
-}
-
 /// The bag of the run; `connect` and the start pose complete it.
 BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepared) {
   const sim::RobotModel& robot = prepared.config.robot;
   BagConfig bag;
   bag.options = options;
   bag.links = robot.frames;
-  bag.lidars = bag_lidars(prepared);
+  bag.lidars = bag_lidars(lidars_of(prepared.config.lidars));
   bag.robot_file = robot.path;
   bag.label_name = [world = final_world(prepared.config)](int label) {
     return sim::hit_name(world, label);
@@ -150,10 +142,7 @@ void warn(const PlayOptions& options, const std::vector<std::string>& warnings) 
 BridgeConfig bridge_of(const PlayOptions& options, const Scenario& scenario,
                        const PreparedSimulation& prepared) {
   BridgeConfig bridge = bridge_config(*options.bridge, scenario.localizers);
-  RobotFacts robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
-  bridge.messages.links = std::move(robot.links);
-  bridge.messages.lidars = bag_lidars(prepared);
-  bridge.description = std::move(robot.description);
+  tell_robot(scenario.robot, options.base, prepared.config, bridge);
   return bridge;
 }
 

@@ -54,9 +54,7 @@ Run build_replay(const ReplaySession& session, const RecordedLog& log,
   if (outputs.bridge) {
     BridgeConfig bridge = bridge_config(*outputs.bridge, session.localizers);
     bridge.start = run.loop.start;
-    for (const LidarFacts& lidar : log.lidars) {
-      bridge.messages.lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
-    }
+    bridge.messages.lidars = bag_lidars(log.lidars);
     run.sinks.push_back(build_bridge(info, log.map, std::move(bridge)));
   }
   return run;

@@ -27,11 +27,11 @@ class BagWriter final : public TopicWriter {
   /// Completes both files. Throws std::runtime_error if they could not be written completely.
   void finish();
 
- private:
   std::uint16_t add(const BagTopic& topic, const char* definition,
                     std::map<std::string, std::string> metadata) override;
   void write(std::uint16_t topic, Stamp delivered, const std::string& message) override;
 
+ private:
   std::filesystem::path folder_;
   std::string file_;
   McapWriter mcap_;

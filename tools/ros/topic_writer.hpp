@@ -30,7 +30,7 @@ class TopicWriter {
     write(topic, delivered, CdrWriter::encode(message));
   }
 
- private:
+  /// The same for a message type that is known by its name only, and for CDR.
   virtual std::uint16_t add(const BagTopic& topic, const char* definition,
                             std::map<std::string, std::string> metadata) = 0;
   virtual void write(std::uint16_t topic, Stamp delivered, const std::string& message) = 0;

@@ -1,10 +1,8 @@
 /// A run that nodes of ROS 2 look on: RViz, Foxglove, rosbag2.
 #pragma once
 
-#include <optional>
-
-#include "tools/ros2/other_clocks.hpp"
-#include "tools/ros2/wire_writer.hpp"
+#include "tools/ros2/bridge_messages.hpp"
+#include "tools/ros2/own_wire.hpp"
 
 namespace castaway::testbed {
 
@@ -16,16 +14,13 @@ class BridgeSink final : public RunSink {
 
   void on_event(const RunEvent& event) override { messages_.on_event(event); }
   void on_odometry(const OdometryFrame& frame) override { messages_.on_odometry(frame); }
-  void on_scan(const ScanRecord& record) override;
+  void on_scan(const ScanRecord& record) override { messages_.on_scan(record); }
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
   BridgeConfig config_;
-  DdsParticipant participant_;
-  std::optional<OtherClocks> other_clocks_;
-  WireWriter writer_;
-  RunMessages messages_;
-  std::uint16_t initial_pose_;
+  OwnWire wire_;
+  BridgeMessages messages_;
 };
 
 }  // namespace castaway::testbed

@@ -21,4 +21,9 @@ std::unique_ptr<RunSink> build_bridge(const RunInfo& info, const RosMap& map, Br
   return std::make_unique<BridgeSink>(info, map, std::move(config));
 }
 
+std::shared_ptr<TopicWriter> build_wire(const BridgeConfig& config) {
+  const auto wire = std::make_shared<OwnWire>(config.options, config.without_robot);
+  return {wire, &wire->writer()};
+}
+
 }  // namespace castaway::testbed

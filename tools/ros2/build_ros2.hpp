@@ -17,4 +17,7 @@ NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting);
 /// Takes part in the domain and publishes the run there. Throws as `build_ros2`.
 std::unique_ptr<RunSink> build_bridge(const RunInfo& info, const RosMap& map, BridgeConfig config);
 
+/// Takes part in the domain: what is written is published there. Throws as `build_ros2`.
+std::shared_ptr<TopicWriter> build_wire(const BridgeConfig& config);
+
 }  // namespace castaway::testbed

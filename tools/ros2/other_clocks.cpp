@@ -14,15 +14,17 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kDiscovery(300);  // In which participants that are there are found.
+constexpr milliseconds kLeave(3000);     // A run that ends may still be there.
 constexpr milliseconds kBetweenLooks(20);
 
 }  // namespace
 
 OtherClocks::OtherClocks(DdsParticipant& participant, int domain)
     : clock_(participant, "/clock", ros_qos::kClock) {
-  const auto end = std::chrono::steady_clock::now() + kDiscovery;
-  while (std::chrono::steady_clock::now() < end) {
-    if (clock_.publishers() > 0) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  while (clock_.publishers() > 0 || Clock::now() < begin + kDiscovery) {
+    if (Clock::now() >= begin + kLeave) {
       throw std::runtime_error(fmt::format(
           "someone else publishes /clock in domain {}: give this run another domain", domain));
     }

@@ -7,24 +7,13 @@
 #include "tools/ros2/ros_qos.hpp"
 
 namespace castaway::testbed {
-namespace {
-
-std::vector<BagLidar> lidars_of(const Greeting& greeting) {
-  std::vector<BagLidar> lidars;
-  for (const LidarFacts& lidar : greeting.lidars) {
-    lidars.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
-  }
-  return lidars;
-}
-
-}  // namespace
 
 RobotFeed::RobotFeed(DdsParticipant& participant, const Ros2Config& config,
                      const Greeting& greeting)
     : participant_(participant),
       config_(config),
       several_lidars_(greeting.lidars.size() > 1),
-      tree_(greeting.robot.links, lidars_of(greeting), config.frames.base),
+      tree_(greeting.robot.links, bag_lidars(greeting.lidars), config.frames.base),
       clock_(participant, "/clock", ros_qos::kUsual),
       odometry_(participant, full_topic(config.name_space, config.topics.odom), ros_qos::kUsual),
       tf_(participant, full_topic(config.name_space, config.topics.tf), ros_qos::kTransforms),

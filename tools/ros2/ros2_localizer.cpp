@@ -1,6 +1,5 @@
 #include "tools/ros2/ros2_localizer.hpp"
 
-#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -12,32 +11,11 @@
 namespace castaway::testbed {
 namespace {
 
-using localization::Estimate;
-using localization::PopulationView;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLook(50);          // Between two looks whether the node is there.
 constexpr int kSilent = 5;                 // [scans] Without an answer in a row.
 constexpr std::chrono::seconds kAgain(1);  // Between two tries to wake a node that begins.
-
-/// Time of the run at a stamp of the node.
-Stamp run_time(const ros::Time& time) { return from_ros_time(time) - kBagEpoch; }
-
-Eigen::Matrix3d planar_covariance(const std::array<double, 36>& covariance) {
-  constexpr std::array<int, 3> kRows{0, 1, 5};  // x, y and the rotation about z.
-  Eigen::Matrix3d planar;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      planar(row, column) = covariance[6 * kRows[row] + kRows[column]];
-    }
-  }
-  return planar;
-}
-
-SE2 planar_pose(const ros::Transform& transform) {
-  const ros::Vector3& t = transform.translation;
-  return from_ros_pose({{t.x, t.y, t.z}, transform.rotation});
-}
 
 }  // namespace
 
@@ -46,11 +24,8 @@ Ros2Localizer::Ros2Localizer(const Ros2Config& config, const Greeting& greeting)
       participant_({config.domain, config.interface}),
       other_clocks_(participant_, config.domain),
       feed_(participant_, config, greeting),
-      transforms_(participant_, full_topic(config.name_space, config.topics.tf),
-                  ros_qos::kTransforms),
-      poses_(participant_, full_topic(config.name_space, config.topics.pose), ros_qos::kUsual),
-      clouds_(participant_, full_topic(config.name_space, config.topics.particles),
-              ros_qos::kSensor) {
+      answers_(participant_, config),
+      pacer_(config.pace) {
   if (!config.drive) return;
   commands_.emplace(participant_, full_topic(config.name_space, config.topics.command),
                     config.command_timeout_s);
@@ -64,9 +39,7 @@ void Ros2Localizer::initialize(const std::optional<localization::PoseWithCovaria
 }
 
 bool Ros2Localizer::is_there() const {
-  const int answering =
-      config_.answer == Ros2Answer::kTransform ? transforms_.publishers() : poses_.publishers();
-  return answering > 0 && feed_.scan_subscribers() > 0;
+  return answers_.publishers() > 0 && feed_.scan_subscribers() > 0;
 }
 
 void Ros2Localizer::wait_for_node() {
@@ -99,18 +72,11 @@ void Ros2Localizer::watch_node() {
   if (now == is_present_) return;
   is_present_ = now;
   news_.emplace_back(now ? "the node came back" : "the node went");
-  if (!now) T_map_odom_.reset();
-}
-
-void Ros2Localizer::keep_pace(Stamp now) {
-  if (config_.pace <= 0.0) return;
-  if (!began_) began_ = {now, Clock::now()};
-  const double due_s = localization::seconds(now - began_->first) / config_.pace;
-  std::this_thread::sleep_until(began_->second + localization::from_seconds(due_s));
+  if (!now) answers_.forget_transform();
 }
 
 void Ros2Localizer::on_odometry(const Odometry& odometry) {
-  keep_pace(odometry.stamp);
+  pacer_.wait_until(odometry.stamp);
   T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
   if (!has_answered_) early_.push_back(odometry);
   feed_.publish(odometry);
@@ -125,13 +91,14 @@ void Ros2Localizer::send(const LaserScan& scan) {
 }
 
 void Ros2Localizer::on_scan(const LaserScan& scan) {
-  if (!scan.ranges.empty()) keep_pace(scan.beam_stamp(scan.ranges.size() - 1));
+  if (!scan.ranges.empty()) pacer_.wait_until(scan.beam_stamp(scan.ranges.size() - 1));
   hear();  // Late ones.
   watch_node();
   for (std::string& sentence : feed_.refused()) news_.push_back(std::move(sentence));
   if (feed_.scan_subscribers() > 0 && !feed_.is_heard(scan.lidar)) {  // It wants other lidars.
     feed_.publish(scan);
-    return settle(scan);
+    answer_ = answers_.at(scan.stamp, T_odom_base_);
+    return;
   }
   count_.expect(scan.stamp);
   if (has_answered_) {
@@ -140,7 +107,7 @@ void Ros2Localizer::on_scan(const LaserScan& scan) {
   } else {
     wait_for_first_answer(scan);
   }
-  settle(scan);
+  answer_ = answers_.at(scan.stamp, T_odom_base_);
 }
 
 /// A node that begins may miss messages: they are repeated.
@@ -165,12 +132,12 @@ void Ros2Localizer::wait_for_first_answer(const LaserScan& scan) {
 /// A node that is silent for some scans is hardly waited for until it answers again.
 void Ros2Localizer::wait_for_answer() {
   const bool was_silent = unanswered_ >= kSilent;
-  if (config_.pace > 0.0 || !is_present_) {
+  if (pacer_.is_on() || !is_present_) {
     hear();
   } else {
     hear_until(Clock::now() + (was_silent ? kLook : localization::from_seconds(config_.timeout_s)));
   }
-  if (config_.pace > 0.0) return;  // It may come until the next scan.
+  if (pacer_.is_on()) return;  // It may come until the next scan.
   unanswered_ = count_.answered() ? 0 : unanswered_ + 1;
   if (!count_.answered()) count_.give_up();
   if (!is_present_) return;
@@ -193,75 +160,8 @@ bool Ros2Localizer::hear_until(Clock::time_point end) {
 }
 
 void Ros2Localizer::hear() {
-  while (const auto message = transforms_.take()) take(*message);
-  // A pose that was sent before its transform is there by now.
-  while (const auto message = poses_.take()) take(*message);
-  while (const auto message = clouds_.take()) take(*message);
+  answers_.hear(T_odom_base_, count_);
   other_clocks_.drain();
-}
-
-void Ros2Localizer::take(const ros::TFMessage& message) {
-  if (config_.answer != Ros2Answer::kTransform) return;
-  for (const ros::TransformStamped& edge : message.transforms) {
-    if (edge.header.frame_id != config_.frames.map || edge.child_frame_id != config_.frames.odom) {
-      continue;
-    }
-    try {
-      T_map_odom_ = planar_pose(edge.transform);
-      count_.take(run_time(edge.header.stamp) - localization::from_seconds(config_.ahead_s));
-    } catch (const std::runtime_error&) {
-      ++bad_;
-    }
-  }
-}
-
-void Ros2Localizer::take(const ros::PoseWithCovarianceStamped& message) {
-  const Stamp stamp = run_time(message.header.stamp) - localization::from_seconds(config_.ahead_s);
-  try {
-    const SE2 T_map_base = from_ros_pose(message.pose.pose);
-    pose_ = message;
-    if (config_.answer != Ros2Answer::kPose) return;
-    const auto T_odom_base = T_odom_base_.at(stamp);
-    if (T_odom_base) T_map_odom_ = T_map_base * T_odom_base->inverse();
-    count_.take(stamp);
-  } catch (const std::runtime_error&) {
-    ++bad_;
-  }
-}
-
-void Ros2Localizer::take(const ros::ParticleCloud& message) {
-  try {
-    std::vector<SE2> particles;
-    for (const ros::Particle& particle : message.particles) {
-      particles.push_back(from_ros_pose(particle.pose));
-    }
-    particles_ = std::move(particles);
-  } catch (const std::runtime_error&) {
-    ++bad_;
-  }
-}
-
-/// Where the newest transform says that the robot is: as others that read /tf would have it.
-void Ros2Localizer::settle(const LaserScan& scan) {
-  answer_ = {};
-  const auto T_odom_base = T_odom_base_.at(scan.stamp);
-  if (!T_map_odom_ || !T_odom_base) return;
-  Estimate& estimate = answer_.estimate.emplace();
-  estimate.stamp = scan.stamp;
-  estimate.T_map_base = *T_map_odom_ * *T_odom_base;
-  estimate.quality = estimate.probability = std::numeric_limits<double>::quiet_NaN();
-  if (pose_) estimate.covariance = planar_covariance(pose_->pose.covariance);
-  if (!particles_.empty()) {
-    PopulationView& view = answer_.populations.emplace_back();
-    view.T_map_base = estimate.T_map_base;
-    view.share = 1.0;
-    view.particles = particles_;
-  }
-  try {
-    complete(answer_);
-  } catch (const std::invalid_argument& error) {
-    throw LocalizerFailure(error.what());
-  }
 }
 
 localization::Diagnostics Ros2Localizer::diagnostics() const {
@@ -272,8 +172,7 @@ localization::Diagnostics Ros2Localizer::diagnostics() const {
 
 std::map<std::string, std::int64_t> Ros2Localizer::counts() const {
   auto counts = count_.counts();
-  counts["malformed"] = (commands_ ? commands_->malformed() : 0) + bad_ + transforms_.malformed() +
-                        poses_.malformed() + clouds_.malformed();
+  counts["malformed"] = answers_.malformed() + (commands_ ? commands_->malformed() : 0);
   return counts;
 }
 

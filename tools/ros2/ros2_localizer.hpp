@@ -1,6 +1,7 @@
 /// A localizer that is a node of ROS 2: docs/ros2.md.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,9 +10,9 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
-#include "tools/foreign/protocol/answer.hpp"
-#include "tools/ros2/answer_count.hpp"
+#include "tools/ros2/node_answers.hpp"
 #include "tools/ros2/other_clocks.hpp"
+#include "tools/ros2/pacer.hpp"
 #include "tools/ros2/robot_feed.hpp"
 #include "tools/ros2/velocity_commands.hpp"
 
@@ -49,24 +50,17 @@ class Ros2Localizer final : public localization::Localizer {
   [[nodiscard]] bool is_there() const;
   [[nodiscard]] std::string what_is_missing() const;
   void watch_node();
-  void keep_pace(Stamp now);
   void send(const LaserScan& scan);
   void wait_for_first_answer(const LaserScan& scan);
   void wait_for_answer();
   bool hear_until(Clock::time_point end);
   void hear();
-  void take(const ros::TFMessage& message);
-  void take(const ros::PoseWithCovarianceStamped& message);
-  void take(const ros::ParticleCloud& message);
-  void settle(const LaserScan& scan);
 
   Ros2Config config_;
   DdsParticipant participant_;
   OtherClocks other_clocks_;
   RobotFeed feed_;
-  RosSubscription<ros::TFMessage> transforms_;
-  RosSubscription<ros::PoseWithCovarianceStamped> poses_;
-  RosSubscription<ros::ParticleCloud> clouds_;
+  NodeAnswers answers_;
   std::optional<VelocityCommands> commands_;  ///< Nothing: it does not drive.
   Stamp now_{};                               ///< Of the newest odometry.
   AnswerCount count_;
@@ -76,13 +70,9 @@ class Ros2Localizer final : public localization::Localizer {
   std::vector<Odometry> early_;                            ///< Before the first answer.
   std::optional<localization::PoseWithCovariance> start_;  ///< To be told with the next scan.
   localization::TransformBuffer T_odom_base_;
-  std::optional<localization::SE2> T_map_odom_;
-  std::optional<ros::PoseWithCovarianceStamped> pose_;  ///< The newest one.
-  std::vector<localization::SE2> particles_;
   Answer answer_;
   std::vector<std::string> news_;
-  int bad_ = 0;                                               ///< Answers that are no poses.
-  std::optional<std::pair<Stamp, Clock::time_point>> began_;  ///< For the pace.
+  Pacer pacer_;
 };
 
 }  // namespace castaway::testbed

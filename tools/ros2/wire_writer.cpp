@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <thread>
+#include <utility>
 
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/ros/ros_wire.hpp"
@@ -11,6 +11,8 @@
 
 namespace castaway::testbed {
 namespace {
+
+constexpr Stamp kJump = std::chrono::milliseconds(500);
 
 /// True for what a robot publishes itself.
 bool is_of_robot(const std::string& name) {
@@ -27,19 +29,22 @@ DdsQos qos_of(const BagTopic& topic) {
 
 }  // namespace
 
-WireWriter::WireWriter(DdsParticipant& participant, const BridgeConfig& config)
-    : participant_(participant), config_(config) {
-  if (config.without_robot) return;
+WireWriter::WireWriter(DdsParticipant& participant, const BridgeOptions& options, bool robot)
+    : participant_(participant),
+      name_space_(options.name_space),
+      robot_(robot),
+      pacer_(options.pace) {
+  if (!robot_) return;
   clock_ = Topic{"/clock", participant.writer(dds_topic<ros::Clock>("/clock", ros_qos::kUsual))};
 }
 
 std::uint16_t WireWriter::add(const BagTopic& topic, const char*,
                               std::map<std::string, std::string>) {
-  const bool robot = is_of_robot(topic.name);
+  const bool of_robot = is_of_robot(topic.name);
   std::optional<Topic> added;
-  if (!robot || !config_.without_robot) {
-    const std::string relative = (robot ? "" : "castaway/") + topic.name.substr(1);
-    const std::string full = full_topic(config_.options.name_space, relative);
+  if (!of_robot || robot_) {
+    const std::string relative = (of_robot ? "" : "castaway/") + topic.name.substr(1);
+    const std::string full = full_topic(name_space_, relative);
     added = Topic{full, participant_.writer(
                             {dds_topic_name(full), dds_type_name(topic.type), qos_of(topic)})};
   }
@@ -47,14 +52,12 @@ std::uint16_t WireWriter::add(const BagTopic& topic, const char*,
   return static_cast<std::uint16_t>(topics_.size() - 1);
 }
 
+/// Events may be a little older than the last message; a run that went back is more.
 void WireWriter::set_time(Stamp now) {
-  if (now <= now_) return;
+  if (now <= now_ && now > now_ - kJump) return;
+  if (now < now_) pacer_.restart();
   now_ = now;
-  if (config_.options.pace > 0.0) {
-    if (!began_) began_ = {now, Clock::now()};
-    const double due_s = seconds(now - began_->first) / config_.options.pace;
-    std::this_thread::sleep_until(began_->second + localization::from_seconds(due_s));
-  }
+  pacer_.wait_until(now);
   if (clock_) clock_->writer.write(CdrWriter::encode(ros::Clock{to_ros_time(now)}));
 }
 

@@ -1,13 +1,12 @@
 /// Publishes the messages of a run on the wire.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/ros2/bridge_config.hpp"
+#include "tools/ros2/pacer.hpp"
 #include "tools/ros2/ros_topic.hpp"
 
 namespace castaway::testbed {
@@ -16,17 +15,17 @@ namespace castaway::testbed {
 /// message is sent at its time, if there is a pace.
 class WireWriter final : public TopicWriter {
  public:
-  WireWriter(DdsParticipant& participant, const BridgeConfig& config);
+  /// `robot`: the topics of the robot are sent, too, and time.
+  WireWriter(DdsParticipant& participant, const BridgeOptions& options, bool robot);
 
   /// What subscribers ask for that is not offered, in one sentence each, since the last call.
   std::vector<std::string> refused();
 
- private:
-  using Clock = std::chrono::steady_clock;
-
   std::uint16_t add(const BagTopic& topic, const char* definition,
                     std::map<std::string, std::string> metadata) override;
   void write(std::uint16_t topic, Stamp delivered, const std::string& message) override;
+
+ private:
   void set_time(Stamp now);
 
   struct Topic {
@@ -34,10 +33,11 @@ class WireWriter final : public TopicWriter {
     DdsWriter writer;
   };
   DdsParticipant& participant_;
-  const BridgeConfig& config_;
+  std::string name_space_;
+  bool robot_;                                ///< True: its topics are sent.
   std::vector<std::optional<Topic>> topics_;  ///< By id; nothing: not sent.
   std::optional<Topic> clock_;
-  std::optional<std::pair<Stamp, Clock::time_point>> began_;
+  Pacer pacer_;
   Stamp now_{-1};
 };
 

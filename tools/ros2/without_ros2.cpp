@@ -17,4 +17,6 @@ NamedLocalizer build_ros2(const Ros2Config&, const Greeting&) { refuse(); }
 
 std::unique_ptr<RunSink> build_bridge(const RunInfo&, const RosMap&, BridgeConfig) { refuse(); }
 
+std::shared_ptr<TopicWriter> build_wire(const BridgeConfig&) { refuse(); }
+
 }  // namespace castaway::testbed

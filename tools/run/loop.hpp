@@ -70,6 +70,8 @@ class Loop {
   void begin();
   bool step(SensorSource& source);
   void finish(const SensorSource& source);
+  /// Ends what localizers started, without `finish`. Returns what they used, by name.
+  std::map<std::string, OutsideUse> finish_localizers();
   /// Adds an order, not before `now`, as if it had been configured.
   /// @throws std::invalid_argument if the run has no such localizer.
   void add(const LocalizerOrder& order);
@@ -90,7 +92,6 @@ class Loop {
   void tell_failures();
   void carry_out_orders(Stamp before);
   void carry_out(const LocalizerOrder& order);
-  std::map<std::string, OutsideUse> finish_localizers();
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
   void take(const RunEvent& event);

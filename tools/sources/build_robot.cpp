@@ -2,12 +2,14 @@
 
 #include <regex>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "tools/files/file.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/yaml/yaml_tree.hpp"
+#include "tools/sources/scan_truth.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -65,6 +67,14 @@ sim::RobotModel build_robot(const RobotSpec& spec, const std::filesystem::path& 
 RobotFacts robot_facts(const RobotSpec& spec, const std::filesystem::path& base,
                        const sim::RobotModel& robot) {
   return {robot.frames, sim::expand_robot(robot.path, robot_options(spec, base)).urdf};
+}
+
+void tell_robot(const RobotSpec& spec, const std::filesystem::path& base,
+                const sim::SimulationConfig& config, BridgeConfig& bridge) {
+  RobotFacts robot = robot_facts(spec, base, config.robot);
+  bridge.messages.links = std::move(robot.links);
+  bridge.messages.lidars = bag_lidars(lidars_of(config.lidars));
+  bridge.description = std::move(robot.description);
 }
 
 }  // namespace castaway::testbed

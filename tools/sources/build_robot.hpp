@@ -4,7 +4,9 @@
 #include <filesystem>
 
 #include "sim/robot/load_robot.hpp"
+#include "sim/simulation.hpp"
 #include "tools/foreign/protocol/message_text.hpp"
+#include "tools/ros2/bridge_config.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -19,5 +21,9 @@ sim::RobotModel build_robot(const RobotSpec& spec, const std::filesystem::path& 
 /// What nodes of ROS 2 are told about the robot that was built so.
 RobotFacts robot_facts(const RobotSpec& spec, const std::filesystem::path& base,
                        const sim::RobotModel& robot);
+
+/// Fills in what a bridge tells of the robot and its lidars.
+void tell_robot(const RobotSpec& spec, const std::filesystem::path& base,
+                const sim::SimulationConfig& config, BridgeConfig& bridge);
 
 }  // namespace castaway::testbed

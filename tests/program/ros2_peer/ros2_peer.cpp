@@ -108,6 +108,7 @@ int main(int argc, char** argv) {
   app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
   app.add_option("--drive", manners.drive, "plain or stamped");
   app.add_flag("--twice", manners.twice);
+  app.add_flag("--stay", manners.stays, "Goes on with the next simulator");
   app.add_flag("--garbage", manners.garbage);
   app.add_flag("!--no-transform", manners.with_transform);
   app.add_flag("!--unknown-start", manners.known_start);

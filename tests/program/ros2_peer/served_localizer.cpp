@@ -100,12 +100,21 @@ void ServedLocalizer::drive(const Header& header) {
   }
 }
 
+void ServedLocalizer::begin(const OccupancyGrid& map) {
+  localizer_ =
+      std::make_unique<localization::MhAmcl>(localization::MhAmclConfig{}, grid_of(map), seed_);
+  initial_pose_.reset();
+  is_started_ = false;
+  scans_.clear();
+  odometry_.clear();
+  newest_odometry_ns_ = newest_scan_ns_ = -1;
+  T_odom_base_ = localization::TransformBuffer();
+}
+
 void ServedLocalizer::take_map() {
   while (const auto map = take<OccupancyGrid>(*map_)) {
     ++received_.messages["map"];
-    if (localizer_) continue;
-    localizer_ =
-        std::make_unique<localization::MhAmcl>(localization::MhAmclConfig{}, grid_of(*map), seed_);
+    if (!localizer_ || manners_.stays) begin(*map);
   }
   while (const auto text = take<String>(*description_)) {
     ++received_.messages["robot_description"];
@@ -244,6 +253,7 @@ void ServedLocalizer::send(const localization::Estimate& estimate, const LaserSc
 
 bool ServedLocalizer::is_over() {
   dds::SubscriptionMatchedStatus status;
+  if (manners_.stays) return false;
   clock_->get_subscription_matched_status(status);
   had_simulator_ = had_simulator_ || status.current_count > 0;
   return had_simulator_ && status.current_count == 0;

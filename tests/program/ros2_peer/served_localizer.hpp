@@ -23,6 +23,7 @@ struct Manners {
   bool garbage = false;        ///< Sends malformed messages, too.
   std::string drive;           ///< "plain" or "stamped" commands to drive in a circle.
   bool with_transform = true;  ///< Answers on /tf.
+  bool stays = false;          ///< Waits for another simulator, and begins anew with its map.
 };
 
 /// What came over the wire so far.
@@ -45,6 +46,7 @@ class ServedLocalizer {
 
  private:
   void take_map();
+  void begin(const OccupancyGrid& map);
   void take_frames();
   bool take_sensors();
   bool ready_for(const LaserScan& scan) const;

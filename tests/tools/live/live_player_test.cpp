@@ -16,7 +16,7 @@
 
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
-#include "tools/live/wire.hpp"
+#include "tools/live/lines/wire.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/live/pipes.hpp"
+#include "tools/live/lines/pipes.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/live/pipes.hpp"
+#include "tools/live/lines/pipes.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/live/wire.hpp"
+#include "tools/live/lines/wire.hpp"
 
 #include <stdexcept>
 #include <vector>

@@ -19,7 +19,10 @@ struct Ros2Arguments {
   }
 };
 
-/// Adds --ros2 and what belongs to it.
+/// Adds --ros2 and where its topics are.
 void add_ros2_options(Command& command, Ros2Arguments& arguments);
+
+/// Adds --ros2-pace, for runs that nobody else sets the speed of.
+void add_ros2_pace(Command& command, Ros2Arguments& arguments);
 
 }  // namespace castaway::testbed

@@ -29,4 +29,12 @@ std::vector<LidarFacts> lidars_of(const std::vector<Frame>& frames) {
   return lidars;
 }
 
+std::vector<BagLidar> bag_lidars(const std::vector<LidarFacts>& lidars) {
+  std::vector<BagLidar> mounts;
+  for (const LidarFacts& lidar : lidars) {
+    mounts.push_back({lidar.name, lidar.frame, lidar.T_base_laser});
+  }
+  return mounts;
+}
+
 }  // namespace castaway::testbed

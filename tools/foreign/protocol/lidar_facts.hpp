@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/ros/bag_frames.hpp"
 #include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
@@ -22,6 +23,9 @@ struct LidarFacts {
 
 /// The facts of the lidar that took `scan`.
 LidarFacts lidar_facts(const LaserScan& scan);
+
+/// Their names, frames and mounts.
+std::vector<BagLidar> bag_lidars(const std::vector<LidarFacts>& lidars);
 
 /// True if `scan` is one of this lidar.
 bool fits(const LidarFacts& facts, const LaserScan& scan);

@@ -11,10 +11,10 @@
 #include <boost/beast.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tools/live/lines/wire.hpp"
 #include "tools/live/server/live_http.hpp"
 #include "tools/live/server/live_pages.hpp"
 #include "tools/live/server/live_token.hpp"
-#include "tools/live/wire.hpp"
 
 namespace castaway::testbed {
 namespace {

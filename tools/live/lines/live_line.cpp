@@ -1,4 +1,4 @@
-#include "tools/live/live_line.hpp"
+#include "tools/live/lines/live_line.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/live/wire.hpp"
+#include "tools/live/lines/wire.hpp"
 
 namespace castaway::testbed {
 

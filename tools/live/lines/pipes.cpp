@@ -1,4 +1,4 @@
-#include "tools/live/pipes.hpp"
+#include "tools/live/lines/pipes.hpp"
 
 #include <sys/types.h>
 #include <unistd.h>
