@@ -191,7 +191,7 @@ const Layers kToolsLayers = {
 const Layers kLocalizationLayers = {
     {"localization/geometry"},
     {"localization/map", "localization/motion"},
-    {"localization/sensor"},
+    {"localization/map3d", "localization/sensor"},
     {"localization/filter", "localization/matching"},
     {"localization/hypotheses"},
     {"localization/search"},

@@ -1,0 +1,55 @@
+/// Distances to the surfaces of a 3-D map, stored near them only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "localization/map3d/voxel_map.hpp"
+
+namespace castaway::localization {
+
+/// Truncated distances at the centres of voxels, in blocks of 8 x 8 x 8 bytes. Blocks without a
+/// surface within `max_distance` are not stored.
+class VoxelDistances {
+ public:
+  /// `max_distance` [m]: larger distances read as this. @throws std::invalid_argument for an
+  /// invalid map or distance, or a map whose blocks would be too many to be numbered.
+  VoxelDistances(const VoxelMap& map, double max_distance);
+
+  /// Distance from a point to the nearest surface, interpolated between voxel centres. [m]
+  /// Distances have no sign: nearer to a surface than half a voxel, it may read up to half a voxel.
+  [[nodiscard]] float at(const Eigen::Vector3f& p_map) const;
+  /// Distance from the centre of a voxel, rounded to 1/255 of `max_distance`. [m]
+  [[nodiscard]] float at_centre(const Eigen::Vector3i& voxel) const {
+    return scale_ * static_cast<float>(byte_at(voxel));
+  }
+
+  [[nodiscard]] double resolution() const { return resolution_; }
+  [[nodiscard]] double max_distance() const { return max_distance_; }
+  [[nodiscard]] std::size_t bytes() const {
+    return blocks_.size() * sizeof(Block) + table_.size() * sizeof(table_[0]);
+  }
+
+ private:
+  static constexpr int kEdge = 8;  // [voxels]
+  using Block = std::array<std::uint8_t, kEdge * kEdge * kEdge>;
+
+  void lay_out(const VoxelMap& map, int reach);
+  void spread(const VoxelMap& map, int reach);
+  void lower(const Eigen::Vector3i& voxel, std::uint8_t distance);
+  [[nodiscard]] std::size_t table_index(const Eigen::Vector3i& block) const;
+  [[nodiscard]] std::uint8_t byte_at(const Eigen::Vector3i& voxel) const;
+
+  double resolution_;
+  double max_distance_;
+  float scale_ = 0.0F;                               ///< [m] Of a unit.
+  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();  ///< Voxel at the corner of the first block.
+  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();   ///< [blocks]
+  std::vector<std::int32_t> table_;                  ///< Index into `blocks_`; -1: none.
+  std::vector<Block> blocks_;
+};
+
+}  // namespace castaway::localization
