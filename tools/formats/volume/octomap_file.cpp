@@ -1,0 +1,94 @@
+#include "tools/formats/volume/octomap_file.hpp"
+
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include <octomap/OcTree.h>
+
+#include "localization/map3d/voxel_builder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+using localization::VoxelBuilder;
+using localization::VoxelMap;
+
+constexpr int kFarthest = 1 << 15;             // [voxels] An OctoMap's keys have 16 bits.
+constexpr std::size_t kMostVoxels = 100'000'000;
+
+std::unique_ptr<octomap::OcTree> read_tree(std::string_view bytes, const std::string& name) {
+  std::istringstream stream{std::string(bytes)};
+  if (octomap_kind(bytes, name) == OctomapKind::kBinary) {
+    auto tree = std::make_unique<octomap::OcTree>(0.1);
+    if (tree->readBinary(stream)) return tree;
+  } else if (auto* any = octomap::AbstractOcTree::read(stream)) {
+    std::unique_ptr<octomap::AbstractOcTree> owner(any);
+    if (auto* tree = dynamic_cast<octomap::OcTree*>(any)) {
+      (void)owner.release();
+      return std::unique_ptr<octomap::OcTree>(tree);
+    }
+  }
+  throw std::runtime_error(name + ": liboctomap cannot read it");
+}
+
+/// Adds the centres of all voxels that a leaf covers; leaves above the finest level are pruned.
+void add_leaf(const octomap::OcTree::leaf_iterator& leaf, double resolution,
+              VoxelBuilder& builder) {
+  const double edge = leaf.getSize();
+  const auto across = static_cast<int>(std::lround(edge / resolution));
+  const Eigen::Vector3d low(leaf.getX() - 0.5 * edge, leaf.getY() - 0.5 * edge,
+                            leaf.getZ() - 0.5 * edge);
+  for (int z = 0; z < across; ++z) {
+    for (int y = 0; y < across; ++y) {
+      for (int x = 0; x < across; ++x) {
+        builder.add(low + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) * resolution);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string encode_octomap(const VoxelMap& map, OctomapKind kind) {
+  octomap::OcTree tree(map.resolution);
+  for (const localization::VoxelKey key : map.keys) {
+    const Eigen::Vector3i voxel = localization::voxel_index(key);
+    if ((voxel.array() < -kFarthest).any() || (voxel.array() >= kFarthest).any()) {
+      throw std::invalid_argument(
+          "the map reaches farther from its origin than OctoMap stores; use larger voxels");
+    }
+    const Eigen::Array3i biased = voxel.array() + kFarthest;
+    tree.setNodeValue(octomap::OcTreeKey(static_cast<octomap::key_type>(biased.x()),
+                                         static_cast<octomap::key_type>(biased.y()),
+                                         static_cast<octomap::key_type>(biased.z())),
+                      tree.getClampingThresMaxLog(), true);
+  }
+  tree.updateInnerOccupancy();
+  std::ostringstream stream;
+  const bool written = kind == OctomapKind::kBinary ? tree.writeBinary(stream) : tree.write(stream);
+  if (!written) throw std::runtime_error("liboctomap cannot write the map");
+  return std::move(stream).str();
+}
+
+VoxelMap decode_octomap(std::string_view bytes, const std::string& name) {
+  check_octomap(bytes, name);
+  const auto tree = read_tree(bytes, name);
+  const double resolution = tree->getResolution();
+  try {
+    VoxelBuilder builder(resolution);
+    std::size_t count = 0;
+    for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
+      if (!tree->isNodeOccupied(*leaf)) continue;
+      const double across = leaf.getSize() / resolution;
+      count += static_cast<std::size_t>(across * across * across);
+      if (count > kMostVoxels) throw std::invalid_argument("has more than 100 million voxels");
+      add_leaf(leaf, resolution, builder);
+    }
+    return builder.build();
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(name + ": " + error.what());
+  }
+}
+
+}  // namespace castaway::testbed
