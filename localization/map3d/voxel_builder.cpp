@@ -17,10 +17,10 @@ std::uint8_t to_offset(float mean) {
 
 VoxelBuilder::VoxelBuilder(double resolution)
     : resolution_(resolution), limit_(resolution * kMaxVoxelIndex) {
-  validate(VoxelMap{resolution, {}, {}});
+  validate(VoxelMap{resolution, {}, {}, {}});
 }
 
-void VoxelBuilder::add(const Eigen::Vector3d& p_map) {
+void VoxelBuilder::add(const Eigen::Vector3d& p_map, bool faces_up) {
   if (!(p_map.cwiseAbs().maxCoeff() < limit_)) {
     throw std::invalid_argument("a surface point is not finite, or too far from the origin");
   }
@@ -30,9 +30,10 @@ void VoxelBuilder::add(const Eigen::Vector3d& p_map) {
   if (sums_.size() > compacted_ && sums_.back().key == key) {  // Surfaces come piece by piece.
     sums_.back().points += within.cast<float>();
     sums_.back().count += 1.0F;
+    sums_.back().faces_up |= faces_up;
     return;
   }
-  sums_.push_back({key, within.cast<float>(), 1.0F});
+  sums_.push_back({key, within.cast<float>(), 1.0F, faces_up});
   if (sums_.size() - compacted_ >= std::max(kPending, compacted_)) compact();
 }
 
@@ -44,6 +45,7 @@ void VoxelBuilder::compact() {
     if (kept > 0 && sums_[kept - 1].key == sums_[i].key) {
       sums_[kept - 1].points += sums_[i].points;
       sums_[kept - 1].count += sums_[i].count;
+      sums_[kept - 1].faces_up |= sums_[i].faces_up;
     } else {
       sums_[kept++] = sums_[i];
     }
@@ -58,10 +60,12 @@ VoxelMap VoxelBuilder::build() {
   map.resolution = resolution_;
   map.keys.reserve(sums_.size());
   map.offsets.reserve(sums_.size());
+  map.faces_up.reserve(sums_.size());
   for (const Sum& sum : sums_) {
     const Eigen::Vector3f mean = sum.points / sum.count;
     map.keys.push_back(sum.key);
     map.offsets.push_back({to_offset(mean.x()), to_offset(mean.y()), to_offset(mean.z())});
+    map.faces_up.push_back(sum.faces_up ? 1 : 0);
   }
   sums_.clear();
   compacted_ = 0;

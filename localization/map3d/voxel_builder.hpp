@@ -11,9 +11,10 @@ class VoxelBuilder {
   /// @throws std::invalid_argument for an invalid resolution [m].
   explicit VoxelBuilder(double resolution);
 
-  /// Adds a point of a surface, in map. [m] @throws std::invalid_argument if it is not finite or
-  /// farther from the origin than voxels are numbered.
-  void add(const Eigen::Vector3d& p_map);
+  /// Adds a point of a surface, in map. [m] `faces_up`: it may be ground; true where surfaces have
+  /// no known sides. @throws std::invalid_argument if it is not finite or farther from the origin
+  /// than voxels are numbered.
+  void add(const Eigen::Vector3d& p_map, bool faces_up = true);
   /// The map of all points so far. The builder is empty afterwards.
   VoxelMap build();
 
@@ -23,6 +24,7 @@ class VoxelBuilder {
     VoxelKey key = 0;
     Eigen::Vector3f points = Eigen::Vector3f::Zero();
     float count = 0.0F;
+    bool faces_up = false;
   };
   void compact();
 

@@ -44,7 +44,7 @@ void validate(const VoxelMap& map) {
   if (!(map.resolution >= 0.001 && map.resolution <= 100.0)) {
     throw std::invalid_argument("a 3-D map's voxels must have edges of 1 mm to 100 m");
   }
-  if (map.keys.size() != map.offsets.size()) {
+  if (map.keys.size() != map.offsets.size() || map.keys.size() != map.faces_up.size()) {
     throw std::invalid_argument("a 3-D map must have a surface point for each voxel");
   }
   if (std::ranges::adjacent_find(map.keys, std::greater_equal<>()) != map.keys.end()) {

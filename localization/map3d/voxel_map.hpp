@@ -27,6 +27,8 @@ struct VoxelMap {
   /// Of the mean surface point from the voxel's lower corner, in 1/256 of its edge; as many as
   /// keys.
   std::vector<std::array<std::uint8_t, 3>> offsets;
+  /// 1: a surface in it may face up; 0: none does. As many as keys.
+  std::vector<std::uint8_t> faces_up;
 
   [[nodiscard]] std::size_t size() const { return keys.size(); }
   [[nodiscard]] bool contains(const Eigen::Vector3i& index) const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/casting/ray_normals.hpp"
+#include "sim/casting/ray_scene.hpp"
 #include "sim/world/world_visuals.hpp"
 
 namespace castaway::sim {
@@ -21,17 +23,65 @@ void put_longest_first(std::array<Eigen::Vector3d, 3>& corners) {
   std::rotate(corners.begin(), corners.begin() + longest, corners.end());
 }
 
-void sample_object(const WorldObject& object, double spacing, const PointVisitor& visit) {
+/// The objects of a world's map, as solids that hide what is in them.
+class Solids {
+ public:
+  explicit Solids(const WorldSpec& world) : scene_(ray_primitives(on_map(world))) {}
+
+  /// True if nothing can see a surface: it is in a solid or faces into the floor, or the first
+  /// surface above it shows its back. `normal`: of the surface, away from its object.
+  [[nodiscard]] bool hide(const Eigen::Vector3d& p_map, const Eigen::Vector3d& normal) const {
+    constexpr double kOff = 1e-4;  // [m]
+    constexpr double kSky = 1e4;   // [m]
+    const Ray up{p_map + kOff * normal, Eigen::Vector3d::UnitZ()};
+    if (up.origin.z() < 0.0) return true;
+    const auto hit = scene_.cast(up, kSky);
+    if (!hit) return false;
+    if (hit->distance == 0.0) return true;
+    const RayPrimitive& primitive = scene_.primitives()[hit->primitive];
+    if (!std::holds_alternative<RayTriangle>(primitive.shape)) return false;
+    return normal_at(primitive, up.origin + hit->distance * up.direction).z() > 0.0;
+  }
+
+ private:
+  static WorldSpec on_map(WorldSpec world) {
+    std::erase_if(world.objects, [](const WorldObject& object) { return !object.in_map; });
+    for (WorldObject& object : world.objects) object.in_world = true;
+    return world;
+  }
+
+  RayScene scene_;
+};
+
+void sample_object(const WorldObject& object, const Solids& solids, double spacing,
+                   const SurfaceVisitor& visit) {
   constexpr double kUnderFloor = -1e-6;  // [m]
   const TriangleMesh mesh = shape_mesh(object.shape);
   const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
     return object.T_map_object * mesh.vertices[mesh.indices[i]].cast<double>();
   };
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    sample_triangle({corner(i), corner(i + 1), corner(i + 2)}, spacing,
-                    [&](const Eigen::Vector3d& p) {
-                      if (p.z() > kUnderFloor) visit(p);
-                    });
+    const std::array<Eigen::Vector3d, 3> corners{corner(i), corner(i + 1), corner(i + 2)};
+    const Eigen::Vector3d normal =
+        (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    sample_triangle(corners, spacing, [&](const Eigen::Vector3d& p) {
+      if (p.z() > kUnderFloor && !solids.hide(p, normal)) visit(p, normal);
+    });
+  }
+}
+
+void sample_floor(const WorldSpec& world, const Solids& solids, double spacing,
+                  const SurfaceVisitor& visit) {
+  const Eigen::Vector2d size = world.max_corner - world.min_corner;
+  const int rows = pieces(size.y(), spacing);
+  const int columns = pieces(size.x(), spacing);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Eigen::Vector2d share((column + 0.5) / columns, (row + 0.5) / rows);
+      const Eigen::Vector2d p = world.min_corner + share.cwiseProduct(size);
+      const Eigen::Vector3d p_map(p.x(), p.y(), 0.0);
+      if (!solids.hide(p_map, Eigen::Vector3d::UnitZ())) visit(p_map, Eigen::Vector3d::UnitZ());
+    }
   }
 }
 
@@ -56,20 +106,14 @@ void sample_triangle(std::array<Eigen::Vector3d, 3> corners, double spacing,
   }
 }
 
-void sample_surfaces(const WorldSpec& world, double spacing, const PointVisitor& visit) {
-  const Eigen::Vector2d size = world.max_corner - world.min_corner;
-  if (!(size.minCoeff() > 0.0)) throw std::invalid_argument("the world has no extent");
-  const int rows = pieces(size.y(), spacing);
-  const int columns = pieces(size.x(), spacing);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Eigen::Vector2d share((column + 0.5) / columns, (row + 0.5) / rows);
-      const Eigen::Vector2d p = world.min_corner + share.cwiseProduct(size);
-      visit({p.x(), p.y(), 0.0});
-    }
+void sample_surfaces(const WorldSpec& world, double spacing, const SurfaceVisitor& visit) {
+  if (!((world.max_corner - world.min_corner).minCoeff() > 0.0)) {
+    throw std::invalid_argument("the world has no extent");
   }
+  const Solids solids(world);
+  sample_floor(world, solids, spacing, visit);
   for (const WorldObject& object : world.objects) {
-    if (object.in_map) sample_object(object, spacing, visit);
+    if (object.in_map) sample_object(object, solids, spacing, visit);
   }
 }
 

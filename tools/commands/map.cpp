@@ -1,4 +1,4 @@
-// castaway map: writes the ROS map of a world.
+// castaway map: writes the ROS map or the 3-D map of a world, and converts 3-D maps.
 #include <memory>
 
 #include <fmt/format.h>
@@ -8,6 +8,8 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/formats/images/gray_image.hpp"
+#include "tools/map3d/level_picture.hpp"
+#include "tools/map3d/map3d_files.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/sources/build_robot.hpp"
@@ -22,27 +24,80 @@ struct MapArguments {
   std::string world;
   std::string robot = "waffle";
   std::optional<double> height;
-  double resolution = 0.05;
+  std::optional<double> resolution;
   std::string out;
+  std::string picture;
+  std::optional<double> clearance;
+  std::optional<double> max_slope;
   std::vector<std::string> search_paths;
   bool strict = false;
 };
 
+LoadedWorld load_world(const MapArguments& arguments, double height) {
+  SurveyOptions options;
+  options.lidar_height = height;
+  options.strict = arguments.strict;
+  LoadedWorld loaded = build_world({arguments.world, arguments.search_paths}, ".", options);
+  for (const std::string& warning : loaded.warnings) {
+    fmt::print(stderr, "castaway: warning: {}\n", warning);
+  }
+  return loaded;
+}
+
+Map3d map3d_of(const MapArguments& arguments) {
+  Map3dOptions options;
+  options.resolution = arguments.resolution.value_or(options.resolution);
+  options.ground.clearance = arguments.clearance.value_or(options.ground.clearance);
+  options.ground.max_slope = arguments.max_slope.value_or(options.ground.max_slope);
+  if (is_map3d_source(arguments.world)) {
+    if (arguments.resolution && is_map3d_target(arguments.world)) {
+      throw std::invalid_argument("--resolution is of worlds and clouds: " + arguments.world +
+                                  " keeps its voxels");
+    }
+    Map3d map = read_map3d_file(arguments.world, options);
+    if (!arguments.clearance && !arguments.max_slope) return map;
+    return survey_map3d(std::move(map.voxels), options);
+  }
+  const LoadedWorld world = load_world(arguments, SurveyOptions{}.lidar_height);
+  const Eigen::Vector2d start = world.file.start.position();
+  options.start = Eigen::Vector3d(start.x(), start.y(), 0.0);
+  return survey_map3d(world.file.spec, options);
+}
+
+int make_map3d(const MapArguments& arguments) {
+  const std::filesystem::path out = arguments.out;
+  require_own_file(out);
+  if (!arguments.picture.empty()) require_own_file(arguments.picture);
+  const Map3d map = map3d_of(arguments);
+  write_own_file(out, encode_map3d_file(map, out));
+  fmt::print("{}: {} voxels of {} m\n", out.string(), map.voxels.size(), map.voxels.resolution);
+  for (std::size_t level = 0; level < map.ground.levels.size(); ++level) {
+    fmt::print("level {} at {:.2f} m: {:.0f} m2 drivable\n", level, map.ground.levels[level],
+               drivable_area(map.ground, level));
+  }
+  if (arguments.picture.empty()) return kDone;
+  write_own_file(arguments.picture, sim::encode_png(level_picture(map.ground)));
+  fmt::print("{}\n", arguments.picture);
+  return kDone;
+}
+
 int make_map(const MapArguments& arguments) {
+  if (is_map3d_target(arguments.out)) return make_map3d(arguments);
+  if (is_map3d_source(arguments.world)) {
+    throw std::invalid_argument(
+        "a 3-D map becomes a 3-D map: give --out a name that ends in .map3d, .bt or .ot");
+  }
+  if (!arguments.picture.empty()) {
+    throw std::invalid_argument("--picture is of 3-D maps: end --out in .map3d, .bt or .ot");
+  }
   const double height = arguments.height
                             ? *arguments.height
                             : sim::lidar_of(build_robot({arguments.robot, {}, {}, {}}, "."))
                                   .T_base_laser.translation()
                                   .z();
-  SurveyOptions options;
-  options.lidar_height = height;
-  options.strict = arguments.strict;
-  const LoadedWorld loaded = build_world({arguments.world, arguments.search_paths}, ".", options);
-  for (const std::string& warning : loaded.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
-  }
+  const LoadedWorld loaded = load_world(arguments, height);
   const WorldFile& world = loaded.file;
-  const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution);
+  const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution.value_or(0.05));
   const std::filesystem::path out =
       arguments.out.empty() ? std::filesystem::path(file_name_of(world.spec.name) + ".yaml")
                             : std::filesystem::path(arguments.out);
@@ -61,22 +116,40 @@ int make_map(const MapArguments& arguments) {
 
 void add_map_command(Command& app) {
   auto a = std::make_shared<MapArguments>();
-  Command command = app.add_command("map", "Survey a world into a ROS map (.yaml and .pgm)");
-  command.add_option("world", a->world, "A world's name or path").required();
+  Command command =
+      app.add_command("map", "Survey a world into a ROS map (.yaml and .pgm), or a 3-D map");
+  command
+      .add_option("world", a->world,
+                  "A world's name or path, or a 3-D map or cloud: .map3d, .bt, .ot, .pcd, .ply")
+      .required();
   command.add_option("--robot", a->robot, "Robot whose lidar height is used").show_default();
   command.add_option("--height", a->height, "Height of the survey [m], instead of a robot's lidar")
       .range(-1000.0, 1000.0);
-  command.add_option("--resolution", a->resolution, "Edge of a cell [m]")
-      .show_default()
+  command
+      .add_option("--resolution", a->resolution,
+                  "Edge of a cell [m] (default: 0.05), or of a voxel (default: 0.1)")
       .range(0.005, 1.0);
-  command.add_option("--out", a->out,
-                     "YAML file to write (default: <world>.yaml); the picture goes beside it");
+  command
+      .add_option("--clearance", a->clearance,
+                  "3-D: least free height above the ground [m] (default: 1)")
+      .range(0.05, 100.0);
+  command
+      .add_option("--max-slope", a->max_slope,
+                  "3-D: steepest drivable slope, rise per metre (default: 0.35)")
+      .range(0.001, 1.7);
+  command.add_option("--picture", a->picture, "3-D: PNG file with the levels side by side");
+  command.add_option(
+      "--out", a->out,
+      "File to write: .yaml (default: <world>.yaml; the picture goes beside it), or a 3-D "
+      "map: .map3d, OctoMap's .bt or .ot");
   command
       .add_option("--search-path", a->search_paths,
                   "Folder in which models of an SDF world are searched")
       .repeatable();
   command.add_flag("--strict", a->strict, "Reject an SDF world if a part of it cannot be read");
-  command.footer("Example:\n  castaway map lab --out worlds/lab/map.yaml");
+  command.footer(
+      "Examples:\n  castaway map lab --out worlds/lab/map.yaml\n"
+      "  castaway map car-park --out car-park.bt --picture levels.png");
   command.action([a] { return make_map(*a); });
 }
 

@@ -30,6 +30,14 @@ TEST(VoxelBuilderTest, ManyPointsTakeTheMemoryOfTheirVoxels) {
   EXPECT_NEAR(map.point(1).z(), 0.05, 0.001);
 }
 
+TEST(VoxelBuilderTest, AVoxelFacesUpIfAnyOfItsPointsDoes) {
+  VoxelBuilder builder(0.1);
+  builder.add({0.02, 0.0, 0.0}, false);
+  builder.add({5.0, 0.0, 0.0}, false);
+  builder.add({0.03, 0.0, 0.0}, true);
+  EXPECT_EQ(builder.build().faces_up, (std::vector<std::uint8_t>{1, 0}));
+}
+
 TEST(VoxelBuilderTest, IsEmptyAfterwards) {
   VoxelBuilder builder(0.1);
   builder.add({1.0, 1.0, 1.0});

@@ -82,7 +82,7 @@ TEST(VoxelDistancesTest, FarAwayTheyReadTheLargestDistance) {
   EXPECT_FLOAT_EQ(distances.at({1e30F, -1e30F, 0.0F}), far);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(distances.at({nan, 0.0F, 0.0F}) < far);
-  EXPECT_FLOAT_EQ(VoxelDistances(VoxelMap{kVoxel, {}, {}}, kMax).at({0.0F, 0.0F, 0.0F}), far);
+  EXPECT_FLOAT_EQ(VoxelDistances(VoxelMap{kVoxel, {}, {}, {}}, kMax).at({0.0F, 0.0F, 0.0F}), far);
 }
 
 TEST(VoxelDistancesTest, TakeMemoryNearSurfacesOnly) {

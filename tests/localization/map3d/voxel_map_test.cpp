@@ -26,7 +26,7 @@ TEST(VoxelOf, IsTheVoxelThatBeginsBelowThePoint) {
 }
 
 VoxelMap two_voxels() {
-  return {0.5, {voxel_key({-1, 0, 0}), voxel_key({2, 0, 0})}, {{0, 0, 0}, {128, 64, 255}}};
+  return {0.5, {voxel_key({-1, 0, 0}), voxel_key({2, 0, 0})}, {{0, 0, 0}, {128, 64, 255}}, {1, 1}};
 }
 
 TEST(VoxelMapTest, FindsWhatIsOccupied) {

@@ -38,18 +38,17 @@ TEST(SampleTriangle, LeavesNoGapLargerThanTheSpacing) {
 }
 
 TEST(SampleTriangle, ALongNarrowTriangleTakesFewPoints) {
-  const auto samples = samples_of({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0.01, 0),
-                                   Eigen::Vector3d(50, 0, 0)},
-                                  0.05);
-  EXPECT_EQ(samples.size(), 500U);  // One row, half as long as the edge.
+  const auto samples = samples_of(
+      {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0.01, 0), Eigen::Vector3d(50, 0, 0)}, 0.05);
+  EXPECT_NEAR(static_cast<double>(samples.size()), 500.0, 1.0);  // One row, half of the edge.
   for (const Eigen::Vector3d& p : samples) EXPECT_NEAR(p.y(), 0.0025, 0.003);
 }
 
 TEST(SampleTriangle, WithoutAreaThereIsNone) {
-  EXPECT_TRUE(samples_of({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1),
-                          Eigen::Vector3d(2, 2, 2)},
-                         0.1)
-                  .empty());
+  EXPECT_TRUE(
+      samples_of({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(2, 2, 2)},
+                 0.1)
+          .empty());
 }
 
 WorldSpec box_world() {
@@ -65,23 +64,50 @@ WorldSpec box_world() {
 
 TEST(SampleSurfaces, CoversTheFloorAndTheObjectsAboveIt) {
   std::vector<Eigen::Vector3d> points;
-  sample_surfaces(box_world(), 0.1, [&](const Eigen::Vector3d& p) { points.push_back(p); });
+  sample_surfaces(box_world(), 0.1,
+                  [&](const Eigen::Vector3d& p, const Eigen::Vector3d&) { points.push_back(p); });
   const auto on_floor = std::ranges::count_if(points, [](const auto& p) { return p.z() == 0.0; });
-  EXPECT_EQ(on_floor, 40 * 20);
+  EXPECT_EQ(on_floor, 40 * 20 - 10 * 10);  // Not under the box.
   EXPECT_LT(to_nearest(points, {1.5, 0.2, 0.4}), 0.1);
   EXPECT_LT(to_nearest(points, {0.8, 0.2, 0.8}), 0.1);
   EXPECT_GT(to_nearest(points, {1.0, 0.0, 0.4}), 0.35);  // Inside.
   for (const Eigen::Vector3d& p : points) EXPECT_GE(p.z(), -1e-6);
 }
 
+TEST(SampleSurfaces, NormalsPointAwayFromTheObject) {
+  sample_surfaces(box_world(), 0.1, [](const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
+    const Eigen::Vector3d centre(1.0, 0.0, p.z() == 0.0 ? -1.0 : 0.3);
+    EXPECT_GT(normal.dot(p - centre), 0.0);
+  });
+}
+
+/// Number of points at the floor, with an object over a part of it.
+std::ptrdiff_t floor_under(const ObjectShape& shape, double z) {
+  WorldSpec world = box_world();
+  world.objects[0].shape = shape;
+  world.objects[0].T_map_object.translation().z() = z;
+  std::ptrdiff_t count = 0;
+  sample_surfaces(world, 0.1, [&](const Eigen::Vector3d& p, const Eigen::Vector3d&) {
+    count += p.z() == 0.0 ? 1 : 0;
+  });
+  return count;
+}
+
+TEST(SampleSurfaces, TheFloorIsHiddenUnderARampAndNotUnderASlab) {
+  EXPECT_EQ(floor_under(RampShape{{1.0, 1.0, 0.5}}, 0.25), 700);
+  EXPECT_EQ(floor_under(BoxShape{{1.0, 1.0, 0.2}}, 2.0), 800);
+}
+
 TEST(SampleSurfaces, WhatIsNotOnTheMapHasNone) {
   WorldSpec world = box_world();
   world.objects[0].in_map = false;
   std::size_t count = 0;
-  sample_surfaces(world, 0.1, [&](const Eigen::Vector3d&) { ++count; });
+  sample_surfaces(world, 0.1, [&](const Eigen::Vector3d&, const Eigen::Vector3d&) { ++count; });
   EXPECT_EQ(count, 800U);
   world.max_corner = world.min_corner;
-  EXPECT_THROW(sample_surfaces(world, 0.1, [](const Eigen::Vector3d&) {}), std::invalid_argument);
+  EXPECT_THROW(sample_surfaces(world, 0.1, [](const Eigen::Vector3d&, const Eigen::Vector3d&) {}),
+               std::invalid_argument);
 }
 
 }  // namespace

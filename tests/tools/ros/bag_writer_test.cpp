@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
+#include "tools/ros/bag_channels.hpp"
 #include "tools/ros/mcap/mcap_reader.hpp"
 
 namespace castaway::testbed {

@@ -1,6 +1,8 @@
 #include "tools/formats/volume/octomap_check.hpp"
 
+#include <charconv>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,8 +15,25 @@ constexpr std::string_view kFullHead = "# Octomap OcTree file";
 constexpr std::string_view kData = "\ndata\n";
 constexpr int kDepth = 16;
 
-[[noreturn]] void fail(const std::string& name, const std::string& what) {
+[[noreturn]] void refuse_octomap(const std::string& name, const std::string& what) {
   throw std::runtime_error(name + ": " + what);
+}
+
+/// The word after a key at the beginning of a line; empty if there is none.
+std::string_view value_of(std::string_view lines, const std::string& key) {
+  const std::size_t at = lines.find("\n" + key + " ");
+  if (at == std::string_view::npos) return {};
+  const std::string_view value = lines.substr(at + key.size() + 2);
+  return value.substr(0, value.find_first_of(" \r\n"));
+}
+
+template <typename Number>
+std::optional<Number> number_of(std::string_view lines, const std::string& key) {
+  const std::string_view text = value_of(lines, key);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 /// Children of a node in a binary file: two bits each, 3: the child has children of its own.
@@ -40,15 +59,15 @@ void check_nodes(std::string_view nodes, OctomapKind kind, const std::string& na
       continue;
     }
     --open.back();
-    if (nodes.size() - at < size) fail(name, "the tree is cut off; copy the file again");
+    if (nodes.size() - at < size) refuse_octomap(name, "the tree is cut off; copy the file again");
     const auto last = static_cast<std::uint8_t>(nodes[at + size - 1]);
     const int below = kind == OctomapKind::kBinary
                           ? inner_children(static_cast<std::uint8_t>(nodes[at]), last)
                           : children(last);
     at += size;
     open.push_back(below);
-    if (std::cmp_greater(open.size(), kDepth + 1)) {
-      fail(name, "the tree is deeper than 16 levels; the file is damaged");
+    if (below > 0 && std::cmp_greater(open.size(), kDepth + 1)) {
+      refuse_octomap(name, "the tree is deeper than 16 levels; the file is damaged");
     }
   }
 }
@@ -58,21 +77,28 @@ void check_nodes(std::string_view nodes, OctomapKind kind, const std::string& na
 OctomapKind octomap_kind(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with(kBinaryHead)) return OctomapKind::kBinary;
   if (bytes.starts_with(kFullHead)) return OctomapKind::kFull;
-  fail(name, "is no OctoMap file: it does not begin with '# Octomap OcTree'");
+  refuse_octomap(name, "is no OctoMap file: it does not begin with '# Octomap OcTree'");
 }
 
-void check_octomap(std::string_view bytes, const std::string& name) {
-  const OctomapKind kind = octomap_kind(bytes, name);
+OctomapHead check_octomap(std::string_view bytes, const std::string& name) {
+  OctomapHead head;
+  head.kind = octomap_kind(bytes, name);
   const std::size_t data = bytes.substr(0, 4096).find(kData);
-  if (data == std::string_view::npos) fail(name, "has no line 'data' in its first 4 kB");
-  const std::string_view head = bytes.substr(0, data + 1);
-  const std::size_t id = head.find("\nid ");
-  if (id == std::string_view::npos || !head.substr(id + 4).starts_with("OcTree\n")) {
-    fail(name, "holds no tree of occupancies; convert it to one (id OcTree)");
+  if (data == std::string_view::npos) refuse_octomap(name, "has no line 'data' in its first 4 kB");
+  const std::string_view lines = bytes.substr(0, data + 1);
+  if (value_of(lines, "id") != "OcTree") {
+    refuse_octomap(name, "holds no tree of occupancies; convert it to one (id OcTree)");
   }
-  const std::size_t size = head.find("\nsize ");
-  if (size != std::string_view::npos && head.substr(size + 6).starts_with("0\n")) return;
-  check_nodes(bytes.substr(data + kData.size()), kind, name);
+  head.resolution = number_of<double>(lines, "res").value_or(0.0);
+  if (!(head.resolution >= 0.001 && head.resolution <= 100.0)) {
+    refuse_octomap(name, "its line 'res' states no edge of 1 mm to 100 m");
+  }
+  const auto nodes = number_of<std::size_t>(lines, "size");
+  if (!nodes) refuse_octomap(name, "its line 'size' states no number of nodes");
+  head.nodes = *nodes;
+  head.data = data + kData.size();
+  if (head.nodes > 0) check_nodes(bytes.substr(head.data), head.kind, name);
+  return head;
 }
 
 }  // namespace castaway::testbed

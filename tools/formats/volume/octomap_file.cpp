@@ -1,9 +1,10 @@
 #include "tools/formats/volume/octomap_file.hpp"
 
-#include <memory>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <octomap/OcTree.h>
 
 #include "localization/map3d/voxel_builder.hpp"
@@ -14,22 +15,28 @@ namespace {
 using localization::VoxelBuilder;
 using localization::VoxelMap;
 
-constexpr int kFarthest = 1 << 15;             // [voxels] An OctoMap's keys have 16 bits.
-constexpr std::size_t kMostVoxels = 100'000'000;
+constexpr int kFarthest = 1 << 15;  // [voxels] An OctoMap's keys have 16 bits.
+constexpr std::size_t kMostVoxels = 30'000'000;
 
-std::unique_ptr<octomap::OcTree> read_tree(std::string_view bytes, const std::string& name) {
-  std::istringstream stream{std::string(bytes)};
-  if (octomap_kind(bytes, name) == OctomapKind::kBinary) {
-    auto tree = std::make_unique<octomap::OcTree>(0.1);
-    if (tree->readBinary(stream)) return tree;
-  } else if (auto* any = octomap::AbstractOcTree::read(stream)) {
-    std::unique_ptr<octomap::AbstractOcTree> owner(any);
-    if (auto* tree = dynamic_cast<octomap::OcTree*>(any)) {
-      (void)owner.release();
-      return std::unique_ptr<octomap::OcTree>(tree);
-    }
+/// liboctomap prints when it reads or writes whole files, so that heads are read and written here.
+std::string head_text(const octomap::OcTree& tree, OctomapKind kind) {
+  return fmt::format(
+      "# Octomap OcTree {}file\n# (feel free to add / change comments, but leave the first line as "
+      "it is!)\n#\nid OcTree\nsize {}\nres {}\ndata\n",
+      kind == OctomapKind::kBinary ? "binary " : "", tree.size(), tree.getResolution());
+}
+
+/// Reads the nodes of a tree that was checked.
+void read_nodes(std::string_view bytes, const OctomapHead& head, const std::string& name,
+                octomap::OcTree& tree) {
+  if (head.nodes == 0) return;
+  std::istringstream stream{std::string(bytes.substr(head.data))};
+  if (head.kind == OctomapKind::kBinary) {
+    tree.readBinaryData(stream);
+  } else {
+    tree.readData(stream);
   }
-  throw std::runtime_error(name + ": liboctomap cannot read it");
+  if (!stream) throw std::runtime_error(name + ": liboctomap cannot read its tree");
 }
 
 /// Adds the centres of all voxels that a leaf covers; leaves above the finest level are pruned.
@@ -65,24 +72,31 @@ std::string encode_octomap(const VoxelMap& map, OctomapKind kind) {
                       tree.getClampingThresMaxLog(), true);
   }
   tree.updateInnerOccupancy();
+  if (kind == OctomapKind::kBinary) tree.prune();
   std::ostringstream stream;
-  const bool written = kind == OctomapKind::kBinary ? tree.writeBinary(stream) : tree.write(stream);
-  if (!written) throw std::runtime_error("liboctomap cannot write the map");
+  stream << head_text(tree, kind);
+  if (tree.size() == 0) return std::move(stream).str();
+  if (kind == OctomapKind::kBinary) {
+    tree.writeBinaryData(stream);
+  } else {
+    tree.writeData(stream);
+  }
   return std::move(stream).str();
 }
 
 VoxelMap decode_octomap(std::string_view bytes, const std::string& name) {
-  check_octomap(bytes, name);
-  const auto tree = read_tree(bytes, name);
-  const double resolution = tree->getResolution();
+  const OctomapHead head = check_octomap(bytes, name);
+  const double resolution = head.resolution;
+  octomap::OcTree tree(resolution);
+  read_nodes(bytes, head, name, tree);
   try {
     VoxelBuilder builder(resolution);
     std::size_t count = 0;
-    for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
-      if (!tree->isNodeOccupied(*leaf)) continue;
+    for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+      if (!tree.isNodeOccupied(*leaf)) continue;
       const double across = leaf.getSize() / resolution;
       count += static_cast<std::size_t>(across * across * across);
-      if (count > kMostVoxels) throw std::invalid_argument("has more than 100 million voxels");
+      if (count > kMostVoxels) throw std::invalid_argument("has more than 30 million voxels");
       add_leaf(leaf, resolution, builder);
     }
     return builder.build();

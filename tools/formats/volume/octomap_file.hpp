@@ -17,8 +17,8 @@ namespace castaway::testbed {
 /// map that reaches farther than 32768 voxels from the origin.
 std::string encode_octomap(const localization::VoxelMap& map, OctomapKind kind);
 
-/// The occupied voxels of a file of either kind, with their centres as surface points. `name` is used
-/// in errors. Throws std::runtime_error of one line for what is no such file.
+/// The occupied voxels of a file of either kind, with their centres as surface points. `name` is
+/// used in errors. Throws std::runtime_error of one line for what is no such file.
 localization::VoxelMap decode_octomap(std::string_view bytes, const std::string& name);
 
 }  // namespace castaway::testbed

@@ -1,0 +1,73 @@
+// 3-D maps, held against octomap's own tools.
+#include <gtest/gtest.h>
+
+#include "tests/program/program.hpp"
+
+namespace castaway::test {
+namespace {
+
+/// A deck over a floor, and a ramp that leads to it.
+fs::path put_world(const fs::path& folder) {
+  std::ofstream(folder / "deck.yaml") << "name: deck\nextent: {min: [-10, 0], max: [12, 8]}\n"
+                                         "start: [0, 5, 0]\nobjects:\n"
+                                         "  - box: {at: [9, 4], size: [6, 8, 0.2], bottom: 2.8}\n"
+                                         "  - ramp: {at: [-1.5, 1], size: [15, 2, 3]}\n";
+  return folder / "deck.yaml";
+}
+
+TEST(Map3d, SaysWhatItFound) {
+  const fs::path folder = fresh_folder();
+  put_world(folder);
+  const Outcome outcome = castaway(folder, "map deck.yaml --out deck.map3d --picture levels.png");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(outcome.out, "voxels of 0.1 m\nlevel 0 at 0.00 m: ");
+  expect_contains(outcome.out, "level 1 at 3.00 m: ");
+  expect_contains(text_of(folder / "levels.png"), "PNG");
+  const std::string first = text_of(folder / "deck.map3d");
+  EXPECT_EQ(castaway(folder, "map deck.map3d --out again.map3d").exit_code, 0);
+  EXPECT_EQ(text_of(folder / "again.map3d"), first);
+}
+
+TEST(Map3d, OctomapsToolsReadItsFilesAndItReadsTheirs) {
+  if (std::system("which convert_octree >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "octomap-tools are not installed";
+  }
+  const fs::path folder = fresh_folder();
+  put_world(folder);
+  const Outcome made = castaway(folder, "map deck.yaml --out deck.bt");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.err, "");
+  const auto voxels_of = [](const std::string& out) {
+    const std::size_t from = out.find(": ");
+    return out.substr(from, out.find('\n') - from);
+  };
+  const std::string in_folder = "cd '" + folder.string() + "' && ";
+  // Their .ot of our .bt, and their .bt of our .ot.
+  ASSERT_EQ(std::system((in_folder + "convert_octree deck.bt theirs.ot >log 2>&1").c_str()), 0);
+  ASSERT_EQ(castaway(folder, "map deck.bt --out ours.ot").exit_code, 0);
+  ASSERT_EQ(std::system((in_folder + "convert_octree ours.ot theirs.bt >>log 2>&1").c_str()), 0);
+  for (const std::string name : {"theirs.ot", "theirs.bt"}) {
+    const Outcome read = castaway(folder, "map " + name + " --out from-" + name + ".map3d");
+    EXPECT_EQ(read.exit_code, 0) << read.err;
+    EXPECT_EQ(voxels_of(read.out), voxels_of(made.out)) << name;
+  }
+  EXPECT_EQ(text_of(folder / "theirs.bt"), text_of(folder / "deck.bt"));
+}
+
+TEST(Map3d, BadInputIsNamed) {
+  const fs::path folder = fresh_folder();
+  put_world(folder);
+  std::ofstream(folder / "broken.bt") << "# Octomap OcTree binary file\n";
+  expect_refused(castaway(folder, "map broken.bt --out x.map3d"), {"broken.bt", "data"});
+  expect_refused(castaway(folder, "map missing.ply --out x.map3d"), {"missing.ply"});
+  expect_refused(castaway(folder, "map deck.yaml --picture x.png"), {"--picture", ".map3d"});
+  expect_refused(castaway(folder, "map broken.bt --out x.yaml"), {"--out", ".map3d"});
+  ASSERT_EQ(castaway(folder, "map deck.yaml --out deck.bt").exit_code, 0);
+  expect_refused(castaway(folder, "map deck.bt --resolution 0.2 --out y.bt"), {"--resolution"});
+  std::ofstream(folder / "theirs.map3d") << "mine";
+  expect_refused(castaway(folder, "map deck.yaml --out theirs.map3d"), {"theirs.map3d"});
+  EXPECT_EQ(text_of(folder / "theirs.map3d"), "mine");
+}
+
+}  // namespace
+}  // namespace castaway::test

@@ -1,0 +1,86 @@
+#include "tools/formats/volume/map3d_file.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "localization/map3d/voxel_builder.hpp"
+#include "tools/formats/volume/packed_bytes.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+Map3d small_map() {
+  localization::VoxelBuilder builder(0.1);
+  for (int i = 0; i < 40; ++i) builder.add({0.07 * i, -0.05 * i, 0.01 * i}, i % 3 == 0);
+  Map3d map;
+  map.voxels = builder.build();
+  map.ground.frame = {2, 2, 0.1, {-1.0, 0.5, 0.25}};
+  map.ground.first = {0, 2, 2, 3, 3};
+  map.ground.surfaces = {{0.5F, 0.01F, -0.02F, 2.5F, 0, true},
+                         {3.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity(), 1, false},
+                         {0.75F, 0.1F, 0.0F, 1.5F, 0, true}};
+  map.ground.levels = {0.5F, 3.0F};
+  return map;
+}
+
+TEST(Map3dFile, GivesTheMapBack) {
+  const Map3d map = small_map();
+  const std::string bytes = encode_map3d(map);
+  EXPECT_TRUE(bytes.starts_with(kMap3dHead));
+  const Map3d read = decode_map3d(bytes, "x");
+  EXPECT_EQ(read.voxels.resolution, map.voxels.resolution);
+  EXPECT_EQ(read.voxels.keys, map.voxels.keys);
+  EXPECT_EQ(read.voxels.offsets, map.voxels.offsets);
+  EXPECT_EQ(read.voxels.faces_up, map.voxels.faces_up);
+  EXPECT_EQ(read.ground.frame.T_map_grid, map.ground.frame.T_map_grid);
+  EXPECT_EQ(read.ground.first, map.ground.first);
+  EXPECT_EQ(read.ground.levels, map.ground.levels);
+  EXPECT_EQ(read.ground.surfaces[1].clearance, map.ground.surfaces[1].clearance);
+  EXPECT_EQ(encode_map3d(read), bytes);
+}
+
+std::string map3d_refusal(const std::string& bytes) {
+  try {
+    (void)decode_map3d(bytes, "a.map3d");
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(Map3dFile, WhatIsNoneIsNamed) {
+  EXPECT_EQ(map3d_refusal("castaway"),
+            "a.map3d: is no 3-D map of this castaway: it does not begin with 'castaway-map3d 1'");
+  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + "no frame"),
+            "a.map3d: holds no zstd frame; it is damaged");
+  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + pack_bytes("")),
+            "a.map3d: is cut off; make or copy it again");
+}
+
+TEST(Map3dFile, DamageIsNamedAndNoCrash) {
+  const std::string whole = encode_map3d(small_map());
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_EQ(map3d_refusal(whole.substr(0, size)).rfind("a.map3d: ", 0), 0U) << size;
+  }
+  const std::string inner = unpack_bytes(std::string_view(whole).substr(kMap3dHead.size()));
+  for (std::size_t at = 0; at < inner.size(); ++at) {
+    for (const char flip : {'\x01', '\x80', '\xff'}) {
+      std::string bytes = inner;
+      bytes[at] = static_cast<char>(bytes[at] ^ flip);
+      const std::string answer = map3d_refusal(std::string(kMap3dHead) + pack_bytes(bytes));
+      EXPECT_TRUE(answer == "read" || answer.rfind("a.map3d: ", 0) == 0) << at << ' ' << answer;
+    }
+  }
+}
+
+TEST(PackedBytes, AFrameThatClaimsTooMuchIsRefused) {
+  std::string packed = pack_bytes(std::string(1000, 'a'));
+  EXPECT_EQ(unpack_bytes(packed), std::string(1000, 'a'));
+  const std::string huge("\x28\xb5\x2f\xfd\xc0\xff\xff\xff\xff\xff\xff\xff\x0f", 13);
+  EXPECT_THROW(unpack_bytes(huge), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace castaway::testbed

@@ -1,0 +1,47 @@
+#include "tools/map3d/map3d_files.hpp"
+
+#include <stdexcept>
+
+#include "tools/files/file.hpp"
+#include "tools/formats/points/point_cloud.hpp"
+#include "tools/formats/volume/octomap_file.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+Map3d map3d_of(const std::filesystem::path& file, const Map3dOptions& options) {
+  const std::string end = file.extension().string();
+  if (end == ".pcd" || end == ".ply") return survey_map3d(read_point_cloud(file), options);
+  const std::string bytes = read_file(file);
+  if (end == ".map3d") return decode_map3d(bytes, file.string());
+  return survey_map3d(decode_octomap(bytes, file.string()), options);
+}
+
+}  // namespace
+
+bool is_map3d_target(const std::filesystem::path& file) {
+  const std::string end = file.extension().string();
+  return end == ".map3d" || end == ".bt" || end == ".ot";
+}
+
+bool is_map3d_source(const std::filesystem::path& file) {
+  const std::string end = file.extension().string();
+  return is_map3d_target(file) || end == ".pcd" || end == ".ply";
+}
+
+Map3d read_map3d_file(const std::filesystem::path& file, const Map3dOptions& options) {
+  try {
+    return map3d_of(file, options);
+  } catch (const std::invalid_argument& error) {  // Of the survey, which knows no file.
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+}
+
+std::string encode_map3d_file(const Map3d& map, const std::filesystem::path& file) {
+  const std::string end = file.extension().string();
+  if (end == ".bt") return encode_octomap(map.voxels, OctomapKind::kBinary);
+  if (end == ".ot") return encode_octomap(map.voxels, OctomapKind::kFull);
+  return encode_map3d(map);
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,49 @@
+#include "tools/map3d/survey_map3d.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "localization/map3d/voxel_builder.hpp"
+#include "sim/terrain/surface_samples.hpp"
+
+namespace castaway::testbed {
+
+using localization::GroundSurface;
+using localization::VoxelBuilder;
+using localization::VoxelMap;
+
+constexpr double kFacesUp = 0.5;  // Least z of the unit normal of ground: 60 degrees.
+
+Map3d survey_map3d(const sim::WorldSpec& world, const Map3dOptions& options) {
+  VoxelBuilder builder(options.resolution);
+  // Finer than voxels, so that the mean point of a voxel is that of the whole surface in it.
+  sim::sample_surfaces(world, 0.5 * options.resolution,
+                       [&](const Eigen::Vector3d& p_map, const Eigen::Vector3d& normal) {
+                         builder.add(p_map, normal.z() > kFacesUp);
+                       });
+  Map3dOptions inside = options;
+  if (!inside.start && world.inside) {
+    inside.start = Eigen::Vector3d(world.inside->x(), world.inside->y(), 0.0);
+  }
+  return survey_map3d(builder.build(), inside);
+}
+
+Map3d survey_map3d(const std::vector<Eigen::Vector3d>& points, const Map3dOptions& options) {
+  VoxelBuilder builder(options.resolution);
+  for (const Eigen::Vector3d& p_map : points) builder.add(p_map);
+  return survey_map3d(builder.build(), options);
+}
+
+Map3d survey_map3d(VoxelMap voxels, const Map3dOptions& options) {
+  localization::ElevationMap ground = survey_ground(voxels, options.ground, options.start);
+  return {std::move(voxels), std::move(ground)};
+}
+
+double drivable_area(const localization::ElevationMap& ground, std::size_t level) {
+  const auto count = std::ranges::count_if(ground.surfaces, [&](const GroundSurface& surface) {
+    return surface.drivable && surface.level == level;
+  });
+  return static_cast<double>(count) * ground.frame.resolution * ground.frame.resolution;
+}
+
+}  // namespace castaway::testbed
