@@ -70,17 +70,21 @@ void VoxelDistances::lay_out(const VoxelMap& map, int reach) {
 /// Every surface point lowers the distances around it.
 void VoxelDistances::spread(const VoxelMap& map, int reach) {
   for (std::size_t i = 0; i < map.size(); ++i) {
-    const Eigen::Vector3i voxel = voxel_index(map.keys[i]);
-    const Eigen::Vector3d within = map.point(i) / resolution_ - voxel.cast<double>();
-    for (int z = -reach; z <= reach; ++z) {
-      for (int y = -reach; y <= reach; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          const Eigen::Vector3d offset = Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) - within;
-          const double distance = resolution_ * offset.norm();
-          if (distance >= max_distance_) continue;
-          lower(voxel + Eigen::Vector3i(x, y, z),
-                static_cast<std::uint8_t>(std::lround(distance / static_cast<double>(scale_))));
-        }
+    spread(voxel_index(map.keys[i]), map.point(i) / resolution_, reach);
+  }
+}
+
+/// `point`: in edges of a voxel.
+void VoxelDistances::spread(const Eigen::Vector3i& voxel, const Eigen::Vector3d& point, int reach) {
+  const Eigen::Vector3d within = point - voxel.cast<double>();
+  for (int z = -reach; z <= reach; ++z) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        const Eigen::Vector3d offset = Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) - within;
+        const double distance = resolution_ * offset.norm();
+        if (distance >= max_distance_) continue;
+        lower(voxel + Eigen::Vector3i(x, y, z),
+              static_cast<std::uint8_t>(std::lround(distance / static_cast<double>(scale_))));
       }
     }
   }

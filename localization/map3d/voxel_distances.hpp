@@ -39,6 +39,7 @@ class VoxelDistances {
 
   void lay_out(const VoxelMap& map, int reach);
   void spread(const VoxelMap& map, int reach);
+  void spread(const Eigen::Vector3i& voxel, const Eigen::Vector3d& point, int reach);
   void lower(const Eigen::Vector3i& voxel, std::uint8_t distance);
   [[nodiscard]] std::size_t table_index(const Eigen::Vector3i& block) const;
   [[nodiscard]] std::uint8_t byte_at(const Eigen::Vector3i& voxel) const;
