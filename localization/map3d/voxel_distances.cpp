@@ -12,6 +12,8 @@ namespace {
 constexpr std::int64_t kMostBlocks = std::int64_t{1} << 27U;  // Of the table, stored or not.
 constexpr std::uint8_t kFar = 255;
 
+double square_of(double value) { return value * value; }
+
 /// Position of a voxel in its block of 8 x 8 x 8; the first block begins at voxel 0.
 std::size_t place_in_block(const Eigen::Vector3i& voxel) {
   return static_cast<std::size_t>(((voxel.z() & 7) << 6) | ((voxel.y() & 7) << 3) |
@@ -74,17 +76,21 @@ void VoxelDistances::spread(const VoxelMap& map, int reach) {
   }
 }
 
-/// `point`: in edges of a voxel.
+/// `point`: in edges of a voxel. Rows of voxels are cut to the ball around it.
 void VoxelDistances::spread(const Eigen::Vector3i& voxel, const Eigen::Vector3d& point, int reach) {
-  const Eigen::Vector3d within = point - voxel.cast<double>();
+  const Eigen::Vector3d to_centre = voxel.cast<double>().array() + 0.5 - point.array();
+  const double radius = max_distance_ / resolution_;
+  const double units = resolution_ / static_cast<double>(scale_);
   for (int z = -reach; z <= reach; ++z) {
     for (int y = -reach; y <= reach; ++y) {
-      for (int x = -reach; x <= reach; ++x) {
-        const Eigen::Vector3d offset = Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) - within;
-        const double distance = resolution_ * offset.norm();
-        if (distance >= max_distance_) continue;
-        lower(voxel + Eigen::Vector3i(x, y, z),
-              static_cast<std::uint8_t>(std::lround(distance / static_cast<double>(scale_))));
+      const double away = square_of(to_centre.z() + z) + square_of(to_centre.y() + y);
+      const double left = square_of(radius) - away;
+      if (left <= 0.0) continue;
+      const double half = std::sqrt(left);
+      const int last = static_cast<int>(std::floor(half - to_centre.x()));
+      for (int x = static_cast<int>(std::ceil(-half - to_centre.x())); x <= last; ++x) {
+        const double distance = std::sqrt(away + square_of(to_centre.x() + x));
+        lower(voxel + Eigen::Vector3i(x, y, z), static_cast<std::uint8_t>(units * distance + 0.5));
       }
     }
   }
