@@ -1,12 +1,12 @@
 #include "tools/formats/volume/map3d_file.hpp"
 
-#include <bit>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
 #include "tools/formats/varint.hpp"
-#include "tools/formats/volume/packed_bytes.hpp"
+#include "tools/ros/mcap/byte_reader.hpp"
+#include "tools/ros/mcap/byte_writer.hpp"
+#include "tools/ros/mcap/mcap_compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -16,74 +16,80 @@ using localization::GroundSurface;
 using localization::VoxelMap;
 
 constexpr std::size_t kMostPerCell = 255;
+constexpr std::uint64_t kMost = std::uint64_t{4} << 30U;  // [bytes] Unpacked.
 
-void put_voxels(ByteWriter& writer, const VoxelMap& map) {
+void put_voxels(std::string& bytes, const VoxelMap& map) {
   std::string keys;
   localization::VoxelKey last = 0;
   for (const localization::VoxelKey key : map.keys) {
     append_varint(keys, key - last);
     last = key;
   }
-  writer.put(map.resolution);
-  writer.put(static_cast<std::uint64_t>(map.size()));
-  writer.put_text(keys);
+  append_number(bytes, map.resolution);
+  append_number(bytes, static_cast<std::uint64_t>(map.size()));
+  append_number(bytes, static_cast<std::uint64_t>(keys.size()));
+  bytes.append(keys);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const auto& offset : map.offsets) writer.put(offset[axis]);
+    for (const auto& offset : map.offsets) append_number(bytes, offset[axis]);
   }
-  for (const std::uint8_t up : map.faces_up) writer.put(up);
+  for (const std::uint8_t up : map.faces_up) append_number(bytes, up);
 }
 
 VoxelMap take_voxels(ByteReader& reader) {
   VoxelMap map;
-  map.resolution = reader.take<double>();
-  const auto count = reader.take_count(4);  // At least four bytes each follow.
-  VarintReader keys(reader.take_text());
+  map.resolution = reader.number<double>();
+  const auto count = reader.number<std::uint64_t>();
+  if (count > reader.rest() / 5) {  // A key takes a byte at least, its point and flag four.
+    throw std::runtime_error("states more voxels than it holds");
+  }
+  VarintReader keys(reader.take(reader.number<std::uint64_t>()));
   localization::VoxelKey last = 0;
   for (std::size_t i = 0; i < count; ++i) map.keys.push_back(last += keys.next());
   map.offsets.resize(count);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (auto& offset : map.offsets) offset[axis] = reader.take<std::uint8_t>();
+    for (auto& offset : map.offsets) offset[axis] = reader.number<std::uint8_t>();
   }
   map.faces_up.resize(count);
-  for (std::uint8_t& up : map.faces_up) up = reader.take<std::uint8_t>();
+  for (std::uint8_t& up : map.faces_up) up = reader.number<std::uint8_t>();
   validate(map);
   return map;
 }
 
-void put_ground(ByteWriter& writer, const ElevationMap& map) {
-  writer.put(static_cast<std::uint32_t>(map.frame.width));
-  writer.put(static_cast<std::uint32_t>(map.frame.height));
+void put_ground(std::string& bytes, const ElevationMap& map) {
+  append_number(bytes, static_cast<std::uint32_t>(map.frame.width));
+  append_number(bytes, static_cast<std::uint32_t>(map.frame.height));
   for (const double value : {map.frame.resolution, map.frame.T_map_grid.x, map.frame.T_map_grid.y,
                              map.frame.T_map_grid.yaw}) {
-    writer.put(value);
+    append_number(bytes, value);
   }
   for (std::size_t i = 0; i + 1 < map.first.size(); ++i) {
     const std::uint32_t count = map.first[i + 1] - map.first[i];
     if (count > kMostPerCell) throw std::invalid_argument("a cell has more than 255 surfaces");
-    writer.put(static_cast<std::uint8_t>(count));
+    append_number(bytes, static_cast<std::uint8_t>(count));
   }
-  for (const GroundSurface& s : map.surfaces) writer.put(s.z);
-  for (const GroundSurface& s : map.surfaces) writer.put(s.slope_x);
-  for (const GroundSurface& s : map.surfaces) writer.put(s.slope_y);
-  for (const GroundSurface& s : map.surfaces) writer.put(s.clearance);
-  for (const GroundSurface& s : map.surfaces) writer.put(s.level);
-  for (const GroundSurface& s : map.surfaces) writer.put(static_cast<std::uint8_t>(s.drivable));
-  writer.put(static_cast<std::uint8_t>(map.levels.size()));
-  for (const float level : map.levels) writer.put(level);
+  for (const GroundSurface& s : map.surfaces) append_number(bytes, s.z);
+  for (const GroundSurface& s : map.surfaces) append_number(bytes, s.slope_x);
+  for (const GroundSurface& s : map.surfaces) append_number(bytes, s.slope_y);
+  for (const GroundSurface& s : map.surfaces) append_number(bytes, s.clearance);
+  for (const GroundSurface& s : map.surfaces) append_number(bytes, s.level);
+  for (const GroundSurface& s : map.surfaces)
+    append_number(bytes, static_cast<std::uint8_t>(s.drivable));
+  append_number(bytes, static_cast<std::uint8_t>(map.levels.size()));
+  for (const float level : map.levels) append_number(bytes, level);
 }
 
 localization::GridFrame take_frame(ByteReader& reader) {
   localization::GridFrame frame;
-  const auto width = reader.take<std::uint32_t>();
-  const auto height = reader.take<std::uint32_t>();
-  if (std::uint64_t{width} * height > reader.left()) {
+  const auto width = reader.number<std::uint32_t>();
+  const auto height = reader.number<std::uint32_t>();
+  if (std::uint64_t{width} * height > reader.rest()) {
     throw std::runtime_error("states more cells than it holds");
   }
   frame.width = static_cast<int>(width);
   frame.height = static_cast<int>(height);
   for (double* value :
        {&frame.resolution, &frame.T_map_grid.x, &frame.T_map_grid.y, &frame.T_map_grid.yaw}) {
-    *value = reader.take<double>();
+    *value = reader.number<double>();
   }
   return frame;
 }
@@ -93,18 +99,20 @@ ElevationMap take_ground(ByteReader& reader) {
   map.frame = take_frame(reader);
   map.first.assign(1, 0);
   for (std::size_t i = 0; i < map.frame.size(); ++i) {
-    map.first.push_back(map.first.back() + reader.take<std::uint8_t>());
+    map.first.push_back(map.first.back() + reader.number<std::uint8_t>());
   }
-  reader.require(std::uint64_t{18} * map.first.back());
+  if (std::uint64_t{18} * map.first.back() > reader.rest()) {
+    throw std::runtime_error("states more surfaces than it holds");
+  }
   map.surfaces.resize(map.first.back());
-  for (GroundSurface& s : map.surfaces) s.z = reader.take<float>();
-  for (GroundSurface& s : map.surfaces) s.slope_x = reader.take<float>();
-  for (GroundSurface& s : map.surfaces) s.slope_y = reader.take<float>();
-  for (GroundSurface& s : map.surfaces) s.clearance = reader.take<float>();
-  for (GroundSurface& s : map.surfaces) s.level = reader.take<std::uint8_t>();
-  for (GroundSurface& s : map.surfaces) s.drivable = reader.take<std::uint8_t>() != 0;
-  map.levels.resize(reader.take<std::uint8_t>());
-  for (float& level : map.levels) level = reader.take<float>();
+  for (GroundSurface& s : map.surfaces) s.z = reader.number<float>();
+  for (GroundSurface& s : map.surfaces) s.slope_x = reader.number<float>();
+  for (GroundSurface& s : map.surfaces) s.slope_y = reader.number<float>();
+  for (GroundSurface& s : map.surfaces) s.clearance = reader.number<float>();
+  for (GroundSurface& s : map.surfaces) s.level = reader.number<std::uint8_t>();
+  for (GroundSurface& s : map.surfaces) s.drivable = reader.number<std::uint8_t>() != 0;
+  map.levels.resize(reader.number<std::uint8_t>());
+  for (float& level : map.levels) level = reader.number<float>();
   validate(map);
   return map;
 }
@@ -112,10 +120,10 @@ ElevationMap take_ground(ByteReader& reader) {
 }  // namespace
 
 std::string encode_map3d(const Map3d& map) {
-  ByteWriter writer;
-  put_voxels(writer, map.voxels);
-  put_ground(writer, map.ground);
-  return std::string(kMap3dHead) + pack_bytes(writer.bytes());
+  std::string inner;
+  put_voxels(inner, map.voxels);
+  put_ground(inner, map.ground);
+  return std::string(kMap3dHead) + pack_chunk(inner, McapCompression::kZstd);
 }
 
 Map3d decode_map3d(std::string_view bytes, const std::string& name) {
@@ -124,12 +132,13 @@ Map3d decode_map3d(std::string_view bytes, const std::string& name) {
       throw std::runtime_error("is no 3-D map of this castaway: it does not begin with '" +
                                std::string(kMap3dHead.substr(0, kMap3dHead.size() - 1)) + "'");
     }
-    const std::string unpacked = unpack_bytes(bytes.substr(kMap3dHead.size()));
-    ByteReader reader(unpacked);
+    const UnpackedChunk inner = unpack_chunk(bytes.substr(kMap3dHead.size()), "zstd", kMost);
+    if (!inner.whole) throw std::runtime_error("is cut off; make or copy it again");
+    ByteReader reader(inner.bytes);
     Map3d map;
     map.voxels = take_voxels(reader);
     map.ground = take_ground(reader);
-    if (reader.left() != 0) throw std::runtime_error("holds more than a map; make it again");
+    if (reader.rest() != 0) throw std::runtime_error("holds more than a map; make it again");
     return map;
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": " + error.what());

@@ -40,13 +40,7 @@ test('it answers every scan', async () => {
 test('the run goes back, and the program begins again', async () => {
   await page.press('Anywhere');
   await page.playUntil(`${kTime} > 6`);
-  await browser.evaluate(`(() => {
-    const slider = document.querySelector('#castaway-live [aria-label="Time"]');
-    slider.value = 2;
-    slider.dispatchEvent(new Event('input'));
-  })()`);
-  await page.press('Go on from here');
-  await browser.until(`${kTime} < 2.5 && document.querySelector('.log').childElementCount === 0`);
+  await page.goBack(2);
   await page.playUntil(`${kTime} > 4`);
   assert.deepEqual(await states(), ['right', 'right']);
   assert.equal(programs(), 1);

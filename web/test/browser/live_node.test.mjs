@@ -37,13 +37,7 @@ test('it answers', async () => {
 test('the run goes back, and the node is told the start again', async () => {
   await page.press('Anywhere');
   await page.playUntil(`${kTime} > 6`);
-  await browser.evaluate(`(() => {
-    const slider = document.querySelector('#castaway-live [aria-label="Time"]');
-    slider.value = 2;
-    slider.dispatchEvent(new Event('input'));
-  })()`);
-  await page.press('Go on from here');
-  await browser.until(`${kTime} < 2.5 && document.querySelector('.log').childElementCount === 0`);
+  await page.goBack(2);
   await page.playUntil(`${kTime} > 4`);
   assert.deepEqual(await states(), ['right']);
 });

@@ -37,6 +37,17 @@ export class LivePage {
     await this.pause();
   }
 
+  /** Until the run has gone back to a time [s], and what happened after it is forgotten. */
+  async goBack(time) {
+    await this.browser.evaluate(`(() => {
+      const slider = document.querySelector('#castaway-live [aria-label="Time"]');
+      slider.value = ${time};
+      slider.dispatchEvent(new Event('input'));
+    })()`);
+    await this.press('Go on from here');
+    await this.browser.until(`${kTime} < ${time + 0.5} && document.querySelector('.log').childElementCount === 0`);
+  }
+
   /** The point of the window where the map shows a point of the frame map. */
   async onScreen(x, y) {
     const [left, top, view] = await this.browser.evaluate(`(() => {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/map3d/voxel_builder.hpp"
-#include "tools/formats/volume/packed_bytes.hpp"
+#include "tools/ros/mcap/mcap_compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -54,9 +54,9 @@ TEST(Map3dFile, WhatIsNoneIsNamed) {
   EXPECT_EQ(map3d_refusal("castaway"),
             "a.map3d: is no 3-D map of this castaway: it does not begin with 'castaway-map3d 1'");
   EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + "no frame"),
-            "a.map3d: holds no zstd frame; it is damaged");
-  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + pack_bytes("")),
-            "a.map3d: is cut off; make or copy it again");
+            "a.map3d: its zstd frame is damaged (Unknown frame descriptor)");
+  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + pack_chunk("", McapCompression::kZstd)),
+            "a.map3d: ends too early");
 }
 
 TEST(Map3dFile, DamageIsNamedAndNoCrash) {
@@ -64,22 +64,17 @@ TEST(Map3dFile, DamageIsNamedAndNoCrash) {
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_EQ(map3d_refusal(whole.substr(0, size)).rfind("a.map3d: ", 0), 0U) << size;
   }
-  const std::string inner = unpack_bytes(std::string_view(whole).substr(kMap3dHead.size()));
+  const std::string inner =
+      unpack_chunk(std::string_view(whole).substr(kMap3dHead.size()), "zstd", 1 << 20).bytes;
   for (std::size_t at = 0; at < inner.size(); ++at) {
     for (const char flip : {'\x01', '\x80', '\xff'}) {
       std::string bytes = inner;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
-      const std::string answer = map3d_refusal(std::string(kMap3dHead) + pack_bytes(bytes));
+      const std::string answer =
+          map3d_refusal(std::string(kMap3dHead) + pack_chunk(bytes, McapCompression::kZstd));
       EXPECT_TRUE(answer == "read" || answer.rfind("a.map3d: ", 0) == 0) << at << ' ' << answer;
     }
   }
-}
-
-TEST(PackedBytes, AFrameThatClaimsTooMuchIsRefused) {
-  std::string packed = pack_bytes(std::string(1000, 'a'));
-  EXPECT_EQ(unpack_bytes(packed), std::string(1000, 'a'));
-  const std::string huge("\x28\xb5\x2f\xfd\xc0\xff\xff\xff\xff\xff\xff\xff\x0f", 13);
-  EXPECT_THROW(unpack_bytes(huge), std::runtime_error);
 }
 
 }  // namespace
