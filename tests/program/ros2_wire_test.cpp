@@ -34,11 +34,10 @@ TEST(Ros2Wire, TopicsHaveTheNamesTypesAndQualityOfRos2) {
   for (const auto& [topic, seen] : expected.items()) {
     EXPECT_EQ(received.at("publications").value(topic, ""), seen) << topic;
   }
-  const Json& messages = received.at("messages");
-  EXPECT_EQ(messages.at("scan"), 40);
-  EXPECT_EQ(messages.at("odom"), 400);
-  EXPECT_EQ(messages.at("initialpose"), 1);
-  EXPECT_EQ(messages.at("map"), 1);
+  // The first ones are repeated if the node is slow to begin.
+  EXPECT_EQ(received.at("stamps"), Json({{"scan", 40}, {"odom", 400}}));
+  EXPECT_GE(received.at("messages").at("initialpose"), 1);
+  EXPECT_EQ(received.at("messages").at("map"), 1);
   expect_contains(received.at("frames"), "odom>base_footprint ");
   expect_contains(received.at("frames"), "base_footprint>base_link ");
   expect_contains(received.at("frames"), "base_link>base_scan ");
@@ -120,7 +119,7 @@ TEST(Ros2Wire, GarbageOnThePortsHarmsNothing) {
       castaway(folder, kRos2Run + node_in(121, "--set localizers.1.ros2.pace=5") + "--duration 20");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_GT(answers_in(folder).at("answered"), 150);
+  EXPECT_GT(answers_in(folder).at("answered"), 150) << node.received().dump();
 }
 
 TEST(Ros2Wire, TwoRunsInOneDomainDoNotMix) {

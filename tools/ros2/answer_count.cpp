@@ -19,7 +19,9 @@ void AnswerCount::give_up() {
 void AnswerCount::take(localization::Stamp stamp) {
   const bool again = newest_ && stamp == *newest_;
   newest_ = stamp;
-  if (again) {
+  if (again && repeats_ > 0) {
+    --repeats_;
+  } else if (again) {
     ++doubled_;
   } else if (scan_ && (stamp < *scan_ || given_up_)) {
     ++late_;

@@ -16,6 +16,8 @@ class AnswerCount {
   /// A scan was sent; its answer has this stamp or a later one. The scan before is not waited for
   /// any longer.
   void expect(localization::Stamp scan);
+  /// The newest scan was sent again: it may be answered again.
+  void repeat() { ++repeats_; }
   /// An answer came.
   void take(localization::Stamp stamp);
   /// True if the newest scan was answered since it was sent.
@@ -32,6 +34,7 @@ class AnswerCount {
 
   std::optional<localization::Stamp> scan_;
   std::optional<localization::Stamp> newest_;  ///< Of all answers.
+  std::int64_t repeats_ = 0;                   ///< Of the newest scan, not answered again.
   bool answered_ = false;
   bool given_up_ = false;
   std::int64_t sent_ = 0;

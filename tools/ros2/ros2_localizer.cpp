@@ -123,6 +123,7 @@ void Ros2Localizer::wait_for_first_answer(const LaserScan& scan) {
     feed_.repeat_time();
     for (const Odometry& odometry : early_) feed_.publish(odometry);
     start_ = start;
+    count_.repeat();
     send(scan);
   }
   has_answered_ = true;

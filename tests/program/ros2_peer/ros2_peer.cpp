@@ -74,6 +74,7 @@ void send_wrong_types(Wire& wire) {
 void print(const castaway::peer::Received& received, const Watch& watch, const Wire& wire) {
   nlohmann::json root;
   root["messages"] = received.messages;
+  for (const auto& [topic, stamps] : received.stamps) root["stamps"][topic] = stamps.size();
   root["publications"] = wire.publications().seen();
   root["watched"] = watch.counts();
   root["frames"] = received.frames;

@@ -104,10 +104,14 @@ void ServedLocalizer::begin(const OccupancyGrid& map) {
   localizer_ =
       std::make_unique<localization::MhAmcl>(localization::MhAmclConfig{}, grid_of(map), seed_);
   initial_pose_.reset();
+  forget_motion();
+}
+
+void ServedLocalizer::forget_motion() {
   is_started_ = false;
   scans_.clear();
   odometry_.clear();
-  newest_odometry_ns_ = newest_scan_ns_ = -1;
+  newest_odometry_ns_ = newest_scan_ns_ = answered_ns_ = -1;
   T_odom_base_ = localization::TransformBuffer();
 }
 
@@ -141,13 +145,20 @@ bool ServedLocalizer::take_sensors() {
   bool any = false;
   while (const auto start = take<PoseWithCovarianceStamped>(*start_)) {
     ++received_.messages["initialpose"];
-    initial_pose_ = start_of(*start);
+    const auto pose = start_of(*start);
+    const bool is_again =
+        initial_pose_ && (pose.T_map_base.translation() == initial_pose_->T_map_base.translation());
+    if (is_started_ && is_again) continue;
+    initial_pose_ = pose;
     is_started_ = false;
     any = true;
   }
   while (const auto odometry = take<Odometry>(*odom_)) {
     ++received_.messages["odom"];
     const std::int64_t ns = odometry->header.stamp.ns();
+    received_.stamps["odom"].insert(ns);
+    // The simulator begins once more: a part of its first messages came before the map.
+    if (ns < newest_odometry_ns_ && localizer_ && !localizer_->estimate()) forget_motion();
     if (ns <= newest_odometry_ns_) continue;  // Repeated.
     if (newest_odometry_ns_ >= 0) period_ns_ = ns - newest_odometry_ns_;
     newest_odometry_ns_ = ns;
@@ -159,6 +170,8 @@ bool ServedLocalizer::take_sensors() {
   while (auto scan = take<LaserScan>(*scan_)) {
     ++received_.messages["scan"];
     const std::int64_t ns = scan->header.stamp.ns();
+    received_.stamps["scan"].insert(ns);
+    if (ns == newest_scan_ns_ && scans_.empty()) answer(*scan);  // The first one, sent again.
     if (ns <= newest_scan_ns_) continue;
     newest_scan_ns_ = ns;
     scans_.push_back(std::move(*scan));
@@ -203,7 +216,9 @@ void ServedLocalizer::handle(const LaserScan& message) {
 }
 
 void ServedLocalizer::answer(const LaserScan& scan) {
-  if (scan_count_++ % manners_.answer_every != 0) return;
+  const bool is_again = scan.header.stamp.ns() == answered_ns_;
+  answered_ns_ = scan.header.stamp.ns();
+  if (!is_again && scan_count_++ % manners_.answer_every != 0) return;
   if (manners_.late_ms > 0 && scan_count_ % 10 == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(manners_.late_ms));
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "localization/mh_amcl.hpp"
@@ -28,7 +29,8 @@ struct Manners {
 
 /// What came over the wire so far.
 struct Received {
-  std::map<std::string, int> messages;  ///< By topic.
+  std::map<std::string, int> messages;                   ///< By topic.
+  std::map<std::string, std::set<std::int64_t>> stamps;  ///< [ns] Of odometry and scans.
   std::string description;
   std::string frames;  ///< "parent>child" of /tf_static and /tf, each once.
 };
@@ -47,6 +49,7 @@ class ServedLocalizer {
  private:
   void take_map();
   void begin(const OccupancyGrid& map);
+  void forget_motion();
   void take_frames();
   bool take_sensors();
   bool ready_for(const LaserScan& scan) const;
@@ -84,6 +87,7 @@ class ServedLocalizer {
   localization::TransformBuffer T_odom_base_;
   std::int64_t newest_scan_ns_ = -1;
   int scan_count_ = 0;
+  std::int64_t answered_ns_ = -1;  ///< Stamp of the last scan that was to be answered.
 };
 
 }  // namespace castaway::peer

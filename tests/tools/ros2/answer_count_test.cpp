@@ -52,6 +52,17 @@ TEST(AnswerCount, CountsWhatIsLateMissingAndDoubled) {
   EXPECT_EQ(count.counts(), counts(2, 1, 1, 1, 1));
 }
 
+TEST(AnswerCount, ARepeatedScanMayBeAnsweredAgain) {
+  AnswerCount count;
+  count.expect(Stamp(100));
+  count.repeat();
+  count.take(Stamp(100));
+  count.take(Stamp(100));
+  EXPECT_EQ(count.counts(), counts(1, 1, 0, 0, 0));
+  count.take(Stamp(100));
+  EXPECT_EQ(count.counts(), counts(1, 1, 0, 0, 1));
+}
+
 TEST(AnswerCount, WithoutGivingUpAnAnswerMayComeUntilTheNextScan) {
   AnswerCount count;
   count.expect(Stamp(100));
