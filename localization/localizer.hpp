@@ -16,10 +16,17 @@
 
 namespace castaway::localization {
 
+/// The ground under a pose, on a 3-D map.
+struct Footing {
+  double z = 0.0;  ///< [m] Height of base in map.
+  int level = 0;   ///< Of the building, the lowest is 0.
+};
+
 /// Another possible pose of the robot.
 struct Alternative {
   SE2 T_map_base;
-  double share = 0.0;  ///< Posterior probability in [0, 1].
+  double share = 0.0;                ///< Posterior probability in [0, 1].
+  std::optional<Footing> footing{};  ///< On a 3-D map with ground there.
 };
 
 /// A localizer's estimate at the stamp of a scan.
@@ -33,16 +40,18 @@ struct Estimate {
   double probability = 0.0;
   bool lost = false;                      ///< Alarm: the pose must not be used.
   std::vector<Alternative> alternatives;  ///< Other possible poses, most probable first.
+  std::optional<Footing> footing{};       ///< On a 3-D map with ground there.
 };
 
 /// One population of particles, for logs and pictures.
 struct PopulationView {
-  int id = 0;                  ///< Unique over the run.
-  SE2 T_map_base;              ///< Mean.
-  double quality = 0.0;        ///< In [0, 1].
-  double share = 0.0;          ///< Posterior probability in [0, 1].
-  bool selected = false;       ///< The output is the mean of this population.
-  std::vector<SE2> particles;  ///< Poses of base in map.
+  int id = 0;                        ///< Unique over the run.
+  SE2 T_map_base;                    ///< Mean.
+  double quality = 0.0;              ///< In [0, 1].
+  double share = 0.0;                ///< Posterior probability in [0, 1].
+  bool selected = false;             ///< The output is the mean of this population.
+  std::vector<SE2> particles;        ///< Poses of base in map.
+  std::optional<Footing> footing{};  ///< Of the mean, on a 3-D map with ground there.
 };
 
 /// Internal state of a localizer, for logs and pictures.

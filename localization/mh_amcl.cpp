@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "localization/filter/particle_set.hpp"
+#include "localization/ground_motion.hpp"
+#include "localization/ground_output.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/merge.hpp"
 #include "localization/output.hpp"
@@ -82,15 +84,15 @@ MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, S
     : models_(std::move(models)),
       input_(models_->config.input),
       belief_(*models_, seed),
-      searches_{ScheduledSearch(models_->config.match, models_->matcher),
-                PlaceWatch(models_->config.watch, models_->matcher),
+      searches_{ScheduledSearch(models_->config.match, *models_->matcher),
+                PlaceWatch(models_->config.watch, *models_->matcher),
                 WorkBudget(models_->config.budget, models_->config.input.correct_rate_hz,
-                           models_->matcher.cells())},
+                           models_->matcher->cells())},
       timer_(std::move(clock)) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
-  belief_.start(start);
+  belief_.start(start && models_->volume ? in_atlas(*models_->volume, *start) : start);
   searches_.start();
   estimate_.reset();
 }
@@ -112,12 +114,19 @@ void MhAmcl::on_scan(const LaserScan& scan) {
   if (turn->counts) take_scan(*turn);
   estimate_ = estimate_of(belief_.populations, belief_.shares(), belief_.lost_and_found.is_lost(),
                           scan.stamp, input_.T_now_base(scan.stamp));
+  if (models_->volume) to_map(*models_->volume, estimate_);
 }
 
 void MhAmcl::predict(const std::optional<SE2>& step) {
   if (!step) return;
+  const OdometryNoiseConfig& noise = models_->config.motion;
+  std::vector<Hypothesis>& all = belief_.populations.all;
   timer_.measure("predict", [&] {
-    predict_all(belief_.populations.all, *step, OdometryMotion(*step, models_->config.motion));
+    if (models_->volume) {
+      predict_on_ground(*models_->volume, *step, noise, all);
+    } else {
+      predict_all(all, *step, OdometryMotion(*step, noise));
+    }
   });
 }
 
@@ -189,7 +198,10 @@ void MhAmcl::create(const ScanTurn& scan) {
 }
 
 Diagnostics MhAmcl::diagnostics() const {
-  return diagnostics_of(belief_.populations, belief_.shares(), input_.intake(), timer_);
+  Diagnostics diagnostics =
+      diagnostics_of(belief_.populations, belief_.shares(), input_.intake(), timer_);
+  if (models_->volume) to_map(*models_->volume, diagnostics);
+  return diagnostics;
 }
 
 }  // namespace castaway::localization

@@ -27,7 +27,7 @@ class MhAmcl final : public Localizer {
  public:
   /// Starts at an unknown pose. @throws std::invalid_argument for an invalid map or settings.
   MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock = {});
-  /// The same with models that other localizers may use, too.
+  /// The same with models that other localizers may use, too; those of a 3-D map, too.
   MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, StageClock clock = {});
 
   void initialize(const std::optional<PoseWithCovariance>& start) override;

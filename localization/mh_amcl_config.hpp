@@ -6,6 +6,7 @@
 #include "localization/hypotheses/merge.hpp"
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/spawn.hpp"
+#include "localization/matching/cascade_matcher.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/match_schedule.hpp"
 #include "localization/search/place_watch.hpp"
@@ -48,6 +49,12 @@ struct MhAmclConfig {
   int history = 24;
   double max_distance = 5.0;   ///< [m] Largest value of the distance field.
   double surface_depth = 0.1;  ///< [m] No beam ends deeper inside of an obstacle (`hollow`).
+};
+
+/// MH-AMCL on a 3-D map.
+struct MhAmcl3dConfig {
+  MhAmclConfig mh_amcl;
+  double voxel = 0.1;  ///< [m] Edge of a voxel of the map.
 };
 
 /// @throws std::invalid_argument naming a value that is out of range.

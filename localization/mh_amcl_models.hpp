@@ -1,8 +1,12 @@
 /// The constant part of MH-AMCL: settings, map, and the models that depend on these alone.
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "localization/map/distance_field.hpp"
-#include "localization/matching/cascade_matcher.hpp"
+#include "localization/map3d/volume.hpp"
+#include "localization/matching/place_matcher.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/rescue.hpp"
@@ -12,20 +16,28 @@
 
 namespace castaway::localization {
 
+/// A planar map.
+struct PlanarMap {
+  OccupancyGrid grid;
+  DistanceField distances;  ///< To the surfaces of obstacles.
+};
+
 /// Conditioned once, used for every scan. Not copyable, since the models refer to the map and to
 /// each other.
 struct MhAmclModels {
   /// @throws std::invalid_argument for an invalid map or settings.
   MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid);
+  /// For a 3-D map. Poses are in its atlas.
+  MhAmclModels(const MhAmclConfig& mh_amcl, std::shared_ptr<const Volume> ground_and_surfaces);
   MhAmclModels(const MhAmclModels&) = delete;
 
   MhAmclConfig config;
-  OccupancyGrid map;
-  DistanceField distances;  ///< To the surfaces of obstacles.
+  std::optional<PlanarMap> planar;       ///< None: a 3-D map.
+  std::shared_ptr<const Volume> volume;  ///< Null: a planar map.
   EndpointModel endpoint;
   EvidenceModel evidence;
   DistanceFilter distance_filter;
-  CascadeMatcher matcher;
+  std::unique_ptr<const PlaceMatcher> matcher;
   TrackingFilter filter;
   Rescue rescue;
   CreateContext context;

@@ -1,6 +1,7 @@
 /// Moments of weighted planar poses, and sampling from a Gaussian over poses.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include <Eigen/Core>
@@ -21,6 +22,8 @@ struct PoseWithCovariance {
   SE2 T_map_base;
   /// Of (x, y, yaw) in map: m^2, m rad, rad^2.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  /// [m] Height of base, on a 3-D map: the nearest ground counts. None: the lowest ground.
+  std::optional<double> z{};
 };
 
 /// Weighted moments. The mean yaw is the direction of the mean heading, and deviations are wrapped.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace castaway::localization {
 namespace {
@@ -32,6 +33,19 @@ ByteField::ByteField(const OccupancyGrid& grid, const DistanceField& distances,
       if (grid.cells[i] == CellState::kFree)
         free_[frame_.index({column / factor, row / factor})] = true;
     }
+  }
+}
+
+ByteField::ByteField(const GridFrame& frame, int padding, const std::vector<std::uint8_t>& bytes,
+                     std::vector<bool> free)
+    : frame_(frame),
+      padding_(padding),
+      stride_(frame.width + 2 * padding),
+      bytes_(static_cast<std::size_t>(stride_ * (frame.height + 2 * padding)), 0),
+      free_(std::move(free)) {
+  for (int row = 0; row < frame.height; ++row) {
+    const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(row) * frame.width;
+    std::copy(from, from + frame.width, bytes_.begin() + (row + padding) * stride_ + padding);
   }
 }
 

@@ -22,6 +22,9 @@ class ByteField {
  public:
   ByteField(const OccupancyGrid& grid, const DistanceField& distances,
             const ByteFieldConfig& config);
+  /// Takes bytes and free cells, row by row, and `padding` coarse cells on every side.
+  ByteField(const GridFrame& frame, int padding, const std::vector<std::uint8_t>& bytes,
+            std::vector<bool> free);
 
   /// The coarse cells without padding; cell (0, 0) starts at the map's lower left corner.
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
@@ -37,6 +40,8 @@ class ByteField {
   [[nodiscard]] bool is_free(int column, int row) const {
     return free_[frame_.index({column, row})];
   }
+  /// For each coarse cell, row by row.
+  [[nodiscard]] const std::vector<bool>& free() const { return free_; }
 
  private:
   GridFrame frame_;

@@ -69,11 +69,13 @@ std::vector<std::uint8_t> pool(const ByteField& field, const PooledLayout& layou
 }
 
 /// The bits of the free nodes of every tile.
-std::vector<std::uint16_t> find_free_nodes(const ByteField& field, const PooledLayout& layout) {
+std::vector<std::uint16_t> find_free_nodes(const GridFrame& frame,
+                                           const std::vector<bool>& free_cells,
+                                           const PooledLayout& layout) {
   std::vector<std::uint16_t> free(layout.tile_index(0, layout.tile_rows), 0);
-  for (int row = 0; row < field.frame().height; ++row) {
-    for (int column = 0; column < field.frame().width; ++column) {
-      if (!field.is_free(column, row)) continue;
+  for (int row = 0; row < frame.height; ++row) {
+    for (int column = 0; column < frame.width; ++column) {
+      if (!free_cells[frame.index({column, row})]) continue;
       const int X = column / layout.edge;
       const int Y = row / layout.edge;
       std::uint16_t& tile =
@@ -90,7 +92,14 @@ std::vector<std::uint16_t> find_free_nodes(const ByteField& field, const PooledL
 
 PooledField::PooledField(const ByteField& field, int level)
     : layout_(field.frame().width, field.frame().height, field.padding(), level),
-      deficits_(pool(field, layout_, step())),
-      free_(find_free_nodes(field, layout_)) {}
+      deficits_(std::make_shared<const std::vector<std::uint8_t>>(pool(field, layout_, step()))),
+      first_deficit_(deficits_->data()),
+      free_(find_free_nodes(field.frame(), field.free(), layout_)) {}
+
+PooledField PooledField::with_free(const GridFrame& frame, const std::vector<bool>& free) const {
+  PooledField other = *this;
+  other.free_ = find_free_nodes(frame, free, layout_);
+  return other;
+}
 
 }  // namespace castaway::localization

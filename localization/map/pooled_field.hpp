@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "localization/map/byte_field.hpp"
@@ -28,13 +29,15 @@ class PooledField {
 
   /// `level` >= 0: nodes have an edge of 2^level cells. Level 0 is the field itself.
   PooledField(const ByteField& field, int level);
+  /// The same values with other free cells, row by row; both share the memory of the values.
+  [[nodiscard]] PooledField with_free(const GridFrame& frame, const std::vector<bool>& free) const;
 
   [[nodiscard]] const PooledLayout& layout() const { return layout_; }
   /// Value of a deficit of 1: 1 at level 0, `kCoarseStep` at the others.
   [[nodiscard]] int step() const { return layout_.level == 0 ? 1 : kCoarseStep; }
   /// Deficits of a tile, without shift: of node (c, r) at 2 c + r.
   [[nodiscard]] const std::uint8_t* tile(int column, int row) const {
-    return deficits_.data() + layout_.tile_offset(column, row);
+    return first_deficit_ + layout_.tile_offset(column, row);
   }
   /// Bit 8 r + c is set if node (c, r) of the tile covers a free cell.
   [[nodiscard]] unsigned free_nodes(int column, int row) const {
@@ -43,7 +46,8 @@ class PooledField {
 
  private:
   PooledLayout layout_;
-  std::vector<std::uint8_t> deficits_;
+  std::shared_ptr<const std::vector<std::uint8_t>> deficits_;
+  const std::uint8_t* first_deficit_;
   std::vector<std::uint16_t> free_;  ///< For each tile.
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "localization/map/cell_index.hpp"
@@ -12,12 +13,49 @@ namespace {
 constexpr std::int64_t kMostBlocks = std::int64_t{1} << 27U;  // Of the table, stored or not.
 constexpr std::uint8_t kFar = 255;
 
-double square_of(double value) { return value * value; }
+float square_of(float value) { return value * value; }
 
 /// Position of a voxel in its block of 8 x 8 x 8; the first block begins at voxel 0.
 std::size_t place_in_block(const Eigen::Vector3i& voxel) {
   return static_cast<std::size_t>(((voxel.z() & 7) << 6) | ((voxel.y() & 7) << 3) |
                                   (voxel.x() & 7));
+}
+
+/// Squared distances of the centres of a block's voxels from points, in edges of a voxel.
+using SquaredDistances = std::array<float, 512>;
+
+constexpr int kRow = 8;
+
+/// The voxels of a row, of a block, within `radius` of a position along it.
+struct Reach {
+  Reach(float position, float radius)
+      : first(static_cast<int>(std::ceil(std::max(position - radius, 0.0F)))),
+        last(static_cast<int>(std::floor(std::min(position + radius, kRow - 1.0F)))) {}
+
+  int first;
+  int last;
+};
+
+/// Lowers the distances from `p`; the centre of the first voxel is 0. Farther than `radius` nothing
+/// is lower.
+void lower(const Eigen::Vector3f& p, float radius, SquaredDistances& squares) {
+  const Reach x_reach(p.x(), radius);
+  const Reach y_reach(p.y(), radius);
+  const Reach z_reach(p.z(), radius);
+  if (x_reach.first > x_reach.last || y_reach.first > y_reach.last) return;
+  std::array<float, kRow> along{};
+  for (int x = 0; x < kRow; ++x) {
+    along[static_cast<std::size_t>(x)] = square_of(static_cast<float>(x) - p.x());
+  }
+  for (int z = z_reach.first; z <= z_reach.last; ++z) {
+    const float up = square_of(static_cast<float>(z) - p.z());
+    for (int y = y_reach.first; y <= y_reach.last; ++y) {
+      const float away = up + square_of(static_cast<float>(y) - p.y());
+      if (away >= square_of(radius)) continue;
+      float* row = &squares[static_cast<std::size_t>((z * kRow + y) * kRow)];
+      for (std::size_t x = 0; x < kRow; ++x) row[x] = std::min(row[x], away + along[x]);
+    }
+  }
 }
 
 }  // namespace
@@ -29,11 +67,12 @@ VoxelDistances::VoxelDistances(const VoxelMap& map, double max_distance)
     throw std::invalid_argument("distances of a 3-D map reach 1 to 16 voxels");
   }
   scale_ = static_cast<float>(max_distance / kFar);
+  steps_ = tabulate([](double distance) { return distance; });
   // Interpolation reads one voxel beyond; the surface point lies anywhere in its voxel.
   const int reach = static_cast<int>(std::ceil(max_distance / resolution_)) + 1;
   if (map.size() == 0) return;
   lay_out(map, reach);
-  spread(map, reach);
+  spread(map);
 }
 
 /// Reserves the blocks within `reach` voxels of a surface.
@@ -69,29 +108,67 @@ void VoxelDistances::lay_out(const VoxelMap& map, int reach) {
   for (Block& block : blocks_) block.fill(kFar);
 }
 
-/// Every surface point lowers the distances around it.
-void VoxelDistances::spread(const VoxelMap& map, int reach) {
+/// Surface points sorted by blocks, in edges of a voxel from the corner of their block.
+VoxelDistances::BlockPoints VoxelDistances::sort_by_block(const VoxelMap& map) const {
+  BlockPoints sorted;
+  sorted.first.assign(blocks_.size() + 1, 0);
+  const auto block_of = [&](std::size_t i) {
+    return static_cast<std::size_t>(
+        table_[table_index((voxel_index(map.keys[i]) - first_) / kEdge)]);
+  };
+  for (std::size_t i = 0; i < map.size(); ++i) ++sorted.first[block_of(i) + 1];
+  std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
+  sorted.points.resize(map.size());
+  std::vector<std::uint32_t> next = sorted.first;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    spread(voxel_index(map.keys[i]), map.point(i) / resolution_, reach);
+    const Eigen::Vector3i local = voxel_index(map.keys[i]) - first_;
+    const Eigen::Vector3i corner = first_ + local / kEdge * kEdge;
+    sorted.points[next[block_of(i)]++] =
+        (map.point(i) / resolution_ - corner.cast<double>()).cast<float>();
+  }
+  return sorted;
+}
+
+/// The distances of each block are those to the points in it and in the blocks around it.
+void VoxelDistances::spread(const VoxelMap& map) {
+  const BlockPoints points = sort_by_block(map);
+  for (int z = 0; z < size_.z(); ++z) {
+    for (int y = 0; y < size_.y(); ++y) {
+      for (int x = 0; x < size_.x(); ++x) fill({x, y, z}, points);
+    }
   }
 }
 
-/// `point`: in edges of a voxel. Rows of voxels are cut to the ball around it.
-void VoxelDistances::spread(const Eigen::Vector3i& voxel, const Eigen::Vector3d& point, int reach) {
-  const Eigen::Vector3d to_centre = voxel.cast<double>().array() + 0.5 - point.array();
-  const double radius = max_distance_ / resolution_;
-  const double units = resolution_ / static_cast<double>(scale_);
-  for (int z = -reach; z <= reach; ++z) {
-    for (int y = -reach; y <= reach; ++y) {
-      const double away = square_of(to_centre.z() + z) + square_of(to_centre.y() + y);
-      const double left = square_of(radius) - away;
-      if (left <= 0.0) continue;
-      const double half = std::sqrt(left);
-      const int last = static_cast<int>(std::floor(half - to_centre.x()));
-      for (int x = static_cast<int>(std::ceil(-half - to_centre.x())); x <= last; ++x) {
-        const double distance = std::sqrt(away + square_of(to_centre.x() + x));
-        lower(voxel + Eigen::Vector3i(x, y, z), static_cast<std::uint8_t>(units * distance + 0.5));
-      }
+void VoxelDistances::fill(const Eigen::Vector3i& block, const BlockPoints& points) {
+  const std::int32_t own = table_[table_index(block)];
+  if (own < 0) return;
+  const auto radius = static_cast<float>(max_distance_ / resolution_);
+  SquaredDistances squares;
+  squares.fill(square_of(radius));
+  for_each_around(block, static_cast<int>(radius) / kEdge + 1, [&](const Eigen::Vector3i& other) {
+    const std::int32_t from = table_[table_index(other)];
+    if (from < 0) return;
+    const Eigen::Vector3f shift = (kEdge * (other - block)).cast<float>().array() - 0.5F;
+    for (const Eigen::Vector3f& p : points.of(static_cast<std::size_t>(from))) {
+      lower(p + shift, radius, squares);
+    }
+  });
+  const float units = static_cast<float>(resolution_) / scale_;
+  std::transform(squares.begin(), squares.end(), blocks_[static_cast<std::size_t>(own)].begin(),
+                 [units](float square) {
+                   return static_cast<std::uint8_t>(units * std::sqrt(square) + 0.5F);
+                 });
+}
+
+/// Calls `f` with the blocks at most `around` away, on the table.
+template <typename Function>
+void VoxelDistances::for_each_around(const Eigen::Vector3i& block, int around,
+                                     const Function& f) const {
+  const Eigen::Vector3i low = (block.array() - around).max(0);
+  const Eigen::Vector3i high = (block.array() + around).min(size_.array() - 1);
+  for (int z = low.z(); z <= high.z(); ++z) {
+    for (int y = low.y(); y <= high.y(); ++y) {
+      for (int x = low.x(); x <= high.x(); ++x) f(Eigen::Vector3i(x, y, z));
     }
   }
 }
@@ -104,13 +181,6 @@ std::size_t VoxelDistances::table_index(const Eigen::Vector3i& block) const {
          static_cast<std::size_t>(block.x());
 }
 
-void VoxelDistances::lower(const Eigen::Vector3i& voxel, std::uint8_t distance) {
-  const Eigen::Vector3i local = voxel - first_;
-  const auto block = static_cast<std::size_t>(table_[table_index(local / kEdge)]);
-  std::uint8_t& stored = blocks_[block][place_in_block(local)];
-  stored = std::min(stored, distance);
-}
-
 std::uint8_t VoxelDistances::byte_at(const Eigen::Vector3i& voxel) const {
   const Eigen::Vector3i local = voxel - first_;
   if (local.minCoeff() < 0 || ((local / kEdge).array() >= size_.array()).any()) return kFar;
@@ -118,18 +188,26 @@ std::uint8_t VoxelDistances::byte_at(const Eigen::Vector3i& voxel) const {
   return block < 0 ? kFar : blocks_[static_cast<std::size_t>(block)][place_in_block(local)];
 }
 
-float VoxelDistances::at(const Eigen::Vector3f& p_map) const {
+float VoxelDistances::at_point(const Eigen::Vector3f& p_map) const {
+  const Eigen::Vector3f lattice = p_map / static_cast<float>(resolution_);
+  return at_centre({cell_index(lattice.x()), cell_index(lattice.y()), cell_index(lattice.z())});
+}
+
+float VoxelDistances::interpolate(const Eigen::Vector3f& p_map,
+                                  const std::array<float, 256>& values) const {
   const Eigen::Vector3f lattice = p_map.array() / static_cast<float>(resolution_) - 0.5F;
   const Eigen::Vector3i low(cell_index(lattice.x()), cell_index(lattice.y()),
                             cell_index(lattice.z()));
   const Eigen::Vector3f t = (lattice - low.cast<float>()).array().max(0.0F).min(1.0F);
-  float sum = 0.0F;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3i step(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const Eigen::Vector3f weight = (step.array() == 1).select(t.array(), 1.0F - t.array());
-    sum += weight.prod() * static_cast<float>(byte_at(low + step));
-  }
-  return scale_ * sum;
+  const auto along_x = [&](int y, int z) {
+    const float left = values[byte_at(low + Eigen::Vector3i(0, y, z))];
+    return left + t.x() * (values[byte_at(low + Eigen::Vector3i(1, y, z))] - left);
+  };
+  const float near_below = along_x(0, 0);
+  const float near_above = along_x(0, 1);
+  const float below = near_below + t.y() * (along_x(1, 0) - near_below);
+  const float above = near_above + t.y() * (along_x(1, 1) - near_above);
+  return below + t.z() * (above - below);
 }
 
 }  // namespace castaway::localization

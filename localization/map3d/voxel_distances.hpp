@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,7 +22,22 @@ class VoxelDistances {
 
   /// Distance from a point to the nearest surface, interpolated between voxel centres. [m]
   /// Distances have no sign: nearer to a surface than half a voxel, it may read up to half a voxel.
-  [[nodiscard]] float at(const Eigen::Vector3f& p_map) const;
+  [[nodiscard]] float at(const Eigen::Vector3f& p_map) const { return interpolate(p_map, steps_); }
+  /// Distance from the centre of the voxel that a point is in. [m]
+  [[nodiscard]] float at_point(const Eigen::Vector3f& p_map) const;
+  /// Interpolates a function of distance, tabulated at the 256 distances that are stored
+  /// (`tabulate`).
+  [[nodiscard]] float interpolate(const Eigen::Vector3f& p_map,
+                                  const std::array<float, 256>& values) const;
+  /// Values of `f(distance [m])` for `interpolate`.
+  template <typename Function>
+  [[nodiscard]] std::array<float, 256> tabulate(const Function& f) const {
+    std::array<float, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = static_cast<float>(f(static_cast<double>(scale_) * static_cast<double>(i)));
+    }
+    return values;
+  }
   /// Distance from the centre of a voxel, rounded to 1/255 of `max_distance`. [m]
   [[nodiscard]] float at_centre(const Eigen::Vector3i& voxel) const {
     return scale_ * static_cast<float>(byte_at(voxel));
@@ -37,15 +53,28 @@ class VoxelDistances {
   static constexpr int kEdge = 8;  // [voxels]
   using Block = std::array<std::uint8_t, kEdge * kEdge * kEdge>;
 
+  /// Surface points by the block that they are in.
+  struct BlockPoints {
+    std::vector<std::uint32_t> first;  ///< Of each block; one more at the end.
+    std::vector<Eigen::Vector3f> points;
+
+    [[nodiscard]] std::span<const Eigen::Vector3f> of(std::size_t block) const {
+      return std::span(points).subspan(first[block], first[block + 1] - first[block]);
+    }
+  };
+
   void lay_out(const VoxelMap& map, int reach);
-  void spread(const VoxelMap& map, int reach);
-  void spread(const Eigen::Vector3i& voxel, const Eigen::Vector3d& point, int reach);
-  void lower(const Eigen::Vector3i& voxel, std::uint8_t distance);
+  void spread(const VoxelMap& map);
+  [[nodiscard]] BlockPoints sort_by_block(const VoxelMap& map) const;
+  template <typename Function>
+  void for_each_around(const Eigen::Vector3i& block, int around, const Function& f) const;
+  void fill(const Eigen::Vector3i& block, const BlockPoints& points);
   [[nodiscard]] std::size_t table_index(const Eigen::Vector3i& block) const;
   [[nodiscard]] std::uint8_t byte_at(const Eigen::Vector3i& voxel) const;
 
   double resolution_;
   double max_distance_;
+  std::array<float, 256> steps_{};                   ///< [m] The distances that are stored.
   float scale_ = 0.0F;                               ///< [m] Of a unit.
   Eigen::Vector3i first_ = Eigen::Vector3i::Zero();  ///< Voxel at the corner of the first block.
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();   ///< [blocks]

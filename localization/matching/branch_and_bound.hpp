@@ -8,6 +8,8 @@
 /// If no bound prunes, three levels cost 1 + 1/4 + 1/16 of the exhaustive search.
 #pragma once
 
+#include <utility>
+
 #include "localization/matching/best_places.hpp"
 #include "localization/matching/tile_scorer.hpp"
 
@@ -30,6 +32,8 @@ class BranchAndBound {
   [[nodiscard]] std::int64_t tiles_scored() const { return scorer_.scored(); }
   /// The best places so far, best first.
   [[nodiscard]] const BestPlaces& best() const { return best_; }
+  /// The same, for another search; this one ends.
+  [[nodiscard]] BestPlaces take_best() && { return std::move(best_); }
 
  private:
   void visit_next_root();

@@ -24,26 +24,29 @@ void validate(const MatcherConfig& config) {
   }
 }
 
+int yaw_steps(const MatcherConfig& config) {
+  return std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)));
+}
+
+double perfect_score(const MatcherConfig& config, std::size_t points) {
+  return kByteMax * std::min<double>(config.points, static_cast<double>(points));
+}
+
+BestPlaces make_best_places(const MatcherConfig& config, const GridFrame& frame, int most,
+                            int least) {
+  const double yaws_per_radian = yaw_steps(config) / (2.0 * std::numbers::pi);
+  const BinSize bin{
+      std::max(1, static_cast<int>(config.suppression_m / frame.resolution)),
+      std::max(1, static_cast<int>(std::lround(config.suppression_rad * yaws_per_radian)))};
+  return {frame, bin, most, kByteMax * config.points, least};
+}
+
 CascadeMatcher::CascadeMatcher(const MatcherConfig& config, const OccupancyGrid& grid,
                                const DistanceField& distances)
     : config_((validate(config), config)),
       field_(grid, distances, config.field),
       pyramid_(make_pyramid(field_, config.levels)),
-      yaws_(std::max(1, static_cast<int>(std::lround(2.0 * std::numbers::pi / config.yaw_step)))) {}
-
-/// Sum of the bytes of a scan that fits perfectly.
-double CascadeMatcher::perfect_score(std::size_t points) const {
-  return kByteMax * std::min<double>(config_.points, static_cast<double>(points));
-}
-
-BestPlaces CascadeMatcher::make_best_places(int most, int least) const {
-  const GridFrame& frame = field_.frame();
-  const double yaws_per_radian = yaws_ / (2.0 * std::numbers::pi);
-  const BinSize bin{
-      std::max(1, static_cast<int>(config_.suppression_m / frame.resolution)),
-      std::max(1, static_cast<int>(std::lround(config_.suppression_rad * yaws_per_radian)))};
-  return {frame, bin, most, kByteMax * config_.points, least};
-}
+      yaws_(yaw_steps(config)) {}
 
 std::vector<std::vector<CellOffset>> CascadeMatcher::rotate_scans(const ScanPoints& points,
                                                                   const SearchSpace& space) const {
@@ -55,13 +58,20 @@ std::vector<std::vector<CellOffset>> CascadeMatcher::rotate_scans(const ScanPoin
   return scans;
 }
 
-BranchAndBound CascadeMatcher::search(const ScanPoints& points,
-                                      const std::optional<MatchWindow>& window,
-                                      const std::optional<int>& most, double least) const {
+StagedSearch CascadeMatcher::search(const ScanPoints& points, const std::optional<int>& most,
+                                    double least) const {
+  return search_within(points, {}, most, least);
+}
+
+StagedSearch CascadeMatcher::search_within(const ScanPoints& points,
+                                           const std::optional<MatchWindow>& window,
+                                           const std::optional<int>& most, double least) const {
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
-  const int least_sum = static_cast<int>(std::ceil(least * perfect_score(points.size())));
-  return {pyramid_, space, rotate_scans(points, space),
-          make_best_places(most.value_or(config_.candidates), least_sum)};
+  const double perfect = perfect_score(config_, points.size());
+  return {{{&pyramid_, space, rotate_scans(points, space)}},
+          make_best_places(config_, field_.frame(), most.value_or(config_.candidates),
+                           static_cast<int>(std::ceil(least * perfect))),
+          perfect};
 }
 
 std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
@@ -69,20 +79,22 @@ std::vector<Candidate> CascadeMatcher::match(const ScanPoints& points,
                                              const std::optional<int>& most) const {
   if (points.empty()) return {};
   if (!window && config_.algorithm == MatchAlgorithm::kBranchAndBound) {
-    BranchAndBound whole = search(points, window, most);
+    StagedSearch whole = search(points, most);
     while (!whole.complete()) whole.step(kSlice);
-    return candidates(whole.best(), points.size());
+    return candidates(whole);
   }
-  BestPlaces best = make_best_places(most.value_or(config_.candidates));
+  BestPlaces best = make_best_places(config_, field_.frame(), most.value_or(config_.candidates));
   const SearchSpace space = search_space(field_.frame(), yaws_, window);
   score_all(pyramid_.front(), space, rotate_scans(points, space), best);
-  return candidates(best, points.size());
+  return candidates(best, perfect_score(config_, points.size()));
 }
 
-std::vector<Candidate> CascadeMatcher::candidates(const BestPlaces& best,
-                                                  std::size_t points) const {
+std::vector<Candidate> CascadeMatcher::candidates(const StagedSearch& search) const {
+  return candidates(search.best(), search.perfect());
+}
+
+std::vector<Candidate> CascadeMatcher::candidates(const BestPlaces& best, double perfect) const {
   const GridFrame& frame = field_.frame();
-  const double perfect = perfect_score(points);
   std::vector<Candidate> candidates;
   for (const Place& place : best.list()) {
     const Eigen::Vector2d p = frame.centre_of({place.column, place.row});

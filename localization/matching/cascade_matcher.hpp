@@ -6,7 +6,7 @@
 /// have found.
 #pragma once
 
-#include "localization/matching/branch_and_bound.hpp"
+#include "localization/matching/place_matcher.hpp"
 #include "localization/matching/score_volume.hpp"
 
 namespace castaway::localization {
@@ -35,39 +35,38 @@ struct MatcherConfig {
 /// @throws std::invalid_argument if a value is out of range.
 void validate(const MatcherConfig& config);
 
-/// A pose at which a scan fits the map.
-struct Candidate {
-  SE2 T_map_base;      ///< Centre of the coarse cell and yaw of the step.
-  double score = 0.0;  ///< In [0, 1]: mean of the bytes under the end points.
-};
+/// Number of yaws in a turn.
+int yaw_steps(const MatcherConfig& config);
 
-/// Searches one map.
-class CascadeMatcher {
+/// An empty list for a search of a grid of coarse cells.
+BestPlaces make_best_places(const MatcherConfig& config, const GridFrame& frame, int most,
+                            int least = 1);
+
+/// Sum of the bytes of a scan of `points` points that fits perfectly.
+double perfect_score(const MatcherConfig& config, std::size_t points);
+
+/// Searches one planar map.
+class CascadeMatcher final : public PlaceMatcher {
  public:
   CascadeMatcher(const MatcherConfig& config, const OccupancyGrid& grid,
                  const DistanceField& distances);
 
   [[nodiscard]] const MatcherConfig& config() const { return config_; }
-  /// Size of the map in coarse cells.
-  [[nodiscard]] std::size_t cells() const { return field_.frame().size(); }
-  /// Returns candidates on free cells, best first; none for a scan without points. `most` overrides
-  /// the configured number.
+  [[nodiscard]] std::size_t cells() const override { return field_.frame().size(); }
   [[nodiscard]] std::vector<Candidate> match(const ScanPoints& points,
                                              const std::optional<MatchWindow>& window = {},
-                                             const std::optional<int>& most = {}) const;
-
-  /// Starts a match that runs in slices, always by branch and bound; the matcher must outlive it.
-  /// Places with a score (`Candidate::score`) below `least` are left out, which prunes the search.
-  [[nodiscard]] BranchAndBound search(const ScanPoints& points,
-                                      const std::optional<MatchWindow>& window = {},
-                                      const std::optional<int>& most = {},
-                                      double least = 0.0) const;
-  /// Candidates that a search with a scan of `points` points has found so far.
-  [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, std::size_t points) const;
+                                             const std::optional<int>& most = {}) const override;
+  [[nodiscard]] StagedSearch search(const ScanPoints& points, const std::optional<int>& most = {},
+                                    double least = 0.0) const override;
+  /// The same within a window.
+  [[nodiscard]] StagedSearch search_within(const ScanPoints& points,
+                                           const std::optional<MatchWindow>& window,
+                                           const std::optional<int>& most = {},
+                                           double least = 0.0) const;
+  [[nodiscard]] std::vector<Candidate> candidates(const StagedSearch& search) const override;
 
  private:
-  [[nodiscard]] double perfect_score(std::size_t points) const;
-  [[nodiscard]] BestPlaces make_best_places(int most, int least = 1) const;
+  [[nodiscard]] std::vector<Candidate> candidates(const BestPlaces& best, double perfect) const;
   [[nodiscard]] std::vector<std::vector<CellOffset>> rotate_scans(const ScanPoints& points,
                                                                   const SearchSpace& space) const;
 

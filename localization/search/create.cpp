@@ -14,7 +14,8 @@ namespace {
 SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMemory& later,
               const ScanMemory& earlier) {
   const SE2 u = later.T_odom_base.inverse() * earlier.T_odom_base;
-  const SE2 predicted = T_map_base * u;
+  SE2 predicted = T_map_base * u;
+  if (context.volume != nullptr) predicted = context.volume->atlas().on_own_chart(predicted);
   const OdometryMotion motion(u, context.noise);
   const Eigen::Matrix3d slack = Eigen::Vector3d(1e-4, 1e-4, 1e-5).asDiagonal();
   const Eigen::Matrix3d spread = rotate_to_map(motion.covariance(), T_map_base.yaw) + slack;

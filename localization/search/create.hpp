@@ -12,7 +12,7 @@
 #include "localization/hypotheses/merge.hpp"
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/scan_history.hpp"
-#include "localization/matching/cascade_matcher.hpp"
+#include "localization/matching/place_matcher.hpp"
 #include "localization/matching/refine.hpp"
 #include "localization/motion/odometry_noise.hpp"
 #include "localization/sensor/evidence_model.hpp"
@@ -52,6 +52,7 @@ struct CreateContext {
   const OdometryNoiseConfig& noise;
   const EndpointModel& model;  ///< For refinement.
   const EvidenceModel& evidence;
+  const Volume* volume = nullptr;  ///< A 3-D map; none: a planar one.
 };
 
 /// A place with its weight on the scale of the hypotheses.

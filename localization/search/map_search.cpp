@@ -26,16 +26,16 @@ bool last_is_as_good(const std::vector<Candidate>& candidates, const SE2& T_map_
 
 }  // namespace
 
-MapSearch::MapSearch(const CreateConfig& config, const CascadeMatcher& matcher,
+MapSearch::MapSearch(const CreateConfig& config, const PlaceMatcher& matcher,
                      const ScanPoints& points, const SE2& T_odom_base, SearchDepth depth)
     : MapSearch(matcher, points_of(config, points, depth), T_odom_base,
                 depth == SearchDepth::kDeep ? config.deep_candidates : config.quick_candidates,
                 0.0) {}
 
-MapSearch::MapSearch(const CascadeMatcher& matcher, const ScanPoints& points,
-                     const SE2& T_odom_base, int most, double least)
-    : matcher_(&matcher), most_(most), T_odom_base_(T_odom_base), points_(points.size()) {
-  if (!points.empty()) search_ = matcher.search(points, {}, most, least);
+MapSearch::MapSearch(const PlaceMatcher& matcher, const ScanPoints& points, const SE2& T_odom_base,
+                     int most, double least)
+    : matcher_(&matcher), most_(most), T_odom_base_(T_odom_base) {
+  if (!points.empty()) search_ = matcher.search(points, most, least);
 }
 
 bool MapSearch::step(std::int64_t tiles, WorkBudget& budget) {
@@ -49,7 +49,7 @@ bool MapSearch::step(std::int64_t tiles, WorkBudget& budget) {
 std::vector<Candidate> MapSearch::candidates(const SE2& T_odom_base) const {
   if (!search_) return {};
   const SE2 u = T_odom_base_.inverse() * T_odom_base;
-  std::vector<Candidate> all = matcher_->candidates(search_->best(), points_);
+  std::vector<Candidate> all = matcher_->candidates(*search_);
   if (u == SE2{}) return all;
   for (Candidate& candidate : all) candidate.T_map_base = candidate.T_map_base * u;
   return all;
@@ -99,7 +99,7 @@ void PlaceSearch::cancel() {
   goes_on_ = false;
 }
 
-std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
+std::vector<WeighedPlace> find_places(const CreateContext& context, const PlaceMatcher& matcher,
                                       const ScanPoints& points) {
   if (points.empty()) return {};
   constexpr double kUnlimited = 1e9;

@@ -23,11 +23,11 @@ enum class SearchDepth {
 class MapSearch {
  public:
   /// `T_odom_base` is the odometry at the scan.
-  MapSearch(const CreateConfig& config, const CascadeMatcher& matcher, const ScanPoints& points,
+  MapSearch(const CreateConfig& config, const PlaceMatcher& matcher, const ScanPoints& points,
             const SE2& T_odom_base, SearchDepth depth);
   /// Searches with all end points for at most `most` candidates with a score of at least `least`.
-  MapSearch(const CascadeMatcher& matcher, const ScanPoints& points, const SE2& T_odom_base,
-            int most, double least);
+  MapSearch(const PlaceMatcher& matcher, const ScanPoints& points, const SE2& T_odom_base, int most,
+            double least);
 
   /// Continues for about `tiles` tiles (`BranchAndBound::step`), or as many as `budget` grants, and
   /// spends them. Returns true when the search is complete.
@@ -40,11 +40,10 @@ class MapSearch {
   [[nodiscard]] std::int64_t tiles_to_refine(int most) const;
 
  private:
-  const CascadeMatcher* matcher_;
+  const PlaceMatcher* matcher_;
   int most_ = 0;
   SE2 T_odom_base_;
-  std::size_t points_ = 0;
-  std::optional<BranchAndBound> search_;  ///< None for a scan without points.
+  std::optional<StagedSearch> search_;  ///< None for a scan without points.
 };
 
 /// Searches the map scan by scan: quickly at first, then deep if the result is unclear, and deep
@@ -52,7 +51,7 @@ class MapSearch {
 /// it.
 class PlaceSearch {
  public:
-  explicit PlaceSearch(const CascadeMatcher& matcher) : matcher_(matcher) {}
+  explicit PlaceSearch(const PlaceMatcher& matcher) : matcher_(matcher) {}
 
   /// True if a search is in progress, or a deeper one is due with the next scan.
   [[nodiscard]] bool is_pending() const { return search_.has_value() || goes_on_; }
@@ -65,7 +64,7 @@ class PlaceSearch {
   void cancel();
 
  private:
-  const CascadeMatcher& matcher_;
+  const PlaceMatcher& matcher_;
   std::optional<MapSearch> search_;
   SearchDepth depth_ = SearchDepth::kQuick;  ///< Of the search in progress or the next one.
   int deep_candidates_ = 0;                  ///< Of the next deep search.
@@ -79,7 +78,7 @@ FoundPlaces refine_found(const CreateContext& context, const MapSearch& search,
                          WorkBudget& budget);
 
 /// Searches the whole map at once, as deep as `PlaceSearch`. Returns the places found, refined.
-std::vector<WeighedPlace> find_places(const CreateContext& context, const CascadeMatcher& matcher,
+std::vector<WeighedPlace> find_places(const CreateContext& context, const PlaceMatcher& matcher,
                                       const ScanPoints& points);
 
 }  // namespace castaway::localization

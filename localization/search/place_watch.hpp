@@ -50,7 +50,7 @@ struct WatchOccasion {
 /// Searches the map when an occasion asks for it. The matcher must outlive it.
 class PlaceWatch {
  public:
-  PlaceWatch(const PlaceWatchConfig& config, const CascadeMatcher& matcher)
+  PlaceWatch(const PlaceWatchConfig& config, const PlaceMatcher& matcher)
       : config_(config), matcher_(matcher), pause_s_(config.first_pause_s) {}
 
   /// Drops the search in progress and forgets the last one.
@@ -70,7 +70,7 @@ class PlaceWatch {
   void begin(const ScanTurn& scan, const SE2& T_map_base);
 
   PlaceWatchConfig config_;
-  const CascadeMatcher& matcher_;
+  const PlaceMatcher& matcher_;
   std::optional<MapSearch> search_;
   bool urgent_ = false;        ///< The search in progress began on suspicion.
   std::optional<Stamp> last_;  ///< End of the last search.

@@ -57,7 +57,7 @@ std::optional<SE2> best_on_way(const EndpointModel& model, const ScanPoints& poi
 /// Searches around outputs. The matcher must outlive it.
 class Rescue {
  public:
-  Rescue(const RescueConfig& config, const CascadeMatcher& matcher)
+  Rescue(const RescueConfig& config, const PlaceMatcher& matcher)
       : config_(config), matcher_(matcher) {}
 
   /// Returns a nearby place where the scan fits better than at the output; nothing if the output
@@ -85,7 +85,7 @@ class Rescue {
                                const LastStep& step) const;
 
   RescueConfig config_;
-  const CascadeMatcher& matcher_;
+  const PlaceMatcher& matcher_;
 };
 
 }  // namespace castaway::localization

@@ -13,7 +13,7 @@ namespace castaway::localization {
 /// Searches the map when the schedule demands it. The matcher must outlive it.
 class ScheduledSearch {
  public:
-  ScheduledSearch(const MatchScheduleConfig& config, const CascadeMatcher& matcher)
+  ScheduledSearch(const MatchScheduleConfig& config, const PlaceMatcher& matcher)
       : slice_(config.slice), search_(matcher), schedule_(config) {}
 
   /// Restarts at an unknown pose: drops the search in progress; a new one is due.

@@ -5,7 +5,7 @@
 /// Journal of Artificial Intelligence Research 11 (1999), section 3.3.
 #pragma once
 
-#include "localization/map/wall_clearance.hpp"
+#include "localization/sensor/ray_consistency.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -18,11 +18,11 @@ struct DistanceFilterConfig {
   int least = 15;            ///< With fewer beams left, the scan stays as it is.
 };
 
-/// Filters scans by one map's walls, which must outlive it.
+/// Filters scans by what one map holds, which must outlive it.
 class DistanceFilter {
  public:
-  DistanceFilter(const DistanceFilterConfig& config, const WallClearance& walls)
-      : config_(config), walls_(walls) {}
+  DistanceFilter(const DistanceFilterConfig& config, const RayWorld& world)
+      : config_(config), world_(world) {}
 
   /// Returns the beams that may have ended on mapped walls if base is near `T_map_base`; all of
   /// them if most end points lie on walls there.
@@ -30,9 +30,13 @@ class DistanceFilter {
 
  private:
   [[nodiscard]] bool fits(const ScanPoints& points, const SE2& T_map_base) const;
+  [[nodiscard]] std::size_t misfits(const WallClearance& walls, const ScanPoints& points,
+                                    const SE2& T_map_base) const;
+  [[nodiscard]] std::size_t misfits(const Volume& volume, const ScanPoints& points,
+                                    const SE2& T_map_base) const;
 
   DistanceFilterConfig config_;
-  const WallClearance& walls_;
+  RayWorld world_;
 };
 
 }  // namespace castaway::localization

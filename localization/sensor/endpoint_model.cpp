@@ -3,13 +3,16 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "localization/sensor/pose_in_cells.hpp"
+
 namespace castaway::localization {
 namespace {
 
 /// Calls `take` with the field's value at each point, in their order.
 template <typename Take>
-[[gnu::always_inline]] inline void look_up(const InterpolatedField& field, const PoseInCells& pose,
-                                           const ScanPoints& points, const Take& take) {
+[[gnu::always_inline]] inline void look_up_cells(const InterpolatedField& field,
+                                                 const PoseInCells& pose, const ScanPoints& points,
+                                                 const Take& take) {
   std::size_t i = 0;
   for (; i + 4 <= points.size(); i += 4) {
     const FourFloats px = load_four(&points.x[i]);
@@ -39,13 +42,43 @@ double endpoint_log_likelihood(const EndpointConfig& config, double distance) {
 
 EndpointModel::EndpointModel(const EndpointConfig& config, const DistanceField& distances)
     : config_((validate(config), config)),
-      field_(distances, [&](double d) { return endpoint_log_likelihood(config, d); }),
-      to_grid_(distances.frame()) {}
+      field_(PlanarField{{distances, [&](double d) { return endpoint_log_likelihood(config, d); }},
+                         MapToGrid(distances.frame())}) {}
+
+EndpointModel::EndpointModel(const EndpointConfig& config, const Volume& volume)
+    : config_((validate(config), config)),
+      field_(VolumeField{&volume, volume.distances().tabulate([&](double d) {
+                           return endpoint_log_likelihood(config, d);
+                         })}) {}
+
+const GridFrame& EndpointModel::frame() const {
+  const auto* planar = std::get_if<PlanarField>(&field_);
+  return planar != nullptr ? planar->values.frame()
+                           : std::get<VolumeField>(field_).volume->atlas().frame();
+}
+
+template <typename Take>
+void EndpointModel::look_up(const ScanPoints& points, const SE2& T_map_base,
+                            const Take& take) const {
+  if (const auto* planar = std::get_if<PlanarField>(&field_)) {
+    return look_up_cells(planar->values, PoseInCells(planar->to_grid, T_map_base), points, take);
+  }
+  const auto& [volume, values] = std::get<VolumeField>(field_);
+  const auto base = volume->lift(T_map_base);
+  if (!base) {
+    for (std::size_t i = 0; i < points.size(); ++i) take(values.back());
+    return;
+  }
+  const PoseInVolume pose(base->T_map_base);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    take(volume->distances().interpolate(pose.end(points, i), values));
+  }
+}
 
 double EndpointModel::log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
   float sum = 0.0F;
-  look_up(field_, PoseInCells(to_grid_, T_map_base), points, [&sum](float value) { sum += value; });
+  look_up(points, T_map_base, [&sum](float value) { sum += value; });
   return config_.independent_beams * static_cast<double>(sum) / static_cast<double>(points.size());
 }
 
@@ -53,8 +86,7 @@ std::vector<float> EndpointModel::beam_log_likelihoods(const ScanPoints& points,
                                                        const SE2& T_map_base) const {
   std::vector<float> result;
   result.reserve(points.size());
-  look_up(field_, PoseInCells(to_grid_, T_map_base), points,
-          [&result](float value) { result.push_back(value); });
+  look_up(points, T_map_base, [&result](float value) { result.push_back(value); });
   return result;
 }
 

@@ -6,7 +6,11 @@
 /// neighbouring beams see the same wall.
 #pragma once
 
+#include <array>
+#include <variant>
+
 #include "localization/map/interpolated_field.hpp"
+#include "localization/map3d/volume.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 
@@ -27,13 +31,15 @@ void validate(const EndpointConfig& config);
 /// Log-likelihood of one end point at `distance` [m] from a wall; 0 on a wall.
 double endpoint_log_likelihood(const EndpointConfig& config, double distance);
 
-/// Evaluates scans against one map.
+/// Evaluates scans against one map, planar or 3-D; poses are in map or in the atlas.
 class EndpointModel {
  public:
   EndpointModel(const EndpointConfig& config, const DistanceField& distances);
+  /// `volume` must outlive the model. Where it has no ground, all beams are far from any surface.
+  EndpointModel(const EndpointConfig& config, const Volume& volume);
 
   [[nodiscard]] const EndpointConfig& config() const { return config_; }
-  [[nodiscard]] const GridFrame& frame() const { return field_.frame(); }
+  [[nodiscard]] const GridFrame& frame() const;
   /// Log-likelihood of a scan from a pose: mean over beams times `independent_beams`; 0 is perfect.
   /// Also 0 without beams.
   [[nodiscard]] double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const;
@@ -42,9 +48,19 @@ class EndpointModel {
                                                         const SE2& T_map_base) const;
 
  private:
+  struct PlanarField {
+    InterpolatedField values;
+    MapToGrid to_grid;
+  };
+  struct VolumeField {
+    const Volume* volume;
+    std::array<float, 256> values;  ///< By distance, `VoxelDistances::tabulate`.
+  };
+  template <typename Take>
+  void look_up(const ScanPoints& points, const SE2& T_map_base, const Take& take) const;
+
   EndpointConfig config_;
-  InterpolatedField field_;
-  MapToGrid to_grid_;
+  std::variant<PlanarField, VolumeField> field_;
 };
 
 }  // namespace castaway::localization

@@ -31,11 +31,13 @@ struct Evidence {
   double quality = 0.0;  ///< In [0, 1]: mean likelihood of the beams; paper, eq. 9, at one pose.
 };
 
-/// Evaluates scans against one map; `grid` must outlive the model.
+/// Evaluates scans against one map, planar or 3-D; `grid` must outlive the model.
 class EvidenceModel {
  public:
   EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
                 const DistanceField& distances);
+  /// `volume` must outlive the model; poses are in its atlas.
+  EvidenceModel(const EvidenceConfig& config, const Volume& volume);
   /// Evidence of a scan at a pose. Without beams: neutral, quality 0.
   [[nodiscard]] Evidence evaluate(const ScanPoints& points, const SE2& T_map_base) const;
   /// Returns the log-likelihood if it is above `least`; otherwise some value that is not above it,
@@ -47,15 +49,20 @@ class EvidenceModel {
 
   /// The part of the evidence without rays.
   [[nodiscard]] const EndpointModel& endpoint() const { return endpoint_; }
-  [[nodiscard]] const WallClearance& walls() const { return walls_; }
+  /// What rays may meet.
+  [[nodiscard]] RayWorld world() const {
+    return volume_ != nullptr ? RayWorld(volume_) : RayWorld(&*walls_);
+  }
 
  private:
   [[nodiscard]] double share(std::size_t beams) const;
+  [[nodiscard]] bool is_free(const SE2& T_map_base) const;
   [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
 
   EvidenceConfig config_;
-  const OccupancyGrid& grid_;
-  WallClearance walls_;
+  const OccupancyGrid* grid_ = nullptr;  ///< Of a planar map.
+  std::optional<WallClearance> walls_;   ///< Of a planar map.
+  const Volume* volume_ = nullptr;       ///< A 3-D map.
   EndpointModel endpoint_;
   double through_wall_ = 0.0;  ///< [nats] Log-likelihood of a beam through a wall.
 };

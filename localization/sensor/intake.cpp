@@ -23,7 +23,8 @@ bool is_sane(const LaserScan& scan) {
 }  // namespace
 
 void validate(const PoseWithCovariance& start) {
-  if (!is_sane(start.T_map_base) || !start.covariance.allFinite()) {
+  const bool is_near = std::abs(start.z.value_or(0.0)) <= kFarthest;
+  if (!is_sane(start.T_map_base) || !start.covariance.allFinite() || !is_near) {
     throw std::invalid_argument(
         "the start's pose or covariance is not a number, or beyond 1e7 m from the origin");
   }

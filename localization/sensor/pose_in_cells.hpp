@@ -1,9 +1,13 @@
-/// A pose prepared for looking up many points in a grid.
+/// Poses prepared for looking up many points in a map.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+
+#include <Eigen/Geometry>
 
 #include "localization/map/occupancy_grid.hpp"
+#include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
 
@@ -55,6 +59,26 @@ class PoseInCells {
 
  private:
   float cos_, sin_, x_, y_;
+};
+
+/// Maps points of scans from base to map, in single precision.
+class PoseInVolume {
+ public:
+  explicit PoseInVolume(const Eigen::Isometry3d& T_map_base)
+      : R_(T_map_base.linear().cast<float>()), t_(T_map_base.translation().cast<float>()) {}
+
+  /// End of beam `i` in map. [m]
+  [[nodiscard]] Eigen::Vector3f end(const ScanPoints& points, std::size_t i) const {
+    return R_ * Eigen::Vector3f(points.x[i], points.y[i], points.z[i]) + t_;
+  }
+  /// Where beam `i` begins. [m]
+  [[nodiscard]] Eigen::Vector3f origin(const ScanPoints& points, std::size_t i) const {
+    return R_ * Eigen::Vector3f(points.origin_x[i], points.origin_y[i], points.origin_z[i]) + t_;
+  }
+
+ private:
+  Eigen::Matrix3f R_;
+  Eigen::Vector3f t_;
 };
 
 }  // namespace castaway::localization

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "localization/map3d/voxel_rays.hpp"
+
 namespace castaway::localization {
 namespace {
+
+constexpr float kLow = 0.12F;  // [m] Lower end points may be ground.
 
 /// A ray in cells: `length` from `from` along the unit vector `direction`.
 struct CellRay {
@@ -31,9 +35,19 @@ bool ray_meets_wall(const CellRay& ray, const WallClearance& walls) {
 
 }  // namespace
 
-RayConsistency::RayConsistency(const WallClearance& walls, const SE2& T_map_base,
+RayConsistency::RayConsistency(const RayWorld& world, const SE2& T_map_base,
                                const RayConsistencyConfig& config)
-    : walls_(walls), config_(config), pose_(walls.frame(), T_map_base) {}
+    : view_(view_from(world, T_map_base)), config_(config) {}
+
+RayConsistency::View RayConsistency::view_from(const RayWorld& world, const SE2& T_map_base) {
+  if (const auto* walls = std::get_if<const WallClearance*>(&world)) {
+    return OnPlane{*walls, PoseInCells((*walls)->frame(), T_map_base)};
+  }
+  const Volume* volume = std::get<const Volume*>(world);
+  InVolume view{volume, std::nullopt};
+  if (const auto there = volume->lift(T_map_base)) view.pose.emplace(there->T_map_base);
+  return view;
+}
 
 bool RayConsistency::through_wall(const ScanPoints& points, std::size_t i) const {
   const double r = points.range[i];
@@ -48,13 +62,31 @@ bool RayConsistency::ends_before_wall(const ScanPoints& points, std::size_t i,
 
 /// True if beam `i`, made longer by `longer` [m], meets a wall.
 bool RayConsistency::meets_wall(const ScanPoints& points, std::size_t i, double longer) const {
-  const auto scale = static_cast<float>(1.0 / walls_.frame().resolution);
+  return std::visit([&](const auto& view) { return meets(view, points, i, longer); }, view_);
+}
+
+bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::size_t i,
+                           double longer) {
+  const auto scale = static_cast<float>(1.0 / view.walls->frame().resolution);
+  const PoseInCells& pose = view.pose;
   const float r = points.range[i];
-  const Eigen::Vector2f from(pose_.x(points.origin_x[i], points.origin_y[i]),
-                             pose_.y(points.origin_x[i], points.origin_y[i]));
-  const Eigen::Vector2f to(pose_.x(points.x[i], points.y[i]), pose_.y(points.x[i], points.y[i]));
+  const Eigen::Vector2f from(pose.x(points.origin_x[i], points.origin_y[i]),
+                             pose.y(points.origin_x[i], points.origin_y[i]));
+  const Eigen::Vector2f to(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i]));
   const float length = (r + static_cast<float>(longer)) * scale;
-  return ray_meets_wall({from, (to - from) / (r * scale), length}, walls_);
+  return ray_meets_wall({from, (to - from) / (r * scale), length}, *view.walls);
+}
+
+/// Beams that end low graze the ground before they meet it.
+bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::size_t i,
+                           double longer) {
+  if (!view.pose) return false;
+  const bool grazes = points.z[i] < kLow;
+  if (grazes) return longer > 0.0;
+  const Eigen::Vector3f from = view.pose->origin(points, i);
+  const Eigen::Vector3f to = view.pose->end(points, i);
+  const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
+  return meets_surface(view.volume->distances(), from, from + stretch * (to - from));
 }
 
 }  // namespace castaway::localization

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <variant>
 
 #include "localization/map/wall_clearance.hpp"
+#include "localization/map3d/volume.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 
@@ -15,12 +18,14 @@ struct RayConsistencyConfig {
   double margin_share = 0.02;  ///< The same as a share of the range; the larger one counts.
 };
 
+/// What may be in the way of rays: the walls of a planar map, or the surfaces of a 3-D one.
+using RayWorld = std::variant<const WallClearance*, const Volume*>;
+
 /// Checks single beams from one pose by stepping through the clearances of a map, which must
-/// outlive it.
+/// outlive it. In a 3-D map poses are in its atlas; where it has no ground, nothing is met.
 class RayConsistency {
  public:
-  RayConsistency(const WallClearance& walls, const SE2& T_map_base,
-                 const RayConsistencyConfig& config);
+  RayConsistency(const RayWorld& world, const SE2& T_map_base, const RayConsistencyConfig& config);
 
   /// True if beam `i` passes through a mapped wall before its end point. An object in which the
   /// beam starts (base is inside of it on the map) does not count.
@@ -30,11 +35,23 @@ class RayConsistency {
   [[nodiscard]] bool ends_before_wall(const ScanPoints& points, std::size_t i, double beyond) const;
 
  private:
-  [[nodiscard]] bool meets_wall(const ScanPoints& points, std::size_t i, double longer) const;
+  struct OnPlane {
+    const WallClearance* walls;
+    PoseInCells pose;
+  };
+  struct InVolume {
+    const Volume* volume;
+    std::optional<PoseInVolume> pose;
+  };
+  using View = std::variant<OnPlane, InVolume>;
 
-  const WallClearance& walls_;
+  static View view_from(const RayWorld& world, const SE2& T_map_base);
+  [[nodiscard]] bool meets_wall(const ScanPoints& points, std::size_t i, double longer) const;
+  static bool meets(const OnPlane& view, const ScanPoints& points, std::size_t i, double longer);
+  static bool meets(const InVolume& view, const ScanPoints& points, std::size_t i, double longer);
+
+  View view_;
   RayConsistencyConfig config_;
-  PoseInCells pose_;
 };
 
 }  // namespace castaway::localization

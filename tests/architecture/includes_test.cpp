@@ -192,7 +192,8 @@ const Layers kToolsLayers = {
 const Layers kLocalizationLayers = {
     {"localization/geometry"},
     {"localization/map", "localization/motion"},
-    {"localization/map3d", "localization/sensor"},
+    {"localization/map3d"},
+    {"localization/stack", "localization/sensor"},
     {"localization/filter", "localization/matching"},
     {"localization/hypotheses"},
     {"localization/search"},

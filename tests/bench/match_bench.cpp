@@ -20,7 +20,7 @@ void match_floor(benchmark::State& state) {
   config.algorithm = static_cast<MatchAlgorithm>(state.range(0));
   const CascadeMatcher matcher(config, scene.grid, scene.distances);
   for (auto _ : state) benchmark::DoNotOptimize(matcher.match(scene.points));
-  BranchAndBound search = matcher.search(scene.points);
+  StagedSearch search = matcher.search(scene.points);
   while (!search.complete()) search.step(1000);
   state.counters["tiles"] = static_cast<double>(search.tiles_scored());
 }

@@ -18,7 +18,7 @@ PlaceFinder::PlaceFinder(const localization::MhAmclConfig& config,
 
 std::vector<FoundPlace> PlaceFinder::find(const localization::ScanPoints& points) const {
   std::vector<FoundPlace> found;
-  for (const auto& place : find_places(models_.context, models_.matcher, points)) {
+  for (const auto& place : find_places(models_.context, *models_.matcher, points)) {
     found.push_back({place.T_map_base, place.newest.log_likelihood});
   }
   return found;
@@ -33,16 +33,17 @@ FoundPlace PlaceFinder::refine(const localization::ScanPoints& points,
 double PlaceFinder::blocked_share(const localization::ScanPoints& points,
                                   const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
-  const double resolution = models_.map.frame.resolution;
-  const SE2 T_grid_base = models_.map.frame.T_map_grid.inverse() * T_map_base;
+  const localization::OccupancyGrid& grid = models_.planar->grid;
+  const double resolution = grid.frame.resolution;
+  const SE2 T_grid_base = grid.frame.T_map_grid.inverse() * T_map_base;
   int blocked = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d from =
         T_grid_base * Eigen::Vector2d(points.origin_x[i], points.origin_y[i]);
     const Eigen::Vector2d to = T_grid_base * Eigen::Vector2d(points.x[i], points.y[i]);
     const double longest = static_cast<double>(points.range[i]) + kBlocked;
-    const double way = resolution * cast_ray(models_.map, from / resolution,
-                                             (to - from).normalized(), longest / resolution);
+    const double way = resolution * cast_ray(grid, from / resolution, (to - from).normalized(),
+                                             longest / resolution);
     if (way >= longest) ++blocked;
   }
   return static_cast<double>(blocked) / static_cast<double>(points.size());

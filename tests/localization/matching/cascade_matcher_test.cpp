@@ -109,9 +109,9 @@ TEST(CascadeMatcher, ASearchInSlicesGivesWhatAMatchGives) {
   const CascadeMatcher matcher({}, grid, DistanceField(grid, 5.0));
   const ScanPoints points = test::points_from(grid, {3.0, 3.0, 0.4});
   for (const auto& window : {std::optional<MatchWindow>(), {MatchWindow{{3.0, 3.0, 0.5}}}}) {
-    BranchAndBound search = matcher.search(points, window);
+    StagedSearch search = matcher.search_within(points, window);
     while (!search.step(100)) EXPECT_FALSE(search.complete());
-    expect_same(matcher.candidates(search.best(), points.size()), matcher.match(points, window));
+    expect_same(matcher.candidates(search), matcher.match(points, window));
   }
 }
 
@@ -124,13 +124,13 @@ TEST(CascadeMatcher, ASearchAboveAScoreLeavesTheRestOut) {
   std::erase_if(expected, [&](const Candidate& c) { return c.score < least; });
   ASSERT_GT(expected.size(), 1U);
   ASSERT_LT(expected.size(), matcher.match(points).size());
-  BranchAndBound whole = matcher.search(points);
-  BranchAndBound search = matcher.search(points, {}, {}, least);
+  StagedSearch whole = matcher.search(points);
+  StagedSearch search = matcher.search(points, {}, least);
   while (!whole.step(1 << 20)) {
   }
   while (!search.step(1 << 20)) {
   }
-  expect_same(matcher.candidates(search.best(), points.size()), expected);
+  expect_same(matcher.candidates(search), expected);
   EXPECT_LT(search.tiles_scored(), whole.tiles_scored());
 }
 

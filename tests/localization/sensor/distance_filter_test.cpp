@@ -24,7 +24,7 @@ class DistanceFilterTest : public testing::Test {
   OccupancyGrid grid_ = test::office();
   DistanceField distances_{grid_, 5.0};
   WallClearance walls_{distances_};
-  DistanceFilter filter_{{}, walls_};
+  DistanceFilter filter_{{}, &walls_};
   SE2 pose_{3.0, 3.0, 0.4};
   ScanPoints all_ = test::points_from(grid_, pose_);
 };

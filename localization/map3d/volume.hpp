@@ -1,0 +1,51 @@
+/// A 3-D map prepared for a localizer: the atlas of its ground, and distances to its surfaces.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "localization/map3d/atlas.hpp"
+#include "localization/map3d/terrain_pose.hpp"
+#include "localization/map3d/voxel_distances.hpp"
+
+namespace castaway::localization {
+
+/// Settings of the preparation.
+struct VolumeConfig {
+  double max_distance = 0.4;  ///< [m] Larger distances from surfaces read as this.
+  double margin = 2.0;        ///< [m] How far charts overlap.
+  WheelContacts contacts;     ///< Of the robot.
+};
+
+/// Built once, then only read. Poses are in the plane of the atlas.
+class Volume {
+ public:
+  /// @throws std::invalid_argument for invalid maps or settings.
+  Volume(VoxelMap voxels, ElevationMap ground, const VolumeConfig& config)
+      : voxels_(std::move(voxels)),
+        atlas_(std::move(ground), config.margin),
+        distances_(voxels_, config.max_distance),
+        contacts_(config.contacts) {}
+
+  /// The pose of base in map, on the ground: x, y and yaw are those of `T_atlas_base`. Nothing
+  /// where there is no ground.
+  [[nodiscard]] std::optional<TerrainPose> lift(const SE2& T_atlas_base) const {
+    const auto there = atlas_.to_map(T_atlas_base);
+    if (!there) return std::nullopt;
+    return stand(atlas_.ground(), there->T_map_base, static_cast<double>(there->surface->z),
+                 contacts_);
+  }
+  [[nodiscard]] const VoxelMap& voxels() const { return voxels_; }
+  [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+  [[nodiscard]] const VoxelDistances& distances() const { return distances_; }
+
+ private:
+  VoxelMap voxels_;
+  Atlas atlas_;
+  VoxelDistances distances_;
+  WheelContacts contacts_;
+};
+
+}  // namespace castaway::localization
