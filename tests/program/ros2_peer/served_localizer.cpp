@@ -104,10 +104,6 @@ void ServedLocalizer::begin(const OccupancyGrid& map) {
   localizer_ =
       std::make_unique<localization::MhAmcl>(localization::MhAmclConfig{}, grid_of(map), seed_);
   initial_pose_.reset();
-  forget_motion();
-}
-
-void ServedLocalizer::forget_motion() {
   is_started_ = false;
   scans_.clear();
   odometry_.clear();
@@ -118,6 +114,7 @@ void ServedLocalizer::forget_motion() {
 void ServedLocalizer::take_map() {
   while (const auto map = take<OccupancyGrid>(*map_)) {
     ++received_.messages["map"];
+    newest_map_ = *map;
     if (!localizer_ || manners_.stays) begin(*map);
   }
   while (const auto text = take<String>(*description_)) {
@@ -158,7 +155,7 @@ bool ServedLocalizer::take_sensors() {
     const std::int64_t ns = odometry->header.stamp.ns();
     received_.stamps["odom"].insert(ns);
     // The simulator begins once more: a part of its first messages came before the map.
-    if (ns < newest_odometry_ns_ && localizer_ && !localizer_->estimate()) forget_motion();
+    if (ns < newest_odometry_ns_ && localizer_ && !localizer_->estimate()) begin(*newest_map_);
     if (ns <= newest_odometry_ns_) continue;  // Repeated.
     if (newest_odometry_ns_ >= 0) period_ns_ = ns - newest_odometry_ns_;
     newest_odometry_ns_ = ns;

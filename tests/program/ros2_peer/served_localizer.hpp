@@ -49,7 +49,6 @@ class ServedLocalizer {
  private:
   void take_map();
   void begin(const OccupancyGrid& map);
-  void forget_motion();
   void take_frames();
   bool take_sensors();
   bool ready_for(const LaserScan& scan) const;
@@ -86,6 +85,7 @@ class ServedLocalizer {
   std::int64_t period_ns_ = 0;
   localization::TransformBuffer T_odom_base_;
   std::int64_t newest_scan_ns_ = -1;
+  std::optional<OccupancyGrid> newest_map_;
   int scan_count_ = 0;
   std::int64_t answered_ns_ = -1;  ///< Stamp of the last scan that was to be answered.
 };
