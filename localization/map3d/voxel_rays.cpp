@@ -4,25 +4,27 @@
 
 namespace castaway::localization {
 
-bool meets_surface(const VoxelDistances& distances, const Eigen::Vector3f& from,
-                   const Eigen::Vector3f& to) {
+Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
   const auto voxel = static_cast<float>(distances.resolution());
   const float length = (to - from).norm();
-  if (!(length > 0.0F)) return false;
+  if (!(length > 0.0F)) return Encounter::kNone;
   const Eigen::Vector3f direction = (to - from) / length;
   // A point of the voxel's centre that is read may lie half a diagonal away, and the surface point
   // of a voxel as far from the surface.
   const float slack = 0.87F * voxel;
   bool beginning = true;
+  bool reached = false;
   for (float t = 0.0F; t < length;) {
     const Eigen::Vector3f p = from + t * direction;
     const float distance = distances.at_point(p);
-    const bool touches = distance < 0.5F * voxel;
-    if (touches && !beginning) return true;
+    const bool touches = distance < 0.75F * voxel;
+    if (reached && !touches) return Encounter::kPassed;
+    reached = touches && !beginning;
     beginning = beginning && touches;
     t += std::max(distance - slack, 0.5F * voxel);
   }
-  return false;
+  return reached ? Encounter::kReached : Encounter::kNone;
 }
 
 }  // namespace castaway::localization

@@ -1,4 +1,4 @@
-/// Rays through a 3-D map: whether something is in their way.
+/// Rays through a 3-D map: what is in their way.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,12 +7,20 @@
 
 namespace castaway::localization {
 
-/// True if the straight way from `from` to `to` [m] passes through a surface: nearer to one than
-/// half a voxel's edge. Surfaces at which the ray begins do not count, until it has left them.
+/// What a ray meets on its way.
+enum class Encounter {
+  kNone,
+  kReached,  ///< It comes to a surface, and is still there at its end.
+  kPassed,   ///< It comes to a surface and leaves it again.
+};
+
+/// What the straight way from `from` to `to` [m] meets: a ray is at a surface where it is nearer
+/// than three quarters of a voxel's edge, so that no wall is missed wherever in its voxels it is.
+/// Surfaces at which the ray begins do not count, until it has left them.
 ///
 /// Sphere tracing: J. C. Hart, "Sphere tracing: a geometric method for the antialiased ray tracing
 /// of implicit surfaces", The Visual Computer 12 (1996).
-bool meets_surface(const VoxelDistances& distances, const Eigen::Vector3f& from,
-                   const Eigen::Vector3f& to);
+Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to);
 
 }  // namespace castaway::localization

@@ -36,8 +36,8 @@ std::vector<Pyramid> make_pyramids(const ByteField& field, const StackedGround& 
                                    int levels) {
   const Pyramid all = make_pyramid(field, levels);
   std::vector<Pyramid> pyramids;
-  for (std::uint16_t slope = 0; slope < ground.slopes().size(); ++slope) {
-    const std::vector<bool> free = ground.free(slope);
+  for (std::size_t slope = 0; slope < ground.slopes().size(); ++slope) {
+    const std::vector<bool> free = ground.free(static_cast<std::uint16_t>(slope));
     Pyramid& pyramid = pyramids.emplace_back();
     for (const PooledField& level : all) pyramid.push_back(level.with_free(field.frame(), free));
   }
@@ -89,9 +89,11 @@ StagedSearch StackMatcher::search(const ScanPoints& points, const std::optional<
   const ScanPoints seen = above_ground(points);
   const SearchSpace space = search_space(field_.frame(), yaw_steps(config_), {});
   std::vector<SearchStage> stages;
-  for (std::uint16_t slope = 0; slope < pyramids_.size(); ++slope) {
+  for (std::size_t slope = 0; slope < pyramids_.size(); ++slope) {
     SearchStage& stage = stages.emplace_back(SearchStage{&pyramids_[slope], space, {}});
-    for (const int yaw : space.yaws) stage.scans.push_back(offsets(seen, slope, yaw));
+    for (const int yaw : space.yaws) {
+      stage.scans.push_back(offsets(seen, static_cast<std::uint16_t>(slope), yaw));
+    }
   }
   const double perfect = perfect_score(config_, seen.size());
   const auto least_sum = static_cast<int>(std::ceil(least * perfect));

@@ -7,8 +7,6 @@
 namespace castaway::localization {
 namespace {
 
-constexpr float kLow = 0.12F;  // [m] Lower end points may be ground.
-
 /// A ray in cells: `length` from `from` along the unit vector `direction`.
 struct CellRay {
   Eigen::Vector2f from;
@@ -77,16 +75,16 @@ bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::s
   return ray_meets_wall({from, (to - from) / (r * scale), length}, *view.walls);
 }
 
-/// Beams that end low graze the ground before they meet it.
+/// A beam that ends on the ground grazes it before: only one that leaves a surface again has passed
+/// it. One that is made longer need not.
 bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::size_t i,
                            double longer) {
   if (!view.pose) return false;
-  const bool grazes = points.z[i] < kLow;
-  if (grazes) return longer > 0.0;
   const Eigen::Vector3f from = view.pose->origin(points, i);
   const Eigen::Vector3f to = view.pose->end(points, i);
   const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
-  return meets_surface(view.volume->distances(), from, from + stretch * (to - from));
+  const Encounter met = encounter(view.volume->distances(), from, from + stretch * (to - from));
+  return longer > 0.0 ? met != Encounter::kNone : met == Encounter::kPassed;
 }
 
 }  // namespace castaway::localization

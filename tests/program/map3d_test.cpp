@@ -1,5 +1,6 @@
 // 3-D maps, held against octomap's own tools.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/program/program.hpp"
 
@@ -52,6 +53,44 @@ TEST(Map3d, OctomapsToolsReadItsFilesAndItReadsTheirs) {
     EXPECT_EQ(voxels_of(read.out), voxels_of(made.out)) << name;
   }
   EXPECT_EQ(text_of(folder / "theirs.bt"), text_of(folder / "deck.bt"));
+}
+
+using Json = nlohmann::json;
+
+Json localizers_of(const fs::path& folder, const std::string& arguments) {
+  const Outcome outcome =
+      castaway(folder, "run " + arguments +
+                           " --set outputs.snapshots=false --set outputs.report=false --out run");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return Json::parse(text_of(folder / "run/summary.json")).at("localizers");
+}
+
+TEST(Map3d, OnAPlanarWorldMhAmclIsAsGoodAsOnAPlanarMap) {
+  const Json both = localizers_of(
+      fresh_folder(),
+      "--duration 50 --set 'localizers=[mh_amcl, {mh_amcl: {mode: 3d, voxel: 0.05}}]'");
+  const Json& planar = both.at("mh_amcl");
+  const Json& volume = both.at("mh_amcl-3d");
+  EXPECT_EQ(volume.at("recovery").at("recovered"), planar.at("recovery").at("recovered"));
+  EXPECT_LE(volume.at("tracking_error_m").at("mean").get<double>(),
+            1.1 * planar.at("tracking_error_m").at("mean").get<double>());
+}
+
+TEST(Map3d, OverRampsMhAmclIsRightOnA3dMapAlone) {
+  const Json both = localizers_of(
+      fresh_folder(), "hall/podium --duration 40 --localizer mh_amcl --localizer mh_amcl:3d");
+  const auto mean = [&](const std::string& name) {
+    return both.at(name).at("tracking_error_m").at("mean").get<double>();
+  };
+  EXPECT_GT(mean("mh_amcl"), 1.0);
+  EXPECT_LT(mean("mh_amcl-3d"), 0.1);
+}
+
+TEST(Map3d, MhAmclOnA3dMapNeedsAWorld) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "--duration 3 --set outputs.bag=true");
+  const Outcome outcome = castaway(folder, "replay run --localizer mh_amcl:3d --out again");
+  expect_refused(outcome, {"localizer 'mh_amcl-3d': works on a 3-D map of the world"});
 }
 
 TEST(Map3d, BadInputIsNamed) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/map3d/run_volume.hpp"
 #include "tools/ros2/bridge_messages.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 #include "tools/scene/visible_scene.hpp"
@@ -42,9 +43,11 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   scene_ = {page_world(prepared.config.world), robot_items(prepared.config.robot, lidars_)};
   BridgeConfig told;
   if (bridge != nullptr) tell_robot(scenario.robot, base, prepared.config, told);
-  localizers_ =
-      build_localizers(scenario.localizers,
-                       {prepared.map, {}, lidars_of(prepared.config.lidars), {}}, scenario.seed);
+  localizers_ = build_localizers(scenario.localizers,
+                                 {.map = prepared.map,
+                                  .lidars = lidars_of(prepared.config.lidars),
+                                  .volume = volume_of(prepared.config.world)},
+                                 scenario.seed);
   source_ = build_source(scenario, std::move(prepared.config));
   loop_ =
       std::make_unique<Loop>(loop_config(scenario, *source_->start_pose()), localizers_, sinks_);

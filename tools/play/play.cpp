@@ -10,6 +10,7 @@
 #include "tools/files/file.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/inspect/map_scores.hpp"
+#include "tools/map3d/run_volume.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/play/bridge.hpp"
 #include "tools/play/execute.hpp"
@@ -157,6 +158,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   if (std::ranges::any_of(scenario.localizers, is_node)) {
     place.robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
   }
+  place.volume = volume_of(prepared.config.world);
   run.localizers = build_localizers(scenario.localizers, place, scenario.seed, options.models);
   std::optional<BridgeConfig> bridge;
   if (options.bridge) bridge = bridge_of(options, scenario, prepared);

@@ -48,6 +48,17 @@ struct Maker {
     return named(site,
                  std::make_unique<localization::MhAmcl>(c, site.grid, site.seed, thread_cpu_time));
   }
+  NamedLocalizer operator()(const localization::MhAmcl3dConfig& c) const {
+    if (!site.place.volume) {
+      throw std::runtime_error(
+          "works on a 3-D map of the world that it is in: only `castaway run` and `castaway live` "
+          "have one");
+    }
+    auto models =
+        std::make_shared<const localization::MhAmclModels>(c.mh_amcl, site.place.volume(c.voxel));
+    return named(site, std::make_unique<localization::MhAmcl>(std::move(models), site.seed,
+                                                              thread_cpu_time));
+  }
   NamedLocalizer operator()(const localization::PaperMhAmclConfig& c) const {
     return named(site, std::make_unique<localization::PaperMhAmcl>(c, site.grid, site.seed,
                                                                    thread_cpu_time));

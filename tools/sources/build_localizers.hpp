@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct LocalizerPlace {
   std::vector<LidarFacts> lidars = {};    ///< Those that are known before the run.
   std::filesystem::path log_folder = {};  ///< For `<name>.log` of programs; empty: no such files.
   RobotFacts robot = {};
+  /// The 3-D map with voxels of an edge [m]; empty: there is none.
+  std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume = {};
 };
 
 /// Builds the localizers of several runs on one map. What depends on the map alone is built once

@@ -23,22 +23,27 @@ VoxelDistances two_walls() {
   return VoxelDistances(builder.build(), 0.4);
 }
 
-TEST(MeetsSurface, OnlyWhereAWallIsInTheWay) {
-  const VoxelDistances distances = two_walls();
-  EXPECT_TRUE(meets_surface(distances, {0.5F, 0.0F, 1.0F}, {3.0F, 0.5F, 1.2F}));
-  EXPECT_FALSE(meets_surface(distances, {0.5F, 0.0F, 1.0F}, {1.7F, 0.5F, 1.2F}));
-  EXPECT_FALSE(meets_surface(distances, {0.5F, 0.0F, 1.0F}, {3.0F, 0.0F, 6.0F}));  // Over it.
-  EXPECT_FALSE(meets_surface(distances, {2.5F, 0.0F, 1.0F}, {4.7F, 1.0F, 1.0F}));
+bool meets(const VoxelDistances& distances, const Eigen::Vector3f& from,
+           const Eigen::Vector3f& to) {
+  return encounter(distances, from, to) != Encounter::kNone;
 }
 
-TEST(MeetsSurface, WhereTheRayBeginsDoesNotCount) {
+TEST(EncounterTest, OnlyWhereAWallIsInTheWay) {
   const VoxelDistances distances = two_walls();
-  EXPECT_FALSE(meets_surface(distances, {2.01F, 0.0F, 1.0F}, {4.7F, 0.0F, 1.0F}));
-  EXPECT_TRUE(meets_surface(distances, {2.01F, 0.0F, 1.0F}, {5.5F, 0.0F, 1.0F}));
-  EXPECT_FALSE(meets_surface(distances, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}));
+  EXPECT_TRUE(meets(distances, {0.5F, 0.0F, 1.0F}, {3.0F, 0.5F, 1.2F}));
+  EXPECT_FALSE(meets(distances, {0.5F, 0.0F, 1.0F}, {1.7F, 0.5F, 1.2F}));
+  EXPECT_FALSE(meets(distances, {0.5F, 0.0F, 1.0F}, {3.0F, 0.0F, 6.0F}));  // Over it.
+  EXPECT_FALSE(meets(distances, {2.5F, 0.0F, 1.0F}, {4.7F, 1.0F, 1.0F}));
 }
 
-TEST(MeetsSurface, NoRayPassesThroughAWall) {
+TEST(EncounterTest, WhereTheRayBeginsDoesNotCount) {
+  const VoxelDistances distances = two_walls();
+  EXPECT_FALSE(meets(distances, {2.01F, 0.0F, 1.0F}, {4.7F, 0.0F, 1.0F}));
+  EXPECT_TRUE(meets(distances, {2.01F, 0.0F, 1.0F}, {5.5F, 0.0F, 1.0F}));
+  EXPECT_FALSE(meets(distances, {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 1.0F}));
+}
+
+TEST(EncounterTest, NoRayPassesThroughAWall) {
   const VoxelDistances distances = two_walls();
   Rng rng(5);
   const auto draw = [&](float low, float high) {
@@ -47,7 +52,45 @@ TEST(MeetsSurface, NoRayPassesThroughAWall) {
   for (int i = 0; i < 5000; ++i) {
     const Eigen::Vector3f from(draw(-6.0F, 1.8F), draw(-2.5F, 2.5F), draw(0.3F, 2.5F));
     const Eigen::Vector3f to(draw(2.3F, 4.8F), draw(-2.5F, 2.5F), draw(0.3F, 2.5F));
-    EXPECT_TRUE(meets_surface(distances, from, to)) << from.transpose() << " " << to.transpose();
+    EXPECT_TRUE(meets(distances, from, to)) << from.transpose() << " " << to.transpose();
+  }
+}
+
+/// The wall x = at + tilt y of 6 m x 3 m.
+VoxelDistances one_wall(double at, double tilt) {
+  VoxelBuilder builder(0.1);
+  for (int i = 0; i < 300; ++i) {
+    const double y = -3.0 + 0.02 * i;
+    for (int k = 0; k < 150; ++k) builder.add({at + tilt * y, y, 0.02 * k});
+  }
+  return VoxelDistances(builder.build(), 0.4);
+}
+
+TEST(EncounterTest, WhereverInItsVoxelsTheWallIs) {
+  Rng rng(6);
+  const auto draw = [&](float low, float high) {
+    return boost::random::uniform_real_distribution<float>(low, high)(rng);
+  };
+  int missed = 0;
+  for (int wall = 0; wall < 40; ++wall) {
+    const double tilt = wall % 4 == 0 ? 0.0 : static_cast<double>(draw(-0.5F, 0.5F));
+    const VoxelDistances distances = one_wall(2.0 + 0.0025 * wall, tilt);
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector3f from(draw(-6.0F, 0.0F), draw(-1.5F, 1.5F), draw(0.3F, 2.5F));
+      const Eigen::Vector3f to(draw(4.0F, 6.0F), draw(-1.5F, 1.5F), draw(0.3F, 2.5F));
+      missed += encounter(distances, from, to) == Encounter::kPassed ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(missed, 0);
+}
+
+TEST(EncounterTest, ARayThatGrazesTheFloorBeforeItEndsThereDoesNotPassIt) {
+  const VoxelDistances distances = two_walls();
+  for (float z = 0.2F; z < 1.0F; z += 0.07F) {
+    EXPECT_EQ(encounter(distances, {2.5F, 0.0F, z}, {4.8F, 0.5F, 0.01F}), Encounter::kReached) << z;
+    EXPECT_EQ(encounter(distances, {2.5F, 0.0F, z}, {3.2F, 0.2F, z}), Encounter::kNone) << z;
+    EXPECT_EQ(encounter(distances, {0.5F, 0.0F, z + 0.1F}, {4.8F, 0.5F, 0.2F}), Encounter::kPassed)
+        << z;
   }
 }
 

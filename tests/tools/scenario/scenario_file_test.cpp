@@ -191,6 +191,18 @@ TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {
   expect_contains(error, "route");
 }
 
+TEST_F(ScenarioFileTest, ReadsMhAmclOn3dMaps) {
+  const LocalizerSpec spec =
+      load("{localizers: [{mh_amcl: {mode: 3d, voxel: 0.05, max_beams: 45}}]}")
+          .scenario.localizers.front();
+  EXPECT_EQ(spec.name, "mh_amcl-3d");
+  const auto& config = std::get<localization::MhAmcl3dConfig>(spec.config);
+  EXPECT_EQ(config.voxel, 0.05);
+  EXPECT_EQ(config.mh_amcl.input.beams.max_beams, 45);
+  expect_contains(error_of("{localizers: [{mh_amcl: {mode: 3d, voxel: 0}}]}"), "voxel");
+  expect_contains(error_of("{localizers: [{mh_amcl: {voxel: 0.1}}]}"), "voxel");
+}
+
 TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
   const auto config = [this](const std::string& settings) {
     return load("localizers: [mh_amcl: {" + settings + "}]").scenario.localizers[0].config;
@@ -306,6 +318,7 @@ TEST(ParseLocalizer, TakesANameAndAPreset) {
   EXPECT_EQ(parse_localizer("amcl:amcl-recovery").name, "amcl-recovery");
   EXPECT_EQ(parse_localizer("mh_amcl:paper").name, "mh_amcl-paper");
   EXPECT_EQ(parse_localizer("mh_amcl:published").name, "mh_amcl-published");
+  EXPECT_EQ(parse_localizer("mh_amcl:3d").name, "mh_amcl-3d");
   EXPECT_THROW(parse_localizer("mh_amcl:papre"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("amcl:nonsense"), std::invalid_argument);
   EXPECT_THROW(parse_localizer("gmapping"), std::invalid_argument);

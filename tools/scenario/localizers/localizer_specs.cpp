@@ -86,9 +86,11 @@ void describe_localizers(std::vector<SettingText>& texts) {
     return settings;
   };
   Settings improved = under("mh_amcl");
-  improved.form({"mode", "", "improved, paper, published."}, "improved");
+  improved.form({"mode", "", "improved, 3d, paper, published."}, "improved");
   localization::MhAmclConfig mh_amcl;
   fields(improved, mh_amcl);
+  Settings(under("mh_amcl (mode 3d, besides those above)"))
+      .form({"voxel", "m", "Edge of a voxel of the 3-D map."}, "0.1");
   localization::PublishedMhAmclConfig paper;
   fields(under("mh_amcl (modes paper and published)"), paper);
   Settings nav2 = under("amcl");

@@ -122,4 +122,9 @@ void fields(Settings settings, MhAmclConfig& config) {
   fields(settings.group("lost_and_found"), config.lost_and_found);
 }
 
+void fields(Settings settings, localization::MhAmcl3dConfig& config) {
+  settings.field({"voxel", "m", "Edge of a voxel of the 3-D map.", {0.02, 1.0}}, config.voxel);
+  fields(settings, config.mh_amcl);
+}
+
 }  // namespace castaway::testbed

@@ -9,6 +9,9 @@ namespace castaway::testbed {
 
 void fields(Settings settings, localization::MhAmclConfig& config);
 
+/// Settings of `mh_amcl: {mode: 3d}`.
+void fields(Settings settings, localization::MhAmcl3dConfig& config);
+
 /// Settings of `mh_amcl: {mode: paper}`.
 void fields(Settings settings, localization::PaperMhAmclConfig& config);
 

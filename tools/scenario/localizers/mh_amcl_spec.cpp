@@ -8,6 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
+using localization::MhAmcl3dConfig;
 using localization::MhAmclConfig;
 using localization::NamedDefect;
 using localization::PaperMhAmclConfig;
@@ -40,13 +41,14 @@ Config read(YamlReader& body, Config config) {
 }  // namespace
 
 const std::vector<std::string>& mh_amcl_modes() {
-  static const std::vector<std::string> modes = {"improved", "paper", "published"};
+  static const std::vector<std::string> modes = {"improved", "3d", "paper", "published"};
   return modes;
 }
 
 MhAmclSettings mh_amcl_mode(const std::string& mode) {
   if (mode == "published") return localization::published_config();
   if (mode == "paper") return PaperMhAmclConfig{};
+  if (mode == "3d") return MhAmcl3dConfig{};
   return MhAmclConfig{};
 }
 
@@ -59,6 +61,11 @@ MhAmclSettings read_mh_amcl(YamlReader& body, const std::string& mode) {
     if (mode == "improved") {
       const MhAmclConfig config = read(body, MhAmclConfig{});
       validate(config);
+      return config;
+    }
+    if (mode == "3d") {
+      const MhAmcl3dConfig config = read(body, MhAmcl3dConfig{});
+      validate(config.mh_amcl);
       return config;
     }
     const bool published = mode == "published";

@@ -11,11 +11,13 @@
 
 namespace castaway::testbed {
 
-/// `improved`, `paper`, `published` (the paper's method with all defects of the published code).
+/// `improved`, `3d` (the same on a 3-D map), `paper`, `published` (the paper's method with all
+/// defects of the published code).
 const std::vector<std::string>& mh_amcl_modes();
 
-using MhAmclSettings = std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
-                                    localization::PublishedMhAmclConfig>;
+using MhAmclSettings =
+    std::variant<localization::MhAmclConfig, localization::MhAmcl3dConfig,
+                 localization::PaperMhAmclConfig, localization::PublishedMhAmclConfig>;
 
 MhAmclSettings mh_amcl_mode(const std::string& mode);
 

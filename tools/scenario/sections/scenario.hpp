@@ -113,9 +113,9 @@ struct PeopleSpec {
 /// A localizer of the run.
 struct LocalizerSpec {
   std::string name;  ///< Unique; used in file names.
-  std::variant<localization::MhAmclConfig, localization::PaperMhAmclConfig,
-               localization::PublishedMhAmclConfig, localization::AmclConfig, ProgramConfig,
-               LibraryConfig, OwnConfig, Ros2Config>
+  std::variant<localization::MhAmclConfig, localization::MhAmcl3dConfig,
+               localization::PaperMhAmclConfig, localization::PublishedMhAmclConfig,
+               localization::AmclConfig, ProgramConfig, LibraryConfig, OwnConfig, Ros2Config>
       config;
   /// If true, the localizer is notified of every kidnap and relocalizes globally. Otherwise it must
   /// notice a kidnap by itself.
