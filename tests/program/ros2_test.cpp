@@ -83,7 +83,7 @@ TEST(Ros2, CountsWhatIsMissingLateAndDoubled) {
   const fs::path folder = fresh_folder();
   {
     Node node(folder, 106, "--answer-every 4");
-    EXPECT_EQ(castaway(folder, kRos2Run + node_in(106, "--set localizers.1.ros2.timeout_s=0.05") +
+    EXPECT_EQ(castaway(folder, kRos2Run + node_in(106, "--set localizers.1.ros2.timeout_s=0.2") +
                                    "--duration 2")
                   .exit_code,
               0);

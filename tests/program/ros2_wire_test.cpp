@@ -60,8 +60,9 @@ TEST(Ros2Wire, MalformedMessagesAreCountedAndHarmNothing) {
   const Outcome outcome = castaway(folder, kRos2Run + node_in(107) + "--duration 3");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(answers_in(folder).at("answered"), 30);
-  EXPECT_EQ(answers_in(folder).at("malformed"), 60);
-  expect_contains(outcome.out, "60 malformed");
+  const int malformed = answers_in(folder).at("malformed");
+  EXPECT_GE(malformed, 60);  // More if the first scan had to be repeated.
+  expect_contains(outcome.out, std::to_string(malformed) + " malformed");
 }
 
 TEST(Ros2Wire, OtherTypesOnItsTopicsAreNotHeard) {
@@ -212,7 +213,7 @@ TEST(Ros2Wire, ARunWithANodeIsLookedOnWithoutASecondRobot) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(answers_in(folder).at("answered"), 60);
   const Json received = node.received();
-  EXPECT_EQ(received.at("messages").at("scan"), 60);
+  EXPECT_EQ(received.at("stamps").at("scan"), 60);
   EXPECT_GT(received.at("watched").at("rt/castaway/ground_truth/odom"), 500);
 }
 

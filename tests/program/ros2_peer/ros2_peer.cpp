@@ -135,8 +135,9 @@ int main(int argc, char** argv) {
     } else {
       std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
-    const auto seen = node.received().messages.find("scan");
-    if (scans > 0 && seen != node.received().messages.end() && seen->second >= scans) break;
+    const auto seen = node.received().stamps.find("scan");
+    const bool any = seen != node.received().stamps.end();
+    if (scans > 0 && any && static_cast<int>(seen->second.size()) >= scans) break;
   }
   print(node.received(), watch, wire);
   return 0;
