@@ -106,7 +106,7 @@ TEST(Ros2, CountsWhatIsMissingLateAndDoubled) {
     Node node(folder, 106, "--twice");
     EXPECT_EQ(castaway(folder, kRos2Run + node_in(106) + "--duration 2").exit_code, 0);
   }
-  EXPECT_GE(answers_in(folder).at("doubled"), 19);
+  EXPECT_GE(answers_in(folder).at("doubled"), 15);  // Of 20, less those to repeated scans.
   EXPECT_EQ(answers_in(folder).at("missing"), 0);
 }
 
