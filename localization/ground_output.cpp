@@ -1,6 +1,6 @@
 #include "localization/ground_output.hpp"
 
-#include <stdexcept>
+#include <limits>
 
 namespace castaway::localization {
 namespace {
@@ -17,13 +17,32 @@ std::optional<Footing> take_to_map(const Volume& volume, SE2& pose) {
   return footing;
 }
 
+/// The place with ground that is nearest in x and y, with the same yaw.
+SE2 nearest_on_ground(const Atlas& atlas, const SE2& T_map_base) {
+  const GridFrame& frame = atlas.frame();
+  SE2 nearest = T_map_base;
+  double least = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < frame.height; ++row) {
+    for (int column = 0; column < frame.width; ++column) {
+      if (!atlas.is_own({column, row})) continue;
+      const Eigen::Vector2d p = frame.T_map_grid * frame.centre_of({column, row});
+      const SE2 pose{p.x(), p.y(), T_map_base.yaw};
+      const double away = distance(atlas.in_map(pose), T_map_base);
+      if (away >= least) continue;
+      least = away;
+      nearest = pose;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 PoseWithCovariance in_atlas(const Volume& volume, const PoseWithCovariance& start) {
   const double z = start.z.value_or(kBelowAll);
   const auto there = volume.atlas().to_atlas(start.T_map_base, z);
-  if (!there) throw std::invalid_argument("there is no drivable ground at the start");
-  return {*there, start.covariance, start.z};
+  return {there ? *there : nearest_on_ground(volume.atlas(), start.T_map_base), start.covariance,
+          start.z};
 }
 
 void to_map(const Volume& volume, std::optional<Estimate>& estimate) {

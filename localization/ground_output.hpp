@@ -8,8 +8,7 @@
 
 namespace castaway::localization {
 
-/// A start in map as one in the atlas. @throws std::invalid_argument if there is no drivable ground
-/// under it.
+/// A start in map as one in the atlas. Where no drivable ground is under it, the nearest counts.
 PoseWithCovariance in_atlas(const Volume& volume, const PoseWithCovariance& start);
 
 /// Replaces poses in the atlas by those in map.

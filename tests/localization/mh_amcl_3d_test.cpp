@@ -1,6 +1,5 @@
 /// MH-AMCL on a 3-D map: over floors and ramps.
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -144,11 +143,17 @@ TEST(MhAmcl3d, RecoversFromAKidnapToAnotherFloor) {
   EXPECT_EQ(drive.pose().level, 0);
 }
 
-TEST(MhAmcl3d, AStartNeedsGround) {
+TEST(MhAmcl3d, AStartBesideTheGroundIsMovedOntoIt) {
   Rng rng = substream(4, "mh_amcl_3d");
   const test::Building building(rng, 0);
   MhAmcl localizer(std::make_shared<const MhAmclModels>(MhAmclConfig{}, building.shared()), 1);
-  EXPECT_THROW(localizer.initialize(PoseWithCovariance{{-30.0, 3.0, 0.0}}), std::invalid_argument);
+  localizer.initialize(PoseWithCovariance{{-30.0, 3.03, 0.4}});
+  const auto populations = localizer.diagnostics().populations;
+  ASSERT_EQ(populations.size(), 1U);
+  EXPECT_NEAR(populations[0].T_map_base.x, -11.8, 0.3);
+  EXPECT_NEAR(populations[0].T_map_base.y, 3.03, 0.06);
+  EXPECT_EQ(populations[0].T_map_base.yaw, 0.4);
+  EXPECT_TRUE(populations[0].footing);
 }
 
 }  // namespace
