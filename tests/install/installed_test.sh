@@ -14,9 +14,11 @@ cmake --install "$build" --prefix "$work/usr" >"$work/install.log"
 cd "$work"
 usr/bin/castaway run --duration 2 --set outputs.snapshots=false --out run >run.log
 [ -s run/summary.json ] || fail "the installed program left no summary.json"
-usr/bin/castaway scenarios | grep -q "$work/usr/share/castaway/worlds/lab/scenarios/kidnap.yaml" ||
+usr/bin/castaway scenarios >scenarios.txt  # Not into grep -q, which ends before all is written.
+grep -q "$work/usr/share/castaway/worlds/lab/scenarios/kidnap.yaml" scenarios.txt ||
   fail "the installed program does not take its own data"
-zcat usr/share/man/man1/castaway.1.gz | grep -q "SH COMMANDS" || fail "no manual page"
+zcat usr/share/man/man1/castaway.1.gz >castaway.1
+grep -q "SH COMMANDS" castaway.1 || fail "no manual page"
 bash -c '. usr/share/bash-completion/completions/castaway; complete -p castaway' | grep -q castaway || fail "no completion"
 
 # Debug information and sanitizers name source files, and what is built outside must be linked with sanitizers, too.
