@@ -32,6 +32,7 @@ class MhAmcl final : public Localizer {
 
   void initialize(const std::optional<PoseWithCovariance>& start) override;
   void on_odometry(const Odometry& odometry) override;
+  void on_imu(const Imu& imu) override { input_.take(imu); }
   void on_scan(const LaserScan& scan) override;
   [[nodiscard]] std::optional<Estimate> estimate() const override { return estimate_; }
   [[nodiscard]] Diagnostics diagnostics() const override;

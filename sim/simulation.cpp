@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/map/level_plane.hpp"
 #include "sim/simulation_state.hpp"
 #include "sim/stages/drive_space.hpp"
 
@@ -35,8 +36,9 @@ void Simulation::set_drive_pose(const std::optional<Pose2>& T_map_base) {
   state_->drive.set_pose(T_map_base);
 }
 
-void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base) {
+void Simulation::set_watched_pose(const std::optional<Pose2>& T_map_base, double z) {
   state_->watched = T_map_base;
+  state_->watched_z = z;
 }
 
 void Simulation::set_command(const std::optional<Twist2>& command) {
@@ -45,7 +47,7 @@ void Simulation::set_command(const std::optional<Twist2>& command) {
 
 void Simulation::add(const KidnapSpec& kidnap) {
   state_->require_open();
-  state_->kidnaps.add(kidnap, true_pose());
+  state_->kidnaps.add(kidnap, state_->plane.locate(state_->robot.state().T_map_base));
 }
 
 void Simulation::add(const FaultSpec& fault) {
@@ -66,6 +68,9 @@ void Simulation::add(const DriveCommand& command) {
 void Simulation::add(const WorldChange& change) {
   state_->require_open();
   validate(change);
+  if (state_->config.levels) {
+    throw std::invalid_argument("a world with `levels: true` cannot change yet");
+  }
   if (!state_->has_room(change)) {
     throw std::invalid_argument("there is no room: robot or people are in the way");
   }
@@ -83,14 +88,20 @@ void Simulation::kidnap(const Pose2& T_map_base) {
   }
   const SimulationConfig& config = state_->config;
   const FreeSpace standing = state_->spaces->landing(config, standing_radius(config));
-  if (!standing.contains(T_map_base.position())) {
+  std::optional<Pose2> target = T_map_base;
+  if (config.levels) {
+    const double z = state_->robot.state().T_map_base.translation().z();
+    target = config.levels->nearest_ground(T_map_base, z);
+  }
+  if (!target || !standing.contains(target->position())) {
     throw std::invalid_argument(fmt::format("kidnap: the robot has no room at ({:.2f}, {:.2f}) m",
                                             T_map_base.x, T_map_base.y));
   }
-  state_->requested = T_map_base;
+  state_->requested = target;
 }
 
-Pose2 Simulation::start_pose() const { return state_->start; }
+Pose2 Simulation::start_pose() const { return state_->plane.in_map(state_->start); }
+double Simulation::start_height() const { return state_->plane.height_at(state_->start); }
 
 Pose2 Simulation::true_pose() const { return to_planar(state_->robot.state().T_map_base); }
 

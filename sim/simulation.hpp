@@ -34,8 +34,8 @@ class Simulation {
   ~Simulation();
 
   /// Returns the next delivery, in order of stamps; at the same time in the order kidnap, odometry,
-  /// scan, person hit, fault, pick-up, driving, change of the world. Returns nothing once the run's
-  /// duration is over.
+  /// scan, person hit, fault, pick-up, driving, change of the world, IMU. Returns nothing once the
+  /// run's duration is over.
   /// @throws std::runtime_error if a kidnap is impossible where the robot is.
   std::optional<SimFrame> next();
   /// Sets the driving localizer's estimate; without a pose the robot stops. Ignored unless
@@ -43,8 +43,8 @@ class Simulation {
   void set_drive_pose(const std::optional<Pose2>& T_map_base);
 
   /// Sets the output of the localizer that `KidnapTrigger::On::kLocalized` watches; nothing while
-  /// it has none or reports to be lost.
-  void set_watched_pose(const std::optional<Pose2>& T_map_base);
+  /// it has none or reports to be lost. `z` [m]: height of the ground there.
+  void set_watched_pose(const std::optional<Pose2>& T_map_base, double z = 0.0);
 
   /// Drives the robot by this velocity from the next control step (20 Hz) on, in place of its
   /// route; nothing: by its route again. A robot that is driven so is never stuck (`void_record`).
@@ -60,14 +60,16 @@ class Simulation {
   /// Time of the next step.
   [[nodiscard]] std::chrono::nanoseconds now() const;
 
-  /// Teleports the robot at the next step; if it is being held, once it stands again.
+  /// Teleports the robot at the next step; if it is being held, once it stands again. On levels, to
+  /// the ground nearest in height.
   /// @throws std::invalid_argument if it would stand in an obstacle, or on a recorded path.
   void kidnap(const Pose2& T_map_base);
 
   /// The world as it is now.
   [[nodiscard]] const WorldSpec& world() const;
-  /// True pose of base at the start of the run.
+  /// True pose of base at the start of the run, and the height of the ground there. [m]
   [[nodiscard]] Pose2 start_pose() const;
+  [[nodiscard]] double start_height() const;
   /// True pose of base now.
   [[nodiscard]] Pose2 true_pose() const;
   /// Pose of base relative to its planar pose (base_footprint of REP-120): height, roll and pitch.

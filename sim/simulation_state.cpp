@@ -58,6 +58,7 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       cpu_clock(std::move(clock)),
       step(period_of(config.physics_hz, "physics_hz")),
       spaces(config.spaces ? config.spaces : std::make_shared<Spaces>()),
+      plane(config.levels),
       start(castaway::sim::start_pose(config, *spaces, streams.events)),
       robot(make_robot(config, *spaces, start, step)),
       sensors(config, streams),
@@ -65,7 +66,23 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       drive(config, *spaces),
       people(config, *spaces, start, streams.named),
       progress(progress_of(config.drive, config.robot)),
-      changes(config.world, config.changes) {}
+      changes(config.world, config.changes) {
+  if (!config.levels) return;
+  require_level_support();
+  robot.place(plane.standing_at(start));
+}
+
+/// What is planned for on one floor only.
+void Simulation::State::require_level_support() const {
+  const auto refuse = [](const char* what) {
+    throw std::invalid_argument(fmt::format("a world with `levels: true` has {}", what));
+  };
+  if (config.people.blocked_share > 0.0) refuse("no crowds yet: leave people.crowd out");
+  if (config.drive.by_estimate) refuse("no navigation by estimates yet: set drive.by to truth");
+  if (!config.drive.path.empty()) refuse("no recorded paths: give a route");
+  if (config.drive_model == DriveModel::kKinematic) refuse("no kinematic robots: use physics");
+  if (!config.changes.empty()) refuse("no changes of the world yet: remove these events");
+}
 
 template <typename Work>
 void Simulation::State::measure_cpu(const char* stage, Work work, int times) {
@@ -84,32 +101,49 @@ void Simulation::State::sample_cpu(const char* stage, Work work) {
 
 bool Simulation::State::localized() const {
   if (!watched) return false;
-  const Pose2 error = inverse(to_planar(robot.state().T_map_base)) * *watched;
-  return error.position().norm() < kRightPosition && std::abs(error.yaw) < kRightYaw;
+  const Eigen::Isometry3d& T_map_base = robot.state().T_map_base;
+  const Pose2 error = inverse(to_planar(T_map_base)) * *watched;
+  const double above = plane.levels() != nullptr ? watched_z - T_map_base.translation().z() : 0.0;
+  return std::hypot(error.position().norm(), above) < kRightPosition &&
+         std::abs(error.yaw) < kRightYaw;
 }
 
 void Simulation::State::kidnap() {
   const auto positions = [this] { return people.positions(); };
-  const KidnapOutcome outcome = kidnaps.advance(
-      {now, to_planar(robot.state().T_map_base), distance, localized(), positions}, streams.events);
+  KidnapOutcome outcome = kidnaps.advance(
+      {now, plane.locate(robot.state().T_map_base), distance, localized(), positions},
+      streams.events);
   if (outcome.done) {
     teleport(*outcome.done);
     if (kidnaps.was_power_cycle()) sensors.reset_odometry();
   }
-  if (outcome.picked_up) frames.push_back({now, *outcome.picked_up});
+  if (outcome.picked_up) {
+    outcome.picked_up->T_map_base = plane.in_map(outcome.picked_up->T_map_base);
+    frames.push_back({now, *outcome.picked_up});
+  }
   if (!kidnaps.holds()) kidnap_on_request();
 }
 
 void Simulation::State::kidnap_on_request() {
   if (!requested) return;
-  const Pose2 T_map_from = to_planar(robot.state().T_map_base);
-  teleport({now, KidnapKind::kTeleportTo, T_map_from, *requested, now});
+  const Pose2 from = plane.locate(robot.state().T_map_base);
+  teleport({now, KidnapKind::kTeleportTo, from, *requested, now});
   requested.reset();
 }
 
-void Simulation::State::teleport(const KidnapRecord& record) {
-  robot.teleport(record.T_map_to);
+/// Takes the record's poses in frame plane.
+void Simulation::State::teleport(KidnapRecord record) {
   people.on_kidnap(record.T_map_to);
+  moved = true;
+  if (plane.levels() != nullptr) {
+    robot.place(plane.standing_at(record.T_map_to));
+    record.z_from = plane.height_at(record.T_map_from);
+    record.z_to = plane.height_at(record.T_map_to);
+    record.T_map_from = plane.in_map(record.T_map_from);
+    record.T_map_to = plane.in_map(record.T_map_to);
+  } else {
+    robot.teleport(record.T_map_to);
+  }
   if (changed) find_ways();
   progress.on_teleport();
   frames.push_back({now, record});
@@ -186,16 +220,17 @@ void Simulation::State::require_open() const {
 
 void Simulation::State::move_people() {
   if (!people.due(now)) return;
-  const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  measure_cpu("people", [&] { people.advance(now, T_map_base, velocity, sensors.scene()); });
+  // People walk on the lowest floor, whose chart is map; those of other floors are far from it.
+  const Pose2 T_plane_base = plane.locate(robot.state().T_map_base);
+  measure_cpu("people", [&] { people.advance(now, T_plane_base, velocity, sensors.scene()); });
   for (const int person : people.take_hits()) {
-    frames.push_back({now, PersonHit{now, person, T_map_base}});
+    frames.push_back({now, PersonHit{now, person, plane.in_map(T_plane_base)}});
   }
 }
 
 void Simulation::State::command() {
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  commanded = drive.command(now, T_map_base, people);
+  commanded = drive.command(now, plane.locate(robot.state().T_map_base), people);
   robot.set_command(commanded);
   progress.update({now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(),
                    drive.waypoints_reached()});
@@ -230,12 +265,21 @@ void Simulation::State::deliver(std::vector<SimFrame> scans) {
   }
 }
 
+void Simulation::State::read_imu(const Motion& motion) {
+  const std::vector<ImuReading> readings = sensors.read_imu(motion, std::exchange(moved, false));
+  if (kidnaps.is_off()) return;
+  for (const ImuReading& reading : readings) frames.push_back({reading.stamp, reading});
+}
+
 void Simulation::State::read_lidar(const Motion& motion) {
   sensors.set_covered(kidnaps.covered());
   std::vector<SimFrame> scans = sensors.read_lidars(people.around(sensors.scene()), motion);
   for (SimFrame& frame : scans) {
     auto& reading = std::get<LidarReading>(frame.data);
-    reading.people = people.readings(reading.stamp, reading.T_map_base_true);
+    const Eigen::Isometry3d T_map_base =
+        to_isometry(reading.T_map_base_true) * reading.T_footprint_base_true;
+    reading.people = people.readings(
+        reading.stamp, config.levels ? plane.locate(T_map_base) : reading.T_map_base_true);
   }
   deliver(std::move(scans));
 }
@@ -259,6 +303,7 @@ void Simulation::State::run_step() {
   for (const FaultRecord& fault : sensors.read_faults(motion))
     frames.push_back({fault.stamp, fault});
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
+  read_imu(motion);
   sample_cpu("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;

@@ -17,6 +17,7 @@
 #include "sim/stages/drive_stage.hpp"
 #include "sim/stages/kidnap_stage.hpp"
 #include "sim/stages/people_stage.hpp"
+#include "sim/stages/plane_tracker.hpp"
 #include "sim/stages/sensor_stage.hpp"
 #include "sim/stages/spaces.hpp"
 #include "sim/stages/world_stage.hpp"
@@ -38,13 +39,15 @@ struct Simulation::State {
   void find_ways();
   [[nodiscard]] bool has_room(const WorldChange& change) const;
   void require_open() const;
-  void teleport(const KidnapRecord& record);
+  void teleport(KidnapRecord record);
+  void require_level_support() const;
   [[nodiscard]] bool localized() const;
   void move_people();
   void command();
   void move_robot();
   void deliver(const std::vector<OdometryReading>& readings);
   void deliver(std::vector<SimFrame> scans);
+  void read_imu(const Motion& motion);
   void read_lidar(const Motion& motion);
   template <typename Work>
   void measure_cpu(const char* stage, Work work, int times = 1);
@@ -62,7 +65,8 @@ struct Simulation::State {
   Twist2 commanded;
 
   std::shared_ptr<Spaces> spaces;
-  Pose2 start;
+  PlaneTracker plane;
+  Pose2 start;  ///< On levels, in frame plane.
   SimRobot robot;
   SensorStage sensors;
   KidnapStage kidnaps;
@@ -70,9 +74,11 @@ struct Simulation::State {
   PeopleStage people;
   ProgressWatch progress;
   WorldStage changes;
+  bool moved = false;                                  ///< By a kidnap, since the last step.
   bool changed = false;                                ///< The world is not the one of the start.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
+  double watched_z = 0.0;          ///< [m]
   std::size_t next_command = 0;    ///< In `config.commands`.
   std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;

@@ -59,6 +59,13 @@ bool Atlas::is_own(const Eigen::Vector2i& cell) const {
   return surfaces_[i] >= 0 && own_cells_[static_cast<std::size_t>(surfaces_[i])] == i;
 }
 
+Eigen::Vector2i Atlas::own_cell(const Eigen::Vector2i& cell) const {
+  if (surface_at(cell) == nullptr) return cell;
+  const auto surface = static_cast<std::size_t>(surfaces_[frame_.index(cell)]);
+  const auto own = static_cast<int>(own_cells_[surface]);
+  return {own % frame_.width, own / frame_.width};
+}
+
 /// A translation by rows of the grid, as one of map. [m]
 Eigen::Vector2d Atlas::along_rows(int rows) const {
   const SE2 turn{0.0, 0.0, frame_.T_map_grid.yaw};
@@ -102,9 +109,7 @@ std::optional<SE2> Atlas::to_atlas(const SE2& T_map_base, double z) const {
 Eigen::Vector2d Atlas::to_own_chart(const SE2& T_atlas_base) const {
   const Eigen::Vector2i cell =
       frame_.cell_of(frame_.T_map_grid.inverse() * T_atlas_base.translation());
-  if (surface_at(cell) == nullptr) return Eigen::Vector2d::Zero();
-  const std::uint32_t own = own_cells_[static_cast<std::size_t>(surfaces_[frame_.index(cell)])];
-  return along_rows(static_cast<int>(own) / frame_.width - cell.y());
+  return along_rows(own_cell(cell).y() - cell.y());
 }
 
 }  // namespace castaway::localization

@@ -52,6 +52,8 @@ class Atlas {
   /// True if a cell of `frame` has a surface that belongs to its chart: each drivable surface does
   /// in exactly one cell.
   [[nodiscard]] bool is_own(const Eigen::Vector2i& cell) const;
+  /// The cell that the surface of a cell belongs to; the cell itself if it has none.
+  [[nodiscard]] Eigen::Vector2i own_cell(const Eigen::Vector2i& cell) const;
   [[nodiscard]] const ElevationMap& ground() const { return ground_; }
   [[nodiscard]] int charts() const { return charts_; }
   /// Rows of `frame` from a row of a chart to the same one of the next.

@@ -12,8 +12,10 @@ namespace castaway::localization {
 namespace {
 
 constexpr std::int64_t kWholeSlice = 1 << 20;  // [tiles] Any size gives the same result.
-constexpr float kLowestPoint = 0.12F;          // [m] Lower end points of a robot's scan are ground.
-constexpr double kFarthestReach = 20.0;        // [m] Memory grows with its square.
+// Of the direction up: a class of slopes is half as wide, and the measurement errs.
+constexpr double kTiltTolerance = 0.08;
+constexpr float kLowestPoint = 0.12F;    // [m] Lower end points of a robot's scan are ground.
+constexpr double kFarthestReach = 20.0;  // [m] Memory grows with its square.
 
 StackConfig stack_config(const MatcherConfig& config) {
   validate(config);
@@ -84,16 +86,23 @@ std::vector<CellOffset> StackMatcher::offsets(const ScanPoints& points, std::uin
   return offsets;
 }
 
+bool StackMatcher::is_upright(const ScanPoints& points, std::uint16_t slope, int yaw) const {
+  if (!points.up) return true;
+  const Eigen::Vector3d up = up_on(ground_.slopes()[slope], yaw_of_step(yaw, yaw_steps(config_)));
+  return (points.up->cast<double>() - up).norm() <= kTiltTolerance;
+}
+
 StagedSearch StackMatcher::search(const ScanPoints& points, const std::optional<int>& most,
                                   double least) const {
   const ScanPoints seen = above_ground(points);
   const SearchSpace space = search_space(field_.frame(), yaw_steps(config_), {});
   std::vector<SearchStage> stages;
   for (std::size_t slope = 0; slope < pyramids_.size(); ++slope) {
-    SearchStage& stage = stages.emplace_back(SearchStage{&pyramids_[slope], space, {}});
-    for (const int yaw : space.yaws) {
-      stage.scans.push_back(offsets(seen, static_cast<std::uint16_t>(slope), yaw));
-    }
+    const auto number = static_cast<std::uint16_t>(slope);
+    SearchStage stage{&pyramids_[slope], space, {}};
+    std::erase_if(stage.space.yaws, [&](int yaw) { return !is_upright(points, number, yaw); });
+    for (const int yaw : stage.space.yaws) stage.scans.push_back(offsets(seen, number, yaw));
+    if (!stage.scans.empty()) stages.push_back(std::move(stage));
   }
   const double perfect = perfect_score(config_, seen.size());
   const auto least_sum = static_cast<int>(std::ceil(least * perfect));
@@ -140,6 +149,7 @@ std::vector<Candidate> StackMatcher::match_within(const ScanPoints& points,
     for (const GroundCell& at : cells) {
       auto [scan, is_new] = scans.try_emplace(at.slope);
       if (is_new) scan->second = offsets(points, at.slope, yaw);
+      if (!is_upright(points, at.slope, yaw)) continue;
       best.offer({at.cell.x(), at.cell.y(), yaw, score_at(field_, at.cell, scan->second)});
     }
   }

@@ -3,7 +3,8 @@
 ///
 /// A robot on the ground has three degrees of freedom: roll, pitch and z follow from (x, y, yaw)
 /// and the floor. Ground of one slope is searched at once, with the scan turned as it would be
-/// there; end points above or below base are looked up that much higher or lower.
+/// there; end points above or below base are looked up that much higher or lower. Where gravity was
+/// measured, ground on which the robot would be tilted otherwise is left out.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +39,8 @@ class StackMatcher final : public PlaceMatcher {
   [[nodiscard]] const ByteField& field() const { return field_; }
 
  private:
+  /// True if a robot on ground of a class with a yaw is tilted as the scan says.
+  [[nodiscard]] bool is_upright(const ScanPoints& points, std::uint16_t slope, int yaw) const;
   [[nodiscard]] std::vector<Candidate> match_within(const ScanPoints& points,
                                                     const MatchWindow& window, int most) const;
   [[nodiscard]] std::vector<GroundCell> cells_within(const MatchWindow& window) const;

@@ -37,7 +37,7 @@ Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base
     sum += l > through_wall_ && rays.through_wall(points, i) ? through_wall_ : l;
     hits += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
   }
-  return {scale_sum(sum, beams.size(), T_map_base),
+  return {scale_sum(sum, points, T_map_base),
           std::min(1.0, hits / static_cast<double>(beams.size()))};
 }
 
@@ -47,12 +47,12 @@ double EvidenceModel::log_likelihood_above(double least, const ScanPoints& point
   const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
   const RayConsistency rays(world(), T_map_base, config_.rays);
   double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
-  double value = scale_sum(sum, beams.size(), T_map_base);
+  double value = scale_sum(sum, points, T_map_base);
   for (std::size_t i = 0; i < beams.size() && value > least; ++i) {
     const double l = beams[i];
     if (l <= through_wall_ || !rays.through_wall(points, i)) continue;
     sum += through_wall_ - l;
-    value = scale_sum(sum, beams.size(), T_map_base);
+    value = scale_sum(sum, points, T_map_base);
   }
   return value;
 }
@@ -63,11 +63,21 @@ double EvidenceModel::share(std::size_t beams) const {
       1.0, config_.per_beam * static_cast<double>(beams) / config_.endpoint.independent_beams);
 }
 
-double EvidenceModel::scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const {
-  double mean = sum / static_cast<double>(beams);
+double EvidenceModel::scale_sum(double sum, const ScanPoints& points, const SE2& T_map_base) const {
+  double mean = sum / static_cast<double>(points.size());
   if (!is_free(T_map_base)) mean -= config_.off_free_penalty;
-  return std::max(share(beams) * (config_.endpoint.independent_beams * mean - config_.right_pose),
-                  config_.minimum);
+  const double fit = config_.endpoint.independent_beams * mean - config_.right_pose;
+  return std::max(share(points.size()) * fit - tilt_cost(points, T_map_base), config_.minimum);
+}
+
+/// What it costs that the robot would stand tilted otherwise than it does. [nats]
+double EvidenceModel::tilt_cost(const ScanPoints& points, const SE2& T_map_base) const {
+  if (volume_ == nullptr || !points.up) return 0.0;
+  const auto ground = volume_->lift(T_map_base);
+  if (!ground) return 0.0;
+  const Eigen::Vector3d up = ground->T_map_base.linear().row(2).transpose();
+  const double error = (points.up->cast<double>() - up).norm() / config_.tilt_sigma;
+  return std::min(0.5 * error * error, config_.most_tilt);
 }
 
 double EvidenceModel::bound(const ScanPoints& points, const SE2& T_map_base) const {

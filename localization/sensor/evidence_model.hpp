@@ -22,6 +22,9 @@ struct EvidenceConfig {
   /// [nats] Log-likelihood of a scan at a right pose on a right map: end points scatter by the
   /// lidar's noise and the map's cells. Subtracted.
   double right_pose = -1.2;
+  /// [rad] Standard deviation of the direction up, on a 3-D map.
+  double tilt_sigma = 0.03;
+  double most_tilt = 4.0;  ///< [nats] Upper limit of what a wrong direction costs.
   double minimum = -25.0;  ///< Lower limit: one bad scan must not outweigh a long confident track.
 };
 
@@ -57,7 +60,8 @@ class EvidenceModel {
  private:
   [[nodiscard]] double share(std::size_t beams) const;
   [[nodiscard]] bool is_free(const SE2& T_map_base) const;
-  [[nodiscard]] double scale_sum(double sum, std::size_t beams, const SE2& T_map_base) const;
+  [[nodiscard]] double scale_sum(double sum, const ScanPoints& points, const SE2& T_map_base) const;
+  [[nodiscard]] double tilt_cost(const ScanPoints& points, const SE2& T_map_base) const;
 
   EvidenceConfig config_;
   const OccupancyGrid* grid_ = nullptr;  ///< Of a planar map.

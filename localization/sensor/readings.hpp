@@ -19,6 +19,14 @@ struct Odometry {
   SE2 T_odom_base;  ///< Accumulated from an arbitrary start; continuous, drifting (REP-105).
 };
 
+/// One reading of an inertial measurement unit, in base (REP-145).
+struct Imu {
+  Stamp stamp{};
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
+  /// [m/s^2] Specific force: at rest on level ground (0, 0, 9.81).
+  Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
+};
+
 /// One sweep of a planar lidar with any mount.
 struct LaserScan {
   Stamp stamp{};                 ///< Time of the first beam.

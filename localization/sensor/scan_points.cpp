@@ -84,6 +84,7 @@ std::vector<std::size_t> even_indices(std::size_t size, int count) {
 ScanPoints points_at(const ScanPoints& points, const std::vector<std::size_t>& indices) {
   ScanPoints some;
   some.valid_share = points.valid_share;
+  some.up = points.up;
   for (const std::size_t i : indices) copy_point(points, i, some);
   return some;
 }

@@ -31,7 +31,9 @@ struct ScanPoints {
   std::vector<float> origin_y;  ///< [m]
   std::vector<float> origin_z;  ///< [m]
   std::vector<float> range;     ///< [m] Length of the beam in the plane.
-  double valid_share = 1.0;     ///< Share of the lidar's beams with a valid range.
+  /// Direction up in base, as an inertial measurement unit knows it; nothing without one.
+  std::optional<Eigen::Vector3f> up{};
+  double valid_share = 1.0;  ///< Share of the lidar's beams with a valid range.
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] bool empty() const { return x.empty(); }

@@ -51,6 +51,7 @@ std::optional<ScanTurn> SensorInput::take(const LaserScan& scan) {
     return std::nullopt;
   }
   turn.points = panorama_.add(scan.lidar, *seen, turn.now, turn.T_odom_base);
+  if (const auto up = gravity_.up()) turn.points.up = up->cast<float>();
   turn.step = step_to(turn.T_odom_base);
   turn.counts = !turn.points.empty() && correct_rate_.take_turn(turn.now);
   if (turn.counts) turn.periods = count(turn.now);
@@ -70,6 +71,7 @@ void SensorInput::restart() {
   reseed_rate_.restart();
   counted_.reset();
   panorama_.clear();
+  gravity_.clear();
 }
 
 /// Notes a scan that counts. Returns the periods since the last one.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "localization/geometry/rate.hpp"
+#include "localization/motion/gravity_filter.hpp"
 #include "localization/sensor/intake.hpp"
 #include "localization/sensor/lidar_panorama.hpp"
 #include "localization/sensor/scan_points.hpp"
@@ -53,6 +54,10 @@ class SensorInput {
 
   /// Takes an odometry reading; the result is empty if it is dropped.
   OdometryTurn take(const Odometry& odometry);
+  /// Takes a reading of an inertial measurement unit: scans say where up was.
+  void take(const Imu& imu) {
+    gravity_.add(imu.stamp, imu.angular_velocity, imu.linear_acceleration);
+  }
   /// Takes a scan; returns nothing if it is dropped.
   std::optional<ScanTurn> take(const LaserScan& scan);
 
@@ -70,6 +75,7 @@ class SensorInput {
   BeamSelection beams_;
   Intake intake_;
   LidarPanorama panorama_;
+  GravityFilter gravity_;
   Rate predict_rate_;
   Rate correct_rate_;
   Rate reseed_rate_;

@@ -25,4 +25,9 @@ SlopeClasses sort_by_slope(const ElevationMap& ground);
 /// Orientation of a robot in the grid that stands on a slope with a yaw. [rad]
 Eigen::Matrix3d orientation_on(const Eigen::Vector2d& slope, double yaw);
 
+/// Direction up in base for a robot that stands on a slope with a yaw. [rad]
+inline Eigen::Vector3d up_on(const Eigen::Vector2d& slope, double yaw) {
+  return orientation_on(slope, yaw).row(2).transpose();
+}
+
 }  // namespace castaway::localization

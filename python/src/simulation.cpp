@@ -50,7 +50,7 @@ class Simulation {
   void set_estimate(const py::object& pose) {
     const std::optional<SE2> T_map_base = to_optional_pose(pose, "pose");
     source_->set_drive_pose(T_map_base);
-    source_->set_watched_pose(T_map_base);
+    source_->set_watched_pose(T_map_base, 0.0);
   }
   [[nodiscard]] py::object start_pose() const { return python::to_python(source_->start_pose()); }
   [[nodiscard]] double duration_s() const { return localization::seconds(source_->duration()); }

@@ -35,8 +35,12 @@ std::string to_string(KidnapKind kind) {
       return "turn";
     case KidnapKind::kCarry:
       return "carry";
-    default:
+    case KidnapKind::kSpin:
       return "spin";
+    case KidnapKind::kElevator:
+      return "elevator";
+    default:
+      return "pallet_truck";
   }
 }
 

@@ -22,6 +22,9 @@ enum class KidnapKind : std::uint8_t {
   kTurn,   ///< Turned in place by an angle in `turn`, to either side.
   kCarry,  ///< Lifted, carried through free space to `target` or to a random pose, and put down.
   kSpin,   ///< Lifted while its wheels keep turning, and put down where it was.
+  /// Taken to another level by a lift whose doors are closed: the lidars see nothing.
+  kElevator,
+  kPalletTruck,  ///< As kCarry, close to the floor and over ramps; the lidars see.
 };
 
 /// A closed interval.
@@ -38,6 +41,8 @@ struct KidnapSpec {
   double min_distance_m = 3.0;
   double margin_m = 0.05;         ///< [m] Room around the robot's footprint.
   std::optional<Pose2> target{};  ///< Required by kTeleportTo; destination of kCarry.
+  std::optional<int> level{};     ///< On which a target is; empty: on any (given: the lowest).
+  bool ramp = false;              ///< A drawn target is on a ramp.
   Bounds nudge{0.3, 1.0};         ///< [m] Range of the distance.
   Bounds turn{0.785, 3.1416};     ///< [rad] Range of the angle, in (0, pi].
   LiftConfig lift{};              ///< Used by kCarry and kSpin.
@@ -56,10 +61,12 @@ struct KidnapRecord {
   /// [m] Of kLookAlike: mean difference between the ranges of the two scans, each capped at 1 m.
   std::optional<double> unlikeness{};
   bool too_near = false;  ///< No place was `min_distance_m` away: the farthest one was taken.
+  double z_from = 0.0;    ///< [m] Height of the ground before.
+  double z_to = 0.0;      ///< [m] Height of the ground after.
 };
 
-/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin": the name in logs and
-/// scenarios.
+/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin", "elevator",
+/// "pallet_truck": the name in logs and scenarios.
 std::string to_string(KidnapKind kind);
 
 /// @throws std::invalid_argument naming the field and the remedy.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <boost/random/bernoulli_distribution.hpp>
 
+#include "sim/events/level_target.hpp"
 #include "sim/events/look_alike.hpp"
 #include "sim/map/free_space.hpp"
 
@@ -42,7 +43,9 @@ Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng
       any = true;
       const Eigen::Vector2d p = center_of(grid, {column, row});
       if (best && (p - from).norm() <= (best->position() - from).norm()) continue;
-      if (is_clear(scene, {p.x(), p.y(), 0.0})) best = Pose2{p.x(), p.y(), 0.0};
+      const Pose2 place{p.x(), p.y(), 0.0};
+      const bool wanted = is_wanted_ground(spec, scene.free, place);
+      if (wanted && is_clear(scene, place)) best = Pose2{p.x(), p.y(), 0.0};
     }
   }
   if (!any) {
@@ -56,20 +59,23 @@ Found farthest_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng
 }
 
 Found given_target(const KidnapSpec& spec, const KidnapScene& scene) {
-  if (!scene.free.contains(spec.target->position())) {
+  const std::optional<Pose2> target = target_on_plane(spec, scene.free.levels());
+  if (!target || !scene.free.contains(target->position())) {
     throw std::runtime_error(fmt::format(
         "kidnap {}: target ({}, {}) is nearer than {:.2f} m to an obstacle, or cut off from the "
         "free space: choose another",
         describe(spec.when), spec.target->x, spec.target->y, scene.free.radius()));
   }
-  return unless_occupied(scene, *spec.target);
+  return unless_occupied(scene, *target);
 }
 
 Found random_target(const KidnapSpec& spec, const KidnapScene& scene, Rng& rng) {
   for (int i = 0; i < kDraws; ++i) {
     const auto pose = scene.free.sample(rng, scene.T_map_base.position(), spec.min_distance_m);
     if (!pose) return farthest_target(spec, scene, rng);
-    if (is_clear(scene, *pose)) return Found{{*pose}};
+    const bool wanted = is_wanted_ground(spec, scene.free, *pose) &&
+                        is_far_enough(spec, scene.free, scene.T_map_base, *pose);
+    if (wanted && is_clear(scene, *pose)) return Found{{*pose}};
   }
   return std::nullopt;
 }
@@ -119,7 +125,12 @@ std::optional<KidnapTarget> kidnap_target(const KidnapSpec& spec, const KidnapSc
       return turn_target(spec, scene, rng);
     case KidnapKind::kSpin:
       return Found{{scene.T_map_base}};
+    case KidnapKind::kElevator: {
+      const auto place = elevator_target(spec, scene.free, scene.T_map_base, rng);
+      return place ? Found{{*place}} : std::nullopt;
+    }
     case KidnapKind::kCarry:
+    case KidnapKind::kPalletTruck:
       return spec.target ? given_target(spec, scene) : random_target(spec, scene, rng);
     default:
       return random_target(spec, scene, rng);

@@ -17,7 +17,7 @@ class LookAlikes;
 
 /// State of the world that the choice depends on.
 struct KidnapScene {
-  Pose2 T_map_base;                       ///< True pose of base now.
+  Pose2 T_map_base;                       ///< True pose of base now; on levels, in frame plane.
   const FreeSpace& free;                  ///< For the robot's footprint plus the kidnap's margin.
   std::vector<Eigen::Vector2d> people{};  ///< [m] Positions of people in map.
   double keep_clear = 0.0;  ///< [m] Distance that the robot's centre keeps from each person.

@@ -40,12 +40,11 @@ void validate(const LiftConfig& config) {
   expect(config.speed > 0.0 && config.speed <= 10.0, "speed", config.speed, "0 to 10 m/s");
 }
 
-Lift::Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map_to,
-           const std::vector<Eigen::Vector2d>& path)
-    : config_(config), T_map_from_(T_map_from), T_map_to_(T_map_to) {
-  path_.push_back(T_map_from.position());
-  path_.insert(path_.end(), path.begin(), path.end());
-  path_.push_back(T_map_to.position());
+Lift::Lift(const LiftConfig& config, const LiftWay& way)
+    : config_(config), T_map_from_(way.T_map_from), T_map_to_(way.T_map_to) {
+  path_.emplace_back(T_map_from_.x, T_map_from_.y, way.z_from);
+  path_.insert(path_.end(), way.path.begin(), way.path.end());
+  path_.emplace_back(T_map_to_.x, T_map_to_.y, way.z_to);
   way_.assign(path_.size(), 0.0);
   for (std::size_t i = 1; i < path_.size(); ++i) {
     way_[i] = way_[i - 1] + (path_[i] - path_[i - 1]).norm();
@@ -55,7 +54,7 @@ Lift::Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map
   rise_ = std::min(rise, kRiseShare * duration_);
 }
 
-Eigen::Vector2d Lift::along(double way) const {
+Eigen::Vector3d Lift::along(double way) const {
   const auto behind = std::upper_bound(way_.begin(), way_.end(), way);
   if (behind == way_.end()) return path_.back();
   const auto i = static_cast<std::size_t>(behind - way_.begin());
@@ -67,9 +66,9 @@ Eigen::Isometry3d Lift::at(double t) const {
   const double share = smooth((t - rise_) / (duration_ - 2.0 * rise_));
   const double down = smooth((t - (duration_ - rise_)) / rise_);
   const double turn = wrap_angle(T_map_to_.yaw - T_map_from_.yaw);
-  const Eigen::Vector2d p = along(share * way_.back());
+  const Eigen::Vector3d p = along(share * way_.back());
   Eigen::Isometry3d T_map_base = to_isometry({p.x(), p.y(), T_map_from_.yaw + share * turn});
-  T_map_base.translation().z() = config_.height * (smooth(t / rise_) - down);
+  T_map_base.translation().z() = p.z() + config_.height * (smooth(t / rise_) - down);
   return T_map_base;
 }
 

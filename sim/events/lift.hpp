@@ -35,12 +35,19 @@ struct LiftConfig {
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const LiftConfig& config);
 
+/// The way of a lifted robot.
+struct LiftWay {
+  Pose2 T_map_from;                     ///< Pose of base before.
+  Pose2 T_map_to;                       ///< Pose of base after.
+  std::vector<Eigen::Vector3d> path{};  ///< [m] Points of the ground in map, between the two.
+  double z_from = 0.0;                  ///< [m] Height of the ground before.
+  double z_to = 0.0;                    ///< [m] Height of the ground after.
+};
+
 /// The motion of a lifted robot: up, along a path while its heading turns evenly, down.
 class Lift {
  public:
-  /// `path`: points in map from the old position to the new one.
-  Lift(const LiftConfig& config, const Pose2& T_map_from, const Pose2& T_map_to,
-       const std::vector<Eigen::Vector2d>& path);
+  Lift(const LiftConfig& config, const LiftWay& way);
 
   /// [s] From pick-up to put-down.
   [[nodiscard]] double duration() const { return duration_; }
@@ -49,12 +56,12 @@ class Lift {
   [[nodiscard]] const Pose2& T_map_to() const { return T_map_to_; }
 
  private:
-  [[nodiscard]] Eigen::Vector2d along(double way) const;
+  [[nodiscard]] Eigen::Vector3d along(double way) const;
 
   LiftConfig config_;
   Pose2 T_map_from_;
   Pose2 T_map_to_;
-  std::vector<Eigen::Vector2d> path_;
+  std::vector<Eigen::Vector3d> path_;
   std::vector<double> way_;  ///< [m] Length of the path up to each point.
   double rise_ = 0.0;        ///< [s] Time up; the time down is the same.
   double duration_ = 0.0;

@@ -12,6 +12,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "sim/common/cell_index.hpp"
+#include "sim/map/level_plane.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -84,6 +85,14 @@ FreeSpace FreeSpace::whole(const Grid& grid, double radius) {
   return {radius, std::move(clearance), std::move(free)};
 }
 
+FreeSpace FreeSpace::on_levels(std::shared_ptr<const LevelPlane> plane, double radius) {
+  std::vector<float> clearance = distance_to_obstacle(plane->grid);
+  Grid free = largest_part(*plane, erode(plane->grid, clearance, radius));
+  FreeSpace space(radius, std::move(clearance), std::move(free));
+  space.levels_ = std::move(plane);
+  return space;
+}
+
 FreeSpace::FreeSpace(double radius, std::vector<float> clearance, Grid grid) : radius_(radius) {
   std::vector<std::size_t> free_in_row = count_rows(grid);
   parts_ = std::make_shared<const Parts>(
@@ -109,11 +118,25 @@ FreeSpace FreeSpace::with_discs(std::span<const RoundObstacle> discs) const {
       }
     }
   }
-  return {radius_, std::move(clearance), largest_component(grid)};
+  if (!levels_) return {radius_, std::move(clearance), largest_component(grid)};
+  FreeSpace space(radius_, std::move(clearance), largest_part(*levels_, std::move(grid)));
+  space.levels_ = levels_;
+  return space;
 }
 
 bool FreeSpace::contains(const Eigen::Vector2d& p_map) const {
-  return cell_at(grid(), p_map) == Cell::kFree;
+  return levels_ ? free_cell(p_map).has_value() : cell_at(grid(), p_map) == Cell::kFree;
+}
+
+std::optional<CellIndex> FreeSpace::free_cell(const Eigen::Vector2d& p_map) const {
+  CellIndex cell = cell_of(grid(), p_map);
+  if (!grid().contains(cell.column, cell.row)) return std::nullopt;
+  if (levels_) {
+    const std::int32_t own = levels_->cells[flat_index(grid(), cell)].own;
+    if (own < 0) return std::nullopt;
+    cell = cell_at_index(grid(), static_cast<std::size_t>(own));
+  }
+  return grid().is_free(cell.column, cell.row) ? std::optional(cell) : std::nullopt;
 }
 
 double FreeSpace::clearance_at(const Eigen::Vector2d& p_map) const {
@@ -131,7 +154,7 @@ bool FreeSpace::contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d
 }
 
 std::optional<CellIndex> FreeSpace::nearest_free(const Eigen::Vector2d& p_map) const {
-  if (contains(p_map)) return cell_of(grid(), p_map);
+  if (const auto cell = free_cell(p_map)) return cell;
   std::optional<CellIndex> best;
   double best_distance = std::numeric_limits<double>::infinity();
   for (int row = 0; row < grid().height; ++row) {

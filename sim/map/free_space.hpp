@@ -15,6 +15,8 @@
 
 namespace castaway::sim {
 
+struct LevelPlane;
+
 /// A disc-shaped obstacle.
 struct RoundObstacle {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] In map.
@@ -32,10 +34,15 @@ class FreeSpace {
   /// All parts, whether or not a disc can get from one to another.
   static FreeSpace whole(const Grid& grid, double radius);
 
+  /// The largest part of the ground of several floors, in frame plane: what is connected across
+  /// floors, and belongs to its chart.
+  static FreeSpace on_levels(std::shared_ptr<const LevelPlane> plane, double radius);
+
   /// Returns the same space with disc-shaped obstacles added.
   [[nodiscard]] FreeSpace with_discs(std::span<const RoundObstacle> discs) const;
 
-  /// True if a disc centred on `p_map` is free and can reach the rest of the free space.
+  /// True if a disc centred on `p_map` is free and can reach the rest of the free space; on levels
+  /// also where the ground belongs to another chart.
   [[nodiscard]] bool contains(const Eigen::Vector2d& p_map) const;
   /// True if `contains` holds along a straight line.
   [[nodiscard]] bool contains_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
@@ -56,6 +63,8 @@ class FreeSpace {
   /// Distance at a point in map; 0 outside of the grid. [m]
   [[nodiscard]] double clearance_at(const Eigen::Vector2d& p_map) const;
   [[nodiscard]] double radius() const { return radius_; }
+  /// The floors that it is on; null for a planar one.
+  [[nodiscard]] const LevelPlane* levels() const { return levels_.get(); }
 
  private:
   struct Parts {
@@ -65,12 +74,15 @@ class FreeSpace {
   };
 
   FreeSpace(double radius, std::vector<float> clearance, Grid grid);
+  /// The free cell at a point, in its own chart; nothing if it is not free.
+  [[nodiscard]] std::optional<CellIndex> free_cell(const Eigen::Vector2d& p_map) const;
   /// A free cell at least `reach` [m] away from a point.
   [[nodiscard]] std::optional<CellIndex> sample_cell(Rng& rng, const Eigen::Vector2d& from,
                                                      double reach) const;
 
   double radius_;
   std::shared_ptr<const Parts> parts_;
+  std::shared_ptr<const LevelPlane> levels_{};
 };
 
 }  // namespace castaway::sim

@@ -5,11 +5,13 @@
 
 #include "sim/casting/ray_scene.hpp"
 #include "sim/map/grid_tools.hpp"
+#include "sim/world/footprint.hpp"
 
 namespace castaway::sim {
 namespace {
 
 constexpr double kAbove = 100.0;     // [m] Height from which rays are cast down.
+constexpr double kOverhead = 1.0;    // [m] What begins higher is another floor.
 constexpr float kLedge = 0.03F;      // [m]
 constexpr float kStandable = 0.01F;  // [m]
 
@@ -18,7 +20,8 @@ constexpr float kStandable = 0.01F;  // [m]
 std::vector<float> ground_heights(const WorldSpec& world, const Grid& grid) {
   WorldSpec ground;
   for (const WorldObject& object : world.objects) {
-    if (object.drivable && object.in_world) ground.objects.push_back(object);
+    if (!object.drivable || !object.in_world) continue;
+    if (bounds(object).min().z() < kOverhead) ground.objects.push_back(object);
   }
   if (ground.objects.empty()) return {};
   const RayScene scene(ray_primitives(ground));

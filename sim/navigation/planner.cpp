@@ -8,6 +8,8 @@
 #include <numbers>
 #include <queue>
 
+#include "sim/navigation/level_planner.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -29,6 +31,16 @@ struct OpenCell {
     return estimate != other.estimate ? estimate > other.estimate : cell > other.cell;
   }
 };
+
+}  // namespace
+
+double path_price(const FreeSpace& free, std::size_t cell, const PlannerConfig& config) {
+  const double room = free.clearance()[cell] - free.radius();
+  const double lack = std::clamp(1.0 - room / config.comfort, 0.0, 1.0);
+  return 1.0 + config.comfort_weight * lack * lack;
+}
+
+namespace {
 
 class AStar {
  public:
@@ -80,11 +92,6 @@ class AStar {
     return static_cast<float>(grid_.resolution *
                               (std::max(dx, dy) + (std::sqrt(2.0) - 1.0) * std::min(dx, dy)));
   }
-  [[nodiscard]] double price(std::size_t cell) const {
-    const double room = free_.clearance()[cell] - free_.radius();
-    const double lack = std::clamp(1.0 - room / config_.comfort, 0.0, 1.0);
-    return 1.0 + config_.comfort_weight * lack * lack;
-  }
   void expand(CellIndex from, std::size_t from_index) {
     std::array<bool, 9> free{};  // By step.
     for (int dy = -1; dy <= 1; ++dy) {
@@ -106,7 +113,7 @@ class AStar {
     const double length = grid_.resolution * (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
     const double least = cost_[from_index] + length;  // No price is below 1.
     if (static_cast<float>(least) >= cost_[i]) return;
-    const double cost = cost_[from_index] + length * price(i);
+    const double cost = cost_[from_index] + length * path_price(free_, i, config_);
     reach(to, step_index(dx, dy), static_cast<float>(cost));
   }
   void reach(CellIndex cell, StepIndex by, float cost) {
@@ -132,6 +139,7 @@ std::optional<std::vector<Eigen::Vector2d>> plan_path(const FreeSpace& free,
                                                       const Eigen::Vector2d& start,
                                                       const Eigen::Vector2d& goal,
                                                       const PlannerConfig& config) {
+  if (free.levels() != nullptr) return plan_on_levels(free, start, goal, config);
   const std::optional<CellIndex> from = free.nearest_free(start);
   const std::optional<CellIndex> to = free.nearest_free(goal);
   if (!from || !to) return std::nullopt;

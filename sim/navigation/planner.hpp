@@ -17,9 +17,12 @@ struct PlannerConfig {
   double comfort_weight = 3.0;
 };
 
+/// Price of a metre in a cell of `free.grid()`: 1 or more.
+double path_price(const FreeSpace& free, std::size_t cell, const PlannerConfig& config);
+
 /// Plans with A* over the 8-connected free cells, never cutting a corner, from the free cell
 /// nearest to `start` to the one nearest to `goal`. Returns points in map one cell apart; nothing
-/// if there is no path.
+/// if there is no path. On levels as `plan_on_levels`.
 std::optional<std::vector<Eigen::Vector2d>> plan_path(const FreeSpace& free,
                                                       const Eigen::Vector2d& start,
                                                       const Eigen::Vector2d& goal,

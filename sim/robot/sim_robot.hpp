@@ -34,6 +34,10 @@ class SimRobot {
   void teleport(const Pose2& T_map_base) {
     std::visit([&](auto& robot) { robot.teleport(T_map_base); }, robot_);
   }
+  /// The same on ground that is not at z = 0; for a robot with physics.
+  void place(const Eigen::Isometry3d& T_map_base) {
+    if (auto* robot = std::get_if<RobotPhysics>(&robot_)) robot->place(T_map_base);
+  }
   /// Takes the objects of a changed world as bodies, if it has physics.
   void set_objects(const WorldSpec& world) {
     if (auto* robot = std::get_if<RobotPhysics>(&robot_)) robot->set_objects(world);

@@ -105,7 +105,9 @@ void LidarSweeper::begin_scan(const Motion& motion) {
   reading_.stamp = scan_stamp_;
   reading_.time_increment = time_increment_;
   reading_.layers = static_cast<int>(layers);
-  reading_.T_map_base_true = to_planar(motion.at(scan_stamp_));
+  const Eigen::Isometry3d T_map_base = motion.at(scan_stamp_);
+  reading_.T_map_base_true = to_planar(T_map_base);
+  reading_.T_footprint_base_true = to_isometry(reading_.T_map_base_true).inverse() * T_map_base;
   reading_.ranges.assign(beams, kInfiniteRange);
   reading_.hit_object.assign(beams, kHitNothing);
   if (config.intensity != Intensity::kNone) reading_.intensities.assign(beams, 0.0F);

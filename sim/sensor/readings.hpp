@@ -44,7 +44,9 @@ struct LidarReading {
   std::vector<int> hit_object;
   /// Same length as `ranges`, or empty if the lidar has no intensities.
   std::vector<float> intensities{};
-  Pose2 T_map_base_true;              ///< At the first beam.
+  Pose2 T_map_base_true;  ///< At the first beam.
+  /// At the first beam: height, roll and pitch of base.
+  Eigen::Isometry3d T_footprint_base_true = Eigen::Isometry3d::Identity();
   std::vector<PersonReading> people;  ///< All people, at the stamp or up to 50 ms later.
   std::size_t lidar = 0;              ///< Index into `SimulationConfig::lidars`.
   /// Error of the reported mount: reported T_base_laser = this * the true one.

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include "sim/common/seconds.hpp"
+#include "sim/events/level_target.hpp"
+#include "sim/map/level_plane.hpp"
+#include "sim/navigation/level_planner.hpp"
 #include "sim/navigation/planner.hpp"
 #include "sim/people/bodies/person.hpp"
 #include "sim/stages/drive_space.hpp"
@@ -20,7 +23,12 @@ using std::chrono::nanoseconds;
 constexpr double kClearOfPeople = 0.1;
 
 bool takes_time(const KidnapSpec& spec) {
-  return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kSpin;
+  return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kSpin ||
+         spec.kind == KidnapKind::kElevator || spec.kind == KidnapKind::kPalletTruck;
+}
+
+bool is_carried(const KidnapSpec& spec) {
+  return spec.kind == KidnapKind::kCarry || spec.kind == KidnapKind::kPalletTruck;
 }
 
 /// The random stream of a kidnap's times; empty for triggers that draw nothing.
@@ -40,6 +48,20 @@ void check_target(const KidnapSpec& spec, const Pose2& start, const FreeSpace& f
   KidnapSpec there = spec;
   there.kind = KidnapKind::kTeleportTo;
   kidnap_target(there, {start, free}, unused);
+}
+
+/// Points of the ground in map on the way of a carried robot; empty if there is none.
+std::vector<Eigen::Vector3d> carried_path(const FreeSpace& space, const Pose2& from,
+                                          const Pose2& to) {
+  if (space.levels() != nullptr) {
+    return plan_over_levels(space, from.position(), to.position(), {})
+        .value_or(std::vector<Eigen::Vector3d>{});
+  }
+  std::vector<Eigen::Vector3d> path;
+  const auto planar = plan_path(space, from.position(), to.position());
+  if (!planar) return path;
+  for (const Eigen::Vector2d& p : *planar) path.emplace_back(p.x(), p.y(), 0.0);
+  return path;
 }
 
 TriggerInput trigger_input(const KidnapInput& input) {
@@ -64,8 +86,12 @@ void KidnapStage::add(const KidnapSpec& spec, const Pose2& T_map_base) {
   const double radius = footprint_ + spec.margin_m;
   auto space = spaces_.find(radius);
   if (space == spaces_.end()) space = spaces_.emplace(radius, landing_(radius)).first;
+  require_wanted_ground(spec, space->second);
   check_target(spec, T_map_base, space->second);
-  if (spec.kind == KidnapKind::kCarry && !carry_space_) carry_space_ = landing_(0.0);
+  if (spec.kind == KidnapKind::kLookAlike && space->second.levels() != nullptr) {
+    throw std::runtime_error("kidnap look_alike: not on several levels: choose another kind");
+  }
+  if (is_carried(spec) && !carry_space_) carry_space_ = landing_(0.0);
   entries_.push_back({spec, {spec.when, clock_stream(spec, entries_.size(), streams_)}, radius});
 }
 
@@ -116,19 +142,29 @@ KidnapOutcome KidnapStage::begin(Entry& entry, const KidnapInput& input, Rng& rn
 
 KidnapOutcome KidnapStage::begin_lift(const Entry& entry, const KidnapInput& input,
                                       const KidnapTarget& target) {
-  const Pose2& T_map_to = target.T_map_base;
   const Pose2& from = input.T_map_base;
-  std::optional<std::vector<Eigen::Vector2d>> path;
-  if (entry.spec.kind == KidnapKind::kCarry) {
-    path = plan_path(*carry_space_, from.position(), T_map_to.position());
-  }
-  KidnapRecord record{input.now, entry.spec.kind, from, T_map_to, input.now, {}, target.too_near};
-  Lift lift(entry.spec.lift, from, T_map_to,
-            path ? *path : std::vector<Eigen::Vector2d>{from.position()});
+  KidnapRecord record{input.now, entry.spec.kind, from, target.T_map_base, input.now,
+                      {},        target.too_near};
+  Lift lift(entry.spec.lift, way_of(entry, from, target.T_map_base));
   held_ = std::make_unique<Held>(Held{&entry.spec, record, std::move(lift)});
   KidnapOutcome outcome;
   outcome.picked_up = PickUpRecord{input.now, entry.spec.kind, from};
   return outcome;
+}
+
+LiftWay KidnapStage::way_of(const Entry& entry, const Pose2& from, const Pose2& to) const {
+  const LevelPlane* plane = spaces_.at(entry.radius).levels();
+  LiftWay way{from, to};
+  if (is_carried(entry.spec)) way.path = carried_path(*carry_space_, from, to);
+  if (plane == nullptr) {
+    if (way.path.empty()) way.path.emplace_back(from.x, from.y, 0.0);
+    return way;
+  }
+  way.T_map_from = plane->in_map(from);
+  way.T_map_to = plane->in_map(to);
+  way.z_from = plane->p_map(from.position()).z();
+  way.z_to = plane->p_map(to.position()).z();
+  return way;
 }
 
 const LookAlikes* KidnapStage::look_alikes_of(Entry& entry) {

@@ -18,7 +18,7 @@
 
 namespace castaway::sim {
 
-/// Input of a step.
+/// Input of a step. On levels, its pose and those of `KidnapOutcome` are in frame plane.
 struct KidnapInput {
   std::chrono::nanoseconds now{};
   Pose2 T_map_base;        ///< True pose of base.
@@ -81,6 +81,7 @@ class KidnapStage {
   KidnapOutcome begin(Entry& entry, const KidnapInput& input, Rng& rng);
   KidnapOutcome begin_lift(const Entry& entry, const KidnapInput& input,
                            const KidnapTarget& target);
+  [[nodiscard]] LiftWay way_of(const Entry& entry, const Pose2& from, const Pose2& to) const;
   const LookAlikes* look_alikes_of(Entry& entry);
 
   std::function<FreeSpace(double radius)> landing_;  ///< Where a body of this radius can be put.

@@ -16,6 +16,13 @@ WheelAngles interpolate(const WheelAngles& a, const WheelAngles& b, double fract
   return {a.left + fraction * (b.left - a.left), a.right + fraction * (b.right - a.right)};
 }
 
+Rng imu_stream(const SimulationStreams& streams) {
+  if (!streams.named) {
+    throw std::invalid_argument("imu: no random stream for it: give SimulationStreams::named");
+  }
+  return streams.named("imu");
+}
+
 double turn_of(const Motion& motion) {
   return wrap_angle(to_planar(motion.T_map_base_end).yaw - to_planar(motion.T_map_base_begin).yaw);
 }
@@ -41,6 +48,7 @@ SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams
       timeline_(config.faults),
       odometry_(config, streams),
       odometry_period_(std::llround(1e9 / config.odometry.rate_hz)) {
+  if (config.imu) imu_.emplace(*config.imu, imu_stream(streams));
   const Surfaces surfaces(config.world);
   for (const LidarConfig& lidar : configs_) {
     devices_.push_back({LidarSweeper(lidar, surfaces, lidar_draws(streams, lidar)),
@@ -85,6 +93,10 @@ std::vector<OdometryReading> SensorStage::read_odometry(const Motion& motion,
   }
   turned_ += turn;
   return readings;
+}
+
+std::vector<ImuReading> SensorStage::read_imu(const Motion& motion, bool moved) {
+  return imu_ ? imu_->read(motion, moved) : std::vector<ImuReading>{};
 }
 
 std::vector<SimFrame> SensorStage::read_lidars(const Surroundings& around, const Motion& motion) {

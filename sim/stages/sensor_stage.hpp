@@ -37,6 +37,9 @@ class SensorStage {
   /// wheel angles at its ends.
   std::vector<OdometryReading> read_odometry(const Motion& motion, const WheelAngles& begin,
                                              const WheelAngles& end, std::int64_t collisions = 0);
+  /// Returns the readings of the inertial measurement unit within a motion. `moved`: the robot was
+  /// put elsewhere at its beginning.
+  std::vector<ImuReading> read_imu(const Motion& motion, bool moved);
   /// Returns the scans delivered within a motion; motions must follow each other without gaps in
   /// time. Leaves `LidarReading::people` empty.
   std::vector<SimFrame> read_lidars(const Surroundings& around, const Motion& motion);
@@ -58,6 +61,7 @@ class SensorStage {
   std::vector<Sweep> pending_;  ///< Scans not delivered yet.
   FaultTimeline timeline_;
   OdometrySensor odometry_;
+  std::optional<Imu> imu_;
   std::chrono::nanoseconds odometry_period_;
   std::chrono::nanoseconds next_odometry_{};
   double turned_ = 0.0;  ///< [rad] Turn of base, without kidnaps.

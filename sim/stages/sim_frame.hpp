@@ -11,6 +11,7 @@
 #include "sim/common/geometry.hpp"
 #include "sim/events/fault.hpp"
 #include "sim/events/kidnap.hpp"
+#include "sim/sensor/imu.hpp"
 #include "sim/sensor/readings.hpp"
 
 namespace castaway::sim {
@@ -43,7 +44,7 @@ struct WorldRecord {
 struct SimFrame {
   std::chrono::nanoseconds stamp{};
   std::variant<KidnapRecord, OdometryReading, LidarReading, PersonHit, FaultRecord, PickUpRecord,
-               DriveRecord, WorldRecord>
+               DriveRecord, WorldRecord, ImuReading>
       data;
 };
 

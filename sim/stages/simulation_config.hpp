@@ -22,12 +22,14 @@
 #include "sim/robot/bodies/path_robot.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
+#include "sim/sensor/imu.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "sim/world/world_spec.hpp"
 
 namespace castaway::sim {
 
+struct LevelPlane;
 class Spaces;
 
 /// Where and how fast the robot drives.
@@ -51,11 +53,15 @@ enum class DriveModel : std::uint8_t {
 /// Everything that a simulated run depends on, except its random streams.
 struct SimulationConfig {
   WorldSpec world;
+  /// The floors on which the robot drives, if there are several: `start`, `drive.waypoints` and
+  /// targets of kidnaps are then in frame plane (sim/map/level_plane.hpp).
+  std::shared_ptr<const LevelPlane> levels{};
   Grid map;  ///< Known to the robot's planner; objects that it lacks are avoided nevertheless.
   RobotModel robot;
   /// At least one, with unique names. Crowds and look-alike kidnaps use the first.
   std::vector<LidarConfig> lidars{LidarConfig{}};
   OdometryConfig odometry;
+  std::optional<ImuConfig> imu{};  ///< Nothing: the robot has none.
   DriveConfig drive;
   std::vector<KidnapSpec> kidnaps;
   std::vector<FaultSpec> faults{};

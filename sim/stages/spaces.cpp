@@ -43,20 +43,29 @@ FreeSpace Spaces::on_map(const Grid& map, double radius) {
 
 FreeSpace Spaces::driving(const SimulationConfig& config, double radius) {
   require_same(config.world);
-  return find_or_make(driving_, Key{config.robot.height, radius},
-                      [&] { return FreeSpace(drive_grid(config), radius); });
+  return find_or_make(driving_, Key{config.robot.height, radius}, [&] {
+    return config.levels ? FreeSpace::on_levels(config.levels, radius)
+                         : FreeSpace(drive_grid(config), radius);
+  });
 }
 
 FreeSpace Spaces::driving_around(const SimulationConfig& config, double radius,
                                  const Eigen::Vector2d& p_map) {
+  if (config.levels) return driving(config, radius);
   require_same(config.world);
   return FreeSpace::around(drive_grid(config), radius, p_map);
 }
 
 FreeSpace Spaces::landing(const SimulationConfig& config, double radius) {
+  if (config.levels) return driving(config, radius);  // Robots may be put down on ramps.
   require_same(config.world);
   return find_or_make(landing_, Key{config.robot.height, radius},
                       [&] { return FreeSpace(landing_grid(config), radius); });
+}
+
+std::shared_ptr<const LevelPlane> Spaces::levels(
+    double height, const std::function<std::shared_ptr<const LevelPlane>()>& survey) {
+  return find_or_make(levels_, height, survey);
 }
 
 std::shared_ptr<const WalkCells> Spaces::walking(const WorldSpec& world, const Grid& map) {

@@ -1,6 +1,7 @@
 /// Where robot and people can be in one world.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,13 +24,16 @@ class Spaces {
 
   /// Free space of the map itself for a disc of `radius` [m].
   FreeSpace on_map(const Grid& map, double radius);
-  /// Free space of `drive_grid`.
+  /// Free space of `drive_grid`, or on the floors of `config.levels`.
   FreeSpace driving(const SimulationConfig& config, double radius);
   /// The part of it at a point, or else the largest one; not kept.
   FreeSpace driving_around(const SimulationConfig& config, double radius,
                            const Eigen::Vector2d& p_map);
-  /// Free space of `landing_grid`.
+  /// Free space of `landing_grid`; on levels, of `driving`.
   FreeSpace landing(const SimulationConfig& config, double radius);
+  /// The floors for a robot of a height [m]; `survey` is called unless they are kept.
+  std::shared_ptr<const LevelPlane> levels(
+      double height, const std::function<std::shared_ptr<const LevelPlane>()>& survey);
   /// Where people can walk.
   std::shared_ptr<const WalkCells> walking(const WorldSpec& world, const Grid& map);
 
@@ -47,6 +51,7 @@ class Spaces {
   std::map<Key, FreeSpace> on_map_;
   std::map<Key, FreeSpace> driving_;
   std::map<Key, FreeSpace> landing_;
+  std::map<double, std::shared_ptr<const LevelPlane>> levels_;  ///< By the height of the robot.
   std::shared_ptr<const WalkCells> walking_;
 };
 

@@ -89,6 +89,7 @@ struct WorldSpec {
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
   std::vector<SlipZone> slip_zones;
   std::vector<Door> doors;
+  bool levels = false;                    ///< Robots drive on all floors; false: on the lowest one.
   std::optional<Eigen::Vector2d> inside;  ///< [m] A point in the area that is surveyed.
 };
 

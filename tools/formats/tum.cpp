@@ -67,6 +67,16 @@ std::vector<StampedPose> read_tum(const std::filesystem::path& path) {
   return poses;
 }
 
+std::string tum_line(std::chrono::nanoseconds stamp, const Eigen::Isometry3d& T_map_base) {
+  const std::int64_t nanoseconds = stamp.count();
+  const Eigen::Vector3d p = T_map_base.translation();
+  Eigen::Quaterniond q(T_map_base.linear());
+  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  return fmt::format("{}.{:09d} {} {} {} {} {} {} {}\n", nanoseconds / 1'000'000'000,
+                     nanoseconds % 1'000'000'000, decimal(p.x()), decimal(p.y()), decimal(p.z()),
+                     decimal(q.x()), decimal(q.y()), decimal(q.z()), decimal(q.w()));
+}
+
 std::string tum_line(const StampedPose& pose) {
   const std::int64_t nanoseconds = pose.stamp.count();
   const double half = 0.5 * localization::wrap_angle(pose.T_map_base.yaw);

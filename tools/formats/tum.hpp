@@ -22,5 +22,7 @@ std::vector<StampedPose> read_tum(const std::filesystem::path& path);
 
 /// One line with its newline; seconds, metres and quaternion with 9 decimal places.
 std::string tum_line(const StampedPose& pose);
+/// The same with height, roll and pitch.
+std::string tum_line(std::chrono::nanoseconds stamp, const Eigen::Isometry3d& T_map_base);
 
 }  // namespace castaway::testbed

@@ -34,10 +34,14 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   scenario.stop_after_m = 0.0;
   PreparedSimulation prepared = build_simulation(scenario, base, &worlds);
   prepared.config.open = true;
-  const RunInfo info{
-      scenario.name,      prepared.world_name,          prepared.config.robot.name,
-      scenario.seed,      scenario.start.initializes(), names_of(scenario.localizers),
-      prepared.difference};
+  const RunInfo info{scenario.name,
+                     prepared.world_name,
+                     prepared.config.robot.name,
+                     scenario.seed,
+                     scenario.start.initializes(),
+                     names_of(scenario.localizers),
+                     prepared.difference,
+                     prepared.config.levels != nullptr};
   sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
   lidars_ = prepared.config.lidars;
   scene_ = {page_world(prepared.config.world), robot_items(prepared.config.robot, lidars_)};
@@ -46,14 +50,15 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   localizers_ = build_localizers(scenario.localizers,
                                  {.map = prepared.map,
                                   .lidars = lidars_of(prepared.config.lidars),
-                                  .volume = volume_of(prepared.config.world)},
+                                  .volume = volume_of(prepared.config.world, prepared.survey)},
                                  scenario.seed);
   source_ = build_source(scenario, std::move(prepared.config));
-  loop_ =
-      std::make_unique<Loop>(loop_config(scenario, *source_->start_pose()), localizers_, sinks_);
+  const LoopConfig start_config =
+      loop_config(scenario, *source_->start_pose(), source_->start_height());
+  loop_ = std::make_unique<Loop>(start_config, localizers_, sinks_);
   loop_->begin();
   if (bridge == nullptr) return;
-  told.start = loop_config(scenario, *source_->start_pose()).start;
+  told.start = start_config.start;
   sinks_.push_back(std::make_unique<BridgeMessages>(info, prepared.map, told, *bridge));
 }
 

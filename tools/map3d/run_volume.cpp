@@ -7,11 +7,12 @@
 namespace castaway::testbed {
 
 std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume_of(
-    const sim::WorldSpec& world) {
-  return [world](double voxel) {
+    const sim::WorldSpec& world, std::shared_ptr<const Map3d> known) {
+  return [world, known = std::move(known)](double voxel) {
     Map3dOptions options;
     options.resolution = voxel;
-    Map3d map = survey_map3d(world, options);
+    const bool same = known != nullptr && known->voxels.resolution == voxel;
+    Map3d map = same ? *known : survey_map3d(world, options);
     return std::make_shared<const localization::Volume>(
         std::move(map.voxels), std::move(map.ground), localization::VolumeConfig{});
   };

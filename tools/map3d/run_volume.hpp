@@ -6,12 +6,14 @@
 
 #include "localization/map3d/volume.hpp"
 #include "sim/world/world_spec.hpp"
+#include "tools/formats/volume/map3d_file.hpp"
 
 namespace castaway::testbed {
 
-/// Surveys a world when it is called, with voxels of this edge [m]. Throws as `survey_map3d` and
+/// Surveys a world when it is called, with voxels of this edge [m]. `known`: a map of that world,
+/// taken instead if its voxels are as large. Throws as `survey_map3d` and
 /// `localization::Volume`.
 std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume_of(
-    const sim::WorldSpec& world);
+    const sim::WorldSpec& world, std::shared_ptr<const Map3d> known = nullptr);
 
 }  // namespace castaway::testbed

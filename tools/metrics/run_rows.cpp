@@ -33,7 +33,8 @@ double step(const MetricRow& from, const MetricRow& to, const std::vector<RunEve
 
 std::optional<PoseError> pose_error(const MetricRow& row) {
   if (!row.T_map_base_true || !row.T_map_base_estimate || row.torn) return std::nullopt;
-  return PoseError{distance(*row.T_map_base_true, *row.T_map_base_estimate),
+  const double planar = distance(*row.T_map_base_true, *row.T_map_base_estimate);
+  return PoseError{row.above == 0.0 ? planar : std::hypot(planar, row.above),
                    localization::yaw_distance(*row.T_map_base_true, *row.T_map_base_estimate)};
 }
 

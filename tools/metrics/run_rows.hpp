@@ -22,6 +22,7 @@ struct MetricRow {
   double quality = 0.0;                    ///< In [0, 1]: how well the scan fits the map at the
                                            ///< estimate.
   double sigma_m = 0.0;  ///< [m] sqrt((var_x + var_y) / 2) of the stated covariance.
+  double above = 0.0;    ///< [m] How far the estimate is above the robot; 0 on one floor.
   bool torn = false;     ///< A kidnap happened during the scan, so it is not scored.
 
   /// Time of the answer; recoveries and alarms are timed by it.

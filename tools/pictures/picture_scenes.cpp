@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/scene/camera.hpp"
@@ -47,10 +48,33 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;
     const bool near = distance(estimate->T_map_base, *record.T_map_base_true) < kNear;
+    double ground = near ? height : 0.0;
+    if (record.T_footprint_base_true) ground = estimate->footing ? estimate->footing->z : 0.0;
     add_pose(estimate->T_map_base, 1.2 * world.robot_radius,
              scene_color(palette_color(kLocalizerColors, i)),
-             kFloor + (near ? height : 0.0) + 0.004 * static_cast<double>(i), scene);
+             kFloor + ground + 0.004 * static_cast<double>(i), scene);
   }
+}
+
+/// Without what begins above the heads of people on a floor: the floors above it.
+std::vector<sim::SceneItem> below_the_next_floor(std::vector<sim::SceneItem> items, double floor) {
+  constexpr double kHead = 2.0;  // [m]
+  std::erase_if(items, [&](const sim::SceneItem& item) {
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const Vector3f& vertex : item.mesh.vertices) {
+      lowest = std::min(lowest, (item.T_map_mesh * vertex).z());
+    }
+    return lowest > floor + kHead;
+  });
+  return items;
+}
+
+/// The objects to show in an overview: those without roofs, or up to the robot's floor.
+std::vector<sim::SceneItem> seen_from_above(const PictureWorld& world, const ScanRecord& record) {
+  if (record.T_footprint_base_true) {
+    return below_the_next_floor(world.world, record.T_footprint_base_true->translation().z());
+  }
+  return world.from_above.empty() ? world.world : world.from_above;
 }
 
 /// The static and the moving objects, without the robot.
@@ -146,8 +170,7 @@ sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
 
 sim::Scene overview_scene(const PictureWorld& world, const ScanRecord& record,
                           const std::optional<SE2>& T_map_now) {
-  const bool roofed = !world.from_above.empty();
-  std::vector<sim::SceneItem> items = surroundings(world, roofed ? world.from_above : world.world);
+  std::vector<sim::SceneItem> items = surroundings(world, seen_from_above(world, record));
   sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
   const Eigen::Vector2d center = 0.5 * (world.min_corner + world.max_corner);
   const double size = (world.max_corner - world.min_corner).maxCoeff();

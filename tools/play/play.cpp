@@ -110,9 +110,14 @@ RunFiles files_of(const PlayOptions& options, const LoadedScenario& loaded,
 }
 
 RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
-  return {scenario.name,      prepared.world_name,          prepared.config.robot.name,
-          scenario.seed,      scenario.start.initializes(), names_of(scenario.localizers),
-          prepared.difference};
+  return {scenario.name,
+          prepared.world_name,
+          prepared.config.robot.name,
+          scenario.seed,
+          scenario.start.initializes(),
+          names_of(scenario.localizers),
+          prepared.difference,
+          prepared.config.levels != nullptr};
 }
 
 /// Lets pictures and bags read the state of the simulator, which must outlive the sinks.
@@ -158,7 +163,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   if (std::ranges::any_of(scenario.localizers, is_node)) {
     place.robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
   }
-  place.volume = volume_of(prepared.config.world);
+  place.volume = volume_of(prepared.config.world, prepared.survey);
   run.localizers = build_localizers(scenario.localizers, place, scenario.seed, options.models);
   std::optional<BridgeConfig> bridge;
   if (options.bridge) bridge = bridge_of(options, scenario, prepared);
@@ -166,7 +171,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   std::set<std::string> changing = changing_objects(prepared.config.changes);
   const bool people = has_people(prepared.config);
   auto source = build_source(scenario, std::move(prepared.config));
-  run.loop = loop_config(scenario, *source->start_pose());
+  run.loop = loop_config(scenario, *source->start_pose(), source->start_height());
   if (bridge) {
     bridge->messages.drive = [&source = *source, wheels] { return source.drive_now(wheels); };
   }

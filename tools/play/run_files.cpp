@@ -21,7 +21,7 @@ using Sinks = std::vector<std::unique_ptr<RunSink>>;
 
 void add_tables(const RunFiles& files, const std::filesystem::path& folder, const RunInfo& info,
                 Sinks& sinks) {
-  sinks.push_back(std::make_unique<ErrorsSink>(folder));
+  sinks.push_back(std::make_unique<ErrorsSink>(folder, info));
   sinks.push_back(std::make_unique<TrajectorySink>(folder, info));
   sinks.push_back(std::make_unique<SummarySink>(folder, info));
   if (files.timing) sinks.push_back(std::make_unique<TimingSink>(folder, info));

@@ -35,6 +35,7 @@ void RunHistory::add(const ScanRecord& record) {
     row.delivered = record.delivered;
     if (estimate) {
       row.T_map_base_estimate = estimate->T_map_base;
+      row.above = record.height_error(*estimate);
       row.lost = estimate->lost;
       row.probability = estimate->probability;
       row.quality = estimate->quality;

@@ -29,12 +29,12 @@ Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
           std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
-bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true) {
+bool is_off(const LocalizerRecord& localizer, const ScanRecord& record) {
   if (!localizer.estimate) return true;
   const RecoveryConfig right;
   const SE2& estimate = localizer.estimate->T_map_base;
-  return localization::distance(T_map_base_true, estimate) >= right.position_m ||
-         localization::yaw_distance(T_map_base_true, estimate) >= right.yaw_rad;
+  return position_error(record, *localizer.estimate) >= right.position_m ||
+         localization::yaw_distance(*record.T_map_base_true, estimate) >= right.yaw_rad;
 }
 
 void ScanLabeller::add(const RunEvent& event) {
@@ -68,7 +68,7 @@ ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
   if (!record.T_map_base_true) return row;
   row.ambiguity = context_->ambiguity.at(record.T_map_base_true->translation());
   for (const LocalizerRecord& localizer : record.localizers) {
-    row.lost.push_back(is_off(localizer, *record.T_map_base_true) ? 1 : 0);
+    row.lost.push_back(is_off(localizer, record) ? 1 : 0);
   }
   return row;
 }

@@ -56,7 +56,8 @@ class ScanLabeller {
 /// Roll, pitch and yaw [rad] of a rotation R_z(yaw) R_y(pitch) R_x(roll).
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
 
-/// True if a localizer has no estimate or is at least 0.5 m or 0.35 rad from the true pose.
-bool is_off(const LocalizerRecord& localizer, const SE2& T_map_base_true);
+/// True if a localizer has no estimate or is at least 0.5 m or 0.35 rad from the record's true
+/// pose, which is known.
+bool is_off(const LocalizerRecord& localizer, const ScanRecord& record);
 
 }  // namespace castaway::testbed

@@ -49,6 +49,8 @@ struct RunEvent {
   std::string object{};                         ///< Of the world, that changed; empty: none.
   std::vector<Eigen::Vector2d> outline{};  ///< [m] Of what stands there now, in map; may be empty.
   Eigen::Vector2d outline_z{0.0, 0.0};     ///< [m] Its lower and its upper end.
+  /// [m] Of a kidnap in a run on several floors: the ground before and after.
+  std::optional<Eigen::Vector2d> heights{};
 
   /// Its beginning.
   [[nodiscard]] localization::Stamp begun() const { return since.value_or(stamp); }

@@ -55,12 +55,19 @@ struct ScanFrame {
   std::optional<SE2> T_map_base_true;
   PeopleTruth people{};  ///< Empty if there are none or they are unknown.
   ScanTruth truth{};
+  /// Height, roll and pitch of base, in runs on several floors.
+  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
 };
 
 /// An odometry reading with the true pose of base at its stamp, where it is known.
 struct OdometryFrame {
   Odometry odometry;
   std::optional<SE2> T_map_base_true;
+};
+
+/// A reading of an inertial measurement unit.
+struct ImuFrame {
+  localization::Imu imu;
 };
 
 /// A velocity of the base, as it is commanded.
@@ -73,7 +80,7 @@ struct BaseVelocity {
 /// its last beam.
 struct Frame {
   Stamp stamp{};
-  std::variant<OdometryFrame, ScanFrame, RunEvent> data;
+  std::variant<OdometryFrame, ScanFrame, RunEvent, ImuFrame> data;
 };
 
 }  // namespace castaway::testbed

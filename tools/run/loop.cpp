@@ -170,6 +170,8 @@ void Loop::take(SensorSource& source, const Frame& frame) {
     take(*event);
   } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     take(source, *odometry);
+  } else if (const auto* imu = std::get_if<ImuFrame>(&frame.data)) {
+    take(*imu);
   } else {
     take(std::get<ScanFrame>(frame.data), frame.stamp);
   }
@@ -181,6 +183,13 @@ void Loop::take(const RunEvent& event) {
     call(i, [&](auto& localizer) { localizer.initialize(std::nullopt); });
   }
   tell_sinks([&](RunSink& sink) { sink.on_event(event); });
+}
+
+void Loop::take(const ImuFrame& frame) {
+  for (std::size_t i = 0; i < localizers_.size(); ++i) {
+    call(i, [&](auto& localizer) { localizer.on_imu(frame.imu); });
+  }
+  tell_sinks([&](RunSink& sink) { sink.on_imu(frame); });
 }
 
 void Loop::take(SensorSource& source, const OdometryFrame& frame) {
@@ -238,7 +247,8 @@ void Loop::report(SensorSource& source, const Odometry& odometry) const {
   if (watched_) {
     const auto estimate = estimate_of(*watched_);
     const bool sure = estimate && !estimate->lost;
-    source.set_watched_pose(sure ? carried_on(*estimate, odometry.T_odom_base) : std::nullopt);
+    const double z = sure && estimate->footing ? estimate->footing->z : 0.0;
+    source.set_watched_pose(sure ? carried_on(*estimate, odometry.T_odom_base) : std::nullopt, z);
   }
 }
 
@@ -257,6 +267,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   record.stamp = frame.scan.stamp;
   record.delivered = delivered;
   record.T_map_base_true = frame.T_map_base_true;
+  record.T_footprint_base_true = frame.T_footprint_base_true;
   if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
   record.scan = frame.scan;
   record.people = frame.people;

@@ -95,6 +95,7 @@ class Loop {
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
   void take(const RunEvent& event);
+  void take(const ImuFrame& frame);
   void take(const ScanFrame& frame, Stamp delivered);
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& name, const char* key) const;
   void drive(SensorSource& source) const;

@@ -35,7 +35,24 @@ struct ScanRecord {
   LaserScan scan;
   ScanTruth truth;                          ///< Ground truth of the scan.
   std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.
+  /// Height, roll and pitch of base, in runs on several floors.
+  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
+
+  /// [m] How far an estimate is above the robot; 0 on one floor. A planar estimate is at z = 0.
+  [[nodiscard]] double height_error(const localization::Estimate& estimate) const {
+    if (!T_footprint_base_true) return 0.0;
+    const double z = estimate.footing ? estimate.footing->z : 0.0;
+    return z - T_footprint_base_true->translation().z();
+  }
 };
+
+/// [m] Error of an estimate against the true pose of its scan, which is known: planar on one floor,
+/// else with height.
+inline double position_error(const ScanRecord& record, const localization::Estimate& estimate) {
+  const double planar = localization::distance(*record.T_map_base_true, estimate.T_map_base);
+  const double above = record.height_error(estimate);
+  return above == 0.0 ? planar : std::hypot(planar, above);
+}
 
 /// Cost of a run. The only wall-clock figures that sinks receive.
 struct RunTiming {
@@ -64,6 +81,7 @@ struct RunInfo {
   bool known_start = true;                       ///< False: the localizers start anywhere.
   std::vector<std::string> localizers;           ///< In order of `ScanRecord::localizers`.
   std::optional<MapDifference> difference = {};  ///< Nothing: no known difference.
+  bool heights = false;                          ///< It is on several floors.
 };
 
 /// A consumer of a run. Calls come in order: `on_event` and `on_scan` by time, then `finish` once.
@@ -74,6 +92,7 @@ class RunSink {
   virtual void on_event(const RunEvent& event) = 0;
   virtual void on_odometry(const OdometryFrame& frame) = 0;
   virtual void on_scan(const ScanRecord& record) = 0;
+  virtual void on_imu(const ImuFrame&) {}
   /// Writes what remains to be written; the run ended at `end`.
   virtual void finish(Stamp end, const RunTiming& timing) = 0;
 };

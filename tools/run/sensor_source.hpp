@@ -20,9 +20,9 @@ class SensorSource {
   virtual std::optional<Frame> next() = 0;
   /// Sets the estimate of the driving localizer. Ignored unless the robot drives by it.
   virtual void set_drive_pose(const std::optional<SE2>& T_map_base) = 0;
-  /// Sets the estimate of the watched localizer; nothing while it has none or is lost. Ignored by
-  /// sources without triggered kidnaps.
-  virtual void set_watched_pose(const std::optional<SE2>& T_map_base) = 0;
+  /// Sets the estimate of the watched localizer and its height [m]; nothing while it has none or is
+  /// lost. Ignored by sources without triggered kidnaps.
+  virtual void set_watched_pose(const std::optional<SE2>& T_map_base, double z) = 0;
   /// Drives the robot from now on, in place of its route. Ignored by sources whose robot cannot be
   /// driven.
   virtual void set_velocity(const BaseVelocity&) {}

@@ -75,6 +75,7 @@ WorldChoice read_world(YamlReader& root, const std::filesystem::path& folder) {
     world.search_paths = map.require<std::vector<std::string>>("search_paths");
   }
   if (map.has("differences")) world.differences = read_differences(map, folder);
+  world.levels = map.get_optional<bool>("levels");
   return world;
 }
 
@@ -120,9 +121,9 @@ std::vector<SettingText> scenario_settings() {
   Scenario scenario;
   Settings root = under("");
   root.form({"name", "", "Name of the run folder."}, "the file's");
-  root.form(
-      {"world", "", "A world's name or file, or a map {name, map, search_paths, differences}."},
-      "lab");
+  root.form({"world", "",
+             "A world's name or file, or a map {name, map, search_paths, differences, levels}."},
+            "lab");
   root.form({"robot", "", "A robot's name or file, or a map {file, args, search_paths, joints}."},
             "waffle");
   run_fields(root, scenario);
@@ -137,6 +138,8 @@ std::vector<SettingText> scenario_settings() {
   under("odometry.")
       .form({"profile", "", "ideal, new-wheels, worn-wheels, default, slippery."}, "default");
   fields(under("odometry."), scenario.odometry);
+  sim::ImuConfig imu;
+  fields(under("imu."), imu);
   sim::KidnapSpec kidnap;
   fields(under("events[].kidnap."), kidnap);
   sim::FaultSpec fault;
@@ -184,6 +187,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.drive = read_drive(root);
   scenario.lidars = read_lidars(root);
   scenario.odometry = read_odometry(root);
+  scenario.imu = read_imu(root);
   scenario.events = read_events(root);
   scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers", {folder, programs});

@@ -121,9 +121,13 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
   return root;
 }
 
-void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::path& path) {
-  CsvWriter csv(path, {"stamp_s", "kind", "detail", "localizer", "from_x_m", "from_y_m",
-                       "from_yaw_rad", "to_x_m", "to_y_m", "to_yaw_rad", "time_s", "distance_m"});
+void write_events(const std::vector<LoggedEvent>& log, bool heights,
+                  const std::filesystem::path& path) {
+  std::vector<std::string> columns{"stamp_s",  "kind",       "detail",       "localizer",
+                                   "from_x_m", "from_y_m",   "from_yaw_rad", "to_x_m",
+                                   "to_y_m",   "to_yaw_rad", "time_s",       "distance_m"};
+  if (heights) columns.insert(columns.end(), {"from_z_m", "to_z_m"});
+  CsvWriter csv(path, columns);
   for (const LoggedEvent& logged : log) {
     csv.number(seconds(logged.event.stamp))
         .text(event_name(logged.event.kind))
@@ -132,6 +136,11 @@ void write_events(const std::vector<LoggedEvent>& log, const std::filesystem::pa
     csv.pose(logged.event.T_map_from);
     csv.pose(logged.event.T_map_to);
     csv.number(logged.time_s).number(logged.distance_m);
+    const auto& z = logged.event.heights;
+    if (heights) {
+      csv.number(z ? std::optional(z->x()) : std::nullopt);
+      csv.number(z ? std::optional(z->y()) : std::nullopt);
+    }
     csv.end_row();
   }
   csv.commit();
@@ -144,7 +153,7 @@ void SummarySink::finish(Stamp end, const RunTiming& timing) {
   for (std::size_t i = 0; i < history_.rows.size(); ++i) {
     metrics.push_back(history_.metrics(i, end));
   }
-  write_events(log_events(history_, metrics), run_folder_ / "events.csv");
+  write_events(log_events(history_, metrics), history_.info.heights, run_folder_ / "events.csv");
   write_file(run_folder_ / "summary.json",
              summary(history_, metrics, people_.metrics(), end, timing).dump(2) + "\n");
 }

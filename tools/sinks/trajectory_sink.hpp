@@ -11,7 +11,8 @@ namespace castaway::testbed {
 
 /// Writes one trajectory for the truth and one per localizer. Scans without a pose are skipped, and
 /// so are scans whose stamp is not later than all before (of a second lidar, or after a clock was
-/// set back). A slash in a localizer's name becomes an underscore in the file name.
+/// set back). Poses have a height in runs on several floors, the truth also roll and pitch. A slash
+/// in a localizer's name becomes an underscore in the file name.
 class TrajectorySink final : public RunSink {
  public:
   TrajectorySink(const std::filesystem::path& run_folder, const RunInfo& info);
@@ -23,6 +24,7 @@ class TrajectorySink final : public RunSink {
 
  private:
   AtomicFile truth_;
+  bool heights_;
   std::deque<AtomicFile> localizers_;
   Stamp newest_ = Stamp::min();
 };

@@ -8,6 +8,7 @@
 
 #include "localization/geometry/random.hpp"
 #include "sim/map/free_space.hpp"
+#include "sim/map/level_plane.hpp"
 #include "tools/formats/tum.hpp"
 #include "tools/formats/twist_log.hpp"
 #include "tools/scenario/files/data_paths.hpp"
@@ -50,8 +51,9 @@ Route exploring_route(const sim::FreeSpace& space, localization::Rng& rng) {
 
 Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::RobotModel& robot,
                   std::uint64_t seed) {
-  const sim::FreeSpace space =
-      world.spaces->on_map(*world.grid, robot.footprint_radius + kRouteMargin);
+  const double radius = robot.footprint_radius + kRouteMargin;
+  const sim::FreeSpace space = world.levels ? sim::FreeSpace::on_levels(world.levels, radius)
+                                            : world.spaces->on_map(*world.grid, radius);
   localization::Rng rng = localization::substream(seed, "route");
   localization::Rng any;
   if (!space.sample(any)) {
@@ -64,15 +66,25 @@ Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::R
                            : random_route(space, rng, kRandomWaypoints);
 }
 
+/// A route of a world with floors is on the lowest ground.
+Route on_ground(Route route, const sim::LevelPlane* levels) {
+  if (levels == nullptr) return route;
+  for (Eigen::Vector2d& p : route) {
+    const auto found = levels->on_level({p.x(), p.y(), 0.0}, std::nullopt);
+    if (found) p = found->position();
+  }
+  return route;
+}
+
 Route route_of(const Scenario& scenario, const RouteWorld& world, const sim::RobotModel& robot) {
   const auto& routes = *world.routes;
   const std::string& name = scenario.drive.route;
   if (name == "none") return {};
   const bool drawn = name == "random" || name == "explore" || (name.empty() && routes.empty());
   if (drawn) return drawn_route(name, world, robot, scenario.seed);
-  if (name.empty()) return routes.begin()->second;
+  if (name.empty()) return on_ground(routes.begin()->second, world.levels.get());
   const auto found = routes.find(name);
-  if (found != routes.end()) return found->second;
+  if (found != routes.end()) return on_ground(found->second, world.levels.get());
   std::vector<std::string> known = {"random", "explore", "none"};
   for (const auto& [other, points] : routes) known.push_back(other);
   throw std::runtime_error(fmt::format("drive.route: world '{}' has no route '{}'; {}", world.name,

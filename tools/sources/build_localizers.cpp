@@ -154,7 +154,8 @@ std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {
   return localizers;
 }
 
-LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
+LoopConfig loop_config(const Scenario& scenario, const SE2& start,
+                       std::optional<double> start_height) {
   LoopConfig config;
   if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
   config.watch = scenario.events.watched;
@@ -164,7 +165,7 @@ LoopConfig loop_config(const Scenario& scenario, const SE2& start) {
   const double r = scenario.start.sigma_yaw;
   const Eigen::Vector3d& wrong = scenario.start.wrong_by;
   config.start = {start * SE2{wrong.x(), wrong.y(), wrong.z()},
-                  Eigen::Vector3d(s * s, s * s, r * r).asDiagonal()};
+                  Eigen::Vector3d(s * s, s * s, r * r).asDiagonal(), start_height};
   return config;
 }
 

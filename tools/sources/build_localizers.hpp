@@ -70,6 +70,7 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
 NamedLocalizer build_localizer(const LocalizerSpec& spec, const Greeting& greeting);
 
 /// Configuration of the loop for a run of the scenario that starts at `start`.
-LoopConfig loop_config(const Scenario& scenario, const SE2& start);
+LoopConfig loop_config(const Scenario& scenario, const SE2& start,
+                       std::optional<double> start_height = std::nullopt);
 
 }  // namespace castaway::testbed

@@ -7,7 +7,9 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "sim/map/free_space.hpp"
+#include "sim/map/level_plane.hpp"
 #include "sim/stages/drive_setup.hpp"
+#include "tools/map3d/level_plane_of.hpp"
 #include "tools/sources/build_drive.hpp"
 #include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_sensors.hpp"
@@ -26,6 +28,31 @@ void place_start(const StartSpec& start, const LoadedWorld& world, sim::Simulati
   }
   config.random_start = start.place == StartSpec::Place::kRandom ||
                         (start.place == StartSpec::Place::kWorld && !world.has_start);
+}
+
+/// The floors of a world on which robots drive on all; null for others.
+std::shared_ptr<const sim::LevelPlane> levels_of(const sim::WorldSpec& world,
+                                                 PreparedSimulation& prepared) {
+  if (!world.levels) return nullptr;
+  const double height = prepared.config.robot.height;
+  return prepared.config.spaces->levels(height, [&] {
+    prepared.survey = survey_floors(world, height);
+    return level_plane_of(*prepared.survey);
+  });
+}
+
+/// Turns the start from map to frame plane, if there are floors.
+void put_on_ground(const StartSpec& start, sim::SimulationConfig& config) {
+  if (!config.levels && start.level.value_or(0) > 0) {
+    throw std::runtime_error("start.level: the world has one level: leave it out");
+  }
+  if (!config.levels || config.random_start) return;
+  const auto placed = config.levels->on_level(config.start, start.level);
+  if (!placed) {
+    throw std::runtime_error(fmt::format("start: no ground at ({}, {}){}: move it", config.start.x,
+                                         config.start.y, start.level ? " on its level" : ""));
+  }
+  config.start = *placed;
 }
 
 struct LoadedRobot {
@@ -110,8 +137,11 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   config.faults = scenario.events.faults;
   check_faults(config.faults, robot.lidars);
   config.odometry = scenario.odometry;
+  config.imu = scenario.imu;
+  config.levels = levels_of(world.file.spec, prepared);
   config.drive = build_drive(
-      scenario, base, {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name},
+      scenario, base,
+      {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name, config.levels},
       config.robot);
   config.kidnaps = scenario.events.kidnaps;
   config.commands = scenario.events.commands;
@@ -121,6 +151,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   config.physics_hz = scenario.physics_hz;
   if (scenario.kinematic) config.drive_model = sim::DriveModel::kKinematic;
   place_start(scenario.start, world, config);
+  put_on_ground(scenario.start, config);
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
   warn_of_slow_wheels(config, prepared.warnings);
@@ -129,7 +160,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   prepared.difference = difference_of(world, config.lidars.front());
   prepared.map = std::move(world.map);
   config.map = std::move(world.grid);
-  if (!world.file.routes.empty()) warn_of_tight_route(config, prepared.warnings);
+  if (!world.file.routes.empty() && !config.levels) warn_of_tight_route(config, prepared.warnings);
   config.world = std::move(world.file.spec);
   return prepared;
 }

@@ -7,6 +7,7 @@
 
 #include "sim/simulation.hpp"
 #include "tools/formats/ros_map.hpp"
+#include "tools/formats/volume/map3d_file.hpp"
 #include "tools/run/run_sink.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/sources/shared_worlds.hpp"
@@ -16,7 +17,8 @@ namespace castaway::testbed {
 /// A simulation ready to start, with the data that pictures and localizers need.
 struct PreparedSimulation {
   sim::SimulationConfig config;
-  RosMap map;  ///< Map given to the localizers.
+  RosMap map;                             ///< Map given to the localizers.
+  std::shared_ptr<const Map3d> survey{};  ///< Of a world with floors, if it was surveyed now.
   std::string world_name;
   std::vector<std::string> warnings;        ///< About the robot's description and the world.
   std::optional<MapDifference> difference;  ///< Nothing if the map shows the world as it is.

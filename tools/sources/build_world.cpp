@@ -190,6 +190,7 @@ LoadedWorld build_world(const WorldChoice& choice, const std::filesystem::path& 
                         const SurveyOptions& options) {
   LoadedWorld world = load_undisturbed(choice, base, options);
   if (!choice.map.empty()) world.map = load_ros_map(find_file(choice.map, base));
+  world.file.spec.levels = choice.levels.value_or(world.file.spec.levels);
   apply(choice.differences.value_or(world.file.differences), options.seed, world);
   return world;
 }

@@ -41,7 +41,7 @@ class CarmenSource final : public SensorSource {
 
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>&) override {}
-  void set_watched_pose(const std::optional<SE2>&) override {}
+  void set_watched_pose(const std::optional<SE2>&, double) override {}
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   [[nodiscard]] Stamp duration() const override;
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {

@@ -8,10 +8,10 @@ namespace {
 
 std::string world_text(const WorldChoice& choice, const std::filesystem::path& base,
                        const SurveyOptions& options) {
-  std::string text =
-      fmt::format("{} {} {} {} {} {} {} {}", choice.file, choice.search_paths,
-                  choice.differences.has_value(), base.string(), options.lidar_height,
-                  options.wall_height, options.robot_radius, options.strict);
+  std::string text = fmt::format(
+      "{} {} {} {} {} {} {} {} {}", choice.file, choice.search_paths,
+      choice.differences.has_value(), base.string(), options.lidar_height, options.wall_height,
+      options.robot_radius, options.strict, choice.levels ? static_cast<int>(*choice.levels) : -1);
   if (options.inside) text += fmt::format(" {} {}", options.inside->x(), options.inside->y());
   return text;
 }

@@ -66,9 +66,14 @@ sim::Grid to_sim_grid(const RosMap& map) {
 
 Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame.data)) {
-    return {frame.stamp,
-            RunEvent{kidnap->stamp, EventKind::kKidnap, sim::to_string(kidnap->kind),
-                     to_se2(kidnap->T_map_from), to_se2(kidnap->T_map_to), kidnap->since}};
+    RunEvent event{kidnap->stamp,
+                   EventKind::kKidnap,
+                   sim::to_string(kidnap->kind),
+                   to_se2(kidnap->T_map_from),
+                   to_se2(kidnap->T_map_to),
+                   kidnap->since};
+    if (heights_) event.heights = {{kidnap->z_from, kidnap->z_to}};
+    return {frame.stamp, std::move(event)};
   }
   if (const auto* pick_up = std::get_if<sim::PickUpRecord>(&frame.data)) {
     const SE2 T_map_base = to_se2(pick_up->T_map_base);
@@ -102,13 +107,18 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
             RunEvent{fault->stamp, fault->begins ? EventKind::kFaultOn : EventKind::kFaultOff,
                      name_of(*fault), T_map_base, T_map_base}};
   }
+  if (const auto* imu = std::get_if<sim::ImuReading>(&frame.data)) {
+    return {frame.stamp, ImuFrame{{imu->stamp, imu->angular_velocity, imu->linear_acceleration}}};
+  }
   return {frame.stamp, scan(std::get<sim::LidarReading>(frame.data))};
 }
 
 ScanFrame SimFrameConverter::scan(const sim::LidarReading& reading) const {
   const sim::LidarConfig& lidar = lidars_[reading.lidar];
-  return {planar_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
-          scan_truth(reading, lidar, clouds_)};
+  ScanFrame frame{planar_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
+                  scan_truth(reading, lidar, clouds_)};
+  if (heights_) frame.T_footprint_base_true = reading.T_footprint_base_true;
+  return frame;
 }
 
 }  // namespace castaway::testbed

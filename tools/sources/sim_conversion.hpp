@@ -29,6 +29,8 @@ class SimFrameConverter {
 
   /// From now on, scans include their point clouds.
   void keep_clouds() { clouds_ = true; }
+  /// From now on, scans and kidnaps include heights.
+  void keep_heights() { heights_ = true; }
   [[nodiscard]] Frame frame(const sim::SimFrame& frame) const;
 
  private:
@@ -36,6 +38,7 @@ class SimFrameConverter {
 
   std::vector<sim::LidarConfig> lidars_;
   bool clouds_ = false;
+  bool heights_ = false;
 };
 
 }  // namespace castaway::testbed

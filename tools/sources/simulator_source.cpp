@@ -127,8 +127,8 @@ void SimulatorSource::set_drive_pose(const std::optional<SE2>& T_map_base) {
   simulation_.set_drive_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
 }
 
-void SimulatorSource::set_watched_pose(const std::optional<SE2>& T_map_base) {
-  simulation_.set_watched_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt);
+void SimulatorSource::set_watched_pose(const std::optional<SE2>& T_map_base, double z) {
+  simulation_.set_watched_pose(T_map_base ? std::optional(to_pose2(*T_map_base)) : std::nullopt, z);
 }
 
 std::optional<SE2> SimulatorSource::start_pose() const { return to_se2(simulation_.start_pose()); }
@@ -141,11 +141,13 @@ std::unique_ptr<SimulatorSource> build_source(const Scenario& scenario,
                                               sim::SimulationConfig config) {
   std::vector<sim::LidarConfig> lidars = config.lidars;
   const Stamp duration = config.duration;
+  const bool levels = config.levels != nullptr;
   auto source = std::make_unique<SimulatorSource>(
       sim::Simulation(std::move(config), simulation_streams(scenario.seed), thread_cpu_time),
       std::move(lidars), duration);
   source->begin_at(localization::from_seconds(scenario.start.switch_on_s));
   source->stop_after(scenario.stop_after_m);
+  if (levels) source->keep_heights();
   if (scenario.outputs.points_every_s > 0.0) source->keep_clouds();
   return source;
 }

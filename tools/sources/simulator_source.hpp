@@ -26,7 +26,7 @@ class SimulatorSource final : public SensorSource {
 
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>& T_map_base) override;
-  void set_watched_pose(const std::optional<SE2>& T_map_base) override;
+  void set_watched_pose(const std::optional<SE2>& T_map_base, double z) override;
   void set_velocity(const BaseVelocity& velocity) override {
     set_command(sim::Twist2{velocity.v, velocity.w});
   }
@@ -38,6 +38,10 @@ class SimulatorSource final : public SensorSource {
   void begin_at(Stamp stamp) { begin_ = stamp; }
   /// Ends the run after this driven distance [m], kidnaps excluded; 0: no limit.
   void stop_after(double metres) { stop_after_ = metres; }
+  /// From now on, scans include height, roll and pitch of base.
+  void keep_heights() { converter_.keep_heights(); }
+  /// [m] Height of the ground at the start.
+  [[nodiscard]] double start_height() const { return simulation_.start_height(); }
   /// From now on, scans include their point clouds.
   void keep_clouds() { converter_.keep_clouds(); }
   /// Drive and kidnap the robot from outside, as those of sim::Simulation do.

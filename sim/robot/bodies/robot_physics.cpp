@@ -178,9 +178,11 @@ void RobotPhysics::step_held(const Eigen::Isometry3d& T_map_base, HeldWheels whe
   body_->read_state();
 }
 
-void RobotPhysics::teleport(const Pose2& T_map_base) {
+void RobotPhysics::teleport(const Pose2& T_map_base) { place(to_isometry(T_map_base)); }
+
+void RobotPhysics::place(const Eigen::Isometry3d& T_map_base) {
   body_->twist = {};
-  body_->place_all(to_isometry(T_map_base));
+  body_->place_all(T_map_base);
   body_->read_state();
 }
 

@@ -38,6 +38,8 @@ class RobotPhysics {
   void step_held(const Eigen::Isometry3d& T_map_base, HeldWheels wheels);
   /// Puts the robot elsewhere, standing still. Keeps wheel angles and the number of collisions.
   void teleport(const Pose2& T_map_base);
+  /// The same on ground that is not at z = 0.
+  void place(const Eigen::Isometry3d& T_map_base);
 
   /// Replaces the objects of the world; nothing may be where the robot is. @throws
   /// std::runtime_error if a mesh cannot be read.

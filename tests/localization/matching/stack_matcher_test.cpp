@@ -36,6 +36,10 @@ std::vector<Place> search_naively(const StackMatcher& matcher, const MatcherConf
   for (int yaw = 0; yaw < yaw_steps(config); ++yaw) {
     std::map<std::uint16_t, std::vector<CellOffset>> scans;
     for (const GroundCell& at : cells) {
+      const Eigen::Matrix3d R_grid_base =
+          orientation_on(matcher.ground().slopes()[at.slope], yaw_of_step(yaw, yaw_steps(config)));
+      const Eigen::Vector3d up = R_grid_base.transpose() * Eigen::Vector3d::UnitZ();
+      if (points.up && (points.up->cast<double>() - up).norm() > 0.08) continue;
       auto [scan, is_new] = scans.try_emplace(at.slope);
       if (is_new) scan->second = matcher.offsets(points, at.slope, yaw);
       int sum = 0;
@@ -46,6 +50,10 @@ std::vector<Place> search_naively(const StackMatcher& matcher, const MatcherConf
     }
   }
   return best.list();
+}
+
+Eigen::Vector3f up_at(const test::Building& map, const SE2& T_atlas_base) {
+  return map.volume().lift(T_atlas_base)->T_map_base.linear().row(2).transpose().cast<float>();
 }
 
 MatcherConfig coarse_config() {
@@ -64,7 +72,9 @@ TEST(StackMatcher, ListsWhatTheExhaustiveSearchLists) {
     const StackMatcher matcher(config, map.volume());
     const std::vector<GroundCell> cells = cells_of(matcher);
     for (int round = 0; round < 100; ++round) {
-      const ScanPoints points = map.scan(map.sample(rng), 24);
+      const SE2 pose = map.sample(rng);
+      ScanPoints points = map.scan(pose, 24);
+      if (round % 2 == 1) points.up = up_at(map, pose);  // As if gravity had been measured.
       StagedSearch search = matcher.search(points, 1 + round % 20);
       EXPECT_TRUE(search.step(kAll));
       const auto naive = search_naively(matcher, config, cells, points, 1 + round % 20);
@@ -126,6 +136,28 @@ TEST(StackMatcher, FindsPlanarScansOnAllFloorsAndRamps) {
 
 TEST(StackMatcher, FindsScansOfSeveralRings) {
   EXPECT_GE(found_among(20, {-0.2, -0.1, 0.0, 0.1, 0.2}, "rings"), 0.95);
+}
+
+TEST(StackMatcher, GravityLeavesOutGroundOfOtherSlopes) {
+  Rng rng = substream(6, "stack_matcher");
+  const test::Building map(rng);
+  const StackMatcher matcher(MatcherConfig{}, map.volume());
+  int tilted = 0;
+  for (int i = 0; i < 200; ++i) {
+    const SE2 pose = map.sample(rng);
+    const Eigen::Vector3f up = up_at(map, pose);
+    if (up.z() > 0.995F) continue;  // Level ground.
+    ++tilted;
+    ScanPoints points = map.scan(pose, 180);
+    points.up = up;
+    StagedSearch some = matcher.search(points);
+    while (!some.step(kAll)) {
+    }
+    for (const Candidate& candidate : matcher.candidates(some)) {
+      EXPECT_LT((up_at(map, candidate.T_map_base) - up).norm(), 0.2F);
+    }
+  }
+  EXPECT_GT(tilted, 3);
 }
 
 TEST(StackMatcher, WindowsHoldTheBestPlacesNearBy) {

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
+#include "tests/localization/map3d/building.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
 
@@ -117,6 +119,27 @@ TEST_F(EvidenceModelTest, CountsFewBeamsLess) {
 TEST_F(EvidenceModelTest, IsNeutralWithoutBeamsAndNeverBelowTheMinimum) {
   EXPECT_EQ(model_.evaluate({}, {3.0, 3.0, 0.0}).log_likelihood, 0.0);
   EXPECT_EQ(model_.evaluate(scan_from({3.0, 3.0, 0.0}), {-40.0, 3.0, 0.0}).log_likelihood, -25.0);
+}
+
+TEST(EvidenceModel3d, AWrongDirectionUpCostsAsItsSettingsSay) {
+  Rng rng = substream(7, "evidence");
+  const test::Building building(rng);
+  const EvidenceConfig config;
+  const EvidenceModel model(config, building.volume());
+  const SE2 pose = building.sample(rng);
+  ScanPoints points = building.scan(pose, 180);
+  const double without = model.evaluate(points, pose).log_likelihood;
+  const Eigen::Vector3d up = building.volume().lift(pose)->T_map_base.linear().row(2).transpose();
+  points.up = up.cast<float>();
+  EXPECT_NEAR(model.evaluate(points, pose).log_likelihood, without, 1e-6);
+  const Eigen::Vector3d tilted = Eigen::AngleAxisd(0.045, Eigen::Vector3d::UnitX()) * up;
+  points.up = tilted.cast<float>();
+  const double cost = 0.5 * std::pow((tilted - up).norm() / config.tilt_sigma, 2);
+  EXPECT_NEAR(model.evaluate(points, pose).log_likelihood, without - cost, 1e-3);
+  EXPECT_NEAR(model.log_likelihood_above(-100.0, points, pose), without - cost, 1e-3);
+  EXPECT_LE(without - cost, model.bound(points, pose));
+  points.up = Eigen::Vector3f(1.0F, 0.0F, 0.0F);
+  EXPECT_NEAR(model.evaluate(points, pose).log_likelihood, without - config.most_tilt, 1e-6);
 }
 
 }  // namespace

@@ -45,6 +45,19 @@ TEST(Ground, IsAsHighAsItsSurfaces) {
   EXPECT_TRUE(ground_heights(test_room(), grid).empty());
 }
 
+TEST(Ground, IsTheLowestFloorUnderAnother) {
+  WorldSpec world = bridge();
+  const Grid grid = rasterise(world, 1.0, 0.05);
+  const std::vector<float> heights = ground_heights(world, grid);
+  WorldObject upper;
+  upper.name = "upper";
+  upper.shape = BoxShape{{12.0, 8.0, 0.2}};
+  upper.T_map_object.translation() = Eigen::Vector3d(6.0, 4.0, 2.9);
+  upper.drivable = true;
+  world.objects.push_back(upper);
+  EXPECT_EQ(ground_heights(world, grid), heights);
+}
+
 /// A ramp can be driven along but not across its sides, and nobody is put down on it.
 TEST(Ground, LeadsUpTheRampAndNotOverItsEdges) {
   SimulationConfig config;

@@ -13,10 +13,10 @@ using Seconds = std::chrono::duration<double>;
 /// Input of the watch by time [s].
 using Story = std::function<ProgressInput(double)>;
 
-constexpr double kStep = 0.05;  // [s]
+constexpr double kWatchStep = 0.05;  // [s]
 
 void tell(ProgressWatch& watch, double from, double to, const Story& story) {
-  for (double t = from; t < to - 1e-9; t += kStep) {
+  for (double t = from; t < to - 1e-9; t += kWatchStep) {
     ProgressInput input = story(t);
     input.now = std::chrono::nanoseconds(std::llround(1e9 * t));
     watch.update(input);

@@ -41,6 +41,10 @@ inline void add_data(const OdometryReading& r, Hash& hash) {
 inline void add_data(const WorldRecord& r, Hash& hash) { hash.add(r.T_map_base); }
 inline void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
 inline void add_data(const FaultRecord& r, Hash& hash) { hash.add(r.T_map_base_true); }
+inline void add_data(const ImuReading& r, Hash& hash) {
+  for (const double value : r.angular_velocity) hash.add(value);
+  for (const double value : r.linear_acceleration) hash.add(value);
+}
 inline void add_data(const LidarReading& r, Hash& hash) {
   for (const float range : r.ranges) hash.add(range);
   for (const int object : r.hit_object) hash.add(object);

@@ -47,5 +47,35 @@ TEST(ChaseScene, ShowsTheRobotOnARampAsItStands) {
   EXPECT_NEAR(scene.items.back().T_map_mesh.translation().z(), 0.27, 1e-5);  // The ghost's arrow.
 }
 
+/// A slab of 1 m x 1 m at a height.
+sim::SceneItem slab_at(float z) {
+  sim::SceneItem slab;
+  slab.mesh.vertices = {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}};
+  slab.mesh.indices = {0, 1, 2, 0, 2, 3};
+  return slab;
+}
+
+TEST(OverviewScene, ShowsTheFloorOnWhichTheRobotIs) {
+  PictureWorld world;
+  world.world = {slab_at(0.0F), slab_at(3.0F), slab_at(6.0F), wall_behind()};
+  ScanRecord record = record_at(0.0, {});
+  EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 4U);
+  record.T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
+  EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 3U);
+  record.T_footprint_base_true->translation().z() = 0.0;
+  EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 2U);
+}
+
+TEST(OverviewScene, DrawsEstimatesOnTheirFloors) {
+  PictureWorld world;
+  ScanRecord record = record_at(0.0, {"above", "planar"});
+  record.T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
+  record.localizers[0].estimate->footing = {6.0, 2};
+  const sim::Scene scene = overview_scene(world, record, std::nullopt);
+  ASSERT_EQ(scene.items.size(), 2U);  // The arrows.
+  EXPECT_NEAR(scene.items[0].T_map_mesh.translation().z(), 6.02, 1e-5);
+  EXPECT_NEAR(scene.items[1].T_map_mesh.translation().z(), 0.024, 1e-5);
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -87,9 +87,9 @@ TEST(ScanRow, ALocalizerIsLostFromHalfAMetreOn) {
   record.localizers[2].estimate.reset();
   EXPECT_EQ(ScanLabeller(context()).row_of(record).lost, (std::vector<std::uint8_t>{0, 1, 1}));
   record.localizers[1].estimate->T_map_base = {0.0, 0.0, 0.35};
-  EXPECT_TRUE(is_off(record.localizers[1], SE2{}));
+  EXPECT_TRUE(is_off(record.localizers[1], record));
   record.localizers[1].estimate->T_map_base = {0.0, 0.0, 0.34};
-  EXPECT_FALSE(is_off(record.localizers[1], SE2{}));
+  EXPECT_FALSE(is_off(record.localizers[1], record));
 }
 
 }  // namespace

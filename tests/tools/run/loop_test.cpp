@@ -19,7 +19,9 @@ class ListSource final : public SensorSource {
     return frames_[next_++];
   }
   void set_drive_pose(const std::optional<SE2>& pose) override { driven.push_back(pose); }
-  void set_watched_pose(const std::optional<SE2>& pose) override { watched.push_back(pose); }
+  void set_watched_pose(const std::optional<SE2>& pose, double) override {
+    watched.push_back(pose);
+  }
   void set_velocity(const BaseVelocity& velocity) override { speeds.push_back(velocity.v); }
   [[nodiscard]] std::optional<SE2> start_pose() const override { return SE2{}; }
   [[nodiscard]] Stamp duration() const override { return Stamp(1000); }

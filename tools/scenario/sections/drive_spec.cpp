@@ -22,6 +22,9 @@ void place_fields(Settings& settings, StartSpec& start) {
 
 void fields(Settings settings, StartSpec& start) {
   place_fields(settings, start);
+  settings.optional(
+      {"level", "", "Floor of the start, from 0; the lowest ground if missing.", {0, 255}},
+      start.level);
   settings.field({"known", "", "The localizers are given the start pose."}, start.known);
   settings.field({"sigma_m", "m", "Stated standard deviation of a known start.", {1e-6, 1e4}},
                  start.sigma_m);

@@ -11,6 +11,9 @@ using sim::HeldWheels;
 using sim::KidnapKind;
 using sim::KidnapTrigger;
 
+// Doors closed for 15 s, nothing to see; brakes on.
+constexpr sim::LiftConfig kElevatorRide{0.01, 15.0, 1.0, HeldWheels::kLocked, true};
+constexpr sim::LiftConfig kPalletTruckRide{0.1, 4.0, 1.2, HeldWheels::kLocked, false};
 constexpr double kKidnapDegree = std::numbers::pi / 180.0;
 
 const std::vector<std::pair<std::string, KidnapKind>> kKidnapKinds{
@@ -19,7 +22,9 @@ const std::vector<std::pair<std::string, KidnapKind>> kKidnapKinds{
     {"nudge", KidnapKind::kNudge},
     {"turn", KidnapKind::kTurn},
     {"carry", KidnapKind::kCarry},
-    {"spin", KidnapKind::kSpin}};
+    {"spin", KidnapKind::kSpin},
+    {"elevator", KidnapKind::kElevator},
+    {"pallet_truck", KidnapKind::kPalletTruck}};
 
 /// The four keys for the trigger of a kidnap, of which one is given.
 void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
@@ -55,11 +60,14 @@ void bounds_field(Settings& settings, const Setting& about, sim::Bounds& bounds)
 
 void lift_fields(Settings& settings, KidnapKind kind, sim::LiftConfig& lift) {
   if (kind == KidnapKind::kSpin) lift.height = 0.05;
+  if (kind == KidnapKind::kElevator) lift = kElevatorRide;
+  if (kind == KidnapKind::kPalletTruck) lift = kPalletTruckRide;
   settings.field({"lift_m", "m", "Height to which the robot is lifted.", {0.0, 100.0}},
                  lift.height);
   settings.field({"lift_s", "s", "Time to lift it, and to put it down.", {1e-3, 1e4}},
                  lift.seconds);
-  if (kind == KidnapKind::kCarry || settings.describes()) {
+  const bool carried = kind == KidnapKind::kCarry || kind == KidnapKind::kPalletTruck;
+  if (carried || settings.describes()) {
     settings.field({"speed", "m/s", "Speed at which it is carried.", {1e-3, 100.0}}, lift.speed);
   }
   settings.choice({"wheels", "", "State of the wheels in the air."}, lift.wheels,
@@ -79,6 +87,12 @@ void target_fields(Settings& settings, sim::KidnapSpec& kidnap) {
                        {-kFarthest, kFarthest}},
                       pose);
     if (pose) kidnap.target = sim::Pose2{pose->x(), pose->y(), pose->z()};
+  }
+  if (!settings.describes() && kidnap.kind != KidnapKind::kLookAlike) {
+    settings.optional({"level", "", "Floor of the target, from 0.", {0, 255}}, kidnap.level);
+  }
+  if (!kidnap.target) {
+    settings.field({"ramp", "", "A random target is on a ramp."}, kidnap.ramp);
   }
   if (kidnap.target && settings.has("min_distance_m")) {
     settings.fail("give 'pose' or 'min_distance_m', not both");
@@ -106,7 +120,8 @@ void fields(Settings settings, sim::KidnapSpec& kidnap) {
   settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kKidnapKinds);
   const KidnapKind kind = kidnap.kind;
   trigger_fields(settings, kidnap.when);
-  const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin;
+  const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin ||
+                      kind == KidnapKind::kElevator || kind == KidnapKind::kPalletTruck;
   const bool stays = kind == KidnapKind::kNudge || kind == KidnapKind::kTurn;
   if (all || kind == KidnapKind::kNudge) {
     bounds_field(settings,
@@ -115,7 +130,11 @@ void fields(Settings settings, sim::KidnapSpec& kidnap) {
   }
   if (all || kind == KidnapKind::kTurn) turn_field(settings, kidnap);
   if (all || lifted) lift_fields(settings, kind, kidnap.lift);
-  if (all || !(stays || kind == KidnapKind::kSpin)) target_fields(settings, kidnap);
+  if (all || kind == KidnapKind::kElevator) {
+    settings.optional({"level", "", "Floor of the target, from 0.", {0, 255}}, kidnap.level);
+  }
+  const bool in_place = stays || kind == KidnapKind::kSpin || kind == KidnapKind::kElevator;
+  if (all || !in_place) target_fields(settings, kidnap);
   settings.field({"power_cycle", "",
                   "Sensors are off from pick-up to put-down, then odometry "
                   "starts from zero."},

@@ -81,4 +81,28 @@ sim::OdometryConfig read_odometry(YamlReader& root) {
   return odometry;
 }
 
+void fields(Settings settings, sim::ImuConfig& imu) {
+  constexpr NumberRange kError{0.0, 100.0};
+  settings.field({"rate_hz", "Hz", "Rate of readings.", {1e-3, 1000.0}}, imu.rate_hz);
+  settings.field({"accel_noise", "m/s^2", "Noise of the specific force, each axis.", kError},
+                 imu.accel_noise);
+  settings.field({"accel_bias", "m/s^2", "Standard deviation of its bias, drawn once.", kError},
+                 imu.accel_bias);
+  settings.field({"gyro_noise_deg", "deg/s", "Noise of the rates, each axis.", kError},
+                 imu.gyro_noise_deg);
+  settings.field(
+      {"gyro_bias_deg", "deg/s", "Standard deviation of their bias, drawn once.", kError},
+      imu.gyro_bias_deg);
+}
+
+std::optional<sim::ImuConfig> read_imu(YamlReader& root) {
+  const std::optional<YamlReader> found = root.find("imu");
+  if (!found) return std::nullopt;
+  sim::ImuConfig imu;
+  if (found->is_scalar()) return found->as<bool>() ? std::optional(imu) : std::nullopt;
+  YamlReader map = root.child("imu");
+  fields(Settings::reading(map), imu);
+  return imu;
+}
+
 }  // namespace castaway::testbed

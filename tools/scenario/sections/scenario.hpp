@@ -20,6 +20,7 @@
 #include "sim/events/world_change.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
+#include "sim/sensor/imu.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "tools/foreign/foreign_config.hpp"
 #include "tools/foreign/ros2_config.hpp"
@@ -49,6 +50,8 @@ struct WorldChoice {
   /// ROS map given to the localizers; empty: a map of the world as it was.
   std::string map{};
   bool strict = false;  ///< An unreadable part of an SDF world is an error.
+  /// Robots drive on all floors; overrides the world's file.
+  std::optional<bool> levels{};
 };
 
 /// The start of the robot, and the start pose given to the localizers.
@@ -57,6 +60,7 @@ struct StartSpec {
 
   Place place = Place::kWorld;          ///< The world's own start; random if it has none.
   Eigen::Vector3d pose{0.0, 0.0, 0.0};  ///< x [m], y [m], yaw [rad] of base in map, for kPose.
+  std::optional<int> level{};           ///< Of the start; empty: the lowest ground there.
   bool known = true;                    ///< False: the localizers start anywhere on the map.
   double sigma_m = 0.1;                 ///< [m] Stated uncertainty of a known start in x and y.
   double sigma_yaw = 0.05;              ///< [rad] Stated uncertainty of a known start in yaw.
@@ -158,6 +162,7 @@ struct Scenario {
   DriveSpec drive;
   std::vector<LidarSpec> lidars{LidarSpec{}};  ///< One without a name, or all lidars of the run.
   sim::OdometryConfig odometry;
+  std::optional<sim::ImuConfig> imu;  ///< Nothing: the robot has none.
   EventSpecs events;
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;

@@ -86,6 +86,7 @@ WorldFile load_world(const std::filesystem::path& path) {
   if (const auto map = root.get_optional<std::string>("map")) {
     world.map = file.parent_path() / *map;
   }
+  world.spec.levels = root.get("levels", false);
   read_objects(root, file.parent_path(), world.spec);
   YamlReader routes = root.child("routes");
   for (const auto& [name, route] : routes.entries()) {

@@ -28,7 +28,7 @@ class RecordedSource final : public SensorSource {
 
   std::optional<Frame> next() override;
   void set_drive_pose(const std::optional<SE2>&) override {}
-  void set_watched_pose(const std::optional<SE2>&) override {}
+  void set_watched_pose(const std::optional<SE2>&, double) override {}
   /// True pose at the first frame for which it is known.
   [[nodiscard]] std::optional<SE2> start_pose() const override;
   /// Time from the first frame to the last.

@@ -50,7 +50,7 @@ class SplicedSource final : public SensorSource {
   [[nodiscard]] std::size_t played() const { return played_; }
 
   void set_drive_pose(const std::optional<SE2>&) override {}
-  void set_watched_pose(const std::optional<SE2>&) override {}
+  void set_watched_pose(const std::optional<SE2>&, double) override {}
   /// True pose at the beginning of the part; nothing if it is unknown within the first second.
   [[nodiscard]] std::optional<SE2> start_pose() const override { return start_; }
   /// That of the whole log.
