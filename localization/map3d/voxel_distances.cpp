@@ -181,11 +181,41 @@ std::size_t VoxelDistances::table_index(const Eigen::Vector3i& block) const {
          static_cast<std::size_t>(block.x());
 }
 
+/// The block of a voxel, counted from `first_`; null where there is none.
+const VoxelDistances::Block* VoxelDistances::block_around(const Eigen::Vector3i& local) const {
+  // Voxels before the first one become large.
+  const Eigen::Vector3i block = (local.cast<unsigned>() / unsigned{kEdge}).cast<int>();
+  if ((block.array() >= size_.array()).any()) return nullptr;
+  const std::int32_t index = table_[table_index(block)];
+  return index < 0 ? nullptr : &blocks_[static_cast<std::size_t>(index)];
+}
+
 std::uint8_t VoxelDistances::byte_at(const Eigen::Vector3i& voxel) const {
   const Eigen::Vector3i local = voxel - first_;
-  if (local.minCoeff() < 0 || ((local / kEdge).array() >= size_.array()).any()) return kFar;
-  const std::int32_t block = table_[table_index(local / kEdge)];
-  return block < 0 ? kFar : blocks_[static_cast<std::size_t>(block)][place_in_block(local)];
+  const Block* block = block_around(local);
+  return block == nullptr ? kFar : (*block)[place_in_block(local)];
+}
+
+/// Bytes of a voxel and those after it along x, y and z: x varies fastest.
+std::array<std::uint8_t, 8> VoxelDistances::corners_at(const Eigen::Vector3i& voxel) const {
+  std::array<std::uint8_t, 8> bytes{};
+  const Eigen::Vector3i local = voxel - first_;
+  const bool one_block = (local.x() & 7) != 7 && (local.y() & 7) != 7 && (local.z() & 7) != 7;
+  const Block* block = one_block ? block_around(local) : nullptr;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::size_t x = i & 1U;
+    const std::size_t y = (i >> 1U) & 1U;
+    const std::size_t z = i >> 2U;
+    if (block != nullptr) {
+      bytes[i] = (*block)[place_in_block(local) + (z << 6U) + (y << 3U) + x];
+    } else if (one_block) {
+      bytes[i] = kFar;
+    } else {
+      bytes[i] = byte_at(
+          voxel + Eigen::Vector3i(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)));
+    }
+  }
+  return bytes;
 }
 
 float VoxelDistances::at_point(const Eigen::Vector3f& p_map) const {
@@ -199,9 +229,10 @@ float VoxelDistances::interpolate(const Eigen::Vector3f& p_map,
   const Eigen::Vector3i low(cell_index(lattice.x()), cell_index(lattice.y()),
                             cell_index(lattice.z()));
   const Eigen::Vector3f t = (lattice - low.cast<float>()).array().max(0.0F).min(1.0F);
-  const auto along_x = [&](int y, int z) {
-    const float left = values[byte_at(low + Eigen::Vector3i(0, y, z))];
-    return left + t.x() * (values[byte_at(low + Eigen::Vector3i(1, y, z))] - left);
+  const std::array<std::uint8_t, 8> bytes = corners_at(low);
+  const auto along_x = [&](std::size_t y, std::size_t z) {
+    const float left = values[bytes[2 * y + 4 * z]];
+    return left + t.x() * (values[bytes[2 * y + 4 * z + 1]] - left);
   };
   const float near_below = along_x(0, 0);
   const float near_above = along_x(0, 1);

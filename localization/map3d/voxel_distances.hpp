@@ -70,7 +70,9 @@ class VoxelDistances {
   void for_each_around(const Eigen::Vector3i& block, int around, const Function& f) const;
   void fill(const Eigen::Vector3i& block, const BlockPoints& points);
   [[nodiscard]] std::size_t table_index(const Eigen::Vector3i& block) const;
+  [[nodiscard]] const Block* block_around(const Eigen::Vector3i& local) const;
   [[nodiscard]] std::uint8_t byte_at(const Eigen::Vector3i& voxel) const;
+  [[nodiscard]] std::array<std::uint8_t, 8> corners_at(const Eigen::Vector3i& voxel) const;
 
   double resolution_;
   double max_distance_;

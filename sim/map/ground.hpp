@@ -9,7 +9,8 @@
 namespace castaway::sim {
 
 /// Height of the ground at the centre of each cell, [m]; 0 on the floor. Empty if no object in the
-/// world is drivable. Floors above the lowest one, from 1 m on, are left out. @throws std::runtime_error if a mesh cannot be read.
+/// world is drivable. Floors above the lowest one, from 1 m on, are left out. @throws
+/// std::runtime_error if a mesh cannot be read.
 std::vector<float> ground_heights(const WorldSpec& world, const Grid& grid);
 
 /// Makes cells of raised ground free, even if they are occupied on the map.

@@ -157,7 +157,7 @@ void read_kidnap(YamlReader& body, EventSpecs& events) {
     }
     events.watched = who;
   }
-  events.kidnaps.push_back(std::move(kidnap));
+  events.kidnaps.push_back(kidnap);
 }
 
 bool waits_for_localizer(const EventSpecs& events) {
