@@ -1,4 +1,5 @@
-/// A 3-D map prepared for a localizer: the atlas of its ground, and distances to its surfaces.
+/// A 3-D map prepared for a localizer: the atlas of its ground, distances to its surfaces, and to
+/// those that are not ground.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "localization/map3d/atlas.hpp"
+#include "localization/map3d/ground_voxels.hpp"
 #include "localization/map3d/terrain_pose.hpp"
 #include "localization/map3d/voxel_distances.hpp"
 
@@ -27,6 +29,7 @@ class Volume {
       : voxels_(std::move(voxels)),
         atlas_(std::move(ground), config.margin),
         distances_(voxels_, config.max_distance),
+        walls_(without_ground(voxels_, atlas_.ground()), config.max_distance),
         contacts_(config.contacts) {}
 
   /// The pose of base in map, on the ground: x, y and yaw are those of `T_atlas_base`. Nothing
@@ -40,11 +43,14 @@ class Volume {
   [[nodiscard]] const VoxelMap& voxels() const { return voxels_; }
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
   [[nodiscard]] const VoxelDistances& distances() const { return distances_; }
+  /// Distances to what stands on the ground.
+  [[nodiscard]] const VoxelDistances& walls() const { return walls_; }
 
  private:
   VoxelMap voxels_;
   Atlas atlas_;
   VoxelDistances distances_;
+  VoxelDistances walls_;
   WheelContacts contacts_;
 };
 

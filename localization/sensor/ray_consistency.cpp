@@ -75,15 +75,17 @@ bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::s
   return ray_meets_wall({from, (to - from) / (r * scale), length}, *view.walls);
 }
 
-/// A beam that ends on the ground grazes it before: only one that leaves a surface again has passed
-/// it. One that is made longer need not.
+/// A beam from a right pose may graze the ground, and passes along a wall before it ends there:
+/// only one that leaves what is not ground has passed it. One that is made longer need not.
 bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::size_t i,
                            double longer) {
   if (!view.pose) return false;
   const Eigen::Vector3f from = view.pose->origin(points, i);
   const Eigen::Vector3f to = view.pose->end(points, i);
   const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
-  const Encounter met = encounter(view.volume->distances(), from, from + stretch * (to - from));
+  const Volume& volume = *view.volume;
+  const VoxelDistances& distances = longer > 0.0 ? volume.distances() : volume.walls();
+  const Encounter met = encounter(distances, from, from + stretch * (to - from));
   return longer > 0.0 ? met != Encounter::kNone : met == Encounter::kPassed;
 }
 
