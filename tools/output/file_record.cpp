@@ -88,9 +88,11 @@ std::optional<std::string> name_of_part(const std::string& path) {
   return number ? std::optional<std::string>(path.substr(0, mark)) : std::nullopt;
 }
 
+/// True for what a killed process was writing: a file of the record, or the record of any folder.
 bool is_leftover(const std::string& path, const FileRecord& record) {
   const auto name = name_of_part(path);
-  return name && (*name == kRecordName || listed_hash(record, *name) != nullptr);
+  return name &&
+         (fs::path(*name).filename() == kRecordName || listed_hash(record, *name) != nullptr);
 }
 
 std::optional<ForeignFile> foreign_file(const fs::path& file, const std::string& path,

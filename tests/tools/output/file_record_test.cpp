@@ -99,6 +99,16 @@ TEST(FindForeign, LeavesFoldersWithAListOfTheirOwnAside) {
   EXPECT_FALSE(find_foreign(folder.path(), std::nullopt));
 }
 
+/// A run of many seeds was killed when it began to write the list of a seed's folder.
+TEST(FindForeign, TakesAHalfWrittenListInAFolderForOurs) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "seed-4");
+  folder.put("seed-4/" + std::string(kRecordName) + ".part-28556", "{");
+  EXPECT_FALSE(find_foreign(folder.path(), FileRecord{}));
+  folder.put("seed-4/mine.part-28556", "mine");
+  EXPECT_EQ(find_foreign(folder.path(), FileRecord{}).value().path, "seed-4/mine.part-28556");
+}
+
 TEST(ClearLeftovers, RemovesHalfWrittenFilesOfTheListOnly) {
   const TemporaryFolder folder;
   const FileRecord record = write_two(folder);
