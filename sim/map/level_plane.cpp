@@ -64,8 +64,8 @@ const LevelCell* LevelPlane::at(const Eigen::Vector2d& p_plane) const {
   return grid.contains(cell.column, cell.row) ? &cells[flat_index(grid, cell)] : nullptr;
 }
 
-Pose2 LevelPlane::in_map(const Pose2& T_plane_base, const Eigen::Vector2d& like) const {
-  const int row = std::clamp(cell_of(grid, like).row, 0, grid.height - 1);
+Pose2 LevelPlane::in_map(const Pose2& T_plane_base) const {
+  const int row = std::clamp(cell_of(grid, T_plane_base.position()).row, 0, grid.height - 1);
   const int first_row = row - row % stride;
   const double shift = first_row * grid.resolution;
   return {T_plane_base.x, T_plane_base.y - shift, T_plane_base.yaw};

@@ -40,11 +40,8 @@ struct LevelPlane {
   }
   /// The cell at a point of the plane; null outside of it.
   [[nodiscard]] const LevelCell* at(const Eigen::Vector2d& p_plane) const;
-  /// A pose in map. `like` [m]: any point of the same chart.
-  [[nodiscard]] Pose2 in_map(const Pose2& T_plane_base, const Eigen::Vector2d& like) const;
-  [[nodiscard]] Pose2 in_map(const Pose2& T_plane_base) const {
-    return in_map(T_plane_base, T_plane_base.position());
-  }
+  /// The pose in map.
+  [[nodiscard]] Pose2 in_map(const Pose2& T_plane_base) const;
   /// The pose in the chart whose own ground is nearest to the height `z` [m]; nothing if there is
   /// no ground within 1 m of it.
   [[nodiscard]] std::optional<Pose2> on_plane(const Pose2& T_map_base, double z) const;

@@ -59,6 +59,9 @@ StartSpec read_start(YamlReader& root) {
   if (!start.known && !start.wrong_by.isZero(0.0)) {
     map.fail("'wrong_by' needs a start that is known");
   }
+  if (start.place == StartSpec::Place::kRandom && start.level) {
+    map.fail("give 'level' or 'random', not both");
+  }
   if (start.known && start.switch_on_s > 0.0) {
     map.fail("'switch_on_s' needs 'known: false': the start pose is outdated by then");
   }
