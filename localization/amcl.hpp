@@ -13,9 +13,9 @@
 #include "localization/amcl_filter.hpp"
 #include "localization/amcl_sensor.hpp"
 #include "localization/filter/pose_bins.hpp"
+#include "localization/input/intake.hpp"
 #include "localization/localizer.hpp"
 #include "localization/sensor/beam_scan.hpp"
-#include "localization/sensor/intake.hpp"
 #include "localization/stage_timer.hpp"
 #include "localization/update_trigger.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "localization/filter/pose_bins.hpp"
 #include "localization/filter/recovery_averages.hpp"
+#include "localization/input/intake.hpp"
 #include "localization/motion/differential_motion.hpp"
 #include "localization/sensor/beam_model.hpp"
-#include "localization/sensor/intake.hpp"
 #include "localization/sensor/likelihood_field_prob.hpp"
 
 namespace castaway::localization {

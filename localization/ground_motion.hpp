@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 #include "localization/motion/odometry_noise.hpp"
 
 namespace castaway::localization {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "localization/localizer.hpp"
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 

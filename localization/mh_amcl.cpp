@@ -33,6 +33,12 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
   search.note_rescue(belief.populations.all.back().id);
 }
 
+SensorInputConfig input_of(const MhAmclModels& models) {
+  SensorInputConfig input = models.config.input;
+  input.layers = models.volume != nullptr;
+  return input;
+}
+
 /// Log-weight of the places that a search left out, if any fits as well: as many again as those
 /// found, with the weight of the median one.
 std::optional<double> left_out(const FoundPlaces& found, const Belief& belief) {
@@ -82,7 +88,7 @@ MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed
 
 MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, StageClock clock)
     : models_(std::move(models)),
-      input_(models_->config.input),
+      input_(input_of(*models_)),
       belief_(*models_, seed),
       searches_{ScheduledSearch(models_->config.match, *models_->matcher),
                 PlaceWatch(models_->config.watch, *models_->matcher),

@@ -14,10 +14,10 @@
 #include <optional>
 
 #include "localization/belief.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_models.hpp"
 #include "localization/search/searches.hpp"
-#include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {

@@ -6,6 +6,7 @@
 #include "localization/hypotheses/merge.hpp"
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/spawn.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/match_schedule.hpp"
@@ -13,7 +14,6 @@
 #include "localization/search/rescue.hpp"
 #include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/scan_agreement.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "localization/map/distance_field.hpp"
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 #include "localization/matching/place_matcher.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "localization/search/create.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "localization/hypotheses/populations.hpp"
+#include "localization/input/intake.hpp"
 #include "localization/localizer.hpp"
-#include "localization/sensor/intake.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {

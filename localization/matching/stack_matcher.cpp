@@ -28,7 +28,8 @@ StackConfig stack_config(const MatcherConfig& config) {
 ScanPoints above_ground(const ScanPoints& points) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points.z[i] > kLowestPoint) kept.push_back(i);
+    const bool on_ground = points.z[i] <= kLowestPoint || points.kind(i) == BeamKind::kFlat;
+    if (!on_ground) kept.push_back(i);
   }
   return points_at(points, kept);
 }

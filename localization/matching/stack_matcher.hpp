@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/stack/stacked_ground.hpp"
 

@@ -3,11 +3,11 @@
 
 #include "localization/filter/reseed.hpp"
 #include "localization/hypotheses/spawn.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/motion/odometry_noise.hpp"
 #include "localization/paper/paper_cascade.hpp"
 #include "localization/paper/quality_rules.hpp"
 #include "localization/paper/reseed_losers.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 

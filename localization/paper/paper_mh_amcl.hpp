@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "localization/input/sensor_input.hpp"
 #include "localization/localizer.hpp"
 #include "localization/paper/paper_belief.hpp"
 #include "localization/paper/paper_stages.hpp"
-#include "localization/sensor/sensor_input.hpp"
 #include "localization/stage_timer.hpp"
 
 namespace castaway::localization {

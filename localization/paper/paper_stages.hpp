@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "localization/hypotheses/populations.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/paper/paper_config.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/search/map_search.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "localization/input/sensor_input.hpp"
 #include "localization/search/map_search.hpp"
 #include "localization/search/match_schedule.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::localization {
 

@@ -38,7 +38,7 @@ std::size_t DistanceFilter::misfits(const Volume& volume, const ScanPoints& poin
   const auto off_wall = static_cast<float>(config_.off_wall);
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (volume.distances().at(pose.end(points, i)) > off_wall) ++count;
+    if (volume.surfaces().at(pose.end(points, i)) > off_wall) ++count;
   }
   return count;
 }

@@ -1,5 +1,7 @@
 #include "localization/sensor/endpoint_model.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -25,6 +27,26 @@ template <typename Take>
   }
 }
 
+/// The same in space. Places are found some points ahead, so that memory is read meanwhile.
+template <typename Take>
+void look_up_surfaces(const SurfaceField& surfaces, const SurfaceField::Table& values,
+                      const Eigen::Isometry3d& T_map_base, const ScanPoints& points,
+                      const Take& take) {
+  constexpr std::size_t kAhead = 32;
+  std::array<SurfaceField::Place, kAhead> places;
+  const SurfaceField::LatticePose pose = surfaces.lattice_pose(T_map_base);
+  for (std::size_t first = 0; first < points.size(); first += kAhead) {
+    const std::size_t count = std::min(kAhead, points.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = first + k;
+      places[k] =
+          surfaces.find(pose.R * Eigen::Vector3f(points.x[i], points.y[i], points.z[i]) + pose.t);
+      __builtin_prefetch(places[k].cell);
+    }
+    for (std::size_t k = 0; k < count; ++k) take(surfaces.value(places[k], values));
+  }
+}
+
 }  // namespace
 
 void validate(const EndpointConfig& config) {
@@ -47,7 +69,7 @@ EndpointModel::EndpointModel(const EndpointConfig& config, const DistanceField& 
 
 EndpointModel::EndpointModel(const EndpointConfig& config, const Volume& volume)
     : config_((validate(config), config)),
-      field_(VolumeField{&volume, volume.distances().tabulate([&](double d) {
+      field_(VolumeField{&volume, volume.surfaces().tabulate([&](double d) {
                            return endpoint_log_likelihood(config, d);
                          })}) {}
 
@@ -69,10 +91,7 @@ void EndpointModel::look_up(const ScanPoints& points, const SE2& T_map_base,
     for (std::size_t i = 0; i < points.size(); ++i) take(values.back());
     return;
   }
-  const PoseInVolume pose(base->T_map_base);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    take(volume->distances().interpolate(pose.end(points, i), values));
-  }
+  look_up_surfaces(volume->surfaces(), values, base->T_map_base, points, take);
 }
 
 double EndpointModel::log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {

@@ -6,13 +6,12 @@
 /// neighbouring beams see the same wall.
 #pragma once
 
-#include <array>
 #include <variant>
 
 #include "localization/map/interpolated_field.hpp"
-#include "localization/map3d/volume.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 
@@ -54,7 +53,7 @@ class EndpointModel {
   };
   struct VolumeField {
     const Volume* volume;
-    std::array<float, 256> values;  ///< By distance, `VoxelDistances::tabulate`.
+    SurfaceField::Table values;
   };
   template <typename Take>
   void look_up(const ScanPoints& points, const SE2& T_map_base, const Take& take) const;

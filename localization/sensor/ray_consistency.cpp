@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "localization/map3d/voxel_rays.hpp"
+#include "localization/volume/voxel_rays.hpp"
 
 namespace castaway::localization {
 namespace {
@@ -84,9 +84,9 @@ bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::
   const Eigen::Vector3f to = view.pose->end(points, i);
   const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
   const Volume& volume = *view.volume;
-  const VoxelDistances& distances = longer > 0.0 ? volume.distances() : volume.walls();
-  const Encounter met = encounter(distances, from, from + stretch * (to - from));
-  return longer > 0.0 ? met != Encounter::kNone : met == Encounter::kPassed;
+  const Eigen::Vector3f end = from + stretch * (to - from);
+  if (longer > 0.0) return encounter(volume.surfaces(), from, end) != Encounter::kNone;
+  return encounter(volume.walls(), from, end) == Encounter::kPassed;
 }
 
 }  // namespace castaway::localization

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "localization/map/wall_clearance.hpp"
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 

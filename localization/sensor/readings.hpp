@@ -27,7 +27,14 @@ struct Imu {
   Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
 };
 
-/// One sweep of a planar lidar with any mount.
+/// A layer of a lidar of several: beams on a cone about the lidar's z.
+struct ScanLayer {
+  double elevation = 0.0;  ///< [rad] Above the lidar's plane.
+  std::vector<float>
+      ranges;  ///< [m] Along the beams; as many as `LaserScan::ranges`, at its angles.
+};
+
+/// One sweep of a lidar with any mount.
 struct LaserScan {
   Stamp stamp{};                 ///< Time of the first beam.
   Stamp time_increment{};        ///< Time between two beams; 0 if all were taken at once.
@@ -38,6 +45,8 @@ struct LaserScan {
   std::vector<float> ranges;     ///< [m] REP-117: +inf no return, -inf too close, NaN invalid.
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();  ///< The lidar's mount.
   std::string lidar;  ///< Name of the lidar if there are several; scans are ordered per lidar.
+  /// All layers of a 3-D lidar, of which `ranges` is a planar cut. Empty: a planar lidar.
+  std::vector<ScanLayer> layers{};
 
   /// Time of beam `index`.
   [[nodiscard]] Stamp beam_stamp(std::size_t index) const {

@@ -30,6 +30,7 @@ std::vector<Beam> beams_by_angle(const ScanPoints& points, const Eigen::Vector2d
   std::vector<Beam> beams;
   beams.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points.kind(i) != BeamKind::kLevel) continue;
     beams.push_back(beam_to(origin, {points.x[i], points.y[i]}));
   }
   std::sort(beams.begin(), beams.end(),
@@ -65,6 +66,7 @@ void count(const ScanAgreementConfig& config, const ScanPoints& seer, const Scan
   const Eigen::Vector2d origin = mean_origin(seer);
   const std::vector<Beam> beams = beams_by_angle(seer, origin);
   for (std::size_t i = 0; i < other.size(); ++i) {
+    if (other.kind(i) != BeamKind::kLevel) continue;
     const Eigen::Vector2d end = T_seer_other * Eigen::Vector2d(other.x[i], other.y[i]);
     const Comparison result = compare(config, beams, beam_to(origin, end));
     if (result == Comparison::kUnknown) continue;

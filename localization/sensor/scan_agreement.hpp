@@ -20,7 +20,8 @@ struct ScanAgreementConfig {
 
 /// Returns the share of comparable end points that agree: those of each scan that lie on something
 /// that the other scan saw; the rest lie where the other saw free space. Points hidden from the
-/// other scan or outside of its view do not count. `T_before_now` is odometry's step of base.
+/// other scan or outside of its view do not count, nor do beams that are not level (`BeamKind`).
+/// `T_before_now` is odometry's step of base.
 /// Returns nothing if too few points can be compared.
 std::optional<double> scan_agreement(const ScanAgreementConfig& config, const ScanPoints& before,
                                      const ScanPoints& now, const SE2& T_before_now);

@@ -9,26 +9,10 @@ namespace {
 
 std::vector<std::size_t> valid_beams(const LaserScan& scan, const BeamSelection& selection) {
   std::vector<std::size_t> valid;
-  const double longest = std::min(scan.range_max, selection.max_range);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const double r = scan.ranges[i];
-    if (std::isfinite(r) && r >= scan.range_min && r <= longest && r > 0.0) valid.push_back(i);
+    if (is_valid_range(scan, selection, scan.ranges[i])) valid.push_back(i);
   }
   return valid;
-}
-
-void append_beam(ScanPoints& points, const Eigen::Isometry3d& T_reference_laser, double angle,
-                 double range) {
-  const Eigen::Vector3d end(range * std::cos(angle), range * std::sin(angle), 0.0);
-  const Eigen::Vector3d p = T_reference_laser * end;
-  const Eigen::Vector3d origin = T_reference_laser.translation();
-  points.x.push_back(static_cast<float>(p.x()));
-  points.y.push_back(static_cast<float>(p.y()));
-  points.z.push_back(static_cast<float>(p.z()));
-  points.origin_x.push_back(static_cast<float>(origin.x()));
-  points.origin_y.push_back(static_cast<float>(origin.y()));
-  points.origin_z.push_back(static_cast<float>(origin.z()));
-  points.range.push_back(static_cast<float>((p - origin).head<2>().norm()));
 }
 
 void copy_point(const ScanPoints& from, std::size_t i, ScanPoints& to) {
@@ -39,6 +23,7 @@ void copy_point(const ScanPoints& from, std::size_t i, ScanPoints& to) {
   to.origin_y.push_back(from.origin_y[i]);
   to.origin_z.push_back(from.origin_z[i]);
   to.range.push_back(from.range[i]);
+  if (!from.kinds.empty()) to.kinds.push_back(from.kinds[i]);
 }
 
 }  // namespace
@@ -46,6 +31,26 @@ void copy_point(const ScanPoints& from, std::size_t i, ScanPoints& to) {
 void validate(const BeamSelection& selection) {
   if (selection.max_beams < 1) throw std::invalid_argument("max_beams must be at least 1");
   if (!(selection.max_range > 0.0)) throw std::invalid_argument("max_range must be positive");
+  if (selection.max_tilted < 0) throw std::invalid_argument("max_tilted must not be negative");
+  if (selection.max_flat < 0) throw std::invalid_argument("max_flat must not be negative");
+}
+
+bool is_valid_range(const LaserScan& scan, const BeamSelection& selection, double range) {
+  return std::isfinite(range) && range >= scan.range_min && range > 0.0 &&
+         range <= std::min(scan.range_max, selection.max_range);
+}
+
+void append_beam(ScanPoints& points, const Eigen::Isometry3d& T_base_laser,
+                 const Eigen::Vector3d& end) {
+  const Eigen::Vector3d p = T_base_laser * end;
+  const Eigen::Vector3d origin = T_base_laser.translation();
+  points.x.push_back(static_cast<float>(p.x()));
+  points.y.push_back(static_cast<float>(p.y()));
+  points.z.push_back(static_cast<float>(p.z()));
+  points.origin_x.push_back(static_cast<float>(origin.x()));
+  points.origin_y.push_back(static_cast<float>(origin.y()));
+  points.origin_z.push_back(static_cast<float>(origin.z()));
+  points.range.push_back(static_cast<float>((p - origin).head<2>().norm()));
 }
 
 std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuffer& T_odom_base,
@@ -69,7 +74,9 @@ std::optional<ScanPoints> project_scan(const LaserScan& scan, const TransformBuf
       if (!T_odom_beam) return std::nullopt;
       T_reference_laser = to_se3(T_reference_odom * *T_odom_beam) * scan.T_base_laser;
     }
-    append_beam(points, T_reference_laser, scan.beam_angle(i), scan.ranges[i]);
+    const double angle = scan.beam_angle(i);
+    const double range = scan.ranges[i];
+    append_beam(points, T_reference_laser, {range * std::cos(angle), range * std::sin(angle), 0.0});
   }
   return points;
 }

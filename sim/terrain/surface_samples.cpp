@@ -53,19 +53,42 @@ class Solids {
   RayScene scene_;
 };
 
+/// A point of a surface and the direction away from its object.
+struct SurfaceSample {
+  Eigen::Vector3d p;
+  Eigen::Vector3d normal;
+};
+
+/// Moves a sample in the object's frame from a facet of the mesh to the round surface that it
+/// stands for: facets lie within.
+SurfaceSample round_off(const ObjectShape& shape, const SurfaceSample& sample) {
+  const auto& [p, normal] = sample;
+  if (const auto* ball = std::get_if<SphereShape>(&shape)) {
+    return {ball->radius * p.normalized(), p.normalized()};
+  }
+  const auto* cylinder = std::get_if<CylinderShape>(&shape);
+  if (cylinder == nullptr || std::abs(normal.z()) > 0.5) return sample;
+  const Eigen::Vector2d out = p.head<2>().normalized();
+  const Eigen::Vector2d side = cylinder->radius * out;
+  return {{side.x(), side.y(), p.z()}, {out.x(), out.y(), 0.0}};
+}
+
 void sample_object(const WorldObject& object, const Solids& solids, double spacing,
                    const SurfaceVisitor& visit) {
   constexpr double kUnderFloor = -1e-6;  // [m]
   const TriangleMesh mesh = shape_mesh(object.shape);
   const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
-    return object.T_map_object * mesh.vertices[mesh.indices[i]].cast<double>();
+    return mesh.vertices[mesh.indices[i]].cast<double>();
   };
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const std::array<Eigen::Vector3d, 3> corners{corner(i), corner(i + 1), corner(i + 2)};
     const Eigen::Vector3d normal =
         (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    sample_triangle(corners, spacing, [&](const Eigen::Vector3d& p) {
-      if (p.z() > kUnderFloor && !solids.hide(p, normal)) visit(p, normal);
+    sample_triangle(corners, spacing, [&](const Eigen::Vector3d& p_object) {
+      const SurfaceSample sample = round_off(object.shape, {p_object, normal});
+      const Eigen::Vector3d p_map = object.T_map_object * sample.p;
+      const Eigen::Vector3d normal_map = object.T_map_object.linear() * sample.normal;
+      if (p_map.z() > kUnderFloor && !solids.hide(p_map, normal_map)) visit(p_map, normal_map);
     });
   }
 }

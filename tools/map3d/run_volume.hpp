@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "localization/map3d/volume.hpp"
+#include "localization/volume/volume.hpp"
 #include "sim/world/world_spec.hpp"
 #include "tools/formats/volume/map3d_file.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "sim/scene/camera.hpp"
@@ -13,6 +12,8 @@
 
 namespace castaway::testbed {
 namespace {
+
+constexpr double kHead = 2.0;  // [m] Room for people on a floor.
 
 using Eigen::Vector3f;
 
@@ -56,23 +57,41 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
   }
 }
 
-/// Without what begins above the heads of people on a floor: the floors above it.
-std::vector<sim::SceneItem> below_the_next_floor(std::vector<sim::SceneItem> items, double floor) {
-  constexpr double kHead = 2.0;  // [m]
+Eigen::AlignedBox3f bounds_of(const sim::SceneItem& item) {
+  Eigen::AlignedBox3f box;
+  for (const Vector3f& vertex : item.mesh.vertices) box.extend(item.T_map_mesh * vertex);
+  return box;
+}
+
+/// True if there is ground beneath a box's middle or corners, with room for people.
+bool hangs_over_ground(const PictureWorld& world, const Eigen::AlignedBox3f& box) {
+  const Vector3f low = box.min();
+  const Vector3f high = box.max();
+  const Vector3f middle = box.center();
+  for (const Eigen::Vector2f& p :
+       {Eigen::Vector2f(middle.x(), middle.y()), Eigen::Vector2f(low.x(), low.y()),
+        Eigen::Vector2f(high.x(), low.y()), Eigen::Vector2f(low.x(), high.y()),
+        Eigen::Vector2f(high.x(), high.y())}) {
+    const auto ground = world.lowest_ground(p.cast<double>());
+    if (ground && *ground < static_cast<double>(low.z()) - kHead) return true;
+  }
+  return false;
+}
+
+/// Without the floors above one, and what stands on them.
+std::vector<sim::SceneItem> below_the_next_floor(const PictureWorld& world, double floor) {
+  std::vector<sim::SceneItem> items = world.world;
   std::erase_if(items, [&](const sim::SceneItem& item) {
-    float lowest = std::numeric_limits<float>::infinity();
-    for (const Vector3f& vertex : item.mesh.vertices) {
-      lowest = std::min(lowest, (item.T_map_mesh * vertex).z());
-    }
-    return lowest > floor + kHead;
+    const Eigen::AlignedBox3f box = bounds_of(item);
+    return static_cast<double>(box.min().z()) > floor + kHead && hangs_over_ground(world, box);
   });
   return items;
 }
 
 /// The objects to show in an overview: those without roofs, or up to the robot's floor.
 std::vector<sim::SceneItem> seen_from_above(const PictureWorld& world, const ScanRecord& record) {
-  if (record.T_footprint_base_true) {
-    return below_the_next_floor(world.world, record.T_footprint_base_true->translation().z());
+  if (record.T_footprint_base_true && world.lowest_ground) {
+    return below_the_next_floor(world, record.T_footprint_base_true->translation().z());
   }
   return world.from_above.empty() ? world.world : world.from_above;
 }

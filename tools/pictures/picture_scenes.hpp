@@ -25,8 +25,10 @@ struct PictureWorld {
   Eigen::Vector2d min_corner{0.0, 0.0};  ///< [m] Extent of the world.
   Eigen::Vector2d max_corner{0.0, 0.0};  ///< [m]
   double top = 0.0;                      ///< [m] Top of the world's objects, roofs excluded.
-  double robot_radius = 0.2;             ///< [m] Radius of the outlines on the map.
-  std::optional<RosMap> map;             ///< Nothing: no pictures from above.
+  /// Of a world of several floors: height of the lowest ground at a place, if any. [m]
+  std::function<std::optional<double>(const Eigen::Vector2d& p_map)> lowest_ground{};
+  double robot_radius = 0.2;  ///< [m] Radius of the outlines on the map.
+  std::optional<RosMap> map;  ///< Nothing: no pictures from above.
 };
 
 /// Current pose of base in space for this planar pose.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/events/world_change.hpp"
+#include "sim/map/level_plane.hpp"
 #include "sim/scene/bounds.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/scene/visible_scene.hpp"
@@ -54,6 +55,15 @@ PageScene page_scene_of(const sim::SimulationConfig& config) {
   return scene;
 }
 
+std::function<std::optional<double>(const Eigen::Vector2d&)> lowest_ground_of(
+    std::shared_ptr<const sim::LevelPlane> levels) {
+  return [levels = std::move(levels)](const Eigen::Vector2d& p_map) -> std::optional<double> {
+    const auto T_plane_point = levels->on_level({p_map.x(), p_map.y(), 0.0}, std::nullopt);
+    if (!T_plane_point) return std::nullopt;
+    return levels->p_map({T_plane_point->x, T_plane_point->y}).z();
+  };
+}
+
 PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   PictureWorld world;
   const sim::WorldSpec fixed =
@@ -71,6 +81,7 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   world.max_corner = prepared.config.world.max_corner;
   world.robot_radius = prepared.config.robot.footprint_radius;
   world.map = prepared.map;
+  if (prepared.config.levels) world.lowest_ground = lowest_ground_of(prepared.config.levels);
   return world;
 }
 

@@ -53,7 +53,18 @@ HitLegend hit_legend(const sim::WorldSpec& world) {
   return legend;
 }
 
-LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar) {
+std::vector<localization::ScanLayer> layers_of(const sim::LidarReading& reading,
+                                               const sim::LidarConfig& lidar) {
+  if (lidar.elevations.size() < 2) return {};
+  std::vector<localization::ScanLayer> layers;
+  for (std::size_t i = 0; i < lidar.elevations.size(); ++i) {
+    layers.push_back(
+        {lidar.elevations[i], layer_of(reading.ranges, i, static_cast<std::size_t>(lidar.beams))});
+  }
+  return layers;
+}
+
+LaserScan laser_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar) {
   LaserScan scan;
   scan.stamp = reading.stamp;
   scan.time_increment = reading.time_increment;
@@ -72,6 +83,7 @@ LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& 
     scan.T_base_laser = sim::to_isometry(*reading.mount_error) * lidar.T_base_laser;
   }
   scan.lidar = lidar.name;
+  scan.layers = layers_of(reading, lidar);
   return scan;
 }
 
@@ -91,7 +103,7 @@ std::vector<LidarFacts> lidars_of(const std::vector<sim::LidarConfig>& lidars) {
   for (const sim::LidarConfig& lidar : lidars) {
     sim::LidarReading reading;
     reading.ranges.resize(static_cast<std::size_t>(lidar.beams) * lidar.elevations.size());
-    facts.push_back(lidar_facts(planar_scan(reading, lidar)));
+    facts.push_back(lidar_facts(laser_scan(reading, lidar)));
     facts.back().frame = lidar.frame;
   }
   return facts;

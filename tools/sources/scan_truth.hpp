@@ -10,9 +10,9 @@
 
 namespace castaway::testbed {
 
-/// Planar scan of a reading, with the nominal mount. For a 3-D lidar it is the layer
-/// `sim::level_layer` with ranges projected into the lidar's plane.
-LaserScan planar_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar);
+/// Scan of a reading, with the nominal mount. For a 3-D lidar it has all layers, and as planar cut
+/// the layer `sim::level_layer` with ranges projected into the lidar's plane.
+LaserScan laser_scan(const sim::LidarReading& reading, const sim::LidarConfig& lidar);
 
 /// Intensities and labels of that layer. If `cloud`, also the returns of all layers in base at the
 /// stamp.

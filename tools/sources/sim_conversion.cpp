@@ -115,7 +115,7 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
 
 ScanFrame SimFrameConverter::scan(const sim::LidarReading& reading) const {
   const sim::LidarConfig& lidar = lidars_[reading.lidar];
-  ScanFrame frame{planar_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
+  ScanFrame frame{laser_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
                   scan_truth(reading, lidar, clouds_)};
   if (heights_) frame.T_footprint_base_true = reading.T_footprint_base_true;
   return frame;

@@ -6,8 +6,8 @@
 
 #include "localization/geometry/rate.hpp"
 #include "localization/hypotheses/scan_log.hpp"
+#include "localization/input/sensor_input.hpp"
 #include "localization/sensor/evidence_model.hpp"
-#include "localization/sensor/sensor_input.hpp"
 
 namespace castaway::testbed {
 

@@ -10,10 +10,10 @@
 
 #include "localization/geometry/random.hpp"
 #include "localization/map3d/survey_ground.hpp"
-#include "localization/map3d/volume.hpp"
 #include "localization/map3d/voxel_builder.hpp"
 #include "localization/sensor/readings.hpp"
 #include "localization/sensor/scan_points.hpp"
+#include "localization/volume/volume.hpp"
 #include "tests/localization/matching/search_case.hpp"
 
 namespace castaway::test {
@@ -127,9 +127,9 @@ class Building {
                                             const Eigen::Vector3d& direction) const {
     for (double r = 0.3; r < kFarthest;) {
       const Eigen::Vector3d p_map = T_map_base * (kLidarAt + r * direction);
-      const double clear = volume_->distances().at(p_map.cast<float>());
-      if (clear <= 0.06) return r;
-      r += std::max(0.02, 0.5 * clear - 0.06);
+      const double clear = volume_->surfaces().at(p_map.cast<float>());
+      if (clear <= 0.02) return r;
+      r += std::max(0.01, 0.5 * clear);
     }
     return std::nullopt;
   }

@@ -6,8 +6,8 @@
 
 #include "localization/map3d/survey_ground.hpp"
 #include "localization/map3d/voxel_builder.hpp"
-#include "localization/map3d/voxel_distances.hpp"
-#include "localization/map3d/voxel_rays.hpp"
+#include "localization/volume/voxel_distances.hpp"
+#include "localization/volume/voxel_rays.hpp"
 
 namespace castaway::localization {
 namespace {

@@ -82,6 +82,29 @@ TEST(SampleSurfaces, NormalsPointAwayFromTheObject) {
   });
 }
 
+TEST(SampleSurfaces, RoundObjectsAreCoveredWhereTheyAre) {
+  const Eigen::Vector3d centre(1.0, 0.0, 0.6);
+  for (const ObjectShape& shape :
+       {ObjectShape(CylinderShape{0.3, 1.0}), ObjectShape(SphereShape{0.3})}) {
+    WorldSpec world = box_world();
+    world.objects[0].shape = shape;
+    world.objects[0].T_map_object.translation() = centre;
+    std::vector<Eigen::Vector3d> points;
+    sample_surfaces(world, 0.05,
+                    [&](const Eigen::Vector3d& p, const Eigen::Vector3d&) { points.push_back(p); });
+    for (double angle = 0.0; angle < 6.3; angle += 0.1) {
+      const Eigen::Vector3d out(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0.0);
+      EXPECT_LT(to_nearest(points, centre + out), 0.05) << angle;
+    }
+    for (const Eigen::Vector3d& p : points) {
+      const double radius = (p - centre).head<2>().norm();
+      if (std::abs(p.z() - centre.z()) < 0.01) {
+        EXPECT_NEAR(radius, 0.3, 0.001);
+      }
+    }
+  }
+}
+
 /// Number of points at the floor, with an object over a part of it.
 std::ptrdiff_t floor_under(const ObjectShape& shape, double z) {
   WorldSpec world = box_world();

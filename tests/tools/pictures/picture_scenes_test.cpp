@@ -58,11 +58,21 @@ sim::SceneItem slab_at(float z) {
 TEST(OverviewScene, ShowsTheFloorOnWhichTheRobotIs) {
   PictureWorld world;
   world.world = {slab_at(0.0F), slab_at(3.0F), slab_at(6.0F), wall_behind()};
+  world.lowest_ground = [](const Eigen::Vector2d&) { return 0.0; };
   ScanRecord record = record_at(0.0, {});
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 4U);
   record.T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 3U);
   record.T_footprint_base_true->translation().z() = 0.0;
+  EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 2U);
+}
+
+TEST(OverviewScene, ShowsWhatStandsHigherOnAHill) {
+  PictureWorld world;
+  world.world = {slab_at(0.0F), slab_at(6.0F)};
+  world.lowest_ground = [](const Eigen::Vector2d&) { return 6.0; };
+  ScanRecord record = record_at(0.0, {});
+  record.T_footprint_base_true = Eigen::Isometry3d::Identity();
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 2U);
 }
 

@@ -34,23 +34,35 @@ sim::LidarReading reading() {
 }
 
 TEST(PlanarScan, IsTheMostLevelLayerLaidDown) {
-  const LaserScan scan = planar_scan(reading(), two_layers());
+  const LaserScan scan = laser_scan(reading(), two_layers());
   ASSERT_EQ(scan.ranges.size(), 2U);
   EXPECT_FLOAT_EQ(scan.ranges[0], static_cast<float>(2.0 * std::cos(kPi / 6)));
   EXPECT_EQ(scan.ranges[1], std::numeric_limits<float>::infinity());
   EXPECT_EQ(scan.lidar, "top");
 }
 
+TEST(PlanarScan, ComesWithAllLayersAsMeasured) {
+  const LaserScan scan = laser_scan(reading(), two_layers());
+  ASSERT_EQ(scan.layers.size(), 2U);
+  EXPECT_EQ(scan.layers[0].elevation, two_layers().elevations[0]);
+  const std::vector<float> lower{2.0F, std::numeric_limits<float>::infinity()};
+  EXPECT_EQ(scan.layers[0].ranges, lower);
+  EXPECT_EQ(scan.layers[1].ranges, (std::vector<float>{4.0F, 1.0F}));
+  sim::LidarConfig planar = two_layers();
+  planar.elevations = {0.0};
+  EXPECT_TRUE(laser_scan(reading(), planar).layers.empty());
+}
+
 TEST(PlanarScan, OrTheLayerThatIsChosen) {
   sim::LidarConfig lidar = two_layers();
   lidar.planar_layer = 1;
-  EXPECT_FLOAT_EQ(planar_scan(reading(), lidar).ranges[0], 2.0F);
+  EXPECT_FLOAT_EQ(laser_scan(reading(), lidar).ranges[0], 2.0F);
 }
 
 TEST(PlanarScan, TellsTheMountThatIsBelieved) {
   sim::LidarReading wrong = reading();
   wrong.mount_error = sim::Pose2{0.5, 0.0, kPi / 2};
-  const LaserScan scan = planar_scan(wrong, two_layers());
+  const LaserScan scan = laser_scan(wrong, two_layers());
   EXPECT_NEAR(scan.T_base_laser.translation().x(), 0.5, 1e-12);
   EXPECT_NEAR(scan.T_base_laser.translation().z(), 1.0, 1e-12);
   EXPECT_NEAR(scan.T_base_laser.linear()(1, 0), 1.0, 1e-12);

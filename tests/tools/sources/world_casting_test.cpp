@@ -19,7 +19,7 @@ TEST(WorldCasting, AgreesWithAPlainLoopInAllShippedWorlds) {
     const WorldFile world = load_world(entry.path());
     const sim::CastComparison result = sim::compare_casts(world.spec, kBeams, 7);
     EXPECT_EQ(result.wrong, 0) << world.spec.name << ", worst " << result.worst;
-    EXPECT_GT(result.hits, kBeams / 3) << world.spec.name;
+    EXPECT_GT(result.hits, kBeams / 8) << world.spec.name;  // Outdoors, most end in the sky.
     ++worlds;
   }
   EXPECT_GE(worlds, 6);

@@ -66,6 +66,17 @@ void beam_fields(Settings& settings, localization::BeamSelection& beams) {
   settings.field({"max_beams", "", "Maximum number of beams used per scan.", {1.0, 1e5}},
                  beams.max_beams);
   settings.field({"max_range", "m", "Longer returns are ignored.", {0.01, 1e4}}, beams.max_range);
+  settings.field({"max_tilted",
+                  "",
+                  "mode 3d: maximum number of beams of a 3-D lidar's other layers that end on what "
+                  "is steep.",
+                  {0.0, 1e5}},
+                 beams.max_tilted);
+  settings.field({"max_flat",
+                  "",
+                  "mode 3d: maximum number of beams of a 3-D lidar that end on ground or ceilings.",
+                  {0.0, 1e5}},
+                 beams.max_flat);
 }
 
 void motion_fields(Settings& settings, localization::OdometryNoiseConfig& motion) {

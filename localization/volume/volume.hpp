@@ -10,7 +10,9 @@
 #include "localization/map3d/atlas.hpp"
 #include "localization/map3d/ground_voxels.hpp"
 #include "localization/map3d/terrain_pose.hpp"
-#include "localization/map3d/voxel_distances.hpp"
+#include "localization/volume/seen_surfaces.hpp"
+#include "localization/volume/surface_field.hpp"
+#include "localization/volume/voxel_distances.hpp"
 
 namespace castaway::localization {
 
@@ -25,10 +27,10 @@ struct VolumeConfig {
 class Volume {
  public:
   /// @throws std::invalid_argument for invalid maps or settings.
-  Volume(VoxelMap voxels, ElevationMap ground, const VolumeConfig& config)
-      : voxels_(std::move(voxels)),
+  Volume(const VoxelMap& voxels, ElevationMap ground, const VolumeConfig& config)
+      : voxels_(seen_surfaces(voxels, ground)),
         atlas_(std::move(ground), config.margin),
-        distances_(voxels_, config.max_distance),
+        surfaces_(voxels_, config.max_distance),
         walls_(without_ground(voxels_, atlas_.ground()), config.max_distance),
         contacts_(config.contacts) {}
 
@@ -40,16 +42,17 @@ class Volume {
     return stand(atlas_.ground(), there->T_map_base, static_cast<double>(there->surface->z),
                  contacts_);
   }
+  /// Those that can be seen from the ground.
   [[nodiscard]] const VoxelMap& voxels() const { return voxels_; }
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
-  [[nodiscard]] const VoxelDistances& distances() const { return distances_; }
+  [[nodiscard]] const SurfaceField& surfaces() const { return surfaces_; }
   /// Distances to what stands on the ground.
   [[nodiscard]] const VoxelDistances& walls() const { return walls_; }
 
  private:
   VoxelMap voxels_;
   Atlas atlas_;
-  VoxelDistances distances_;
+  SurfaceField surfaces_;
   VoxelDistances walls_;
   WheelContacts contacts_;
 };

@@ -1,8 +1,10 @@
-#include "localization/sensor/sensor_input.hpp"
+#include "localization/input/sensor_input.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "localization/input/layered_points.hpp"
 
 namespace castaway::localization {
 namespace {
@@ -23,6 +25,7 @@ void validate(const SensorInputConfig& config) {
 SensorInput::SensorInput(const SensorInputConfig& config)
     : correct_rate_hz_(config.correct_rate_hz),
       beams_(config.beams),
+      layers_(config.layers),
       intake_(config.intake),
       panorama_(config.lidar_memory),
       predict_rate_(config.predict_rate_hz, Stamp{}),
@@ -45,7 +48,7 @@ std::optional<ScanTurn> SensorInput::take(const LaserScan& scan) {
   ScanTurn turn;
   turn.now = intake_.T_odom_base().newest();
   turn.T_odom_base = *intake_.T_odom_base().at(turn.now);
-  const auto seen = project_scan(scan, intake_.T_odom_base(), turn.now, beams_);
+  const auto seen = project(scan, turn.now);
   if (!seen) {
     intake_.drop_scan();
     return std::nullopt;
@@ -57,6 +60,12 @@ std::optional<ScanTurn> SensorInput::take(const LaserScan& scan) {
   if (turn.counts) turn.periods = count(turn.now);
   turn.reseeds = turn.counts && reseed_rate_.take_turn(turn.now);
   return turn;
+}
+
+std::optional<ScanPoints> SensorInput::project(const LaserScan& scan, Stamp reference) const {
+  const bool in_layers = layers_ && !scan.layers.empty();
+  return in_layers ? project_layers(scan, intake_.T_odom_base(), reference, beams_)
+                   : project_scan(scan, intake_.T_odom_base(), reference, beams_);
 }
 
 SE2 SensorInput::T_now_base(Stamp then) const {

@@ -1,4 +1,4 @@
-#include "localization/sensor/lidar_panorama.hpp"
+#include "localization/input/lidar_panorama.hpp"
 
 #include <numbers>
 
@@ -52,6 +52,20 @@ TEST(LidarPanorama, ForgetsOldScansAndTakesTheNewestOfEachLidar) {
   EXPECT_EQ(panorama.add("front", front, milliseconds(350), {}).x,
             (std::vector<float>{2.0F, -4.0F}));
   EXPECT_EQ(panorama.add("front", front, milliseconds(351), {}).x, front.x);
+}
+
+TEST(LidarPanorama, KeepsTheKindsOfBeamsOfAllLidars) {
+  ScanPoints tilted = one_point(1.0F, 0.0F, 0.0F);
+  tilted.kinds = {BeamKind::kTilted};
+  LidarPanorama panorama(milliseconds(250));
+  panorama.add("dome", tilted, milliseconds(0), {});
+  const ScanPoints all = panorama.add("front", one_point(2.0F, 0.0F, 0.2F), milliseconds(0), {});
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all.kind(0), BeamKind::kLevel);
+  EXPECT_EQ(all.kind(1), BeamKind::kTilted);
+  const ScanPoints again = panorama.add("dome", tilted, milliseconds(0), {});
+  EXPECT_EQ(again.kind(0), BeamKind::kTilted);
+  EXPECT_EQ(again.kind(1), BeamKind::kLevel);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
-#include "localization/map3d/voxel_rays.hpp"
+#include "localization/volume/voxel_rays.hpp"
 
 #include <algorithm>
 
 namespace castaway::localization {
 
-Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
-                    const Eigen::Vector3f& to) {
+namespace {
+
+template <typename Distances>
+Encounter trace(const Distances& distances, const Eigen::Vector3f& from,
+                const Eigen::Vector3f& to) {
   const auto voxel = static_cast<float>(distances.resolution());
   const float length = (to - from).norm();
   if (!(length > 0.0F)) return Encounter::kNone;
@@ -25,6 +28,18 @@ Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from
     t += std::max(distance - slack, 0.5F * voxel);
   }
   return reached ? Encounter::kReached : Encounter::kNone;
+}
+
+}  // namespace
+
+Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
+  return trace(distances, from, to);
+}
+
+Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
+  return trace(surfaces, from, to);
 }
 
 }  // namespace castaway::localization

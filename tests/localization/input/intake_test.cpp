@@ -1,4 +1,4 @@
-#include "localization/sensor/intake.hpp"
+#include "localization/input/intake.hpp"
 
 #include <limits>
 #include <stdexcept>

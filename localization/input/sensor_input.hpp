@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "localization/geometry/rate.hpp"
+#include "localization/input/intake.hpp"
+#include "localization/input/lidar_panorama.hpp"
 #include "localization/motion/gravity_filter.hpp"
-#include "localization/sensor/intake.hpp"
-#include "localization/sensor/lidar_panorama.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -20,6 +20,7 @@ struct SensorInputConfig {
   double correct_rate_hz = 10.0;  ///< Rate of scans used for corrections.
   double reseed_rate_hz = 0.3;    ///< Rate of corrections followed by a reseed.
   BeamSelection beams;
+  bool layers = false;  ///< All layers of 3-D lidars are used, not only a planar cut.
   IntakeConfig intake;
   /// Scans of other lidars up to this age are joined to a new one.
   Stamp lidar_memory = std::chrono::milliseconds(250);
@@ -71,8 +72,11 @@ class SensorInput {
   std::optional<SE2> step_to(const SE2& T_odom_base);
   double count(Stamp now);
 
+  [[nodiscard]] std::optional<ScanPoints> project(const LaserScan& scan, Stamp reference) const;
+
   double correct_rate_hz_;
   BeamSelection beams_;
+  bool layers_;
   Intake intake_;
   LidarPanorama panorama_;
   GravityFilter gravity_;

@@ -1,4 +1,4 @@
-#include "localization/sensor/sensor_input.hpp"
+#include "localization/input/sensor_input.hpp"
 
 #include <limits>
 

@@ -1,7 +1,14 @@
-#include "localization/sensor/lidar_panorama.hpp"
+#include "localization/input/lidar_panorama.hpp"
 
 namespace castaway::localization {
 namespace {
+
+/// Appends the kinds of the points that were appended last.
+void append_kinds(const ScanPoints& points, ScanPoints& all) {
+  if (points.kinds.empty() && all.kinds.empty()) return;
+  all.kinds.resize(all.size() - points.size(), BeamKind::kLevel);
+  for (std::size_t i = 0; i < points.size(); ++i) all.kinds.push_back(points.kind(i));
+}
 
 /// Appends points that are given in an earlier frame of base; `T_now_then` is that frame in the
 /// current one.
@@ -18,6 +25,7 @@ void append(const ScanPoints& points, const SE2& T_now_then, ScanPoints& all) {
     all.origin_z.push_back(points.origin_z[i]);
     all.range.push_back(points.range[i]);
   }
+  append_kinds(points, all);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "localization/map3d/voxel_distances.hpp"
+#include "localization/volume/surface_field.hpp"
+#include "localization/volume/voxel_distances.hpp"
 
 namespace castaway::localization {
 
@@ -21,6 +22,8 @@ enum class Encounter {
 /// Sphere tracing: J. C. Hart, "Sphere tracing: a geometric method for the antialiased ray tracing
 /// of implicit surfaces", The Visual Computer 12 (1996).
 Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to);
+Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
                     const Eigen::Vector3f& to);
 
 }  // namespace castaway::localization

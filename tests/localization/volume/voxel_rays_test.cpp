@@ -1,4 +1,4 @@
-#include "localization/map3d/voxel_rays.hpp"
+#include "localization/volume/voxel_rays.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/random/uniform_real_distribution.hpp>

@@ -1,0 +1,40 @@
+/// The nearest surface point of each voxel near the surfaces of a 3-D map.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "localization/volume/voxel_blocks.hpp"
+
+namespace castaway::localization {
+
+/// Nearest points of the voxels of a block, by their place.
+struct NearestPoints {
+  /// Squared distances from the voxels' centres, in edges of a voxel.
+  std::array<float, VoxelBlocks::kVoxels> squares;
+  /// Position of the surface point in the map; valid where the square is below that of the radius.
+  std::array<std::uint32_t, VoxelBlocks::kVoxels> points;
+};
+
+/// Surface points sorted by blocks.
+class SurfacePoints {
+ public:
+  /// `blocks` must outlive it, and have a block for each voxel of `map`.
+  SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks);
+
+  /// Nearest points of the voxels of a block (index along the axes); farther ones than `radius`,
+  /// in edges of a voxel, are left out.
+  [[nodiscard]] NearestPoints nearest(const Eigen::Vector3i& block, float radius) const;
+
+ private:
+  struct Point {
+    Eigen::Vector3f p;        ///< In edges of a voxel, from the corner of its block.
+    std::uint32_t index = 0;  ///< In the map.
+  };
+  const VoxelBlocks& blocks_;
+  std::vector<std::uint32_t> first_;  ///< Of each block; one more at the end.
+  std::vector<Point> points_;
+};
+
+}  // namespace castaway::localization
