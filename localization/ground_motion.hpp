@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
-#include "localization/volume/volume.hpp"
 #include "localization/motion/odometry_noise.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "localization/map/distance_field.hpp"
-#include "localization/volume/volume.hpp"
 #include "localization/matching/place_matcher.hpp"
 #include "localization/mh_amcl_config.hpp"
 #include "localization/search/create.hpp"
@@ -13,6 +12,7 @@
 #include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/evidence_model.hpp"
 #include "localization/tracking_filter.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 

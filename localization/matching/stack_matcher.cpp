@@ -15,7 +15,7 @@ constexpr std::int64_t kWholeSlice = 1 << 20;  // [tiles] Any size gives the sam
 // Of the direction up: a class of slopes is half as wide, and the measurement errs.
 constexpr double kTiltTolerance = 0.08;
 constexpr float kLowestPoint = 0.12F;    // [m] Lower end points of a robot's scan are ground.
-constexpr double kFarthestReach = 20.0;  // [m] Memory grows with its square.
+constexpr double kFarthestReach = 30.0;  // [m] Memory grows with its square.
 
 StackConfig stack_config(const MatcherConfig& config) {
   validate(config);
@@ -81,7 +81,7 @@ std::vector<CellOffset> StackMatcher::offsets(const ScanPoints& points, std::uin
     const int dx = cell_index(p.x());
     const int dy = cell_index(p.y());
     const int up = cell_index(p.z());
-    if (std::max(std::abs(dx), std::abs(dy)) >= stack_.reach) continue;
+    if (Eigen::Vector2i(dx, dy).squaredNorm() >= stack_.reach * stack_.reach) continue;
     if (std::abs(up) <= stack_.reach_up) offsets.push_back({dx, dy + up * stack_.pitch});
   }
   return offsets;

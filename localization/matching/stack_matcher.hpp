@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "localization/volume/volume.hpp"
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/stack/stacked_ground.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 

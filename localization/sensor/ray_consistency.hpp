@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "localization/map/wall_clearance.hpp"
-#include "localization/volume/volume.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
+#include "localization/volume/volume.hpp"
 
 namespace castaway::localization {
 

@@ -15,8 +15,8 @@ namespace castaway::localization {
 struct BeamSelection {
   int max_beams = 90;       ///< Largest number of beams, evenly spread over the valid ones.
   double max_range = 40.0;  ///< [m] Longer returns are ignored.
-  int max_tilted = 90;      ///< Most beams of a 3-D lidar's other layers that end on what is steep.
-  int max_flat = 30;        ///< Most of its beams that end on what is flat: ground, ceilings.
+  int max_tilted = 60;      ///< Most beams of a 3-D lidar's other layers that end on what is steep.
+  int max_flat = 20;        ///< Most of its beams that end on what is flat: ground, ceilings.
 };
 
 /// @throws std::invalid_argument if a value is out of range.

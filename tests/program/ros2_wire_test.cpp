@@ -117,7 +117,7 @@ TEST(Ros2Wire, GarbageOnThePortsHarmsNothing) {
   Node node(folder, 121);
   const Noise noise(121);
   const Outcome outcome =
-      castaway(folder, kRos2Run + node_in(121, "--set localizers.1.ros2.pace=5") + "--duration 20");
+      castaway(folder, kRos2Run + node_in(121, "--set localizers.1.ros2.pace=3") + "--duration 20");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_GT(answers_in(folder).at("answered"), 150) << node.received().dump();

@@ -130,6 +130,23 @@ double found_among(int first, const std::vector<double>& elevations, const std::
   return static_cast<double>(found) / kScans;
 }
 
+TEST(StackMatcher, ScansCountAsManyPointsAtAllYaws) {
+  Rng rng = substream(7, "stack_matcher");
+  const test::Building map(rng);
+  MatcherConfig config = coarse_config();
+  config.field.padding = 4.0;
+  const StackMatcher matcher(config, map.volume());
+  ScanPoints points;
+  for (const float x : {2.0F, 3.5F, 4.5F, 5.0F}) {  // Two of them out of reach.
+    points.x.push_back(x);
+    points.y.push_back(0.0F);
+    points.z.push_back(0.5F);
+  }
+  for (int yaw = 0; yaw < yaw_steps(config); ++yaw) {
+    EXPECT_EQ(matcher.offsets(points, 0, yaw).size(), 2U) << yaw;
+  }
+}
+
 TEST(StackMatcher, FindsPlanarScansOnAllFloorsAndRamps) {
   EXPECT_GE(found_among(20, {0.0}, "planar"), 0.95);
 }
