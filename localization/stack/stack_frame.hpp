@@ -18,7 +18,7 @@ struct StackConfig {
   double resolution = 0.2;  ///< [m] Edge of a coarse cell; rounded to a multiple of the map's.
   double height = 0.3;      ///< [m] Of a plane.
   double reach = 20.0;      ///< [m] End points farther from base in x or y are left out.
-  double reach_up = 2.1;    ///< [m] End points farther above or below base are left out.
+  double reach_up = 6.0;    ///< [m] End points farther above or below base are left out.
 };
 
 /// @throws std::invalid_argument if a value is out of range.
