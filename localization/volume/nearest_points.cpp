@@ -49,6 +49,16 @@ float square_between(const Eigen::Vector3i& blocks) {
 
 }  // namespace
 
+Eigen::Vector3f corner_in_block(std::uint32_t voxel) {
+  return {static_cast<float>(voxel & 3U), static_cast<float>((voxel >> 2U) & 3U),
+          static_cast<float>(voxel >> 4U)};
+}
+
+Eigen::Vector3f point_in_voxel(const VoxelMap& map, std::size_t i) {
+  const auto& offset = map.offsets[i];
+  return Eigen::Vector3f(offset[0] + 0.5F, offset[1] + 0.5F, offset[2] + 0.5F) / 256.0F;
+}
+
 SurfacePoints::SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks)
     : blocks_(blocks), first_(blocks.size() + 1, 0), points_(map.size()) {
   const auto block_of = [&](std::size_t i) {
@@ -58,13 +68,8 @@ SurfacePoints::SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks)
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::uint32_t> next = first_;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    const auto& offset = map.offsets[i];
     const std::uint32_t place = blocks.find(voxel_index(map.keys[i]))->voxel;
-    const Eigen::Vector3f within(static_cast<float>(place & 3U),
-                                 static_cast<float>((place >> 2U) & 3U),
-                                 static_cast<float>(place >> 4U));
-    const Eigen::Vector3f p =
-        within + Eigen::Vector3f(offset[0] + 0.5F, offset[1] + 0.5F, offset[2] + 0.5F) / 256.0F;
+    const Eigen::Vector3f p = corner_in_block(place) + point_in_voxel(map, i);
     points_[next[block_of(i)]++] = {p, static_cast<std::uint32_t>(i)};
   }
 }

@@ -9,6 +9,12 @@
 
 namespace castaway::localization {
 
+/// A voxel's lower corner from that of its block, in edges of a voxel, by its place in the block.
+Eigen::Vector3f corner_in_block(std::uint32_t voxel);
+
+/// Mean surface point of a map's i-th voxel from the voxel's lower corner, in its edges.
+Eigen::Vector3f point_in_voxel(const VoxelMap& map, std::size_t i);
+
 /// Nearest points of the voxels of a block, by their place.
 struct NearestPoints {
   /// Squared distances from the voxels' centres, in edges of a voxel.

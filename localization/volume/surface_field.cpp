@@ -10,15 +10,8 @@ constexpr float kUnits = 127.0F;
 
 /// The centre of the first voxel of a block, from a surface point; in edges of a voxel.
 Eigen::Vector3f corner_from(const VoxelMap& map, std::size_t i, const Eigen::Vector3i& corner) {
-  const auto& offset = map.offsets[i];
-  const Eigen::Vector3f within =
-      Eigen::Vector3f(offset[0] + 0.5F, offset[1] + 0.5F, offset[2] + 0.5F) / 256.0F;
-  return ((corner - voxel_index(map.keys[i])).cast<float>() - within).array() + 0.5F;
-}
-
-Eigen::Vector3f place_of(std::size_t voxel) {
-  return {static_cast<float>(voxel & 3U), static_cast<float>((voxel >> 2U) & 3U),
-          static_cast<float>(voxel >> 4U)};
+  const Eigen::Vector3f between = (corner - voxel_index(map.keys[i])).cast<float>();
+  return (between - point_in_voxel(map, i)).array() + 0.5F;
 }
 
 std::int8_t to_units(float component) {
@@ -52,10 +45,11 @@ SurfaceField::SurfaceField(const VoxelMap& map, double max_distance)
   const std::vector<SurfacePatch> patches = surface_patches(map);
   blocks_.for_each([&](const Eigen::Vector3i& block, std::uint32_t number) {
     const NearestPoints nearest = points.nearest(block, reach_);
-    for (std::size_t voxel = 0; voxel < VoxelBlocks::kVoxels; ++voxel) {
+    for (std::uint32_t voxel = 0; voxel < VoxelBlocks::kVoxels; ++voxel) {
       if (!(nearest.squares[voxel] < reach_ * reach_)) continue;
       const std::uint32_t i = nearest.points[voxel];
-      const Eigen::Vector3f from = corner_from(map, i, blocks_.corner(block)) + place_of(voxel);
+      const Eigen::Vector3f from =
+          corner_from(map, i, blocks_.corner(block)) + corner_in_block(voxel);
       cells_[number][voxel] = cell_at(patches[i], from, reach_);
     }
   });

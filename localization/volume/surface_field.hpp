@@ -16,8 +16,8 @@ namespace castaway::localization {
 
 /// Each voxel near a surface stores how far its centre is from the nearest patch
 /// (`SurfacePatch`), and in which direction. Within a voxel the distance changes linearly, so that
-/// distances from planes are exact, however coarse the voxels, up to rounding. Where a voxel's
-/// centre is farther than `max_distance`, so are all its points.
+/// distances from planes are exact, however coarse the voxels, up to rounding. All points
+/// of a voxel whose centre is farther than `max_distance` read as that.
 class SurfaceField {
  public:
   /// Distance of a voxel's centre, and its rise per edge of a voxel along each axis; in 1/127 of
