@@ -7,8 +7,12 @@
 namespace castaway::localization {
 namespace {
 
-/// Weight of the particles at the same place as a pose, in [0, 1].
-double share_near(const MergeConfig& config, const ParticleSet& particles, const SE2& T_map_base) {
+/// Probability of a population to be at the same place as a pose, in [0, 1].
+double share_near(const MergeConfig& config, const Hypothesis& hypothesis, const SE2& T_map_base) {
+  if (!hypothesis.mixture.empty()) {
+    return probability_near(hypothesis.mixture, T_map_base, config.distance, config.yaw);
+  }
+  const ParticleSet& particles = hypothesis.particles;
   const std::vector<double> weights = normalized_weights(particles);
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -21,7 +25,7 @@ double share_near(const MergeConfig& config, const ParticleSet& particles, const
 
 Belief::Belief(const MhAmclModels& mh_amcl_models, std::uint64_t seed)
     : models(mh_amcl_models),
-      spawner(models.config.spawn, models.config.reseed, seed),
+      spawner(models.config.spawn, models.config.reseed, seed, mixture_of(models.config)),
       posterior(models.config.posterior.null,
                 ScanLog({models.config.posterior.scans, models.config.agreement,
                          models.config.continuity, models.config.history}),
@@ -75,7 +79,7 @@ double Belief::probability_at(const SE2& T_map_base) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < share.size(); ++i) {
     if (share[i] < kNegligible) continue;
-    sum += share[i] * share_near(models.config.same, populations.all[i].particles, T_map_base);
+    sum += share[i] * share_near(models.config.same, populations.all[i], T_map_base);
   }
   return std::min(sum, 1.0);
 }

@@ -16,6 +16,7 @@ void settle_in_own_chart(const Atlas& atlas, Hypothesis& hypothesis) {
   const Eigen::Vector2d shift = atlas.to_own_chart(hypothesis.belief.mean);
   if (shift.isZero(0.0)) return;
   for (SE2& pose : hypothesis.particles.poses) move(shift, pose);
+  for (GaussianComponent& c : hypothesis.mixture.components) move(shift, c.pose.mean);
   move(shift, hypothesis.belief.mean);
 }
 
@@ -35,7 +36,9 @@ void predict_on_ground(const Volume& volume, const SE2& u, const OdometryNoiseCo
                        std::vector<Hypothesis>& hypotheses) {
   for (Hypothesis& hypothesis : hypotheses) {
     const SE2 step = along_ground(volume, hypothesis.belief.mean, u);
-    predict(hypothesis.particles, OdometryMotion(step, noise), hypothesis.rng);
+    const OdometryMotion motion(step, noise);
+    predict(hypothesis.particles, motion, hypothesis.rng);
+    predict(hypothesis.mixture, step, motion.covariance());
     hypothesis.belief.mean = hypothesis.belief.mean * step;
     settle_in_own_chart(volume.atlas(), hypothesis);
   }

@@ -50,7 +50,8 @@ struct PopulationView {
   double quality = 0.0;              ///< In [0, 1].
   double share = 0.0;                ///< Posterior probability in [0, 1].
   bool selected = false;             ///< The output is the mean of this population.
-  std::vector<SE2> particles;        ///< Poses of base in map.
+  std::vector<SE2> particles;        ///< Poses of base in map; of a mixture of normal
+                                     ///< distributions: points one sigma from its means.
   std::optional<Footing> footing{};  ///< Of the mean, on a 3-D map with ground there.
 };
 

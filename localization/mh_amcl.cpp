@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "localization/filter/particle_set.hpp"
 #include "localization/ground_motion.hpp"
 #include "localization/ground_output.hpp"
 #include "localization/hypotheses/destroy.hpp"
@@ -131,13 +130,15 @@ void MhAmcl::predict(const std::optional<SE2>& step) {
     if (models_->volume) {
       predict_on_ground(*models_->volume, *step, noise, all);
     } else {
-      predict_all(all, *step, OdometryMotion(*step, noise));
+      const OdometryMotion motion(*step, noise);
+      predict_all(all, *step, motion);
+      for (Hypothesis& h : all) localization::predict(h.mixture, *step, motion.covariance());
     }
   });
 }
 
 void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
-  const SE2 predicted = moments(hypothesis.particles).mean;
+  const SE2 predicted = hypothesis.moments().mean;
   models_->filter.correct(hypothesis, models_->distance_filter.expected(points, predicted));
 }
 

@@ -31,6 +31,13 @@ void validate(const MhAmclConfig& config) {
   validate(config.reseed);
   validate(config.matcher);
   validate(config.budget);
+  validate(config.mixture);
+  validate(config.ndt);
+}
+
+std::optional<MixtureConfig> mixture_of(const MhAmclConfig& config) {
+  if (config.belief == BeliefKind::kGaussians) return config.mixture;
+  return std::nullopt;
 }
 
 }  // namespace castaway::localization

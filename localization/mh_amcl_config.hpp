@@ -1,6 +1,9 @@
 /// Settings of MH-AMCL.
 #pragma once
 
+#include <optional>
+
+#include "localization/filter/gaussian_mixture.hpp"
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/lost_and_found.hpp"
 #include "localization/hypotheses/merge.hpp"
@@ -8,6 +11,7 @@
 #include "localization/hypotheses/spawn.hpp"
 #include "localization/input/sensor_input.hpp"
 #include "localization/matching/cascade_matcher.hpp"
+#include "localization/ndt/ndt_map.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/match_schedule.hpp"
 #include "localization/search/place_watch.hpp"
@@ -16,6 +20,19 @@
 #include "localization/sensor/scan_agreement.hpp"
 
 namespace castaway::localization {
+
+/// What a population is.
+enum class BeliefKind {
+  kParticles,  ///< The paper's.
+  kGaussians,  ///< A mixture of normal distributions: the paper's future work.
+};
+
+/// How a pose is refined on a scan.
+enum class RefineMethod {
+  kClimb,             ///< By hill climbing on distances to surfaces (`refine_pose`).
+  kNdtPoints,         ///< By registration with a normal distributions transform (`register_scan`).
+  kNdtDistributions,  ///< The same with the scan as distributions, too.
+};
 
 /// All settings of MH-AMCL.
 struct MhAmclConfig {
@@ -43,6 +60,10 @@ struct MhAmclConfig {
   ScanContinuityConfig continuity;  ///< Detects a kidnap to a place that looks alike.
   PosteriorConfig posterior;
   LostAndFoundConfig lost_and_found;
+  BeliefKind belief = BeliefKind::kParticles;
+  MixtureConfig mixture;
+  RefineMethod refine_by = RefineMethod::kClimb;
+  NdtConfig ndt;
   double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.
   /// Number of scans by which a new hypothesis is weighted. More than a second: a look-alike place
   /// of a kidnap is often found late.
@@ -59,5 +80,8 @@ struct MhAmcl3dConfig {
 
 /// @throws std::invalid_argument naming a value that is out of range.
 void validate(const MhAmclConfig& config);
+
+/// Settings of mixtures; nothing if populations are particles.
+std::optional<MixtureConfig> mixture_of(const MhAmclConfig& config);
 
 }  // namespace castaway::localization

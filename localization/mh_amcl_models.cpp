@@ -7,7 +7,6 @@
 #include "localization/matching/stack_matcher.hpp"
 
 namespace castaway::localization {
-
 namespace {
 
 PlanarMap planar_map(const MhAmclConfig& config, OccupancyGrid grid) {
@@ -16,30 +15,63 @@ PlanarMap planar_map(const MhAmclConfig& config, OccupancyGrid grid) {
   return {std::move(grid), {hollowed, config.max_distance}};
 }
 
+/// Cells of a map, if poses are refined on them.
+template <typename Map>
+std::optional<NdtMap> ndt_map_of(const MhAmclConfig& config, const Map& map) {
+  if (config.refine_by == RefineMethod::kClimb) return std::nullopt;
+  return NdtMap(map, config.ndt);
+}
+
+/// Registration as sharp as a model of end points; nothing without cells.
+std::optional<NdtRegistration> registration(const MhAmclConfig& config,
+                                            const EndpointConfig& endpoint,
+                                            const std::optional<NdtMap>& map,
+                                            const Volume* volume) {
+  if (!map) return std::nullopt;
+  const bool points = config.refine_by == RefineMethod::kNdtPoints;
+  return NdtRegistration{NdtModel(endpoint, *map, volume),
+                         points ? NdtMatching::kPoints : NdtMatching::kDistributions,
+                         config.ndt.cell};
+}
+
+std::optional<NdtRefinement> refinement(const MhAmclConfig& config,
+                                        const std::optional<NdtMap>& map, const Volume* volume) {
+  if (!map) return std::nullopt;
+  return NdtRefinement{*registration(config, config.refinement, map, volume),
+                       *registration(config, config.evidence.endpoint, map, volume)};
+}
+
 }  // namespace
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
     : config((validate(mh_amcl), mh_amcl)),
       planar(planar_map(config, std::move(grid))),
+      ndt_map(ndt_map_of(config, hollow(planar->grid, config.surface_depth))),
+      ndt(refinement(config, ndt_map, nullptr)),
       endpoint(config.refinement, planar->distances),
       evidence(config.evidence, planar->grid, planar->distances),
       distance_filter(config.distance_filter, evidence.world()),
       matcher(std::make_unique<CascadeMatcher>(config.matcher, planar->grid, planar->distances)),
-      filter({config.tracking, planar->distances}, config.reseed, config.refine),
+      filter({config.tracking, planar->distances}, config.reseed, config.refine, config.mixture,
+             registration(config, config.tracking, ndt_map, nullptr)),
       rescue(config.rescue, *matcher),
-      context{config.create, config.merge, config.posterior, config.motion, endpoint, evidence} {}
+      context{config.create, config.merge, config.posterior, config.motion,
+              endpoint,      evidence,     nullptr,          ndt ? &*ndt : nullptr} {}
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl,
                            std::shared_ptr<const Volume> ground_and_surfaces)
     : config((validate(mh_amcl), mh_amcl)),
       volume(std::move(ground_and_surfaces)),
+      ndt_map(ndt_map_of(config, volume->voxels())),
+      ndt(refinement(config, ndt_map, volume.get())),
       endpoint(config.refinement, *volume),
       evidence(config.evidence, *volume),
       distance_filter(config.distance_filter, evidence.world()),
       matcher(std::make_unique<StackMatcher>(config.matcher, *volume)),
-      filter({config.tracking, *volume}, config.reseed, config.refine),
+      filter({config.tracking, *volume}, config.reseed, config.refine, config.mixture,
+             registration(config, config.tracking, ndt_map, volume.get())),
       rescue(config.rescue, *matcher),
       context{config.create, config.merge, config.posterior, config.motion,
-              endpoint,      evidence,     volume.get()} {}
+              endpoint,      evidence,     volume.get(),     ndt ? &*ndt : nullptr} {}
 
 }  // namespace castaway::localization

@@ -34,6 +34,8 @@ struct MhAmclModels {
   MhAmclConfig config;
   std::optional<PlanarMap> planar;       ///< None: a 3-D map.
   std::shared_ptr<const Volume> volume;  ///< Null: a planar map.
+  std::optional<NdtMap> ndt_map;         ///< None: `RefineMethod::kClimb`.
+  std::optional<NdtRefinement> ndt;      ///< On `ndt_map`.
   EndpointModel endpoint;
   EvidenceModel evidence;
   DistanceFilter distance_filter;

@@ -31,8 +31,9 @@ Diagnostics diagnostics_of(const Populations& populations, const std::vector<dou
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < populations.all.size(); ++i) {
     const Hypothesis& h = populations.all[i];
-    diagnostics.populations.push_back({h.id, h.belief.mean, h.quality, shares[i],
-                                       h.id == populations.output_id, h.particles.poses});
+    diagnostics.populations.push_back(
+        {h.id, h.belief.mean, h.quality, shares[i], h.id == populations.output_id,
+         h.mixture.empty() ? h.particles.poses : sigma_points(h.mixture)});
   }
   diagnostics.dropped_scans = intake.dropped_scans();
   diagnostics.dropped_odometry = intake.dropped_odometry();

@@ -3,10 +3,17 @@
 #include <algorithm>
 
 #include "localization/filter/correct.hpp"
+#include "localization/mixture_filter.hpp"
 
 namespace castaway::localization {
 
 void TrackingFilter::correct(Hypothesis& hypothesis, const ScanPoints& points) const {
+  if (hypothesis.mixture.empty()) return correct_particles(hypothesis, points);
+  localization::correct(hypothesis.mixture, mixture_, climber(), refine_, points);
+  hypothesis.belief = moments(hypothesis.mixture);
+}
+
+void TrackingFilter::correct_particles(Hypothesis& hypothesis, const ScanPoints& points) const {
   const PoseMoments predicted = moments(hypothesis.particles);
   localization::correct(hypothesis.particles, model_, points);
   const std::vector<double> weights = normalized_weights(hypothesis.particles);
@@ -22,15 +29,15 @@ void TrackingFilter::correct(Hypothesis& hypothesis, const ScanPoints& points) c
 /// Climbs from the best particle to the maximum of the scan and odometry likelihoods together.
 PoseGaussian TrackingFilter::refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
                                            const ScanPoints& points) const {
-  const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
-  const Eigen::Matrix3d prior = (predicted.covariance + slack).inverse();
-  const SE2 winner =
-      refine_pose(model_, points, T_map_best, PosePrior{predicted.mean, prior}, refine_);
-  const Eigen::Matrix3d information = scan_information(model_, points, winner) + prior;
+  const PosePrior prior = make_prior(predicted);
+  const SE2 winner = climber().climb(points, T_map_best, prior, refine_);
+  const Eigen::Matrix3d information = climber().information(points, winner) + prior.information;
   return {winner, information.inverse()};
 }
 
-void TrackingFilter::reseed(Hypothesis& hypothesis) const { reseed(hypothesis, std::nullopt); }
+void TrackingFilter::reseed(Hypothesis& hypothesis) const {
+  if (hypothesis.mixture.empty()) reseed(hypothesis, std::nullopt);
+}
 
 void TrackingFilter::reseed(Hypothesis& hypothesis,
                             const std::optional<PoseGaussian>& winner) const {
@@ -39,7 +46,7 @@ void TrackingFilter::reseed(Hypothesis& hypothesis,
 }
 
 PoseMoments TrackingFilter::belief_at(const SE2& T_map_base, const ScanPoints& points) const {
-  Eigen::Matrix3d information = scan_information(model_, points, T_map_base);
+  Eigen::Matrix3d information = climber().information(points, T_map_base);
   constexpr double kMost = 0.3;  // [m] or [rad] Standard deviation where the scan says nothing.
   information += Eigen::Vector3d::Constant(1.0 / (kMost * kMost)).asDiagonal();
   return {T_map_base, information.inverse()};

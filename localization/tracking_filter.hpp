@@ -6,25 +6,29 @@
 
 #include "localization/filter/reseed.hpp"
 #include "localization/hypotheses/hypothesis.hpp"
-#include "localization/matching/refine.hpp"
+#include "localization/matching/pose_climber.hpp"
 
 namespace castaway::localization {
 
 /// Tracks populations. Conditioned once, applied to all of them.
 class TrackingFilter {
  public:
-  TrackingFilter(const EndpointModel& model, const ReseedConfig& reseed, const RefineConfig& refine)
-      : model_(model), reseed_(reseed), refine_(refine) {}
+  /// Winners climb by registration with `ndt`, if it is given.
+  TrackingFilter(const EndpointModel& model, const ReseedConfig& reseed, const RefineConfig& refine,
+                 const MixtureConfig& mixture = {}, const std::optional<NdtRegistration>& ndt = {})
+      : model_(model), reseed_(reseed), refine_(refine), mixture_(mixture), ndt_(ndt) {}
 
-  /// Weighs the particles by a scan. If the effective sample size becomes too small, reseeds around
-  /// the refined winner.
+  /// Corrects a population by a scan. Particles: weighs them; if the effective sample size becomes
+  /// too small, reseeds around the refined winner.
   void correct(Hypothesis& hypothesis, const ScanPoints& points) const;
-  /// Resamples the particles by weight; their number follows from their spread.
+  /// Resamples particles by weight; their number follows from their spread.
   void reseed(Hypothesis& hypothesis) const;
   /// Belief about base near `T_map_base` from the scan alone.
   [[nodiscard]] PoseMoments belief_at(const SE2& T_map_base, const ScanPoints& points) const;
 
  private:
+  [[nodiscard]] PoseClimber climber() const { return {model_, ndt_ ? &*ndt_ : nullptr}; }
+  void correct_particles(Hypothesis& hypothesis, const ScanPoints& points) const;
   void reseed(Hypothesis& hypothesis, const std::optional<PoseGaussian>& winner) const;
   [[nodiscard]] PoseGaussian refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
                                            const ScanPoints& points) const;
@@ -32,6 +36,8 @@ class TrackingFilter {
   EndpointModel model_;
   ReseedConfig reseed_;
   RefineConfig refine_;
+  MixtureConfig mixture_;
+  std::optional<NdtRegistration> ndt_;
 };
 
 }  // namespace castaway::localization

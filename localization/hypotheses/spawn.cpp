@@ -12,9 +12,13 @@ Hypothesis Spawner::spawn(const PoseMoments& belief, double log_weight, const Ev
   hypothesis.id = next_id_++;
   hypothesis.rng = substream(seed_, "population/" + std::to_string(hypothesis.id));
   hypothesis.belief = {belief.mean, belief.covariance + least};
-  hypothesis.particles =
-      draw_particles(PoseGaussian(belief.mean, hypothesis.belief.covariance),
-                     particle_count(size_, hypothesis.belief.covariance), hypothesis.rng);
+  if (mixture_) {
+    hypothesis.mixture = make_mixture(*mixture_, hypothesis.belief);
+  } else {
+    hypothesis.particles =
+        draw_particles(PoseGaussian(belief.mean, hypothesis.belief.covariance),
+                       particle_count(size_, hypothesis.belief.covariance), hypothesis.rng);
+  }
   hypothesis.log_weight = log_weight;
   hypothesis.log_likelihood = evidence.log_likelihood;
   hypothesis.quality = evidence.quality;

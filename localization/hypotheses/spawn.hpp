@@ -1,7 +1,8 @@
-/// Spawn: creates a population of particles at a place (paper, section IV).
+/// Spawn: creates a population at a place (paper, section IV).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "localization/filter/reseed.hpp"
 #include "localization/hypotheses/hypothesis.hpp"
@@ -18,17 +19,20 @@ struct SpawnConfig {
 /// Creates populations, each with its own id and random stream.
 class Spawner {
  public:
-  /// `size` gives the number of particles for a covariance.
-  Spawner(const SpawnConfig& config, const ReseedConfig& size, std::uint64_t seed)
-      : config_(config), size_(size), seed_(seed) {}
+  /// `size` gives the number of particles for a covariance. With settings of a mixture, populations
+  /// are mixtures in place of particles.
+  Spawner(const SpawnConfig& config, const ReseedConfig& size, std::uint64_t seed,
+          const std::optional<MixtureConfig>& mixture = {})
+      : config_(config), size_(size), mixture_(mixture), seed_(seed) {}
 
-  /// Returns a new population with particles drawn from `belief`; `evidence` is that of the newest
-  /// scan.
+  /// Returns a new population with particles drawn from `belief`, or its mixture; `evidence` is
+  /// that of the newest scan.
   Hypothesis spawn(const PoseMoments& belief, double log_weight, const Evidence& evidence);
 
  private:
   SpawnConfig config_;
   ReseedConfig size_;
+  std::optional<MixtureConfig> mixture_;
   std::uint64_t seed_;
   int next_id_ = 0;
 };

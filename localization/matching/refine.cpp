@@ -12,13 +12,6 @@ SE2 offset_pose(const SE2& pose, const Eigen::Vector3d& d) {
   return {pose.x + d[0], pose.y + d[1], wrap_angle(pose.yaw + d[2])};
 }
 
-double prior_score(const std::optional<PosePrior>& prior, const SE2& pose) {
-  if (!prior) return 0.0;
-  const Eigen::Vector3d d(pose.x - prior->mean.x, pose.y - prior->mean.y,
-                          wrap_angle(pose.yaw - prior->mean.yaw));
-  return -0.5 * d.dot(prior->information * d);
-}
-
 /// Steps along the axes of base in both directions: forward, left, turn.
 std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad) {
   const double c = step_m * std::cos(yaw);
@@ -51,11 +44,22 @@ bool climb(const Score& score, double step_m, double step_rad, ScoredPose& best)
 
 }  // namespace
 
+PosePrior make_prior(const PoseMoments& belief) {
+  const Eigen::Matrix3d slack = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
+  return {belief.mean, (belief.covariance + slack).inverse()};
+}
+
+double log_prior(const PosePrior& prior, const SE2& pose) {
+  const Eigen::Vector3d d(pose.x - prior.mean.x, pose.y - prior.mean.y,
+                          wrap_angle(pose.yaw - prior.mean.yaw));
+  return -0.5 * d.dot(prior.information * d);
+}
+
 SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2& start,
                 const std::optional<PosePrior>& prior, const RefineConfig& config) {
   constexpr int kMovesPerLevel = 8;
   const Score score = [&](const SE2& pose) {
-    return model.log_likelihood(points, pose) + prior_score(prior, pose);
+    return model.log_likelihood(points, pose) + (prior ? log_prior(*prior, pose) : 0.0);
   };
   ScoredPose best{start, score(start)};
   double scale = 1.0;

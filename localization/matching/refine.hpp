@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "localization/geometry/pose_statistics.hpp"
 #include "localization/sensor/endpoint_model.hpp"
 
 namespace castaway::localization {
@@ -13,6 +14,12 @@ struct PosePrior {
   SE2 mean;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< Inverse covariance of (x, y, yaw).
 };
+
+/// The prior of a belief, which may be certain in some direction.
+PosePrior make_prior(const PoseMoments& belief);
+
+/// Minus half the squared Mahalanobis distance of a pose. [nats]
+double log_prior(const PosePrior& prior, const SE2& pose);
 
 /// Step sizes of the climb.
 struct RefineConfig {

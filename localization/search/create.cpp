@@ -10,6 +10,16 @@
 namespace castaway::localization {
 namespace {
 
+/// Of the model of refinement.
+PoseClimber wide_climber(const CreateContext& context) {
+  return {context.model, context.ndt != nullptr ? &context.ndt->wide : nullptr};
+}
+
+/// Of the sharper model of the evidence.
+PoseClimber sharp_climber(const CreateContext& context) {
+  return {context.evidence.endpoint(), context.ndt != nullptr ? &context.ndt->sharp : nullptr};
+}
+
 /// The pose at the previous scan: predicted by odometry, and refined within its noise.
 SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMemory& later,
               const ScanMemory& earlier) {
@@ -19,8 +29,9 @@ SE2 step_back(const CreateContext& context, const SE2& T_map_base, const ScanMem
   const OdometryMotion motion(u, context.noise);
   const Eigen::Matrix3d slack = Eigen::Vector3d(1e-4, 1e-4, 1e-5).asDiagonal();
   const Eigen::Matrix3d spread = rotate_to_map(motion.covariance(), T_map_base.yaw) + slack;
-  return refine_pose(context.model, earlier.points, predicted,
-                     PosePrior{predicted, spread.inverse()}, context.config.refine_back);
+  return wide_climber(context).climb(earlier.points, predicted,
+                                     PosePrior{predicted, spread.inverse()},
+                                     context.config.refine_back);
 }
 
 /// True if a hypothesis is at the place and fits the newest scan about as well.
@@ -104,10 +115,10 @@ std::vector<WeighedPlace> refine_candidates(const CreateContext& context,
                                             const ScanPoints& points) {
   std::vector<WeighedPlace> places;
   for (const Candidate& candidate : candidates) {
-    const SE2 near = refine_pose(context.model, points, candidate.T_map_base, std::nullopt,
-                                 context.config.refine);
-    const SE2 pose = refine_pose(context.evidence.endpoint(), points, near, std::nullopt,
-                                 context.config.refine_last);
+    const SE2 near = wide_climber(context).climb(points, candidate.T_map_base, std::nullopt,
+                                                 context.config.refine);
+    const SE2 pose =
+        sharp_climber(context).climb(points, near, std::nullopt, context.config.refine_last);
     places.push_back({pose, context.evidence.evaluate(points, pose), 0.0});
   }
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {

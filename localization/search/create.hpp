@@ -13,7 +13,7 @@
 #include "localization/hypotheses/posterior.hpp"
 #include "localization/hypotheses/scan_history.hpp"
 #include "localization/matching/place_matcher.hpp"
-#include "localization/matching/refine.hpp"
+#include "localization/matching/pose_climber.hpp"
 #include "localization/motion/odometry_noise.hpp"
 #include "localization/sensor/evidence_model.hpp"
 
@@ -44,6 +44,12 @@ struct CreateConfig {
   RefineConfig refine_back{0.04, 0.015, 2};  ///< From odometry's prediction, in older scans.
 };
 
+/// Registration in two steps: from the pose of a coarse cell, and from there.
+struct NdtRefinement {
+  NdtRegistration wide;   ///< As wide as `CreateContext::model`.
+  NdtRegistration sharp;  ///< As the evidence.
+};
+
 /// Settings and models used by creation; all must outlive it.
 struct CreateContext {
   const CreateConfig& config;
@@ -52,7 +58,8 @@ struct CreateContext {
   const OdometryNoiseConfig& noise;
   const EndpointModel& model;  ///< For refinement.
   const EvidenceModel& evidence;
-  const Volume* volume = nullptr;  ///< A 3-D map; none: a planar one.
+  const Volume* volume = nullptr;      ///< A 3-D map; none: a planar one.
+  const NdtRefinement* ndt = nullptr;  ///< None: poses are refined by hill climbing.
 };
 
 /// A place with its weight on the scale of the hypotheses.

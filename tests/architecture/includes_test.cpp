@@ -195,6 +195,7 @@ const Layers kLocalizationLayers = {
     {"localization/map3d"},
     {"localization/volume"},
     {"localization/stack", "localization/sensor"},
+    {"localization/ndt"},
     {"localization/filter", "localization/input", "localization/matching"},
     {"localization/hypotheses"},
     {"localization/search"},

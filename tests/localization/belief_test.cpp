@@ -99,6 +99,16 @@ TEST_F(BeliefTest, StatesTheShareOfTheParticlesThatAreNear) {
   EXPECT_NEAR(belief_.probability_at(here_), belief_.shares()[0] * 4.0 / 6.0, 1e-12);
 }
 
+TEST_F(BeliefTest, StatesTheProbabilityOfAMixtureThatIsNear) {
+  belief_.start(test::known_start(here_));
+  Hypothesis& output = belief_.populations.all[0];
+  const Eigen::Matrix3d sharp = 1e-6 * Eigen::Matrix3d::Identity();
+  output.particles = {};
+  output.mixture = {{{{here_ * SE2{0.2, 0.0, 0.1}, sharp}, std::log(3.0)},
+                     {{here_ * SE2{0.6, 0.0, 0.0}, sharp}, 0.0}}};
+  EXPECT_NEAR(belief_.probability_at(here_), belief_.shares()[0] * 0.75, 1e-5);
+}
+
 TEST_F(BeliefTest, StaysFoundWhereTheOutputMovesANearbyStep) {
   belief_.start(test::known_start(here_));
   belief_.add({{here_ * SE2{0.8, 0.0, 0.0}, {}, 9.0}}, points_);

@@ -81,10 +81,26 @@ bool is_right(const Localizer& localizer, const BuildingDrive& drive) {
          estimate->footing->level == drive.pose().level;
 }
 
-TEST(MhAmcl3d, TracksFromFloorToFloor) {
+class MhAmcl3dBeliefs : public testing::TestWithParam<bool> {
+ protected:
+  /// The defaults, or normal distributions that are refined on cells.
+  static MhAmclConfig config() {
+    MhAmclConfig config;
+    if (!GetParam()) return config;
+    config.belief = BeliefKind::kGaussians;
+    config.refine_by = RefineMethod::kNdtPoints;
+    return config;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Both, MhAmcl3dBeliefs, testing::Bool(), [](const auto& tested) {
+  return tested.param ? "Gaussians" : "Particles";
+});
+
+TEST_P(MhAmcl3dBeliefs, TracksFromFloorToFloor) {
   Rng rng = substream(1, "mh_amcl_3d");
   const test::Building building(rng, 6);
-  MhAmcl localizer(std::make_shared<const MhAmclModels>(MhAmclConfig{}, building.shared()), 1);
+  MhAmcl localizer(std::make_shared<const MhAmclModels>(config(), building.shared()), 1);
   const SE2 start{-8.0, 3.0, 3.1};
   localizer.initialize(PoseWithCovariance{
       start, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal().toDenseMatrix(), 0.0});
@@ -108,8 +124,8 @@ TEST(MhAmcl3d, TracksFromFloorToFloor) {
 }
 
 /// Number of drives of 10 s, from random places, at whose end the localizer is right.
-int found_after(int drives, const test::Building& building, Rng& rng) {
-  const auto models = std::make_shared<const MhAmclModels>(MhAmclConfig{}, building.shared());
+int found_after(int drives, const MhAmclConfig& config, const test::Building& building, Rng& rng) {
+  const auto models = std::make_shared<const MhAmclModels>(config, building.shared());
   int found = 0;
   for (int i = 0; i < drives; ++i) {
     MhAmcl localizer(models, static_cast<std::uint64_t>(i));
@@ -121,10 +137,10 @@ int found_after(int drives, const test::Building& building, Rng& rng) {
   return found;
 }
 
-TEST(MhAmcl3d, FindsItselfOnAnyFloorAndRamp) {
+TEST_P(MhAmcl3dBeliefs, FindsItselfOnAnyFloorAndRamp) {
   Rng rng = substream(2, "mh_amcl_3d");
   int found = 0;
-  for (int i = 0; i < 2; ++i) found += found_after(5, test::Building(rng, 8), rng);
+  for (int i = 0; i < 2; ++i) found += found_after(5, config(), test::Building(rng, 8), rng);
   EXPECT_EQ(found, 10);
 }
 

@@ -37,5 +37,14 @@ TEST(Spawner, GivesEveryPopulationAnIdAndAStreamOfItsOwn) {
   EXPECT_EQ(second.particles.poses, drawn.poses);
 }
 
+TEST(Spawner, MakesMixturesWhereItHasTheirSettings) {
+  Spawner spawner({0.3, 0.4}, {}, 1, MixtureConfig{});
+  const Hypothesis h = spawner.spawn({{1.0, 2.0, 0.5}, Eigen::Matrix3d::Zero()}, -7.0, {});
+  EXPECT_EQ(h.particles.size(), 0U);
+  EXPECT_GT(h.mixture.components.size(), 1U);
+  EXPECT_LT(distance(h.moments().mean, {1.0, 2.0, 0.5}), 1e-9);
+  EXPECT_TRUE(h.moments().covariance.isApprox(h.belief.covariance, 1e-9));
+}
+
 }  // namespace
 }  // namespace castaway::localization

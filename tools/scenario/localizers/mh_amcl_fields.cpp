@@ -48,6 +48,41 @@ void fields(Settings settings, localization::DistanceFilterConfig& filter) {
   settings.field({"least", "", "With fewer beams left, all of them track.", kCount}, filter.least);
 }
 
+/// What populations are, and how poses are refined.
+void belief_fields(Settings& settings, MhAmclConfig& config) {
+  settings.choice(
+      {"belief", "", "What a population is: particles, or a mixture of normal distributions."},
+      config.belief,
+      {{"particles", localization::BeliefKind::kParticles},
+       {"gaussians", localization::BeliefKind::kGaussians}});
+  settings.choice({"refine_by", "",
+                   "How poses are refined on a scan: by hill climbing on distances to surfaces, or "
+                   "by registration with a normal distributions transform of the map: of points, "
+                   "or of distributions."},
+                  config.refine_by,
+                  {{"climb", localization::RefineMethod::kClimb},
+                   {"ndt_points", localization::RefineMethod::kNdtPoints},
+                   {"ndt_distributions", localization::RefineMethod::kNdtDistributions}});
+  Settings mixture = settings.group("mixture");
+  mixture.field(
+      {"widest", "m", "A wider component of a new mixture is divided in three.", {1e-3, 1e4}},
+      config.mixture.widest);
+  mixture.field({"widest_yaw", "rad", "The same of the yaw.", {1e-3, 100.0}},
+                config.mixture.widest_yaw);
+  mixture.field({"most", "", "Maximum number of components.", {1.0, 1000.0}}, config.mixture.most);
+  mixture.field(
+      {"lightest", "", "Components with a smaller share of the weight are dropped.", kShare},
+      config.mixture.lightest);
+  mixture.field(
+      {"same", "", "Components with a smaller Mahalanobis distance become one.", {0.0, 100.0}},
+      config.mixture.same);
+  Settings ndt = settings.group("ndt");
+  ndt.field({"cell", "m", "Edge of a cell of the normal distributions transform.", {0.05, 10.0}},
+            config.ndt.cell);
+  ndt.field({"along", "", "Factor of its standard deviations along surfaces.", {1.0, 100.0}},
+            config.ndt.along);
+}
+
 void evidence_fields(Settings& settings, MhAmclConfig& config) {
   Settings evidence = settings.group("evidence");
   fields(settings.group("tracking"), config.tracking);
@@ -105,6 +140,7 @@ void fields(Settings settings, MhAmclConfig& config) {
                   "No beam ends deeper inside of an obstacle of the map.",
                   {0.0, 1000.0}},
                  config.surface_depth);
+  belief_fields(settings, config);
   evidence_fields(settings, config);
   fields(settings.group("refine"), config.refine);
   fields(settings.group("spawn"), config.spawn);

@@ -1,0 +1,31 @@
+#include "localization/mixture_filter.hpp"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace castaway::localization {
+namespace {
+
+void correct(GaussianComponent& component, const PoseClimber& climber, const RefineConfig& refine,
+             const ScanPoints& points) {
+  const PosePrior prior = make_prior(component.pose);
+  const SE2 top = climber.climb(points, prior.mean, prior, refine);
+  const Eigen::Matrix3d information = climber.information(points, top) + prior.information;
+  component.log_weight +=
+      climber.log_likelihood(points, top) + log_prior(prior, top) +
+      0.5 * std::log(prior.information.determinant() / information.determinant());
+  component.pose = {top, information.inverse()};
+}
+
+}  // namespace
+
+void correct(GaussianMixture& mixture, const MixtureConfig& config, const PoseClimber& climber,
+             const RefineConfig& refine, const ScanPoints& points) {
+  for (GaussianComponent& component : mixture.components) {
+    correct(component, climber, refine, points);
+  }
+  reduce(mixture, config);
+}
+
+}  // namespace castaway::localization
