@@ -31,6 +31,11 @@ struct VoxelMap {
   std::vector<std::uint8_t> faces_up;
 
   [[nodiscard]] std::size_t size() const { return keys.size(); }
+  /// Memory that the voxels take.
+  [[nodiscard]] std::size_t bytes() const {
+    return keys.capacity() * sizeof(keys[0]) + offsets.capacity() * sizeof(offsets[0]) +
+           faces_up.capacity() * sizeof(faces_up[0]);
+  }
   [[nodiscard]] bool contains(const Eigen::Vector3i& index) const {
     return find(index).has_value();
   }

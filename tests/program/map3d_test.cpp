@@ -21,7 +21,7 @@ TEST(Map3d, SaysWhatItFound) {
   put_world(folder);
   const Outcome outcome = castaway(folder, "map deck.yaml --out deck.map3d --picture levels.png");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  expect_contains(outcome.out, "voxels of 0.1 m\nlevel 0 at 0.00 m: ");
+  expect_contains(outcome.out, " MB in memory\nlevel 0 at 0.00 m: ");
   expect_contains(outcome.out, "level 1 at 3.00 m: ");
   expect_contains(text_of(folder / "levels.png"), "PNG");
   const std::string first = text_of(folder / "deck.map3d");

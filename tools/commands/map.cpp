@@ -70,7 +70,8 @@ int make_map3d(const MapArguments& arguments) {
   if (!arguments.picture.empty()) require_own_file(arguments.picture);
   const Map3d map = map3d_of(arguments);
   write_own_file(out, encode_map3d_file(map, out));
-  fmt::print("{}: {} voxels of {} m\n", out.string(), map.voxels.size(), map.voxels.resolution);
+  fmt::print("{}: {} voxels of {} m, {:.1f} MB in memory\n", out.string(), map.voxels.size(),
+             map.voxels.resolution, static_cast<double>(map.voxels.bytes()) / 1e6);
   for (std::size_t level = 0; level < map.ground.levels.size(); ++level) {
     fmt::print("level {} at {:.2f} m: {:.0f} m2 drivable\n", level, map.ground.levels[level],
                drivable_area(map.ground, level));

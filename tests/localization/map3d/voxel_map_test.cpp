@@ -29,6 +29,14 @@ VoxelMap two_voxels() {
   return {0.5, {voxel_key({-1, 0, 0}), voxel_key({2, 0, 0})}, {{0, 0, 0}, {128, 64, 255}}, {1, 1}};
 }
 
+TEST(VoxelMapTest, TakesTwelveBytesAVoxel) {
+  VoxelMap map;
+  map.keys.assign(10, 0);
+  map.offsets.assign(10, {});
+  map.faces_up.assign(10, 0);
+  EXPECT_EQ(map.bytes(), 120U);
+}
+
 TEST(VoxelMapTest, FindsWhatIsOccupied) {
   const VoxelMap map = two_voxels();
   EXPECT_EQ(map.find({2, 0, 0}), 1U);
