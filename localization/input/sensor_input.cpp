@@ -32,7 +32,8 @@ SensorInput::SensorInput(const SensorInputConfig& config)
       correct_rate_(config.correct_rate_hz),
       reseed_rate_(config.reseed_rate_hz, Stamp{}) {}
 
-OdometryTurn SensorInput::take(const Odometry& odometry) {
+OdometryTurn SensorInput::take(const Odometry& reading) {
+  const Odometry odometry{reading.stamp, gyro_.take(reading.stamp, reading.T_odom_base)};
   const OdometryIntake taken = intake_.take(odometry);
   if (taken == OdometryIntake::kDropped) return {};
   OdometryTurn turn;
@@ -81,6 +82,7 @@ void SensorInput::restart() {
   counted_.reset();
   panorama_.clear();
   gravity_.clear();
+  gyro_.clear();
 }
 
 /// Notes a scan that counts. Returns the periods since the last one.

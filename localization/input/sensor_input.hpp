@@ -9,6 +9,7 @@
 #include "localization/input/intake.hpp"
 #include "localization/input/lidar_panorama.hpp"
 #include "localization/motion/gravity_filter.hpp"
+#include "localization/motion/gyro_odometry.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -54,10 +55,12 @@ class SensorInput {
   explicit SensorInput(const SensorInputConfig& config);
 
   /// Takes an odometry reading; the result is empty if it is dropped.
-  OdometryTurn take(const Odometry& odometry);
-  /// Takes a reading of an inertial measurement unit: scans say where up was.
+  OdometryTurn take(const Odometry& reading);
+  /// Takes a reading of an inertial measurement unit: scans say where up was, and turns are those
+  /// of its gyro.
   void take(const Imu& imu) {
     gravity_.add(imu.stamp, imu.angular_velocity, imu.linear_acceleration);
+    gyro_.add(imu.stamp, imu.angular_velocity.z());
   }
   /// Takes a scan; returns nothing if it is dropped.
   std::optional<ScanTurn> take(const LaserScan& scan);
@@ -80,6 +83,7 @@ class SensorInput {
   Intake intake_;
   LidarPanorama panorama_;
   GravityFilter gravity_;
+  GyroOdometry gyro_;
   Rate predict_rate_;
   Rate correct_rate_;
   Rate reseed_rate_;

@@ -42,6 +42,16 @@ TEST(SensorInput, DoesNotStepWhereTheRobotStands) {
   EXPECT_TRUE(input.take(Odometry{milliseconds(300), {1.0, 2.1, 0.0}}).step);
 }
 
+TEST(SensorInput, TurnsAsTheGyroOfItsInertialUnitSays) {
+  SensorInput input(config());
+  const Imu imu{milliseconds(100), {0.0, 0.0, 0.5}, {0.0, 0.0, 9.81}};
+  input.take(imu);
+  input.take(Odometry{milliseconds(100), {}});
+  const auto step = input.take(Odometry{milliseconds(200), {0.0, 0.0, 0.09}}).step;
+  ASSERT_TRUE(step);
+  EXPECT_NEAR(step->yaw, 0.05, 1e-12);
+}
+
 TEST(SensorInput, BringsAScanToTheNewestOdometry) {
   SensorInput input(config());
   EXPECT_FALSE(input.take(beam(milliseconds(100))));  // no odometry yet
