@@ -175,7 +175,7 @@ const Layers kToolsLayers = {
     {"tools/ros2", "tools/scenario/sections"},
     {"tools/report", "tools/scenario/localizers", "tools/scenario/world"},
     {"tools/scenario", "tools/sources", "tools/sources/recorded"},
-    {"tools/inspect", "tools/sources/bag", "tools/trials"},
+    {"tools/inspect", "tools/observation", "tools/sources/bag", "tools/trials"},
     {"tools/bench", "tools/cells/rows", "tools/evaluate", "tools/play"},
     {"tools/live/bridge", "tools/replay"},
     {"tools/alignment", "tools/cells", "tools/dataset", "tools/live"},

@@ -20,6 +20,7 @@ void add_evaluate_command(Command& app);
 void add_calibrate_command(Command& app);
 void add_twin_command(Command& app);
 void add_map_command(Command& app);
+void add_observation_command(Command& app);
 void add_check_robot_command(Command& app);
 void add_check_world_command(Command& app);
 void add_lidars_command(Command& app);

@@ -31,6 +31,7 @@ void add_commands(Command app) {
   add_bag_command(app);
   add_report_command(app);
   add_map_command(app);
+  add_observation_command(app);
   add_check_robot_command(app);
   add_check_world_command(app);
   add_lidars_command(app);
