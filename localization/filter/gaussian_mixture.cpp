@@ -17,14 +17,6 @@
 namespace castaway::localization {
 namespace {
 
-SE2 offset(const SE2& pose, const Eigen::Vector3d& d) {
-  return {pose.x + d[0], pose.y + d[1], wrap_angle(pose.yaw + d[2])};
-}
-
-Eigen::Vector3d difference(const SE2& a, const SE2& b) {
-  return {a.x - b.x, a.y - b.y, wrap_angle(a.yaw - b.yaw)};
-}
-
 /// Root of a covariance with its columns along the principal axes, ascending.
 Eigen::Matrix3d principal_root(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);

@@ -8,6 +8,14 @@
 
 namespace castaway::localization {
 
+Eigen::Vector3d difference(const SE2& a, const SE2& b) {
+  return {a.x - b.x, a.y - b.y, wrap_angle(a.yaw - b.yaw)};
+}
+
+SE2 offset(const SE2& pose, const Eigen::Vector3d& difference) {
+  return {pose.x + difference[0], pose.y + difference[1], wrap_angle(pose.yaw + difference[2])};
+}
+
 PoseMoments pose_moments(std::span<const SE2> poses, std::span<const double> weights) {
   assert(poses.size() == weights.size());
   double sum = 0.0;

@@ -26,6 +26,11 @@ struct PoseWithCovariance {
   std::optional<double> z{};
 };
 
+/// x, y and yaw of `a` less those of `b`, the yaw wrapped: m, m, rad, along the axes of map.
+Eigen::Vector3d difference(const SE2& a, const SE2& b);
+/// The pose moved by such a difference.
+SE2 offset(const SE2& pose, const Eigen::Vector3d& difference);
+
 /// Weighted moments. The mean yaw is the direction of the mean heading, and deviations are wrapped.
 /// `weights` are non-negative with a positive sum, as many as `poses`.
 PoseMoments pose_moments(std::span<const SE2> poses, std::span<const double> weights);

@@ -8,10 +8,6 @@
 namespace castaway::localization {
 namespace {
 
-SE2 offset_pose(const SE2& pose, const Eigen::Vector3d& d) {
-  return {pose.x + d[0], pose.y + d[1], wrap_angle(pose.yaw + d[2])};
-}
-
 /// Steps along the axes of base in both directions: forward, left, turn.
 std::array<Eigen::Vector3d, 6> steps(double yaw, double step_m, double step_rad) {
   const double c = step_m * std::cos(yaw);
@@ -33,7 +29,7 @@ using Score = std::function<double(const SE2&)>;
 bool climb(const Score& score, double step_m, double step_rad, ScoredPose& best) {
   bool risen = false;
   for (const auto& step : steps(best.pose.yaw, step_m, step_rad)) {
-    const SE2 pose = offset_pose(best.pose, step);
+    const SE2 pose = offset(best.pose, step);
     const double value = score(pose);
     if (value <= best.score) continue;
     best = {pose, value};
@@ -50,8 +46,7 @@ PosePrior make_prior(const PoseMoments& belief) {
 }
 
 double log_prior(const PosePrior& prior, const SE2& pose) {
-  const Eigen::Vector3d d(pose.x - prior.mean.x, pose.y - prior.mean.y,
-                          wrap_angle(pose.yaw - prior.mean.yaw));
+  const Eigen::Vector3d d = difference(pose, prior.mean);
   return -0.5 * d.dot(prior.information * d);
 }
 
@@ -76,7 +71,7 @@ Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& p
                                  const SE2& T_map_base) {
   const Eigen::Vector3d h(model.frame().resolution, model.frame().resolution, 0.02);
   const auto f = [&](const Eigen::Vector3d& d) {
-    return model.log_likelihood(points, offset_pose(T_map_base, d));
+    return model.log_likelihood(points, offset(T_map_base, d));
   };
   const double centre = f(Eigen::Vector3d::Zero());
   Eigen::Matrix3d H;

@@ -26,10 +26,8 @@ Stage evaluate(const NdtModel& model, const NdtScan& scan, const SE2& pose,
   const NdtFit fit = model.fit(scan, pose);
   Stage stage{{pose, fit}, fit.log_likelihood, fit.gradient, fit.information};
   if (!prior) return stage;
-  const Eigen::Vector3d d(pose.x - prior->mean.x, pose.y - prior->mean.y,
-                          wrap_angle(pose.yaw - prior->mean.yaw));
   stage.score += log_prior(*prior, pose);
-  stage.gradient -= prior->information * d;
+  stage.gradient -= prior->information * difference(pose, prior->mean);
   stage.information += prior->information;
   return stage;
 }
@@ -52,9 +50,7 @@ Registration register_scan(const NdtModel& model, const NdtScan& scan, const SE2
   for (int i = 0; i < kMostSteps && damping < kMostDamping; ++i) {
     const Eigen::Vector3d step = damped_step(best, damping);
     if (step.cwiseAbs().maxCoeff() < kConverged) break;
-    const SE2& from = best.at.T_map_base;
-    const SE2 pose{from.x + step[0], from.y + step[1], wrap_angle(from.yaw + step[2])};
-    const Stage next = evaluate(model, scan, pose, prior);
+    const Stage next = evaluate(model, scan, offset(best.at.T_map_base, step), prior);
     if (!(next.score > best.score)) {
       damping = std::max(10.0 * damping, 1e-2);
       continue;

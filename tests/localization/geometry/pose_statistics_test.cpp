@@ -26,6 +26,16 @@ TEST(PoseMoments, WeighsPoses) {
   EXPECT_NEAR(m.covariance(0, 1), 0.75 * 2.0 + 0.25 * 18.0, 1e-12);
 }
 
+TEST(PoseDifference, IsAddedToThePoseThatItIsFrom) {
+  const SE2 a{1.0, 2.0, 3.1};
+  const SE2 b{0.5, 3.0, -3.1};
+  const Eigen::Vector3d d = difference(a, b);
+  EXPECT_TRUE(d.isApprox(Eigen::Vector3d(0.5, -1.0, 6.2 - 2.0 * std::numbers::pi), 1e-12));
+  const SE2 back = offset(b, d);
+  EXPECT_LT(distance(back, a), 1e-12);
+  EXPECT_LT(yaw_distance(back, a), 1e-12);
+}
+
 TEST(PoseGaussian, SamplesItsMoments) {
   Eigen::Matrix3d covariance;
   covariance << 0.04, 0.01, 0.0, 0.01, 0.09, 0.002, 0.0, 0.002, 0.01;
