@@ -17,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-using localization::SE2;
 
 constexpr float kElevation = 27.0F * std::numbers::pi_v<float> / 180.0F;
 constexpr double kLeastTilt = 0.02;   // [rad] Less is no slope.

@@ -29,7 +29,7 @@ localization::Volume slope_with_pole() {
     }
   }
   Map3d map = survey_map3d(builder.build(), {});
-  return {std::move(map.voxels), std::move(map.ground), {}};
+  return {map.voxels, std::move(map.ground), {}};
 }
 
 TEST(GroundItems, IsThePlaneThatRises) {

@@ -1,13 +1,12 @@
 #include "tools/observation/observation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
 #include "tools/observation/observation_colors.hpp"
-#include "tools/observation/observation_scene.hpp"
-#include "tools/observation/observed_scenario.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -104,43 +103,6 @@ TEST_F(Observe, ATimeAfterTheRunIsRefused) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "no lidar sees anything from 30 s to the end of the run at 20 s");
   }
-}
-
-/// Beams, six axes, the lines down to the map.
-TEST_F(Observe, TheSceneHasALineForEachBeamAndABallForEachEndInView) {
-  const Observation seen = observe_in(kRoom);
-  const sim::Scene scene = observation_scene(seen, {2.0, 1.6F});
-  ASSERT_EQ(scene.lines.size(), seen.beams.size() + 6U + 1U);
-  std::size_t inside = 0;
-  for (std::size_t i = 0; i < seen.beams.size(); ++i) {
-    const std::vector<Vector3f>& line = scene.lines[6 + i].points;
-    const Vector3f along = seen.beams[i].end - seen.beams[i].origin;
-    EXPECT_EQ(line.front(), seen.beams[i].origin);
-    EXPECT_NEAR((line.back() - line.front()).normalized().dot(along.normalized()), 1.0F, 1e-4F);
-    const bool whole = line.back().isApprox(seen.beams[i].end, 1e-5F);
-    inside += whole ? 1U : 0U;
-    // Two metres to either side of the robot, 1.5 m to the back and the front.
-    if (!whole) {
-      const Vector3f d = line.back() - seen.T_map_base.translation().cast<float>();
-      EXPECT_NEAR(std::max(std::abs(d.x()) / 2.0F, std::abs(d.y()) / 1.5F), 1.0F, 0.1F);
-    }
-  }
-  EXPECT_GT(inside, 3U);
-  EXPECT_LT(inside, seen.beams.size());
-  EXPECT_EQ(scene.items.size(), 1U + seen.robot.size() + inside);  // The map comes first.
-}
-
-TEST(ObservedScenario, IsAScenarioOrTheRobotOfAWorld) {
-  EXPECT_EQ(observed_scenario("hillside/drive", {}).loaded.scenario.name, "hillside-drive");
-  const Scenario flat = observed_scenario("hall", {}).loaded.scenario;
-  EXPECT_EQ(flat.world.file, "hall");
-  EXPECT_EQ(flat.robot.file, "waffle");
-  const Scenario slope = observed_scenario("hillside", {"seed=7"}).loaded.scenario;
-  EXPECT_EQ(slope.robot.file, "mule");
-  EXPECT_EQ(slope.lidars.front().profile, "vlp-16");
-  EXPECT_EQ(slope.seed, 7U);
-  EXPECT_EQ(observed_scenario("hall", {"robot=mule"}).loaded.scenario.robot.file, "mule");
-  EXPECT_THROW(observed_scenario("nowhere", {}), std::runtime_error);
 }
 
 }  // namespace
