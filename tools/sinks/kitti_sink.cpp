@@ -13,10 +13,24 @@ std::string kitti_line(const SE2& T_map_base) {
                      s, c, T_map_base.y);
 }
 
+std::string kitti_line(const Eigen::Isometry3d& T_map_base) {
+  const Eigen::Matrix<double, 3, 4> M = T_map_base.matrix().topRows<3>();
+  std::string line;
+  for (Eigen::Index row = 0; row < M.rows(); ++row) {
+    for (Eigen::Index column = 0; column < M.cols(); ++column) {
+      line += fmt::format("{}{:.9f}", line.empty() ? "" : " ", M(row, column));
+    }
+  }
+  return line + "\n";
+}
+
 void KittiSink::on_scan(const ScanRecord& record) {
   if (!record.T_map_base_true || record.stamp <= newest_) return;
   newest_ = record.stamp;
-  poses_.write(kitti_line(*record.T_map_base_true));
+  const SE2& T_map_base = *record.T_map_base_true;
+  const auto& T_footprint_base = record.T_footprint_base_true;
+  poses_.write(T_footprint_base ? kitti_line(localization::to_se3(T_map_base) * *T_footprint_base)
+                                : kitti_line(T_map_base));
   times_.write(fmt::format("{:.9f}\n", seconds(record.stamp)));
 }
 
