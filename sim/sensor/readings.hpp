@@ -15,6 +15,8 @@ struct OdometryReading {
   std::chrono::nanoseconds stamp{};
   Pose2 T_odom_base;  ///< Accumulated from the start of the run; continuous, drifting.
   Pose2 T_map_base_true;
+  /// Height, roll and pitch of base.
+  Eigen::Isometry3d T_footprint_base_true = Eigen::Isometry3d::Identity();
 };
 
 /// State of a person at a time.

@@ -86,10 +86,13 @@ std::vector<OdometryReading> SensorStage::read_odometry(const Motion& motion,
   const double turn = turn_of(motion);
   for (; next_odometry_ < motion.end; next_odometry_ += odometry_period_) {
     const double fraction = motion.fraction(next_odometry_);
-    const auto reading = odometry_.read({next_odometry_, interpolate(begin, end, fraction),
-                                         turned_ + fraction * turn,
-                                         to_planar(motion.at(next_odometry_)), collisions});
-    if (reading) readings.push_back(*reading);
+    const Eigen::Isometry3d T_map_base = motion.at(next_odometry_);
+    const Pose2 planar = to_planar(T_map_base);
+    auto reading = odometry_.read({next_odometry_, interpolate(begin, end, fraction),
+                                   turned_ + fraction * turn, planar, collisions});
+    if (!reading) continue;
+    reading->T_footprint_base_true = to_isometry(planar).inverse() * T_map_base;
+    readings.push_back(*reading);
   }
   turned_ += turn;
   return readings;

@@ -48,13 +48,15 @@ ros::MarkerArray people_markers(Stamp stamp, const std::vector<PersonTruth>& peo
 }
 
 ros::MarkerArray hypothesis_markers(Stamp stamp,
-                                    const std::vector<localization::PopulationView>& populations) {
+                                    const std::vector<localization::PopulationView>& populations,
+                                    bool heights) {
   ros::MarkerArray message;
   message.markers.push_back(marker(stamp, "hypotheses", 0, {}));
   message.markers.back().action = kDeleteAll;
   for (const auto& population : populations) {
     ros::Marker& arrow = message.markers.emplace_back(
         marker(stamp, "hypotheses", population.id, population.T_map_base));
+    if (heights && population.footing) arrow.pose.position.z = population.footing->z;
     const double length = population.selected ? 1.0 : 0.6;
     const auto& colour = kColours[static_cast<std::size_t>(population.id) % kColours.size()];
     const float opacity = 0.3F + 0.7F * static_cast<float>(population.share);

@@ -10,8 +10,9 @@ namespace castaway::testbed {
 ros::MarkerArray people_markers(Stamp stamp, const std::vector<PersonTruth>& people);
 
 /// Clears all markers, then adds an arrow for each population: id of the population, colour by id,
-/// opacity by its share, larger for the selected one.
+/// opacity by its share, larger for the selected one. `heights`: at their heights, else at z = 0.
 ros::MarkerArray hypothesis_markers(Stamp stamp,
-                                    const std::vector<localization::PopulationView>& populations);
+                                    const std::vector<localization::PopulationView>& populations,
+                                    bool heights = false);
 
 }  // namespace castaway::testbed

@@ -17,12 +17,16 @@ ros::Odometry odometry_message(const ros::Header& header, const std::string& chi
 ros::TFMessage transform_message(const ros::Header& header, const std::string& child,
                                  const ros::Pose& pose);
 
+/// A reading of an inertial measurement unit, which states no orientation.
+ros::Imu imu_message(const ros::Header& header, const localization::Imu& imu);
+
 /// A pose with its uncertainty.
 ros::PoseWithCovarianceStamped pose_message(const ros::Header& header, const SE2& T_header_base,
                                             const Eigen::Matrix3d& covariance);
 
-/// The particles of all populations.
+/// The particles of all populations. `heights`: at the height of their mean, else at z = 0.
 ros::PoseArray particles_message(const ros::Header& header,
-                                 const std::vector<localization::PopulationView>& populations);
+                                 const std::vector<localization::PopulationView>& populations,
+                                 bool heights = false);
 
 }  // namespace castaway::testbed

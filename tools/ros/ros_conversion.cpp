@@ -93,6 +93,11 @@ ros::Pose to_ros_pose(const SE2& pose) {
   return {{pose.x, pose.y, 0.0}, planar_quaternion(yaw)};
 }
 
+ros::Pose to_ros_pose(const Eigen::Isometry3d& T_parent_child) {
+  const auto& [p, q] = to_ros_transform(T_parent_child);
+  return {{p.x, p.y, p.z}, q};
+}
+
 SE2 from_ros_pose(const ros::Pose& pose) {
   const SE2 planar{pose.position.x, pose.position.y, yaw_of(pose.orientation)};
   require_numbers({planar.x, planar.y, planar.yaw}, "pose");

@@ -25,6 +25,8 @@ ros::Header ros_header(Stamp stamp, const std::string& frame);
 /// z, roll and pitch are 0. `from_ros_pose` returns exactly the same pose: of the quaternions near
 /// the yaw's, the one is chosen that converts back exactly.
 ros::Pose to_ros_pose(const SE2& pose);
+/// With z, roll and pitch.
+ros::Pose to_ros_pose(const Eigen::Isometry3d& T_parent_child);
 /// Drops z, roll and pitch; yaw is in [-pi, pi]. Throws std::runtime_error for values that are not
 /// finite.
 SE2 from_ros_pose(const ros::Pose& pose);

@@ -63,6 +63,8 @@ struct ScanFrame {
 struct OdometryFrame {
   Odometry odometry;
   std::optional<SE2> T_map_base_true;
+  /// Height, roll and pitch of base, in runs on several floors.
+  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
 };
 
 /// A reading of an inertial measurement unit.

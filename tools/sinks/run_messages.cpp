@@ -22,6 +22,18 @@ std::string prefix_of(const LaserScan& scan, const MessagesConfig& config) {
   return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
 }
 
+/// With height, roll and pitch if they are known.
+ros::Pose true_pose(const SE2& T_map_base,
+                    const std::optional<Eigen::Isometry3d>& T_footprint_base) {
+  if (!T_footprint_base) return to_ros_pose(T_map_base);
+  return to_ros_pose(localization::to_se3(T_map_base) * *T_footprint_base);
+}
+
+/// [m] A localizer on a 3-D map states its height; all others are at z = 0.
+double height_of(const localization::Estimate& estimate, bool heights) {
+  return heights && estimate.footing ? estimate.footing->z : 0.0;
+}
+
 }  // namespace
 
 RunMessages::RunMessages(const RunInfo& info, MessagesConfig config, TopicWriter& writer)
@@ -29,7 +41,8 @@ RunMessages::RunMessages(const RunInfo& info, MessagesConfig config, TopicWriter
       writer_(writer),
       frames_(config_.links, config_.lidars),
       channels_(add_channels({info.localizers, static_cast<bool>(config_.drive), config_.particles},
-                             writer)) {}
+                             writer)),
+      heights_(info.heights) {}
 
 void RunMessages::begin(const RosMap& map) {
   writer_.publish(channels_.map, {}, to_ros_grid(map));
@@ -61,6 +74,7 @@ void RunMessages::on_odometry(const OdometryFrame& frame) {
   if (frame.T_map_base_true) {
     ros::Odometry truth =
         odometry_message(ros_header(stamp, "map"), kBaseFrame, *frame.T_map_base_true);
+    truth.pose.pose = true_pose(*frame.T_map_base_true, frame.T_footprint_base_true);
     if (last_ && last_->T_map_base_true) {
       truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
     }
@@ -68,6 +82,12 @@ void RunMessages::on_odometry(const OdometryFrame& frame) {
   }
   write_drive(stamp, dt_s);
   last_ = frame;
+}
+
+void RunMessages::on_imu(const ImuFrame& frame) {
+  if (!imu_) imu_ = writer_.add_topic<ros::Imu>("/imu");
+  const Stamp stamp = frame.imu.stamp;
+  writer_.publish(*imu_, stamp, imu_message(ros_header(stamp, kBaseFrame), frame.imu));
 }
 
 const RunMessages::LidarTopics& RunMessages::topics_of(const LaserScan& scan) {
@@ -97,7 +117,8 @@ void RunMessages::write_truth(const ScanRecord& record) {
   if (record.T_map_base_true) {
     writer_.publish(
         channels_.true_pose, record.delivered,
-        ros::PoseStamped{ros_header(record.stamp, "map"), to_ros_pose(*record.T_map_base_true)});
+        ros::PoseStamped{ros_header(record.stamp, "map"),
+                         true_pose(*record.T_map_base_true, record.T_footprint_base_true)});
   }
   if (record.people.people.empty()) return;
   writer_.publish(channels_.people, record.delivered,
@@ -110,25 +131,28 @@ void RunMessages::write_map_frame(const ScanRecord& record) {
   const localization::Estimate& estimate = *record.localizers.front().estimate;
   const std::optional<SE2> T_odom_base = T_odom_base_.at(estimate.stamp);
   if (!T_odom_base) return;
+  ros::Pose T_map_odom = to_ros_pose(estimate.T_map_base * T_odom_base->inverse());
+  T_map_odom.position.z = height_of(estimate, heights_);
   writer_.publish(channels_.tf, record.delivered,
-                  transform_message(ros_header(estimate.stamp, "map"), "odom",
-                                    to_ros_pose(estimate.T_map_base * T_odom_base->inverse())));
+                  transform_message(ros_header(estimate.stamp, "map"), "odom", T_map_odom));
 }
 
 void RunMessages::write_localizer(const ScanRecord& record, std::size_t index) {
   const LocalizerRecord& localizer = record.localizers[index];
   const LocalizerChannels& channels = channels_.localizers[index];
   if (localizer.estimate) {
-    writer_.publish(channels.pose, record.delivered,
-                    pose_message(ros_header(localizer.estimate->stamp, "map"),
-                                 localizer.estimate->T_map_base, localizer.estimate->covariance));
+    const localization::Estimate& estimate = *localizer.estimate;
+    ros::PoseWithCovarianceStamped pose =
+        pose_message(ros_header(estimate.stamp, "map"), estimate.T_map_base, estimate.covariance);
+    pose.pose.pose.position.z = height_of(estimate, heights_);
+    writer_.publish(channels.pose, record.delivered, pose);
   }
   const auto& populations = localizer.diagnostics.populations;
   writer_.publish(channels.hypotheses, record.delivered,
-                  hypothesis_markers(record.stamp, populations));
+                  hypothesis_markers(record.stamp, populations, heights_));
   if (!config_.particles) return;
   writer_.publish(channels.particles, record.delivered,
-                  particles_message(ros_header(record.stamp, "map"), populations));
+                  particles_message(ros_header(record.stamp, "map"), populations, heights_));
 }
 
 void RunMessages::on_scan(const ScanRecord& record) {

@@ -37,6 +37,8 @@ class RunMessages {
   void on_event(const RunEvent& event);
   void on_odometry(const OdometryFrame& frame);
   void on_scan(const ScanRecord& record);
+  /// Adds the topic /imu with the first reading.
+  void on_imu(const ImuFrame& frame);
   /// Of what beams hit so far.
   [[nodiscard]] const std::set<int>& labels() const { return labels_; }
 
@@ -57,8 +59,10 @@ class RunMessages {
   TopicWriter& writer_;
   BagFrames frames_;
   BagChannels channels_;
+  bool heights_;  ///< Poses have a height.
   std::map<std::string, LidarTopics> lidars_;
   localization::TransformBuffer T_odom_base_;
+  std::optional<std::uint16_t> imu_;  ///< Topic; nothing before the first reading.
   std::optional<OdometryFrame> last_;
   std::set<int> labels_;
   std::optional<DriveNow> drive_;  ///< At the newest odometry.

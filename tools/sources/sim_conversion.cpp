@@ -81,8 +81,10 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
                                   T_map_base, T_map_base}};
   }
   if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
-    return {frame.stamp, OdometryFrame{{odometry->stamp, to_se2(odometry->T_odom_base)},
-                                       to_se2(odometry->T_map_base_true)}};
+    OdometryFrame reading{{odometry->stamp, to_se2(odometry->T_odom_base)},
+                          to_se2(odometry->T_map_base_true)};
+    if (heights_) reading.T_footprint_base_true = odometry->T_footprint_base_true;
+    return {frame.stamp, std::move(reading)};
   }
   if (const auto* driving = std::get_if<sim::DriveRecord>(&frame.data)) {
     const SE2 T_map_base = to_se2(driving->T_map_base);

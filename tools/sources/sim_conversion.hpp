@@ -29,7 +29,7 @@ class SimFrameConverter {
 
   /// From now on, scans include their point clouds.
   void keep_clouds() { clouds_ = true; }
-  /// From now on, scans and kidnaps include heights.
+  /// From now on, scans, odometry and kidnaps include heights.
   void keep_heights() { heights_ = true; }
   [[nodiscard]] Frame frame(const sim::SimFrame& frame) const;
 

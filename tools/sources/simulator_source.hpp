@@ -38,7 +38,7 @@ class SimulatorSource final : public SensorSource {
   void begin_at(Stamp stamp) { begin_ = stamp; }
   /// Ends the run after this driven distance [m], kidnaps excluded; 0: no limit.
   void stop_after(double metres) { stop_after_ = metres; }
-  /// From now on, scans include height, roll and pitch of base.
+  /// From now on, scans and odometry include height, roll and pitch of base.
   void keep_heights() { converter_.keep_heights(); }
   /// [m] Height of the ground at the start.
   [[nodiscard]] double start_height() const { return simulation_.start_height(); }

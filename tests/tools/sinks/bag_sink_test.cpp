@@ -147,6 +147,86 @@ TEST_F(BagSinkTest, PutsTheFirstLocalizerIntoTheTree) {
   EXPECT_EQ(edges[0].header.stamp.nanosec, 400'000'000U);
 }
 
+/// 3.5 m up, nose up.
+Eigen::Isometry3d on_ramp() {
+  return Eigen::Translation3d(0.0, 0.0, 3.5) * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitY());
+}
+
+/// A quaternion as a rotation.
+Eigen::Matrix3d rotation_of(const ros::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+}
+
+/// Plays an odometry reading and a scan of a run on several floors.
+void play_on_ramp(BagSink& sink) {
+  OdometryFrame odometry = odometry_at(0.5);
+  odometry.T_footprint_base_true = on_ramp();
+  sink.on_odometry(odometry);
+  ScanRecord record = scan_at(0.5);
+  record.T_footprint_base_true = on_ramp();
+  record.localizers[0].estimate->footing = localization::Footing{3.25, 1};
+  record.localizers[0].diagnostics.populations[0].footing = localization::Footing{3.125, 1};
+  sink.on_scan(record);
+  sink.finish({}, {});
+}
+
+TEST(BagOfFloors, PosesHaveTheirHeight) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of({"mh_amcl", "amcl-2"});
+  info.heights = true;
+  BagConfig with = config();
+  with.options.particles = true;
+  BagSink sink(folder.path(), info, map(), std::move(with));
+  play_on_ramp(sink);
+  const auto truth = messages_of<ros::Odometry>(folder.path(), "/ground_truth/odom").at(0);
+  EXPECT_EQ(truth.pose.pose.position.z, 3.5);
+  EXPECT_TRUE(rotation_of(truth.pose.pose.orientation).isApprox(on_ramp().linear(), 1e-12));
+  const auto scan = messages_of<ros::PoseStamped>(folder.path(), "/ground_truth/scan_pose").at(0);
+  EXPECT_EQ(scan.pose.position.z, 3.5);
+  EXPECT_TRUE(rotation_of(scan.pose.orientation).isApprox(on_ramp().linear(), 1e-12));
+  using Pose = ros::PoseWithCovarianceStamped;
+  const auto height_of = [&](const std::string& topic) {
+    return messages_of<Pose>(folder.path(), topic).at(0).pose.pose.position.z;
+  };
+  EXPECT_EQ(height_of("/mh_amcl/amcl_pose"), 3.25);
+  EXPECT_EQ(height_of("/amcl_2/amcl_pose"), 0.0);  // A planar localizer.
+  EXPECT_EQ(messages_of<ros::Odometry>(folder.path(), "/odom").at(0).pose.pose.position.z, 0.0);
+  const auto edges = messages_of<ros::TFMessage>(folder.path(), "/tf");
+  EXPECT_EQ(edges.at(1).transforms.at(0).child_frame_id, "odom");
+  EXPECT_EQ(edges.at(1).transforms.at(0).transform.translation.z, 3.25);
+  const auto particles = messages_of<ros::PoseArray>(folder.path(), "/mh_amcl/particlecloud");
+  EXPECT_EQ(particles.at(0).poses.at(1).position.z, 3.125);
+  const auto arrows = messages_of<ros::MarkerArray>(folder.path(), "/mh_amcl/hypotheses");
+  EXPECT_EQ(arrows.at(0).markers.at(1).pose.position.z, 3.125);
+}
+
+TEST(BagOfFloors, OnOneFloorAStatedHeightIsLeftOut) {
+  const TemporaryFolder folder;
+  BagSink sink(folder.path(), run_of({"mh_amcl", "amcl-2"}), map(), config());
+  ScanRecord record = scan_at(0.5);
+  record.localizers[0].estimate->footing = localization::Footing{0.01, 0};
+  sink.on_scan(record);
+  sink.finish({}, {});
+  const auto poses =
+      messages_of<ros::PoseWithCovarianceStamped>(folder.path(), "/mh_amcl/amcl_pose");
+  EXPECT_EQ(poses.at(0).pose.pose.position.z, 0.0);
+}
+
+TEST(BagOfImu, HasItsReadingsWithoutAnOrientation) {
+  const TemporaryFolder folder;
+  BagSink sink(folder.path(), run_of({}), map(), config());
+  localization::Imu imu{std::chrono::milliseconds(250), {0.1, -0.2, 0.3}, {0.5, 0.25, 9.75}};
+  sink.on_imu({imu});
+  sink.finish({}, {});
+  const auto readings = messages_of<ros::Imu>(folder.path(), "/imu");
+  ASSERT_EQ(readings.size(), 1U);
+  EXPECT_EQ(readings[0].header.frame_id, "base_footprint");
+  EXPECT_EQ(readings[0].header.stamp.nanosec, 250'000'000U);
+  EXPECT_EQ(readings[0].orientation_covariance[0], -1.0);
+  EXPECT_EQ(readings[0].angular_velocity.y, -0.2);
+  EXPECT_EQ(readings[0].linear_acceleration.z, 9.75);
+}
+
 TEST_F(BagSinkTest, TellsFixedFramesAndTheirChanges) {
   BagConfig stated = config();
   stated.lidars[0].T_base_laser = Eigen::Translation3d(0.0, 0.0, 0.3);

@@ -50,10 +50,16 @@ class Levels : public testing::Test {
 TEST_F(Levels, TheRobotDrivesUpAndStaysOnTheGround) {
   const auto source = build_source(scenario_, build().config);
   double highest = 0.0;
+  double highest_by_odometry = 0.0;
   double steepest = 0.0;
   while (const auto frame = source->next()) {
     if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
       ADD_FAILURE() << event_name(event->kind) << ' ' << event->detail;
+    }
+    if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
+      ASSERT_TRUE(odometry->T_footprint_base_true);
+      highest_by_odometry =
+          std::max(highest_by_odometry, odometry->T_footprint_base_true->translation().z());
     }
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr) continue;
@@ -64,6 +70,7 @@ TEST_F(Levels, TheRobotDrivesUpAndStaysOnTheGround) {
     EXPECT_GT(T_footprint_base.translation().z(), -0.02);
   }
   EXPECT_NEAR(highest, 1.5, 0.02);
+  EXPECT_NEAR(highest_by_odometry, 1.5, 0.02);
   EXPECT_NEAR(steepest, std::atan(0.15), 0.03);
 }
 
