@@ -30,7 +30,8 @@ void add_tables(const RunFiles& files, const std::filesystem::path& folder, cons
   }
   if (files.label_name) sinks.push_back(std::make_unique<ScansSink>(folder, files.label_name));
   if (files.tables_csv) {
-    sinks.push_back(std::make_unique<TablesCsvSink>(folder, info.localizers, files.labels));
+    sinks.push_back(
+        std::make_unique<TablesCsvSink>(folder, info.localizers, files.labels, info.heights));
   }
   if (files.tables_hdf5) {
     sinks.push_back(std::make_unique<TablesHdf5Sink>(folder, info.localizers, files.labels));

@@ -29,6 +29,13 @@ Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
           std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
+std::optional<Eigen::Vector3d> height_roll_pitch(
+    const std::optional<Eigen::Isometry3d>& T_footprint_base) {
+  if (!T_footprint_base) return std::nullopt;
+  const Eigen::Vector3d turn = roll_pitch_yaw(T_footprint_base->linear());
+  return Eigen::Vector3d(T_footprint_base->translation().z(), turn.x(), turn.y());
+}
+
 bool is_off(const LocalizerRecord& localizer, const ScanRecord& record) {
   if (!localizer.estimate) return true;
   const RecoveryConfig right;

@@ -56,6 +56,11 @@ class ScanLabeller {
 /// Roll, pitch and yaw [rad] of a rotation R_z(yaw) R_y(pitch) R_x(roll).
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
 
+/// z [m], roll and pitch [rad] of base relative to its planar pose; nothing where these are
+/// unknown.
+std::optional<Eigen::Vector3d> height_roll_pitch(
+    const std::optional<Eigen::Isometry3d>& T_footprint_base);
+
 /// True if a localizer has no estimate or is at least 0.5 m or 0.35 rad from the record's true
 /// pose, which is known.
 bool is_off(const LocalizerRecord& localizer, const ScanRecord& record);

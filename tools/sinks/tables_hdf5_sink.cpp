@@ -10,6 +10,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint8_t kNobodyKnows = 255;
 constexpr const char* kPoseUnit = "m, m, rad";
+constexpr const char* kHeightUnit = "m, rad, rad";
 
 using Type = Hdf5Type;
 
@@ -17,6 +18,8 @@ std::vector<double> numbers(const std::optional<SE2>& pose) {
   if (!pose) return {kUnknown, kUnknown, kUnknown};
   return {pose->x, pose->y, pose->yaw};
 }
+
+std::vector<double> numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 std::vector<double> number(const std::optional<double>& value) {
   return {value.value_or(kUnknown)};
@@ -63,6 +66,15 @@ void TablesHdf5Sink::on_odometry(const OdometryFrame& frame) {
   file_.append(odometry_.stamp, std::vector<double>{seconds(frame.odometry.stamp)});
   file_.append(odometry_.pose, numbers(frame.odometry.T_odom_base));
   file_.append(odometry_.truth, numbers(frame.T_map_base_true));
+  const auto above = height_roll_pitch(frame.T_footprint_base_true);
+  if (!above) return;
+  if (odometry_.above < 0) odometry_.above = add_height("/odometry/true_height_roll_pitch");
+  file_.append(odometry_.above, numbers(*above));
+}
+
+int TablesHdf5Sink::add_height(const std::string& path) {
+  return file_.add({path, Type::kFloat64, 3, kHeightUnit,
+                    "true z, roll, pitch of base in map then: R_z(yaw) R_y(pitch) R_x(roll)"});
 }
 
 void TablesHdf5Sink::add_beams(const std::string& group, const ScanRecord& record,
@@ -108,6 +120,7 @@ TablesHdf5Sink::LidarTables TablesHdf5Sink::add_lidar(const ScanRecord& record) 
   LidarTables tables;
   tables.stamp = add("stamp_s", Type::kFloat64, 0, "s", "time of the first beam");
   tables.pose = add("pose", Type::kFloat64, 3, kPoseUnit, "true x, y, yaw of base in map then");
+  if (record.T_footprint_base_true) tables.above = add_height(group + "/height_roll_pitch");
   tables.odometry = add("odometry", Type::kFloat64, 3, kPoseUnit,
                         "x, y, yaw of base in odom, the newest when the scan is there");
   tables.since_kidnap = add("since_kidnap_s", Type::kFloat64, 0, "s", "since the last; NaN: none");
@@ -147,6 +160,9 @@ void TablesHdf5Sink::on_scan(const ScanRecord& record) {
   };
   file_.append(tables.stamp, std::vector<double>{row.stamp_s});
   file_.append(tables.pose, numbers(row.T_map_base));
+  if (const auto above = height_roll_pitch(record.T_footprint_base_true)) {
+    file_.append(tables.above, numbers(*above));
+  }
   file_.append(tables.odometry, numbers(row.T_odom_base));
   file_.append(tables.since_kidnap, number(row.since_kidnap_s));
   file_.append(tables.held, flag(row.held));

@@ -13,7 +13,8 @@ namespace castaway::testbed {
 
 /// One HDF5 file with the columns of `TablesCsvSink` as numbers: a group /lidars/<name> with a row
 /// for every scan (`ranges`, `classes` and `hits` have a column per beam), /odometry, /people,
-/// /events, /objects, and the lists /classes and /localizers. Unknown values are NaN. Attributes of
+/// /events, /objects, and the lists /classes and /localizers; in runs on several floors heights,
+/// too. Unknown values are NaN. Attributes of
 /// every table state its unit and meaning.
 class TablesHdf5Sink final : public RunSink {
  public:
@@ -31,6 +32,7 @@ class TablesHdf5Sink final : public RunSink {
   struct LidarTables {
     int stamp = 0;
     int pose = 0;
+    int above = -1;  ///< -1 on one floor.
     int odometry = 0;
     int since_kidnap = 0;
     int held = 0;
@@ -44,6 +46,7 @@ class TablesHdf5Sink final : public RunSink {
     int intensities = -1;  ///< -1 if the lidar measures no intensities.
   };
 
+  int add_height(const std::string& path);
   LidarTables add_lidar(const ScanRecord& record);
   void add_beams(const std::string& group, const ScanRecord& record, LidarTables& tables);
   void describe_lidar(const std::string& group, const ScanRecord& record);
@@ -59,6 +62,7 @@ class TablesHdf5Sink final : public RunSink {
   std::vector<RunEvent> events_;
   struct {
     int stamp, pose, truth;
+    int above = -1;  ///< -1 on one floor.
   } odometry_;
   struct {
     int stamp, id, pose, velocity, gap;

@@ -21,6 +21,20 @@ TEST(TablesCsvSink, WritesARowForEveryScan) {
             "0.3333,0.2500,0,1.5000 0.7500 inf,1 5 0,0 2 -1\n");
 }
 
+TEST(TablesCsvSink, OnSeveralFloorsTruePosesHaveHeightRollAndPitch) {
+  const TemporaryFolder folder;
+  TablesCsvSink sink(folder.path(), {"mh_amcl"}, table_context(), true);
+  play_two_scans(sink, on_a_ramp());
+  for (const char* name : {"scans.csv", "odometry.csv"}) {
+    const CsvTable table = read_csv(folder.path() / "tables" / name);
+    const auto& row = table.rows.at(0);
+    EXPECT_EQ(row[table.column("z_m")], "3.500000") << name;
+    EXPECT_EQ(row[table.column("roll_rad")], "0.250000") << name;
+    EXPECT_EQ(row[table.column("pitch_rad")], "-0.125000") << name;
+    EXPECT_EQ(row[table.column("odom_yaw_rad")], name[0] == 's' ? "0.000000" : "0.250000") << name;
+  }
+}
+
 TEST(TablesCsvSink, WritesWhatTheScansReferTo) {
   const TemporaryFolder folder;
   TablesCsvSink sink(folder.path(), {"mh_amcl"}, table_context());

@@ -45,6 +45,17 @@ TEST(TablesHdf5Sink, AnotherReaderFindsEveryColumn) {
   EXPECT_TRUE(contains(h5dump(file, "-a /lidars/front/mount_yaw_rad"), "(0): 1.5"));
 }
 
+TEST(TablesHdf5Sink, OnSeveralFloorsTruePosesHaveHeightRollAndPitch) {
+  if (!h5dump_works()) GTEST_SKIP() << "h5dump is not installed (hdf5-tools)";
+  const TemporaryFolder folder;
+  TablesHdf5Sink sink(folder.path(), {"mh_amcl"}, table_context());
+  play_two_scans(sink, on_a_ramp());
+  const auto file = folder.path() / "tables.h5";
+  const std::string text = "3.5, 0.25, -0.125";
+  EXPECT_TRUE(contains(h5dump(file, "-d /lidars/front/height_roll_pitch"), "(1,0): " + text));
+  EXPECT_TRUE(contains(h5dump(file, "-d /odometry/true_height_roll_pitch"), "(0,0): " + text));
+}
+
 TEST(TablesHdf5Sink, TheSameRunGivesTheSameBytes) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_file(written(folder.path() / "a")), read_file(written(folder.path() / "b")));

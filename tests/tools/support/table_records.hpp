@@ -18,15 +18,19 @@ inline std::shared_ptr<const LabelContext> table_context() {
 }
 
 /// Plays a kidnap at 1.5 s, an odometry reading at 1 s, and scans at 1 s and 2 s with three beams:
-/// on the wall, on person 2, a miss.
-inline void play_two_scans(RunSink& sink) {
+/// on the wall, on person 2, a miss. `T_footprint_base`: of base at all times; nothing: on one
+/// floor.
+inline void play_two_scans(RunSink& sink,
+                           const std::optional<Eigen::Isometry3d>& T_footprint_base = {}) {
   OdometryFrame odometry;
   odometry.odometry = {localization::from_seconds(1.0), {0.5, 0.0, 0.25}};
   odometry.T_map_base_true = SE2{0.125, 0.0, 0.0};
+  odometry.T_footprint_base_true = T_footprint_base;
   sink.on_odometry(odometry);
   for (const double t : {1.0, 2.0}) {
     if (t > 1.0) sink.on_event(kidnap_to(1.5));
     ScanRecord record = record_at(t, {"mh_amcl"});
+    record.T_footprint_base_true = T_footprint_base;
     record.scan.lidar = "front";
     record.scan.angle_min = -0.5;
     record.scan.angle_increment = 0.25;
@@ -44,6 +48,12 @@ inline void play_two_scans(RunSink& sink) {
     sink.on_scan(record);
   }
   sink.finish(localization::from_seconds(2.1), {});
+}
+
+/// On a ramp at 3.5 m: roll 0.25, pitch -0.125.
+inline Eigen::Isometry3d on_a_ramp() {
+  return Eigen::Translation3d(0.0, 0.0, 3.5) * Eigen::AngleAxisd(-0.125, Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(0.25, Eigen::Vector3d::UnitX());
 }
 
 }  // namespace castaway::testbed
