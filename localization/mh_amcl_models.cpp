@@ -16,10 +16,14 @@ PlanarMap planar_map(const MhAmclConfig& config, OccupancyGrid grid) {
 }
 
 /// Cells of a map, if poses are refined on them.
-template <typename Map>
-std::optional<NdtMap> ndt_map_of(const MhAmclConfig& config, const Map& map) {
+std::optional<NdtMap> ndt_map_of(const MhAmclConfig& config, const OccupancyGrid& grid) {
   if (config.refine_by == RefineMethod::kClimb) return std::nullopt;
-  return NdtMap(map, config.ndt);
+  return NdtMap(hollow(grid, config.surface_depth), config.ndt);
+}
+
+std::optional<NdtMap> ndt_map_of(const MhAmclConfig& config, const VoxelMap& voxels) {
+  if (config.refine_by == RefineMethod::kClimb) return std::nullopt;
+  return NdtMap(voxels, config.ndt);
 }
 
 /// Registration as sharp as a model of end points; nothing without cells.
@@ -46,7 +50,7 @@ std::optional<NdtRefinement> refinement(const MhAmclConfig& config,
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
     : config((validate(mh_amcl), mh_amcl)),
       planar(planar_map(config, std::move(grid))),
-      ndt_map(ndt_map_of(config, hollow(planar->grid, config.surface_depth))),
+      ndt_map(ndt_map_of(config, planar->grid)),
       ndt(refinement(config, ndt_map, nullptr)),
       endpoint(config.refinement, planar->distances),
       evidence(config.evidence, planar->grid, planar->distances),

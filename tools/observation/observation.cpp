@@ -62,6 +62,7 @@ SeenScan scan_after(SimulatorSource& source, Stamp after, const MhAmclConfig& co
       input.take(odometry->odometry);
       T_map_base = odometry->T_map_base_true.value_or(T_map_base);
     }
+    if (const auto* imu = std::get_if<ImuFrame>(&frame->data)) input.take(imu->imu);
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr) continue;
     auto turn = input.take(scan->scan);
