@@ -10,12 +10,12 @@ namespace {
 void correct(GaussianComponent& component, const PoseClimber& climber, const RefineConfig& refine,
              const ScanPoints& points) {
   const PosePrior prior = make_prior(component.pose);
-  const SE2 top = climber.climb(points, prior.mean, prior, refine);
-  const Eigen::Matrix3d information = climber.information(points, top) + prior.information;
+  const PoseClimber::Summit top = climber.summit(points, prior.mean, prior, refine);
+  const Eigen::Matrix3d information = top.information + prior.information;
   component.log_weight +=
-      climber.log_likelihood(points, top) + log_prior(prior, top) +
+      top.log_likelihood + log_prior(prior, top.T_map_base) +
       0.5 * std::log(prior.information.determinant() / information.determinant());
-  component.pose = {top, information.inverse()};
+  component.pose = {top.T_map_base, information.inverse()};
 }
 
 }  // namespace

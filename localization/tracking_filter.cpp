@@ -30,9 +30,9 @@ void TrackingFilter::correct_particles(Hypothesis& hypothesis, const ScanPoints&
 PoseGaussian TrackingFilter::refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
                                            const ScanPoints& points) const {
   const PosePrior prior = make_prior(predicted);
-  const SE2 winner = climber().climb(points, T_map_best, prior, refine_);
-  const Eigen::Matrix3d information = climber().information(points, winner) + prior.information;
-  return {winner, information.inverse()};
+  const PoseClimber::Summit winner = climber().summit(points, T_map_best, prior, refine_);
+  const Eigen::Matrix3d information = winner.information + prior.information;
+  return {winner.T_map_base, information.inverse()};
 }
 
 void TrackingFilter::reseed(Hypothesis& hypothesis) const {

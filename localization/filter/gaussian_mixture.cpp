@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "localization/filter/particle_set.hpp"
 #include "localization/motion/odometry_noise.hpp"
 
 namespace castaway::localization {
@@ -135,16 +136,9 @@ void predict(GaussianMixture& mixture, const SE2& u, const Eigen::Matrix3d& cova
 }
 
 std::vector<double> normalized_weights(const GaussianMixture& mixture) {
-  std::vector<double> weights;
-  double top = -std::numeric_limits<double>::infinity();
-  for (const GaussianComponent& c : mixture.components) top = std::max(top, c.log_weight);
-  double sum = 0.0;
-  for (const GaussianComponent& c : mixture.components) {
-    weights.push_back(std::isfinite(top) ? std::exp(c.log_weight - top) : 1.0);
-    sum += weights.back();
-  }
-  for (double& w : weights) w /= sum;
-  return weights;
+  std::vector<double> log_weights;
+  for (const GaussianComponent& c : mixture.components) log_weights.push_back(c.log_weight);
+  return normalized_weights(log_weights);
 }
 
 PoseMoments moments(const GaussianMixture& mixture) {
@@ -169,7 +163,7 @@ void reduce(GaussianMixture& mixture, const MixtureConfig& config) {
                    [](const auto& a, const auto& b) { return a.log_weight > b.log_weight; });
   std::vector<GaussianComponent> kept;
   for (const GaussianComponent& c : mixture.components) {
-    if (c.log_weight < std::log(config.lightest)) break;
+    if (!kept.empty() && c.log_weight < std::log(config.lightest)) break;
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const GaussianComponent& other) {
       return mahalanobis2(other.pose, c.pose.mean) < config.same * config.same;
     });

@@ -51,7 +51,8 @@ std::vector<double> normalized_weights(const GaussianMixture& mixture);
 /// Moments of the whole. Requires a component.
 PoseMoments moments(const GaussianMixture& mixture);
 
-/// Drops light components and joins those that are the same, heaviest first.
+/// Drops light components and joins those that are the same, heaviest first. Keeps the heaviest
+/// one.
 void reduce(GaussianMixture& mixture, const MixtureConfig& config);
 
 /// Probability that the pose is within `distance` [m] and `yaw` [rad] of `T_map_base`; the yaw

@@ -12,17 +12,21 @@ ParticleSet draw_particles(const PoseGaussian& gaussian, int count, Rng& rng) {
   return particles;
 }
 
-std::vector<double> normalized_weights(const ParticleSet& particles) {
-  std::vector<double> weights(particles.size());
+std::vector<double> normalized_weights(const std::vector<double>& log_weights) {
+  std::vector<double> weights(log_weights.size());
   if (weights.empty()) return weights;
-  const double top = *std::max_element(particles.log_weights.begin(), particles.log_weights.end());
+  const double top = *std::max_element(log_weights.begin(), log_weights.end());
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    weights[i] = std::isfinite(top) ? std::exp(particles.log_weights[i] - top) : 1.0;
+    weights[i] = std::isfinite(top) ? std::exp(log_weights[i] - top) : 1.0;
     sum += weights[i];
   }
   for (double& w : weights) w /= sum;
   return weights;
+}
+
+std::vector<double> normalized_weights(const ParticleSet& particles) {
+  return normalized_weights(particles.log_weights);
 }
 
 double effective_size(const std::vector<double>& weights) {

@@ -18,7 +18,8 @@ struct ParticleSet {
 /// Draws `count` equally weighted particles from a Gaussian.
 ParticleSet draw_particles(const PoseGaussian& gaussian, int count, Rng& rng);
 
-/// Weights that sum to 1; equal weights if none is positive.
+/// Weights that sum to 1 from their logarithms; equal weights if none is positive.
+std::vector<double> normalized_weights(const std::vector<double>& log_weights);
 std::vector<double> normalized_weights(const ParticleSet& particles);
 
 /// Effective number of particles: `1 / sum w^2` of normalised weights.

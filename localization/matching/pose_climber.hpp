@@ -18,8 +18,14 @@ struct PoseClimber {
   /// that of hill climbing.
   [[nodiscard]] SE2 climb(const ScanPoints& points, const SE2& start,
                           const std::optional<PosePrior>& prior, const RefineConfig& config) const;
-  /// Log-likelihood of a scan.
-  [[nodiscard]] double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const;
+  /// The same pose with what the scan alone says there.
+  struct Summit {
+    SE2 T_map_base;
+    double log_likelihood = 0.0;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  };
+  [[nodiscard]] Summit summit(const ScanPoints& points, const SE2& start, const PosePrior& prior,
+                              const RefineConfig& config) const;
   /// Information (inverse covariance) about the pose from the scan alone.
   [[nodiscard]] Eigen::Matrix3d information(const ScanPoints& points, const SE2& T_map_base) const;
 };

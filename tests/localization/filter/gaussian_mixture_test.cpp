@@ -75,6 +75,16 @@ TEST(ReduceMixture, DropsTheLightAndJoinsTheSame) {
   EXPECT_NEAR(std::exp(mixture.components[1].log_weight), 0.5, 1e-6);
 }
 
+TEST(ReduceMixture, KeepsTheHeaviestHoweverLight) {
+  MixtureConfig config;
+  config.lightest = 1.0;
+  GaussianMixture mixture{
+      {{pose({1.0, 0.0, 0.0}, 0.1, 0.1), 0.0}, {pose({3.0, 0.0, 0.0}, 0.1, 0.1), 0.5}}};
+  reduce(mixture, config);
+  ASSERT_EQ(mixture.components.size(), 1U);
+  EXPECT_EQ(mixture.components[0].pose.mean.x, 3.0);
+}
+
 /// Draws are the oracle.
 TEST(ProbabilityNear, IsTheShareOfDrawsThatAreNear) {
   PoseMoments belief = pose({0.3, -0.2, 0.1}, 0.3, 0.2);

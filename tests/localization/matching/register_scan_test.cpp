@@ -96,11 +96,18 @@ TEST(PoseClimber, ClimbsByTheModelThatItHas) {
   const ScanPoints points = test::points_from(grid, truth);
   const PoseClimber hill{model};
   EXPECT_EQ(hill.climb(points, start, {}, {}), refine_pose(model, points, start, {}, {}));
-  EXPECT_EQ(hill.log_likelihood(points, start), model.log_likelihood(points, start));
+  const PosePrior prior = make_prior({start, 0.01 * Eigen::Matrix3d::Identity()});
+  const PoseClimber::Summit top = hill.summit(points, start, prior, {});
+  EXPECT_EQ(top.T_map_base, refine_pose(model, points, start, prior, {}));
+  EXPECT_EQ(top.log_likelihood, model.log_likelihood(points, top.T_map_base));
+  EXPECT_EQ(top.information, scan_information(model, points, top.T_map_base));
   EXPECT_EQ(hill.information(points, start), scan_information(model, points, start));
   const PoseClimber cells{model, &ndt};
   EXPECT_EQ(cells.climb(points, start, {}, {}), ndt.register_points(points, start).T_map_base);
-  EXPECT_EQ(cells.log_likelihood(points, start), ndt.fit(points, start).log_likelihood);
+  const PoseClimber::Summit peak = cells.summit(points, start, prior, {});
+  EXPECT_EQ(peak.T_map_base, ndt.register_points(points, start, prior).T_map_base);
+  EXPECT_EQ(peak.log_likelihood, ndt.fit(points, peak.T_map_base).log_likelihood);
+  EXPECT_EQ(peak.information, ndt.fit(points, peak.T_map_base).information);
   EXPECT_EQ(cells.information(points, start), ndt.fit(points, start).information);
 }
 
