@@ -25,7 +25,7 @@ struct ReportArguments {
 void remake_report(const fs::path& run) {
   const fs::path page = run / "report.html";
   require_own_file(page);
-  put_own_file(page, [&] { write_report(run, std::nullopt); });
+  put_own_file(page, [&] { write_report(run, {}); });
 }
 
 /// The run folders among the arguments: those given, and those inside folders of runs (`run

@@ -33,6 +33,13 @@ FeedJson pose_json(const SE2& pose) {
 
 FeedJson pose_json(const std::optional<SE2>& pose) { return pose ? pose_json(*pose) : FeedJson(); }
 
+FeedJson truth_json(const ScanRecord& record) {
+  FeedJson row = pose_json(record.T_map_base_true);
+  if (row.is_null() || !record.T_footprint_base_true) return row;
+  for (const double value : lift_of(*record.T_footprint_base_true)) row.push_back(rounded(value));
+  return row;
+}
+
 FeedJson answer_json(const LocalizerRecord& localizer) {
   FeedJson row = FeedJson::array();
   if (const auto& estimate = localizer.estimate) {
@@ -43,6 +50,7 @@ FeedJson answer_json(const LocalizerRecord& localizer) {
     row.push_back(rounded(estimate->probability, 1e3));
     row.push_back(rounded(std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)))));
     row.push_back(rounded(std::sqrt(covariance(2, 2))));
+    if (estimate->footing) row.push_back(rounded(estimate->footing->z));
   }
   std::size_t particles = 0;
   const auto& populations = localizer.diagnostics.populations;
@@ -74,12 +82,9 @@ RunEvent leaf_event(const sim::Door& door, double open_deg) {
 /// Null within 2 mm and 2 mrad of the floor.
 FeedJson lift_json(const Eigen::Isometry3d& T_footprint_base) {
   constexpr double kLevel = 2e-3;
-  const Eigen::Matrix3d R = T_footprint_base.linear();
-  const double height = T_footprint_base.translation().z();
-  const double roll = std::atan2(R(2, 1), R(2, 2));
-  const double pitch = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
-  if (std::abs(height) + std::abs(roll) + std::abs(pitch) < kLevel) return nullptr;
-  return {rounded(height), rounded(roll), rounded(pitch)};
+  const Eigen::Vector3d lift = lift_of(T_footprint_base);
+  if (lift.cwiseAbs().sum() < kLevel) return nullptr;
+  return {rounded(lift.x()), rounded(lift.y()), rounded(lift.z())};
 }
 
 std::string length_bytes(std::size_t size) {
@@ -102,6 +107,12 @@ void LiveFeed::set_doors(const sim::WorldSpec& world) {
   header_["doors"] = std::move(doors);
 }
 
+void LiveFeed::set_levels(const LevelMaps& levels) {
+  FeedJson& header = header_["levels"] = levels_header(levels);
+  header["cells"] = FeedJson::array();
+  for (const LevelMap& level : levels) header["cells"].push_back(base64(pack_cells(level.map)));
+}
+
 FeedJson LiveFeed::hello() const {
   FeedJson hello = header_;
   hello["cells"] = base64(cells_);
@@ -115,6 +126,10 @@ void LiveFeed::on_event(const RunEvent& event) {
                      {"localizer", event.localizer},
                      {"from", pose_json(event.T_map_from)},
                      {"to", pose_json(event.T_map_to)}});
+  if (event.heights) {
+    events_.back()["from_z"] = rounded(event.heights->x());
+    events_.back()["to_z"] = rounded(event.heights->y());
+  }
   if (!event.object.empty()) events_.back()["change"] = change_entry(event);
   if (event.kind != EventKind::kKidnap) return;
   if (kidnaps_.size() == kKeptKidnaps) kidnaps_.erase(kidnaps_.begin());
@@ -133,7 +148,7 @@ void LiveFeed::on_scan(const ScanRecord& record) {
     localizers.push_back(answer_json(localizer));
   }
   scans_.push_back({rounded(localization::seconds(record.stamp)),
-                    is_torn_by(kidnaps_, record) ? 1 : 0, pose_json(record.T_map_base_true),
+                    is_torn_by(kidnaps_, record) ? 1 : 0, truth_json(record),
                     std::move(localizers)});
   set_blocks(record);
 }
@@ -144,7 +159,8 @@ void LiveFeed::set_blocks(const ScanRecord& record) {
   const std::size_t lidar = recorded_lidar(record.scan, stride, header_);
   blocks_ = {pack_beams(lidar, record.scan, stride), pack_people(record.people.people)};
   for (const LocalizerRecord& localizer : record.localizers) {
-    blocks_.push_back(pack_populations(localizer.diagnostics.populations, kMostPoints));
+    blocks_.push_back(pack_populations(localizer.diagnostics.populations, kMostPoints,
+                                       header_.contains("heights")));
   }
 }
 

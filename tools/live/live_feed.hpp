@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/world/world_spec.hpp"
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
@@ -37,6 +38,9 @@ class LiveFeed final : public RunSink {
   /// outline of its leaf when it is closed; otherwise as in `change_entry`.
   void set_doors(const sim::WorldSpec& world);
 
+  /// Tells pages of the floors of a run: `levels` of the header, with `cells` of each, in base64.
+  void set_levels(const LevelMaps& levels);
+
   /// Tells pages that a log of so many scans is played: `recorded` of the header.
   void set_recorded(std::size_t scans) { header_["recorded"] = {{"scans", scans}}; }
 
@@ -50,9 +54,9 @@ class LiveFeed final : public RunSink {
   ///   lift         [height, roll, pitch] of base; absent while it stands on level floor
   ///   estimates    the same for each localizer, or null
   ///   scans        those since the last frame: [t, torn, truth, localizers], of each localizer
-  ///   null
-  ///                or [x, y, yaw, lost, quality, probability, sigma, sigma_yaw], and the numbers
-  ///                of its populations and particles
+  ///                null or [x, y, yaw, lost, quality, probability, sigma, sigma_yaw], and the
+  ///                numbers of its populations and particles; on several floors, the truth is
+  ///                [x, y, yaw, z, roll, pitch], and z follows an answer's sigma_yaw
   ///   lidars       as in the header of a recording
   ///   blocks       sizes of the blocks of the newest scan: beams, people, populations of each
   ///                localizer (`recording_blocks.hpp`); empty without a scan

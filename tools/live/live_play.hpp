@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/world/world_spec.hpp"
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
@@ -44,6 +45,8 @@ class LivePlay {
   virtual Stamp add(const std::string& event) = 0;
   /// The world as it is now; nullptr if there is none.
   [[nodiscard]] virtual const sim::WorldSpec* world() const = 0;
+  /// The floors of a run on several; null: it is on one.
+  [[nodiscard]] virtual const LevelMaps* levels() const { return nullptr; }
   /// Scans of the log; nothing if this is none.
   [[nodiscard]] virtual std::optional<std::size_t> recorded_scans() const = 0;
   /// YAML that plays the run again, with all events that were added, until now.

@@ -331,6 +331,7 @@ class LivePlayer {
 
   void say_hello() {
     if (const sim::WorldSpec* world = run_->world()) feed_->set_doors(*world);
+    if (const LevelMaps* levels = run_->levels()) feed_->set_levels(*levels);
     if (const auto scans = run_->recorded_scans()) feed_->set_recorded(*scans);
     line_.say({{"said", "hello"}, {"run", feed_->hello()}, {"undone", undone_}});
     say_status();

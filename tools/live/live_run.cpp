@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/map3d/level_maps.hpp"
 #include "tools/map3d/run_volume.hpp"
 #include "tools/ros2/bridge_messages.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
@@ -43,6 +44,9 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
                      prepared.difference,
                      prepared.config.levels != nullptr};
   sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
+  if (prepared.config.levels) {
+    levels_ = std::make_unique<const LevelMaps>(level_maps(*prepared.config.levels));
+  }
   lidars_ = prepared.config.lidars;
   scene_ = {page_world(prepared.config.world), robot_items(prepared.config.robot, lidars_)};
   BridgeConfig told;

@@ -34,6 +34,7 @@ class LiveRun final : public LivePlay {
   [[nodiscard]] Eigen::Isometry3d T_footprint_base() const override {
     return source_->T_footprint_base();
   }
+  [[nodiscard]] const LevelMaps* levels() const override { return levels_.get(); }
   [[nodiscard]] std::string scene() override;
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const override {
     return loop_->estimates();
@@ -55,6 +56,7 @@ class LiveRun final : public LivePlay {
   PageScene scene_;
   std::vector<NamedLocalizer> localizers_;
   std::vector<std::unique_ptr<RunSink>> sinks_;
+  std::unique_ptr<const LevelMaps> levels_;  ///< Null on one floor.
   std::unique_ptr<SimulatorSource> source_;
   std::unique_ptr<Loop> loop_;
 };

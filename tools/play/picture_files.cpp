@@ -7,6 +7,7 @@
 #include "sim/map/level_plane.hpp"
 #include "sim/scene/bounds.hpp"
 #include "sim/world/world_visuals.hpp"
+#include "tools/map3d/level_maps.hpp"
 #include "tools/scene/visible_scene.hpp"
 
 namespace castaway::testbed {
@@ -123,6 +124,9 @@ RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& v
                        const PreparedSimulation& prepared) {
   RunFiles files;
   files.report = outputs.report;
+  if (files.report && prepared.config.levels) {
+    files.levels = std::make_shared<const LevelMaps>(level_maps(*prepared.config.levels));
+  }
   files.player = outputs.player;
   files.picture_world.robot_radius = prepared.config.robot.footprint_radius;
   if (outputs.snapshots || outputs.camera || !video.empty()) {

@@ -6,9 +6,12 @@
 
 namespace castaway::testbed {
 
-ReportSink::ReportSink(std::filesystem::path run_folder, RosMap map)
-    : run_folder_(std::move(run_folder)), map_(std::move(map)) {}
+ReportSink::ReportSink(std::filesystem::path run_folder, RosMap map,
+                       std::shared_ptr<const LevelMaps> levels)
+    : run_folder_(std::move(run_folder)), map_(std::move(map)), levels_(std::move(levels)) {}
 
-void ReportSink::finish(Stamp, const RunTiming&) { write_report(run_folder_, map_); }
+void ReportSink::finish(Stamp, const RunTiming&) {
+  write_report(run_folder_, {map_, levels_ ? *levels_ : LevelMaps{}});
+}
 
 }  // namespace castaway::testbed

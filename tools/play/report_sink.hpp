@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
@@ -11,7 +13,9 @@ namespace castaway::testbed {
 /// Renders the report from the files of other sinks, so it must come after them.
 class ReportSink final : public RunSink {
  public:
-  ReportSink(std::filesystem::path run_folder, RosMap map);
+  /// `levels`: null in a run on one floor.
+  ReportSink(std::filesystem::path run_folder, RosMap map,
+             std::shared_ptr<const LevelMaps> levels = nullptr);
 
   void on_event(const RunEvent&) override {}
   void on_odometry(const OdometryFrame&) override {}
@@ -21,6 +25,7 @@ class ReportSink final : public RunSink {
  private:
   std::filesystem::path run_folder_;
   RosMap map_;
+  std::shared_ptr<const LevelMaps> levels_;
 };
 
 }  // namespace castaway::testbed

@@ -47,6 +47,7 @@ RecordingConfig recording_config(const RunFiles& files, Stamp duration) {
   config.scan_every_s = scan_period(seconds(duration));
   config.detail_every_s = detail_period(seconds(duration));
   if (files.scene) config.scene = page_scene_json(*files.scene, kReportSceneBytes);
+  config.levels = files.levels;
   return config;
 }
 
@@ -75,7 +76,7 @@ RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, c
     if (pictures->missing()) built.warnings.push_back("no pictures: " + *pictures->missing());
     sinks.push_back(std::move(pictures));
   }
-  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, map));
+  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, map, files.levels));
   return built;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/formats/level_map.hpp"
 #include "tools/pictures/camera_sink.hpp"
 #include "tools/pictures/film_sink.hpp"
 #include "tools/pictures/picture_sink.hpp"
@@ -35,6 +36,7 @@ struct RunFiles {
   bool tables_csv = false;                       ///< tables/*.csv
   bool tables_hdf5 = false;                      ///< tables.h5
   std::shared_ptr<const LabelContext> labels{};  ///< For tables; shared by sinks.
+  std::shared_ptr<const LevelMaps> levels{};     ///< Of a run on several floors, for its page.
   bool timing = true;  ///< timing.json and timing.csv, which differ in every repetition.
 };
 

@@ -79,8 +79,7 @@ Json map_header(const RosMap& map) {
           {"origin", {map.origin_x, map.origin_y, map.origin_yaw}}};
 }
 
-RosMap map_of(const Recording& recording) {
-  const Json& header = recording.header.at("map");
+static RosMap read_map(const Json& header, std::string_view packed) {
   RosMap map;
   map.name = header.at("name").get<std::string>();
   map.width = integer<int>(header.at("width"));
@@ -94,7 +93,7 @@ RosMap map_of(const Recording& recording) {
     refuse("its map has no sensible size");
   }
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-  for (VarintReader reader(recording.sections.at("map")); !reader.done();) {
+  for (VarintReader reader(packed); !reader.done();) {
     const auto value = static_cast<std::int8_t>(static_cast<int>(reader.next()) - 1);
     const std::uint64_t count = reader.next();
     if (count > cells - map.cells.size()) refuse("its map has too many cells");
@@ -102,6 +101,29 @@ RosMap map_of(const Recording& recording) {
   }
   if (map.cells.size() != cells) refuse("its map lacks cells");
   return map;
+}
+
+RosMap map_of(const Recording& recording) {
+  return read_map(recording.header.at("map"), recording.sections.at("map"));
+}
+
+Json levels_header(const LevelMaps& levels) {
+  Json heights = Json::array();
+  for (const LevelMap& level : levels) heights.push_back(level.z);
+  return {{"map", map_header(levels.front().map)}, {"z_m", std::move(heights)}};
+}
+
+LevelMaps levels_of(const Recording& recording) {
+  if (!recording.header.contains("levels")) return {};
+  const Json& header = recording.header.at("levels");
+  LevelMaps levels;
+  for (const Json& z : header.at("z_m")) {
+    const std::string section = "level/" + std::to_string(levels.size());
+    const auto found = recording.sections.find(section);
+    if (found == recording.sections.end()) refuse("it lacks the section " + section);
+    levels.push_back({z.get<double>(), read_map(header.at("map"), found->second)});
+  }
+  return levels;
 }
 
 }  // namespace castaway::testbed

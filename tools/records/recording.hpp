@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 
 namespace castaway::testbed {
@@ -48,5 +49,13 @@ nlohmann::ordered_json map_header(const RosMap& map);
 
 /// Reads the map of a recording. Throws std::runtime_error if it is incomplete.
 RosMap map_of(const Recording& recording);
+
+/// Header entry of floors: {map: as `map_header`, z_m: [their heights]}. The cells of floor K are
+/// in the section `level/K`.
+nlohmann::ordered_json levels_header(const LevelMaps& levels);
+
+/// Reads the floors of a recording; none if it is of one floor. Throws std::runtime_error if they
+/// are incomplete.
+LevelMaps levels_of(const Recording& recording);
 
 }  // namespace castaway::testbed

@@ -33,12 +33,17 @@ std::vector<std::pair<std::int64_t, std::int64_t>> points_about(const SE2& cente
   return points;
 }
 
-void append_population(std::string& block, const PopulationView& population, std::size_t most) {
+void append_population(std::string& block, const PopulationView& population, std::size_t most,
+                       bool heights) {
   append_signed(block, population.id);
   append_varint(block, population.selected ? 1U : 0U);
   append_signed(block, quantize(population.share, kRecordingShare));
   append_signed(block, quantize(population.quality, kRecordingShare));
   append_pose(block, population.T_map_base);
+  if (heights) {
+    const double z = population.footing ? population.footing->z : 0.0;
+    append_signed(block, quantize(z, kRecordingPoint));
+  }
   const auto points = points_about(population.T_map_base, population.particles, most);
   append_varint(block, points.size());
   std::int64_t last_x = 0;
@@ -69,12 +74,15 @@ std::string pack_beams(std::size_t lidar, const LaserScan& scan, std::size_t str
   return block;
 }
 
-std::string pack_populations(const std::vector<PopulationView>& populations, std::size_t most) {
+std::string pack_populations(const std::vector<PopulationView>& populations, std::size_t most,
+                             bool heights) {
   std::string block;
   append_varint(block, populations.size());
   const std::size_t each =
       std::max<std::size_t>(8, most / std::max<std::size_t>(1, populations.size()));
-  for (const PopulationView& population : populations) append_population(block, population, each);
+  for (const PopulationView& population : populations) {
+    append_population(block, population, each, heights);
+  }
   return block;
 }
 

@@ -18,9 +18,9 @@ std::string pack_beams(std::size_t lidar, const LaserScan& scan, std::size_t str
 /// Packs the number of populations and for each: id; 1 if it is the output; share and quality; mean
 /// x, y and yaw; number of particles, and the particles sorted by x and y relative to the mean: x
 /// as the difference to the previous one, y as it is. About `most` particles in total are kept, but
-/// at least 8 per population.
+/// at least 8 per population. `heights`: the mean's z follows its yaw.
 std::string pack_populations(const std::vector<localization::PopulationView>& populations,
-                             std::size_t most);
+                             std::size_t most, bool heights = false);
 
 /// Packs the number of people and for each: id, x, y, yaw.
 std::string pack_people(const std::vector<PersonTruth>& people);

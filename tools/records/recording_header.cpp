@@ -35,20 +35,22 @@ double millimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
 }  // namespace
 
 HeaderJson recording_header(const RunInfo& info, const RosMap& map, double robot_radius_m) {
-  return {{"scenario", info.scenario},
-          {"world", info.world},
-          {"robot", info.robot},
-          {"seed", info.seed},
-          {"localizers", info.localizers},
-          {"robot_radius_m", robot_radius_m},
-          {"steps",
-           {{"pose", kRecordingPose},
-            {"point", kRecordingPoint},
-            {"angle", kRecordingAngle},
-            {"share", kRecordingShare},
-            {"time", kRecordingTime}}},
-          {"map", map_header(map)},
-          {"lidars", HeaderJson::array()}};
+  HeaderJson header = {{"scenario", info.scenario},
+                       {"world", info.world},
+                       {"robot", info.robot},
+                       {"seed", info.seed},
+                       {"localizers", info.localizers},
+                       {"robot_radius_m", robot_radius_m},
+                       {"steps",
+                        {{"pose", kRecordingPose},
+                         {"point", kRecordingPoint},
+                         {"angle", kRecordingAngle},
+                         {"share", kRecordingShare},
+                         {"time", kRecordingTime}}},
+                       {"map", map_header(map)},
+                       {"lidars", HeaderJson::array()}};
+  if (info.heights) header["heights"] = true;
+  return header;
 }
 
 HeaderJson change_entry(const RunEvent& event) {
@@ -60,6 +62,12 @@ HeaderJson change_entry(const RunEvent& event) {
           {"name", event.object},
           {"outline", std::move(outline)},
           {"z", {millimetres(event.outline_z.x()), millimetres(event.outline_z.y())}}};
+}
+
+Eigen::Vector3d lift_of(const Eigen::Isometry3d& T_footprint_base) {
+  const Eigen::Matrix3d R = T_footprint_base.linear();
+  return {T_footprint_base.translation().z(), std::atan2(R(2, 1), R(2, 2)),
+          std::asin(std::clamp(-R(2, 0), -1.0, 1.0))};
 }
 
 std::size_t recorded_lidar(const LaserScan& scan, std::size_t stride, HeaderJson& header) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/ros_map.hpp"
@@ -19,6 +20,9 @@ nlohmann::ordered_json recording_header(const RunInfo& info, const RosMap& map,
 /// ...], z: [lower, upper]} [m]. If the outline is empty, nothing of that name stands there any
 /// more.
 nlohmann::ordered_json change_entry(const RunEvent& event);
+
+/// [height, roll, pitch] of base. [m], [rad]
+Eigen::Vector3d lift_of(const Eigen::Isometry3d& T_footprint_base);
 
 /// Index of the scan's lidar in the header; it is added at its first scan. `stride`: of the beams
 /// that are kept.

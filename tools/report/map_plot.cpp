@@ -1,6 +1,7 @@
 #include "tools/report/map_plot.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -16,7 +17,17 @@ using localization::SE2;
 constexpr double kJump = 1.0;       // [m]
 constexpr double kMapMargin = 1.0;  // [m] Around the paths if there is no map.
 
-using PoseOfRow = std::optional<SE2> ReportRow::*;
+/// Poses of one kind in the rows of a curve.
+struct Track {
+  std::optional<SE2> ReportRow::*pose;
+  std::optional<double> ReportRow::*z;
+};
+
+constexpr Track kTrue{&ReportRow::T_map_base_true, &ReportRow::z_true};
+constexpr Track kEstimated{&ReportRow::T_map_base_estimate, &ReportRow::z_estimate};
+
+/// True for the rows to be drawn on a floor.
+using OnFloor = std::function<bool(std::optional<double> z)>;
 
 /// An empty grid around all poses.
 RosMap bounding_grid(const RunFolder& run) {
@@ -38,12 +49,17 @@ RosMap bounding_grid(const RunFolder& run) {
   return grid;
 }
 
-std::string path_data(const ReportCurve& curve, PoseOfRow pose_of, const RosMap& map) {
+std::string path_data(const ReportCurve& curve, const Track& track, const RosMap& map,
+                      const OnFloor& on_floor) {
   std::string path;
   std::optional<SE2> last;
   for (const ReportRow& row : curve.rows) {
-    const std::optional<SE2>& pose = row.*pose_of;
+    const std::optional<SE2>& pose = row.*track.pose;
     if (!pose) continue;
+    if (!on_floor(row.*track.z)) {
+      last.reset();
+      continue;
+    }
     const bool joined = last && localization::distance(*last, *pose) <= kJump;
     const Eigen::Vector2d p = map_pixel(map, pose->translation());
     path += fmt::format("{}{:.1f} {:.1f}", joined ? 'L' : 'M', p.x(), p.y());
@@ -65,23 +81,42 @@ std::string truth_element(const std::string& data, double stroke) {
          path_element("truth", "path truth", data, 3.0 * stroke);
 }
 
-}  // namespace
-
-std::string render_map_plot(const RunFolder& run, const std::optional<RosMap>& map) {
-  const RosMap bounding = map ? RosMap{} : bounding_grid(run);
-  const RosMap& grid = map ? *map : bounding;
+/// Draws the paths on one map.
+std::string plot_on(const RunFolder& run, const RosMap& grid, bool drawn, const OnFloor& on_floor,
+                    const std::string& label) {
   const double stroke = map_stroke(grid);
   std::string paths;
   if (!run.curves.empty()) {
-    paths +=
-        truth_element(path_data(run.curves.front(), &ReportRow::T_map_base_true, grid), stroke);
+    paths += truth_element(path_data(run.curves.front(), kTrue, grid, on_floor), stroke);
   }
   for (std::size_t i = 0; i < run.curves.size(); ++i) {
     const ReportCurve& curve = run.curves[i];
     paths += path_element(curve.localizer, fmt::format("path light c{}", i % 6),
-                          path_data(curve, &ReportRow::T_map_base_estimate, grid), stroke);
+                          path_data(curve, kEstimated, grid, on_floor), stroke);
   }
-  return map_svg(grid, map.has_value(), paths, "paths on the map");
+  return map_svg(grid, drawn, paths, label);
+}
+
+std::string plot_of_levels(const RunFolder& run, const LevelMaps& levels) {
+  std::string html = "<div class=\"levels\">\n";
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const auto on_floor = [&](std::optional<double> z) {
+      return level_at(levels, z.value_or(0.0)) == i;
+    };
+    const std::string name = fmt::format("level {}: {:.2f} m", i, levels[i].z);
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                        plot_on(run, levels[i].map, true, on_floor, "paths on " + name), name);
+  }
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string render_map_plot(const RunFolder& run, const ReportMaps& maps) {
+  if (!maps.levels.empty()) return plot_of_levels(run, maps.levels);
+  const auto all = [](std::optional<double>) { return true; };
+  const RosMap grid = maps.map ? *maps.map : bounding_grid(run);
+  return plot_on(run, grid, maps.map.has_value(), all, "paths on the map");
 }
 
 }  // namespace castaway::testbed

@@ -13,8 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json point(const std::optional<localization::SE2>& pose) {
-  return pose ? Json{pose->x, pose->y} : Json();
+/// [x, y], and the height in a run on several floors.
+Json point(const std::optional<localization::SE2>& pose, const std::optional<double>& z) {
+  if (!pose) return nullptr;
+  Json json{pose->x, pose->y};
+  if (z) json.push_back(*z);
+  return json;
 }
 
 Json page_of(const RunFolder& run) {
@@ -25,8 +29,8 @@ Json page_of(const RunFolder& run) {
                       {"kind", event_name(event.kind)},
                       {"detail", event.detail},
                       {"localizer", event.localizer},
-                      {"from", point(event.T_map_from)},
-                      {"to", point(event.T_map_to)}});
+                      {"from", point(event.T_map_from, event.from_z)},
+                      {"to", point(event.T_map_to, event.to_z)}});
   }
   return {{"right_m", right.position_m}, {"right_rad", right.yaw_rad}, {"events", events}};
 }

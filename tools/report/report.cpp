@@ -12,7 +12,6 @@
 #include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
-#include "tools/report/map_plot.hpp"
 #include "tools/report/pictures_section.hpp"
 #include "tools/report/player_section.hpp"
 #include "tools/report/repeat_section.hpp"
@@ -60,11 +59,12 @@ std::string hidden_by_player(const std::string& html) {
   return "<div class=\"still\">\n" + html + "</div>\n";
 }
 
-/// The map in the run's recording, if there is one.
-std::optional<RosMap> recorded_map(const RunFolder& run, const std::filesystem::path& folder) {
-  if (run.recording.empty()) return std::nullopt;
+/// The maps in the run's recording, if there is one.
+ReportMaps recorded_maps(const RunFolder& run, const std::filesystem::path& folder) {
+  if (run.recording.empty()) return {};
   try {
-    return map_of(unpack_recording(run.recording));
+    const Recording recording = unpack_recording(run.recording);
+    return {map_of(recording), levels_of(recording)};
   } catch (const std::exception& error) {
     throw std::runtime_error((folder / "recording.gz").string() + ": " + error.what());
   }
@@ -72,7 +72,7 @@ std::optional<RosMap> recorded_map(const RunFolder& run, const std::filesystem::
 
 }  // namespace
 
-std::string render_report(const RunFolder& run, const std::optional<RosMap>& map) {
+std::string render_report(const RunFolder& run, const ReportMaps& maps) {
   const std::string title = run.summary.value("scenario", "run");
   const bool player = has_player(run);
   const std::string body = "<div id=\"castaway-theme-place\"></div>\n<h1>" + escape_html(title) +
@@ -80,17 +80,17 @@ std::string render_report(const RunFolder& run, const std::optional<RosMap>& map
                            html_section("Figures", metric_table(run)) + expectations_section(run) +
                            (player ? "" : curves_section(run)) + calibration_section(run) +
                            hidden_by_player(html_section(
-                               "Path on the map", map_legend(run) + render_map_plot(run, map))) +
+                               "Path on the map", map_legend(run) + render_map_plot(run, maps))) +
                            html_section("Events", event_table(run)) + pictures_section(run) +
                            repeat_section(run) + player_data(run) + timing_section(run);
   return html_page(
       {.title = title, .body = body, .bundle = player ? player_bundle() : plots_bundle()});
 }
 
-void write_report(const std::filesystem::path& run_folder, const std::optional<RosMap>& map) {
+void write_report(const std::filesystem::path& run_folder, const ReportMaps& maps) {
   const RunFolder run = load_run_folder(run_folder);
   write_file(run_folder / "report.html",
-             render_report(run, map ? map : recorded_map(run, run_folder)));
+             render_report(run, maps.map ? maps : recorded_maps(run, run_folder)));
 }
 
 }  // namespace castaway::testbed

@@ -37,6 +37,10 @@ class Row {
       throw std::runtime_error(path_.string() + ": " + column + ": " + error.what());
     }
   }
+  /// Nothing in a table without that column.
+  [[nodiscard]] std::optional<double> number_if(const std::string& column) const {
+    return columns_.contains(column) ? number(column) : std::nullopt;
+  }
   [[nodiscard]] EventKind event(const std::string& column) const {
     if (const auto kind = event_kind(text(column))) return *kind;
     throw std::runtime_error(path_.string() + ": " + column + ": no kind of event is called '" +
@@ -75,7 +79,7 @@ std::vector<ReportCurve> read_curves(const std::filesystem::path& path) {
     }
     found->second.add({row.number("stamp_s").value_or(0.0), row.pose("true_"), row.pose(""),
                        row.number("position_error_m"), row.number("yaw_error_rad"),
-                       row.number("quality")});
+                       row.number("quality"), row.number_if("true_z_m"), row.number_if("z_m")});
   });
   std::vector<ReportCurve> result;
   for (auto& [name, curve] : curves) result.push_back({name, curve.take()});
@@ -87,7 +91,7 @@ std::vector<ReportEvent> read_events(const std::filesystem::path& path) {
   for_each_row(path, [&](const Row& row) {
     events.push_back({row.number("stamp_s").value_or(0.0), row.event("kind"), row.text("detail"),
                       row.text("localizer"), row.number("time_s"), row.pose("from_"),
-                      row.pose("to_")});
+                      row.pose("to_"), row.number_if("from_z_m"), row.number_if("to_z_m")});
   });
   return events;
 }

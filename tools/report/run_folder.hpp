@@ -21,6 +21,8 @@ struct ReportRow {
   std::optional<double> position_error_m;
   std::optional<double> yaw_error_rad;
   std::optional<double> quality;
+  std::optional<double> z_true{};      ///< [m] In runs on several floors.
+  std::optional<double> z_estimate{};  ///< [m]
 };
 
 /// A row of events.csv.
@@ -32,6 +34,8 @@ struct ReportEvent {
   std::optional<double> time_s;
   std::optional<localization::SE2> T_map_from;  ///< For a kidnap: pose before it.
   std::optional<localization::SE2> T_map_to;
+  std::optional<double> from_z{};  ///< [m] In runs on several floors.
+  std::optional<double> to_z{};    ///< [m]
 };
 
 /// Rows of one localizer.

@@ -35,7 +35,7 @@ PageWorld page_world(const sim::WorldSpec& world) {
   page.min_corner = world.min_corner;
   page.max_corner = world.max_corner;
   for (sim::SceneItem& item : sim::world_visuals(world)) {
-    (item.casts_shadow ? page.items : page.roofs).push_back(std::move(item));
+    (item.casts_shadow || world.levels ? page.items : page.roofs).push_back(std::move(item));
   }
   page.top = sim::standing_height(page.items);
   return page;

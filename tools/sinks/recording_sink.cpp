@@ -40,7 +40,15 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
     : file_(run_folder / "recording.gz"),
       config_(config),
       header_(recording_header(info, map, config.robot_radius_m)),
+      heights_(info.heights),
       fixed_{{"map", pack_cells(map)}} {
+  if (heights_ && config.levels) {
+    const LevelMaps& levels = *config.levels;
+    header_["levels"] = levels_header(levels);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      fixed_.push_back({"level/" + std::to_string(i), pack_cells(levels[i].map)});
+    }
+  }
   if (!config.scene.empty()) fixed_.push_back({"scene", config.scene});
 }
 
@@ -111,6 +119,20 @@ void RecordingSink::add_localizer(std::size_t index, const LocalizerRecord& loca
   columns_[prefix + "/particles"].add(static_cast<std::int64_t>(particles));
 }
 
+/// The answers without a height have that of the floor.
+void RecordingSink::add_heights(const ScanRecord& record) {
+  const Eigen::Vector3d lift = record.T_footprint_base_true ? lift_of(*record.T_footprint_base_true)
+                                                            : Eigen::Vector3d::Zero();
+  columns_["truth/z"].add(quantize(lift.x(), kRecordingPose));
+  columns_["truth/roll"].add(quantize(lift.y(), kRecordingPose));
+  columns_["truth/pitch"].add(quantize(lift.z(), kRecordingPose));
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    const auto& estimate = record.localizers[i].estimate;
+    const double z = estimate && estimate->footing ? estimate->footing->z : 0.0;
+    columns_[of_localizer(i) + "/z"].add(quantize(z, kRecordingPose));
+  }
+}
+
 void RecordingSink::add_block(const std::string& name, const std::string& block) {
   columns_[name + "/sizes"].add(static_cast<std::int64_t>(block.size()));
   blocks_[name] += block;
@@ -123,7 +145,8 @@ void RecordingSink::add_detail(const ScanRecord& record) {
   add_block("people", pack_people(record.people.people));
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     add_block(of_localizer(i) + "/points",
-              pack_populations(record.localizers[i].diagnostics.populations, config_.most_points));
+              pack_populations(record.localizers[i].diagnostics.populations, config_.most_points,
+                               heights_));
   }
 }
 
@@ -140,6 +163,7 @@ void RecordingSink::on_scan(const ScanRecord& record) {
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     add_localizer(i, record.localizers[i]);
   }
+  if (heights_) add_heights(record);
   if (is_due(record, config_.detail_every_s, next_detail_)) add_detail(record);
   ++scans_;
 }

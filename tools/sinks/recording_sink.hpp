@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct RecordingConfig {
   std::size_t most_beams = 360;   ///< Maximum per scan.
   std::size_t most_points = 300;  ///< Maximum number of particles per localizer and scan.
   std::string scene{};            ///< JSON of what can be seen (`page_scene_json`); empty: none.
+  std::shared_ptr<const LevelMaps> levels{};  ///< Null: the run is on one floor.
 };
 
 /// Period [s] of details that gives at most about 6000 of them in a run of `duration_s`, so that
@@ -39,6 +41,8 @@ double scan_period(double duration_s);
 ///   time                     stamp of the scan
 ///   flags                    1: the truth is known; 2: a kidnap tore the scan
 ///   truth/x /y /yaw          if unknown, the last known values
+///   truth/z /roll /pitch K/z level/K   in a run on several floors (`heights` in the header): of
+///                            base, heights of answers, and `pack_cells` of floor K
 ///   K/flags                  of localizer K = 0, 1...: 1: it has an answer; 2: it says it is lost
 ///   K/x /y /yaw /quality /probability   if it has no answer, the last values
 ///   K/sigma /sigma_yaw       sqrt((var_x + var_y) / 2), sqrt(var_yaw)
@@ -61,6 +65,7 @@ class RecordingSink final : public RunSink {
   static bool is_due(const ScanRecord& record, double every_s, std::map<std::string, Stamp>& next);
   void add_pose(const std::string& prefix, const SE2& pose);
   void repeat_pose(const std::string& prefix);
+  void add_heights(const ScanRecord& record);
   void add_localizer(std::size_t index, const LocalizerRecord& localizer);
   void add_belief(const std::string& prefix, const localization::Estimate& estimate);
   void add_detail(const ScanRecord& record);
@@ -69,7 +74,8 @@ class RecordingSink final : public RunSink {
   AtomicFile file_;
   RecordingConfig config_;
   nlohmann::ordered_json header_;
-  std::vector<RecordingSection> fixed_;       ///< Sections that do not grow: the map.
+  bool heights_;
+  std::vector<RecordingSection> fixed_;       ///< Sections that do not grow: the maps.
   std::map<std::string, IntColumn> columns_;  ///< By name.
   std::map<std::string, std::string> blocks_;
   std::vector<RunEvent> kidnaps_;

@@ -42,8 +42,8 @@ export function transport(act) {
   }};
 }
 
-/** On and off for each layer, and which localizer is shown. */
-export function layerChoices(state, names, act) {
+/** On and off for each layer, which localizer is shown, and which floor; `heights` [m]: of the floors. */
+export function layerChoices(state, names, act, heights = []) {
   const boxes = kLayers.map(([layer, text]) => {
     const box = element('input', {type: 'checkbox', checked: state.show.has(layer), change: () => {
       if (box.checked) state.show.add(layer);
@@ -52,6 +52,12 @@ export function layerChoices(state, names, act) {
     }});
     return element('label', {}, box, text);
   });
+  const floor = choice('Floor shown',
+    [[-1, 'floor of the robot'], ...heights.map((z, level) => [level, `level ${level}: ${z.toFixed(2)} m`])],
+    (value) => {
+      state.level = Number(value);
+      act('draw');
+    });
   const of = choice('Localizers shown', [[-1, 'all localizers'], ...names.map((n, k) => [k, n])],
     (value) => {
       state.of = Number(value);
@@ -64,7 +70,7 @@ export function layerChoices(state, names, act) {
       act('draw');
     });
   return element('div', {class: 'layers', role: 'group', 'aria-label': 'What the map shows'},
-    ...boxes, ...(names.length > 1 ? [of] : []), ...(names.length ? [scanAt] : []));
+    ...boxes, ...(heights.length > 1 ? [floor] : []), ...(names.length > 1 ? [of] : []), ...(names.length ? [scanAt] : []));
 }
 
 /** The buttons over the map, and `more` of them. */

@@ -59,6 +59,7 @@ export function populationsOf(recording, k, position) {
       share: reader.nextSigned() * steps.share,
       quality: reader.nextSigned() * steps.share,
       ...poseOf(reader, steps),
+      ...(recording.header.heights && {z: reader.nextSigned() * steps.point}),
       points: [],
     };
     let {x} = population;

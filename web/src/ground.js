@@ -1,11 +1,11 @@
 // The map itself and the scale bar; a scene is that of layers.js.
 import {barLength, toScreen} from './view.js';
 
-export function drawMap(context, {recording, view, colors, mapCanvas}) {
+export function drawMap(context, {map, view, colors, mapCanvas}) {
   context.fillStyle = colors.unknown;
   context.fillRect(0, 0, view.width, view.height);
   if (!mapCanvas) return;
-  const {origin: [x, y, yaw], resolution_m: cell, height} = recording.header.map;
+  const {origin: [x, y, yaw], resolution_m: cell, height} = map;
   const [px, py] = toScreen(view, x, y);
   context.save();
   context.translate(px, py);

@@ -1,6 +1,7 @@
 // What the map shows, each layer by a function of (context, scene). A scene is:
 // {recording, view, colors, time, scan, detail, show: set of layers, of: localizer shown or -1,
-//  scanAt: -1 for the truth or a localizer, mapCanvas, events, live: {truth, estimates} between scans, or undefined}
+//  scanAt: -1 for the truth or a localizer, map and mapCanvas of the floor that is seen, onLevel(z): true on it, events,
+//  live: {truth, estimates} between scans, or undefined}
 import {beamEnds, beamsOf, peopleOf, populationsOf} from './details.js';
 import {kDashes, outline, pick} from './palette.js';
 import {pieces, poseAt} from './poses.js';
@@ -9,6 +10,7 @@ import {worldAt} from './world_changes.js';
 
 const kTrail = 12;  // [s]
 const kKidnapShown = 3;  // [s]
+const kElsewhere = 0.3;  // Opacity of robots on other floors.
 
 function shown(scene) {
   return scene.recording.localizers.map((localizer, k) => ({localizer, k}))
@@ -41,7 +43,7 @@ export function drawPaths(context, scene, whole) {
     context.strokeStyle = color;
     context.lineWidth = whole ? width * 0.6 : width;
     context.setLineDash(dash);
-    stroke(context, view, pieces(track, from, to));
+    stroke(context, view, pieces(track, from, to, scene.onLevel));
   }
   context.restore();
 }
@@ -60,7 +62,7 @@ export function drawParticles(context, scene) {
   const {recording, view, colors, detail} = scene;
   if (detail < 0) return;
   for (const {k} of shown(scene)) {
-    for (const population of populationsOf(recording, k, detail)) {
+    for (const population of populationsOf(recording, k, detail).filter(({z}) => scene.onLevel(z))) {
       const size = population.selected ? 3 : 2.4;
       context.fillStyle = pick(colors.populations, population.id);
       context.globalAlpha = population.selected ? 0.85 : 0.7;
@@ -83,7 +85,7 @@ export function drawScan(context, scene) {
     const {lidar: index, ranges} = beamsOf(recording, at);
     const lidar = recording.header.lidars[index];
     const pose = poseAt(track, recording.time, recording.details[at].scan, 0);
-    if (!wanted.delete(lidar.name) || !pose) continue;
+    if (!wanted.delete(lidar.name) || !pose || !scene.onLevel(pose.z)) continue;
     const [cos, sin] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
     const ends = beamEnds(lidar, ranges);
     for (let i = 0; i < ends.length; i += 2) {
@@ -129,10 +131,11 @@ export function drawPeople(context, {recording, view, colors, detail}) {
 }
 
 /** A robot: an outline and where it faces. */
-function drawRobot(context, {recording, view}, pose, k, style) {
+function drawRobot(context, {recording, view, onLevel}, pose, k, style) {
   const [px, py] = toScreen(view, pose.x, pose.y);
   const radius = Math.max(recording.header.robot_radius_m * view.scale, 7) * (k < 0 ? 1.25 : 1);
   context.save();
+  context.globalAlpha = onLevel(pose.z) ? 1 : kElsewhere;
   context.translate(px, py);
   context.rotate(-pose.yaw);
   outline(context, Math.max(k, 0), radius);
@@ -162,7 +165,7 @@ export function drawEstimates(context, scene) {
     const color = pick(colors.localizers, k);
     const [px, py] = toScreen(view, pose.x, pose.y);
     context.fillStyle = color;
-    context.globalAlpha = 0.15;
+    context.globalAlpha = scene.onLevel(pose.z) ? 0.15 : 0;
     context.beginPath();
     context.arc(px, py, Math.min(2 * localizer.sigma[scan] * view.scale, 2000), 0, 2 * Math.PI);
     context.fill();

@@ -15,13 +15,17 @@ const kReach = 0.35;  // [m] From a door or a box, to touch it.
 
 const degrees = (yaw) => Number(((yaw * 180) / Math.PI).toFixed(1));
 const rounded = (pose) => pose.map((value) => Number(value.toFixed(3)));
+const placed = (pose, level) => ({pose: rounded(pose), ...(level !== undefined && {level})});
 
-/** Tools by name. `event(pose)`: what they ask for at a pose, as an event of a scenario. */
+/**
+ * Tools by name. `event(pose, choices)`: what they ask for at a pose, as an event of a scenario. `choices.level`: the floor
+ * that is seen, where there are several.
+ */
 export const kTools = {
   teleport: {text: 'Teleport', drags: true, help: 'Drag the robot; a kidnap that takes no time.',
-    event: (pose) => ({kidnap: {kind: 'teleport', pose: rounded(pose)}})},
+    event: (pose, {level}) => ({kidnap: {kind: 'teleport', ...placed(pose, level)}})},
   carry: {text: 'Carry', drags: true, help: 'Drag the robot; it is lifted, carried and put down.',
-    event: (pose) => ({kidnap: {kind: 'carry', pose: rounded(pose)}})},
+    event: (pose, {level}) => ({kidnap: {kind: 'carry', ...placed(pose, level)}})},
   box: {text: 'Box', drags: false, help: 'Press where it goes, and drag to turn it. It is not on the map.',
     event: ([x, y, yaw]) => ({box: {at: rounded([x, y]), yaw_deg: degrees(yaw), size: [0.6, 0.4, 0.6]}})},
   person: {text: 'People', drags: false, help: 'Press where they come, and drag to where they look.',
@@ -80,7 +84,7 @@ export class MapHand {
       },
       drop: (to) => {
         this.ghost = null;
-        this.send(tool.event(poseAt(to), this.state.choices));
+        this.send(tool.event(poseAt(to), {...this.state.choices, level: this.state.seenLevel?.()}));
       },
     };
   }

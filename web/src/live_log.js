@@ -5,8 +5,8 @@ const kMost = 500;
 
 /** An event as the map and the timeline take it: places without headings. */
 export function eventOf(event) {
-  const place = (pose) => (pose ? pose.slice(0, 2) : null);
-  return {...event, from: place(event.from), to: place(event.to)};
+  const place = (pose, z) => (pose ? [...pose.slice(0, 2), ...(z === undefined ? [] : [z])] : null);
+  return {...event, from: place(event.from, event.from_z), to: place(event.to, event.to_z)};
 }
 
 /** A command to drive, which is no event of the run, as one; null for other events of hands. */

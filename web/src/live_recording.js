@@ -10,15 +10,18 @@ const kMostDetails = 1800;  // Beams and particles of the last scans.
 /** A pose within these of the truth is right, as the metrics have it. */
 export const kLimits = {rightM: 0.5, rightRad: 0.35, rightDeg: (0.35 * 180) / Math.PI};
 
-function emptyTrack() {
-  return {known: [], x: [], y: [], yaw: []};
+/** `space`: heights and what follows them, in a run on several floors. */
+function emptyTrack(space = []) {
+  return {known: [], x: [], y: [], yaw: [], ...Object.fromEntries(space.map((part) => [part, []]))};
 }
 
-function addPose(track, pose) {
+/** `space`: of the pose, in the order of the track's. */
+function addPose(track, pose, space = []) {
   track.known.push(pose ? 1 : 0);
   track.x.push(pose ? pose[0] : (track.x.at(-1) ?? 0));
   track.y.push(pose ? pose[1] : (track.y.at(-1) ?? 0));
   track.yaw.push(pose ? pose[2] : (track.yaw.at(-1) ?? 0));
+  ['z', 'roll', 'pitch'].filter((part) => track[part]).forEach((part, i) => track[part].push(space[i] ?? 0));
 }
 
 /** Index of the last of ascending `values` that is at most `value`; -1 if there is none. */
@@ -39,10 +42,11 @@ export class LiveRecording {
     this.header = {...hello, lidars: []};
     this.names = hello.localizers;
     this.sections = new Map([['map', fromBase64(hello.cells)]]);
+    (hello.levels?.cells ?? []).forEach((cells, level) => this.sections.set(`level/${level}`, fromBase64(cells)));
     this.time = [];
     this.torn = [];
-    this.truth = emptyTrack();
-    this.localizers = this.names.map((name) => ({...emptyTrack(), name, lost: [], quality: [], probability: [],
+    this.truth = emptyTrack(hello.heights && ['z', 'roll', 'pitch']);
+    this.localizers = this.names.map((name) => ({...emptyTrack(hello.heights && ['z']), name, lost: [], quality: [], probability: [],
       sigma: [], sigmaYaw: [], populations: [], particles: []}));
     this.errors = this.names.map(() => ({position: [], yaw: []}));
     this.states = this.names.map(() => []);
@@ -75,10 +79,10 @@ export class LiveRecording {
   addScan([time, torn, truth, localizers]) {
     this.time.push(time);
     this.torn.push(torn);
-    addPose(this.truth, truth);
+    addPose(this.truth, truth, truth?.slice(3));
     localizers.forEach(({answer, populations, particles}, k) => {
       const localizer = this.localizers[k];
-      addPose(localizer, answer);
+      addPose(localizer, answer, answer?.slice(8));
       localizer.lost.push(answer ? answer[3] : 0);
       localizer.quality.push(answer ? (answer[4] ?? -1) : 0);
       localizer.probability.push(answer ? (answer[5] ?? -1) : 0);
@@ -92,7 +96,8 @@ export class LiveRecording {
 
   /** Error and state of a localizer at the newest scan. */
   judge(k) {
-    const newest = ({known, x, y, yaw}) => ({known: known.slice(-1), x: x.slice(-1), y: y.slice(-1), yaw: yaw.slice(-1)});
+    const newest = ({known, x, y, yaw, z}) =>
+      ({known: known.slice(-1), x: x.slice(-1), y: y.slice(-1), yaw: yaw.slice(-1), z: z?.slice(-1)});
     const localizer = this.localizers[k];
     const errors = errorsOf({scans: 1, torn: this.torn.slice(-1), truth: newest(this.truth)}, newest(localizer));
     this.errors[k].position.push(errors.position[0]);

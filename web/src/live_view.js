@@ -9,6 +9,7 @@ import {fileTools} from './live_files.js';
 import {drivenEvent, eventOf, LiveLog} from './live_log.js';
 import {LiveRecording} from './live_recording.js';
 import {liveTools} from './live_tools.js';
+import {floorOf} from './levels.js';
 import {mapLegend} from './legend.js';
 import {MapView} from './map_view.js';
 import {marksOf} from './marks.js';
@@ -33,8 +34,8 @@ export class LiveView {
     this.log = new LiveLog();
     this.life = new AbortController();
     this.drawnTime = -Infinity;
-    this.state = {time: 0, of: -1, scanAt: -1, follow: false, live: undefined, tool: 'teleport', holds: false,
-      choices: {localizer: hello.localizers[0], people: {count: 1, walk: false}}, things: () => this.things(), show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
+    this.state = {time: 0, of: -1, scanAt: -1, level: -1, follow: false, live: undefined, tool: 'teleport', holds: false,
+      choices: {localizer: hello.localizers[0], people: {count: 1, walk: false}}, things: () => this.things(), seenLevel: () => this.seenLevel(), show: new Set(['truth', 'estimates', 'particles', 'scan', 'people',
         'trails'])};
     this.now = 0;
     this.past = null;  // The time that is looked at; null: now.
@@ -66,7 +67,7 @@ export class LiveView {
     this.place.replaceChildren(this.transport(), this.note, this.tools.panel,
       element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
       time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
-      element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed()), mapLegend()));
+      element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed(), recording.header.levels?.z_m), mapLegend()));
     this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
     this.curve = new LiveCurve(curve, recording, colors, look);
     this.listen();
@@ -192,6 +193,13 @@ export class LiveView {
     this.tools.showThings(this.things());
   }
 
+  /** The floor that is seen, where there are several. */
+  seenLevel() {
+    const {recording, state} = this;
+    if (!(recording.header.levels?.z_m.length > 1)) return undefined;
+    return floorOf(state, recording, Math.max(0, recording.scans - 1)).level;
+  }
+
   /** What stands in the world now, besides the map. */
   things() {
     return worldAt(this.recording.header, this.recording.changes, this.now);
@@ -224,6 +232,18 @@ export class LiveView {
     save(`${this.recording.header.scenario}-live.yaml`, yaml, 'application/yaml');
   }
 
+  /** Robot and estimates now; on several floors with heights, those of the estimates from their newest scan. */
+  posesOf({truth, estimates, lift}) {
+    const poses = {truth: poseOf(truth), estimates: estimates.map(poseOf), lift};
+    if (!this.recording.header.heights) return poses;
+    poses.lift ??= [0, 0, 0];
+    if (poses.truth) poses.truth.z = poses.lift[0];
+    poses.estimates.forEach((pose, k) => {
+      if (pose) pose.z = this.recording.localizers[k].z.at(-1) ?? 0;
+    });
+    return poses;
+  }
+
   /** Takes a frame. */
   frame(frame) {
     if (frame.now < this.now - 1e-6) {
@@ -233,7 +253,7 @@ export class LiveView {
     }
     this.recording.add(frame);
     this.now = frame.now;
-    this.poses = {truth: poseOf(frame.truth), estimates: frame.estimates.map(poseOf), lift: frame.lift};
+    this.poses = this.posesOf(frame);
     this.changed();
   }
 

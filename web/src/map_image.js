@@ -23,14 +23,13 @@ export function mapPixels(bytes, map, colors) {
   return pixels;
 }
 
-/** A canvas with the map; nothing where it has no cells. */
-export function mapCanvas(recording, colors) {
-  const {map} = recording.header;
+/** A canvas with a map whose cells are in this section; nothing where it has none. */
+export function mapCanvas(recording, colors, map = recording.header.map, section = 'map') {
   if (!map.width || !map.height) return null;
   const canvas = document.createElement('canvas');
   canvas.width = map.width;
   canvas.height = map.height;
-  const pixels = mapPixels(recording.sections.get('map'), map, colors);
+  const pixels = mapPixels(recording.sections.get(section), map, colors);
   canvas.getContext('2d').putImageData(new ImageData(pixels, map.width, map.height), 0, 0);
   return canvas;
 }

@@ -1,6 +1,7 @@
 // The canvas with the map: its size, what hands and wheels do to it, and when it is drawn.
 import {drawMap, drawScaleBar} from './ground.js';
 import * as layers from './layers.js';
+import {floorOf} from './levels.js';
 import {mapCanvas} from './map_image.js';
 import {poseAt} from './poses.js';
 import {boundsOf, fitted, panned, resized, toMap, zoomed} from './view.js';
@@ -30,7 +31,7 @@ export class MapView {
 
   setColors(colors) {
     this.colors = colors;
-    this.image = mapCanvas(this.recording, colors);
+    this.images = new Map();  // By section.
   }
 
   resize() {
@@ -44,7 +45,13 @@ export class MapView {
   }
 
   whole(width, height) {
-    return fitted(boundsOf(this.recording.header.map), width, height);
+    return fitted(boundsOf(this.recording.header.levels?.map ?? this.recording.header.map), width, height);
+  }
+
+  /** The picture of the map or of a floor. */
+  imageOf({map, section}) {
+    if (!this.images.has(section)) this.images.set(section, mapCanvas(this.recording, this.colors, map, section));
+    return this.images.get(section);
   }
 
   fit() {
@@ -125,10 +132,11 @@ export class MapView {
     const track = recording.truth.known[scan] ? recording.truth : recording.localizers[0];
     const pose = state.follow && track ? poseAt(track, recording.time, scan, state.time) : null;
     if (pose) this.view = {...this.view, x: pose.x, y: pose.y};
+    const floor = floorOf(state, recording, scan);
     return {
       recording, view: this.view, colors: this.colors, time: state.time, scan,
       detail: recording.detailAt(scan), show: state.show, of: state.of, scanAt: state.scanAt,
-      mapCanvas: this.image, events: this.events, live: state.live,
+      events: this.events, live: state.live, map: floor.map, mapCanvas: this.imageOf(floor), onLevel: floor.onLevel,
     };
   }
 

@@ -27,7 +27,7 @@ export class Player {
     this.place = place;
     this.run = run;
     this.state = {
-      time: run.recording.time[0] ?? 0, of: -1, scanAt: -1, follow: false,
+      time: run.recording.time[0] ?? 0, of: -1, scanAt: -1, level: -1, follow: false,
       show: new Set(['truth', 'estimates', 'particles', 'scan', 'people', 'trails']),
     };
     this.colors = palette();
@@ -59,10 +59,10 @@ export class Player {
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, this.run);
     this.views.setScene(this.run.scene);
-    canvas.style.aspectRatio = aspectOf(recording.header.map);
+    canvas.style.aspectRatio = aspectOf(recording.header.levels?.map ?? recording.header.map);
     this.place.append(
       element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards, this.transport.row, this.timePlace, timeLegend(marks),
-      this.curvePlace, layerChoices(this.state, recording.names, act), mapLegend(), help());
+      this.curvePlace, layerChoices(this.state, recording.names, act, recording.header.levels?.z_m), mapLegend(), help());
   }
 
   recolor() {

@@ -71,7 +71,8 @@ export class Recording {
       return {known, x: known, y: known, yaw: known};
     }
     const [x, y, yaw] = ['x', 'y', 'yaw'].map((part) => this.ints(`${prefix}/${part}`, step));
-    return {known, x, y, yaw};
+    const space = ['z', 'roll', 'pitch'].filter((part) => this.sections.has(`${prefix}/${part}`));
+    return {known, x, y, yaw, ...Object.fromEntries(space.map((part) => [part, this.ints(`${prefix}/${part}`, step)]))};
   }
 
   localizer(name, k) {

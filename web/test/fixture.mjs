@@ -1,9 +1,10 @@
-// The recording that tests/tools/run/recording_fixture_test.cpp writes.
+// The recordings that tests/tools/sinks/recording_fixture_test.cpp writes.
 import {readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
 
-export function fixture() {
-  const file = fileURLToPath(new URL('../../tests/data/recording/small.bin', import.meta.url));
+/** `name`: small, or levels with the same on two floors. */
+export function fixture(name = 'small') {
+  const file = fileURLToPath(new URL(`../../tests/data/recording/${name}.bin`, import.meta.url));
   return new Uint8Array(readFileSync(file));
 }
 

@@ -64,3 +64,9 @@ test('a touch turns a door or takes a box away', () => {
   assert.deepEqual(sent, [
     {door: {name: 'D', open_deg: 90}}, {door: {name: 'E', open_deg: 0}}, {remove: {name: 'A'}}]);
 });
+
+test('on several floors, the robot is put on the one that is seen', () => {
+  const {sent, hand: it} = hand('carry', {seenLevel: () => 2});
+  it.grab([1, 1], view).drop([3, 2]);
+  assert.deepEqual(sent, [{kidnap: {kind: 'carry', pose: [3, 2, 0.5], level: 2}}]);
+});

@@ -64,3 +64,14 @@ test('memory is bounded', () => {
   assert.equal(recording.details.at(-1).scan, recording.scans - 1);
   assert.ok(recording.columns().every((column) => column.length === recording.scans));
 });
+
+test('on several floors, heights are added', () => {
+  const recording = new LiveRecording({...hello, heights: true,
+    levels: {map: {width: 1, height: 1}, z_m: [0, 3], cells: [btoa('\x01\x01'), btoa('\x65\x01')]}});
+  const row = scan(1, [1, 0, 0, 0, 0.9, 0.8, 0.01, 0.02, 3]);
+  row[2] = [1, 0, 0, 3, 0.1, 0.2];
+  recording.add(frame([row]));
+  assert.deepEqual([recording.truth.z, recording.truth.pitch, recording.localizers[0].z, recording.localizers[1].z], [[3], [0.2], [3], [0]]);
+  assert.equal(recording.errors[0].position[0], 0);
+  assert.deepEqual([...recording.sections.get('level/1')], [0x65, 1]);
+});

@@ -66,3 +66,10 @@ test('an arc begins and ends near the floor, and is highest in the middle', () =
   assert.ok(near([...points.slice(0, 3), ...points.slice(-3)], [0, 0, 0.1, 4, 0, 0.1]));
   assert.ok(points[17] > 1.5 && near([points[15]], [2]));
 });
+
+test('bands and arcs follow heights', () => {
+  const [positions] = m.ribbonMesh([[0, 0, 1, 0]], 0.2, 0.01, [[3, 4]]);
+  assert.ok(near(positions.filter((_, i) => i % 3 === 2), [3.01, 3.01, 4.01, 4.01]));
+  const points = m.arcPoints([0, 0, 6], [4, 0], 2);
+  assert.ok(near([points[2], points[8]], [6.1, 0.1]));
+});

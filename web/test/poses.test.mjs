@@ -24,3 +24,19 @@ test('nothing moves along a jump, nor to where nothing is known', () => {
 test('ways are cut at jumps and gaps', () => {
   assert.deepEqual(pieces(track, 0, 4), [[0, 0, 0.2, 0], [1, 1], [5, 5]]);
 });
+
+const rising = {known: [1, 1, 1, 1], x: [0, 0.2, 0.4, 0.4], y: [0, 0, 0, 0], yaw: [0, 0, 0, 0], z: [0, 0.1, 0.2, 3],
+  roll: [0, 0, 0, 0], pitch: [0, 0.2, 0.2, 0]};
+
+test('on several floors, poses have heights and tilts', () => {
+  const pose = poseAt(rising, times, 0, 0.05);
+  assert.ok(near([pose.z, ...pose.lift], [0.05, 0.05, 0, 0.1]));
+  assert.equal(poseAt(rising, times, 2, 0.25).z, 0.2);  // A lift goes up: nothing moves along a jump.
+});
+
+test('ways are cut where they leave a floor, and at jumps in height', () => {
+  const heights = [];
+  assert.deepEqual(pieces(rising, 0, 3, undefined, heights), [[0, 0, 0.2, 0, 0.4, 0], [0.4, 0]]);
+  assert.deepEqual(heights, [[0, 0.1, 0.2], [3]]);
+  assert.deepEqual(pieces(rising, 0, 3, (z) => z < 1 && z > 0.05), [[0.2, 0, 0.4, 0]]);
+});

@@ -89,5 +89,28 @@ TEST(LiveFeed, TellsOfALiftedRobotOnly) {
   EXPECT_EQ(read_frame(feed.take_frame(poses)).head.at("lift"), nlohmann::json({0.5, 0.1, -0.2}));
 }
 
+TEST(LiveFeed, TellsOfFloorsAndHeights) {
+  RosMap map;
+  map.width = 1;
+  map.height = 1;
+  map.cells = {0};
+  RunInfo info = run_of(kTwo);
+  info.heights = true;
+  LiveFeed feed(info, map, 0.2);
+  feed.set_levels({{0.0, map}, {3.0, map}});
+  const auto hello = feed.hello();
+  EXPECT_EQ(hello.at("heights"), true);
+  EXPECT_EQ(hello.at("levels").at("z_m").size(), 2U);
+  EXPECT_EQ(hello.at("levels").at("cells").at(1), hello.at("cells"));
+  ScanRecord record = record_at(1.0, kTwo);
+  record.T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, 3.0));
+  record.localizers[0].estimate->footing = {.z = 3.25, .level = 1};
+  feed.on_scan(record);
+  const nlohmann::json scan = read_frame(feed.take_frame({})).head.at("scans").at(0);
+  EXPECT_EQ(scan.at(2), (nlohmann::json{0.1, 0.0, 0.0, 3.0, 0.0, 0.0}));
+  EXPECT_EQ(scan.at(3).at(0).at("answer").at(8), 3.25);
+  EXPECT_EQ(scan.at(3).at(1).at("answer").size(), 8U);
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -91,5 +91,17 @@ TEST(PackPeople, TellsWhoIsWhere) {
             (std::vector<std::int64_t>{-1, 7, -100, 250, 100}));
 }
 
+TEST(PackPopulations, TellsTheHeightOnSeveralFloors) {
+  PopulationView view = population(4, {});
+  view.footing = {.z = 3.25, .level = 1};
+  const std::string block = pack_populations({view}, 100, true);
+  VarintReader reader(block);
+  for (int i = 0; i < 3; ++i) reader.next();         // populations, id, selected
+  for (int i = 0; i < 5; ++i) reader.next_signed();  // share, quality, x, y, yaw
+  EXPECT_EQ(reader.next_signed(), 325);
+  EXPECT_EQ(reader.next(), 0U);  // particles
+  EXPECT_TRUE(reader.done());
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -58,5 +58,35 @@ TEST(Recording, RefusesAMapThatIsNotWhole) {
   EXPECT_TRUE(contains(error(std::string("\x01\x07", 2)), "too many cells"));
 }
 
+LevelMaps two_levels() {
+  RosMap upper = recorded_map();
+  upper.cells.assign(upper.cells.size(), 0);
+  return {{0.0, recorded_map()}, {3.5, upper}};
+}
+
+TEST(Recording, KeepsTheMapsOfFloors) {
+  const LevelMaps levels = two_levels();
+  const Recording recording = unpack_recording(pack_recording(
+      {{"levels", levels_header(levels)}},
+      {{"level/0", pack_cells(levels[0].map)}, {"level/1", pack_cells(levels[1].map)}}));
+  const LevelMaps read = levels_of(recording);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[1].z, 3.5);
+  EXPECT_EQ(read[1].map.origin_y, 2.0);
+  EXPECT_EQ(read[0].map.cells, levels[0].map.cells);
+  EXPECT_EQ(read[1].map.cells, levels[1].map.cells);
+}
+
+TEST(Recording, HasNoFloorsOfAPlanarRun) {
+  EXPECT_TRUE(levels_of(unpack_recording(packed())).empty());
+}
+
+TEST(Recording, RefusesAFloorThatIsMissing) {
+  const LevelMaps levels = two_levels();
+  const std::string file =
+      pack_recording({{"levels", levels_header(levels)}}, {{"level/0", pack_cells(levels[0].map)}});
+  EXPECT_TRUE(contains(error_of([&] { levels_of(unpack_recording(file)); }), "level/1"));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

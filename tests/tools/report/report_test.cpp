@@ -41,10 +41,11 @@ std::vector<ScanRecord> records(int count) {
 /// Writes a run of these records and returns its report.
 std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(kReported),
                       double wall_s = 1.0, const std::optional<RosMap>& map = reported_map(),
-                      double end_s = 20.0, const std::string& settings = "") {
+                      double end_s = 20.0, const std::string& settings = "",
+                      const LevelMaps& levels = {}) {
   const TemporaryFolder folder;
   std::vector<std::unique_ptr<RunSink>> sinks;
-  sinks.push_back(std::make_unique<ErrorsSink>(folder.path()));
+  sinks.push_back(std::make_unique<ErrorsSink>(folder.path(), info));
   sinks.push_back(std::make_unique<SummarySink>(folder.path(), info));
   sinks.push_back(std::make_unique<TimingSink>(folder.path(), info));
   for (auto& sink : sinks) {
@@ -54,7 +55,7 @@ std::string report_of(const std::vector<ScanRecord>& all, RunInfo info = run_of(
   }
   if (!settings.empty()) folder.put("scenario.yaml", settings);
   folder.put("snapshots/t0004.500-kidnap-1-map.png", "\x89PNG");
-  write_report(folder.path(), map);
+  write_report(folder.path(), {map, levels});
   return read_file(folder.path() / "report.html");
 }
 
@@ -69,6 +70,14 @@ std::string without_timing(const std::string& html) {
   EXPECT_LT(begin, end);
   EXPECT_NE(end, std::string::npos);
   return html.substr(0, begin) + html.substr(end);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
 }
 
 /// All values of an attribute in the page.
@@ -238,6 +247,31 @@ TEST(Report, DrawsAScaleBarBeneathTheMap) {
   const std::string html = report_of(records(12));  // 3 cells of 1 m.
   EXPECT_TRUE(contains(html, "<path class=\"scale\""));
   EXPECT_TRUE(contains(html, ">0.5 m</text></svg>"));
+}
+
+TEST(Report, DrawsPathsOnTheFloorOnWhichTheyAre) {
+  std::vector<ScanRecord> all = records(4);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, i < 2 ? 0.0 : 3.0));
+    for (auto& localizer : all[i].localizers) {
+      localizer.estimate->footing = {.z = i < 1 ? 0.0 : 3.0};
+    }
+  }
+  RunInfo info = run_of(kReported);
+  info.heights = true;
+  const std::string html = report_of(all, info, 1.0, reported_map(), 20.0, "",
+                                     {{0.0, reported_map()}, {3.0, reported_map()}});
+  EXPECT_EQ(count(html, "<figcaption>level 0: 0.00 m</figcaption>"), 1U);
+  EXPECT_EQ(count(html, "<figcaption>level 1: 3.00 m</figcaption>"), 1U);
+  std::vector<std::string> paths;  // Of truth with its rim, and two localizers, on each floor.
+  for (const std::string& d : values_of("d", html)) {
+    if (d.starts_with("M") && d.find('h') == std::string::npos) paths.push_back(d);
+  }
+  ASSERT_EQ(paths.size(), 8U);
+  EXPECT_EQ(count(paths[1], "L"), 1U);  // The truth: two scans on each floor.
+  EXPECT_EQ(count(paths[5], "L"), 1U);
+  EXPECT_EQ(count(paths[2], "L"), 0U);  // An estimate: one on the lower, three on the upper one.
+  EXPECT_EQ(count(paths[6], "L"), 2U);
 }
 
 TEST(Report, NamesTheFileThatIsBroken) {

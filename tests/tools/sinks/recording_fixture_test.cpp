@@ -44,23 +44,47 @@ std::vector<ScanRecord> fixture_records() {
   return records;
 }
 
-TEST(RecordingFixture, IsWhatTheSinkWrites) {
+/// Compares the sink's file of these records with a file of tests/data/recording.
+void expect_kept(const RunInfo& info, const RecordingConfig& config,
+                 const std::vector<ScanRecord>& records, const std::string& name) {
   const TemporaryFolder folder;
-  RecordingConfig config;
-  config.robot_radius_m = 0.25;
-  RecordingSink sink(folder.path(), run_of(kNames), recorded_map(), config);
+  RecordingSink sink(folder.path(), info, recorded_map(), config);
   sink.on_event(kidnap_to(1.05));
-  for (const ScanRecord& record : fixture_records()) sink.on_scan(record);
+  for (const ScanRecord& record : records) sink.on_scan(record);
   sink.finish(localization::from_seconds(3.0), {});
   const std::string bytes = gunzip(read_file(folder.path() / "recording.gz"));
   const std::filesystem::path kept =
-      std::filesystem::path(CASTAWAY_SOURCE_DIR) / "tests/data/recording/small.bin";
+      std::filesystem::path(CASTAWAY_SOURCE_DIR) / "tests/data/recording" / name;
   const std::filesystem::path now =
-      std::filesystem::path(testing::TempDir()) / "castaway-small-recording.bin";
+      std::filesystem::path(testing::TempDir()) / ("castaway-recording-" + name);
   write_file(now, bytes);
-  EXPECT_TRUE(read_file(kept) == bytes)
+  EXPECT_TRUE(std::filesystem::exists(kept) && read_file(kept) == bytes)
       << "the format changed: raise its version, copy " << now << " to " << kept
       << " and change what reads it: web/src/recording.js";
+}
+
+TEST(RecordingFixture, IsWhatTheSinkWrites) {
+  RecordingConfig config;
+  config.robot_radius_m = 0.25;
+  expect_kept(run_of(kNames), config, fixture_records(), "small.bin");
+}
+
+TEST(RecordingFixture, OfFloorsIsWhatTheSinkWrites) {
+  RecordingConfig config;
+  RosMap upper = recorded_map();
+  upper.cells.assign(upper.cells.size(), 0);
+  config.levels = std::make_shared<const LevelMaps>(LevelMaps{{0.0, recorded_map()}, {3.0, upper}});
+  RunInfo info = run_of(kNames);
+  info.heights = true;
+  std::vector<ScanRecord> records = fixture_records();
+  for (ScanRecord& record : records) {
+    const double z = localization::seconds(record.stamp);
+    record.T_footprint_base_true = Eigen::Translation3d(0.0, 0.0, 1.5 * z) *
+                                   Eigen::AngleAxisd(0.125, Eigen::Vector3d::UnitY());
+    record.localizers[0].estimate->footing = {.z = 1.5 * z, .level = z < 2.0 ? 0 : 1};
+    record.localizers[0].diagnostics.populations[0].footing = {.z = 3.0, .level = 1};
+  }
+  expect_kept(info, config, records, "levels.bin");
 }
 
 }  // namespace

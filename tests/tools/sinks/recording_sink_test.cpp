@@ -124,5 +124,37 @@ TEST(RecordingSink, LeavesNoFileOfARunThatFailed) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(RecordingSink, KeepsHeightsAndFloors) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of(kRecorded);
+  info.heights = true;
+  RecordingConfig config;
+  config.levels =
+      std::make_shared<const LevelMaps>(LevelMaps{{0.0, one_cell()}, {3.0, one_cell()}});
+  RecordingSink sink(folder.path(), info, one_cell(), config);
+  ScanRecord record = record_at(1.0, kRecorded);
+  record.T_footprint_base_true = Eigen::Translation3d(0.0, 0.0, 3.1) *
+                                 Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()) *
+                                 Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
+  record.localizers[1].estimate->footing = {.z = 3.0, .level = 1};
+  sink.on_scan(record);
+  sink.finish(localization::from_seconds(3.0), {});
+  const Recording recording = unpack_recording(read_file(folder.path() / "recording.gz"));
+  EXPECT_EQ(column(recording, "truth/z"), (Values{31000}));
+  EXPECT_EQ(column(recording, "truth/roll"), (Values{1000}));
+  EXPECT_EQ(column(recording, "truth/pitch"), (Values{2000}));
+  EXPECT_EQ(column(recording, "0/z"), (Values{0}));
+  EXPECT_EQ(column(recording, "1/z"), (Values{30000}));
+  EXPECT_EQ(recording.header.at("heights"), true);
+  EXPECT_EQ(recording.header.at("levels").at("z_m"), (nlohmann::ordered_json{0.0, 3.0}));
+  EXPECT_TRUE(recording.sections.contains("level/1"));
+}
+
+TEST(RecordingSink, KeepsNoHeightsOfAPlanarRun) {
+  const Recording recording = unpack_recording(file_of(three_records()));
+  EXPECT_FALSE(recording.header.contains("heights"));
+  EXPECT_FALSE(recording.sections.contains("truth/z"));
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -119,7 +119,7 @@ export function following(camera, pose, free = Infinity) {
   const room = Math.max(free, 0.35) + kLookAhead;
   const elevation = level > room ? Math.acos(clamped(room / camera.distance, 0, 1)) : camera.elevation;
   return {
-    target: [pose.x + kLookAhead * ahead[0], pose.y + kLookAhead * ahead[1], kLookHeight],
+    target: [pose.x + kLookAhead * ahead[0], pose.y + kLookAhead * ahead[1], kLookHeight + (pose.z ?? 0)],
     azimuth, elevation: clamped(elevation, kLowest, kHighest), distance: camera.distance,
   };
 }

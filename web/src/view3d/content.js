@@ -77,18 +77,20 @@ export class Content3d {
     const radius = recording.header.robot_radius_m;
     this.shadows.clear();
     const truth = show.has('truth') ? (live?.truth ?? poseAt(recording.truth, recording.time, scan, time)) : null;
-    this.robots.truth.show(truth, live?.lift, truth && Robots3d.ringSize(truth, eye, radius));
-    if (truth) this.shadows.add(truth, 0.006, 1.5 * radius);
+    const lift = live?.lift ?? truth?.lift;
+    this.robots.truth.show(truth, lift, truth && Robots3d.ringSize(truth, eye, radius));
+    if (truth) this.shadows.add(truth, 0.006 + (truth.z ?? 0), 1.5 * radius);
     this.labels = [];
     this.robots.ghosts.forEach((ghost, k) => {
       const localizer = recording.localizers[k];
       const shown = show.has('estimates') && (moment.of < 0 || moment.of === k) && recording.scans > 0;
       const pose = shown ? (live?.estimates[k] ?? poseAt(localizer, recording.time, scan, time)) : null;
       const lost = Boolean(localizer.lost[scan]);
-      const near = pose && truth && Math.hypot(pose.x - truth.x, pose.y - truth.y) < 1;
-      ghost.show(pose, {lift: near ? live?.lift : undefined, lost, near, sigma: localizer.sigma[scan] ?? 0,
+      const above = (pose?.z ?? 0) - (truth?.z ?? 0);
+      const near = pose && truth && Math.hypot(pose.x - truth.x, pose.y - truth.y, above) < 1;
+      ghost.show(pose, {lift: ghostLift(pose, near ? lift : undefined), lost, near, sigma: localizer.sigma[scan] ?? 0,
         size: pose && Robots3d.ringSize(pose, eye, radius) * (1 + 0.14 * (k + 1))});
-      if (pose) this.labels.push({k, lost, at: [pose.x, pose.y, 0.55]});
+      if (pose) this.labels.push({k, lost, at: [pose.x, pose.y, 0.55 + (pose.z ?? 0)]});
     });
   }
 
@@ -112,7 +114,7 @@ export class Content3d {
       const lidar = recording.header.lidars[index];
       const pose = poseAt(track, recording.time, recording.details[at].scan, 0);
       if (!wanted.delete(lidar.name) || !pose) continue;
-      const T = poseMatrix(pose, live?.lift);
+      const T = poseMatrix(pose, pose.lift ?? (pose.z === undefined ? live?.lift : [pose.z, 0, 0]));
       const points = beamPoints(lidar, ranges);
       for (let i = 0; i < points.length; i += 3) {
         const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
@@ -133,9 +135,9 @@ export class Content3d {
       if (moment.of >= 0 && moment.of !== k) return;
       for (const population of populationsOf(recording, k, detail)) {
         const color = pick(this.colors.populations, population.id);
-        const {points} = population;
-        for (let i = 0; i < points.length; i += 2) this.particles.add(points[i], points[i + 1], 0.02, color);
-        if (!population.selected) this.arrows.add(population, 0.03, size, color);
+        const {points, z = 0} = population;
+        for (let i = 0; i < points.length; i += 2) this.particles.add(points[i], points[i + 1], 0.02 + z, color);
+        if (!population.selected) this.arrows.add(population, 0.03 + z, size, color);
       }
     });
   }
@@ -144,9 +146,10 @@ export class Content3d {
     const tracks = [recording.truth, ...recording.localizers];
     tracks.forEach((track, i) => {
       const shown = recording.scans > 0 && show.has('trails') && (i === 0 || of < 0 || of === i - 1);
-      const lines = shown ? pieces(track, recording.scanAt(time - kTrail), scan) : [];
+      const heights = [];
+      const lines = shown ? pieces(track, recording.scanAt(time - kTrail), scan, () => true, heights) : [];
       const color = i === 0 ? kTruth : pick(this.colors.localizers, i - 1);
-      this.trails[i].show(lines, i === 0 ? 0.09 : 0.035, 0.01 + 0.002 * i, color);
+      this.trails[i].show(lines, i === 0 ? 0.09 : 0.035, 0.01 + 0.002 * i, color, heights);
     });
   }
 
@@ -156,6 +159,12 @@ export class Content3d {
       if (kind === 'kidnap' && from && to && time >= at && time <= at + kKidnapShown) addArc(this.arc, from, to, this.colors.mark);
     }
   }
+}
+
+/** [height, roll, pitch] of a ghost: tilted as the robot is where `near` says how; nothing on level floor. */
+function ghostLift(pose, near) {
+  if (pose?.z === undefined) return near;
+  return [pose.z, ...(near ?? [0, 0, 0]).slice(1)];
 }
 
 /** The people of a detail at `time`, between it and the next one, or carried on from the one before. */

@@ -1,13 +1,13 @@
 // Light of the 3-D view, as materials need it.
 import {Matrix4, Vector3, Vector4} from 'three';
 import {material} from './geometry.js';
-import {kLitFragment, kLitVertex, kNothingFragment, kToSun} from './shaders.js';
+import {kDepthFragment, kLitFragment, kLitVertex, kToSun} from './shaders.js';
 
 /** Values that all lit materials share. `plain`: without shadows and occlusion on what stands on the floor. */
 export class Light {
   constructor(plain) {
     const values = {eye: new Vector3(), toSun: new Vector3(...kToSun), brightness: 1, shadowMap: null,
-      shadowFromMap: new Matrix4(), shadowTexel: 0.01, surroundings: null, extent: new Vector4(0, 0, 1, 1), top: 1};
+      shadowFromMap: new Matrix4(), shadowTexel: 0.01, surroundings: null, extent: new Vector4(0, 0, 1, 1), top: 1, ceiling: 1e6};
     this.uniforms = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, {value}]));
     this.plain = plain;
   }
@@ -25,7 +25,7 @@ export class Light {
   }
 
   /** Writes the depth of what has the material above. */
-  static depthMaterial(more = {}) {
-    return material(kLitVertex, kNothingFragment, {colorWrite: false, ...more});
+  depthMaterial(more = {}) {
+    return material(kLitVertex, kDepthFragment, {shared: {ceiling: this.uniforms.ceiling}, colorWrite: false, ...more});
   }
 }

@@ -51,8 +51,8 @@ export class Trail {
     this.object.renderOrder = order;
   }
 
-  show(lines, width, z, color) {
-    const [positions, indices] = ribbonMesh(lines, width, z);
+  show(lines, width, z, color, heights) {
+    const [positions, indices] = ribbonMesh(lines, width, z, heights);
     this.object.visible = indices.length > 0;
     this.object.geometry.dispose();
     const geometry = new BufferGeometry();

@@ -50,35 +50,37 @@ export function ringMesh(corners, inner, outer, turn = 0) {
   return [positions, indices];
 }
 
-/** A flat band of `width` along each line [x, y, x, y...] at height z: [positions, indices]. */
-export function ribbonMesh(lines, width, z) {
+/** A flat band of `width` along each line [x, y, x, y...] at height z, above `heights` [[z...]...]: [positions, indices]. */
+export function ribbonMesh(lines, width, z, heights = []) {
   const positions = [];
   const indices = [];
-  for (const line of lines) {
+  lines.forEach((line, index) => {
     const count = line.length / 2;
-    if (count < 2) continue;
+    if (count < 2) return;
     const first = positions.length / 3;
     for (let i = 0; i < count; ++i) {
       const [from, to] = [2 * Math.max(0, i - 1), 2 * Math.min(count - 1, i + 1)];
       const [dx, dy] = [line[to] - line[from], line[to + 1] - line[from + 1]];
       const half = width / 2 / (Math.hypot(dx, dy) || 1);
-      positions.push(line[2 * i] - dy * half, line[2 * i + 1] + dx * half, z,
-        line[2 * i] + dy * half, line[2 * i + 1] - dx * half, z);
+      const up = z + (heights[index]?.[i] ?? 0);
+      positions.push(line[2 * i] - dy * half, line[2 * i + 1] + dx * half, up,
+        line[2 * i] + dy * half, line[2 * i + 1] - dx * half, up);
       if (i === 0) continue;
       const at = first + 2 * i;
       indices.push(at - 2, at - 1, at + 1, at - 2, at + 1, at);
     }
-  }
+  });
   return [positions, indices];
 }
 
-/** Points of an arc from one place on the floor to another: [x, y, z...]. */
+/** Points of an arc from one place [x, y] or [x, y, z] on the floor to another: [x, y, z...]. */
 export function arcPoints(from, to, count = 40) {
+  const [low, high] = [from[2] ?? 0, to[2] ?? 0];
   const height = 0.35 * Math.hypot(to[0] - from[0], to[1] - from[1]) + 0.4;
   const points = [];
   for (let i = 0; i <= count; ++i) {
     const t = i / count;
-    points.push(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]), 0.1 + 4 * height * t * (1 - t));
+    points.push(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]), low + t * (high - low) + 0.1 + 4 * height * t * (1 - t));
   }
   return points;
 }

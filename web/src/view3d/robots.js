@@ -57,7 +57,7 @@ class TrueRobot {
     this.group.visible = pose !== null;
     if (!pose) return;
     place(this.body, poseMatrix(pose, lift));
-    place(this.ring, floorMatrix(pose, kRing, size));
+    place(this.ring, floorMatrix(pose, kRing + (pose.z ?? 0), size));
   }
 }
 
@@ -67,7 +67,7 @@ class Ghost {
     const common = {shared: {eye: light.uniforms.eye}, uniforms: {tint: new Color(), opacity: 0.4}, transparent: true};
     this.body = new Mesh(geometry, material(kLitVertex, kGhostFragment, common));
     // Depth first, so that only the nearest surface of the ghost is seen.
-    this.depth = light.plain ? new Group() : new Mesh(geometry, Light.depthMaterial({transparent: true}));
+    this.depth = light.plain ? new Group() : new Mesh(geometry, light.depthMaterial({transparent: true}));
     this.ring = ring(corners, turn);
     this.disc = disc();
     this.depth.renderOrder = 4 + 0.2 * k;
@@ -82,8 +82,8 @@ class Ghost {
     if (!pose) return;
     const matrix = poseMatrix(pose, lift).map((value, i) => (i < 12 ? this.larger * value : value));
     for (const mesh of [this.depth, this.body]) place(mesh, matrix);
-    place(this.ring, floorMatrix(pose, kRing, size));
-    place(this.disc, floorMatrix(pose, 0.008, Math.max(2 * sigma, 1e-3)));
+    place(this.ring, floorMatrix(pose, kRing + (pose.z ?? 0), size));
+    place(this.disc, floorMatrix(pose, 0.008 + (pose.z ?? 0), Math.max(2 * sigma, 1e-3)));
     this.body.material.uniforms.opacity.value = lost || near ? 0.24 : 0.45;
   }
 }

@@ -50,9 +50,14 @@ void main() {
 /** Sun, sky and floor, and a little light from the viewer; \`surroundings\`: r: open share of the sky, g: height of the top
  *  surface as a share of \`top\`. */
 export const kLitFragment = `
+uniform float ceiling;
+varying vec3 mapPosition;
 #ifdef PLAIN
 varying vec3 ownColor;
-void main() { gl_FragColor = vec4(ownColor, 1.0); }
+void main() {
+  if (mapPosition.z > ceiling) discard;
+  gl_FragColor = vec4(ownColor, 1.0);
+}
 #else
 ${kLight}
 uniform sampler2DShadow shadowMap;
@@ -61,7 +66,6 @@ uniform float shadowTexel;
 uniform sampler2D surroundings;
 uniform vec4 extent;
 uniform float top;
-varying vec3 mapPosition;
 varying vec3 mapNormal;
 varying vec3 ownColor;
 float openSky(vec3 n) {
@@ -77,6 +81,7 @@ float sunlight(vec3 n, float facing) {
   return texture(shadowMap, at);
 }
 void main() {
+  if (mapPosition.z > ceiling) discard;
   vec3 toViewer = normalize(eye - mapPosition);
   vec3 n = normalize(mapNormal);
   if (dot(n, toViewer) < 0.0) n = -n;
@@ -85,6 +90,15 @@ void main() {
   gl_FragColor = vec4(ownColor * lightOn(n, toViewer, openSky(n), sun), 1.0);
 }
 #endif`;
+
+/** Nothing but the depth of what is below the ceiling. [m] */
+export const kDepthFragment = `
+uniform float ceiling;
+varying vec3 mapPosition;
+void main() {
+  if (mapPosition.z > ceiling) discard;
+  gl_FragColor = vec4(1.0);
+}`;
 
 /** The floor, whose light is a picture. */
 export const kFloorVertex = `

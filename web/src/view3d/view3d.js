@@ -1,6 +1,7 @@
 // The 3-D view on a canvas: its size, its camera, and when it is drawn.
 import {ColorManagement, LinearSRGBColorSpace, PerspectiveCamera, Scene, WebGLRenderer} from 'three';
 import {element} from '../dom.js';
+import {floorOf} from '../levels.js';
 import {poseAt} from '../poses.js';
 import {rgb} from '../palette.js';
 import * as cameras from './camera.js';
@@ -68,8 +69,7 @@ export class View3d {
     this.content.world.bake(this.renderer);
     this.json = json;
     if (this.colors) this.content.recolor(this.colors);
-    const {map} = this.recording.header;
-    this.cells = occupiedCells(this.recording.sections.get('map'), map);
+    this.cells = new Map();  // Occupied ones of each floor, by section.
     this.resize();
     return true;
   }
@@ -174,13 +174,20 @@ export class View3d {
       scanAt: state.scanAt, events: this.events, live: state.live};
   }
 
+  cellsOf({map, section}) {
+    if (!this.cells.has(section)) this.cells.set(section, occupiedCells(this.recording.sections.get(section), map));
+    return this.cells.get(section);
+  }
+
   /** Moves the camera; true while it is on its way. */
   moveCamera(moment) {
     const {recording, state} = this;
     const pose = state.live?.truth ?? (recording.scans ? poseAt(recording.truth, recording.time, moment.scan, moment.time) : null);
+    const floor = floorOf(state, recording, moment.scan);
+    this.light.set('ceiling', Math.min(floor.ceiling, 1e6));
     if (state.follow && pose) {
       const behind = pose.yaw + this.chase.azimuth + Math.PI;
-      const free = freeDistance(recording.header.map, this.cells, pose, behind, 8) - 0.15;
+      const free = freeDistance(floor.map, this.cellsOf(floor), pose, behind, 8) - 0.15;
       this.goal = cameras.following(this.chase, pose, free);
     }
     const now = performance.now();

@@ -64,7 +64,7 @@ export class World3d {
 
   /** Draws depths first, so that hidden surfaces are not lit. */
   addDepth() {
-    const depth = new Mesh(this.solid.geometry, Light.depthMaterial());
+    const depth = new Mesh(this.solid.geometry, this.light.depthMaterial());
     depth.renderOrder = -1;
     this.meshes.push(depth);
   }
