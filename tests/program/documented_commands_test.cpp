@@ -120,6 +120,7 @@ fs::path folder_with_inputs() {
                                 (folder / name).string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0);
   }
+  EXPECT_EQ(castaway(folder, "map lab --out building.bt").exit_code, 0);
   fs::copy(folder / "made/log.carmen", folder / "LOG");
   fs::copy(folder / "made/bag", folder / "rosbag2_2026_01_31", fs::copy_options::recursive);
   const std::string robot = text_of(kSource / "robots/disc/disc.urdf");

@@ -86,11 +86,48 @@ TEST(Map3d, OverRampsMhAmclIsRightOnA3dMapAlone) {
   EXPECT_LT(mean("mh_amcl-3d"), 0.1);
 }
 
-TEST(Map3d, MhAmclOnA3dMapNeedsAWorld) {
+TEST(Map3d, AReplayOnItIsTheRunToTheByte) {
   const fs::path folder = fresh_folder();
-  localizers_of(folder, "--duration 3 --set outputs.bag=true");
-  const Outcome outcome = castaway(folder, "replay run --localizer mh_amcl:3d --out again");
-  expect_refused(outcome, {"localizer 'mh_amcl-3d': works on a 3-D map of the world"});
+  localizers_of(folder, "mezzanine/kidnaps --duration 45 --set outputs.bag=true");
+  ASSERT_EQ(castaway(folder, "map mezzanine --out mezzanine.map3d").exit_code, 0);
+  const Outcome outcome = castaway(
+      folder, "replay run --map3d mezzanine.map3d --start truth --no-pictures --out again");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const std::string name : {"mh_amcl-3d.tum", "truth.tum", "errors.csv", "events.csv"}) {
+    EXPECT_GT(text_of(folder / "run" / name).size(), 200U);
+    EXPECT_EQ(text_of(folder / "again" / name), text_of(folder / "run" / name)) << name;
+  }
+  const Outcome session = castaway(folder, "replay again/scenario.yaml --no-pictures --out thrice");
+  ASSERT_EQ(session.exit_code, 0) << session.err;
+  EXPECT_EQ(text_of(folder / "thrice/errors.csv"), text_of(folder / "run/errors.csv"));
+}
+
+TEST(Map3d, AReplayOnAnOctomapKnowsTheFloor) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "hall/podium --duration 40 --set outputs.bag=true --set imu=true");
+  ASSERT_EQ(castaway(folder, "map hall --out hall.bt --resolution 0.05").exit_code, 0);
+  const Outcome outcome = castaway(folder, "replay run --map3d hall.bt --no-pictures --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json localizer = Json::parse(outcome.out).at("localizers").at("mh_amcl-3d");
+  EXPECT_LT(localizer.at("tracking_error_m").at("mean").get<double>(), 0.1);
+}
+
+TEST(Map3d, AReplayNamesTheMapThatIsMissingOrInVain) {
+  const fs::path folder = fresh_folder();
+  put_world(folder);
+  localizers_of(folder, "--duration 3 --set outputs.bag=true --set outputs.carmen=true");
+  ASSERT_EQ(castaway(folder, "map deck.yaml --out deck.bt").exit_code, 0);
+  const auto refused = [&](const std::string& arguments, const std::string& why) {
+    expect_refused(castaway(folder, "replay " + arguments + " --out again"), {why});
+  };
+  refused("run --localizer mh_amcl:3d", "`castaway replay` takes one by --map3d");
+  refused("run --map3d deck.bt --localizer amcl", "--map3d) is for mh_amcl in mode 3d");
+  refused("run --map3d deck.yaml", "--map3d deck.yaml: a 3-D map is a .map3d, .bt");
+  refused("run --map3d gone.bt", "gone.bt: cannot be read");
+  refused("run --map deck.bt", "--map deck.bt: is a 3-D map; name it by --map3d");
+  refused("run --base-height 0.1", "--base-height is for 3-D maps");
+  refused("run/log.carmen --map3d deck.bt", "does not say how high its lidar is mounted");
 }
 
 TEST(Map3d, BadInputIsNamed) {

@@ -10,6 +10,7 @@
 #include "tools/formats/images/gray_image.hpp"
 #include "tools/map3d/level_picture.hpp"
 #include "tools/map3d/map3d_files.hpp"
+#include "tools/map3d/survey_world.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/sources/build_robot.hpp"
@@ -61,7 +62,7 @@ Map3d map3d_of(const MapArguments& arguments) {
   const LoadedWorld world = load_world(arguments, SurveyOptions{}.lidar_height);
   const Eigen::Vector2d start = world.file.start.position();
   options.start = Eigen::Vector3d(start.x(), start.y(), 0.0);
-  return survey_map3d(world.file.spec, options);
+  return survey_world(world.file.spec, options);
 }
 
 int make_map3d(const MapArguments& arguments) {

@@ -25,12 +25,14 @@ namespace {
 struct ReplayArguments {
   std::string log;
   std::string map;
+  std::string map3d;
   std::string start = "unknown";
   std::int64_t from_scan = 0;
   std::optional<std::int64_t> scans;
   std::string scans_used = "all";
   std::string splice;
   BagTopicOptions topics;
+  std::optional<double> base_height;
   LocalizerArguments localizers;
   std::uint64_t seed = 1;
   std::string out;
@@ -103,6 +105,7 @@ YamlDocument session_of(const ReplayArguments& a) {
   };
   put("log", write_yaml(a.log));
   put("map", write_yaml(a.map));
+  if (!a.map3d.empty()) put("map3d", write_yaml(a.map3d));
   put("start", write_yaml(a.start));
   put("from_scan", write_yaml(static_cast<std::uint64_t>(a.from_scan)));
   if (a.scans) put("scans", write_yaml(static_cast<std::uint64_t>(*a.scans)));
@@ -110,6 +113,8 @@ YamlDocument session_of(const ReplayArguments& a) {
   put("scan_topics", write_yaml(a.topics.scans));
   put("odom_topic", write_yaml(a.topics.odometry));
   put("truth_topic", write_yaml(a.topics.truth));
+  if (!a.topics.imu.empty()) put("imu_topic", write_yaml(a.topics.imu));
+  if (a.base_height) put("base_height", write_yaml(*a.base_height));
   put("seed", write_yaml(a.seed));
   if (!a.localizers.texts.empty()) put("localizers", localizers_node(a.localizers.texts));
   if (!a.splice.empty()) put("events", splice_node(a));
@@ -189,6 +194,9 @@ void add_replay_command(Command& app) {
           ".yaml of a replay: the scenario.yaml of a run, or what a live run saved")
       .required();
   command.add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
+  command.add_option(
+      "--map3d", a->map3d,
+      "3-D map for mh_amcl:3d: .map3d, OctoMap's .bt or .ot, or a cloud (.pcd, .ply)");
   command
       .add_option("--scan-topic", a->topics.scans, "LaserScan topic of a bag; repeat for several")
       .repeatable();
@@ -196,6 +204,14 @@ void add_replay_command(Command& app) {
                      "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
   command.add_option("--truth-topic", a->topics.truth,
                      "Topic of the true pose (default: /ground_truth/odom, if there is one)");
+  command.add_option("--imu-topic", a->topics.imu,
+                     "Imu topic of a bag, or none (default: with --map3d by type, else none)");
+  command
+      .add_option(
+          "--base-height", a->base_height,
+          "With --map3d: height of the odometry's frame above the ground [m] (default: above "
+          "base_footprint)")
+      .range(-10.0, 10.0);
   command.add_option("--start", a->start, "truth or unknown")
       .one_of({"truth", "unknown"})
       .show_default();
@@ -207,7 +223,7 @@ void add_replay_command(Command& app) {
       .add_option("--use", a->scans_used, "Scans handed to the localizers: all, even or odd ones")
       .one_of({"all", "even", "odd"})
       .show_default();
-  add_localizer_options(command, a->localizers, "mh_amcl");
+  add_localizer_options(command, a->localizers, "mh_amcl; with --map3d mh_amcl:3d");
   command.add_option("--seed", a->seed, "Root seed").show_default();
   command.add_option("--out", a->out, "Run folder (default: runs/replay-<map>/seed-<n>)");
   command.add_flag("--force", a->force,
@@ -228,7 +244,8 @@ void add_replay_command(Command& app) {
       "Examples:\n"
       "  castaway replay intel.log.gz --map intel.yaml --start unknown --localizer mh_amcl "
       "--localizer amcl\n"
-      "  castaway replay rosbag2_2026_01_31 --map office.yaml --scan-topic /front/scan");
+      "  castaway replay rosbag2_2026_01_31 --map office.yaml --scan-topic /front/scan\n"
+      "  castaway replay rosbag2_2026_01_31 --map3d office.bt");
   command.action([a] { return replay_log(*a); });
 }
 

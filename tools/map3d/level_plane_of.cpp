@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/map3d/survey_map3d.hpp"
+#include "tools/map3d/survey_world.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -41,7 +41,7 @@ sim::LevelPlane to_level_plane(const localization::Atlas& atlas) {
 std::shared_ptr<const Map3d> survey_floors(const sim::WorldSpec& world, double height) {
   Map3dOptions options;
   options.ground.clearance = std::max(options.ground.clearance, height + kHeadroom);
-  return std::make_shared<const Map3d>(survey_map3d(world, options));
+  return std::make_shared<const Map3d>(survey_world(world, options));
 }
 
 std::shared_ptr<const sim::LevelPlane> level_plane_of(const Map3d& map) {

@@ -14,7 +14,7 @@ namespace castaway::testbed {
 sim::LevelPlane to_level_plane(const localization::Atlas& atlas);
 
 /// Surveys a world and its ground on which a robot of this height [m] can drive. Throws as
-/// `survey_map3d`.
+/// `survey_world`.
 std::shared_ptr<const Map3d> survey_floors(const sim::WorldSpec& world, double height);
 
 /// The floors of a map. Throws as `localization::Atlas`.

@@ -10,10 +10,9 @@ namespace castaway::testbed {
 namespace {
 
 Map3d map3d_of(const std::filesystem::path& file, const Map3dOptions& options) {
-  const std::string end = file.extension().string();
-  if (end == ".pcd" || end == ".ply") return survey_map3d(read_point_cloud(file), options);
+  if (is_cloud(file)) return survey_map3d(read_point_cloud(file), options);
   const std::string bytes = read_file(file);
-  if (end == ".map3d") return decode_map3d(bytes, file.string());
+  if (file.extension() == ".map3d") return decode_map3d(bytes, file.string());
   return survey_map3d(decode_octomap(bytes, file.string()), options);
 }
 
@@ -24,9 +23,12 @@ bool is_map3d_target(const std::filesystem::path& file) {
   return end == ".map3d" || end == ".bt" || end == ".ot";
 }
 
+bool is_cloud(const std::filesystem::path& file) {
+  return file.extension() == ".pcd" || file.extension() == ".ply";
+}
+
 bool is_map3d_source(const std::filesystem::path& file) {
-  const std::string end = file.extension().string();
-  return is_map3d_target(file) || end == ".pcd" || end == ".ply";
+  return is_map3d_target(file) || is_cloud(file);
 }
 
 Map3d read_map3d_file(const std::filesystem::path& file, const Map3dOptions& options) {

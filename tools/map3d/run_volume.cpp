@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tools/map3d/survey_map3d.hpp"
+#include "tools/map3d/survey_world.hpp"
 
 namespace castaway::testbed {
 
@@ -12,7 +12,7 @@ std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume_
     Map3dOptions options;
     options.resolution = voxel;
     const bool same = known != nullptr && known->voxels.resolution == voxel;
-    Map3d map = same ? *known : survey_map3d(world, options);
+    Map3d map = same ? *known : survey_world(world, options);
     return std::make_shared<const localization::Volume>(
         std::move(map.voxels), std::move(map.ground), localization::VolumeConfig{});
   };

@@ -1,4 +1,4 @@
-/// Surveys worlds, and points of other sources, into 3-D maps.
+/// Makes 3-D maps of points and of voxels.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "localization/map3d/survey_ground.hpp"
-#include "sim/world/world_spec.hpp"
 #include "tools/formats/volume/map3d_file.hpp"
 
 namespace castaway::testbed {
@@ -18,11 +17,6 @@ struct Map3dOptions {
   localization::GroundConfig ground;
   std::optional<Eigen::Vector3d> start;  ///< [m] From where the ground is reached.
 };
-
-/// The 3-D map of a world, as a perfect survey would make it. Without a start, its ground is
-/// reached from `WorldSpec::inside`. Throws as `sim::sample_surfaces` and
-/// `localization::survey_ground`.
-Map3d survey_map3d(const sim::WorldSpec& world, const Map3dOptions& options);
 
 /// The 3-D map of a point cloud. [m] Throws std::invalid_argument for points too far from the
 /// origin, or none.

@@ -32,7 +32,9 @@ std::vector<std::filesystem::path> inputs_of(const ReplaySession& session) {
   if (is_bag(session.log)) {
     for (const auto& file : bag_files(session.log)) inputs.push_back(file);
   }
-  if (!session.map.empty()) inputs.emplace_back(session.map);
+  for (const std::string& map : {session.map, session.map3d}) {
+    if (!map.empty()) inputs.emplace_back(map);
+  }
   return inputs;
 }
 
@@ -44,8 +46,9 @@ Run build_replay(const ReplaySession& session, const RecordedLog& log,
   run.loop.start = initial_pose(session, log, *source);
   run.loop.orders = session.orders;
   run.source = std::make_unique<RecordedSource>(all_frames(*source));
-  run.localizers = build_localizers(session.localizers, {log.map, session.map, log.lidars, folder},
-                                    session.seed);
+  LocalizerPlace place{log.map, session.map, log.lidars, folder};
+  place.volume = log.volume;
+  run.localizers = build_localizers(session.localizers, place, session.seed);
   write_file(folder / "scenario.yaml", emit_yaml(session.tree));
   RunSinks built =
       build_sinks(folder, info, log.map, run.source->duration(), files_of(log, outputs));

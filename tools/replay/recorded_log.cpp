@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "tools/output/file_name.hpp"
+#include "tools/replay/recorded_maps.hpp"
 #include "tools/ros/bag_topics.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
-#include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/map_conversion.hpp"
 
@@ -29,16 +29,23 @@ std::optional<std::int64_t> needed_scans(const ReplaySession& session) {
   return static_cast<std::int64_t>(used_scan(session.scans_used, part.from_scan) + *part.scans);
 }
 
+void set_maps(const ReplaySession& session, const std::optional<RosMap>& own, RecordedLog& log) {
+  RecordedMaps maps = open_maps(session, own);
+  log.map = std::move(maps.planar);
+  log.volume = std::move(maps.volume);
+  log.warnings.insert(log.warnings.end(), log.map.warnings.begin(), log.map.warnings.end());
+}
+
 RecordedLog open_carmen(const ReplaySession& session) {
   if (!std::filesystem::exists(session.log)) {
     throw std::runtime_error(session.log + ": cannot be read; check the path and its permissions");
   }
-  if (session.map.empty()) {
-    throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
+  if (!session.map3d.empty()) {
+    throw std::invalid_argument(
+        "--map3d takes bags: a CARMEN log does not say how high its lidar is mounted");
   }
   RecordedLog log;
-  log.map = load_ros_map(session.map);
-  log.warnings = log.map.warnings;
+  set_maps(session, std::nullopt, log);
   CarmenSourceConfig config;
   config.selection = session.scans_used;
   config.scans = needed_scans(session);
@@ -47,13 +54,9 @@ RecordedLog open_carmen(const ReplaySession& session) {
   return log;
 }
 
-/// The map that the session names, or the bag's own.
-RosMap map_of(const ReplaySession& session, const BagInventory& bag,
-              const BagRecording& recording) {
-  if (!session.map.empty()) return load_ros_map(session.map);
-  if (!recording.map) {
-    throw std::runtime_error(session.log + ": holds no OccupancyGrid; name a map by --map");
-  }
+/// The bag's own map, if it has one.
+std::optional<RosMap> map_of(const BagInventory& bag, const BagRecording& recording) {
+  if (!recording.map) return std::nullopt;
   RosMap map = *recording.map;
   const auto run = bag.metadata.find("run");
   const bool named = run != bag.metadata.end() && run->second.contains("world");
@@ -61,16 +64,25 @@ RosMap map_of(const ReplaySession& session, const BagInventory& bag,
   return map;
 }
 
+BagGround ground_of(const ReplaySession& session) {
+  if (!session.map3d.empty()) return {true, session.base_height};
+  if (session.base_height) {
+    throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
+  }
+  return {};
+}
+
 RecordedLog open_bag(const ReplaySession& session) {
   if (session.scans_used != Scans::kAll) {
     throw std::invalid_argument("--use takes CARMEN logs, not bags");
   }
   const BagInventory bag = take_inventory(session.log, bag_files(session.log));
-  BagRecording recording = read_bag(bag, choose_topics(bag, session.topics));
+  BagTopicOptions topics = session.topics;
+  topics.any_imu = !session.map3d.empty();
+  BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground_of(session));
   RecordedLog log;
-  log.map = map_of(session, bag, recording);
   log.warnings = std::move(recording.warnings);
-  log.warnings.insert(log.warnings.end(), log.map.warnings.begin(), log.map.warnings.end());
+  set_maps(session, map_of(bag, recording), log);
   log.start = recording.start;
   log.lidars = lidars_of(recording.frames);
   log.frames = std::make_shared<const Frames>(std::move(recording.frames));
@@ -93,6 +105,7 @@ RunInfo run_info(const ReplaySession& session, const RecordedLog& log) {
   info.seed = session.seed;
   info.known_start = session.known_start;
   info.localizers = names_of(session.localizers);
+  info.heights = !session.map3d.empty();
   return info;
 }
 
@@ -109,7 +122,7 @@ std::unique_ptr<SplicedSource> spliced_source(const RecordedLog& log,
 
 std::optional<localization::PoseWithCovariance> initial_pose(const ReplaySession& session,
                                                              const RecordedLog& log,
-                                                             const SensorSource& source) {
+                                                             const SplicedSource& source) {
   if (!session.known_start) return std::nullopt;
   const bool at_begin = session.part.from_scan == 0;
   const std::optional<SE2> start = at_begin && log.start ? log.start : source.start_pose();
@@ -118,7 +131,8 @@ std::optional<localization::PoseWithCovariance> initial_pose(const ReplaySession
                              ": holds no truth at the first scan, so there is no true start; use "
                              "--start unknown");
   }
-  return localization::PoseWithCovariance{*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+  return localization::PoseWithCovariance{*start, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal(),
+                                          source.start_height()};
 }
 
 }  // namespace castaway::testbed

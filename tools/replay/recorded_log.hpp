@@ -1,11 +1,13 @@
-/// Opens the log of a replay: a CARMEN log with its map, or a bag.
+/// Opens the log of a replay, a CARMEN log or a bag, and its maps.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "localization/volume/volume.hpp"
 #include "tools/foreign/protocol/lidar_facts.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/replay/replay_session.hpp"
@@ -17,12 +19,14 @@ namespace castaway::testbed {
 struct RecordedLog {
   std::shared_ptr<const Frames> frames;
   RosMap map;
+  /// The 3-D map, as `LocalizerPlace::volume`; empty: there is none.
+  std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume{};
   std::optional<SE2> start;        ///< Start pose given to the localizers, in castaway's own bags.
   std::vector<LidarFacts> lidars;  ///< Of a bag.
   std::vector<std::string> warnings;
 };
 
-/// Reads the log, and its map, into memory. Throws std::runtime_error naming the file, or
+/// Reads the log, and its maps, into memory. Throws std::runtime_error naming the file, or
 /// std::invalid_argument for settings that it cannot have.
 RecordedLog open_log(const ReplaySession& session);
 
@@ -39,6 +43,6 @@ std::unique_ptr<SplicedSource> spliced_source(const RecordedLog& log, const Repl
 /// std::runtime_error if it is the true one, which the log does not hold.
 std::optional<localization::PoseWithCovariance> initial_pose(const ReplaySession& session,
                                                              const RecordedLog& log,
-                                                             const SensorSource& source);
+                                                             const SplicedSource& source);
 
 }  // namespace castaway::testbed

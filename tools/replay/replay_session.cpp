@@ -23,8 +23,12 @@ Scans read_scans_used(YamlReader& root) {
 }
 
 BagTopicOptions read_topics(YamlReader& root) {
-  return {root.get("scan_topics", std::vector<std::string>{}), root.get("odom_topic", ""),
-          root.get("truth_topic", "")};
+  BagTopicOptions topics;
+  topics.scans = root.get("scan_topics", std::vector<std::string>{});
+  topics.odometry = root.get("odom_topic", "");
+  topics.truth = root.get("truth_topic", "");
+  topics.imu = root.get_optional<std::string>("imu_topic").value_or("");
+  return topics;
 }
 
 void read_session_events(YamlReader& root, ReplaySession& session) {
@@ -50,12 +54,33 @@ void check_session_orders(const YamlReader& root, const ReplaySession& session) 
   }
 }
 
+/// Localizers are read after it: its presence decides which one is the default.
+std::string read_map3d(YamlDocument& document) {
+  YamlReader root = document.root();
+  std::string map3d = root.get_optional<std::string>("map3d").value_or("");
+  if (!root.has("localizers")) {
+    document.set(map3d.empty() ? "localizers=[mh_amcl]" : "localizers=[{mh_amcl: {mode: 3d}}]");
+  }
+  return map3d;
+}
+
+void check_map3d(const YamlReader& root, const ReplaySession& session) {
+  if (session.map3d.empty() || std::ranges::any_of(session.localizers, is_on_map3d)) return;
+  root.fail(
+      "'map3d' (--map3d) is for mh_amcl in mode 3d, and no localizer of the replay is: add "
+      "mh_amcl:3d, or leave the 3-D map out");
+}
+
 }  // namespace
 
+bool is_on_map3d(const LocalizerSpec& spec) {
+  return std::holds_alternative<localization::MhAmcl3dConfig>(spec.config);
+}
+
 ReplaySession read_session(YamlDocument document, const ForeignRules& rules) {
-  if (!document.root().has("localizers")) document.set("localizers=[mh_amcl]");
-  YamlReader root = document.root();
   ReplaySession session;
+  session.map3d = read_map3d(document);
+  YamlReader root = document.root();
   session.log = root.require<std::string>("log");
   session.map = root.get("map", "");
   session.known_start = root.choice("start", "unknown", {"truth", "unknown"}) == "truth";
@@ -64,10 +89,12 @@ ReplaySession read_session(YamlDocument document, const ForeignRules& rules) {
   if (session.part.scans == 0U) root.fail("'scans' is 0: play at least one");
   session.scans_used = read_scans_used(root);
   session.topics = read_topics(root);
+  session.base_height = root.get_optional<double>("base_height");
   session.seed = root.get("seed", session.seed);
   session.localizers = read_localizers(root, "localizers", rules);
   read_session_events(root, session);
   check_session_orders(root, session);
+  check_map3d(root, session);
   document.reject_unknown_keys();
   session.tree = root.copy();
   return session;

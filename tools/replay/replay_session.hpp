@@ -20,6 +20,7 @@ namespace castaway::testbed {
 ///
 ///     log: intel.log.gz             # CARMEN log or bag
 ///     map: intel.yaml               # of a bag: in place of its own
+///     map3d: intel.map3d            # 3-D map; left out: none
 ///     start: unknown                # truth, unknown
 ///     from_scan: 0
 ///     scans: ~                      # how many; ~: all
@@ -27,6 +28,8 @@ namespace castaway::testbed {
 ///     scan_topics: []               # of a bag; as --scan-topic
 ///     odom_topic: ""
 ///     truth_topic: ""
+///     imu_topic: /imu               # left out: with a 3-D map the only one, else none
+///     base_height: 0.1              # [m] of a bag's base above the ground; left out: by its tree
 ///     seed: 1
 ///     localizers: [mh_amcl]         # as in a scenario
 ///     events:
@@ -36,17 +39,22 @@ namespace castaway::testbed {
 /// A splice goes on from scan `to_scan` of the log once `after_scans` scans have been played.
 struct ReplaySession {
   std::string log;
-  std::string map;  ///< Empty: the bag's own.
+  std::string map;    ///< Empty: the bag's own.
+  std::string map3d;  ///< Empty: none.
   bool known_start = false;
   /// `from_scan`: of the log; the other numbers: of the scans that are used.
   SplicedPart part;
   CarmenSourceConfig::Scans scans_used = CarmenSourceConfig::Scans::kAll;
   BagTopicOptions topics;
+  std::optional<double> base_height;  ///< [m] Of a bag's base above the ground; nothing: by /tf.
   std::uint64_t seed = 1;
-  std::vector<LocalizerSpec> localizers;
-  std::vector<LocalizerOrder> orders;  ///< In order of time.
-  YamlNode tree;                       ///< All of it, with defaults filled in.
+  std::vector<LocalizerSpec> localizers;  ///< By default `mh_amcl`, on a 3-D map in mode 3d.
+  std::vector<LocalizerOrder> orders;     ///< In order of time.
+  YamlNode tree;                          ///< All of it, with defaults filled in.
 };
+
+/// True for `mh_amcl` in mode 3d.
+bool is_on_map3d(const LocalizerSpec& spec);
 
 /// Reads a session. Throws std::runtime_error or std::invalid_argument naming file, line and key.
 ReplaySession read_session(YamlDocument document, const ForeignRules& rules = {});

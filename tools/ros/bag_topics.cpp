@@ -126,6 +126,18 @@ std::string choose_odometry(const BagInventory& bag, const BagTopicOptions& opti
   return name;
 }
 
+/// Of several by type, /imu or the /imu/data of REP-145 is the usual one.
+std::string choose_imu(const BagInventory& bag, const BagTopicOptions& options) {
+  if (options.imu == "none") return "";
+  if (!options.imu.empty()) {
+    return require_topic(bag, options.imu, "--imu-topic", {ros::Imu::kType});
+  }
+  if (!options.any_imu) return "";
+  const Names names = topics_of_type(bag, ros::Imu::kType);
+  const bool plain = std::find(names.begin(), names.end(), "/imu") != names.end();
+  return only_one(bag, names, plain ? "/imu" : "/imu/data", "--imu-topic");
+}
+
 std::string there_or_empty(const BagInventory& bag, const std::string& name, const char* type) {
   const Names names = topics_of_type(bag, type);
   return std::find(names.begin(), names.end(), name) != names.end() ? name : "";
@@ -167,8 +179,10 @@ BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& opt
     choice.scan_truth = there_or_empty(bag, "/ground_truth/scan_pose", ros::PoseStamped::kType);
   }
   choice.map = only_one(bag, topics_of_type(bag, ros::OccupancyGrid::kType), "/map", "--map");
+  choice.imu = choose_imu(bag, options);
   Names taken = choice.scans;
-  taken.insert(taken.end(), {choice.odometry, choice.truth, choice.scan_truth, choice.map});
+  taken.insert(taken.end(),
+               {choice.odometry, choice.truth, choice.scan_truth, choice.map, choice.imu});
   require_cdr(bag, taken);
   return choice;
 }

@@ -43,6 +43,8 @@ struct BagTopicOptions {
   std::vector<std::string> scans;
   std::string odometry;
   std::string truth;
+  std::string imu;       ///< "none": none.
+  bool any_imu = false;  ///< Without a name, an Imu topic is searched by type.
 };
 
 /// The topics that a run uses.
@@ -52,6 +54,7 @@ struct BagTopicChoice {
   std::string truth;       ///< Odometry, PoseStamped or PoseWithCovarianceStamped; empty for none.
   std::string scan_truth;  ///< PoseStamped at the stamps of scans; empty for none.
   std::string map;         ///< OccupancyGrid; empty for none.
+  std::string imu;         ///< Imu; empty for none.
 };
 
 /// Chooses topics by type, and among several of a type the one with the usual name. Throws

@@ -36,6 +36,7 @@ std::string event_json(const RunEvent& event) {
   if (event.since) json["since_s"] = seconds(*event.since);
   if (event.T_map_from) json["from"] = pose_json(*event.T_map_from);
   if (event.T_map_to) json["to"] = pose_json(*event.T_map_to);
+  if (event.heights) json["heights"] = {event.heights->x(), event.heights->y()};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -54,6 +55,10 @@ std::optional<RunEvent> event_of_json(const std::string& text) {
     if (json.contains("since_s")) event.since = stamp_of(json.at("since_s"));
     event.T_map_from = pose_of(json, "from");
     event.T_map_to = pose_of(json, "to");
+    if (json.contains("heights")) {
+      const Json& z = json.at("heights");
+      event.heights = {{z.at(0).get<double>(), z.at(1).get<double>()}};
+    }
     return event;
   } catch (const Json::exception&) {
     return std::nullopt;

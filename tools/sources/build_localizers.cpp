@@ -51,8 +51,9 @@ struct Maker {
   NamedLocalizer operator()(const localization::MhAmcl3dConfig& c) const {
     if (!site.place.volume) {
       throw std::runtime_error(
-          "works on a 3-D map of the world that it is in: only `castaway run` and `castaway live` "
-          "have one");
+          "works on a 3-D map, and there is none: `castaway replay` takes one by --map3d; "
+          "`castaway "
+          "run` and `castaway live` survey the world that they simulate");
     }
     auto models =
         std::make_shared<const localization::MhAmclModels>(c.mh_amcl, site.place.volume(c.voxel));

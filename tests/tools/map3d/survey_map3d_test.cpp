@@ -1,4 +1,4 @@
-#include "tools/map3d/survey_map3d.hpp"
+#include "tools/map3d/survey_world.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -32,7 +32,7 @@ sim::WorldSpec deck() {
 }
 
 TEST(SurveyMap3d, AWorldOfTwoFloorsHasTwoLevels) {
-  const Map3d map = survey_map3d(deck(), {});
+  const Map3d map = survey_world(deck(), {});
   ASSERT_EQ(map.ground.levels.size(), 2U);
   EXPECT_NEAR(map.ground.levels[0], 0.0, 0.003);
   EXPECT_NEAR(map.ground.levels[1], 3.0, 0.003);
@@ -49,7 +49,7 @@ TEST(SurveyMap3d, AWorldOfTwoFloorsHasTwoLevels) {
 
 TEST(SurveyMap3d, APointCloudIsSurveyedAlike) {
   std::vector<Eigen::Vector3d> points;
-  const Map3d map = survey_map3d(deck(), {});
+  const Map3d map = survey_world(deck(), {});
   for (std::size_t i = 0; i < map.voxels.size(); ++i) points.push_back(map.voxels.point(i));
   const Map3d again = survey_map3d(points, {});
   EXPECT_EQ(again.voxels.keys, map.voxels.keys);
@@ -58,7 +58,7 @@ TEST(SurveyMap3d, APointCloudIsSurveyedAlike) {
 
 TEST(Map3dFiles, AreChosenByTheEndsOfTheirNames) {
   const TemporaryFolder folder;
-  const Map3d map = survey_map3d(deck(), {});
+  const Map3d map = survey_world(deck(), {});
   for (const char* name : {"a.map3d", "a.bt", "a.ot"}) {
     const auto file = folder.path() / name;
     ASSERT_TRUE(is_map3d_target(file));
@@ -92,7 +92,7 @@ std::uint32_t pixel(const sim::Image& image, int x, int y) {
 }
 
 TEST(LevelPicture, ShowsTheLevelsSideBySide) {
-  const sim::Image image = level_picture(survey_map3d(deck(), {}).ground);
+  const sim::Image image = level_picture(survey_world(deck(), {}).ground);
   EXPECT_EQ(image.width, 12 + 2 * (221 + 12));
   EXPECT_EQ(image.height, 20 + 81 + 12);
   const int row = 20 + 80 - 60;                        // y = 6 m.

@@ -47,6 +47,19 @@ TEST(ReplaySession, ReadsBackWhatItWrites) {
   EXPECT_EQ(again.orders[0].what, LocalizerOrder::What::kOff);  // In order of time.
 }
 
+TEST(ReplaySession, OnA3dMapIsPlayedByTheLocalizerForIt) {
+  const ReplaySession session =
+      session_from("log: a\nmap3d: a.bt\nimu_topic: /imu\nbase_height: 0.1\n");
+  EXPECT_EQ(session.map3d, "a.bt");
+  EXPECT_EQ(session.topics.imu, "/imu");
+  EXPECT_EQ(session.base_height, 0.1);
+  EXPECT_EQ(names_of(session.localizers), (std::vector<std::string>{"mh_amcl-3d"}));
+  EXPECT_EQ(emit_yaml(session_from(emit_yaml(session.tree)).tree), emit_yaml(session.tree));
+  EXPECT_EQ(emit_yaml(session_from("log: a\n").tree).find("3d"), std::string::npos);
+  EXPECT_TRUE(contains(trouble_of("log: a\nmap3d: a.bt\nlocalizers: [mh_amcl]\n"),
+                       "(--map3d) is for mh_amcl in mode 3d"));
+}
+
 TEST(ReplaySession, NamesWhatIsWrong) {
   EXPECT_TRUE(contains(trouble_of("map: m.yaml\n"), "log"));
   EXPECT_TRUE(contains(trouble_of("log: a\nscans: 0\n"), "'scans' is 0"));

@@ -55,6 +55,26 @@ TEST(BagTopics, AreChosenByType) {
   EXPECT_EQ(choice.truth, "");
 }
 
+TEST(BagTopics, AnImuIsChosenIfOneIsWanted) {
+  const auto chosen = [](const Names& imus, const std::string& named, bool any) {
+    std::vector<std::pair<std::string, std::string>> topics = {{"/scan", kScan}, {"/tf", kTf}};
+    for (const std::string& imu : imus) topics.emplace_back(imu, ros::Imu::kType);
+    BagTopicOptions options;
+    options.imu = named;
+    options.any_imu = any;
+    return choose_topics(bag_of(topics), options).imu;
+  };
+  EXPECT_EQ(chosen({"/camera/imu"}, "", true), "/camera/imu");
+  EXPECT_EQ(chosen({"/imu"}, "", false), "");
+  EXPECT_EQ(chosen({"/imu"}, "/imu", false), "/imu");
+  EXPECT_EQ(chosen({"/imu"}, "none", true), "");
+  EXPECT_EQ(chosen({"/imu/data", "/imu/data_raw"}, "", true), "/imu/data");
+  EXPECT_EQ(chosen({"/camera/imu", "/imu"}, "", true), "/imu");
+  EXPECT_EQ(chosen({}, "", true), "");
+  EXPECT_TRUE(contains(error_of([&] { (void)chosen({"/a", "/b"}, "", true); }), "--imu-topic"));
+  EXPECT_TRUE(contains(error_of([&] { (void)chosen({}, "/scan", true); }), "--imu-topic /scan"));
+}
+
 TEST(BagTopics, FallBackToTheTreeForOdometry) {
   EXPECT_EQ(choose_topics(bag_of({{"/scan", kScan}, {"/tf", kTf}}), {}).odometry, "");
   EXPECT_TRUE(contains(refusal(bag_of({{"/scan", kScan}})), "holds neither nav_msgs/msg/Odometry"));

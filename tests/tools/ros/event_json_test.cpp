@@ -16,6 +16,7 @@ TEST(EventJson, IsWrittenByTheBook) {
 TEST(EventJson, IsReadBack) {
   RunEvent event = kidnap_to(2.123456789);
   event.since = localization::from_seconds(1.5);
+  event.heights = {{0.0, 3.125}};
   const auto read = event_of_json(event_json(event));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stamp, event.stamp);
@@ -23,6 +24,7 @@ TEST(EventJson, IsReadBack) {
   EXPECT_EQ(read->kind, EventKind::kKidnap);
   EXPECT_EQ(read->T_map_from, event.T_map_from);
   EXPECT_EQ(read->T_map_to, event.T_map_to);
+  EXPECT_EQ(read->heights, event.heights);
 }
 
 TEST(EventJson, TakesNothingElseForAnEvent) {

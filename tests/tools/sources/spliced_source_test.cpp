@@ -47,6 +47,34 @@ TEST(SplicedSource, PlaysAPart) {
   EXPECT_DOUBLE_EQ(source.start_pose()->x, 20.3);
 }
 
+TEST(SplicedSource, MovesImuReadingsInTimeAndKnowsHeights) {
+  Frames log = straight_log(6);
+  for (Frame& frame : log) {
+    auto* odometry = std::get_if<OdometryFrame>(&frame.data);
+    if (odometry == nullptr) continue;
+    odometry->T_footprint_base_true = Eigen::Isometry3d::Identity();
+    odometry->T_footprint_base_true->translation().z() = odometry->T_map_base_true->x;
+  }
+  Frames with_imu;
+  for (const Frame& frame : log) {
+    with_imu.push_back(frame);
+    if (std::holds_alternative<OdometryFrame>(frame.data)) {
+      ImuFrame imu;
+      imu.imu.stamp = frame.stamp;
+      with_imu.push_back({frame.stamp, imu});
+    }
+  }
+  SplicedSource source(std::make_shared<const Frames>(with_imu), {0, {}, {{2, 5}}});
+  EXPECT_EQ(source.start_height(), source.start_pose()->x);
+  for (const Frame& frame : all_frames(source)) {
+    if (const auto* imu = std::get_if<ImuFrame>(&frame.data)) {
+      EXPECT_EQ(imu->imu.stamp, frame.stamp);
+    } else if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
+      EXPECT_EQ(*event->heights, Eigen::Vector2d(event->T_map_from->x, event->T_map_to->x));
+    }
+  }
+}
+
 TEST(SplicedSource, JumpsSeveralTimes) {
   SplicedSource source = source_of(20, {0, {}, {{2, 10}, {4, 1}}});
   const Frames frames = all_frames(source);

@@ -37,8 +37,8 @@ LaserScan& scan_of(Frame& frame) { return std::get<ScanFrame>(frame.data).scan; 
 
 }  // namespace
 
-BagCollector::BagCollector(const BagInventory& bag, BagTopicChoice topics)
-    : bag_(bag), topics_(std::move(topics)) {
+BagCollector::BagCollector(const BagInventory& bag, BagTopicChoice topics, const BagGround& ground)
+    : bag_(bag), topics_(std::move(topics)), ground_(ground) {
   recording_.start = start_of(bag);
 }
 
@@ -49,6 +49,8 @@ void BagCollector::take(const McapMessage& message, const std::string& type) {
   const std::string& topic = message.channel->topic;
   if (std::find(topics_.scans.begin(), topics_.scans.end(), topic) != topics_.scans.end()) {
     take_scan(message);
+  } else if (topic == topics_.imu) {
+    take_imu(message);
   } else if (topic == topics_.odometry) {
     take_odometry(message);
   } else if (topic == topics_.truth || topic == topics_.scan_truth) {
@@ -77,6 +79,12 @@ void BagCollector::take_scan(const McapMessage& message) {
   if (!mounts_.mount(scan_of(recording_.frames.back()), scan.header.frame_id)) {
     unmounted_.emplace_back(recording_.frames.size() - 1, scan.header.frame_id);
   }
+}
+
+void BagCollector::take_imu(const McapMessage& message) {
+  const auto imu = CdrReader::decode<ros::Imu>(message.data);
+  imu_.take(imu, stamp_of(imu.header, message.log_time_ns), Stamp(message.log_time_ns),
+            recording_.frames);
 }
 
 void BagCollector::take_odometry(const McapMessage& message) {
@@ -110,10 +118,11 @@ void BagCollector::take_transforms(const McapMessage& message) {
 void BagCollector::take_truth(const McapMessage& message, const std::string& type) {
   const auto add = [&](const ros::Header& header, const ros::Pose& pose) {
     const Stamp stamp = stamp_of(header, message.log_time_ns);
+    const TruePose truth = ground_.in_space ? true_pose_of(pose) : TruePose{from_ros_pose(pose)};
     if (message.channel->topic == topics_.scan_truth) {
-      truth_.add_of_scan(stamp, from_ros_pose(pose));
+      truth_.add_of_scan(stamp, truth);
     } else {
-      truth_.add(stamp, from_ros_pose(pose));
+      truth_.add(stamp, truth);
     }
   };
   if (type == ros::Odometry::kType) {
@@ -129,7 +138,8 @@ void BagCollector::take_truth(const McapMessage& message, const std::string& typ
 }
 
 void BagCollector::take_event(const McapMessage& message) {
-  const auto event = event_of_json(CdrReader::decode<ros::String>(message.data).data);
+  auto event = event_of_json(CdrReader::decode<ros::String>(message.data).data);
+  if (event && !ground_.in_space) event->heights.reset();
   if (event) recording_.frames.push_back({Stamp(message.log_time_ns), *event});
 }
 
@@ -146,6 +156,34 @@ void BagCollector::mount_remaining() {
   }
 }
 
+void BagCollector::turn_imu() {
+  for (const std::string& warning : imu_.turn_into_base(mounts_, recording_.frames)) {
+    recording_.warnings.push_back(bag_.name + ": " + warning);
+  }
+}
+
+/// Base is the odometry's frame, which need not be on the ground; that of a 3-D map is.
+void BagCollector::lift_mounts() {
+  if (!ground_.in_space) return;
+  const std::optional<double> stated =
+      ground_.base_height ? ground_.base_height : mounts_.base_height();
+  if (!stated) {
+    recording_.warnings.push_back(
+        fmt::format("{}: no transform from '{}' to 'base_footprint'; base is assumed to be on the "
+                    "ground. State "
+                    "its height by --base-height",
+                    bag_.name, mounts_.base_frame()));
+  }
+  const double height = stated.value_or(0.0);
+  truth_.lower(height);
+  if (height == 0.0) return;
+  for (Frame& frame : recording_.frames) {
+    if (std::holds_alternative<ScanFrame>(frame.data)) {
+      scan_of(frame).T_base_laser.pretranslate(Eigen::Vector3d(0.0, 0.0, height));
+    }
+  }
+}
+
 void BagCollector::require_scans_and_odometry() const {
   const auto holds = [&](auto kind) {
     return std::any_of(recording_.frames.begin(), recording_.frames.end(), [](const Frame& frame) {
@@ -158,11 +196,18 @@ void BagCollector::require_scans_and_odometry() const {
 }
 
 void BagCollector::add_truth() {
+  const bool heights = truth_.has_heights();
   for (Frame& frame : recording_.frames) {
     if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
-      odometry->T_map_base_true = truth_.at(odometry->odometry.stamp);
+      const auto truth = truth_.at(odometry->odometry.stamp);
+      if (!truth) continue;
+      odometry->T_map_base_true = truth->T_map_base;
+      if (heights) odometry->T_footprint_base_true = truth->T_footprint_base;
     } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      scan->T_map_base_true = truth_.of_scan(scan->scan.stamp);
+      const auto truth = truth_.of_scan(scan->scan.stamp);
+      if (!truth) continue;
+      scan->T_map_base_true = truth->T_map_base;
+      if (heights) scan->T_footprint_base_true = truth->T_footprint_base;
     }
   }
 }
@@ -170,6 +215,8 @@ void BagCollector::add_truth() {
 BagRecording BagCollector::finish() {
   if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
   mount_remaining();
+  turn_imu();
+  lift_mounts();
   tf_odometry_.insert_into(recording_.frames);
   require_scans_and_odometry();
   add_truth();

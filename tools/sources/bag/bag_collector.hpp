@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/sources/bag/bag_imu.hpp"
 #include "tools/sources/bag/bag_mounts.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/bag/bag_truth.hpp"
@@ -16,7 +17,7 @@ namespace castaway::testbed {
 /// Collects frames. `Frame::stamp` is the log time; the stamps inside are as recorded.
 class BagCollector {
  public:
-  BagCollector(const BagInventory& bag, BagTopicChoice topics);
+  BagCollector(const BagInventory& bag, BagTopicChoice topics, const BagGround& ground);
 
   /// Throws std::runtime_error if the message is malformed.
   void take(const McapMessage& message, const std::string& type);
@@ -26,19 +27,24 @@ class BagCollector {
 
  private:
   void take_scan(const McapMessage& message);
+  void take_imu(const McapMessage& message);
   void take_odometry(const McapMessage& message);
   void take_transforms(const McapMessage& message);
   void take_truth(const McapMessage& message, const std::string& type);
   void take_event(const McapMessage& message);
   void mount_remaining();
+  void turn_imu();
+  void lift_mounts();
   void require_scans_and_odometry() const;
   void add_truth();
 
   const BagInventory& bag_;
   BagTopicChoice topics_;
+  BagGround ground_;
   BagRecording recording_;
   BagMounts mounts_;
   TfOdometry tf_odometry_;
+  BagImu imu_;
   BagTruth truth_;
   std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of each scan without a
                                                                 ///< mount, and its frame.

@@ -1,4 +1,4 @@
-/// Mounts of the lidars of a bag.
+/// Mounts of the sensors of a bag.
 #pragma once
 
 #include <map>
@@ -20,6 +20,12 @@ class BagMounts {
   /// Sets the frame that lidars are mounted on; only the first call has an effect.
   void set_base_frame(const std::string& frame);
   [[nodiscard]] const std::string& base_frame() const { return base_frame_; }
+
+  /// The pose of a frame in base; nothing if it is not connected to base.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> of(const std::string& frame) const;
+  /// [m] Height of base above the frame base_footprint, which is on the ground (REP-120); 0 for a
+  /// base that is a footprint itself. Nothing without such a frame.
+  [[nodiscard]] std::optional<double> base_height() const;
 
   /// Sets the mount of a scan; false if the lidar's frame is not connected to base.
   bool mount(LaserScan& scan, const std::string& lidar_frame) const;

@@ -8,8 +8,9 @@
 
 namespace castaway::testbed {
 
-BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics) {
-  BagCollector collector(bag, topics);
+BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics,
+                      const BagGround& ground) {
+  BagCollector collector(bag, topics, ground);
   for (const auto& file : bag.files) {
     McapReader reader(file);
     while (const auto message = reader.next()) {

@@ -24,8 +24,18 @@ struct BagRecording {
   std::vector<std::string> warnings;
 };
 
+/// Whether the ground of a bag is planar, or on a 3-D map.
+struct BagGround {
+  /// True poses have heights, roll and pitch if any has a height, kidnaps have heights, and mounts
+  /// are above the ground.
+  bool in_space = false;
+  /// [m] Height of base above the ground; nothing: above the frame base_footprint.
+  std::optional<double> base_height{};
+};
+
 /// Reads the chosen topics and holds the frames in memory. Throws std::runtime_error naming file
 /// and topic, or what is missing.
-BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics);
+BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics,
+                      const BagGround& ground = {});
 
 }  // namespace castaway::testbed

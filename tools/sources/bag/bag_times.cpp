@@ -15,6 +15,7 @@ std::optional<Stamp> recorded_stamp(const Frame& frame) {
   if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     return odometry->odometry.stamp;
   }
+  if (const auto* imu = std::get_if<ImuFrame>(&frame.data)) return imu->imu.stamp;
   return std::nullopt;
 }
 
@@ -24,6 +25,7 @@ void move_back(Frame& frame, Stamp logged_by, Stamp stamp_by) {
   if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     odometry->odometry.stamp -= stamp_by;
   }
+  if (auto* imu = std::get_if<ImuFrame>(&frame.data)) imu->imu.stamp -= stamp_by;
 }
 
 }  // namespace

@@ -4,25 +4,40 @@
 #include <map>
 #include <optional>
 
+#include "tools/ros/ros_geometry.hpp"
 #include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
+
+/// A true pose of base in map: in the plane, and the rest of it.
+struct TruePose {
+  SE2 T_map_base;
+  /// Height, roll and pitch.
+  Eigen::Isometry3d T_footprint_base = Eigen::Isometry3d::Identity();
+};
+
+/// Throws as `from_ros_pose` and `from_ros_transform`.
+TruePose true_pose_of(const ros::Pose& pose);
 
 /// Poses of one topic, interpolated over at most half a second and never across a kidnap. Another
 /// topic may state the exact pose of each scan.
 class BagTruth {
  public:
-  void add(Stamp stamp, const SE2& T_map_base) { poses_[stamp] = T_map_base; }
-  void add_of_scan(Stamp stamp, const SE2& T_map_base) { of_scans_[stamp] = T_map_base; }
+  void add(Stamp stamp, const TruePose& pose) { poses_[stamp] = pose; }
+  void add_of_scan(Stamp stamp, const TruePose& pose) { of_scans_[stamp] = pose; }
+  /// Lowers all poses with a height by this much [m]; planar truth stays at 0.
+  void lower(double height);
 
+  /// False if all poses are at z = 0: those of a planar truth.
+  [[nodiscard]] bool has_heights() const;
   /// The true pose at a time; nothing if unknown.
-  [[nodiscard]] std::optional<SE2> at(Stamp stamp) const;
+  [[nodiscard]] std::optional<TruePose> at(Stamp stamp) const;
   /// The true pose of the scan with this stamp; nothing if unknown.
-  [[nodiscard]] std::optional<SE2> of_scan(Stamp stamp) const;
+  [[nodiscard]] std::optional<TruePose> of_scan(Stamp stamp) const;
 
  private:
-  std::map<Stamp, SE2> poses_;
-  std::map<Stamp, SE2> of_scans_;
+  std::map<Stamp, TruePose> poses_;
+  std::map<Stamp, TruePose> of_scans_;
 };
 
 }  // namespace castaway::testbed

@@ -18,12 +18,18 @@ std::vector<std::size_t> scan_indices(const Frames& frames) {
   return indices;
 }
 
-/// True pose from `begin` on, within a second.
-std::optional<SE2> first_truth(const Frames& frames, std::size_t begin) {
+/// [m] Height of base; nothing if it is unknown.
+std::optional<double> height_of(const OdometryFrame& frame) {
+  if (!frame.T_footprint_base_true) return std::nullopt;
+  return frame.T_footprint_base_true->translation().z();
+}
+
+/// The first odometry with a true pose from `begin` on, within a second.
+std::optional<OdometryFrame> first_truth(const Frames& frames, std::size_t begin) {
   for (std::size_t i = begin; i < frames.size(); ++i) {
     if (frames[i].stamp - frames[begin].stamp > std::chrono::seconds(1)) break;
     const auto* odometry = std::get_if<OdometryFrame>(&frames[i].data);
-    if (odometry != nullptr && odometry->T_map_base_true) return odometry->T_map_base_true;
+    if (odometry != nullptr && odometry->T_map_base_true) return *odometry;
   }
   return std::nullopt;
 }
@@ -36,6 +42,8 @@ void move_frame(Frame& frame, Stamp shift, const SE2& T_new_old) {
     odometry->odometry.T_odom_base = T_new_old * odometry->odometry.T_odom_base;
   } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
     scan->scan.stamp += shift;
+  } else if (auto* imu = std::get_if<ImuFrame>(&frame.data)) {
+    imu->imu.stamp += shift;
   } else {
     std::get<RunEvent>(frame.data).stamp += shift;
   }
@@ -48,7 +56,10 @@ SplicedSource::SplicedSource(std::shared_ptr<const Frames> frames, SplicedPart p
   check_part();
   next_ = part_.from_scan == 0 ? 0 : odometry_of(part_.from_scan);
   last_scan_ = part_.from_scan;
-  start_ = first_truth(*frames_, next_);
+  if (const auto start = first_truth(*frames_, next_)) {
+    start_ = start->T_map_base_true;
+    start_height_ = height_of(*start);
+  }
 }
 
 void SplicedSource::check_part() const {
@@ -101,8 +112,12 @@ Frame SplicedSource::make_jump(std::size_t to_scan) {
   last_scan_ = to_scan;
   last_known_.reset();
   after_scan_ = false;
-  return {at, RunEvent{at, EventKind::kKidnap, "splice", last_odometry_.T_map_base_true,
-                       after.T_map_base_true}};
+  RunEvent kidnap{at, EventKind::kKidnap, "splice", last_odometry_.T_map_base_true,
+                  after.T_map_base_true};
+  const std::optional<double> z_from = height_of(last_odometry_);
+  const std::optional<double> z_to = height_of(after);
+  if (z_from && z_to) kidnap.heights = {{*z_from, *z_to}};
+  return {at, std::move(kidnap)};
 }
 
 std::optional<Frame> SplicedSource::next() {

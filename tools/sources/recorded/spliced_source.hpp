@@ -53,6 +53,8 @@ class SplicedSource final : public SensorSource {
   void set_watched_pose(const std::optional<SE2>&, double) override {}
   /// True pose at the beginning of the part; nothing if it is unknown within the first second.
   [[nodiscard]] std::optional<SE2> start_pose() const override { return start_; }
+  /// [m] Height of that pose; nothing if it is unknown.
+  [[nodiscard]] std::optional<double> start_height() const { return start_height_; }
   /// That of the whole log.
   [[nodiscard]] Stamp duration() const override;
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const override {
@@ -71,6 +73,7 @@ class SplicedSource final : public SensorSource {
   std::vector<std::size_t> scans_;  ///< Their indices in `frames_`.
   SplicedPart part_;
   std::optional<SE2> start_;
+  std::optional<double> start_height_;
   std::size_t next_ = 0;       ///< Index in `frames_`.
   std::size_t next_jump_ = 0;  ///< Index in `part_.jumps`.
   std::size_t played_ = 0;

@@ -1,0 +1,27 @@
+/// The maps of a replay: a planar one, a 3-D one, or both.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "localization/volume/volume.hpp"
+#include "tools/formats/ros_map.hpp"
+#include "tools/replay/replay_session.hpp"
+
+namespace castaway::testbed {
+
+/// Maps that localizers and pictures use.
+struct RecordedMaps {
+  /// Without any planar map, the `ground_plan` of the 3-D map, which no localizer uses.
+  RosMap planar;
+  /// As `LocalizerPlace::volume`; empty: there is no 3-D map.
+  std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume{};
+};
+
+/// Opens the maps that the session names. `own` is the planar map that the log holds; one that the
+/// session names is used in its place. Throws std::runtime_error or std::invalid_argument naming
+/// the file, or the map that is missing.
+RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own);
+
+}  // namespace castaway::testbed
