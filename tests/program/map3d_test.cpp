@@ -103,6 +103,27 @@ TEST(Map3d, AReplayOnItIsTheRunToTheByte) {
   EXPECT_EQ(text_of(folder / "thrice/errors.csv"), text_of(folder / "run/errors.csv"));
 }
 
+TEST(Map3d, AReplayOfA3dLidarIsTheRunToTheByte) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder,
+                "mezzanine/kidnaps --duration 24 --set 'lidar={profile: vlp-16}' --set "
+                "outputs.bag=true --set 'localizers=[mh_amcl, {mh_amcl: {mode: 3d}}]'");
+  ASSERT_EQ(castaway(folder, "map mezzanine --out mezzanine.map3d").exit_code, 0);
+  const std::string common = " --start truth --no-pictures --localizer mh_amcl";
+  const Outcome outcome = castaway(folder,
+                                   "replay run --map3d mezzanine.map3d --imu-topic /imu"
+                                   " --localizer mh_amcl:3d --out again" +
+                                       common);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const std::string name : {"mh_amcl.tum", "mh_amcl-3d.tum", "truth.tum"}) {
+    EXPECT_GT(text_of(folder / "run" / name).size(), 1000U);
+    EXPECT_EQ(text_of(folder / "again" / name), text_of(folder / "run" / name)) << name;
+  }
+  ASSERT_EQ(castaway(folder, "replay run --imu-topic /imu --out planar" + common).exit_code, 0);
+  EXPECT_EQ(text_of(folder / "planar/mh_amcl.tum"), text_of(folder / "run/mh_amcl.tum"));
+}
+
 TEST(Map3d, AReplayOnAnOctomapKnowsTheFloor) {
   const fs::path folder = fresh_folder();
   localizers_of(folder, "hall/podium --duration 40 --set outputs.bag=true --set imu=true");

@@ -113,6 +113,7 @@ YamlDocument session_of(const ReplayArguments& a) {
   put("scan_topics", write_yaml(a.topics.scans));
   put("odom_topic", write_yaml(a.topics.odometry));
   put("truth_topic", write_yaml(a.topics.truth));
+  if (!a.topics.clouds.empty()) put("points_topics", write_yaml(a.topics.clouds));
   if (!a.topics.imu.empty()) put("imu_topic", write_yaml(a.topics.imu));
   if (a.base_height) put("base_height", write_yaml(*a.base_height));
   put("seed", write_yaml(a.seed));
@@ -204,6 +205,12 @@ void add_replay_command(Command& app) {
                      "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
   command.add_option("--truth-topic", a->topics.truth,
                      "Topic of the true pose (default: /ground_truth/odom, if there is one)");
+  command
+      .add_option(
+          "--points-topic", a->topics.clouds,
+          "PointCloud2 topic of a 3-D lidar; repeat for several (default: with --map3d those "
+          "of castaway's own bags, or the only one of a bag without LaserScan)")
+      .repeatable();
   command.add_option("--imu-topic", a->topics.imu,
                      "Imu topic of a bag, or none (default: with --map3d by type, else none)");
   command

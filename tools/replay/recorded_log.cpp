@@ -78,7 +78,7 @@ RecordedLog open_bag(const ReplaySession& session) {
   }
   const BagInventory bag = take_inventory(session.log, bag_files(session.log));
   BagTopicOptions topics = session.topics;
-  topics.any_imu = !session.map3d.empty();
+  topics.in_space = !session.map3d.empty();
   BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground_of(session));
   RecordedLog log;
   log.warnings = std::move(recording.warnings);

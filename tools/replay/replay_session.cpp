@@ -27,6 +27,8 @@ BagTopicOptions read_topics(YamlReader& root) {
   topics.scans = root.get("scan_topics", std::vector<std::string>{});
   topics.odometry = root.get("odom_topic", "");
   topics.truth = root.get("truth_topic", "");
+  topics.clouds =
+      root.get_optional<std::vector<std::string>>("points_topics").value_or(topics.clouds);
   topics.imu = root.get_optional<std::string>("imu_topic").value_or("");
   return topics;
 }

@@ -28,6 +28,7 @@ namespace castaway::testbed {
 ///     scan_topics: []               # of a bag; as --scan-topic
 ///     odom_topic: ""
 ///     truth_topic: ""
+///     points_topics: [/points]      # PointCloud2; left out: with a 3-D map by type, else none
 ///     imu_topic: /imu               # left out: with a 3-D map the only one, else none
 ///     base_height: 0.1              # [m] of a bag's base above the ground; left out: by its tree
 ///     seed: 1

@@ -30,8 +30,8 @@ std::optional<Json> message_json(const std::string& type, std::string_view data)
   static const std::map<std::string, ToJson> kTypes =
       table<ros::String, ros::Int32MultiArray, ros::PoseStamped, ros::PoseArray,
             ros::PoseWithCovarianceStamped, ros::TwistStamped, ros::TFMessage, ros::LaserScan,
-            ros::JointState, ros::Imu, ros::CompressedImage, ros::OccupancyGrid, ros::Odometry,
-            ros::Marker, ros::MarkerArray>();
+            ros::PointCloud2, ros::JointState, ros::Imu, ros::CompressedImage, ros::OccupancyGrid,
+            ros::Odometry, ros::Marker, ros::MarkerArray>();
   const auto found = kTypes.find(type);
   if (found == kTypes.end()) return std::nullopt;
   return found->second(data);

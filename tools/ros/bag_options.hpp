@@ -9,6 +9,7 @@ namespace castaway::testbed {
 struct BagOptions {
   McapCompression compression = McapCompression::kZstd;
   bool particles = false;  ///< Write all particles of all localizers.
+  bool points = true;      ///< Write all layers of 3-D lidars as clouds.
   bool snapshots = false;  ///< Write the run's pictures, if it takes any.
 };
 

@@ -1,6 +1,7 @@
 #include "tools/ros/bag_topics.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -86,9 +87,29 @@ std::string only_one(const BagInventory& bag, const Names& names, const std::str
                                        bag.name, names.size(), option, fmt::join(names, ", ")));
 }
 
-/// True for scans of castaway's own bags, of which all lidars are used.
+/// True for scans and clouds of castaway's own bags, of which all lidars are used.
 bool has_lidar_name(const BagInventory& bag, const std::string& name) {
   return topic_named(bag, name, "").metadata.contains("castaway.lidar");
+}
+
+Names choose_clouds(const BagInventory& bag, const BagTopicOptions& options) {
+  for (const std::string& name : options.clouds) {
+    require_topic(bag, name, "--points-topic", {ros::PointCloud2::kType});
+  }
+  if (!options.clouds.empty() || !options.in_space) return options.clouds;
+  const Names names = topics_of_type(bag, ros::PointCloud2::kType);
+  Names own;
+  std::ranges::copy_if(names, std::back_inserter(own),
+                       [&](const std::string& name) { return has_lidar_name(bag, name); });
+  const bool scans = !options.scans.empty() || !topics_of_type(bag, ros::LaserScan::kType).empty();
+  if (!own.empty() || names.empty() || scans) return own;
+  return {only_one(bag, names, "/points", "--points-topic")};
+}
+
+/// True for clouds that are scans of their own, not layers of other scans.
+bool replace_scans(const BagInventory& bag, const Names& clouds) {
+  return std::ranges::any_of(clouds,
+                             [&](const std::string& name) { return !has_lidar_name(bag, name); });
 }
 
 Names choose_scans(const BagInventory& bag, const BagTopicOptions& options) {
@@ -132,7 +153,7 @@ std::string choose_imu(const BagInventory& bag, const BagTopicOptions& options) 
   if (!options.imu.empty()) {
     return require_topic(bag, options.imu, "--imu-topic", {ros::Imu::kType});
   }
-  if (!options.any_imu) return "";
+  if (!options.in_space) return "";
   const Names names = topics_of_type(bag, ros::Imu::kType);
   const bool plain = std::find(names.begin(), names.end(), "/imu") != names.end();
   return only_one(bag, names, plain ? "/imu" : "/imu/data", "--imu-topic");
@@ -168,7 +189,9 @@ BagInventory take_inventory(const std::string& name, std::vector<std::filesystem
 
 BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& options) {
   BagTopicChoice choice;
-  choice.scans = choose_scans(bag, options);
+  choice.clouds = choose_clouds(bag, options);
+  const bool clouds_alone = options.scans.empty() && replace_scans(bag, choice.clouds);
+  if (!clouds_alone) choice.scans = choose_scans(bag, options);
   choice.odometry = choose_odometry(bag, options);
   if (!options.truth.empty()) {
     choice.truth = require_topic(
@@ -181,6 +204,7 @@ BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& opt
   choice.map = only_one(bag, topics_of_type(bag, ros::OccupancyGrid::kType), "/map", "--map");
   choice.imu = choose_imu(bag, options);
   Names taken = choice.scans;
+  taken.insert(taken.end(), choice.clouds.begin(), choice.clouds.end());
   taken.insert(taken.end(),
                {choice.odometry, choice.truth, choice.scan_truth, choice.map, choice.imu});
   require_cdr(bag, taken);

@@ -43,14 +43,18 @@ struct BagTopicOptions {
   std::vector<std::string> scans;
   std::string odometry;
   std::string truth;
-  std::string imu;       ///< "none": none.
-  bool any_imu = false;  ///< Without a name, an Imu topic is searched by type.
+  std::string imu;                  ///< "none": none.
+  std::vector<std::string> clouds;  ///< PointCloud2.
+  /// Without their names, an Imu topic and clouds are searched by type: all clouds of castaway's
+  /// own bags; of other bags the only one, if there is no LaserScan.
+  bool in_space = false;
 };
 
 /// The topics that a run uses.
 struct BagTopicChoice {
-  std::vector<std::string> scans;  ///< LaserScan.
-  std::string odometry;            ///< Odometry; empty: use /tf.
+  std::vector<std::string> scans;   ///< LaserScan; may be empty if there are clouds.
+  std::vector<std::string> clouds;  ///< PointCloud2.
+  std::string odometry;             ///< Odometry; empty: use /tf.
   std::string truth;       ///< Odometry, PoseStamped or PoseWithCovarianceStamped; empty for none.
   std::string scan_truth;  ///< PoseStamped at the stamps of scans; empty for none.
   std::string map;         ///< OccupancyGrid; empty for none.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tools/ros/bag_markers.hpp"
+#include "tools/ros/clouds/layer_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/robot_messages.hpp"
 #include "tools/ros/ros_conversion.hpp"
@@ -90,12 +91,20 @@ void RunMessages::on_imu(const ImuFrame& frame) {
   writer_.publish(*imu_, stamp, imu_message(ros_header(stamp, kBaseFrame), frame.imu));
 }
 
+bool RunMessages::has_points(const LaserScan& scan) const {
+  return config_.points && !scan.layers.empty();
+}
+
 const RunMessages::LidarTopics& RunMessages::topics_of(const LaserScan& scan) {
   const auto [topics, first] = lidars_.try_emplace(scan.lidar);
   if (first) {
     const std::string prefix = prefix_of(scan, config_);
     topics->second.scan = writer_.add_topic<ros::LaserScan>(prefix + "/scan", Durability::kVolatile,
                                                             exact_scan_numbers(scan));
+    if (has_points(scan)) {
+      topics->second.points = writer_.add_topic<ros::PointCloud2>(
+          prefix + "/points", Durability::kVolatile, exact_layers(scan));
+    }
     topics->second.labels = writer_.add_topic<ros::Int32MultiArray>(prefix + "/scan_labels");
   }
   return topics->second;
@@ -108,6 +117,10 @@ void RunMessages::write_scan(const ScanRecord& record) {
   }
   writer_.publish(topics.scan, record.delivered,
                   to_ros_scan(record.scan, record.truth, frames_.frame_of(record.scan.lidar)));
+  if (has_points(record.scan)) {
+    writer_.publish(topics.points, record.delivered,
+                    to_ros_cloud(record.scan, frames_.frame_of(record.scan.lidar)));
+  }
   if (record.truth.labels.empty()) return;
   writer_.publish(topics.labels, record.delivered, labels_message(record.truth.labels));
   labels_.insert(record.truth.labels.begin(), record.truth.labels.end());

@@ -24,6 +24,7 @@ struct MessagesConfig {
   std::vector<BagLidar> lidars{};
   bool particles = true;              ///< All particles of all localizers.
   std::function<DriveNow()> drive{};  ///< Command and wheel states; empty: unknown.
+  bool points = true;                 ///< All layers of 3-D lidars.
 };
 
 /// Writes what happens to a writer of topics.
@@ -47,8 +48,10 @@ class RunMessages {
   struct LidarTopics {
     std::uint16_t scan = 0;
     std::uint16_t labels = 0;
+    std::uint16_t points = 0;  ///< Of 3-D lidars.
   };
   const LidarTopics& topics_of(const LaserScan& scan);
+  [[nodiscard]] bool has_points(const LaserScan& scan) const;
   void write_scan(const ScanRecord& record);
   void write_truth(const ScanRecord& record);
   void write_map_frame(const ScanRecord& record);

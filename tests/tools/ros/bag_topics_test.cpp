@@ -55,13 +55,45 @@ TEST(BagTopics, AreChosenByType) {
   EXPECT_EQ(choice.truth, "");
 }
 
+TEST(BagTopics, CloudsAreChosenOn3dMaps) {
+  const char* const kCloud = ros::PointCloud2::kType;
+  BagInventory bag = bag_of({{"/odom", kOdometry}, {"/velodyne_points", kCloud}});
+  BagTopicOptions options;
+  EXPECT_TRUE(contains(refusal(bag, options), "holds no sensor_msgs/msg/LaserScan"));
+  options.in_space = true;
+  EXPECT_EQ(choose_topics(bag, options).clouds, Names{"/velodyne_points"});
+  EXPECT_TRUE(choose_topics(bag, options).scans.empty());
+  bag.topics.push_back({"/scan", kScan, "cdr", {}, 1});
+  EXPECT_TRUE(choose_topics(bag, options).clouds.empty());  // Perhaps made of the scans.
+  EXPECT_EQ(choose_topics(bag, options).scans, Names{"/scan"});
+  options.clouds = {"/velodyne_points"};
+  EXPECT_TRUE(choose_topics(bag, options).scans.empty());
+  options.scans = {"/scan"};
+  EXPECT_EQ(choose_topics(bag, options).scans, Names{"/scan"});
+  EXPECT_EQ(choose_topics(bag, options).clouds, Names{"/velodyne_points"});
+  options.clouds = {"/odom"};
+  EXPECT_TRUE(contains(refusal(bag, options), "--points-topic /odom: its type is"));
+}
+
+TEST(BagTopics, OwnCloudsCompleteOwnScans) {
+  BagInventory bag = bag_of({{"/odom", kOdometry}});
+  const std::map<std::string, std::string> own = {{"castaway.lidar", "top"}};
+  bag.topics.push_back({"/points", ros::PointCloud2::kType, "cdr", own, 1});
+  bag.topics.push_back({"/scan", kScan, "cdr", own, 1});
+  BagTopicOptions options;
+  EXPECT_TRUE(choose_topics(bag, options).clouds.empty());
+  options.in_space = true;
+  EXPECT_EQ(choose_topics(bag, options).clouds, Names{"/points"});
+  EXPECT_EQ(choose_topics(bag, options).scans, Names{"/scan"});
+}
+
 TEST(BagTopics, AnImuIsChosenIfOneIsWanted) {
   const auto chosen = [](const Names& imus, const std::string& named, bool any) {
     std::vector<std::pair<std::string, std::string>> topics = {{"/scan", kScan}, {"/tf", kTf}};
     for (const std::string& imu : imus) topics.emplace_back(imu, ros::Imu::kType);
     BagTopicOptions options;
     options.imu = named;
-    options.any_imu = any;
+    options.in_space = any;
     return choose_topics(bag_of(topics), options).imu;
   };
   EXPECT_EQ(chosen({"/camera/imu"}, "", true), "/camera/imu");

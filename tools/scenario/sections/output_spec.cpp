@@ -36,6 +36,7 @@ void fields(Settings settings, BagOptions& bag) {
                    {"lz4", McapCompression::kLz4},
                    {"none", McapCompression::kNone}});
   settings.field({"particles", "", "All particles of all localizers."}, bag.particles);
+  settings.field({"points", "", "Clouds with all layers of 3-D lidars."}, bag.points);
   settings.field({"snapshots", "", "The run's pictures, if it takes any."}, bag.snapshots);
 }
 

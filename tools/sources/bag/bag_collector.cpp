@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "tools/ros/cdr.hpp"
+#include "tools/ros/clouds/layer_cloud.hpp"
+#include "tools/ros/clouds/ring_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/sources/bag/bag_times.hpp"
@@ -49,6 +51,8 @@ void BagCollector::take(const McapMessage& message, const std::string& type) {
   const std::string& topic = message.channel->topic;
   if (std::find(topics_.scans.begin(), topics_.scans.end(), topic) != topics_.scans.end()) {
     take_scan(message);
+  } else if (std::ranges::find(topics_.clouds, topic) != topics_.clouds.end()) {
+    take_cloud(message);
   } else if (topic == topics_.imu) {
     take_imu(message);
   } else if (topic == topics_.odometry) {
@@ -75,9 +79,43 @@ void BagCollector::take_scan(const McapMessage& message) {
   if (const auto exact = exact_mount(message.channel->metadata)) {
     mounts_.set_stated_mount(frame.scan.lidar, *exact);
   }
-  recording_.frames.push_back({Stamp(message.log_time_ns), std::move(frame)});
-  if (!mounts_.mount(scan_of(recording_.frames.back()), scan.header.frame_id)) {
-    unmounted_.emplace_back(recording_.frames.size() - 1, scan.header.frame_id);
+  append_scan(std::move(frame), scan.header.frame_id, Stamp(message.log_time_ns));
+}
+
+void BagCollector::append_scan(ScanFrame frame, const std::string& lidar_frame, Stamp logged) {
+  recording_.frames.push_back({logged, std::move(frame)});
+  if (!mounts_.mount(scan_of(recording_.frames.back()), lidar_frame)) {
+    unmounted_.emplace_back(recording_.frames.size() - 1, lidar_frame);
+  }
+}
+
+/// Clouds of castaway's own bags complete its scans; others are scans.
+void BagCollector::take_cloud(const McapMessage& message) {
+  const auto cloud = CdrReader::decode<ros::PointCloud2>(message.data);
+  const Stamp stamp = stamp_of(cloud.header, message.log_time_ns);
+  const auto& metadata = message.channel->metadata;
+  if (has_exact_layers(metadata)) {
+    layers_[{metadata.at("castaway.lidar"), stamp}] = layers_of_cloud(cloud, metadata);
+    return;
+  }
+  ScanFrame frame;
+  frame.scan = scan_of_cloud(cloud, stamp);
+  if (frame.scan.ranges.empty()) return;
+  frame.scan.lidar = message.channel->topic;
+  frame.truth.frame = cloud.header.frame_id;
+  append_scan(std::move(frame), cloud.header.frame_id, Stamp(message.log_time_ns));
+}
+
+void BagCollector::add_layers() {
+  for (Frame& frame : recording_.frames) {
+    if (!std::holds_alternative<ScanFrame>(frame.data)) continue;
+    LaserScan& scan = scan_of(frame);
+    const auto found = layers_.find({scan.lidar, scan.stamp});
+    if (found == layers_.end()) continue;
+    if (found->second.front().ranges.size() == scan.ranges.size()) {
+      scan.layers = std::move(found->second);
+    }
+    layers_.erase(found);
   }
 }
 
@@ -214,6 +252,7 @@ void BagCollector::add_truth() {
 
 BagRecording BagCollector::finish() {
   if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
+  add_layers();
   mount_remaining();
   turn_imu();
   lift_mounts();

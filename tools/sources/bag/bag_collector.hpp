@@ -1,6 +1,7 @@
 /// Collects the messages of a bag one by one; see `bag_reading.hpp`.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,12 +28,15 @@ class BagCollector {
 
  private:
   void take_scan(const McapMessage& message);
+  void take_cloud(const McapMessage& message);
+  void append_scan(ScanFrame frame, const std::string& lidar_frame, Stamp logged);
   void take_imu(const McapMessage& message);
   void take_odometry(const McapMessage& message);
   void take_transforms(const McapMessage& message);
   void take_truth(const McapMessage& message, const std::string& type);
   void take_event(const McapMessage& message);
   void mount_remaining();
+  void add_layers();
   void turn_imu();
   void lift_mounts();
   void require_scans_and_odometry() const;
@@ -44,6 +48,8 @@ class BagCollector {
   BagRecording recording_;
   BagMounts mounts_;
   TfOdometry tf_odometry_;
+  using Layers = std::vector<localization::ScanLayer>;
+  std::map<std::pair<std::string, Stamp>, Layers> layers_;  ///< By lidar and stamp of their scan.
   BagImu imu_;
   BagTruth truth_;
   std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of each scan without a

@@ -7,6 +7,7 @@
 
 #include "tests/tools/support/ros_bag.hpp"
 #include "tests/tools/support/temporary.hpp"
+#include "tests/tools/support/vlp_cloud.hpp"
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/bag/bag_truth.hpp"
@@ -27,7 +28,7 @@ BagRecording in_space(const std::function<void(ForeignBag&)>& fill,
   bag.finish();
   const BagInventory inventory = take_inventory("a.mcap", {folder.path() / "a.mcap"});
   BagTopicOptions options;
-  options.any_imu = true;
+  options.in_space = true;
   return read_bag(inventory, choose_topics(inventory, options), ground);
 }
 
@@ -155,6 +156,28 @@ TEST(BagInSpace, MountsAreAboveTheGround) {
   EXPECT_EQ(lift({}), Eigen::Vector3d(0.25, 0.0, 0.5));
   const auto odometry = all_of<OdometryFrame>(in_space(fill));
   EXPECT_EQ(odometry.at(0).T_footprint_base_true->translation().z(), 3.0);
+}
+
+TEST(BagInSpace, PlaysTheCloudsOf3dLidars) {
+  const TemporaryFolder folder;
+  ForeignBag bag(folder.path() / "a.mcap");
+  bag.add("/odom", nanoseconds_of(1.0), ros_odometry_at(1.0, 1.0));
+  bag.add("/tf_static", nanoseconds_of(1.0), ros_edge(1.0, "base_link", "velodyne", 0.25));
+  ros::PointCloud2 cloud = vlp_cloud({});
+  cloud.header = header_at(1.5, "velodyne");
+  bag.add("/velodyne_points", nanoseconds_of(1.625), cloud);
+  bag.finish();
+  const BagInventory inventory = take_inventory("a.mcap", {folder.path() / "a.mcap"});
+  BagTopicOptions options;
+  options.in_space = true;
+  const BagRecording recording =
+      read_bag(inventory, choose_topics(inventory, options), {true, 0.5});
+  const ScanFrame scan = all_of<ScanFrame>(recording).at(0);
+  EXPECT_EQ(scan.scan.layers.size(), 16U);
+  EXPECT_EQ(scan.scan.lidar, "/velodyne_points");
+  EXPECT_EQ(scan.scan.T_base_laser.translation(), Eigen::Vector3d(0.25, 0.0, 0.5));
+  EXPECT_NEAR(seconds(scan.scan.beam_stamp(2)), 0.5, 1e-6);
+  EXPECT_EQ(recording.frames.back().stamp, std::chrono::milliseconds(625));
 }
 
 TEST(BagInSpace, SaysThatBaseIsTakenToBeOnTheGround) {
