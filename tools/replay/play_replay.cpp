@@ -19,6 +19,7 @@ namespace {
 
 RunFiles files_of(const RecordedLog& log, const ReplayOutputs& outputs) {
   RunFiles files;
+  files.levels = log.levels;
   if (!outputs.pictures) return files;
   files.pictures = PictureConfig{outputs.pictures_every_s, true, 960, 720};
   files.picture_world.map = log.map;

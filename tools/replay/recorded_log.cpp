@@ -33,6 +33,7 @@ void set_maps(const ReplaySession& session, const std::optional<RosMap>& own, Re
   RecordedMaps maps = open_maps(session, own);
   log.map = std::move(maps.planar);
   log.volume = std::move(maps.volume);
+  log.levels = std::move(maps.levels);
   log.warnings.insert(log.warnings.end(), log.map.warnings.begin(), log.map.warnings.end());
 }
 

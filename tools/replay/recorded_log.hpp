@@ -9,6 +9,7 @@
 
 #include "localization/volume/volume.hpp"
 #include "tools/foreign/protocol/lidar_facts.hpp"
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/replay/replay_session.hpp"
 #include "tools/run/run_sink.hpp"
@@ -21,6 +22,7 @@ struct RecordedLog {
   RosMap map;
   /// The 3-D map, as `LocalizerPlace::volume`; empty: there is none.
   std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume{};
+  std::shared_ptr<const LevelMaps> levels{};  ///< Its floors, for pages; null: there is none.
   std::optional<SE2> start;        ///< Start pose given to the localizers, in castaway's own bags.
   std::vector<LidarFacts> lidars;  ///< Of a bag.
   std::vector<std::string> warnings;

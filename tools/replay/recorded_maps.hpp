@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "localization/volume/volume.hpp"
+#include "tools/formats/level_map.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/replay/replay_session.hpp"
 
@@ -17,6 +18,7 @@ struct RecordedMaps {
   RosMap planar;
   /// As `LocalizerPlace::volume`; empty: there is no 3-D map.
   std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume{};
+  std::shared_ptr<const LevelMaps> levels{};  ///< Of the 3-D map, for pages; null: there is none.
 };
 
 /// Opens the maps that the session names. `own` is the planar map that the log holds; one that the

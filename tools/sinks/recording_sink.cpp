@@ -119,13 +119,22 @@ void RecordingSink::add_localizer(std::size_t index, const LocalizerRecord& loca
   columns_[prefix + "/particles"].add(static_cast<std::int64_t>(particles));
 }
 
-/// The answers without a height have that of the floor.
+/// The truth of a log may be planar: it has no columns then. Scans before the first height, and
+/// answers without one, are at 0.
+void RecordingSink::add_true_height(const ScanRecord& record) {
+  const auto& lift = record.T_footprint_base_true;
+  if (!lift && !columns_.contains("truth/z")) return;
+  const Eigen::Vector3d values = lift ? lift_of(*lift) : Eigen::Vector3d::Zero();
+  const std::array<const char*, 3> names{"truth/z", "truth/roll", "truth/pitch"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto [column, first] = columns_.try_emplace(names[i]);
+    for (std::int64_t scan = 0; first && scan < scans_; ++scan) column->second.add(0);
+    column->second.add(quantize(values[static_cast<Eigen::Index>(i)], kRecordingPose));
+  }
+}
+
 void RecordingSink::add_heights(const ScanRecord& record) {
-  const Eigen::Vector3d lift = record.T_footprint_base_true ? lift_of(*record.T_footprint_base_true)
-                                                            : Eigen::Vector3d::Zero();
-  columns_["truth/z"].add(quantize(lift.x(), kRecordingPose));
-  columns_["truth/roll"].add(quantize(lift.y(), kRecordingPose));
-  columns_["truth/pitch"].add(quantize(lift.z(), kRecordingPose));
+  add_true_height(record);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     const double z = estimate && estimate->footing ? estimate->footing->z : 0.0;

@@ -42,7 +42,8 @@ double scan_period(double duration_s);
 ///   flags                    1: the truth is known; 2: a kidnap tore the scan
 ///   truth/x /y /yaw          if unknown, the last known values
 ///   truth/z /roll /pitch K/z level/K   in a run on several floors (`heights` in the header): of
-///                            base, heights of answers, and `pack_cells` of floor K
+///                            base (if its height is known), of answers, and `pack_cells` of
+///                            floor K
 ///   K/flags                  of localizer K = 0, 1...: 1: it has an answer; 2: it says it is lost
 ///   K/x /y /yaw /quality /probability   if it has no answer, the last values
 ///   K/sigma /sigma_yaw       sqrt((var_x + var_y) / 2), sqrt(var_yaw)
@@ -65,6 +66,7 @@ class RecordingSink final : public RunSink {
   static bool is_due(const ScanRecord& record, double every_s, std::map<std::string, Stamp>& next);
   void add_pose(const std::string& prefix, const SE2& pose);
   void repeat_pose(const std::string& prefix);
+  void add_true_height(const ScanRecord& record);
   void add_heights(const ScanRecord& record);
   void add_localizer(std::size_t index, const LocalizerRecord& localizer);
   void add_belief(const std::string& prefix, const localization::Estimate& estimate);

@@ -23,7 +23,7 @@ export function errorsOf(recording, localizer) {
   const yaw = [];
   for (let i = 0; i < recording.scans; ++i) {
     const there = truth.known[i] && localizer.known[i] && !torn[i];
-    const above = (localizer.z?.[i] ?? 0) - (truth.z?.[i] ?? 0);
+    const above = truth.z ? (localizer.z?.[i] ?? 0) - truth.z[i] : 0;
     position.push(there ? Math.hypot(localizer.x[i] - truth.x[i], localizer.y[i] - truth.y[i], above) : null);
     yaw.push(there ? Math.abs(wrapped(localizer.yaw[i] - truth.yaw[i])) : null);
   }

@@ -32,6 +32,11 @@ test('errors are those in space', () => {
   assert.ok(near([right[2], planar[2]], [0.2, Math.hypot(0.2, 3)]));
 });
 
+test('a truth without heights is planar', () => {
+  const {z, roll, pitch, ...truth} = recording.truth;
+  assert.ok(near(errorsOf({scans: 3, torn: [0, 0, 0], truth}, recording.localizers[0]).position, [0.2, 0.2, 0.2]));
+});
+
 test('the floor of the robot is seen, or the one that is chosen', () => {
   const of = (scan, more = {}) => floorOf({level: -1, ...more}, recording, scan);
   assert.deepEqual([0, 1, 2].map((scan) => of(scan).level), [0, 0, 1]);

@@ -150,6 +150,31 @@ TEST(RecordingSink, KeepsHeightsAndFloors) {
   EXPECT_TRUE(recording.sections.contains("level/1"));
 }
 
+TEST(RecordingSink, KeepsNoTrueHeightsWhereTheyAreUnknown) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of(kRecorded);
+  info.heights = true;
+  RecordingSink sink(folder.path(), info, one_cell(), {});
+  for (const ScanRecord& record : three_records()) sink.on_scan(record);
+  sink.finish(localization::from_seconds(3.0), {});
+  const Recording recording = unpack_recording(read_file(folder.path() / "recording.gz"));
+  EXPECT_FALSE(recording.sections.contains("truth/z"));
+  EXPECT_EQ(column(recording, "0/z"), (Values{0, 0, 0}));
+}
+
+TEST(RecordingSink, BeginsHeightsLateWhereTheyAreKnownLate) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of(kRecorded);
+  info.heights = true;
+  std::vector<ScanRecord> records = three_records();
+  records[1].T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, 2.0));
+  RecordingSink sink(folder.path(), info, one_cell(), {});
+  for (const ScanRecord& record : records) sink.on_scan(record);
+  sink.finish(localization::from_seconds(3.0), {});
+  const Recording recording = unpack_recording(read_file(folder.path() / "recording.gz"));
+  EXPECT_EQ(column(recording, "truth/z"), (Values{0, 20000, 0}));
+}
+
 TEST(RecordingSink, KeepsNoHeightsOfAPlanarRun) {
   const Recording recording = unpack_recording(file_of(three_records()));
   EXPECT_FALSE(recording.header.contains("heights"));
