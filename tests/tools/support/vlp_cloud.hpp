@@ -16,6 +16,7 @@ struct VlpCloud {
   int columns = 1800;
   double first_azimuth = 2.0;  ///< [rad] The lidar turns clockwise from there, 10 times a second.
   bool times = true;
+  double first_time = 0.0;  ///< [s] Of the first point, from the stamp.
   /// [m] Range along a direction; not positive: no return.
   std::function<double(double azimuth, double elevation)> range = [](double, double) {
     return 5.0;
@@ -51,7 +52,7 @@ inline ros::PointCloud2 vlp_cloud(const VlpCloud& how) {
       append(static_cast<float>(range * std::sin(elevation)));
       append(50.0F);
       append(static_cast<std::uint16_t>(ring));
-      append(static_cast<float>(0.1 * column / how.columns));
+      append(static_cast<float>(how.first_time + 0.1 * column / how.columns));
       ++cloud.width;
     }
   }

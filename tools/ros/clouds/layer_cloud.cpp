@@ -80,7 +80,7 @@ std::vector<localization::ScanLayer> layers_of_cloud(
   std::istringstream stream(metadata.at("castaway.elevations"));
   stream.imbue(std::locale::classic());
   for (double elevation = 0.0; stream >> elevation;) layers.push_back({elevation, {}});
-  if (layers.size() != cloud.height) {
+  if (layers.empty() || layers.size() != cloud.height) {
     throw std::runtime_error(fmt::format("a PointCloud2 has {} rows, and its channel {} elevations",
                                          cloud.height, layers.size()));
   }

@@ -75,12 +75,13 @@ Rings rings_of(const ros::PointCloud2& cloud, const CloudTimes& times) {
   for (std::size_t i = 0; i < std::size_t{cloud.width} * cloud.height; ++i) {
     const Eigen::Vector3d p(x.at(i), y.at(i), z.at(i));
     const double range = p.norm();
-    if (!(range >= kNearest && range <= kFarthest)) continue;
+    const double time = times.at(i);
+    if (!(range >= kNearest && range <= kFarthest) || !std::isfinite(time)) continue;
     const double flat = p.head<2>().norm();
     const double id = ring ? ring->at(i) : static_cast<double>(i / cloud.width);
     if (!(id >= 0.0 && id <= kLargestRing)) continue;
     rings[static_cast<int>(id)].push_back(
-        {std::atan2(p.y(), p.x()), std::atan2(p.z(), flat), range, times.at(i)});
+        {std::atan2(p.y(), p.x()), std::atan2(p.z(), flat), range, time});
   }
   if (rings.size() > kMostRings) {
     throw std::runtime_error(
@@ -130,7 +131,8 @@ std::optional<Rotation> rotation_by_times(std::vector<RingReturn> ring, double s
   rotation.step = std::copysign(step, progress);
   rotation.pace = span * step / std::abs(progress);
   rotation.begin = ring.front().azimuth - kBefore * rotation.step;
-  rotation.time = ring.front().time - kBefore * rotation.pace;
+  const bool near = std::abs(ring.front().time) <= kLongestSweep;  // Else of another clock.
+  rotation.time = (near ? ring.front().time : 0.0) - kBefore * rotation.pace;
   return rotation;
 }
 

@@ -61,6 +61,7 @@ TEST(LayerCloud, MustAgreeWithItsChannelAndItsSize) {
         (void)layers_of_cloud(cloud, {{"castaway.lidar", "a"}, {"castaway.elevations", "0.5"}});
       }),
       "2 rows, and its channel 1 elevations"));
+  EXPECT_ANY_THROW((void)layers_of_cloud({}, {{"castaway.elevations", ""}}));
   cloud.data.pop_back();
   EXPECT_TRUE(contains(error_of([&] { (void)layers_of_cloud(cloud, exact_layers(scan)); }),
                        "3 x 2 points of 22 bytes in rows of 66 and holds 131 bytes"));

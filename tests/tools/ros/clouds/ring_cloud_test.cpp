@@ -1,5 +1,7 @@
 #include "tools/ros/clouds/ring_cloud.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "localization/geometry/se2.hpp"
@@ -39,6 +41,16 @@ TEST(RingCloud, KnowsWhenEachBeamWasTaken) {
   EXPECT_NEAR(scan.beam_angle(2), 2.0, 1e-5);
   EXPECT_NEAR(seconds(scan.beam_stamp(2)), 5.0, 1e-6);
   EXPECT_NEAR(seconds(scan.beam_stamp(1001)), 5.0 + 0.1 * 999 / 1800, 1e-5);
+}
+
+TEST(RingCloud, OfAnotherClockBeginsAtItsStamp) {
+  VlpCloud how;
+  how.first_time = 1000.0;
+  const LaserScan scan = scan_of_cloud(vlp_cloud(how), milliseconds(5000));
+  EXPECT_NEAR(seconds(scan.beam_stamp(2)), 5.0, 1e-3);
+  EXPECT_NEAR(seconds(scan.time_increment), 0.1 / 1800, 1e-6);
+  how.first_time = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(scan_of_cloud(vlp_cloud(how), {}).ranges.empty());
 }
 
 TEST(RingCloud, WithoutTimesIsTakenAtOnce) {
