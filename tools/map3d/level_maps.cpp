@@ -15,21 +15,9 @@ constexpr std::int8_t kRim = 100;
 constexpr double kDarkest = 50.0;
 constexpr double kPerSlope = 150.0;  // Darkness of a slope of 1.
 
-std::int8_t shade(const sim::LevelCell& cell) {
-  const double slope = std::hypot(cell.slope_x, cell.slope_y);
+std::int8_t shade(float slope_x, float slope_y) {
+  const double slope = std::hypot(static_cast<double>(slope_x), static_cast<double>(slope_y));
   return static_cast<std::int8_t>(std::min(kDarkest, std::round(kPerSlope * slope)));
-}
-
-RosMap empty_map(const sim::LevelPlane& plane) {
-  RosMap map;
-  map.width = plane.grid.width;
-  map.height = std::min(plane.stride, plane.grid.height);
-  map.resolution = plane.grid.resolution;
-  map.origin_x = plane.grid.origin.x();
-  map.origin_y = plane.grid.origin.y();
-  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
-                   kUnknown);
-  return map;
 }
 
 std::size_t index(const RosMap& map, int column, int row) {
@@ -69,27 +57,76 @@ double median(std::vector<float> heights) {
   return static_cast<double>(*middle);
 }
 
+/// Maps that are being drawn, cell by cell.
+class LevelDrawing {
+ public:
+  /// `empty`: size and frame of the maps.
+  LevelDrawing(std::size_t levels, RosMap empty) : heights_(levels) {
+    empty.cells.assign(
+        static_cast<std::size_t>(empty.width) * static_cast<std::size_t>(empty.height), kUnknown);
+    levels_.assign(levels, {0.0, empty});
+  }
+
+  /// Adds the ground of a cell: a `GroundSurface` or a `LevelCell`.
+  template <typename Ground>
+  void add(const Ground& ground, int column, int row) {
+    if (ground.level >= levels_.size()) return;
+    RosMap& map = levels_[ground.level].map;
+    map.cells[index(map, column, row)] = shade(ground.slope_x, ground.slope_y);
+    heights_[ground.level].push_back(ground.z);
+  }
+
+  LevelMaps take() {
+    for (std::size_t level = 0; level < levels_.size(); ++level) {
+      levels_[level].z = median(std::move(heights_[level]));
+      levels_[level].map.name = "level_" + std::to_string(level);
+      draw_rims(levels_[level].map);
+    }
+    return std::move(levels_);
+  }
+
+ private:
+  LevelMaps levels_;
+  std::vector<std::vector<float>> heights_;
+};
+
 }  // namespace
 
+LevelMaps level_maps(const localization::ElevationMap& ground) {
+  const localization::GridFrame& frame = ground.frame;
+  RosMap empty;
+  empty.width = frame.width;
+  empty.height = frame.height;
+  empty.resolution = frame.resolution;
+  empty.origin_x = frame.T_map_grid.x;
+  empty.origin_y = frame.T_map_grid.y;
+  empty.origin_yaw = frame.T_map_grid.yaw;
+  LevelDrawing drawing(ground.levels.size(), std::move(empty));
+  for (int row = 0; row < frame.height; ++row) {
+    for (int column = 0; column < frame.width; ++column) {
+      for (const localization::GroundSurface& surface : ground.at({column, row})) {
+        if (surface.drivable) drawing.add(surface, column, row);
+      }
+    }
+  }
+  return drawing.take();
+}
+
 LevelMaps level_maps(const sim::LevelPlane& plane) {
-  const auto count = static_cast<std::size_t>(plane.levels);
-  LevelMaps levels(count, {0.0, empty_map(plane)});
-  std::vector<std::vector<float>> heights(count);
+  RosMap empty;
+  empty.width = plane.grid.width;
+  empty.height = std::min(plane.stride, plane.grid.height);
+  empty.resolution = plane.grid.resolution;
+  empty.origin_x = plane.grid.origin.x();
+  empty.origin_y = plane.grid.origin.y();
+  LevelDrawing drawing(static_cast<std::size_t>(plane.levels), std::move(empty));
+  const auto columns = static_cast<std::size_t>(plane.grid.width);
   for (std::size_t i = 0; i < plane.cells.size(); ++i) {
-    const sim::LevelCell& cell = plane.cells[i];
-    if (!plane.is_own(i) || cell.level >= count) continue;
-    const auto columns = static_cast<std::size_t>(plane.grid.width);
-    const int row = static_cast<int>(i / columns) % plane.stride;
-    RosMap& map = levels[cell.level].map;
-    map.cells[index(map, static_cast<int>(i % columns), row)] = shade(cell);
-    heights[cell.level].push_back(cell.z);
+    if (!plane.is_own(i)) continue;
+    drawing.add(plane.cells[i], static_cast<int>(i % columns),
+                static_cast<int>(i / columns) % plane.stride);
   }
-  for (std::size_t level = 0; level < count; ++level) {
-    levels[level].z = median(std::move(heights[level]));
-    levels[level].map.name = "level_" + std::to_string(level);
-    draw_rims(levels[level].map);
-  }
-  return levels;
+  return drawing.take();
 }
 
 }  // namespace castaway::testbed

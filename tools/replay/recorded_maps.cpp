@@ -8,7 +8,6 @@
 #include "tools/map3d/file_volume.hpp"
 #include "tools/map3d/ground_plan.hpp"
 #include "tools/map3d/level_maps.hpp"
-#include "tools/map3d/level_plane_of.hpp"
 #include "tools/map3d/map3d_files.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
@@ -76,7 +75,7 @@ RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>
   const std::shared_ptr<const Map3d> map3d = open_map3d(session);
   const std::filesystem::path file = session.map3d;
   if (maps.planar.cells.empty()) maps.planar = ground_plan(*map3d, file.stem().string());
-  maps.levels = std::make_shared<const LevelMaps>(level_maps(*level_plane_of(*map3d)));
+  maps.levels = std::make_shared<const LevelMaps>(level_maps(map3d->ground));
   maps.volume = volume_of(file, map3d);
   return maps;
 }

@@ -47,5 +47,20 @@ TEST(LevelMaps, DrawARimAroundGround) {
   EXPECT_EQ(value_at(map, 4.05, y + map.resolution), -1);
 }
 
+TEST(LevelMaps, AreTheSameOfAMapAsOfItsPlane) {
+  const Map3d map = two_floors();
+  const LevelMaps ours = level_maps(map.ground);
+  const LevelMaps of_plane = level_maps(*level_plane_of(map));
+  ASSERT_EQ(ours.size(), of_plane.size());
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    EXPECT_EQ(ours[i].z, of_plane[i].z);
+    for (double x = 0.25; x < 15.7; x += 0.5) {
+      for (double y = 0.25; y < 7.7; y += 0.5) {
+        EXPECT_EQ(value_at(ours[i].map, x, y), value_at(of_plane[i].map, x, y)) << x << " " << y;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace castaway::testbed
