@@ -77,7 +77,7 @@ Played play(const ScenarioRequest& request, const PythonLocalizers& localizers,
 void report(const std::filesystem::path& folder) {
   const std::filesystem::path page = folder / "report.html";
   testbed::require_own_file(page);
-  testbed::put_own_file(page, [&] { testbed::write_report(folder, std::nullopt); });
+  testbed::put_own_file(page, [&] { testbed::write_report(folder, {}); });
 }
 
 }  // namespace
