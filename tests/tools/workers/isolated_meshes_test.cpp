@@ -7,7 +7,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -18,11 +17,11 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/mesh_file.hpp"
+#include "tests/tools/support/temporary.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -100,13 +99,9 @@ TEST(IsolatedMeshes, RefuseOneThatNeedsTooMuchMemory) {
 /// Files that crashed assimp or kept it busy before it was isolated.
 class HardMesh : public testing::Test {
  protected:
-  HardMesh() : folder_(fs::path(testing::TempDir()) / "castaway-hard-meshes") {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
   /// A file may be read or rejected, but in time and without a crash.
   void try_file(const std::string& name, const std::string& text) {
-    const std::string path = (folder_ / name).string();
+    const std::string path = (folder_.path() / name).string();
     std::ofstream(path, std::ios::binary) << text;
     const auto before = std::chrono::steady_clock::now();
     try {
@@ -117,7 +112,7 @@ class HardMesh : public testing::Test {
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(5)) << name;
     expect_no_children();
   }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(HardMesh, PlyWithIndicesOutOfRange) {
@@ -171,12 +166,12 @@ TEST_F(HardMesh, ObjOfManyGroups) {
 }
 
 TEST_F(HardMesh, ObjWhoseMaterialIsAPipe) {
-  ASSERT_EQ(mkfifo((folder_ / "a.mtl").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder_.path() / "a.mtl").c_str(), 0600), 0);
   try_file("a.obj", "mtllib a.mtl\nusemtl x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 }
 
 TEST_F(HardMesh, ThatIsAPipeIsRefused) {
-  const std::string path = (folder_ / "pipe.stl").string();
+  const std::string path = (folder_.path() / "pipe.stl").string();
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   EXPECT_THAT(said_of(sim::read_mesh_file, path),
               HasSubstr("pipe.stl: cannot read this mesh (it is not a"));
@@ -185,7 +180,7 @@ TEST_F(HardMesh, ThatIsAPipeIsRefused) {
 
 TEST_F(HardMesh, IsReportedByTheLoaderToo) {
   isolate_meshes(kShort);
-  const std::string path = (folder_ / "nan.stl").string();
+  const std::string path = (folder_.path() / "nan.stl").string();
   std::ofstream(path) << "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1e30 0 0\nvertex 1 0 0\n"
                          "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
   try {
