@@ -145,7 +145,7 @@ TEST(BagInSpace, MountsAreAboveTheGround) {
     bag.add("/tf_static", nanoseconds_of(1.0), edge);
     bag.add("/ground_truth/odom", nanoseconds_of(1.0), truth_at(1.0, 0.0, 3.125));
   };
-  const auto lift = [&](const BagGround& ground) {
+  const auto lift = [&](const BagGround& ground) -> Eigen::Vector3d {
     const BagRecording recording = in_space(fill, ground);
     EXPECT_TRUE(recording.warnings.empty());
     return all_of<ScanFrame>(recording).at(0).scan.T_base_laser.translation();
