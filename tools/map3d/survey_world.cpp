@@ -4,8 +4,11 @@
 #include "sim/terrain/surface_samples.hpp"
 
 namespace castaway::testbed {
+namespace {
 
 constexpr double kFacesUp = 0.5;  // Least z of the unit normal of ground: 60 degrees.
+
+}  // namespace
 
 Map3d survey_world(const sim::WorldSpec& world, const Map3dOptions& options) {
   localization::VoxelBuilder builder(options.resolution);
