@@ -134,6 +134,24 @@ TEST(Map3d, AReplayOnAnOctomapKnowsTheFloor) {
   EXPECT_LT(localizer.at("tracking_error_m").at("mean").get<double>(), 0.1);
 }
 
+TEST(Map3d, ACarmenLogIsReplayedAtTheHeightThatIsStated) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "--duration 20 --set events=[] --set outputs.carmen=true");
+  ASSERT_EQ(castaway(folder, "map lab --out lab.map3d").exit_code, 0);
+  const auto error = [&](const std::string& more) {
+    const Outcome outcome = castaway(folder,
+                                     "replay run/log.carmen --map3d lab.map3d --no-pictures "
+                                     "--start truth --json --out again --force " +
+                                         more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json localizer = Json::parse(outcome.out).at("localizers").at("mh_amcl-3d");
+    return localizer.at("tracking_error_m").at("mean").get<double>();
+  };
+  EXPECT_LT(error("--base-height 0.13"), 0.03);
+  EXPECT_GT(error("--base-height 2.5"), 0.06);
+  EXPECT_GT(error("--base-height 0.13 --truth-in-map 1,0,0"), 0.9);
+}
+
 TEST(Map3d, AReplayNamesTheMapThatIsMissingOrInVain) {
   const fs::path folder = fresh_folder();
   put_world(folder);

@@ -33,6 +33,7 @@ struct ReplayArguments {
   std::string splice;
   BagTopicOptions topics;
   std::optional<double> base_height;
+  std::string truth_in_map;
   LocalizerArguments localizers;
   std::uint64_t seed = 1;
   std::string out;
@@ -76,6 +77,11 @@ YamlNode splice_node(const ReplayArguments& arguments) {
       "--splice");
 }
 
+/// "X,Y,YAW" as a list.
+YamlNode pose_node(const std::string& text) {
+  return parse_yaml("[" + text + "]", "--truth-in-map");
+}
+
 /// Localizers of the command line as an element of a session, those of files included.
 YamlNode localizers_node(const std::vector<std::string>& texts) {
   YamlNode list;
@@ -116,6 +122,7 @@ YamlDocument session_of(const ReplayArguments& a) {
   if (!a.topics.clouds.empty()) put("points_topics", write_yaml(a.topics.clouds));
   if (!a.topics.imu.empty()) put("imu_topic", write_yaml(a.topics.imu));
   if (a.base_height) put("base_height", write_yaml(*a.base_height));
+  if (!a.truth_in_map.empty()) put("truth_in_map", pose_node(a.truth_in_map));
   put("seed", write_yaml(a.seed));
   if (!a.localizers.texts.empty()) put("localizers", localizers_node(a.localizers.texts));
   if (!a.splice.empty()) put("events", splice_node(a));
@@ -216,9 +223,12 @@ void add_replay_command(Command& app) {
   command
       .add_option(
           "--base-height", a->base_height,
-          "With --map3d: height of the odometry's frame above the ground [m] (default: above "
-          "base_footprint)")
+          "With --map3d: height of the odometry's frame above the ground, in CARMEN logs that of "
+          "the lidar [m] (default, in bags: above base_footprint)")
       .range(-10.0, 10.0);
+  command.add_option("--truth-in-map", a->truth_in_map,
+                     "X,Y,YAW [m, rad] in the map of the frame in which the true poses are "
+                     "(default: that of the map)");
   command.add_option("--start", a->start, "truth or unknown")
       .one_of({"truth", "unknown"})
       .show_default();

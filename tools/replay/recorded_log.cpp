@@ -10,6 +10,7 @@
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/map_conversion.hpp"
+#include "tools/sources/recorded/truth_frame.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -37,21 +38,37 @@ void set_maps(const ReplaySession& session, const std::optional<RosMap>& own, Re
   log.warnings.insert(log.warnings.end(), log.map.warnings.begin(), log.map.warnings.end());
 }
 
+void set_frames(Frames frames, const SE2& T_map_truth, RecordedLog& log) {
+  move_truth(frames, T_map_truth);
+  log.frames = std::make_shared<const Frames>(std::move(frames));
+}
+
+BagGround ground_of(const ReplaySession& session) {
+  if (!session.map3d.empty()) return {true, session.base_height};
+  if (session.base_height) {
+    throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
+  }
+  return {};
+}
+
 RecordedLog open_carmen(const ReplaySession& session) {
   if (!std::filesystem::exists(session.log)) {
     throw std::runtime_error(session.log + ": cannot be read; check the path and its permissions");
   }
-  if (!session.map3d.empty()) {
+  const BagGround ground = ground_of(session);
+  if (ground.in_space && !ground.base_height) {
     throw std::invalid_argument(
-        "--map3d takes bags: a CARMEN log does not say how high its lidar is mounted");
+        "a CARMEN log does not say how high its lidar is mounted, and --map3d needs it: state its "
+        "height above the ground by --base-height");
   }
   RecordedLog log;
   set_maps(session, std::nullopt, log);
   CarmenSourceConfig config;
+  config.lidar_height = ground.base_height.value_or(0.0);
   config.selection = session.scans_used;
   config.scans = needed_scans(session);
   CarmenSource source(session.log, config);
-  log.frames = std::make_shared<const Frames>(all_frames(source));
+  set_frames(all_frames(source), session.T_map_truth, log);
   return log;
 }
 
@@ -65,14 +82,6 @@ std::optional<RosMap> map_of(const BagInventory& bag, const BagRecording& record
   return map;
 }
 
-BagGround ground_of(const ReplaySession& session) {
-  if (!session.map3d.empty()) return {true, session.base_height};
-  if (session.base_height) {
-    throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
-  }
-  return {};
-}
-
 RecordedLog open_bag(const ReplaySession& session) {
   if (session.scans_used != Scans::kAll) {
     throw std::invalid_argument("--use takes CARMEN logs, not bags");
@@ -84,9 +93,9 @@ RecordedLog open_bag(const ReplaySession& session) {
   RecordedLog log;
   log.warnings = std::move(recording.warnings);
   set_maps(session, map_of(bag, recording), log);
-  log.start = recording.start;
+  if (recording.start) log.start = session.T_map_truth * *recording.start;
   log.lidars = lidars_of(recording.frames);
-  log.frames = std::make_shared<const Frames>(std::move(recording.frames));
+  set_frames(std::move(recording.frames), session.T_map_truth, log);
   return log;
 }
 

@@ -92,6 +92,9 @@ ReplaySession read_session(YamlDocument document, const ForeignRules& rules) {
   session.scans_used = read_scans_used(root);
   session.topics = read_topics(root);
   session.base_height = root.get_optional<double>("base_height");
+  if (const auto truth = root.get_optional<Eigen::Vector3d>("truth_in_map")) {
+    session.T_map_truth = {truth->x(), truth->y(), truth->z()};
+  }
   session.seed = root.get("seed", session.seed);
   session.localizers = read_localizers(root, "localizers", rules);
   read_session_events(root, session);

@@ -30,10 +30,9 @@ namespace castaway::testbed {
 ///     truth_topic: ""
 ///     points_topics: [/points]      # PointCloud2; left out: with a 3-D map by type, else none
 ///     imu_topic: /imu               # left out: with a 3-D map the only one, else none
-///     base_height: 0.1              # [m] of a bag's base above the ground; left out: by its tree
-///     seed: 1
-///     localizers: [mh_amcl]         # as in a scenario
-///     events:
+///     base_height: 0.1              # [m] of base above the ground; left out: of a bag by its tree
+///     truth_in_map: [1.5, 2, 0.1]   # x, y [m], yaw [rad] of the truth's frame; left out: that of
+///     map seed: 1 localizers: [mh_amcl]         # as in a scenario events:
 ///       - splice: {after_scans: 120, to_scan: 900}
 ///       - localizer: {name: mh_amcl, do: relocalize, at_s: 30}
 ///
@@ -47,7 +46,8 @@ struct ReplaySession {
   SplicedPart part;
   CarmenSourceConfig::Scans scans_used = CarmenSourceConfig::Scans::kAll;
   BagTopicOptions topics;
-  std::optional<double> base_height;  ///< [m] Of a bag's base above the ground; nothing: by /tf.
+  std::optional<double> base_height;  ///< [m] Of base above the ground; nothing: of a bag by /tf.
+  SE2 T_map_truth;                    ///< Of the frame in which the log's true poses are.
   std::uint64_t seed = 1;
   std::vector<LocalizerSpec> localizers;  ///< By default `mh_amcl`, on a 3-D map in mode 3d.
   std::vector<LocalizerOrder> orders;     ///< In order of time.

@@ -118,6 +118,7 @@ LaserScan CarmenFrames::make_scan(const CarmenLaser& laser, Stamp stamp) const {
   scan.ranges.reserve(laser.ranges.size());
   for (const float range : laser.ranges) scan.ranges.push_back(to_range(range, scan.range_max));
   scan.T_base_laser = localization::to_se3(mount(laser, param("robot_frontlaser_offset", 0.0)));
+  scan.T_base_laser.translation().z() = config_.lidar_height;
   return scan;
 }
 

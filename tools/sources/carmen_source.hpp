@@ -29,6 +29,7 @@ struct CarmenSourceConfig {
   Scans selection = Scans::kAll;        ///< By index in the log; only the odometry of the others is
                                         ///< played.
   double fallback_range_max = 80.0;     ///< [m] Used if the log has no PARAM robot_front_laser_max.
+  double lidar_height = 0.0;            ///< [m] Above the ground, which no log states.
 };
 
 /// Plays a log that it holds in memory. Nothing before the first scan is delivered, so `start_pose`

@@ -72,6 +72,23 @@ TEST_F(RecordedLogTest, KnowsWhereItStarts) {
   EXPECT_FALSE(initial_pose(session(), opened, *spliced_source(opened, asked)));
 }
 
+TEST_F(RecordedLogTest, TurnsTruePosesIntoTheFrameOfTheMap) {
+  const Frames frames = frames_of("scans: 4\n");
+  const Frames moved = frames_of("scans: 4\ntruth_in_map: [10, -2, 1.5707963267948966]\n");
+  ASSERT_EQ(moved.size(), frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto* scan = std::get_if<ScanFrame>(&frames[i].data);
+    const SE2 T_truth_base =
+        *(scan ? scan->T_map_base_true : std::get<OdometryFrame>(frames[i].data).T_map_base_true);
+    const SE2 T_map_base = *(scan ? std::get<ScanFrame>(moved[i].data).T_map_base_true
+                                  : std::get<OdometryFrame>(moved[i].data).T_map_base_true);
+    EXPECT_NEAR(T_map_base.x, 10.0 - T_truth_base.y, 1e-9);
+    EXPECT_NEAR(T_map_base.y, -2.0 + T_truth_base.x, 1e-9);
+    EXPECT_NEAR(std::cos(T_map_base.yaw), -std::sin(T_truth_base.yaw), 1e-9);
+    EXPECT_NEAR(std::sin(T_map_base.yaw), std::cos(T_truth_base.yaw), 1e-9);
+  }
+}
+
 TEST_F(RecordedLogTest, NamesTheLogInErrors) {
   EXPECT_TRUE(contains(error_of([&] { (void)frames_of("from_scan: 60\n"); }),
                        "log.carmen: there is no scan 60"));

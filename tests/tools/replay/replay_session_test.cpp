@@ -60,6 +60,16 @@ TEST(ReplaySession, OnA3dMapIsPlayedByTheLocalizerForIt) {
                        "(--map3d) is for mh_amcl in mode 3d"));
 }
 
+TEST(ReplaySession, PlacesTheTruthInTheMap) {
+  const ReplaySession session = session_from("log: a\ntruth_in_map: [1.5, -2, 0.25]\n");
+  EXPECT_EQ(session.T_map_truth.x, 1.5);
+  EXPECT_EQ(session.T_map_truth.y, -2.0);
+  EXPECT_EQ(session.T_map_truth.yaw, 0.25);
+  EXPECT_EQ(emit_yaml(session_from(emit_yaml(session.tree)).tree), emit_yaml(session.tree));
+  EXPECT_EQ(emit_yaml(session_from("log: a\n").tree).find("truth_in_map"), std::string::npos);
+  EXPECT_TRUE(contains(trouble_of("log: a\ntruth_in_map: [1, 2]\n"), "a list of 3 numbers"));
+}
+
 TEST(ReplaySession, NamesWhatIsWrong) {
   EXPECT_TRUE(contains(trouble_of("map: m.yaml\n"), "log"));
   EXPECT_TRUE(contains(trouble_of("log: a\nscans: 0\n"), "'scans' is 0"));
