@@ -13,6 +13,12 @@ void require_probability(double value, const char* name) {
 
 }  // namespace
 
+MhAmclConfig config_on_3d_maps() {
+  MhAmclConfig config;
+  config.posterior.null.left_out_as_listed = true;
+  return config;
+}
+
 void validate(const MhAmclConfig& config) {
   validate(config.input);
   if (!(config.max_distance > 0.0)) throw std::invalid_argument("max_distance must be positive");

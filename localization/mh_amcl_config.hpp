@@ -72,9 +72,13 @@ struct MhAmclConfig {
   double surface_depth = 0.1;  ///< [m] No beam ends deeper inside of an obstacle (`hollow`).
 };
 
+/// Settings of MH-AMCL on a 3-D map that differ from those on planar maps: floors that look alike
+/// cut the list of every search.
+MhAmclConfig config_on_3d_maps();
+
 /// MH-AMCL on a 3-D map.
 struct MhAmcl3dConfig {
-  MhAmclConfig mh_amcl;
+  MhAmclConfig mh_amcl = config_on_3d_maps();
   double voxel = 0.1;  ///< [m] Edge of a voxel of the map.
 };
 

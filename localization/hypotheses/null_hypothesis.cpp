@@ -29,12 +29,17 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
       {null.log_weight + new_share * l, listed_before + config.kidnap + kidnap_cue + l});
 }
 
-void advance_left_out(double new_share, const std::vector<Hypothesis>& hypotheses,
-                      NullHypothesis& null) {
+void advance_left_out(const NullHypothesisConfig& config, double new_share, double listed_before,
+                      const std::vector<Hypothesis>& hypotheses, NullHypothesis& null) {
+  if (hypotheses.empty()) return;
+  if (config.left_out_as_listed) {
+    null.left_out += listed_log_weight(hypotheses) - listed_before;
+    return;
+  }
   const auto best = std::max_element(
       hypotheses.begin(), hypotheses.end(),
       [](const auto& a, const auto& b) { return a.log_likelihood < b.log_likelihood; });
-  if (best != hypotheses.end()) null.left_out += new_share * best->log_likelihood;
+  null.left_out += new_share * best->log_likelihood;
 }
 
 void take_left_out(const std::optional<double>& left_out, NullHypothesis& null) {

@@ -59,6 +59,9 @@ struct NullHypothesisConfig {
   double spread_rate = 0.1;   ///< Weight of a scan in the running average of the spread.
   double spread_limit = 2.5;  ///< Largest deviation that counts, as a multiple of the spread.
   double wrong_start = -6.0;  ///< Log-probability that a start pose given by the user is wrong.
+  /// Places left out by searches go on to fit as the hypotheses do in the mean; otherwise, as the
+  /// best of them does at each scan.
+  bool left_out_as_listed = false;
 };
 
 /// Logarithm of the sum of exponentials; -infinity for no values.
@@ -97,9 +100,10 @@ void advance_null(const NullHypothesisConfig& config, double new_share, double l
                   double kidnap_cue, NullHypothesis& null);
 
 /// Updates the weight of the places left out by a scan: where so many fit as well, one of them goes
-/// on to fit as well as the best of the hypotheses.
-void advance_left_out(double new_share, const std::vector<Hypothesis>& hypotheses,
-                      NullHypothesis& null);
+/// on to fit as well as the best of the hypotheses, or all of them as the hypotheses do in the mean
+/// (`left_out_as_listed`), whose log-weight was `listed_before`.
+void advance_left_out(const NullHypothesisConfig& config, double new_share, double listed_before,
+                      const std::vector<Hypothesis>& hypotheses, NullHypothesis& null);
 
 /// Updates the weight of the places left out by a search. `left_out` is the log-weight of those
 /// that it left out itself; nothing: it left out none that fits as well as those found. A list that

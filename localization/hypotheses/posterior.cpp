@@ -59,7 +59,7 @@ void Posterior::weigh(const ScanPoints& points, const SE2& T_odom_base, int outp
     doubt_output(config_, l, now, null_);
     take_doubt(config_, l, scan.independence, now, null_);
   }
-  advance_left_out(scan.independence, hypotheses, null_);
+  advance_left_out(config_, scan.independence, listed, hypotheses, null_);
   new_since_watch_ += scan.independence;
 }
 

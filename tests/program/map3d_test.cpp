@@ -1,6 +1,8 @@
 // 3-D maps, held against octomap's own tools.
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/program/program.hpp"
 
@@ -132,6 +134,38 @@ TEST(Map3d, AReplayOnAnOctomapKnowsTheFloor) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json localizer = Json::parse(outcome.out).at("localizers").at("mh_amcl-3d");
   EXPECT_LT(localizer.at("tracking_error_m").at("mean").get<double>(), 0.1);
+}
+
+/// A column of a run's errors.csv.
+std::vector<double> column_of(const fs::path& run, const std::string& name) {
+  std::istringstream lines(text_of(run / "errors.csv"));
+  const auto cells = [&](const std::string& line) {
+    std::vector<std::string> all;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = cells(line);
+  const auto at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  std::vector<double> values;
+  while (std::getline(lines, line)) values.push_back(std::stod(cells(line).at(at)));
+  return values;
+}
+
+TEST(Map3d, OfThreeRampsThatLookAlikeEachIsStatedWithAboutAThird) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "car-park/ramps");
+  const std::vector<double> stated = column_of(folder / "run", "probability");
+  const std::vector<double> lost = column_of(folder / "run", "lost");
+  ASSERT_GT(stated.size(), 150U);
+  EXPECT_EQ(std::ranges::count(lost, 1.0), static_cast<std::ptrdiff_t>(lost.size()));
+  double mean = 0.0;
+  for (std::size_t i = 50; i < stated.size(); ++i) mean += stated[i];
+  mean /= static_cast<double>(stated.size() - 50);
+  EXPECT_NEAR(mean, 1.0 / 3.0, 0.12);
+  EXPECT_LT(*std::ranges::max_element(stated), 0.6);
 }
 
 TEST(Map3d, ACarmenLogIsReplayedAtTheHeightThatIsStated) {

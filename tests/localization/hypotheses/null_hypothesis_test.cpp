@@ -43,13 +43,25 @@ TEST(AdvanceLeftOut, FollowsTheBestHypothesis) {
   two[0].log_likelihood = -7.0;
   two[1].log_likelihood = -1.0;
   NullHypothesis null;
-  advance_left_out(0.5, two, null);
+  advance_left_out({}, 0.5, 0.0, two, null);
   EXPECT_EQ(null.left_out, kNothing);
   null.left_out = -2.0;
-  advance_left_out(0.5, two, null);
+  advance_left_out({}, 0.5, 0.0, two, null);
   EXPECT_DOUBLE_EQ(null.left_out, -2.5);
-  advance_left_out(0.5, {}, null);
+  advance_left_out({}, 0.5, 0.0, {}, null);
   EXPECT_DOUBLE_EQ(null.left_out, -2.5);
+}
+
+TEST(AdvanceLeftOut, KeepsItsOddsToTheHypotheses) {
+  NullHypothesisConfig config;
+  config.left_out_as_listed = true;
+  const std::vector<Hypothesis> two = make_hypotheses({-3.0, -5.0});
+  NullHypothesis null;
+  null.left_out = -2.0;
+  advance_left_out(config, 0.5, -1.0, two, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -2.0 + listed_log_weight(two) + 1.0);
+  advance_left_out(config, 0.5, kNothing, {}, null);
+  EXPECT_DOUBLE_EQ(null.left_out, -2.0 + listed_log_weight(two) + 1.0);
 }
 
 TEST(TakeLeftOut, HalvesTheWeightBeforeUnlessAListIsComplete) {
