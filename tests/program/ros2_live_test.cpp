@@ -17,9 +17,12 @@ bool play_live(const fs::path& folder, const std::string& arguments) {
 
 TEST(Ros2Live, OthersMayLookOn) {
   const fs::path folder = fresh_folder();
-  Node node(folder, 122, kWatched);
-  if (!play_live(folder, "--localizer mh_amcl --ros2 --ros2-domain 122")) GTEST_SKIP() << "no page";
+  Node node(folder, 122, kWatched + "--imu rt/imu");
+  if (!play_live(folder, "--localizer mh_amcl --set imu=true --ros2 --ros2-domain 122")) {
+    GTEST_SKIP() << "no page";
+  }
   const Json received = node.received();
+  EXPECT_GT(received.at("imu").at("readings"), 200);
   EXPECT_GT(received.at("messages").at("scan"), 20);
   EXPECT_GE(received.at("messages").at("map"), 1);
   EXPECT_GT(received.at("watched").at("rt/castaway/mh_amcl/amcl_pose"), 20);

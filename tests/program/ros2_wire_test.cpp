@@ -205,6 +205,56 @@ TEST(Ros2Wire, OthersMayLookOnAtARecordedLog) {
   EXPECT_GT(received.at("watched").at("rt/castaway/mh_amcl/amcl_pose"), 50);
 }
 
+constexpr const char* kInSpace =
+    "--set events=[] --set 'imu={rate_hz: 50}' "
+    "--set 'lidar={beams: 90, elevations_deg: [-5, 0, 5, 10], rate_hz: 10}' ";
+
+/// An Imu and clouds of `kInSpace`.
+void expect_imu_and_points(const Json& received) {
+  const Json& imu = received.at("imu");
+  const int readings = imu.at("readings");
+  EXPECT_GT(readings, 200) << imu.dump();  // Of 400: its topic is new with the first one.
+  EXPECT_EQ(imu.at("frame"), "base_footprint");
+  EXPECT_EQ(imu.at("period_ns"), 20'000'000);
+  EXPECT_GE(imu.at("first_ns"), 1'000'000'000);
+  EXPECT_TRUE(imu.at("without_orientation"));
+  EXPECT_NEAR(imu.at("force").at(2).get<double>() / readings, 9.81, 0.3) << imu.dump();
+  const Json& points = received.at("points");
+  EXPECT_GT(points.at("clouds"), 40) << points.dump();  // Of 80.
+  EXPECT_EQ(points.at("frame"), "base_scan");
+  EXPECT_EQ(points.at("height"), 4);
+  EXPECT_EQ(points.at("width"), 90);
+  EXPECT_EQ(points.at("fields"), "x y z range time ring ");
+  EXPECT_TRUE(points.at("whole"));
+  EXPECT_GT(points.at("returns"), 180);
+  EXPECT_EQ(points.at("wrong"), 0);
+  const Json& publications = received.at("publications");
+  EXPECT_EQ(publications.value("rt/r1/imu", publications.value("rt/imu", "")),
+            "sensor_msgs::msg::dds_::Imu_ best_effort volatile");
+  EXPECT_EQ(publications.value("rt/r1/points", publications.value("rt/points", "")),
+            "sensor_msgs::msg::dds_::PointCloud2_ best_effort volatile");
+}
+
+TEST(Ros2Wire, LookersOnGetImuAndPoints) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 126, "--imu rt/r1/imu --points rt/r1/points");
+  const Outcome outcome =
+      castaway(folder, std::string(kRos2Run) + "--localizer mh_amcl " + kInSpace +
+                           "--duration 8 --ros2 --ros2-domain 126 --ros2-pace 2 "
+                           "--ros2-namespace r1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_imu_and_points(node.received());
+}
+
+TEST(Ros2Wire, ALocalizerGetsImuAndPoints) {
+  const fs::path folder = fresh_folder();
+  Node node(folder, 127, "--imu rt/imu --points rt/points");
+  const Outcome outcome = castaway(folder, kRos2Run + node_in(127) + kInSpace + "--duration 8");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(answers_in(folder).at("answered"), 80);
+  expect_imu_and_points(node.received());
+}
+
 TEST(Ros2Wire, ARunWithANodeIsLookedOnWithoutASecondRobot) {
   const fs::path folder = fresh_folder();
   Node node(folder, 115, kWatched);

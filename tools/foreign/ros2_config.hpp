@@ -13,8 +13,10 @@ enum class Ros2Answer {
 
 /// Names of topics; those that do not begin with a slash are in the namespace.
 struct Ros2Topics {
-  std::string scan = "scan";  ///< Of several lidars: behind the lidar's name, "front/scan".
+  std::string scan = "scan";      ///< Of several lidars: behind the lidar's name, "front/scan".
+  std::string points = "points";  ///< The same for all layers of 3-D lidars.
   std::string odom = "odom";
+  std::string imu = "imu";
   std::string tf = "tf";
   std::string tf_static = "tf_static";
   std::string map = "map";
@@ -41,7 +43,7 @@ struct Ros2Config {
   double timeout_s = 1.0;          ///< [s] Wall time for the answer to a scan.
   double start_timeout_s = 60.0;   ///< [s] Wall time until the node answers for the first time.
   double pace = 0.0;               ///< Times real time; 0: in lock step.
-  bool reliable_scans = false;     ///< Quality of service of scans; false: best effort.
+  bool reliable_scans = false;     ///< Quality of service of scans and points; false: best effort.
   bool drive = false;              ///< The robot follows the node's commands.
   double command_timeout_s = 0.5;  ///< [s] Simulated time after which it stops without a new one.
   Ros2Topics topics;

@@ -14,6 +14,7 @@ class BridgeMessages final : public RunSink {
 
   void on_event(const RunEvent& event) override { messages_.on_event(event); }
   void on_odometry(const OdometryFrame& frame) override { messages_.on_odometry(frame); }
+  void on_imu(const ImuFrame& frame) override { messages_.on_imu(frame); }
   void on_scan(const ScanRecord& record) override;
   void finish(Stamp, const RunTiming&) override {}
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tools/ros/bag_channels.hpp"
+#include "tools/ros/clouds/layer_cloud.hpp"
 #include "tools/ros/robot_messages.hpp"
 #include "tools/ros2/ros_qos.hpp"
 
@@ -26,7 +27,7 @@ RobotFeed::RobotFeed(DdsParticipant& participant, const Ros2Config& config,
   grid.header.frame_id = config.frames.map;
   map_.publish(grid);
   publish_frames();
-  for (const LidarFacts& lidar : greeting.lidars) scans_of(lidar.name);
+  for (const LidarFacts& lidar : greeting.lidars) topics_of(lidar.name, lidar.has_layers);
   if (greeting.robot.description.empty()) return;
   description_.emplace(participant, full_topic(config.name_space, "robot_description"),
                        ros_qos::kLatched);
@@ -35,14 +36,21 @@ RobotFeed::RobotFeed(DdsParticipant& participant, const Ros2Config& config,
 
 void RobotFeed::publish_frames() { tf_static_.publish(tree_.message({})); }
 
-RosPublisher<ros::LaserScan>& RobotFeed::scans_of(const std::string& lidar) {
-  const auto found = scans_.find(lidar);
-  if (found != scans_.end()) return found->second;
-  const std::string name =
-      several_lidars_ ? topic_part(lidar) + "/" + config_.topics.scan : config_.topics.scan;
-  RosPublisher<ros::LaserScan> scans(participant_, full_topic(config_.name_space, name),
-                                     {config_.reliable_scans, false, 10});
-  return scans_.emplace(lidar, std::move(scans)).first->second;
+int RobotFeed::LidarTopics::subscribers() const {
+  return scans.subscribers() + (points ? points->subscribers() : 0);
+}
+
+RobotFeed::LidarTopics& RobotFeed::topics_of(const std::string& lidar, bool has_layers) {
+  const auto found = lidars_.find(lidar);
+  if (found != lidars_.end()) return found->second;
+  const std::string prefix = several_lidars_ ? topic_part(lidar) + "/" : "";
+  const auto full = [&](const std::string& name) {
+    return full_topic(config_.name_space, prefix + name);
+  };
+  const DdsQos quality{config_.reliable_scans, false, 10};
+  LidarTopics topics{{participant_, full(config_.topics.scan), quality}, std::nullopt};
+  if (has_layers) topics.points.emplace(participant_, full(config_.topics.points), quality);
+  return lidars_.emplace(lidar, std::move(topics)).first->second;
 }
 
 void RobotFeed::set_time(Stamp now) {
@@ -64,10 +72,24 @@ void RobotFeed::publish(const Odometry& odometry) {
   tf_.publish(transform_message(header, config_.frames.base, message.pose.pose));
 }
 
+void RobotFeed::publish(const localization::Imu& imu) {
+  set_time(imu.stamp);
+  if (!imu_) {
+    imu_.emplace(participant_, full_topic(config_.name_space, config_.topics.imu),
+                 ros_qos::kSensor);
+  }
+  imu_->publish(imu_message(ros_header(imu.stamp, config_.frames.base), imu));
+}
+
 void RobotFeed::publish(const LaserScan& scan) {
   if (!scan.ranges.empty()) set_time(scan.beam_stamp(scan.ranges.size() - 1));
   if (tree_.set_mount(scan.lidar, scan.T_base_laser)) publish_frames();
-  scans_of(scan.lidar).publish(to_ros_scan(scan, {}, tree_.frame_of(scan.lidar)));
+  const std::string frame = tree_.frame_of(scan.lidar);
+  LidarTopics& topics = topics_of(scan.lidar, !scan.layers.empty());
+  topics.scans.publish(to_ros_scan(scan, {}, frame));
+  if (topics.points && topics.points->subscribers() > 0) {
+    topics.points->publish(to_ros_cloud(scan, frame));
+  }
 }
 
 void RobotFeed::publish_initial_pose(const localization::PoseWithCovariance& pose) {
@@ -77,13 +99,13 @@ void RobotFeed::publish_initial_pose(const localization::PoseWithCovariance& pos
 
 int RobotFeed::scan_subscribers() const {
   int subscribers = 0;
-  for (const auto& [lidar, scans] : scans_) subscribers += scans.subscribers();
+  for (const auto& [lidar, topics] : lidars_) subscribers += topics.subscribers();
   return subscribers;
 }
 
 bool RobotFeed::is_heard(const std::string& lidar) const {
-  const auto scans = scans_.find(lidar);
-  return scans != scans_.end() && scans->second.subscribers() > 0;
+  const auto topics = lidars_.find(lidar);
+  return topics != lidars_.end() && topics->second.subscribers() > 0;
 }
 
 std::vector<std::string> RobotFeed::refused() {
@@ -99,7 +121,11 @@ std::vector<std::string> RobotFeed::refused() {
   ask(tf_static_);
   ask(map_);
   ask(initial_pose_);
-  for (auto& [lidar, scans] : scans_) ask(scans);
+  if (imu_) ask(*imu_);
+  for (auto& [lidar, topics] : lidars_) {
+    ask(topics.scans);
+    if (topics.points) ask(*topics.points);
+  }
   return sentences;
 }
 

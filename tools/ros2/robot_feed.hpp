@@ -27,18 +27,28 @@ class RobotFeed {
   void set_time(Stamp now);
   void repeat_time() { clock_.publish({to_ros_time(std::max(now_, Stamp{}))}); }
   void publish(const Odometry& odometry);
-  /// At the time of its last beam.
+  /// The topic is added with the first reading.
+  void publish(const localization::Imu& imu);
+  /// At the time of its last beam; of a 3-D lidar, with all its layers as points.
   void publish(const LaserScan& scan);
   void publish_initial_pose(const localization::PoseWithCovariance& pose);
 
+  /// Of scans and points.
   [[nodiscard]] int scan_subscribers() const;
-  /// True if anybody subscribes to the scans of this lidar.
+  /// True if anybody subscribes to the scans or points of this lidar.
   [[nodiscard]] bool is_heard(const std::string& lidar) const;
   /// What subscribers ask for that is not offered, in one sentence each, since the last call.
   std::vector<std::string> refused();
 
  private:
-  RosPublisher<ros::LaserScan>& scans_of(const std::string& lidar);
+  /// Publishers of a lidar.
+  struct LidarTopics {
+    RosPublisher<ros::LaserScan> scans;
+    std::optional<RosPublisher<ros::PointCloud2>> points;  ///< Of a 3-D lidar.
+
+    [[nodiscard]] int subscribers() const;
+  };
+  LidarTopics& topics_of(const std::string& lidar, bool has_layers);
   void publish_frames();
 
   DdsParticipant& participant_;
@@ -52,7 +62,8 @@ class RobotFeed {
   RosPublisher<ros::OccupancyGrid> map_;
   RosPublisher<ros::PoseWithCovarianceStamped> initial_pose_;
   std::optional<RosPublisher<ros::String>> description_;
-  std::map<std::string, RosPublisher<ros::LaserScan>> scans_;  ///< By lidar.
+  std::map<std::string, LidarTopics> lidars_;  ///< By name.
+  std::optional<RosPublisher<ros::Imu>> imu_;  ///< Nothing before the first reading.
   std::optional<Odometry> before_;
   Stamp now_{-1};
 };

@@ -78,10 +78,16 @@ void Ros2Localizer::watch_node() {
 void Ros2Localizer::on_odometry(const Odometry& odometry) {
   pacer_.wait_until(odometry.stamp);
   T_odom_base_.add(odometry.stamp, odometry.T_odom_base);
-  if (!has_answered_) early_.push_back(odometry);
+  if (!has_answered_) early_.emplace_back(odometry);
   feed_.publish(odometry);
   now_ = odometry.stamp;
   if (commands_) commands_->hear(now_);
+}
+
+void Ros2Localizer::on_imu(const localization::Imu& imu) {
+  pacer_.wait_until(imu.stamp);
+  if (!has_answered_) early_.emplace_back(imu);
+  feed_.publish(imu);
 }
 
 void Ros2Localizer::send(const LaserScan& scan) {
@@ -121,7 +127,9 @@ void Ros2Localizer::wait_for_first_answer(const LaserScan& scan) {
           fmt::format("gave no estimate within {:g} s", config_.start_timeout_s));
     }
     feed_.repeat_time();
-    for (const Odometry& odometry : early_) feed_.publish(odometry);
+    for (const auto& reading : early_) {
+      std::visit([&](const auto& early) { feed_.publish(early); }, reading);
+    }
     start_ = start;
     count_.repeat();
     send(scan);

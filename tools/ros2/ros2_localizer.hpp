@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
@@ -29,6 +30,7 @@ class Ros2Localizer final : public localization::Localizer {
   /// An unknown start is not told. The first call waits for the node.
   void initialize(const std::optional<localization::PoseWithCovariance>& start) override;
   void on_odometry(const Odometry& odometry) override;
+  void on_imu(const localization::Imu& imu) override;
   void on_scan(const LaserScan& scan) override;
   [[nodiscard]] std::optional<localization::Estimate> estimate() const override {
     return answer_.estimate;
@@ -67,7 +69,7 @@ class Ros2Localizer final : public localization::Localizer {
   int unanswered_ = 0;  ///< Scans in a row.
   bool is_present_ = false;
   bool has_answered_ = false;
-  std::vector<Odometry> early_;                            ///< Before the first answer.
+  std::vector<std::variant<Odometry, localization::Imu>> early_;  ///< Before the first answer.
   std::optional<localization::PoseWithCovariance> start_;  ///< To be told with the next scan.
   localization::TransformBuffer T_odom_base_;
   Answer answer_;

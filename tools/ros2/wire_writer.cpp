@@ -14,16 +14,21 @@ namespace {
 
 constexpr Stamp kJump = std::chrono::milliseconds(500);
 
+/// True for readings of lidars and of an inertial measurement unit.
+bool is_of_sensor(const std::string& name) {
+  return name.ends_with("/scan") || name.ends_with("/points") || name == "/imu";
+}
+
 /// True for what a robot publishes itself.
 bool is_of_robot(const std::string& name) {
   constexpr std::array<std::string_view, 7> kNames{
       "/map", "/tf", "/tf_static", "/odom", "/joint_states", "/initialpose", "/robot_description"};
-  return name.ends_with("/scan") || std::ranges::find(kNames, name) != kNames.end();
+  return is_of_sensor(name) || std::ranges::find(kNames, name) != kNames.end();
 }
 
 DdsQos qos_of(const BagTopic& topic) {
   if (topic.durability == Durability::kTransientLocal) return ros_qos::kLatched;
-  if (topic.name.ends_with("/scan")) return ros_qos::kSensor;
+  if (is_of_sensor(topic.name)) return ros_qos::kSensor;
   return topic.name == "/tf" ? ros_qos::kTransforms : ros_qos::kUsual;
 }
 

@@ -12,12 +12,14 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/geometry/random.hpp"
+#include "tests/program/ros2_peer/sensor_watch.hpp"
 #include "tests/program/ros2_peer/served_localizer.hpp"
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using castaway::peer::Manners;
+using castaway::peer::SensorWatch;
 using castaway::peer::ServedLocalizer;
 using castaway::peer::Wire;
 
@@ -71,12 +73,15 @@ void send_wrong_types(Wire& wire) {
   }
 }
 
-void print(const castaway::peer::Received& received, const Watch& watch, const Wire& wire) {
+void print(const castaway::peer::Received& received, const Watch& watch, const SensorWatch& sensors,
+           const Wire& wire) {
   nlohmann::json root;
   root["messages"] = received.messages;
   for (const auto& [topic, stamps] : received.stamps) root["stamps"][topic] = stamps.size();
   root["publications"] = wire.publications().seen();
   root["watched"] = watch.counts();
+  root["imu"] = sensors.imu();
+  root["points"] = sensors.points();
   root["frames"] = received.frames;
   root["description"] = received.description;
   std::printf("%s\n", root.dump().c_str());
@@ -94,6 +99,8 @@ int main(int argc, char** argv) {
   std::string range = "localhost";
   bool wrong_types = false;
   std::vector<std::string> watched;
+  std::string imu;
+  std::string points;
   Manners manners;
   app.add_option("--domain", domain);
   app.add_option("--seed", seed, "Of the run: the localizer's are those of 'mh_amcl' in it");
@@ -107,6 +114,8 @@ int main(int argc, char** argv) {
   app.add_option("--range", range, "localhost, whitelist or subnet: see Wire");
   app.add_flag("--wrong-types", wrong_types);
   app.add_option("--watch", watched, "Topics to count, as on the wire: 'NAME TYPE'");
+  app.add_option("--imu", imu, "Topic of an Imu, as on the wire");
+  app.add_option("--points", points, "Topic of a PointCloud2, as on the wire");
   app.add_option("--drive", manners.drive, "plain or stamped");
   app.add_flag("--twice", manners.twice);
   app.add_flag("--stay", manners.stays, "Goes on with the next simulator");
@@ -123,6 +132,7 @@ int main(int argc, char** argv) {
   ServedLocalizer node(wire, castaway::localization::substream(seed, "localizer/mh_amcl")(),
                        manners);
   Watch watch(wire, watched);
+  SensorWatch sensors(wire, imu, points);
   auto last = Clock::now();
   const auto is_patient = [&] {
     const double patience = node.received().messages.empty() ? first_patience_s : patience_s;
@@ -130,7 +140,8 @@ int main(int argc, char** argv) {
   };
   while (is_patient() && !node.is_over()) {
     const bool counted = watch.turn();
-    if (node.turn() || counted) {
+    const bool sensed = sensors.turn();
+    if (node.turn() || counted || sensed) {
       last = Clock::now();
     } else {
       std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -139,6 +150,6 @@ int main(int argc, char** argv) {
     const bool any = seen != node.received().stamps.end();
     if (scans > 0 && any && static_cast<int>(seen->second.size()) >= scans) break;
   }
-  print(node.received(), watch, wire);
+  print(node.received(), watch, sensors, wire);
   return 0;
 }

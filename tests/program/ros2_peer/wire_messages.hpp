@@ -84,6 +84,41 @@ struct LaserScan {
             m.range_min, m.range_max, m.ranges, m.intensities);
   }
 };
+struct PointField {
+  std::string name;
+  std::uint32_t offset = 0;
+  std::uint8_t datatype = 0;
+  std::uint32_t count = 0;
+  static void visit(auto& m, auto&& visitor) { visitor(m.name, m.offset, m.datatype, m.count); }
+};
+struct PointCloud2 {
+  static constexpr const char* kType = "sensor_msgs::msg::dds_::PointCloud2_";
+  Header header;
+  std::uint32_t height = 0, width = 0;
+  std::vector<PointField> fields;
+  bool is_bigendian = false;
+  std::uint32_t point_step = 0, row_step = 0;
+  std::vector<std::uint8_t> data;
+  bool is_dense = false;
+  static void visit(auto& m, auto&& visitor) {
+    visitor(m.header, m.height, m.width, m.fields, m.is_bigendian, m.point_step, m.row_step, m.data,
+            m.is_dense);
+  }
+};
+struct Imu {
+  static constexpr const char* kType = "sensor_msgs::msg::dds_::Imu_";
+  Header header;
+  Quaternion orientation;
+  std::array<double, 9> orientation_covariance{};
+  Vector3 angular_velocity;
+  std::array<double, 9> angular_velocity_covariance{};
+  Vector3 linear_acceleration;
+  std::array<double, 9> linear_acceleration_covariance{};
+  static void visit(auto& m, auto&& visitor) {
+    visitor(m.header, m.orientation, m.orientation_covariance, m.angular_velocity,
+            m.angular_velocity_covariance, m.linear_acceleration, m.linear_acceleration_covariance);
+  }
+};
 struct Odometry {
   static constexpr const char* kType = "nav_msgs::msg::dds_::Odometry_";
   Header header;

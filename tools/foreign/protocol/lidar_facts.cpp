@@ -5,8 +5,9 @@
 namespace castaway::testbed {
 
 LidarFacts lidar_facts(const LaserScan& scan) {
-  return {scan.lidar,     scan.T_base_laser, scan.angle_min,    scan.angle_increment,
-          scan.range_min, scan.range_max,    scan.ranges.size()};
+  return {scan.lidar,          scan.T_base_laser, scan.angle_min,     scan.angle_increment,
+          scan.range_min,      scan.range_max,    scan.ranges.size(), {},
+          !scan.layers.empty()};
 }
 
 bool fits(const LidarFacts& facts, const LaserScan& scan) {

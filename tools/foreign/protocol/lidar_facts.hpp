@@ -18,7 +18,8 @@ struct LidarFacts {
   double range_min = 0.0;        ///< [m]
   double range_max = 0.0;        ///< [m]
   std::size_t beams = 0;
-  std::string frame = {};  ///< Of the robot's description; empty: not known.
+  std::string frame = {};   ///< Of the robot's description; empty: not known.
+  bool has_layers = false;  ///< It is a 3-D lidar. Programs are not told.
 };
 
 /// The facts of the lidar that took `scan`.

@@ -14,7 +14,10 @@ constexpr int kLastDomain = 232;  // Ports of higher ones do not exist.
 
 void fields(Settings settings, Ros2Topics& topics) {
   settings.field({"scan", "", "Scans; of several lidars NAME/scan."}, topics.scan);
+  settings.field({"points", "", "All layers of 3-D lidars; of several lidars NAME/points."},
+                 topics.points);
   settings.field({"odom", "", "Odometry."}, topics.odom);
+  settings.field({"imu", "", "Readings of the inertial measurement unit."}, topics.imu);
   settings.field({"tf", "", "Moving frames."}, topics.tf);
   settings.field({"tf_static", "", "Fixed frames."}, topics.tf_static);
   settings.field({"map", "", "The map."}, topics.map);
@@ -46,8 +49,9 @@ void fields(Settings settings, Ros2Config& config) {
   settings.field({"start_timeout_s", "s", "Wall time for the first answer.", {1e-3, 1e5}},
                  config.start_timeout_s);
   settings.field({"pace", "", "Times real time; 0: in lock step.", {0.0, 1e4}}, config.pace);
-  settings.field({"reliable_scans", "", "Scans are sent reliably, not with best effort."},
-                 config.reliable_scans);
+  settings.field(
+      {"reliable_scans", "", "Scans and points are sent reliably, not with best effort."},
+      config.reliable_scans);
   settings.field({"drive", "", "The robot follows /cmd_vel in place of its route."}, config.drive);
   settings.field(
       {"command_timeout_s", "s", "Without a command for so long, it stops.", {1e-3, 1e5}},
