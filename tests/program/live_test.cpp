@@ -277,5 +277,52 @@ TEST(Live, RefusesWhatItCannotServe) {
   expect_refused(castaway(folder, "live ."), {"report.html", "castaway report"});
 }
 
+/// A bag of a run in a building of two floors, and the 3-D map of the building.
+void put_mezzanine(const fs::path& folder) {
+  const Outcome outcome = castaway(
+      folder,
+      "run mezzanine/kidnaps --duration 8 --set outputs.bag=true --set outputs.carmen=true "
+      "--set outputs.snapshots=false --out run");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_EQ(castaway(folder, "map mezzanine --out mezzanine.map3d").exit_code, 0);
+}
+
+TEST(Live, PlaysABagOnA3dMap) {
+  const fs::path folder = fresh_folder();
+  put_mezzanine(folder);
+  const Outcome outcome = castaway(folder,
+                                   "live --port 0 --play run/bag --map3d mezzanine.map3d "
+                                   "--imu-topic /imu --base-height 0 --start truth",
+                                   "timeout -s INT 8");
+  if (outcome.err.starts_with("castaway: this castaway was built without")) GTEST_SKIP();
+  EXPECT_EQ(outcome.err, "");
+  expect_contains(outcome.out, "http://127.0.0.1:");
+  // What only reading the bag tells.
+  const std::string on_map = "live --port 0 run/bag --map3d mezzanine.map3d ";
+  expect_refused(castaway(folder, on_map + "--imu-topic /odom"), {"its type is nav_msgs/msg"});
+  expect_refused(castaway(folder, on_map + "--points-topic /points"), {"there is no such topic"});
+}
+
+TEST(Live, SaysWhatALogOnA3dMapLacks) {
+  const fs::path folder = fresh_folder();
+  put_mezzanine(folder);
+  const auto refused = [&](const std::string& arguments, const std::string& why) {
+    expect_refused(castaway(folder, "live --port 0 " + arguments), {why});
+  };
+  refused("--map3d mezzanine.map3d", "--map3d is of a log: name one");
+  refused("mezzanine/kidnaps --map3d mezzanine.map3d", "--localizer mh_amcl:3d makes its own");
+  refused("lab/kidnap --imu-topic /imu", "--imu-topic is of a log: name one");
+  refused("lab/kidnap --points-topic /points", "--points-topic is of a log: name one");
+  refused("lab/kidnap --base-height 0.1", "--base-height is of a log: name one");
+  refused("run --map3d mezzanine.map3d", "name the folder 'bag' in it");
+  refused("run/bag --map3d gone.bt", "gone.bt: cannot be read");
+  refused("run/bag --map mezzanine.map3d", "is a 3-D map; name it by --map3d");
+  refused("run/bag --base-height 0.1", "--base-height is for 3-D maps");
+  refused("run/bag --map3d mezzanine.map3d --localizer amcl", "is for mh_amcl in mode 3d");
+  refused("run/log.carmen --map3d mezzanine.map3d", "does not say how high its lidar is mounted");
+  std::ofstream(folder / "saved.yaml") << "log: run/bag\nmap3d: mezzanine.map3d\n";
+  refused("saved.yaml --map3d other.map3d", "saved.yaml states what is played");
+}
+
 }  // namespace
 }  // namespace castaway::test

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
+#include "tools/commands/arguments/recording_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
@@ -26,6 +27,7 @@
 #include "tools/output/interruption.hpp"
 #include "tools/play/bridge.hpp"
 #include "tools/play/play.hpp"
+#include "tools/play/terminal.hpp"
 #include "tools/replay/play_replay.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
@@ -35,7 +37,7 @@ namespace {
 
 struct LiveArguments {
   std::string scenario;  ///< Or a log, or the folder of a finished run.
-  std::string map;       ///< Of a log.
+  RecordingArguments recording;
   std::string start = "unknown";
   std::vector<std::string> sets;
   std::vector<std::string> localizers;
@@ -74,24 +76,49 @@ bool is_session(const std::filesystem::path& path) {
   return parse_yaml(read_file(path), path.string()).find("log") != nullptr;
 }
 
+/// Options of recorded logs are refused for everything else. `why` follows the option's name.
+void require_no_recording_option(const LiveArguments& arguments, const std::string& why) {
+  const std::string option = arguments.recording.first_given();
+  if (!option.empty()) throw std::invalid_argument(option + why);
+}
+
+/// What a log is named by, and what a simulated run has in its place.
+std::string why_no_log(const LiveArguments& arguments) {
+  const std::string why = " is of a log: name one (.log, .log.gz, .mcap, a bag's folder)";
+  if (arguments.recording.first_given() != "--map3d") return why;
+  return why + "; of a simulated world, --localizer mh_amcl:3d makes its own";
+}
+
+YamlDocument document_of_log(const LiveArguments& arguments) {
+  YamlNode root;
+  root.kind = YamlNode::Kind::kMap;
+  root.entries.push_back({"log", write_yaml(arguments.scenario)});
+  put_maps(arguments.recording, root);
+  root.entries.push_back({"start", write_yaml(arguments.start)});
+  put_topics(arguments.recording, root);
+  return YamlDocument(std::move(root));
+}
+
+YamlDocument document_of_session(const LiveArguments& arguments) {
+  require_no_recording_option(
+      arguments,
+      ": " + arguments.scenario + " states what is played; change it there, or by --set");
+  return YamlDocument::load(arguments.scenario);
+}
+
 /// The log that is to be played; nothing: a scenario is.
 std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
   const bool has_log = is_log(arguments.scenario);
   if (!has_log && !is_session(arguments.scenario)) {
-    if (arguments.map.empty()) return std::nullopt;
-    throw std::invalid_argument(
-        "--map is of a log: name one (.log, .log.gz, .mcap, a bag's folder)");
+    require_no_recording_option(arguments, why_no_log(arguments));
+    return std::nullopt;
   }
-  YamlDocument document =
-      has_log ? YamlDocument::parse("{}", "live") : YamlDocument::load(arguments.scenario);
-  if (has_log) {
-    document.set("log=" + write_yaml(arguments.scenario).scalar);
-    if (!arguments.map.empty()) document.set("map=" + arguments.map);
-    document.set("start=" + arguments.start);
-  }
+  YamlDocument document = has_log ? document_of_log(arguments) : document_of_session(arguments);
   for (const std::string& text : overrides_of_live(arguments)) document.set(text);
-  return read_session(std::move(document),
-                      {std::filesystem::path(arguments.scenario).parent_path(), {}});
+  ReplaySession session = read_session(
+      std::move(document), {std::filesystem::path(arguments.scenario).parent_path(), {}});
+  check_log(session);
+  return session;
 }
 
 /// runs/live-NAME-1, or the first with a higher number that is free.
@@ -134,6 +161,12 @@ int start_player(const LiveSetup& setup) {
   return ends[0];
 }
 
+/// Waits until the run has something to say. False: it has ended instead, and has said why.
+bool has_begun(int line) {
+  char first = 0;
+  return recv(line, &first, 1, MSG_PEEK) == 1;
+}
+
 LiveServerOptions server_options(const LiveArguments& arguments) {
   LiveServerOptions options;
   options.address = arguments.address;
@@ -164,6 +197,9 @@ int serve(LiveServerOptions options, int line) {
 
 /// Shows the report of a finished run.
 int show_run(const LiveArguments& arguments) {
+  require_no_recording_option(arguments, ": " + arguments.scenario +
+                                             " is the folder of a run, whose report is shown; to "
+                                             "play its bag, name the folder 'bag' in it");
   const std::filesystem::path report = std::filesystem::path(arguments.scenario) / "report.html";
   if (!std::filesystem::is_regular_file(report)) {
     throw std::runtime_error("there is no " + report.string() +
@@ -198,6 +234,7 @@ int run_live(const LiveArguments& arguments) {
   setup.files = setup.reports / "files";
   setup.report = play_for_report;
   setup.replay = play_replay;
+  setup.warn = print_warning;
   LiveServerOptions options = server_options(arguments);
   options.page = live_page(name_of_live(setup));
   options.reports = setup.reports;
@@ -208,7 +245,9 @@ int run_live(const LiveArguments& arguments) {
   }
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // Copies of the run outlive the one that made them.
   std::signal(SIGCHLD, SIG_IGN);     // Nobody waits for them.
-  return serve(std::move(options), start_player(setup));
+  const int line = start_player(setup);
+  if (setup.session && !has_begun(line)) return kBadInput;  // Reading a log tells what is amiss.
+  return serve(std::move(options), line);
 }
 }  // namespace
 
@@ -220,7 +259,7 @@ void add_live_command(Command& app) {
       "scenario", a->scenario,
       "A scenario's name or file; a recorded log, or what a live run of one saved; or "
       "a finished run's folder (default: lab/kidnap)");
-  command.add_option("--map", a->map, "Of a log: ROS map (.yaml); of a bag, instead of its own");
+  add_recording_options(command, a->recording);
   command.add_option("--start", a->start, "Of a log: truth or unknown")
       .one_of({"truth", "unknown"})
       .show_default();
@@ -242,6 +281,7 @@ void add_live_command(Command& app) {
       "  castaway live office/people --port 9000\n"
       "  castaway live runs/lab-kidnap/seed-1\n"
       "  castaway live intel.log.gz --map intel.yaml\n"
+      "  castaway live rosbag2_2026_01_31 --map3d building.bt\n"
       "  castaway live --localizer mh_amcl --localizer amcl --set people.count=10");
   command.action([a] { return run_live(*a); });
 }

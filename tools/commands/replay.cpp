@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
+#include "tools/commands/arguments/recording_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/sha256.hpp"
@@ -24,16 +25,12 @@ namespace {
 /// Values from the command line.
 struct ReplayArguments {
   std::string log;
-  std::string map;
-  std::string map3d;
+  RecordingArguments recording;
   std::string start = "unknown";
   std::int64_t from_scan = 0;
   std::optional<std::int64_t> scans;
   std::string scans_used = "all";
   std::string splice;
-  BagTopicOptions topics;
-  std::optional<double> base_height;
-  std::string truth_in_map;
   LocalizerArguments localizers;
   std::uint64_t seed = 1;
   std::string out;
@@ -77,11 +74,6 @@ YamlNode splice_node(const ReplayArguments& arguments) {
       "--splice");
 }
 
-/// "X,Y,YAW" as a list.
-YamlNode pose_node(const std::string& text) {
-  return parse_yaml("[" + text + "]", "--truth-in-map");
-}
-
 /// Localizers of the command line as an element of a session, those of files included.
 YamlNode localizers_node(const std::vector<std::string>& texts) {
   YamlNode list;
@@ -110,19 +102,12 @@ YamlDocument session_of(const ReplayArguments& a) {
     root.entries.push_back({key, std::move(value)});
   };
   put("log", write_yaml(a.log));
-  put("map", write_yaml(a.map));
-  if (!a.map3d.empty()) put("map3d", write_yaml(a.map3d));
+  put_maps(a.recording, root);
   put("start", write_yaml(a.start));
   put("from_scan", write_yaml(static_cast<std::uint64_t>(a.from_scan)));
   if (a.scans) put("scans", write_yaml(static_cast<std::uint64_t>(*a.scans)));
   put("scans_used", write_yaml(a.scans_used));
-  put("scan_topics", write_yaml(a.topics.scans));
-  put("odom_topic", write_yaml(a.topics.odometry));
-  put("truth_topic", write_yaml(a.topics.truth));
-  if (!a.topics.clouds.empty()) put("points_topics", write_yaml(a.topics.clouds));
-  if (!a.topics.imu.empty()) put("imu_topic", write_yaml(a.topics.imu));
-  if (a.base_height) put("base_height", write_yaml(*a.base_height));
-  if (!a.truth_in_map.empty()) put("truth_in_map", pose_node(a.truth_in_map));
+  put_topics(a.recording, root);
   put("seed", write_yaml(a.seed));
   if (!a.localizers.texts.empty()) put("localizers", localizers_node(a.localizers.texts));
   if (!a.splice.empty()) put("events", splice_node(a));
@@ -201,34 +186,7 @@ void add_replay_command(Command& app) {
           "CARMEN log (.log, .carmen, .gz), a rosbag2 (its folder or an .mcap file), or the "
           ".yaml of a replay: the scenario.yaml of a run, or what a live run saved")
       .required();
-  command.add_option("--map", a->map, "ROS map (.yaml); of a bag, instead of its own");
-  command.add_option(
-      "--map3d", a->map3d,
-      "3-D map for mh_amcl:3d: .map3d, OctoMap's .bt or .ot, or a cloud (.pcd, .ply)");
-  command
-      .add_option("--scan-topic", a->topics.scans, "LaserScan topic of a bag; repeat for several")
-      .repeatable();
-  command.add_option("--odom-topic", a->topics.odometry,
-                     "Odometry topic of a bag, or its /tf (default: by type, else /tf)");
-  command.add_option("--truth-topic", a->topics.truth,
-                     "Topic of the true pose (default: /ground_truth/odom, if there is one)");
-  command
-      .add_option(
-          "--points-topic", a->topics.clouds,
-          "PointCloud2 topic of a 3-D lidar; repeat for several (default: with --map3d those "
-          "of castaway's own bags, or the only one of a bag without LaserScan)")
-      .repeatable();
-  command.add_option("--imu-topic", a->topics.imu,
-                     "Imu topic of a bag, or none (default: with --map3d by type, else none)");
-  command
-      .add_option(
-          "--base-height", a->base_height,
-          "With --map3d: height of the odometry's frame above the ground, in CARMEN logs that of "
-          "the lidar [m] (default, in bags: above base_footprint)")
-      .range(-10.0, 10.0);
-  command.add_option("--truth-in-map", a->truth_in_map,
-                     "X,Y,YAW [m, rad] in the map of the frame in which the true poses are "
-                     "(default: that of the map)");
+  add_recording_options(command, a->recording);
   command.add_option("--start", a->start, "truth or unknown")
       .one_of({"truth", "unknown"})
       .show_default();

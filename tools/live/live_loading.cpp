@@ -49,7 +49,8 @@ YamlNode without_places(const LoadedScenario& scenario) {
 }
 
 /// The log with the localizers of what is played now, and the map `map`; empty: that of the log
-/// that is played now.
+/// that is played now. It is played on the 3-D map of that log, too; a CARMEN log with its height
+/// of the lidar.
 ReplaySession with_log(const LiveSetup& setup, const std::filesystem::path& log,
                        const std::string& map) {
   const YamlNode now =
@@ -62,9 +63,14 @@ ReplaySession with_log(const LiveSetup& setup, const std::filesystem::path& log,
   } else if (setup.session && !is_bag(log)) {
     root.entries.push_back({"map", yaml_scalar(setup.session->map)});
   }
+  if (setup.session && !setup.session->map3d.empty()) {
+    root.entries.push_back({"map3d", yaml_scalar(setup.session->map3d)});
+    const auto& height = setup.session->base_height;
+    if (height && !is_bag(log)) root.entries.push_back({"base_height", write_yaml(*height)});
+  }
   root.entries.push_back({"localizers", *now.find("localizers")});
   ReplaySession session = read_session(YamlDocument(std::move(root)), {{}, FilePrograms::kAllowed});
-  if (session.map.empty() && !is_bag(log)) {
+  if (session.map.empty() && session.map3d.empty() && !is_bag(log)) {
     throw std::runtime_error("a CARMEN log holds no map: drop a .yaml with its picture beside it");
   }
   return session;

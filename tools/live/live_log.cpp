@@ -51,9 +51,9 @@ void set_key(YamlNode& map, const std::string& key, YamlNode value) {
 
 /// So that a saved session can be played from anywhere.
 void make_absolute(YamlNode& session, const std::string& key) {
-  const std::string file = session.find(key)->scalar;
-  if (file.empty()) return;
-  set_key(session, key, write_yaml(std::filesystem::absolute(file).string()));
+  const YamlNode* file = session.find(key);
+  if (file == nullptr || file->scalar.empty()) return;
+  set_key(session, key, write_yaml(std::filesystem::absolute(file->scalar).string()));
 }
 
 }  // namespace
@@ -62,8 +62,9 @@ LiveLog::LiveLog(ReplaySession session, const LiveSinkMaker& make_sink, TopicWri
     : session_(std::move(session)), log_(open_log(session_)), orders_(orders_in(session_.tree)) {
   source_ = spliced_source(log_, session_);
   sinks_.push_back(make_sink(run_info(session_, log_), log_.map, kRecordedRadius));
-  localizers_ = build_localizers(session_.localizers, {log_.map, session_.map, log_.lidars, {}},
-                                 session_.seed);
+  LocalizerPlace place{log_.map, session_.map, log_.lidars, {}};
+  place.volume = log_.volume;
+  localizers_ = build_localizers(session_.localizers, place, session_.seed);
   LoopConfig config;
   config.start = initial_pose(session_, log_, *source_);
   config.orders = session_.orders;
@@ -83,7 +84,12 @@ std::size_t LiveLog::target_of(const sim::KidnapSpec& kidnap) const {
   using sim::KidnapKind;
   const std::size_t from = source_->last_scan();
   if (kidnap.target && kidnap.kind == KidnapKind::kTeleportTo) {
-    return nearest_scan(*log_.frames, {kidnap.target->x, kidnap.target->y, kidnap.target->yaw});
+    const auto on_level = [&](double z) {
+      if (!kidnap.level || !log_.levels) return true;
+      return level_at(*log_.levels, z) == static_cast<std::size_t>(*kidnap.level);
+    };
+    return nearest_scan(*log_.frames, {kidnap.target->x, kidnap.target->y, kidnap.target->yaw},
+                        on_level);
   }
   if (kidnap.kind == KidnapKind::kTeleportRandom) {
     return far_scan(*log_.frames, from, kidnap.min_distance_m);
@@ -119,7 +125,7 @@ Stamp LiveLog::add(const std::string& event) {
 
 std::string LiveLog::saved() const {
   YamlNode session = session_.tree;
-  for (const char* key : {"log", "map"}) make_absolute(session, key);
+  for (const char* key : {"log", "map", "map3d"}) make_absolute(session, key);
   set_key(session, "scans",
           write_yaml(static_cast<std::uint64_t>(std::max<std::size_t>(1, source_->played()))));
   YamlNode events;

@@ -24,22 +24,26 @@ class LiveLog final : public LivePlay {
   [[nodiscard]] Stamp now() const override { return loop_->now(); }
   [[nodiscard]] std::optional<SE2> true_pose() const override { return source_->true_pose(); }
   [[nodiscard]] Eigen::Isometry3d T_footprint_base() const override {
-    return Eigen::Isometry3d::Identity();
+    return source_->T_footprint_base().value_or(Eigen::Isometry3d::Identity());
   }
+  [[nodiscard]] const LevelMaps* levels() const override { return log_.levels.get(); }
   [[nodiscard]] std::string scene() override { return {}; }
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const override {
     return loop_->estimates();
   }
   void finish_localizers() override { (void)loop_->finish_localizers(); }
 
-  /// Events: kidnaps `teleport` with a pose (to the nearest recorded one), `teleport` (far away in
-  /// the log) and `look_alike`; {"splice": {"to_scan": 900}}; orders to a localizer.
+  /// Events: kidnaps `teleport` with a pose (to the nearest recorded one, on the floor `level` if
+  /// it is stated), `teleport` (far away in the log) and `look_alike`; {"splice": {"to_scan":
+  /// 900}}; orders to a localizer.
   Stamp add(const std::string& event) override;
   [[nodiscard]] const sim::WorldSpec* world() const override { return nullptr; }
   [[nodiscard]] std::optional<std::size_t> recorded_scans() const override {
     return source_->scans();
   }
   [[nodiscard]] std::string saved() const override;
+  /// What was assumed or left out when the log was read, in one sentence each.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return log_.warnings; }
 
  private:
   [[nodiscard]] std::size_t target_of(const sim::KidnapSpec& kidnap) const;

@@ -14,14 +14,12 @@
 
 #include "tools/live/checkpoints.hpp"
 #include "tools/live/lines/live_line.hpp"
+#include "tools/live/live_building.hpp"
 #include "tools/live/live_clock.hpp"
 #include "tools/live/live_feed.hpp"
 #include "tools/live/live_loading.hpp"
-#include "tools/live/live_log.hpp"
 #include "tools/live/live_report.hpp"
-#include "tools/live/live_run.hpp"
 #include "tools/live/live_trial.hpp"
-#include "tools/live/served_nodes.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
@@ -104,16 +102,7 @@ class LivePlayer {
       feed_ = feed.get();
       return feed;
     };
-    if (setup_.bridge) setup_.bridge->restart();
-    if (setup_.session) {
-      ReplaySession session = *setup_.session;
-      serve_nodes(session.tree, session.localizers);
-      run_ = std::make_unique<LiveLog>(std::move(session), make, setup_.bridge.get());
-    } else {
-      LoadedScenario scenario = setup_.scenario;
-      serve_nodes(parse_yaml(scenario.effective, "scenario"), scenario.scenario.localizers);
-      run_ = std::make_unique<LiveRun>(scenario, setup_.base, *worlds_, make, setup_.bridge.get());
-    }
+    run_ = build_live(setup_, *worlds_, make);
   }
 
   /// A copy that is woken goes on here, with a goal.

@@ -30,6 +30,8 @@ struct LiveSetup {
   /// Played in place of the scenario, which then serves for the worlds and robots of pages.
   std::optional<ReplaySession> session{};
   std::shared_ptr<BridgeLink> bridge{};  ///< To nodes of ROS 2 that look on; null: none do.
+  /// Takes a warning about the log that is played, in one sentence.
+  std::function<void(const std::string&)> warn{};
 
   /// Of what is played.
   [[nodiscard]] const std::vector<LocalizerSpec>& localizers() const {

@@ -43,28 +43,27 @@ void set_frames(Frames frames, const SE2& T_map_truth, RecordedLog& log) {
   log.frames = std::make_shared<const Frames>(std::move(frames));
 }
 
-BagGround ground_of(const ReplaySession& session) {
-  if (!session.map3d.empty()) return {true, session.base_height};
-  if (session.base_height) {
-    throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
+/// What a log of its kind cannot have, or a replay without a 3-D map.
+void check_settings(const ReplaySession& session) {
+  const bool bag = is_bag(session.log);
+  if (bag && session.scans_used != Scans::kAll) {
+    throw std::invalid_argument("--use takes CARMEN logs, not bags");
   }
-  return {};
-}
-
-RecordedLog open_carmen(const ReplaySession& session) {
-  if (!std::filesystem::exists(session.log)) {
-    throw std::runtime_error(session.log + ": cannot be read; check the path and its permissions");
-  }
-  const BagGround ground = ground_of(session);
-  if (ground.in_space && !ground.base_height) {
+  if (!bag && !session.map3d.empty() && !session.base_height) {
     throw std::invalid_argument(
         "a CARMEN log does not say how high its lidar is mounted, and --map3d needs it: state its "
         "height above the ground by --base-height");
   }
+  if (session.base_height && session.map3d.empty()) {
+    throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
+  }
+}
+
+RecordedLog open_carmen(const ReplaySession& session) {
   RecordedLog log;
   set_maps(session, std::nullopt, log);
   CarmenSourceConfig config;
-  config.lidar_height = ground.base_height.value_or(0.0);
+  config.lidar_height = session.base_height.value_or(0.0);
   config.selection = session.scans_used;
   config.scans = needed_scans(session);
   CarmenSource source(session.log, config);
@@ -83,13 +82,11 @@ std::optional<RosMap> map_of(const BagInventory& bag, const BagRecording& record
 }
 
 RecordedLog open_bag(const ReplaySession& session) {
-  if (session.scans_used != Scans::kAll) {
-    throw std::invalid_argument("--use takes CARMEN logs, not bags");
-  }
   const BagInventory bag = take_inventory(session.log, bag_files(session.log));
   BagTopicOptions topics = session.topics;
   topics.in_space = !session.map3d.empty();
-  BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground_of(session));
+  const BagGround ground{topics.in_space, session.base_height};
+  BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground);
   RecordedLog log;
   log.warnings = std::move(recording.warnings);
   set_maps(session, map_of(bag, recording), log);
@@ -101,7 +98,18 @@ RecordedLog open_bag(const ReplaySession& session) {
 
 }  // namespace
 
+void check_log(const ReplaySession& session) {
+  for (const std::string& file : {session.log, session.map, session.map3d}) {
+    if (file.empty() || std::filesystem::exists(file)) continue;
+    throw std::runtime_error(file + ": cannot be read; check the path and its permissions");
+  }
+  check_settings(session);
+  if (is_bag(session.log)) (void)bag_files(session.log);
+  check_maps(session);
+}
+
 RecordedLog open_log(const ReplaySession& session) {
+  check_log(session);
   return is_bag(session.log) ? open_bag(session) : open_carmen(session);
 }
 

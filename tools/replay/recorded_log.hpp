@@ -28,6 +28,10 @@ struct RecordedLog {
   std::vector<std::string> warnings;
 };
 
+/// Checks what can be known before files are read. Throws std::invalid_argument for settings that
+/// do not go together, std::runtime_error naming a file that is missing.
+void check_log(const ReplaySession& session);
+
 /// Reads the log, and its maps, into memory. Throws std::runtime_error naming the file, or
 /// std::invalid_argument for settings that it cannot have.
 RecordedLog open_log(const ReplaySession& session);

@@ -28,20 +28,8 @@ Map3dOptions options_of(const std::vector<LocalizerSpec>& localizers) {
 }
 
 std::shared_ptr<const Map3d> open_map3d(const ReplaySession& session) {
-  if (!is_map3d_source(session.map3d)) {
-    throw std::invalid_argument("--map3d " + session.map3d +
-                                ": a 3-D map is a .map3d, .bt, .ot, .pcd or .ply file");
-  }
   return std::make_shared<const Map3d>(
       read_map3d_file(session.map3d, options_of(session.localizers)));
-}
-
-[[noreturn]] void refuse_without_map(const ReplaySession& session) {
-  if (is_bag(session.log)) {
-    throw std::runtime_error(session.log +
-                             ": holds no OccupancyGrid; name a map by --map, or --map3d");
-  }
-  throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
 }
 
 void require_none_on_planar_maps(const ReplaySession& session) {
@@ -55,19 +43,30 @@ void require_none_on_planar_maps(const ReplaySession& session) {
 
 }  // namespace
 
-RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own) {
+void check_maps(const ReplaySession& session) {
   if (is_map3d_source(session.map)) {
     throw std::invalid_argument(
         "--map " + session.map +
         ": is a 3-D map; name it by --map3d. --map takes a ROS map (.yaml)");
   }
+  if (!session.map3d.empty() && !is_map3d_source(session.map3d)) {
+    throw std::invalid_argument("--map3d " + session.map3d +
+                                ": a 3-D map is a .map3d, .bt, .ot, .pcd or .ply file");
+  }
+  if (session.map.empty() && session.map3d.empty() && !is_bag(session.log)) {
+    throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
+  }
+}
+
+RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own) {
   RecordedMaps maps;
   if (!session.map.empty()) {
     maps.planar = load_ros_map(session.map);
   } else if (own) {
     maps.planar = *own;
   } else if (session.map3d.empty()) {
-    refuse_without_map(session);
+    throw std::runtime_error(session.log +
+                             ": holds no OccupancyGrid; name a map by --map, or --map3d");
   } else {
     require_none_on_planar_maps(session);
   }

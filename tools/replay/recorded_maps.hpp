@@ -21,6 +21,9 @@ struct RecordedMaps {
   std::shared_ptr<const LevelMaps> levels{};  ///< Of the 3-D map, for pages; null: there is none.
 };
 
+/// Checks which maps the session names, before they are opened. Throws as `open_maps`.
+void check_maps(const ReplaySession& session);
+
 /// Opens the maps that the session names. `own` is the planar map that the log holds; one that the
 /// session names is used in its place. Throws std::runtime_error or std::invalid_argument naming
 /// the file, or the map that is missing.

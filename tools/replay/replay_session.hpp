@@ -31,8 +31,10 @@ namespace castaway::testbed {
 ///     points_topics: [/points]      # PointCloud2; left out: with a 3-D map by type, else none
 ///     imu_topic: /imu               # left out: with a 3-D map the only one, else none
 ///     base_height: 0.1              # [m] of base above the ground; left out: of a bag by its tree
-///     truth_in_map: [1.5, 2, 0.1]   # x, y [m], yaw [rad] of the truth's frame; left out: that of
-///     map seed: 1 localizers: [mh_amcl]         # as in a scenario events:
+///     truth_in_map: [1.5, 2, 0.1]   # x, y [m], yaw [rad] of the truth's frame; left out: map
+///     seed: 1
+///     localizers: [mh_amcl]         # as in a scenario
+///     events:
 ///       - splice: {after_scans: 120, to_scan: 900}
 ///       - localizer: {name: mh_amcl, do: relocalize, at_s: 30}
 ///

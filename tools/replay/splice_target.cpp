@@ -1,5 +1,6 @@
 #include "tools/replay/splice_target.hpp"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -22,6 +23,17 @@ std::vector<const ScanFrame*> scans_of(const Frames& frames) {
   return scans;
 }
 
+/// [m] True height of base; 0 if it is unknown.
+double true_height(const ScanFrame& scan) {
+  return scan.T_footprint_base_true ? scan.T_footprint_base_true->translation().z() : 0.0;
+}
+
+/// [m] Between two true poses that are known, with their heights.
+double distance_between(const ScanFrame& a, const ScanFrame& b) {
+  return std::hypot(distance(*a.T_map_base_true, *b.T_map_base_true),
+                    true_height(a) - true_height(b));
+}
+
 /// The scan of the least cost; an infinite cost excludes it.
 template <typename Cost>
 std::size_t cheapest(const std::vector<const ScanFrame*>& scans, Cost cost, const char* missing) {
@@ -40,15 +52,17 @@ std::size_t cheapest(const std::vector<const ScanFrame*>& scans, Cost cost, cons
 
 }  // namespace
 
-std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base) {
+std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base,
+                         const std::function<bool(double z)>& at_height) {
   const auto scans = scans_of(frames);
   const std::size_t best = cheapest(
       scans,
       [&](const ScanFrame& scan) {
+        if (!at_height(true_height(scan))) return std::numeric_limits<double>::infinity();
         return distance(*scan.T_map_base_true, T_map_base) +
                kPerRadian * yaw_distance(*scan.T_map_base_true, T_map_base);
       },
-      "the log holds no true poses: choose a scan to go on from");
+      "the log holds no true poses there: choose a scan to go on from");
   if (distance(*scans[best]->T_map_base_true, T_map_base) > kFarthestFromLog) {
     throw std::runtime_error(fmt::format("the log was never within {} m of ({:.2f}, {:.2f}) m",
                                          kFarthestFromLog, T_map_base.x, T_map_base.y));
@@ -58,12 +72,12 @@ std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base) {
 
 std::size_t far_scan(const Frames& frames, std::size_t from, double min_distance_m) {
   const auto scans = scans_of(frames);
-  const auto& T_map_from = scans.at(from)->T_map_base_true;
+  const ScanFrame& here = *scans.at(from);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::size_t to = (from + scans.size() / 2 + i) % scans.size();
-    const auto& T_map_to = scans[to]->T_map_base_true;
-    if (!T_map_from && to != from) return to;
-    if (T_map_from && T_map_to && distance(*T_map_from, *T_map_to) >= min_distance_m) return to;
+    if (!here.T_map_base_true && to != from) return to;
+    const bool known = here.T_map_base_true && scans[to]->T_map_base_true;
+    if (known && distance_between(here, *scans[to]) >= min_distance_m) return to;
   }
   throw std::runtime_error(
       fmt::format("no scan of the log is {} m away from this one", min_distance_m));
@@ -76,8 +90,7 @@ std::size_t look_alike_scan(const Frames& frames, std::size_t from, double min_d
       scans,
       [&](const ScanFrame& scan) {
         const bool elsewhere =
-            here.T_map_base_true &&
-            distance(*scan.T_map_base_true, *here.T_map_base_true) >= min_distance_m;
+            here.T_map_base_true && distance_between(here, scan) >= min_distance_m;
         return elsewhere ? range_difference(here.scan, scan.scan, 0.0)
                          : std::numeric_limits<double>::infinity();
       },

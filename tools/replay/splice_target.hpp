@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 
 /// Index of the scan whose true pose is nearest to a pose, a radian counting as much as half a
-/// metre. Throws std::runtime_error if none is within 2 m of it, or if the log holds no true poses.
-std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base);
+/// metre. `at_height`: says whether a scan at the true height z [m], 0 if it is unknown, counts.
+/// Throws std::runtime_error if none is within 2 m of it, or if the log holds no true poses.
+std::size_t nearest_scan(
+    const Frames& frames, const SE2& T_map_base,
+    const std::function<bool(double z)>& at_height = [](double) { return true; });
 
 /// Index of the scan half a log from scan `from`, or of the next one that is at least
 /// `min_distance_m` from it, where true poses are known. Throws std::runtime_error if there is

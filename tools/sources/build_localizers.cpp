@@ -51,9 +51,8 @@ struct Maker {
   NamedLocalizer operator()(const localization::MhAmcl3dConfig& c) const {
     if (!site.place.volume) {
       throw std::runtime_error(
-          "works on a 3-D map, and there is none: `castaway replay` takes one by --map3d; "
-          "`castaway "
-          "run` and `castaway live` survey the world that they simulate");
+          "works on a 3-D map, and there is none: `castaway replay` takes one by --map3d, and so "
+          "does `castaway live` for a log; simulated worlds are surveyed");
     }
     auto models =
         std::make_shared<const localization::MhAmclModels>(c.mh_amcl, site.place.volume(c.voxel));

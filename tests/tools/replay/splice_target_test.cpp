@@ -46,6 +46,19 @@ TEST(SpliceTarget, HeedsTheHeading) {
   EXPECT_EQ(nearest_scan(frames, {21.5, 0.0, 0.0}), 15U);
 }
 
+TEST(SpliceTarget, IsOnTheFloorThatIsChosen) {
+  Frames frames = straight_log(30);
+  for (const std::size_t scan : {12U, 25U}) {
+    std::get<ScanFrame>(frames[3 * scan + 1].data).T_footprint_base_true =
+        Eigen::Translation3d(0.0, 0.0, 3.0) * Eigen::Isometry3d::Identity();
+  }
+  const SE2 place{21.24, 0.3, 0.0};
+  EXPECT_EQ(nearest_scan(frames, place, [](double z) { return z > 2.0; }), 12U);
+  EXPECT_EQ(nearest_scan(frames, place, [](double z) { return z < 2.0; }), 13U);
+  EXPECT_THROW(nearest_scan(frames, place, [](double z) { return z > 5.0; }), std::runtime_error);
+  EXPECT_EQ(far_scan(frames, 12, 2.9), 27U);  // So far away by its height only.
+}
+
 TEST(SpliceTarget, IsFarAwayInTheLogAndInTheBuilding) {
   EXPECT_EQ(far_scan(straight_log(40), 5, 1.0), 25U);
   EXPECT_EQ(far_scan(straight_log(40), 30, 1.0), 10U);
