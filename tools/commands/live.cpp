@@ -84,7 +84,7 @@ void require_no_recording_option(const LiveArguments& arguments, const std::stri
 
 /// What a log is named by, and what a simulated run has in its place.
 std::string why_no_log(const LiveArguments& arguments) {
-  const std::string why = " is of a log: name one (.log, .log.gz, .mcap, a bag's folder)";
+  std::string why = " is of a log: name one (.log, .log.gz, .mcap, a bag's folder)";
   if (arguments.recording.first_given() != "--map3d") return why;
   return why + "; of a simulated world, --localizer mh_amcl:3d makes its own";
 }

@@ -1,7 +1,7 @@
 /// Truth of a log that is recorded in another frame than its map's.
 #pragma once
 
-#include "tools/run/sensor_source.hpp"
+#include "tools/sources/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 
