@@ -120,7 +120,7 @@ TEST(Ros2Wire, GarbageOnThePortsHarmsNothing) {
       castaway(folder, kRos2Run + node_in(121, "--set localizers.1.ros2.pace=3") + "--duration 20");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_GT(answers_in(folder).at("answered"), 150) << node.received().dump();
+  EXPECT_GT(answers_in(folder).at("answered"), 100) << node.received().dump();  // Of 200.
 }
 
 TEST(Ros2Wire, TwoRunsInOneDomainDoNotMix) {
