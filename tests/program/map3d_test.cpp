@@ -1,8 +1,9 @@
 // 3-D maps, held against octomap's own tools.
-#include <gtest/gtest.h>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/program/program.hpp"
 

@@ -60,8 +60,8 @@ void add_recording_options(Command& command, RecordingArguments& arguments) {
           "the lidar [m] (default, in bags: above base_footprint)")
       .range(-10.0, 10.0);
   command.add_option("--truth-in-map", arguments.truth_in_map,
-                     "X,Y,YAW [m, rad] in the map of the frame in which the true poses are "
-                     "(default: that of the map)");
+                     "X,Y,YAW [m, rad]: pose in the map of the frame of the true poses "
+                     "(default: the map's own frame)");
 }
 
 void put_maps(const RecordingArguments& arguments, YamlNode& session) {
