@@ -18,6 +18,16 @@ bool is_ground(const ElevationMap& ground, const Eigen::Vector3d& p_map) {
          std::abs(static_cast<double>(surface->z) - p_map.z()) <= kGroundDepth;
 }
 
+/// The lowest drivable ground above a point: nothing below it is seen from it. Null: none is above.
+const GroundSurface* ground_above(const ElevationMap& ground, const Eigen::Vector3d& p_map) {
+  const Eigen::Vector2d p_grid =
+      ground.frame.T_map_grid.inverse() * Eigen::Vector2d(p_map.head<2>());
+  for (const GroundSurface& surface : ground.at(ground.frame.cell_of(p_grid))) {
+    if (surface.drivable && static_cast<double>(surface.z) > p_map.z()) return &surface;
+  }
+  return nullptr;
+}
+
 /// The cells around a position along one axis, with the squared distances to them. [m^2]
 struct NearCells {
   NearCells(double position, double edge, double reach, int cells) {
@@ -69,12 +79,13 @@ class Spreader {
         reach_(kSpreadSigmas * sigma),
         bytes_(grid_.size(), 0) {}
 
-  /// `p`: in the frame of the grid, from the lower edge of the lowest plane. [m]
-  void add(const Eigen::Vector3d& p) {
+  /// `p`: in the frame of the grid, from the lower edge of the lowest plane. [m] Planes from
+  /// `end_plane` on do not see it.
+  void add(const Eigen::Vector3d& p, int end_plane) {
     const NearCells columns(p.x(), stack_.plane.resolution, reach_, stack_.plane.width);
     const NearCells rows(p.y(), stack_.plane.resolution, reach_, stack_.plane.height);
     const NearCells planes(p.z(), stack_.height, reach_, stack_.planes);
-    for (int plane = planes.first; plane <= planes.last; ++plane) {
+    for (int plane = planes.first; plane <= std::min(planes.last, end_plane - 1); ++plane) {
       for (int row = rows.first; row <= rows.last; ++row) {
         raise(plane, row, planes.square(plane) + rows.square(row), columns);
       }
@@ -109,7 +120,10 @@ std::vector<std::uint8_t> stack_obstacles(const VoxelMap& voxels, const Elevatio
     const Eigen::Vector3d p_map = voxels.point(i);
     if (is_ground(ground, p_map)) continue;
     const Eigen::Vector2d p_grid = T_grid_map * Eigen::Vector2d(p_map.head<2>());
-    spreader.add({p_grid.x(), p_grid.y(), p_map.z() - stack.first_z});
+    const GroundSurface* above = ground_above(ground, p_map);
+    const int end_plane =
+        above != nullptr ? stack.plane_of(static_cast<double>(above->z)) : stack.planes;
+    spreader.add({p_grid.x(), p_grid.y(), p_map.z() - stack.first_z}, end_plane);
   }
   return spreader.take();
 }
