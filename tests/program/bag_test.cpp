@@ -65,6 +65,26 @@ TEST(Bag, OfAnUpsideDownAndATurnedLidarIsReplayedToTheByte) {
   expect_same_file(folder, "amcl.tum");
 }
 
+TEST(Bag, IsReplayedWithLocalizersOfAFile) {
+  const fs::path folder = fresh_folder();
+  simulate(folder, " --set outputs.bag=true");
+  std::ofstream(folder / "tuned.yaml")
+      << "localizers:\n  - mh_amcl: {name: careful, stays: 0.99}\n  - amcl\n";
+  std::ofstream(folder / "none.yaml") << "localizer: [amcl]\n";
+  const std::string replay = "replay run --scans 40" + kNoPictures;
+  const Outcome outcome = castaway(folder, replay + " --localizer tuned.yaml --out tuned");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string careful = text_of(folder / "tuned/careful.tum");
+  EXPECT_GT(careful.size(), 1000U);
+  EXPECT_TRUE(fs::exists(folder / "tuned/amcl.tum"));
+  const Outcome repeated =
+      castaway(folder, "replay tuned/scenario.yaml --out repeated" + kNoPictures);
+  ASSERT_EQ(repeated.exit_code, 0) << repeated.err;
+  EXPECT_EQ(text_of(folder / "repeated/careful.tum"), careful);
+  expect_refused(castaway(folder, replay + " --localizer none.yaml --out no"),
+                 {"none.yaml", "lists no localizer"});
+}
+
 TEST(Bag, IsSplicedAndItsSessionRepeatsThat) {
   const fs::path folder = fresh_folder();
   simulate(folder, " --set outputs.bag=true --set events=[]");

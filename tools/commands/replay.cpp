@@ -83,7 +83,12 @@ YamlNode localizers_node(const std::vector<std::string>& texts) {
     if (names_a_file(text)) {
       YamlDocument document = YamlDocument::load(text);
       YamlReader root = document.root();
-      more = root.child("localizers").copy();
+      const auto listed = root.find("localizers");
+      if (!listed || listed->items().empty()) {
+        throw std::runtime_error(text + ": lists no localizer; name at least one");
+      }
+      more = listed->raw();
+      document.reject_unknown_keys();
     } else {
       YamlNode root;
       apply_override(root, "localizers=[" + localizer_yaml(text) + "]");
