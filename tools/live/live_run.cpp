@@ -54,7 +54,7 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
   localizers_ = build_localizers(scenario.localizers,
                                  {.map = prepared.map,
                                   .lidars = lidars_of(prepared.config.lidars),
-                                  .volume = volume_of(prepared.config.world, prepared.survey)},
+                                  .volume = volume_of(prepared.config, prepared.survey)},
                                  scenario.seed);
   source_ = build_source(scenario, std::move(prepared.config));
   const LoopConfig start_config =

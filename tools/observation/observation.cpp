@@ -128,7 +128,7 @@ Observation observe(const Scenario& scenario, const std::filesystem::path& base,
   seen.T_base_laser = prepared.config.lidars.front().T_base_laser;
   seen.warnings = prepared.warnings;
   if (prepared.config.levels || is_3d(scenario)) {
-    seen.volume = volume_of(prepared.config.world, prepared.survey)(config.voxel);
+    seen.volume = volume_of(prepared.config, prepared.survey)(config.voxel);
   } else {
     seen.planar = cost_map(prepared.map, config.mh_amcl);
   }

@@ -163,7 +163,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   if (std::ranges::any_of(scenario.localizers, is_node)) {
     place.robot = robot_facts(scenario.robot, options.base, prepared.config.robot);
   }
-  place.volume = volume_of(prepared.config.world, prepared.survey);
+  place.volume = volume_of(prepared.config, prepared.survey);
   run.localizers = build_localizers(scenario.localizers, place, scenario.seed, options.models);
   std::optional<BridgeConfig> bridge;
   if (options.bridge) bridge = bridge_of(options, scenario, prepared);
