@@ -16,6 +16,7 @@ void require_probability(double value, const char* name) {
 MhAmclConfig config_on_3d_maps() {
   MhAmclConfig config;
   config.posterior.null.left_out_as_listed = true;
+  config.create.quick_candidates = 40;
   config.tracking.sigma = 0.035;
   config.motion.trans_per_rad = 0.1;
   return config;

@@ -73,8 +73,8 @@ struct MhAmclConfig {
 };
 
 /// Settings of MH-AMCL on a 3-D map that differ from those on planar maps: floors that look alike
-/// cut the list of every search; distances are exact, not rounded to cells; and robots for rough
-/// ground slide sideways whenever they turn.
+/// cut the list of every search, even a longer one; distances are exact, not rounded to cells; and
+/// robots for rough ground slide sideways whenever they turn.
 MhAmclConfig config_on_3d_maps();
 
 /// MH-AMCL on a 3-D map.
