@@ -27,13 +27,13 @@ using localization::Volume;
 
 constexpr double kSettle = 1.0;  // [s] A robot that was put down stands still.
 
-/// The settings of the first `mh_amcl` of a scenario, or the defaults.
-MhAmcl3dConfig localizer_of(const Scenario& scenario) {
+/// The settings of the first `mh_amcl` of a scenario, or the defaults on its kind of map.
+MhAmcl3dConfig localizer_of(const Scenario& scenario, bool on_3d_map) {
   for (const LocalizerSpec& spec : scenario.localizers) {
     if (const auto* planar = std::get_if<MhAmclConfig>(&spec.config)) return {*planar};
     if (const auto* volume = std::get_if<MhAmcl3dConfig>(&spec.config)) return *volume;
   }
-  return {};
+  return on_3d_map ? MhAmcl3dConfig{} : MhAmcl3dConfig{MhAmclConfig{}};
 }
 
 /// True if the first `mh_amcl` works on a 3-D map.
@@ -120,14 +120,15 @@ void judge_in_space(const SeenScan& seen, double height, Observation& observatio
 
 Observation observe(const Scenario& scenario, const std::filesystem::path& base, double time_s) {
   PreparedSimulation prepared = build_simulation(scenario, base);
-  const MhAmcl3dConfig config = localizer_of(scenario);
+  const bool on_3d_map = prepared.config.levels || is_3d(scenario);
+  const MhAmcl3dConfig config = localizer_of(scenario, on_3d_map);
   Observation seen;
   seen.model = config.mh_amcl.tracking;
   seen.robot = robot_items(prepared.config.robot, prepared.config.lidars);
   seen.robot_size = 2.0 * prepared.config.robot.footprint_radius;
   seen.T_base_laser = prepared.config.lidars.front().T_base_laser;
   seen.warnings = prepared.warnings;
-  if (prepared.config.levels || is_3d(scenario)) {
+  if (on_3d_map) {
     seen.volume = volume_of(prepared.config, prepared.survey)(config.voxel);
   } else {
     seen.planar = cost_map(prepared.map, config.mh_amcl);
