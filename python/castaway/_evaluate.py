@@ -30,12 +30,14 @@ def evaluate(
     kidnap_to: str = "far",
     tracking: bool = True,
     seed: int = 1,
+    map3d: str | os.PathLike[str] = "",
 ) -> list[dict[str, Any]]:
     """Evaluates localizers on recorded logs with their maps, as `castaway evaluate --json` does.
 
     Returns a dictionary for each log and localizer, logs first. Each trial begins with `setup` and
     `initialize`; give the class of a localizer of Python instead of an object if it does not
-    restart there.
+    restart there. `map3d`: the 3-D map of the logs, for `mh_amcl:3d`; by default the only one in
+    each folder.
     """
     if isinstance(folders, (str, os.PathLike)):
         folders = [folders]
@@ -45,6 +47,6 @@ def evaluate(
     specs = [_spec(localizer) for localizer in localizers]
     rows = []
     for folder in folders:
-        place = _castaway.RecordedPlace(os.fspath(folder))
+        place = _castaway.RecordedPlace(os.fspath(folder), specs, os.fspath(map3d))
         rows += [json.loads(_castaway.evaluate(place, spec, config)) for spec in specs]
     return rows

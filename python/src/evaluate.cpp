@@ -28,9 +28,12 @@ testbed::LocalizerSpec python_spec(const std::string& name, const py::object& lo
   return {name, python_config(localizer)};
 }
 
-RecordedPlace load_place(const std::string& folder) {
+RecordedPlace load_place(const std::string& folder,
+                         const std::vector<testbed::LocalizerSpec>& localizers,
+                         const std::string& map3d) {
+  const testbed::PlaceMaps maps = testbed::maps_for(localizers, {map3d, {}});
   const py::gil_scoped_release no_gil;
-  return testbed::load_recorded_place(folder);
+  return testbed::load_recorded_place(folder, maps);
 }
 
 void bind_config(py::module_& module) {
@@ -57,7 +60,7 @@ void bind_evaluate(py::module_& module) {
       .def(py::init(&python_spec), py::arg("name"), py::arg("localizer"))
       .def_readonly("name", &testbed::LocalizerSpec::name);
   py::class_<RecordedPlace>(module, "RecordedPlace", "A log with its map.")
-      .def(py::init(&load_place), py::arg("folder"));
+      .def(py::init(&load_place), py::arg("folder"), py::arg("localizers"), py::arg("map3d"));
   module.def("evaluate", &evaluate, py::arg("place"), py::arg("localizer"), py::arg("config"),
              "All trials of one localizer on one log, as a JSON object.");
 }

@@ -187,6 +187,50 @@ TEST(Map3d, ACarmenLogIsReplayedAtTheHeightThatIsStated) {
   EXPECT_GT(error("--base-height 0.13 --truth-in-map 1,0,0"), 0.9);
 }
 
+TEST(Map3d, ARecordingOverFloorsIsEvaluatedOnIt) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "mezzanine/kidnaps --duration 60 --set outputs.bag=true");
+  ASSERT_EQ(castaway(folder, "map mezzanine --out run/mezzanine.map3d").exit_code, 0);
+  const std::string command =
+      "evaluate run --starts 2 --kidnaps 2 --window 8 --kidnap-to near --json --localizer ";
+  const Outcome outcome = castaway(folder, command + "mh_amcl:3d");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json row = Json::parse(outcome.out).at(0);
+  EXPECT_GE(row.at("/starts/recovered"_json_pointer), 2);
+  EXPECT_GE(row.at("/kidnaps/recovered"_json_pointer), 2);
+  EXPECT_LT(row.at("tracking_m"), 0.03);
+  fs::copy(folder / "run/mezzanine.map3d", folder / "run/another.map3d");
+  expect_refused(castaway(folder, command + "mh_amcl:3d"), {"several 3-D maps", "--map3d"});
+  const std::string named = command + "mh_amcl:3d --map3d run/another.map3d";
+  const Outcome again = castaway(folder, named + " -j 2");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(Json::parse(again.out).at(0).at("calibration"), row.at("calibration"));
+  expect_refused(castaway(folder, named + " --add-boxes 0.1"), {"mh_amcl-3d", "planar maps only"});
+  expect_refused(castaway(folder, command + "mh_amcl --map3d run/another.map3d"),
+                 {"none of the localizers"});
+  expect_refused(castaway(folder, command + "mh_amcl:3d --map3d gone.map3d"), {"gone.map3d"});
+  expect_refused(castaway(folder, command + "mh_amcl:3d --map3d run/scenario.yaml"),
+                 {"scenario.yaml", ".map3d"});
+}
+
+TEST(Map3d, ACarmenLogIsEvaluatedAtTheHeightThatIsStated) {
+  const fs::path folder = fresh_folder();
+  localizers_of(folder, "lab/kidnap --duration 15 --set outputs.carmen=true");
+  ASSERT_EQ(castaway(folder, "map lab --out run/lab.map3d").exit_code, 0);
+  const std::string command =
+      "evaluate run --starts 1 --kidnaps 0 --window 5 --json --localizer mh_amcl:3d";
+  expect_refused(castaway(folder, command), {"how high", "--base-height"});
+  const auto error = [&](const std::string& more) {
+    const Outcome outcome = castaway(folder, command + " --base-height 0.13" + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out).at(0).at("tracking_m").get<double>();
+  };
+  EXPECT_LT(error(""), 0.03);
+  EXPECT_GT(error(" --truth-in-map 1,0,0"), 0.9);
+  expect_refused(castaway(folder, command + " --base-height 0.13 --truth-in-map 1,0"),
+                 {"--truth-in-map"});
+}
+
 TEST(Map3d, AReplayNamesTheMapThatIsMissingOrInVain) {
   const fs::path folder = fresh_folder();
   put_world(folder);

@@ -15,6 +15,7 @@
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -23,6 +24,8 @@ namespace {
 struct EvaluateArguments {
   std::vector<std::string> folders;
   LocalizerArguments localizers;
+  Map3dOfPlace map3d;
+  std::string truth_in_map;
   EvaluationConfig config;
   std::string kidnap_to = "far";
   bool json = false;
@@ -77,14 +80,23 @@ void print_row(const EvaluationRow& row) {
               fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms(), row.cpu_max_ms)});
 }
 
+/// A pose of the text X,Y,YAW.
+SE2 pose_of(const std::string& text) {
+  YamlDocument document = YamlDocument::parse("truth_in_map: [" + text + "]", "--truth-in-map");
+  const auto pose = document.root().require<Eigen::Vector3d>("truth_in_map");
+  return {pose.x(), pose.y(), pose.z()};
+}
+
 int evaluate_logs(EvaluateArguments arguments) {
   const std::vector<LocalizerSpec> specs = arguments.localizers.specs({"mh_amcl"});
   arguments.config.kidnap_to = parse_splice_kind(arguments.kidnap_to);
   validate(arguments.config);
+  PlaceMaps maps = maps_for(specs, arguments.map3d);
+  if (!arguments.truth_in_map.empty()) maps.T_map_truth = pose_of(arguments.truth_in_map);
   auto rows = nlohmann::ordered_json::array();
   if (!arguments.json) print_evaluation_header();
   for (const std::string& folder : arguments.folders) {
-    const RecordedPlace place = load_recorded_place(folder);
+    const RecordedPlace place = load_recorded_place(folder, maps);
     for (const LocalizerSpec& spec : specs) {
       const EvaluationConfig& config = arguments.config;
       TrialCount count(config.starts + config.kidnaps + (config.tracking ? 1 : 0));
@@ -106,6 +118,17 @@ void add_evaluate_command(Command& app) {
       "evaluate",
       "Evaluate localizers on recorded logs: unknown starts, spliced kidnaps, tracking");
   add_log_arguments(command, a->folders, a->localizers);
+  command.add_option("--map3d", a->map3d.file,
+                     "3-D map (.map3d, .bt, .ot, .pcd, .ply) of the logs, for mh_amcl:3d (default: "
+                     "the only one in each folder)");
+  command
+      .add_option("--base-height", a->map3d.base_height,
+                  "On 3-D maps: height of the odometry's frame above the ground, in CARMEN logs "
+                  "that of the lidar [m] (default, in bags: above base_footprint)")
+      .range(-10.0, 10.0);
+  command.add_option("--truth-in-map", a->truth_in_map,
+                     "X,Y,YAW [m, rad]: pose in the map of the frame of the true poses "
+                     "(default: the map's own frame)");
   add_trial_options(command, config);
   command
       .add_option("--kidnap-to", a->kidnap_to,

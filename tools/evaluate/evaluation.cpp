@@ -10,6 +10,7 @@
 #include "tools/evaluate/rows_sink.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/sources/build_localizers.hpp"
 #include "tools/sources/map_conversion.hpp"
 #include "tools/trials/packed_values.hpp"
@@ -21,9 +22,11 @@ namespace {
 
 constexpr std::size_t kTail = 40;  // No trial begins within this many scans of the log's end.
 
-std::optional<localization::PoseWithCovariance> with_covariance(const std::optional<SE2>& pose) {
+std::optional<localization::PoseWithCovariance> start_of(const RecordedSource& source) {
+  const std::optional<SE2> pose = source.start_pose();
   if (!pose) return std::nullopt;
-  return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal()};
+  return localization::PoseWithCovariance{*pose, Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal(),
+                                          source.start_height()};
 }
 
 /// Calls a function at every scan.
@@ -51,14 +54,32 @@ LocalizerPlace damaged_place(const RecordedPlace& place, const EvaluationConfig&
   localization::Rng rng = localization::substream(config.seed, "damage/" + place.name);
   LocalizerPlace damaged{damage_map(place.map, config.stress, rng), {}, lidars_of(place.frames)};
   if (damaged.map.cells == place.map.cells) damaged.map_file = place.map_file;
+  damaged.volume = place.volume;
   return damaged;
+}
+
+/// The localizer, if the place has its map and the stress does not change another one.
+LocalizerSpec checked(const LocalizerSpec& spec, const RecordedPlace& place,
+                      const StressConfig& stress) {
+  const std::string who = place.name + ": localizer '" + spec.name + "' works on a ";
+  if (is_on_map3d(spec)) {
+    if (!place.volume) throw std::invalid_argument(who + "3-D map, and there is none");
+    if (stress.erased_share > 0.0 || stress.boxes_per_m2 > 0.0) {
+      throw std::invalid_argument(
+          who + "3-D map, and the stress (--erase-walls, --add-boxes) is of planar maps only");
+    }
+  } else if (place.map.cells.empty()) {
+    throw std::invalid_argument(who + "planar map, and there is none");
+  }
+  return spec;
 }
 
 /// Runs trials of one localizer on one place.
 class Evaluator {
  public:
   Evaluator(const RecordedPlace& place, const LocalizerSpec& spec, const EvaluationConfig& config)
-      : config_(config), localizers_({spec}, damaged_place(place, config)) {}
+      : config_(config),
+        localizers_({checked(spec, place, config.stress)}, damaged_place(place, config)) {}
 
   RowsOfRun run(const Trial& trial) const {
     localization::Rng rng =
@@ -66,7 +87,7 @@ class Evaluator {
     RecordedSource source(apply_stress(trial.frames, config_.stress, rng));
     std::vector<NamedLocalizer> localizers = localizers_.build(trial.seed);
     LoopConfig loop;
-    if (trial.known_start) loop.start = with_covariance(source.start_pose());
+    if (trial.known_start) loop.start = start_of(source);
     RowsOfRun rows;
     std::vector<std::unique_ptr<RunSink>> sinks;
     sinks.push_back(std::make_unique<RowsSink>(rows));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/evaluate/evaluation_row.hpp"
+#include "tools/evaluate/recorded_place.hpp"
 #include "tools/evaluate/spliced_kidnap.hpp"
 #include "tools/evaluate/stress.hpp"
 #include "tools/scenario/sections/scenario.hpp"
@@ -33,30 +34,12 @@ struct EvaluationConfig {
 /// Throws std::invalid_argument if a value is out of range.
 void validate(const EvaluationConfig& config);
 
-/// A log with its map.
-struct RecordedPlace {
-  std::string name;
-  Frames frames;
-  RosMap map;
-  std::string map_file = {};  ///< Its YAML file; empty: the map is the bag's.
-};
-
-/// Reads a log and its map from a folder. The log is the first by name of `log`, `*.log`,
-/// `*.carmen` and `*.clf` (each also with `.gz`), or else a bag (`*.mcap`, `bag/`). The map is
-/// `map.yaml`, `map/map.yaml`, else the only .yaml file, else the bag's map. castaway's own run
-/// folders with `outputs.carmen` or `outputs.bag` qualify. Throws std::runtime_error naming what is
-/// missing.
-RecordedPlace load_recorded_place(const std::string& folder);
-
-/// Reads a CARMEN log or a bag, and a ROS map by its YAML file; without one, the map of a bag.
-/// Throws std::runtime_error naming what is missing.
-RecordedPlace load_recorded_log(const std::string& log, const std::string& map);
-
 /// Runs all trials of one localizer on several recordings of a place, in place of its own frames.
 /// Returns for each recording the starts, the kidnaps, then tracking, a row each. Trials begin at
 /// evenly spaced scans; kidnaps lead to these scans. `on_trial` is called after each trial. The
 /// results, except for CPU times, do not depend on the number of workers. Throws std::runtime_error
-/// if a worker fails.
+/// if a worker fails, std::invalid_argument if the place has no map for the localizer, or the
+/// stress changes a map that the localizer does not use.
 std::vector<std::vector<EvaluationRow>> evaluate_trials(
     const RecordedPlace& place, const std::vector<const Frames*>& recordings,
     const LocalizerSpec& localizer, const EvaluationConfig& config,

@@ -1,15 +1,19 @@
-// Finds a log and its map in a folder.
+#include "tools/evaluate/recorded_place.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 
-#include "tools/evaluate/evaluation.hpp"
+#include "tools/map3d/file_volume.hpp"
+#include "tools/map3d/map3d_files.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
+#include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
 #include "tools/sources/carmen_source.hpp"
+#include "tools/sources/recorded/truth_frame.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -60,19 +64,41 @@ std::optional<fs::path> bag_in(const fs::path& folder, const std::vector<fs::pat
       ": no map; put a ROS map there as map.yaml (castaway run --set outputs.map=true leaves one)");
 }
 
-void take_log(const fs::path& log, RecordedPlace& place) {
-  CarmenSource source(log);
+void take_log(const fs::path& log, const PlaceMaps& maps, RecordedPlace& place) {
+  CarmenSourceConfig config;
+  if (maps.map3d) config.lidar_height = stated_lidar_height(maps.map3d->base_height);
+  CarmenSource source(log, config);
   while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
 }
 
 /// Reads the bag. Its map is used only if there is no other.
-void take_bag(const fs::path& path, bool has_map, RecordedPlace& place) {
+void take_bag(const fs::path& path, const PlaceMaps& maps, RecordedPlace& place) {
   const BagInventory bag = take_inventory(path, bag_files(path));
-  BagRecording recording = read_bag(bag, choose_topics(bag, {}));
+  BagTopicOptions topics;
+  topics.in_space = maps.map3d.has_value();
+  const BagGround ground{topics.in_space, maps.map3d ? maps.map3d->base_height : std::nullopt};
+  BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground);
   place.frames = std::move(recording.frames);
-  if (has_map) return;
-  if (!recording.map) refuse_without_map(path);
-  place.map = std::move(*recording.map);
+  if (place.map.cells.empty() && recording.map) place.map = std::move(*recording.map);
+}
+
+/// The only file of a 3-D map in the folder.
+fs::path map3d_in(const fs::path& folder, const std::vector<fs::path>& files) {
+  std::vector<fs::path> maps;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(maps), is_map3d_source);
+  if (maps.size() == 1) return maps.front();
+  if (maps.empty()) {
+    throw std::runtime_error(folder.string() +
+                             ": no 3-D map; put a .map3d, .bt, .ot, .pcd or .ply file there, or "
+                             "name one by --map3d (castaway map WORLD --out map.map3d makes one)");
+  }
+  throw std::runtime_error(folder.string() + ": several 3-D maps (" + maps[0].filename().string() +
+                           ", " + maps[1].filename().string() + "); name one by --map3d");
+}
+
+void take_map3d(const fs::path& file, RecordedPlace& place) {
+  auto map = std::make_shared<const Map3d>(read_map3d_file(file, {}));
+  place.volume = volume_of(file, std::move(map));
 }
 
 std::string last_part(const fs::path& folder) {
@@ -81,7 +107,21 @@ std::string last_part(const fs::path& folder) {
 
 }  // namespace
 
-RecordedPlace load_recorded_place(const std::string& folder) {
+PlaceMaps maps_for(const std::vector<LocalizerSpec>& localizers, const Map3dOfPlace& map3d) {
+  if (!map3d.file.empty()) require_map3d_source(map3d.file);
+  const auto in_3d = std::ranges::count_if(localizers, is_on_map3d);
+  PlaceMaps maps;
+  maps.planar = in_3d < std::ssize(localizers);
+  if (in_3d > 0) maps.map3d = map3d;
+  if (in_3d == 0 && (!map3d.file.empty() || map3d.base_height)) {
+    throw std::invalid_argument(
+        "--map3d and --base-height are for mh_amcl in mode 3d, and none of the localizers is: add "
+        "mh_amcl:3d, or leave them out");
+  }
+  return maps;
+}
+
+RecordedPlace load_recorded_place(const std::string& folder, const PlaceMaps& maps) {
   if (fs::exists(fs::path(folder) / "summary.json")) {
     if (const auto reason = void_sentence_of(folder)) {
       throw std::runtime_error(folder + ": its run is void: " + *reason);
@@ -97,15 +137,21 @@ RecordedPlace load_recorded_place(const std::string& folder) {
         "(castaway run --set outputs.carmen=true leaves one)");
   }
   RecordedPlace place;
-  const std::optional<fs::path> map = map_in(folder, files);
+  const std::optional<fs::path> map = maps.planar ? map_in(folder, files) : std::nullopt;
   if (map) place.map = load_ros_map(*map);
   if (map) place.map_file = map->string();
-  if (!map && log != files.end()) refuse_without_map(folder);
-  if (log != files.end()) {
-    take_log(*log, place);
-  } else {
-    take_bag(*bag, map.has_value(), place);
+  if (maps.map3d) {
+    const fs::path file = maps.map3d->file;
+    take_map3d(file.empty() ? map3d_in(folder, files) : file, place);
   }
+  if (maps.planar && !map && log != files.end()) refuse_without_map(folder);
+  if (log != files.end()) {
+    take_log(*log, maps, place);
+  } else {
+    take_bag(*bag, maps, place);
+  }
+  if (maps.planar && place.map.cells.empty()) refuse_without_map(folder);
+  move_truth(place.frames, maps.T_map_truth);
   place.name = last_part(folder);
   return place;
 }
@@ -117,11 +163,12 @@ RecordedPlace load_recorded_log(const std::string& log, const std::string& map) 
   if (!map.empty()) place.map = load_ros_map(map);
   place.map_file = map;
   if (is_bag(log)) {
-    take_bag(log, !map.empty(), place);
+    take_bag(log, {}, place);
+    if (place.map.cells.empty()) refuse_without_map(log);
   } else if (map.empty()) {
     throw std::runtime_error(log + ": a CARMEN log has no map; give one with --map MAP.yaml");
   } else {
-    take_log(log, place);
+    take_log(log, {}, place);
   }
   return place;
 }

@@ -15,7 +15,8 @@ const OdometryFrame& odometry_at(const Frames& frames, std::size_t position) {
 }
 
 const LaserScan& scan_after(const Frames& frames, std::size_t position) {
-  return std::get<ScanFrame>(frames[position + 1].data).scan;
+  while (!std::holds_alternative<ScanFrame>(frames[position].data)) ++position;
+  return std::get<ScanFrame>(frames[position].data).scan;
 }
 
 /// The scan half a log away, so that a kidnap leads far, but early enough to track for `lead`
@@ -25,17 +26,31 @@ std::size_t first_half_a_log_away(std::size_t to, std::size_t scans, std::size_t
   return std::min(half, scans > lead ? scans - lead - 1 : 0);
 }
 
+/// Difference in height. [m] 0 where it is unknown.
+double rise(const OdometryFrame& a, const OdometryFrame& b) {
+  const auto z_a = height_of(a);
+  const auto z_b = height_of(b);
+  return z_a && z_b ? std::abs(*z_a - *z_b) : 0.0;
+}
+
+/// Between two true poses, with their heights. [m]
+double true_distance(const OdometryFrame& a, const OdometryFrame& b) {
+  return std::hypot(distance(*a.T_map_base_true, *b.T_map_base_true), rise(a, b));
+}
+
 /// Cost of a kidnap from one scan to another: the least is chosen.
 double cost(const Frames& frames, std::size_t from, std::size_t to, const SpliceConfig& config) {
   if (config.kind == SpliceKind::kLookAlike) {
     return range_difference(scan_after(frames, from), scan_after(frames, to), config.range_max);
   }
-  return distance(*odometry_at(frames, from).T_map_base_true,
-                  *odometry_at(frames, to).T_map_base_true);
+  return true_distance(odometry_at(frames, from), odometry_at(frames, to));
 }
 
-bool is_elsewhere(const SE2& a, const SE2& b, const SpliceConfig& config) {
-  return distance(a, b) >= config.min_distance_m || yaw_distance(a, b) >= config.min_turn_rad;
+/// False if a true pose is unknown.
+bool is_elsewhere(const OdometryFrame& a, const OdometryFrame& b, const SpliceConfig& config) {
+  if (!a.T_map_base_true || !b.T_map_base_true) return false;
+  return true_distance(a, b) >= config.min_distance_m ||
+         yaw_distance(*a.T_map_base_true, *b.T_map_base_true) >= config.min_turn_rad;
 }
 
 }  // namespace
@@ -78,11 +93,11 @@ Splice choose_splice(const Frames& frames, std::size_t to, const SpliceConfig& c
     return at;
   }
   const std::size_t target = positions.at(to);
-  const auto& T_map_to = odometry_at(frames, target).T_map_base_true;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = std::min(config.lead, scans - 1); i < scans; ++i) {
-    const auto& T_map_from = odometry_at(frames, positions[i]).T_map_base_true;
-    if (!T_map_to || !T_map_from || !is_elsewhere(*T_map_from, *T_map_to, config)) continue;
+    if (!is_elsewhere(odometry_at(frames, positions[i]), odometry_at(frames, target), config)) {
+      continue;
+    }
     const double c = cost(frames, positions[i], target, config);
     if (c >= least) continue;
     least = c;

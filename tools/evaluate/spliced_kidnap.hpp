@@ -19,7 +19,8 @@ inline constexpr const char* kSpliceKinds[] = {"far", "near", "look-alike"};
 /// Throws std::invalid_argument for a text that is not one of `kSpliceKinds`.
 SpliceKind parse_splice_kind(const std::string& text);
 
-/// Parameters of the choice. Another place is at least `min_distance_m` or `min_turn_rad` away.
+/// Parameters of the choice. Another place is at least `min_distance_m`, heights included where
+/// they are known, or `min_turn_rad` away.
 struct SpliceConfig {
   SpliceKind kind = SpliceKind::kFar;
   std::size_t lead = 30;         ///< Scans before the kidnap.

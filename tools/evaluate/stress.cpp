@@ -13,6 +13,21 @@
 namespace castaway::testbed {
 namespace {
 
+void shorten_to(double range, float& r) {
+  if (!(static_cast<double>(r) < range)) r = static_cast<float>(range);
+}
+
+/// Ends the beams of all layers at azimuth `i` at a person `r` [m] away, unless they pass above.
+void meet_in_layers(LaserScan& scan, std::size_t i, double r) {
+  constexpr double kTall = 1.75;  // [m]
+  const double lidar_height = scan.T_base_laser.translation().z();
+  for (localization::ScanLayer& layer : scan.layers) {
+    const double z = lidar_height + r * std::tan(layer.elevation);
+    if (z < 0.0 || z > kTall) continue;
+    shorten_to(r / std::cos(layer.elevation), layer.ranges[i]);
+  }
+}
+
 /// Puts one person into the scan and marks the beams that meet it in `met`.
 void add_person(LaserScan& scan, std::vector<bool>& met, localization::Rng& rng) {
   constexpr double kRadius = 0.25;  // [m]
@@ -27,7 +42,8 @@ void add_person(LaserScan& scan, std::vector<bool>& met, localization::Rng& rng)
     met[i] = true;
     const double r =
         d * std::cos(off) - std::sqrt(kRadius * kRadius - std::pow(d * std::sin(off), 2));
-    if (!(scan.ranges[i] < r)) scan.ranges[i] = static_cast<float>(r);
+    shorten_to(r, scan.ranges[i]);
+    meet_in_layers(scan, i, r);
   }
 }
 
@@ -38,12 +54,17 @@ void block(LaserScan& scan, double share, localization::Rng& rng) {
   while (std::count(met.begin(), met.end(), true) < wanted) add_person(scan, met, rng);
 }
 
-void shorten(LaserScan& scan, double range_max) {
-  for (float& r : scan.ranges) {
+void drop_beyond(double range_max, std::vector<float>& ranges) {
+  for (float& r : ranges) {
     if (std::isfinite(r) && static_cast<double>(r) > range_max) {
       r = std::numeric_limits<float>::infinity();
     }
   }
+}
+
+void shorten(LaserScan& scan, double range_max) {
+  drop_beyond(range_max, scan.ranges);
+  for (localization::ScanLayer& layer : scan.layers) drop_beyond(range_max, layer.ranges);
 }
 
 using Tile = std::pair<int, int>;

@@ -22,7 +22,7 @@ void validate(const StressConfig& config);
 
 /// Applies the config to the frames. People are 0.5 m wide and stand 0.6 to 2.5 m away, at new
 /// places in every scan. They are added until the share of beams is reached. A beam that ends
-/// before a person is unchanged.
+/// before a person is unchanged. Beams of 3-D lidars, which stand upright, pass above 1.75 m.
 Frames apply_stress(const Frames& frames, const StressConfig& config, localization::Rng& rng);
 
 /// Applies the config to the map.

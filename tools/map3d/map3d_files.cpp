@@ -31,6 +31,12 @@ bool is_map3d_source(const std::filesystem::path& file) {
   return is_map3d_target(file) || is_cloud(file);
 }
 
+void require_map3d_source(const std::filesystem::path& file) {
+  if (is_map3d_source(file)) return;
+  throw std::invalid_argument("--map3d " + file.string() +
+                              ": a 3-D map is a .map3d, .bt, .ot, .pcd or .ply file");
+}
+
 Map3d read_map3d_file(const std::filesystem::path& file, const Map3dOptions& options) {
   try {
     return map3d_of(file, options);

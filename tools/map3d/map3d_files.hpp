@@ -11,6 +11,8 @@ namespace castaway::testbed {
 /// True for `.map3d`, `.bt` and `.ot`, which hold 3-D maps, and `.pcd` and `.ply`, of which one can
 /// be made.
 bool is_map3d_source(const std::filesystem::path& file);
+/// Throws std::invalid_argument naming the option --map3d if it is none of these files.
+void require_map3d_source(const std::filesystem::path& file);
 /// True for `.pcd` and `.ply`.
 bool is_cloud(const std::filesystem::path& file);
 /// True for the files that `encode_map3d_file` makes: `.map3d`, `.bt`, `.ot`.

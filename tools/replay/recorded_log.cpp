@@ -49,11 +49,7 @@ void check_settings(const ReplaySession& session) {
   if (bag && session.scans_used != Scans::kAll) {
     throw std::invalid_argument("--use takes CARMEN logs, not bags");
   }
-  if (!bag && !session.map3d.empty() && !session.base_height) {
-    throw std::invalid_argument(
-        "a CARMEN log does not say how high its lidar is mounted, and --map3d needs it: state its "
-        "height above the ground by --base-height");
-  }
+  if (!bag && !session.map3d.empty()) stated_lidar_height(session.base_height);
   if (session.base_height && session.map3d.empty()) {
     throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");
   }

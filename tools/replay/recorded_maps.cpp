@@ -11,6 +11,7 @@
 #include "tools/map3d/map3d_files.hpp"
 #include "tools/scenario/files/bag_folder.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
+#include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -49,10 +50,7 @@ void check_maps(const ReplaySession& session) {
         "--map " + session.map +
         ": is a 3-D map; name it by --map3d. --map takes a ROS map (.yaml)");
   }
-  if (!session.map3d.empty() && !is_map3d_source(session.map3d)) {
-    throw std::invalid_argument("--map3d " + session.map3d +
-                                ": a 3-D map is a .map3d, .bt, .ot, .pcd or .ply file");
-  }
+  if (!session.map3d.empty()) require_map3d_source(session.map3d);
   if (session.map.empty() && session.map3d.empty() && !is_bag(session.log)) {
     throw std::invalid_argument("--map is missing: a CARMEN log holds no map");
   }

@@ -75,10 +75,6 @@ void check_map3d(const YamlReader& root, const ReplaySession& session) {
 
 }  // namespace
 
-bool is_on_map3d(const LocalizerSpec& spec) {
-  return std::holds_alternative<localization::MhAmcl3dConfig>(spec.config);
-}
-
 ReplaySession read_session(YamlDocument document, const ForeignRules& rules) {
   ReplaySession session;
   session.map3d = read_map3d(document);

@@ -56,9 +56,6 @@ struct ReplaySession {
   YamlNode tree;                          ///< All of it, with defaults filled in.
 };
 
-/// True for `mh_amcl` in mode 3d.
-bool is_on_map3d(const LocalizerSpec& spec);
-
 /// Reads a session. Throws std::runtime_error or std::invalid_argument naming file, line and key.
 ReplaySession read_session(YamlDocument document, const ForeignRules& rules = {});
 

@@ -40,6 +40,17 @@ Greeting greeting_of(const Site& site) {
           site.place.lidars, site.place.robot};
 }
 
+std::shared_ptr<const localization::MhAmclModels> models_on_map3d(
+    const localization::MhAmcl3dConfig& config, const LocalizerPlace& place) {
+  if (!place.volume) {
+    throw std::runtime_error(
+        "works on a 3-D map, and there is none: `castaway replay` takes one by --map3d, as do "
+        "`castaway evaluate` and, for a log, `castaway live`; simulated worlds are surveyed");
+  }
+  return std::make_shared<const localization::MhAmclModels>(config.mh_amcl,
+                                                            place.volume(config.voxel));
+}
+
 /// Visitor that builds the localizer of each settings type.
 struct Maker {
   NamedLocalizer operator()(const localization::MhAmclConfig& c) const {
@@ -49,15 +60,10 @@ struct Maker {
                  std::make_unique<localization::MhAmcl>(c, site.grid, site.seed, thread_cpu_time));
   }
   NamedLocalizer operator()(const localization::MhAmcl3dConfig& c) const {
-    if (!site.place.volume) {
-      throw std::runtime_error(
-          "works on a 3-D map, and there is none: `castaway replay` takes one by --map3d, and so "
-          "does `castaway live` for a log; simulated worlds are surveyed");
-    }
-    auto models =
-        std::make_shared<const localization::MhAmclModels>(c.mh_amcl, site.place.volume(c.voxel));
-    return named(site, std::make_unique<localization::MhAmcl>(std::move(models), site.seed,
-                                                              thread_cpu_time));
+    if (site.models)
+      return named(site, std::make_unique<localization::MhAmcl>(site.models, site.seed));
+    return named(site, std::make_unique<localization::MhAmcl>(models_on_map3d(c, site.place),
+                                                              site.seed, thread_cpu_time));
   }
   NamedLocalizer operator()(const localization::PaperMhAmclConfig& c) const {
     return named(site, std::make_unique<localization::PaperMhAmcl>(c, site.grid, site.seed,
@@ -99,12 +105,30 @@ struct Maker {
   const Site& site;
 };
 
-NamedLocalizer build_at(const Site& site) {
+/// Calls `build`, whose errors name the localizer.
+template <typename Build>
+auto naming(const LocalizerSpec& spec, const Build& build) {
   try {
-    return std::visit(Maker{site}, site.spec.config);
+    return build();
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error("localizer '" + site.spec.name + "': " + error.what());
+    throw std::runtime_error("localizer '" + spec.name + "': " + error.what());
   }
+}
+
+NamedLocalizer build_at(const Site& site) {
+  return naming(site.spec, [&] { return std::visit(Maker{site}, site.spec.config); });
+}
+
+/// Null if the localizer is not `mh_amcl` in its default mode or on a 3-D map.
+std::shared_ptr<const localization::MhAmclModels> models_of(
+    const LocalizerSpec& spec, const LocalizerPlace& place,
+    const localization::OccupancyGrid& grid) {
+  if (const auto* config = std::get_if<localization::MhAmclConfig>(&spec.config)) {
+    return std::make_shared<const localization::MhAmclModels>(*config, grid);
+  }
+  const auto* config = std::get_if<localization::MhAmcl3dConfig>(&spec.config);
+  if (config == nullptr) return nullptr;
+  return naming(spec, [&] { return models_on_map3d(*config, place); });
 }
 
 }  // namespace
@@ -138,11 +162,7 @@ std::vector<NamedLocalizer> build_localizers(const std::vector<LocalizerSpec>& s
 
 LocalizerFactory::LocalizerFactory(std::vector<LocalizerSpec> specs, LocalizerPlace place)
     : specs_(std::move(specs)), place_(std::move(place)), grid_(to_occupancy_grid(place_.map)) {
-  for (const LocalizerSpec& spec : specs_) {
-    const auto* config = std::get_if<localization::MhAmclConfig>(&spec.config);
-    models_.push_back(config ? std::make_shared<const localization::MhAmclModels>(*config, grid_)
-                             : nullptr);
-  }
+  for (const LocalizerSpec& spec : specs_) models_.push_back(models_of(spec, place_, grid_));
 }
 
 std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {

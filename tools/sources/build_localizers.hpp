@@ -33,7 +33,8 @@ struct LocalizerPlace {
 /// and shared, by processes forked after the construction, too.
 class LocalizerFactory {
  public:
-  /// Throws std::invalid_argument if the map or a setting of `mh_amcl` is unusable.
+  /// Throws std::invalid_argument if the map or a setting of `mh_amcl` is unusable,
+  /// std::runtime_error if there is no 3-D map and a localizer works on one.
   LocalizerFactory(std::vector<LocalizerSpec> specs, LocalizerPlace place);
 
   /// The localizers of a run, as `build_localizers` builds them.
@@ -43,8 +44,8 @@ class LocalizerFactory {
   std::vector<LocalizerSpec> specs_;
   LocalizerPlace place_;
   localization::OccupancyGrid grid_;
-  /// Of each specification; null if it is not `mh_amcl` in its default mode. Shared with the
-  /// localizers, which may outlive the factory.
+  /// Of each specification; null if it is not `mh_amcl` in its default mode or on a 3-D map. Shared
+  /// with the localizers, which may outlive the factory.
   std::vector<std::shared_ptr<const localization::MhAmclModels>> models_;
 };
 

@@ -9,6 +9,13 @@
 
 namespace castaway::testbed {
 
+double stated_lidar_height(const std::optional<double>& base_height) {
+  if (base_height) return *base_height;
+  throw std::invalid_argument(
+      "a CARMEN log does not say how high its lidar is mounted, and --map3d needs it: state its "
+      "height above the ground by --base-height");
+}
+
 CarmenSource::CarmenSource(const std::filesystem::path& path, const CarmenSourceConfig& config) {
   CarmenLogReader reader(path);
   CarmenFrames frames(config);

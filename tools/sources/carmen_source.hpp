@@ -9,7 +9,6 @@
 /// laser_front_laser_resolution if the number of beams matches it, otherwise in steps of 180 / (n -
 /// 1) deg: 180 beams of 1 deg end at +89 deg. Ranges of at least PARAM robot_front_laser_max
 /// (ROBOTLASER1: its own maximum) are no returns; ranges of 0 are invalid.
-/// returns; ranges of 0 are invalid.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +30,10 @@ struct CarmenSourceConfig {
   double fallback_range_max = 80.0;     ///< [m] Used if the log has no PARAM robot_front_laser_max.
   double lidar_height = 0.0;            ///< [m] Above the ground, which no log states.
 };
+
+/// The height of a log's lidar on a 3-D map [m], which must be stated. Throws
+/// std::invalid_argument.
+double stated_lidar_height(const std::optional<double>& base_height);
 
 /// Plays a log that it holds in memory. Nothing before the first scan is delivered, so `start_pose`
 /// is the pose at the first frame.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/recorded_frames.hpp"
 #include "tests/tools/support/recorded_office.hpp"
 
 namespace castaway::testbed {
@@ -53,6 +54,23 @@ TEST(SplicedKidnap, LeadsFromTheNearestOtherPlace) {
       EXPECT_LE(chosen, distance(truth_at(frames, i), to) + 1e-12) << i;
     }
   }
+}
+
+TEST(SplicedKidnap, AFloorAboveIsAnotherPlace) {
+  const SpliceConfig config{.kind = SpliceKind::kNear, .lead = 2, .min_distance_m = 2.0};
+  const auto at_height = [](double z) {
+    Frames frames = straight_log(12);  // 1.1 m long.
+    for (Frame& frame : frames) {
+      auto* odometry = std::get_if<OdometryFrame>(&frame.data);
+      if (odometry == nullptr) continue;
+      odometry->T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, z));
+    }
+    return frames;
+  };
+  Frames frames = at_height(0.0);
+  EXPECT_THROW(choose_splice(frames, 6, config), std::runtime_error);
+  for (const Frame& frame : at_height(3.0)) frames.push_back(frame);
+  EXPECT_EQ(choose_splice(frames, 6, config).from, 18U);
 }
 
 TEST(SplicedKidnap, LeadsFromTheMostSimilarScanOfAnotherPlace) {

@@ -53,6 +53,44 @@ TEST(Stress, ChangesNothingByDefault) {
   EXPECT_EQ(rng, Rng(1));  // and draws nothing
 }
 
+TEST(Stress, PeopleStandInAllLayersBelowTheirHeads) {
+  Frames frames = frames_with(8.0F);
+  for (Frame& frame : frames) {
+    auto* scan = std::get_if<ScanFrame>(&frame.data);
+    if (scan == nullptr) continue;
+    scan->scan.T_base_laser.translation().z() = 1.0;
+    for (const double elevation : {-0.1, 0.1, 1.3}) {
+      scan->scan.layers.push_back({elevation, std::vector<float>(180, 8.0F)});
+    }
+  }
+  for (const LaserScan& scan : stressed_scans(frames, {.blocked_share = 0.5})) {
+    ASSERT_EQ(scan.layers.size(), 3U);
+    for (std::size_t i = 0; i < 180; ++i) {
+      const double r = scan.ranges[i];
+      const bool met = r < 8.0;
+      const double slant = met ? r / std::cos(0.1) : 8.0;
+      EXPECT_NEAR(scan.layers[0].ranges[i], slant, 1e-5);
+      EXPECT_NEAR(scan.layers[1].ranges[i], slant, 1e-5);
+      // A person is 0.35 m away at least: there, a beam at 1.3 rad is 1.26 m above the lidar.
+      EXPECT_EQ(scan.layers[2].ranges[i], 8.0F);
+    }
+  }
+}
+
+TEST(Stress, ALimitedRangeLimitsAllLayers) {
+  Frames frames = frames_with(5.0F);
+  for (Frame& frame : frames) {
+    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
+      scan->scan.layers = {{0.0, std::vector<float>(180, 5.0F)},
+                           {0.2, std::vector<float>(180, 20.0F)}};
+    }
+  }
+  for (const LaserScan& scan : stressed_scans(frames, {.range_max = 10.0})) {
+    EXPECT_EQ(scan.layers[0].ranges, std::vector<float>(180, 5.0F));
+    EXPECT_EQ(scan.layers[1].ranges, std::vector<float>(180, kInf));
+  }
+}
+
 TEST(Stress, PeopleBlockTheShareAndOnlyShorten) {
   for (const double share : {0.3, 0.5, 0.9}) {
     const auto scans = stressed_scans(frames_with(8.0F), {.blocked_share = share});

@@ -27,6 +27,15 @@ std::size_t event_position(const Frames& frames) {
   return static_cast<std::size_t>(event - frames.begin());
 }
 
+TEST(ScanPositions, AreOfOdometryWhateverComesBetween) {
+  Frames frames;
+  for (const Frame& frame : straight_log(3)) {
+    if (scan_in(frame) != nullptr) frames.push_back({frame.stamp, ImuFrame{}});
+    frames.push_back(frame);
+  }
+  EXPECT_EQ(scan_positions(frames), (std::vector<std::size_t>{0, 4, 8}));
+}
+
 TEST(Stretch, IsTheLogFromAScanOnForATime) {
   const Frames frames = straight_log(10);
   EXPECT_EQ(scan_positions(frames), (std::vector<std::size_t>{0, 3, 6, 9, 12, 15, 18, 21, 24, 27}));

@@ -142,6 +142,10 @@ std::string localizer_yaml(const std::string& text) {
                      text.substr(colon + 1));
 }
 
+bool is_on_map3d(const LocalizerSpec& spec) {
+  return std::holds_alternative<localization::MhAmcl3dConfig>(spec.config);
+}
+
 std::vector<LocalizerSpec> parse_localizers(const std::vector<std::string>& texts,
                                             FilePrograms programs) {
   std::vector<LocalizerSpec> specs;

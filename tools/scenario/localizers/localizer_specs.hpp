@@ -29,6 +29,9 @@ LocalizerSpec parse_localizer(const std::string& text);
 /// std::invalid_argument.
 std::string localizer_yaml(const std::string& text);
 
+/// True for `mh_amcl` in mode 3d.
+bool is_on_map3d(const LocalizerSpec& spec);
+
 /// Parses several localizers; a text that ends with .yaml or .yml is a file with a list
 /// `localizers`, as in a scenario. Throws std::runtime_error (`YamlDocument`) or
 /// std::invalid_argument; two localizers of one name are an error.

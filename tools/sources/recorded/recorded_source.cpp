@@ -16,8 +16,12 @@ std::size_t position_of(const std::vector<std::size_t>& positions, std::size_t s
 
 std::vector<std::size_t> scan_positions(const Frames& frames) {
   std::vector<std::size_t> positions;
-  for (std::size_t i = 1; i < frames.size(); ++i) {
-    if (std::holds_alternative<ScanFrame>(frames[i].data)) positions.push_back(i - 1);
+  std::optional<std::size_t> odometry;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (std::holds_alternative<OdometryFrame>(frames[i].data)) odometry = i;
+    if (odometry && std::holds_alternative<ScanFrame>(frames[i].data)) {
+      positions.push_back(*odometry);
+    }
   }
   return positions;
 }
@@ -30,6 +34,11 @@ Frames stretch(const Frames& frames, std::size_t first, Stamp window) {
     part.push_back(frames[i]);
   }
   return part;
+}
+
+std::optional<double> height_of(const OdometryFrame& frame) {
+  if (!frame.T_footprint_base_true) return std::nullopt;
+  return frame.T_footprint_base_true->translation().z();
 }
 
 Frames first_scans(const Frames& frames, std::size_t count) {
@@ -47,12 +56,22 @@ std::optional<Frame> RecordedSource::next() {
   return frames_[next_++];
 }
 
-std::optional<SE2> RecordedSource::start_pose() const {
+const OdometryFrame* RecordedSource::first_truth() const {
   for (const Frame& frame : frames_) {
     const auto* odometry = std::get_if<OdometryFrame>(&frame.data);
-    if (odometry != nullptr && odometry->T_map_base_true) return odometry->T_map_base_true;
+    if (odometry != nullptr && odometry->T_map_base_true) return odometry;
   }
-  return std::nullopt;
+  return nullptr;
+}
+
+std::optional<SE2> RecordedSource::start_pose() const {
+  const OdometryFrame* first = first_truth();
+  return first != nullptr ? first->T_map_base_true : std::nullopt;
+}
+
+std::optional<double> RecordedSource::start_height() const {
+  const OdometryFrame* first = first_truth();
+  return first != nullptr ? height_of(*first) : std::nullopt;
 }
 
 Stamp RecordedSource::duration() const {

@@ -18,12 +18,6 @@ std::vector<std::size_t> scan_indices(const Frames& frames) {
   return indices;
 }
 
-/// [m] Height of base; nothing if it is unknown.
-std::optional<double> height_of(const OdometryFrame& frame) {
-  if (!frame.T_footprint_base_true) return std::nullopt;
-  return frame.T_footprint_base_true->translation().z();
-}
-
 /// The first odometry with a true pose from `begin` on, within a second.
 std::optional<OdometryFrame> first_truth(const Frames& frames, std::size_t begin) {
   for (std::size_t i = begin; i < frames.size(); ++i) {
