@@ -79,6 +79,13 @@ void select_output(Belief& belief, ScheduledSearch& search) {
   if (belief.select()) search.raise_alarm();
 }
 
+/// Admits that the robot may have been moved unseen.
+void admit(double unmoved, const LostAndFoundConfig& config, Estimate& estimate) {
+  if (unmoved >= 1.0) return;
+  estimate.probability *= unmoved;
+  estimate.lost = estimate.lost || estimate.probability < config.stays;
+}
+
 }  // namespace
 
 MhAmcl::MhAmcl(const MhAmclConfig& config, OccupancyGrid map, std::uint64_t seed, StageClock clock)
@@ -93,12 +100,14 @@ MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, S
                 PlaceWatch(models_->config.watch, *models_->matcher),
                 WorkBudget(models_->config.budget, models_->config.input.correct_rate_hz,
                            models_->matcher->cells())},
+      blindness_(models_->config.blind_half_life),
       timer_(std::move(clock)) {}
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
   belief_.start(start && models_->volume ? in_atlas(*models_->volume, *start) : start);
   searches_.start();
+  blindness_.start();
   estimate_.reset();
 }
 
@@ -107,6 +116,7 @@ void MhAmcl::on_odometry(const Odometry& odometry) {
   if (turn.restarted) {
     belief_.forget_motion();
     searches_.restart_clock();
+    blindness_.start();
     estimate_.reset();
   }
   predict(turn.step);
@@ -116,9 +126,11 @@ void MhAmcl::on_scan(const LaserScan& scan) {
   const auto turn = input_.take(scan);
   if (!turn) return;
   predict(turn->step);
+  blindness_.take(turn->now, turn->points.size());
   if (turn->counts) take_scan(*turn);
   estimate_ = estimate_of(belief_.populations, belief_.shares(), belief_.lost_and_found.is_lost(),
                           scan.stamp, input_.T_now_base(scan.stamp));
+  if (estimate_) admit(blindness_.unmoved(), models_->config.lost_and_found, *estimate_);
   if (models_->volume) to_map(*models_->volume, estimate_);
 }
 

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "localization/belief.hpp"
+#include "localization/hypotheses/blindness.hpp"
 #include "localization/input/sensor_input.hpp"
 #include "localization/localizer.hpp"
 #include "localization/mh_amcl_models.hpp"
@@ -50,6 +51,7 @@ class MhAmcl final : public Localizer {
   SensorInput input_;
   Belief belief_;
   Searches searches_;
+  Blindness blindness_;
   StageTimer timer_;
   std::optional<Estimate> estimate_;
 };

@@ -19,6 +19,8 @@ MhAmclConfig config_on_3d_maps() {
   config.create.quick_candidates = 40;
   config.tracking.sigma = 0.035;
   config.motion.trans_per_rad = 0.1;
+  config.reseed.ridge_steps = 10;
+  config.blind_half_life = 30.0;
   return config;
 }
 
@@ -31,6 +33,9 @@ void validate(const MhAmclConfig& config) {
   if (config.match.slice < 1) throw std::invalid_argument("slice must be at least 1");
   if (config.watch.slice < 1 || config.watch.burst < 1) {
     throw std::invalid_argument("watch slice and burst must be at least 1");
+  }
+  if (!(config.blind_half_life >= 0.0)) {
+    throw std::invalid_argument("blind_half_life must not be negative");
   }
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
   validate(config.motion);

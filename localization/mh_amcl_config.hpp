@@ -60,6 +60,7 @@ struct MhAmclConfig {
   ScanContinuityConfig continuity;  ///< Detects a kidnap to a place that looks alike.
   PosteriorConfig posterior;
   LostAndFoundConfig lost_and_found;
+  double blind_half_life = 0.0;  ///< [s] Of `Blindness`.
   BeliefKind belief = BeliefKind::kParticles;
   MixtureConfig mixture;
   RefineMethod refine_by = RefineMethod::kClimb;
@@ -73,8 +74,9 @@ struct MhAmclConfig {
 };
 
 /// Settings of MH-AMCL on a 3-D map that differ from those on planar maps: floors that look alike
-/// cut the list of every search, even a longer one; distances are exact, not rounded to cells; and
-/// robots for rough ground slide sideways whenever they turn.
+/// cut the list of every search, even a longer one; distances are exact, not rounded to cells;
+/// robots for rough ground slide sideways whenever they turn; scans say little about the way along
+/// a ramp; and lifts are blind.
 MhAmclConfig config_on_3d_maps();
 
 /// MH-AMCL on a 3-D map.

@@ -26,13 +26,21 @@ void TrackingFilter::correct_particles(Hypothesis& hypothesis, const ScanPoints&
   hypothesis.belief = moments(hypothesis.particles);
 }
 
-/// Climbs from the best particle to the maximum of the scan and odometry likelihoods together.
+/// Climbs from the best particle to the maximum of the scan and odometry likelihoods together, or
+/// to their mean along a ridge.
 PoseGaussian TrackingFilter::refine_winner(const SE2& T_map_best, const PoseMoments& predicted,
                                            const ScanPoints& points) const {
   const PosePrior prior = make_prior(predicted);
-  const PoseClimber::Summit winner = climber().summit(points, T_map_best, prior, refine_);
-  const Eigen::Matrix3d information = winner.information + prior.information;
-  return {winner.T_map_base, information.inverse()};
+  const PoseClimber climber = this->climber();
+  const PoseClimber::Summit summit = climber.summit(points, T_map_best, prior, refine_);
+  PoseMoments winner{summit.T_map_base, (summit.information + prior.information).inverse()};
+  if (reseed_.ridge_steps > 0) {
+    const auto log_posterior = [&](const SE2& pose) {
+      return climber.log_likelihood(points, pose) + log_prior(prior, pose);
+    };
+    winner = average_along_ridge(log_posterior, winner, reseed_.ridge_steps);
+  }
+  return {winner.mean, winner.covariance};
 }
 
 void TrackingFilter::reseed(Hypothesis& hypothesis) const {

@@ -13,6 +13,7 @@ void validate(const ReseedConfig& config) {
     throw std::invalid_argument("particles: need 2 <= min_particles <= max_particles");
   }
   if (!(config.wide_spread > 0.0)) throw std::invalid_argument("wide_spread must be positive");
+  if (config.ridge_steps < 0) throw std::invalid_argument("ridge_steps must not be negative");
 }
 
 int particle_count(const ReseedConfig& config, const Eigen::Matrix3d& covariance) {

@@ -19,6 +19,9 @@ struct ReseedConfig {
   double wide_spread = 0.3;
   /// Share of particles that must carry weight; with fewer, the population is reseeded early.
   double effective_share = 0.5;
+  /// A refined winner is averaged over so many poses to either side along its least certain
+  /// direction (`average_along_ridge`); 0: it is the peak.
+  int ridge_steps = 0;
 };
 
 /// @throws std::invalid_argument if a value is out of range.

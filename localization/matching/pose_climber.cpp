@@ -18,6 +18,11 @@ PoseClimber::Summit PoseClimber::summit(const ScanPoints& points, const SE2& sta
   return {pose, model.log_likelihood(points, pose), scan_information(model, points, pose)};
 }
 
+double PoseClimber::log_likelihood(const ScanPoints& points, const SE2& T_map_base) const {
+  return ndt != nullptr ? ndt->fit(points, T_map_base).log_likelihood
+                        : model.log_likelihood(points, T_map_base);
+}
+
 Eigen::Matrix3d PoseClimber::information(const ScanPoints& points, const SE2& T_map_base) const {
   return ndt != nullptr ? ndt->fit(points, T_map_base).information
                         : scan_information(model, points, T_map_base);

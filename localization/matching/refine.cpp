@@ -1,7 +1,9 @@
 #include "localization/matching/refine.hpp"
 
+#include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -65,6 +67,37 @@ SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2&
     }
   }
   return best.pose;
+}
+
+PoseMoments average_along_ridge(const std::function<double(const SE2&)>& log_posterior,
+                                const PoseMoments& peak, int steps) {
+  constexpr double kStep = 0.5;      // [standard deviations]
+  constexpr double kLeast = 0.0625;  // [variances] Less cannot be told with such steps.
+  const Eigen::Matrix3d& covariance = peak.covariance;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(
+      Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
+  const double variance = position.eigenvalues()[1];
+  if (!(variance > 0.0)) return peak;
+  const Eigen::Vector3d ridge =
+      covariance.leftCols<2>() * position.eigenvectors().col(1) / std::sqrt(variance);
+  std::vector<double> scores;
+  for (int i = -steps; i <= steps; ++i) {
+    scores.push_back(log_posterior(offset(peak.mean, kStep * i * ridge)));
+  }
+  const double most = *std::max_element(scores.begin(), scores.end());
+  double sum = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const double t = kStep * (static_cast<double>(i) - steps);
+    const double weight = std::exp(scores[i] - most);
+    sum += weight;
+    first += weight * t;
+    second += weight * t * t;
+  }
+  const double mean = first / sum;
+  const double spread = std::max(second / sum - mean * mean, kLeast);
+  return {offset(peak.mean, mean * ridge), covariance + (spread - 1.0) * ridge * ridge.transpose()};
 }
 
 Eigen::Matrix3d scan_information(const EndpointModel& model, const ScanPoints& points,

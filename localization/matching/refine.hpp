@@ -2,6 +2,7 @@
 /// curvature at the maximum.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "localization/geometry/pose_statistics.hpp"
@@ -33,6 +34,13 @@ struct RefineConfig {
 /// where the score increases, so a flat score returns the start.
 SE2 refine_pose(const EndpointModel& model, const ScanPoints& points, const SE2& start,
                 const std::optional<PosePrior>& prior, const RefineConfig& config);
+
+/// The peak of a posterior with its covariance, where mean and variance along the least certain
+/// direction of the position (with what it is correlated with) are replaced by those of the
+/// posterior at `steps` poses to either side, half a standard deviation apart. Where a scan says
+/// nothing about a direction, as along a corridor, the peak is one of its noise.
+PoseMoments average_along_ridge(const std::function<double(const SE2&)>& log_posterior,
+                                const PoseMoments& peak, int steps);
 
 /// Information (inverse covariance) about the pose from the scan alone: the negative curvature of
 /// the log-likelihood by central differences, with negative eigenvalues set to 0.

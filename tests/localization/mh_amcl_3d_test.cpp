@@ -1,5 +1,6 @@
 /// MH-AMCL on a 3-D map: over floors and ramps.
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,15 @@ class BuildingDrive {
   /// Drives for a tick wherever there is room, and turns elsewhere.
   void wander(Localizer& localizer) {
     tell(localizer, has_room_ ? SE2{0.5 * kTick, 0.0, 0.0} : SE2{0.0, 0.0, 0.8 * kTick});
+  }
+  /// Stands still for a tick under a cloth.
+  void stand_covered(Localizer& localizer) {
+    now_ += from_seconds(kTick);
+    localizer.on_odometry({now_, T_odom_base_});
+    LaserScan scan = building_.laser_scan(truth_, kBeams, rng_);
+    scan.stamp = now_;
+    std::fill(scan.ranges.begin(), scan.ranges.end(), std::numeric_limits<float>::infinity());
+    localizer.on_scan(scan);
   }
   /// Moves the robot elsewhere, unnoticed.
   void kidnap(const SE2& T_atlas_base) { truth_ = T_atlas_base; }
@@ -157,6 +167,24 @@ TEST(MhAmcl3d, RecoversFromAKidnapToAnotherFloor) {
   for (int tick = 0; tick < 100; ++tick) drive.wander(localizer);
   EXPECT_TRUE(is_right(localizer, drive));
   EXPECT_EQ(drive.pose().level, 0);
+}
+
+TEST(MhAmcl3d, WhereItSeesNothingItVouchesForNothing) {
+  Rng rng = substream(5, "mh_amcl_3d");
+  const test::Building building(rng, 8);
+  const auto models = std::make_shared<const MhAmclModels>(config_on_3d_maps(), building.shared());
+  MhAmcl localizer(models, 1);
+  BuildingDrive drive(building, *building.volume().atlas().to_atlas({-8.0, 5.5, 0.0}, 0.0));
+  for (int tick = 0; tick < 60; ++tick) drive.wander(localizer);
+  ASSERT_TRUE(is_right(localizer, drive));
+  const double seen = localizer.estimate()->probability;
+  for (int tick = 0; tick < 10; ++tick) drive.stand_covered(localizer);
+  EXPECT_FALSE(localizer.estimate()->lost);
+  for (int tick = 0; tick < 290; ++tick) drive.stand_covered(localizer);
+  EXPECT_TRUE(localizer.estimate()->lost);
+  EXPECT_NEAR(localizer.estimate()->probability, 0.5 * seen, 0.01);
+  for (int tick = 0; tick < 10; ++tick) drive.wander(localizer);
+  EXPECT_TRUE(is_right(localizer, drive));
 }
 
 TEST(MhAmcl3d, AStartBesideTheGroundIsMovedOntoIt) {

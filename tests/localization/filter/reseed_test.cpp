@@ -45,6 +45,7 @@ TEST(ParticleCount, GrowsWithTheSpread) {
 TEST(ReseedConfig, RefusesFiguresOutOfRange) {
   EXPECT_THROW(validate(ReseedConfig{1, 200, 0.3, 0.5}), std::invalid_argument);
   EXPECT_THROW(validate(ReseedConfig{50, 40, 0.3, 0.5}), std::invalid_argument);
+  EXPECT_THROW(validate(ReseedConfig{50, 200, 0.3, 0.5, -1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -70,5 +70,53 @@ TEST(ScanInformation, KnowsNothingAlongAWall) {
   EXPECT_GT(information(2, 2), 10.0);
 }
 
+PoseMoments moments_of(const SE2& mean, const Eigen::Vector3d& sigmas) {
+  return {mean, sigmas.cwiseAbs2().asDiagonal()};
+}
+
+TEST(AverageAlongRidge, OfANormalDistributionIsTheSame) {
+  Eigen::Matrix3d covariance;
+  covariance << 0.04, 0.01, 0.004, 0.01, 0.01, 0.0, 0.004, 0.0, 0.002;
+  const PosePrior posterior{{1.0, 2.0, 3.0}, covariance.inverse()};
+  const auto density = [&](const SE2& pose) { return log_prior(posterior, pose); };
+  const PoseMoments same = average_along_ridge(density, {posterior.mean, covariance}, 10);
+  EXPECT_LT(distance(same.mean, posterior.mean), 1e-9);
+  EXPECT_TRUE(same.covariance.isApprox(covariance, 1e-4));
+}
+
+TEST(AverageAlongRidge, LeavesABumpForTheMean) {
+  const PosePrior prior = make_prior(moments_of({}, {0.1, 0.01, 0.01}));
+  // A bump of 0.7 nats, narrower than the prior, 1.2 standard deviations beside its mean.
+  const auto density = [&](const SE2& pose) {
+    const double d = (pose.x - 0.12) / 0.02;
+    return log_prior(prior, pose) + 0.7 * std::exp(-0.5 * d * d);
+  };
+  const PoseMoments peak = moments_of({0.12, 0.0, 0.0}, {0.1, 0.01, 0.01});
+  const PoseMoments mean = average_along_ridge(density, peak, 10);
+  EXPECT_NEAR(mean.mean.x, 0.0, 0.03);
+  EXPECT_NEAR(mean.mean.y, 0.0, 1e-12);
+  EXPECT_NEAR(std::sqrt(mean.covariance(0, 0)), 0.1, 0.01);
+  EXPECT_NEAR(mean.covariance(1, 1), 1e-4, 1e-12);
+}
+
+TEST(AverageAlongRidge, FollowsWhatIsCorrelatedWithThePosition) {
+  Eigen::Matrix3d covariance = Eigen::Vector3d(0.01, 1e-4, 1e-4).asDiagonal();
+  covariance(0, 2) = covariance(2, 0) = 0.0008;
+  // Of the true posterior the mean is 0.1 m ahead, and 0.008 rad to the left.
+  const PosePrior posterior{{0.1, 0.0, 0.008}, covariance.inverse()};
+  const auto density = [&](const SE2& pose) { return log_prior(posterior, pose); };
+  const PoseMoments mean = average_along_ridge(density, {SE2{}, covariance}, 10);
+  EXPECT_NEAR(mean.mean.x, 0.1, 1e-4);
+  EXPECT_NEAR(mean.mean.yaw, 0.008, 1e-4);
+}
+
+TEST(AverageAlongRidge, IsNoSurerThanItsStepsTell) {
+  const PoseMoments peak = moments_of({}, {0.1, 0.01, 0.01});
+  const auto needle = [](const SE2& pose) { return -1e6 * pose.x * pose.x; };
+  const PoseMoments mean = average_along_ridge(needle, peak, 10);
+  EXPECT_NEAR(std::sqrt(mean.covariance(0, 0)), 0.025, 1e-6);
+  EXPECT_EQ(mean.mean, SE2{});
+}
+
 }  // namespace
 }  // namespace castaway::localization

@@ -60,6 +60,12 @@ void reseed_fields(Settings& settings, localization::ReseedConfig& reseed) {
   settings.field({"effective_share", "",
                   "A smaller effective share of the particles triggers reseeding.", kShare},
                  reseed.effective_share);
+  settings.field({"ridge_steps",
+                  "",
+                  "A winner is averaged over so many poses to either side along its least certain "
+                  "direction, half a standard deviation apart; 0: it is the peak.",
+                  {0.0, 1000.0}},
+                 reseed.ridge_steps);
 }
 
 void beam_fields(Settings& settings, localization::BeamSelection& beams) {

@@ -117,6 +117,11 @@ void fields(Settings settings, MhAmclConfig& config) {
                  config.lost_and_found.found);
   settings.field({"stays", "", "Minimum probability at which a found output stays found."},
                  config.lost_and_found.stays);
+  settings.field({"blind_half_life", "s",
+                  "While the lidar sees nothing, the stated probability halves in this time; 0: it "
+                  "stays.",
+                  kTime},
+                 config.blind_half_life);
   settings.field({"budget_ms",
                   "ms",
                   "CPU time of a scan in the mean, on a processor that scores 8000 tiles in a "
