@@ -17,6 +17,7 @@ class Blindness {
   /// does not.
   explicit Blindness(double half_life) : half_life_(half_life) {}
 
+  /// Forgets what was seen.
   void start() { sight_.reset(); }
   /// Takes the number of end points of a scan.
   void take(Stamp now, std::size_t points);

@@ -26,6 +26,7 @@ struct PoseClimber {
   };
   [[nodiscard]] Summit summit(const ScanPoints& points, const SE2& start, const PosePrior& prior,
                               const RefineConfig& config) const;
+  /// Of the scan alone, from a pose. [nats]
   [[nodiscard]] double log_likelihood(const ScanPoints& points, const SE2& T_map_base) const;
   /// Information (inverse covariance) about the pose from the scan alone.
   [[nodiscard]] Eigen::Matrix3d information(const ScanPoints& points, const SE2& T_map_base) const;
