@@ -86,7 +86,7 @@ bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::
   const Volume& volume = *view.volume;
   const Eigen::Vector3f end = from + stretch * (to - from);
   if (longer > 0.0) return encounter(volume.surfaces(), from, end) != Encounter::kNone;
-  return encounter(volume.walls(), from, end) == Encounter::kPassed;
+  return passes_through(volume.walls(), from, end);
 }
 
 }  // namespace castaway::localization

@@ -42,4 +42,17 @@ Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
   return trace(surfaces, from, to);
 }
 
+bool passes_through(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
+  const auto passes = [&](const Eigen::Vector3f& beside) {
+    return encounter(distances, from + beside, to + beside) == Encounter::kPassed;
+  };
+  if (!passes(Eigen::Vector3f::Zero())) return false;
+  const Eigen::Vector3f direction = (to - from).normalized();
+  const auto voxel = static_cast<float>(distances.resolution());
+  const Eigen::Vector3f left = voxel * direction.unitOrthogonal();
+  const Eigen::Vector3f up = direction.cross(left);
+  return passes(left) && passes(-left) && passes(up) && passes(-up);
+}
+
 }  // namespace castaway::localization

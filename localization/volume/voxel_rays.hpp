@@ -26,4 +26,9 @@ Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from
 Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
                     const Eigen::Vector3f& to);
 
+/// True if the straight way from `from` to `to` [m] passes through a surface, and the ways a
+/// voxel's edge beside it do, too, on all four sides: a beam from a right pose may graze an edge.
+bool passes_through(const VoxelDistances& distances, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to);
+
 }  // namespace castaway::localization

@@ -78,7 +78,7 @@ TEST(EncounterTest, WhereverInItsVoxelsTheWallIs) {
     for (int i = 0; i < 500; ++i) {
       const Eigen::Vector3f from(draw(-6.0F, 0.0F), draw(-1.5F, 1.5F), draw(0.3F, 2.5F));
       const Eigen::Vector3f to(draw(4.0F, 6.0F), draw(-1.5F, 1.5F), draw(0.3F, 2.5F));
-      missed += encounter(distances, from, to) == Encounter::kPassed ? 0 : 1;
+      missed += passes_through(distances, from, to) ? 0 : 1;
     }
   }
   EXPECT_EQ(missed, 0);
@@ -91,6 +91,28 @@ TEST(EncounterTest, ARayThatGrazesTheFloorBeforeItEndsThereDoesNotPassIt) {
     EXPECT_EQ(encounter(distances, {2.5F, 0.0F, z}, {3.2F, 0.2F, z}), Encounter::kNone) << z;
     EXPECT_EQ(encounter(distances, {0.5F, 0.0F, z + 0.1F}, {4.8F, 0.5F, 0.2F}), Encounter::kPassed)
         << z;
+  }
+}
+
+TEST(PassesThroughTest, NotARayThatGrazesAnEdge) {
+  const VoxelDistances distances = two_walls();  // They end at y = 2.98 and z = 2.98.
+  const auto beside = [&](float y, float z) {
+    return passes_through(distances, {0.5F, y - 0.1F, z}, {4.5F, y + 0.1F, z});
+  };
+  for (float past = 0.01F; past < 0.2F; past += 0.01F) {
+    EXPECT_FALSE(beside(2.98F + past, 1.5F)) << past;
+    EXPECT_FALSE(beside(0.0F, 2.98F + past)) << past;
+    EXPECT_FALSE(beside(2.98F + past, 2.98F + past)) << past;
+  }
+  EXPECT_EQ(encounter(distances, {0.5F, 2.995F, 1.5F}, {4.5F, 2.995F, 1.5F}), Encounter::kPassed);
+}
+
+TEST(PassesThroughTest, ARayATenthOfAMetreWithinAnEdge) {
+  const VoxelDistances distances = two_walls();
+  for (float within = 0.1F; within < 0.5F; within += 0.01F) {
+    const float y = 2.98F - within;
+    EXPECT_TRUE(passes_through(distances, {0.5F, y, 1.5F}, {4.5F, y, 1.5F})) << within;
+    EXPECT_TRUE(passes_through(distances, {0.5F, 0.0F, y}, {4.5F, 0.0F, y})) << within;
   }
 }
 
