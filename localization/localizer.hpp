@@ -75,9 +75,9 @@ class Localizer {
   /// Takes an odometry reading. Late ones are dropped. If one is older by seconds (a clock was set
   /// back), motion restarts from the estimated pose.
   virtual void on_odometry(const Odometry& odometry) = 0;
-  /// Takes a scan, delivered at the time of its last beam. Late ones are dropped.
-  /// Ignored by localizers that do not use it.
+  /// Takes a reading of an inertial measurement unit. Ignored by localizers that do not use it.
   virtual void on_imu(const Imu&) {}
+  /// Takes a scan, delivered at the time of its last beam. Late ones are dropped.
   virtual void on_scan(const LaserScan& scan) = 0;
   /// The newest estimate; nothing if there is none.
   [[nodiscard]] virtual std::optional<Estimate> estimate() const = 0;
