@@ -20,7 +20,7 @@ namespace castaway::localization {
 struct VolumeConfig {
   double max_distance = 0.4;  ///< [m] Larger distances from surfaces read as this.
   double margin = 2.0;        ///< [m] How far charts overlap.
-  WheelContacts contacts;     ///< Of the robot.
+  WheelStance wheels;         ///< Of the robot.
 };
 
 /// Built once, then only read. Poses are in the plane of the atlas.
@@ -32,7 +32,7 @@ class Volume {
         atlas_(std::move(ground), config.margin),
         surfaces_(voxels_, config.max_distance),
         walls_(without_ground(voxels_, atlas_.ground()), config.max_distance),
-        contacts_(config.contacts) {}
+        wheels_(config.wheels) {}
 
   /// The pose of base in map, on the ground: x, y and yaw are those of `T_atlas_base`. Nothing
   /// where there is no ground.
@@ -40,7 +40,7 @@ class Volume {
     const auto there = atlas_.to_map(T_atlas_base);
     if (!there) return std::nullopt;
     return stand(atlas_.ground(), there->T_map_base, static_cast<double>(there->surface->z),
-                 contacts_);
+                 wheels_);
   }
   /// Those that can be seen from the ground.
   [[nodiscard]] const VoxelMap& voxels() const { return voxels_; }
@@ -54,7 +54,7 @@ class Volume {
   Atlas atlas_;
   SurfaceField surfaces_;
   VoxelDistances walls_;
-  WheelContacts contacts_;
+  WheelStance wheels_;
 };
 
 }  // namespace castaway::localization

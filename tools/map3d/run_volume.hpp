@@ -10,6 +10,9 @@
 
 namespace castaway::testbed {
 
+/// How a robot stands: on its wheels and casters, with the centre of mass of all its parts.
+localization::WheelStance stance_of(const sim::RobotModel& robot);
+
 /// Surveys the world of a run when it is called, with voxels of this edge [m]. Where the robot
 /// drives on the lowest floor only, there is ground wherever its body fits, under tables, too.
 /// `known`: a map of the world, taken instead if its voxels are as large. Throws as `survey_world`

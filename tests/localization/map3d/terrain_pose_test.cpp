@@ -57,6 +57,26 @@ TEST(Stand, TheHeightSaysOnWhichSurface) {
   EXPECT_NEAR(std::atan2(above->T_map_base(1, 0), above->T_map_base(0, 0)), 1.0, 1e-9);
 }
 
+TEST(Stand, OnTwistedGroundOnThreeOfFourWheels) {
+  ElevationMap map = slope();
+  for (int y = 0, i = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      const Eigen::Vector2d p = map.frame.T_map_grid * map.frame.centre_of({x, y});
+      GroundSurface& surface = map.surfaces[map.first[static_cast<std::size_t>(i++)]];
+      surface.z = static_cast<float>(p.x() * p.y() / 6.0);
+      surface.slope_x = static_cast<float>(p.y() / 6.0);
+      surface.slope_y = static_cast<float>(p.x() / 6.0);
+    }
+  }
+  const WheelStance wheels({{0.15, 0.2}, {0.15, -0.2}, {-0.15, 0.2}, {-0.15, -0.2}},
+                           {0.03, 0.0, 0.1});
+  const auto pose = stand(map, {0.0, 0.0, 0.0}, 0.0, wheels);
+  ASSERT_TRUE(pose);
+  EXPECT_NEAR(pose->T_map_base.translation().z(), 0.005, 1e-3);
+  EXPECT_NEAR(pose->T_map_base(2, 0), -0.005 / 0.15, 2e-3);
+  EXPECT_NEAR(pose->T_map_base(2, 1), 0.005 / 0.2, 2e-3);
+}
+
 TEST(Stand, WithoutGroundUnderAWheelThereIsNoPose) {
   EXPECT_FALSE(stand(slope(), {1.95, 0.3, 0.0}, 0.0, {}));   // Ahead is off the map.
   EXPECT_FALSE(stand(slope(), {0.0, -0.05, 0.0}, 5.0, {}));  // The left side is off the roof.
