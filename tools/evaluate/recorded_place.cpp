@@ -71,8 +71,9 @@ void take_log(const fs::path& log, const PlaceMaps& maps, RecordedPlace& place) 
   while (auto frame = source.next()) place.frames.push_back(std::move(*frame));
 }
 
-/// Reads the bag. Its map is used only if there is no other.
-void take_bag(const fs::path& path, const PlaceMaps& maps, RecordedPlace& place) {
+/// Reads the bag. Its map is used only if there is no other. Returns how its robot stands.
+localization::WheelStance take_bag(const fs::path& path, const PlaceMaps& maps,
+                                   RecordedPlace& place) {
   const BagInventory bag = take_inventory(path, bag_files(path));
   BagTopicOptions topics;
   topics.in_space = maps.map3d.has_value();
@@ -80,6 +81,7 @@ void take_bag(const fs::path& path, const PlaceMaps& maps, RecordedPlace& place)
   BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground);
   place.frames = std::move(recording.frames);
   if (place.map.cells.empty() && recording.map) place.map = std::move(*recording.map);
+  return std::move(recording.wheels);
 }
 
 /// The only file of a 3-D map in the folder.
@@ -96,9 +98,10 @@ fs::path map3d_in(const fs::path& folder, const std::vector<fs::path>& files) {
                            ", " + maps[1].filename().string() + "); name one by --map3d");
 }
 
-void take_map3d(const fs::path& file, RecordedPlace& place) {
+void take_map3d(const fs::path& file, const localization::WheelStance& wheels,
+                RecordedPlace& place) {
   auto map = std::make_shared<const Map3d>(read_map3d_file(file, {}));
-  place.volume = volume_of(file, std::move(map));
+  place.volume = volume_of(file, std::move(map), wheels);
 }
 
 std::string last_part(const fs::path& folder) {
@@ -140,16 +143,16 @@ RecordedPlace load_recorded_place(const std::string& folder, const PlaceMaps& ma
   const std::optional<fs::path> map = maps.planar ? map_in(folder, files) : std::nullopt;
   if (map) place.map = load_ros_map(*map);
   if (map) place.map_file = map->string();
-  if (maps.map3d) {
-    const fs::path file = maps.map3d->file;
-    take_map3d(file.empty() ? map3d_in(folder, files) : file, place);
-  }
+  fs::path map3d = maps.map3d ? maps.map3d->file : "";
+  if (maps.map3d && map3d.empty()) map3d = map3d_in(folder, files);
   if (maps.planar && !map && log != files.end()) refuse_without_map(folder);
+  localization::WheelStance wheels;
   if (log != files.end()) {
     take_log(*log, maps, place);
   } else {
-    take_bag(*bag, maps, place);
+    wheels = take_bag(*bag, maps, place);
   }
+  if (maps.map3d) take_map3d(map3d, wheels, place);
   if (maps.planar && place.map.cells.empty()) refuse_without_map(folder);
   move_truth(place.frames, maps.T_map_truth);
   place.name = last_part(folder);

@@ -12,8 +12,9 @@ namespace castaway::testbed {
 
 /// Prepares the map of a file when it is called; localizers with equal voxels share one. `known` is
 /// that map; a cloud is read again for voxels [m] of another edge, while other files keep their
-/// own. Calls throw std::runtime_error naming the file.
+/// own. `wheels`: of the robot that drove. Calls throw std::runtime_error naming the file.
 std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume_of(
-    const std::filesystem::path& file, std::shared_ptr<const Map3d> known);
+    const std::filesystem::path& file, std::shared_ptr<const Map3d> known,
+    const localization::WheelStance& wheels = {});
 
 }  // namespace castaway::testbed

@@ -79,6 +79,7 @@ BagConfig bag_config(const BagOptions& options, const PreparedSimulation& prepar
   bag.links = robot.frames;
   bag.lidars = bag_lidars(lidars_of(prepared.config.lidars));
   bag.robot_file = robot.path;
+  bag.wheels = stance_of(robot);
   bag.label_name = [world = final_world(prepared.config)](int label) {
     return sim::hit_name(world, label);
   };

@@ -30,8 +30,9 @@ std::optional<std::int64_t> needed_scans(const ReplaySession& session) {
   return static_cast<std::int64_t>(used_scan(session.scans_used, part.from_scan) + *part.scans);
 }
 
-void set_maps(const ReplaySession& session, const std::optional<RosMap>& own, RecordedLog& log) {
-  RecordedMaps maps = open_maps(session, own);
+void set_maps(const ReplaySession& session, const std::optional<RosMap>& own,
+              const localization::WheelStance& wheels, RecordedLog& log) {
+  RecordedMaps maps = open_maps(session, own, wheels);
   log.map = std::move(maps.planar);
   log.volume = std::move(maps.volume);
   log.levels = std::move(maps.levels);
@@ -57,7 +58,7 @@ void check_settings(const ReplaySession& session) {
 
 RecordedLog open_carmen(const ReplaySession& session) {
   RecordedLog log;
-  set_maps(session, std::nullopt, log);
+  set_maps(session, std::nullopt, {}, log);
   CarmenSourceConfig config;
   config.lidar_height = session.base_height.value_or(0.0);
   config.selection = session.scans_used;
@@ -85,7 +86,7 @@ RecordedLog open_bag(const ReplaySession& session) {
   BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground);
   RecordedLog log;
   log.warnings = std::move(recording.warnings);
-  set_maps(session, map_of(bag, recording), log);
+  set_maps(session, map_of(bag, recording), recording.wheels, log);
   if (recording.start) log.start = session.T_map_truth * *recording.start;
   log.lidars = lidars_of(recording.frames);
   set_frames(std::move(recording.frames), session.T_map_truth, log);

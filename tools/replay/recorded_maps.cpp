@@ -56,7 +56,8 @@ void check_maps(const ReplaySession& session) {
   }
 }
 
-RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own) {
+RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own,
+                       const localization::WheelStance& wheels) {
   RecordedMaps maps;
   if (!session.map.empty()) {
     maps.planar = load_ros_map(session.map);
@@ -73,7 +74,7 @@ RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>
   const std::filesystem::path file = session.map3d;
   if (maps.planar.cells.empty()) maps.planar = ground_plan(*map3d, file.stem().string());
   maps.levels = std::make_shared<const LevelMaps>(level_maps(map3d->ground));
-  maps.volume = volume_of(file, map3d);
+  maps.volume = volume_of(file, map3d, wheels);
   return maps;
 }
 

@@ -25,8 +25,9 @@ struct RecordedMaps {
 void check_maps(const ReplaySession& session);
 
 /// Opens the maps that the session names. `own` is the planar map that the log holds; one that the
-/// session names is used in its place. Throws std::runtime_error or std::invalid_argument naming
-/// the file, or the map that is missing.
-RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own);
+/// session names is used in its place. `wheels`: of the robot that drove. Throws std::runtime_error
+/// or std::invalid_argument naming the file, or the map that is missing.
+RecordedMaps open_maps(const ReplaySession& session, const std::optional<RosMap>& own,
+                       const localization::WheelStance& wheels = {});
 
 }  // namespace castaway::testbed

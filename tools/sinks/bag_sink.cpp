@@ -5,6 +5,7 @@
 #include "tools/files/file.hpp"
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/ros/stance_texts.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -18,15 +19,17 @@ void attach_inputs(const BagConfig& config, const RosMap& map, BagWriter& bag) {
              read_file(config.robot_file));
 }
 
-std::map<std::string, std::string> run_metadata(const RunInfo& info,
-                                                const std::optional<SE2>& start) {
+std::map<std::string, std::string> run_metadata(const RunInfo& info, const BagConfig& config) {
   std::map<std::string, std::string> run = {{"castaway", CASTAWAY_VERSION},
                                             {"scenario", info.scenario},
                                             {"world", info.world},
                                             {"robot", info.robot},
                                             {"seed", std::to_string(info.seed)},
                                             {"time_0_ns", std::to_string(kBagEpoch.count())}};
-  if (start) run["start"] = fmt::format("{} {} {}", start->x, start->y, start->yaw);
+  if (const auto& start = config.start) {
+    run["start"] = fmt::format("{} {} {}", start->x, start->y, start->yaw);
+  }
+  run.merge(texts_of(config.wheels));
   return run;
 }
 
@@ -42,7 +45,7 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
                 bag_),
       snapshots_(run_folder) {
   attach_inputs(config_, map, bag_);
-  bag_.add_metadata("run", run_metadata(info, config_.start));
+  bag_.add_metadata("run", run_metadata(info, config_));
   messages_.begin(map);
 }
 

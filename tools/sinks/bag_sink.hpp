@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "localization/map3d/wheel_stance.hpp"
 #include "tools/records/snapshot_feed.hpp"
 #include "tools/ros/bag_options.hpp"
 #include "tools/ros/bag_writer.hpp"
@@ -25,6 +26,7 @@ struct BagConfig {
   std::filesystem::path robot_file;              ///< Attached to the bag; empty for none.
   std::string scenario_yaml;                     ///< Attached to the bag.
   std::optional<SE2> start;                      ///< Start pose given to the localizers.
+  localization::WheelStance wheels{};            ///< Of the robot.
   std::function<std::string(int)> label_name{};  ///< Name of what beams hit, by label; empty if
                                                  ///< unknown.
   std::function<DriveNow()> drive{};             ///< Command and wheel states; empty if unknown.

@@ -12,6 +12,7 @@
 #include "tools/ros/clouds/ring_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/ros_conversion.hpp"
+#include "tools/ros/stance_texts.hpp"
 #include "tools/sources/bag/bag_times.hpp"
 
 namespace castaway::testbed {
@@ -25,14 +26,28 @@ Stamp stamp_of(const ros::Header& header, std::int64_t log_time_ns) {
 
 bool is_odom_frame(const std::string& frame) { return frame.ends_with("odom"); }
 
-std::optional<SE2> start_of(const BagInventory& bag) {
+/// What castaway's own bags say about their run; nothing in others.
+Texts run_texts(const BagInventory& bag) {
   const auto run = bag.metadata.find("run");
-  if (run == bag.metadata.end() || !run->second.contains("start")) return std::nullopt;
-  std::istringstream stream(run->second.at("start"));
+  return run == bag.metadata.end() ? Texts() : run->second;
+}
+
+std::optional<SE2> start_in(const Texts& run) {
+  const auto text = run.find("start");
+  if (text == run.end()) return std::nullopt;
+  std::istringstream stream(text->second);
   stream.imbue(std::locale::classic());
   SE2 start;
   if (!(stream >> start.x >> start.y >> start.yaw)) return std::nullopt;
   return start;
+}
+
+localization::WheelStance wheels_of(const BagInventory& bag) {
+  try {
+    return wheels_in(run_texts(bag));
+  } catch (const std::runtime_error& error) {  // Of the text, which knows no file.
+    throw std::runtime_error(bag.name + ": " + error.what());
+  }
 }
 
 LaserScan& scan_of(Frame& frame) { return std::get<ScanFrame>(frame.data).scan; }
@@ -41,7 +56,8 @@ LaserScan& scan_of(Frame& frame) { return std::get<ScanFrame>(frame.data).scan; 
 
 BagCollector::BagCollector(const BagInventory& bag, BagTopicChoice topics, const BagGround& ground)
     : bag_(bag), topics_(std::move(topics)), ground_(ground) {
-  recording_.start = start_of(bag);
+  recording_.start = start_in(run_texts(bag));
+  if (ground.in_space) recording_.wheels = wheels_of(bag);
 }
 
 void BagCollector::take(const McapMessage& message, const std::string& type) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "localization/map3d/wheel_stance.hpp"
 #include "tools/formats/ros_map.hpp"
 #include "tools/ros/bag_topics.hpp"
 #include "tools/sources/recorded/recorded_source.hpp"
@@ -21,6 +22,7 @@ struct BagRecording {
   Frames frames;
   std::optional<SE2> start;   ///< Start pose given to the localizers, in castaway's own bags.
   std::optional<RosMap> map;  ///< Newest message of the map topic.
+  localization::WheelStance wheels{};  ///< Of the robot, in castaway's own bags.
   std::vector<std::string> warnings;
 };
 
