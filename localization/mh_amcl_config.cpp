@@ -17,7 +17,9 @@ MhAmclConfig config_on_3d_maps() {
   MhAmclConfig config;
   config.posterior.null.left_out_as_listed = true;
   config.create.quick_candidates = 40;
+  config.create.settled_beams = 24;
   config.tracking.sigma = 0.035;
+  config.evidence.endpoint.sigma = 0.06;
   config.motion.trans_per_rad = 0.1;
   config.reseed.ridge_steps = 10;
   config.blind_half_life = 30.0;

@@ -69,6 +69,16 @@ double best_arrival(const std::vector<Arrival>& all, std::size_t count) {
   return best;
 }
 
+/// Moves candidates to where a few beams fit best.
+void settle(const CreateContext& context, const ScanPoints& points,
+            std::vector<Candidate>& candidates) {
+  const ScanPoints few = thin(points, context.config.settled_beams);
+  for (Candidate& c : candidates) {
+    c.T_map_base =
+        refine_pose(context.model, few, c.T_map_base, std::nullopt, context.config.settle);
+  }
+}
+
 constexpr int kGlance = 24;  // Beams that screen long lists.
 
 bool has_better_score(const Candidate& a, const Candidate& b) { return a.score > b.score; }
@@ -101,6 +111,7 @@ std::vector<Candidate> screen_candidates(const CreateContext& context,
                                          std::vector<Candidate> candidates,
                                          const ScanPoints& points, int most) {
   const CreateConfig& config = context.config;
+  if (config.settled_beams > 0) settle(context, points, candidates);
   if (candidates.size() > static_cast<std::size_t>(config.looked_at)) {
     screen(context.evidence, thin(points, kGlance), config.looked_at, candidates);
   }

@@ -32,6 +32,10 @@ struct CreateConfig {
   int deep_candidates = 2000;
   int first_deep = 100;      ///< Number of a deep search where the best place nearly fits.
   double deep_growth = 0.7;  ///< [1/nat] Growth of its logarithm as the best place fits worse.
+  /// Number of beams on which candidates climb before their evidence is computed; 0: they do not.
+  /// At the centre of a coarse cell of a 3-D map, beams of the right place may end beyond a wall.
+  int settled_beams = 0;
+  RefineConfig settle{0.08, 0.03, 1};
   /// Number of candidates whose evidence is computed with all beams; the best by the evidence of a
   /// few beams.
   int looked_at = 60;
@@ -75,8 +79,8 @@ struct FoundPlaces {
   bool more = false;  ///< The list was too short for all that score about as well as the best.
 };
 
-/// Returns the best candidates by the evidence of end points and rays, at most `most`. Long lists
-/// are first reduced by a few beams.
+/// Returns the best candidates by the evidence of end points and rays, at most `most`. They have
+/// climbed on a few beams before (`settled_beams`). Long lists are first reduced by a few beams.
 std::vector<Candidate> screen_candidates(const CreateContext& context,
                                          std::vector<Candidate> candidates,
                                          const ScanPoints& points, int most);

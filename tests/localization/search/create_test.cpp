@@ -53,6 +53,18 @@ TEST_F(CreateTest, JoinsCandidatesThatClimbToOnePlace) {
   EXPECT_GT(places[0].newest.log_likelihood, places[1].newest.log_likelihood + 5.0);
 }
 
+TEST_F(CreateTest, CandidatesClimbBeforeTheirEvidenceCounts) {
+  const SE2 truth{3.0, 3.0, 0.4};
+  const ScanPoints points = scan_from(truth);
+  const std::vector<Candidate> candidates = {{truth, 0.9}, {{3.14, 3.14, 0.42}, 0.9}};
+  ASSERT_EQ(screen_candidates(context(), candidates, points, 10).size(), 1U);
+  config_.settled_beams = 24;
+  const auto screened = screen_candidates(context(), candidates, points, 10);
+  ASSERT_EQ(screened.size(), 2U);
+  EXPECT_LT(distance(screened[0].T_map_base, truth), 0.1);
+  EXPECT_LT(distance(screened[1].T_map_base, truth), 0.1);
+}
+
 TEST_F(CreateTest, CountsTheWholeHistoryOfARightPlace) {
   const SE2 last{4.5, 3.0, 0.0};
   const ScanHistory history = drive_to(last);

@@ -167,6 +167,12 @@ void fields(Settings settings, localization::CreateConfig& create) {
                   "Growth of the logarithm of that number per nat that the best place fits worse.",
                   {0.0, 100.0}},
                  create.deep_growth);
+  settings.field({"settled_beams",
+                  "",
+                  "Beams on which candidates climb before their evidence is computed; 0: none.",
+                  {0, 100000}},
+                 create.settled_beams);
+  fields(settings.group("settle"), create.settle);
   settings.field({"looked_at", "", "Number of candidates whose evidence is computed.", kCount},
                  create.looked_at);
   settings.field({"refined", "", "Number of candidates that are refined.", kCount}, create.refined);
