@@ -1,6 +1,5 @@
 #include "localization/map3d/wheel_stance.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "tools/files/file.hpp"
+#include "tools/formats/volume/stance_texts.hpp"
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/ros/ros_sensor.hpp"
-#include "tools/ros/stance_texts.hpp"
 
 namespace castaway::testbed {
 namespace {

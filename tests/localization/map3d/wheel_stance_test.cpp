@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 
 #include <gtest/gtest.h>
+#include <boost/random/uniform_real_distribution.hpp>
+
+#include "localization/geometry/random.hpp"
 
 namespace castaway::localization {
 namespace {
@@ -61,9 +63,9 @@ TEST(WheelStance, OnASlopeTheLoadIsFartherDown) {
 }
 
 TEST(WheelStance, NoWheelIsInTheGroundAndThreeTouchIt) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> rough(-0.02, 0.02);
-  std::uniform_real_distribution<double> within(-0.05, 0.05);
+  Rng random = substream(7, "stances");
+  boost::random::uniform_real_distribution<double> rough(-0.02, 0.02);
+  boost::random::uniform_real_distribution<double> within(-0.05, 0.05);
   for (int round = 0; round < 1000; ++round) {
     const WheelStance wheels(
         {{0.2, 0.2}, {0.2, -0.2}, {0.0, 0.25}, {0.0, -0.25}, {-0.2, 0.2}, {-0.2, -0.2}},

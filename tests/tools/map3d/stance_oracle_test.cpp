@@ -3,13 +3,14 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <boost/random/uniform_real_distribution.hpp>
 
+#include "localization/geometry/random.hpp"
 #include "sim/robot/bodies/robot_physics.hpp"
 #include "sim/robot/load_robot.hpp"
 #include "tests/tools/support/temporary.hpp"
@@ -96,9 +97,9 @@ std::vector<Eigen::Isometry3d> poses_at_rest(const sim::SimulationConfig& config
                                              const localization::Volume& volume) {
   sim::RobotPhysics physics(config.world, config.robot, {}, {0.4, 1.0, 0.5, 2.0},
                             std::chrono::milliseconds(2));
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> within(1.0, kCells * kCell - 1.0);
-  std::uniform_real_distribution<double> yaw(-3.1, 3.1);
+  localization::Rng random = localization::substream(3, "places");
+  boost::random::uniform_real_distribution<double> within(1.0, kCells * kCell - 1.0);
+  boost::random::uniform_real_distribution<double> yaw(-3.1, 3.1);
   std::vector<Eigen::Isometry3d> poses;
   for (int place = 0; place < kPlaces; ++place) {
     const SE2 planar{within(random), within(random), yaw(random)};

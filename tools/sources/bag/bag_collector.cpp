@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "tools/formats/volume/stance_texts.hpp"
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/clouds/layer_cloud.hpp"
 #include "tools/ros/clouds/ring_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/ros_conversion.hpp"
-#include "tools/ros/stance_texts.hpp"
 #include "tools/sources/bag/bag_times.hpp"
 
 namespace castaway::testbed {

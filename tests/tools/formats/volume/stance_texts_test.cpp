@@ -1,4 +1,4 @@
-#include "tools/ros/stance_texts.hpp"
+#include "tools/formats/volume/stance_texts.hpp"
 
 #include <stdexcept>
 

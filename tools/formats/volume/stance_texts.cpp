@@ -1,4 +1,4 @@
-#include "tools/ros/stance_texts.hpp"
+#include "tools/formats/volume/stance_texts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,9 @@ std::vector<double> numbers_in(const std::string& name, const std::string& text)
   for (double number = 0.0; words >> number;) numbers.push_back(number);
   const bool whole =
       words.eof() && std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); });
-  if (!whole)
+  if (!whole) {
     throw std::runtime_error("record 'run', " + name + ": '" + text + "' are not numbers");
+  }
   return numbers;
 }
 
@@ -34,8 +35,9 @@ std::vector<double> numbers_in(const std::string& name, const std::string& text)
 Texts texts_of(const localization::WheelStance& wheels) {
   if (!wheels.is_known()) return {};
   std::vector<double> contacts;
-  for (const Eigen::Vector2d& p : wheels.contacts())
+  for (const Eigen::Vector2d& p : wheels.contacts()) {
     contacts.insert(contacts.end(), {p.x(), p.y()});
+  }
   const Eigen::Vector3d& com = wheels.p_base_com();
   return {{kWheels, fmt::format("{}", fmt::join(contacts, " "))},
           {kCentre, fmt::format("{} {} {}", com.x(), com.y(), com.z())}};
