@@ -24,7 +24,7 @@ using localization::SE2;
 
 constexpr int kCells = 30;     // Of the meadow's mesh, along an edge.
 constexpr double kCell = 0.3;  // [m]
-constexpr int kPlaces = 40;
+constexpr int kPlaces = 200;
 
 double hills(double x, double y) {
   return 1.0 + 0.15 * std::sin(1.1 * x) * std::cos(0.9 * y + 0.5) + 0.06 * std::sin(2.0 * x + y);
