@@ -35,11 +35,9 @@ struct PlaneFit {
   double max_slope = 0;  ///< Of drivable ground.
 };
 
-/// Where surface points are the centres of voxels, slopes are stairs: planes reach farther.
+/// On a rough map slopes are stairs: planes reach farther.
 PlaneFit fit_of(const VoxelMap& map, double max_slope) {
-  const bool stairs = std::ranges::all_of(
-      map.offsets, [&](const auto& offset) { return offset == map.offsets.front(); });
-  const int radius = stairs ? 3 : 1;
+  const int radius = is_rough(map) ? 3 : 1;
   const double window = map.resolution * (1.5 * radius * max_slope + 0.5);
   return {radius, static_cast<float>(window), max_slope};
 }

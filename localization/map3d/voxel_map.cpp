@@ -52,6 +52,11 @@ void validate(const VoxelMap& map) {
   }
 }
 
+bool is_rough(const VoxelMap& map) {
+  return std::ranges::all_of(map.offsets,
+                             [&](const auto& offset) { return offset == map.offsets.front(); });
+}
+
 Eigen::Vector3i voxel_of(const Eigen::Vector3d& p_map, double resolution) {
   return (p_map / resolution).array().floor().matrix().cast<int>();
 }

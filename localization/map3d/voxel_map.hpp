@@ -49,6 +49,10 @@ struct VoxelMap {
 /// smaller than 1 mm or larger than 100 m.
 void validate(const VoxelMap& map);
 
+/// True if the surface points are in the same place of all voxels: the map's source states none, as
+/// an OctoMap does, and its surfaces are as rough as its voxels.
+bool is_rough(const VoxelMap& map);
+
 /// The voxel of a point. Requires a point within `kMaxVoxelIndex`.
 Eigen::Vector3i voxel_of(const Eigen::Vector3d& p_map, double resolution);
 

@@ -21,7 +21,9 @@ void validate_reach(const VoxelMap& map, double max_distance) {
 }
 
 VoxelDistances::VoxelDistances(const VoxelMap& map, double max_distance)
-    : resolution_(map.resolution), scale_(static_cast<float>(max_distance / kBeyond)) {
+    : resolution_(map.resolution),
+      rough_(is_rough(map)),
+      scale_(static_cast<float>(max_distance / kBeyond)) {
   validate_reach(map, max_distance);
   const double radius = max_distance / resolution_;
   blocks_ = VoxelBlocks(map, static_cast<int>(std::ceil(radius)));

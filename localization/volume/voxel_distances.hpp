@@ -24,6 +24,8 @@ class VoxelDistances {
   [[nodiscard]] float at_centre(const Eigen::Vector3i& voxel) const;
 
   [[nodiscard]] double resolution() const { return resolution_; }
+  /// `is_rough` of the map.
+  [[nodiscard]] bool rough() const { return rough_; }
   [[nodiscard]] std::size_t bytes() const {
     return blocks_.bytes() + distances_.size() * sizeof(Block);
   }
@@ -32,6 +34,7 @@ class VoxelDistances {
   using Block = std::array<std::uint8_t, VoxelBlocks::kVoxels>;
 
   double resolution_;
+  bool rough_;
   float scale_ = 0.0F;  ///< [m] Of a unit.
   VoxelBlocks blocks_;
   std::vector<Block> distances_;

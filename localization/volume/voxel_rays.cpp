@@ -52,7 +52,12 @@ bool passes_through(const VoxelDistances& distances, const Eigen::Vector3f& from
   const auto voxel = static_cast<float>(distances.resolution());
   const Eigen::Vector3f left = voxel * direction.unitOrthogonal();
   const Eigen::Vector3f up = direction.cross(left);
-  return passes(left) && passes(-left) && passes(up) && passes(-up);
+  int missed = 0;
+  const int allowed = distances.rough() ? 1 : 0;
+  for (const Eigen::Vector3f& side : {left, Eigen::Vector3f(-left), up, Eigen::Vector3f(-up)}) {
+    if (!passes(side) && ++missed > allowed) return false;
+  }
+  return true;
 }
 
 }  // namespace castaway::localization

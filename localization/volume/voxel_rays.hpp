@@ -28,6 +28,7 @@ Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
 
 /// True if the straight way from `from` to `to` [m] passes through a surface, and the ways a
 /// voxel's edge beside it do, too, on all four sides: a beam from a right pose may graze an edge.
+/// On a rough map, on three sides: its walls have holes, and its edges are not known so well.
 bool passes_through(const VoxelDistances& distances, const Eigen::Vector3f& from,
                     const Eigen::Vector3f& to);
 

@@ -1,5 +1,7 @@
 // 3-D maps, held against octomap's own tools.
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -30,6 +32,64 @@ TEST(Map3d, SaysWhatItFound) {
   const std::string first = text_of(folder / "deck.map3d");
   EXPECT_EQ(castaway(folder, "map deck.map3d --out again.map3d").exit_code, 0);
   EXPECT_EQ(text_of(folder / "again.map3d"), first);
+}
+
+/// Occupied cells of a map made by `castaway map`, by their lower left corners in map [cells].
+std::set<std::pair<int, int>> walls_of(const fs::path& yaml) {
+  const auto number_after = [](const std::string& text, const std::string& key) {
+    return std::stod(text.substr(text.find(key) + key.size()));
+  };
+  const std::string header = text_of(yaml);
+  const double cell = number_after(header, "resolution: ");
+  const std::string origin = header.substr(header.find("origin: [") + 9);
+  const int left = static_cast<int>(std::lround(std::stod(origin) / cell));
+  const int low = static_cast<int>(std::lround(number_after(origin, ", ") / cell));
+  std::istringstream picture(text_of(fs::path(yaml).replace_extension(".pgm")));
+  std::string magic;
+  int width = 0;
+  int height = 0;
+  int white = 0;
+  picture >> magic >> width >> height >> white;
+  picture.get();
+  std::set<std::pair<int, int>> walls;
+  for (int row = height - 1; row >= 0; --row) {
+    for (int column = 0; column < width; ++column) {
+      if (picture.get() == 0) walls.emplace(left + column, low + row);
+    }
+  }
+  return walls;
+}
+
+/// The share of cells that have one of the others within a cell.
+double share_beside(const std::set<std::pair<int, int>>& cells,
+                    const std::set<std::pair<int, int>>& others) {
+  const auto is_beside = [&](const std::pair<int, int>& cell) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        if (others.contains({cell.first + dx, cell.second + dy})) return true;
+      }
+    }
+    return false;
+  };
+  const auto beside = std::ranges::count_if(cells, is_beside);
+  return static_cast<double>(beside) / static_cast<double>(cells.size());
+}
+
+TEST(Map3d, ItsCrossSectionIsThePlanarMapOfTheWorld) {
+  const fs::path folder = fresh_folder();
+  ASSERT_EQ(castaway(folder, "map lab --out lab.map3d --resolution 0.05").exit_code, 0);
+  ASSERT_EQ(castaway(folder, "map lab --height 0.18 --out lab.yaml").exit_code, 0);
+  const Outcome cut = castaway(folder, "map lab.map3d --height 0.18 --out cut.yaml");
+  ASSERT_EQ(cut.exit_code, 0) << cut.err;
+  expect_contains(cut.out, " cells of 0.05 m, cut at 0.180 m\n");
+  const auto surveyed = walls_of(folder / "lab.yaml");
+  const auto walls = walls_of(folder / "cut.yaml");
+  EXPECT_GT(walls.size(), 500U);
+  EXPECT_GT(share_beside(walls, surveyed), 0.99);
+  const Outcome without = castaway(folder, "map lab.map3d --out none.yaml");
+  EXPECT_EQ(without.exit_code, 2);
+  expect_contains(without.err, "a 3-D map becomes a planar one by --height");
+  EXPECT_FALSE(fs::exists(folder / "none.yaml"));
 }
 
 TEST(Map3d, OctomapsToolsReadItsFilesAndItReadsTheirs) {

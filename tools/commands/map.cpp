@@ -10,6 +10,7 @@
 #include "tools/formats/images/gray_image.hpp"
 #include "tools/map3d/level_picture.hpp"
 #include "tools/map3d/map3d_files.hpp"
+#include "tools/map3d/map_slice.hpp"
 #include "tools/map3d/survey_world.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
@@ -83,15 +84,38 @@ int make_map3d(const MapArguments& arguments) {
   return kDone;
 }
 
+/// Writes a planar map, whose picture goes beside it.
+void write_map(const RosMap& map, const std::string& wanted, double height) {
+  const std::filesystem::path out = wanted.empty()
+                                        ? std::filesystem::path(file_name_of(map.name) + ".yaml")
+                                        : std::filesystem::path(wanted);
+  std::filesystem::path image = out;
+  image.replace_extension(".pgm");
+  require_own_file(out);
+  write_own_file(image, encode_pgm(map_image(map)));
+  write_own_file(out, ros_map_yaml(map, image.filename().string()));
+  fmt::print("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), map.width, map.height,
+             map.resolution, height);
+}
+
+int make_slice(const MapArguments& arguments) {
+  if (!arguments.height) {
+    throw std::invalid_argument(
+        "a 3-D map becomes a planar one by --height, that of the cross-section in the map [m], or "
+        "a 3-D one by a name for --out that ends in .map3d, .bt or .ot");
+  }
+  const std::string name = std::filesystem::path(arguments.world).stem().string();
+  write_map(map_slice(map3d_of(arguments), *arguments.height, name), arguments.out,
+            *arguments.height);
+  return kDone;
+}
+
 int make_map(const MapArguments& arguments) {
   if (is_map3d_target(arguments.out)) return make_map3d(arguments);
-  if (is_map3d_source(arguments.world)) {
-    throw std::invalid_argument(
-        "a 3-D map becomes a 3-D map: give --out a name that ends in .map3d, .bt or .ot");
-  }
   if (!arguments.picture.empty()) {
     throw std::invalid_argument("--picture is of 3-D maps: end --out in .map3d, .bt or .ot");
   }
+  if (is_map3d_source(arguments.world)) return make_slice(arguments);
   const double height = arguments.height
                             ? *arguments.height
                             : sim::lidar_of(build_robot({arguments.robot, {}, {}, {}}, "."))
@@ -100,17 +124,7 @@ int make_map(const MapArguments& arguments) {
   const LoadedWorld loaded = load_world(arguments, height);
   const WorldFile& world = loaded.file;
   const sim::Grid grid = sim::rasterise(world.spec, height, arguments.resolution.value_or(0.05));
-  const std::filesystem::path out =
-      arguments.out.empty() ? std::filesystem::path(file_name_of(world.spec.name) + ".yaml")
-                            : std::filesystem::path(arguments.out);
-  const RosMap map = to_ros_map(grid, world.spec.name);
-  std::filesystem::path image = out;
-  image.replace_extension(".pgm");
-  require_own_file(out);
-  write_own_file(image, encode_pgm(map_image(map)));
-  write_own_file(out, ros_map_yaml(map, image.filename().string()));
-  fmt::print("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), grid.width, grid.height,
-             grid.resolution, height);
+  write_map(to_ros_map(grid, world.spec.name), arguments.out, height);
   return kDone;
 }
 
@@ -125,7 +139,10 @@ void add_map_command(Command& app) {
                   "A world's name or path, or a 3-D map or cloud: .map3d, .bt, .ot, .pcd, .ply")
       .required();
   command.add_option("--robot", a->robot, "Robot whose lidar height is used").show_default();
-  command.add_option("--height", a->height, "Height of the survey [m], instead of a robot's lidar")
+  command
+      .add_option(
+          "--height", a->height,
+          "Height of the survey [m], instead of a robot's lidar; of a 3-D map: height in it")
       .range(-1000.0, 1000.0);
   command
       .add_option("--resolution", a->resolution,
@@ -151,7 +168,8 @@ void add_map_command(Command& app) {
   command.add_flag("--strict", a->strict, "Reject an SDF world if a part of it cannot be read");
   command.footer(
       "Examples:\n  castaway map lab --out worlds/lab/map.yaml\n"
-      "  castaway map car-park --out car-park.bt --picture levels.png");
+      "  castaway map car-park --out car-park.bt --picture levels.png\n"
+      "  castaway map corridor.bt --height 0.25 --out corridor.yaml");
   command.action([a] { return make_map(*a); });
 }
 

@@ -52,6 +52,13 @@ TEST(VoxelMapTest, PointsAreInTheirVoxels) {
   EXPECT_LT(p.z(), 0.5);
 }
 
+TEST(VoxelMapTest, IsRoughWhereNoSurfacePointsAreStated) {
+  VoxelMap map = two_voxels();
+  EXPECT_FALSE(is_rough(map));
+  map.offsets = {{127, 127, 127}, {127, 127, 127}};
+  EXPECT_TRUE(is_rough(map));
+}
+
 TEST(VoxelMapTest, WhatIsNoMapIsRefused) {
   VoxelMap map = two_voxels();
   EXPECT_NO_THROW(validate(map));

@@ -116,5 +116,32 @@ TEST(PassesThroughTest, ARayATenthOfAMetreWithinAnEdge) {
   }
 }
 
+/// A wall of one layer of voxels with a hole, whose surface points are the centres of voxels.
+VoxelDistances rough_wall(int hole) {
+  VoxelBuilder builder(0.1);
+  for (int j = -20; j < 20; ++j) {
+    for (int k = 0; k < 30; ++k) {
+      const bool in_hole = j >= 1 && j <= hole && k == 10;
+      if (!in_hole) builder.add({2.05, 0.1 * j + 0.05, 0.1 * k + 0.05});
+    }
+  }
+  return VoxelDistances(builder.build(), 0.4);
+}
+
+TEST(PassesThroughTest, ARayBesideAHoleOfARoughWall) {
+  const auto beside_hole = [](const VoxelDistances& distances) {
+    return passes_through(distances, {0.5F, 0.05F, 1.05F}, {4.5F, 0.05F, 1.05F});
+  };
+  EXPECT_TRUE(rough_wall(3).rough());
+  EXPECT_TRUE(beside_hole(rough_wall(0)));
+  EXPECT_TRUE(beside_hole(rough_wall(3)));
+}
+
+TEST(PassesThroughTest, NotARayThatGrazesACornerOfARoughWall) {
+  const VoxelDistances distances = rough_wall(0);  // It ends at y = 2 and z = 3.
+  EXPECT_TRUE(passes_through(distances, {0.5F, 0.0F, 2.99F}, {4.5F, 0.0F, 2.99F}));
+  EXPECT_FALSE(passes_through(distances, {0.5F, 1.99F, 2.99F}, {4.5F, 1.99F, 2.99F}));
+}
+
 }  // namespace
 }  // namespace castaway::localization

@@ -1,4 +1,6 @@
 // 3-D maps of files, as replays use them.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "localization/map3d/voxel_builder.hpp"
@@ -7,6 +9,7 @@
 #include "tools/map3d/file_volume.hpp"
 #include "tools/map3d/ground_plan.hpp"
 #include "tools/map3d/map3d_files.hpp"
+#include "tools/map3d/map_slice.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -23,16 +26,43 @@ std::vector<Eigen::Vector3d> walled_floor() {
   return points;
 }
 
+int value_at(const RosMap& map, double x, double y) {
+  return map.at(static_cast<int>(std::floor((x - map.origin_x) / map.resolution)),
+                static_cast<int>(std::floor((y - map.origin_y) / map.resolution)));
+}
+
 TEST(GroundPlan, ShowsDrivableGroundAndWalls) {
   const RosMap plan = ground_plan(survey_map3d(walled_floor(), {}), "hall");
   EXPECT_EQ(plan.name, "hall");
-  const auto at = [&](double x, double y) {
-    return plan.at(static_cast<int>((x - plan.origin_x) / plan.resolution),
-                   static_cast<int>((y - plan.origin_y) / plan.resolution));
-  };
-  EXPECT_EQ(at(4.0, 2.0), 0);
-  EXPECT_EQ(at(-0.05, 2.0), 100);
+  EXPECT_EQ(value_at(plan, 4.0, 2.0), 0);
+  EXPECT_EQ(value_at(plan, -0.05, 2.0), 100);
   EXPECT_EQ(plan.width * plan.height, static_cast<int>(plan.cells.size()));
+}
+
+TEST(MapSlice, ShowsWhatIsAtItsHeight) {
+  auto points = walled_floor();
+  for (double y = 1.025; y < 3.0; y += 0.05) points.emplace_back(6.05, y, 1.25);  // A bar.
+  points.emplace_back(10.05, 2.0, 1.25);  // No ground is before it.
+  const Map3d map = survey_map3d(points, {});
+  const RosMap low = map_slice(map, 0.52, "hall");
+  EXPECT_EQ(low.name, "hall");
+  EXPECT_EQ(value_at(low, 4.0, 2.0), 0);
+  EXPECT_EQ(value_at(low, 6.05, 2.0), 0);
+  EXPECT_EQ(value_at(low, -0.05, 2.0), 100);
+  EXPECT_EQ(value_at(low, 9.0, 2.0), -1);
+  const RosMap high = map_slice(map, 1.22, "hall");
+  EXPECT_EQ(value_at(high, 6.05, 2.0), 100);
+  EXPECT_EQ(value_at(high, 4.0, 2.0), 0);
+}
+
+TEST(MapSlice, SaysWhichHeightsThereAre) {
+  try {
+    static_cast<void>(map_slice(survey_map3d(walled_floor(), {}), 2.5, "hall"));
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "no surface is at the height 2.5 m: those of the map are from 0.00 to 2.00 m");
+  }
 }
 
 TEST(FileVolume, IsSharedByEqualVoxels) {
