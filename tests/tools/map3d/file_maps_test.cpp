@@ -1,9 +1,8 @@
 // 3-D maps of files, as replays use them.
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "localization/map3d/voxel_builder.hpp"
+#include "tests/tools/support/map_value.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
 #include "tools/map3d/file_volume.hpp"
@@ -24,11 +23,6 @@ std::vector<Eigen::Vector3d> walled_floor() {
     for (double z = 0.025; z < 2.0; z += 0.05) points.emplace_back(-0.05, y, z);
   }
   return points;
-}
-
-int value_at(const RosMap& map, double x, double y) {
-  return map.at(static_cast<int>(std::floor((x - map.origin_x) / map.resolution)),
-                static_cast<int>(std::floor((y - map.origin_y) / map.resolution)));
 }
 
 TEST(GroundPlan, ShowsDrivableGroundAndWalls) {

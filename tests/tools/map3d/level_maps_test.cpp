@@ -1,20 +1,13 @@
 #include "tools/map3d/level_maps.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/map_value.hpp"
 #include "tests/tools/support/two_floors.hpp"
 #include "tools/map3d/level_plane_of.hpp"
 
 namespace castaway::testbed {
 namespace {
-
-/// Value of the cell at a point of map. [m]
-int value_at(const RosMap& map, double x, double y) {
-  return map.at(static_cast<int>(std::floor((x - map.origin_x) / map.resolution)),
-                static_cast<int>(std::floor((y - map.origin_y) / map.resolution)));
-}
 
 TEST(LevelMaps, AreOneForEachFloor) {
   const LevelMaps levels = level_maps(*level_plane_of(two_floors()));
