@@ -90,6 +90,9 @@ TEST(Map3d, ItsCrossSectionIsThePlanarMapOfTheWorld) {
   EXPECT_EQ(without.exit_code, 2);
   expect_contains(without.err, "a 3-D map becomes a planar one by --height");
   EXPECT_FALSE(fs::exists(folder / "none.yaml"));
+  const Outcome both = castaway(folder, "map lab --height 0.18 --out none.map3d");
+  EXPECT_EQ(both.exit_code, 2);
+  expect_contains(both.err, "--height is of planar maps: end --out in .yaml");
 }
 
 TEST(Map3d, OctomapsToolsReadItsFilesAndItReadsTheirs) {

@@ -67,6 +67,9 @@ Map3d map3d_of(const MapArguments& arguments) {
 }
 
 int make_map3d(const MapArguments& arguments) {
+  if (arguments.height) {
+    throw std::invalid_argument("--height is of planar maps: end --out in .yaml");
+  }
   const std::filesystem::path out = arguments.out;
   require_own_file(out);
   if (!arguments.picture.empty()) require_own_file(arguments.picture);
