@@ -1,6 +1,8 @@
 /// Four numbers that are computed at once.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace castaway::localization {
@@ -20,6 +22,25 @@ inline FourFloats load_four(const float* first) {
 /// As ints, rounded towards zero.
 inline FourInts truncated(FourFloats values) { return __builtin_convertvector(values, FourInts); }
 
+/// The first `count` of four numbers from `first` on, then zeros.
+inline FourFloats load_some(const float* first, std::size_t count) {
+  FourFloats four{};
+  std::memcpy(&four, first, std::min(count, std::size_t{4}) * sizeof(float));
+  return four;
+}
+
 inline FourFloats to_floats(FourInts values) { return __builtin_convertvector(values, FourFloats); }
+
+/// `value` within 0 and `most`; `most` for NaN.
+inline FourFloats clamped(FourFloats value, float most) {
+  const FourFloats zero{};
+  const FourFloats top = zero + most;
+  const FourFloats below = value < top ? value : top;  // Also for NaN.
+  return below > zero ? below : zero;
+}
+inline float clamped(float value, float most) {
+  const float below = value < most ? value : most;  // Also for NaN.
+  return below > 0.0F ? below : 0.0F;
+}
 
 }  // namespace castaway::localization

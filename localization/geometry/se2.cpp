@@ -26,10 +26,11 @@ SE2 operator*(const SE2& T_a_b, const SE2& T_b_c) {
 }
 
 Eigen::Vector2d operator*(const SE2& T_a_b, const Eigen::Vector2d& p_b) {
-  const double c = std::cos(T_a_b.yaw);
-  const double s = std::sin(T_a_b.yaw);
-  return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+  return PlaneTransform(T_a_b) * p_b;
 }
+
+PlaneTransform::PlaneTransform(const SE2& T_a_b)
+    : x_(T_a_b.x), y_(T_a_b.y), cos_(std::cos(T_a_b.yaw)), sin_(std::sin(T_a_b.yaw)) {}
 
 SE2 interpolate(const SE2& a, const SE2& b, double fraction) {
   return {a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y),

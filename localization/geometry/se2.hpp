@@ -27,6 +27,20 @@ SE2 operator*(const SE2& T_a_b, const SE2& T_b_c);
 /// Coordinates in a of a point given in b: `p_a = T_a_b * p_b`.
 Eigen::Vector2d operator*(const SE2& T_a_b, const Eigen::Vector2d& p_b);
 
+/// A transform prepared for many points: sine and cosine are computed once.
+class PlaneTransform {
+ public:
+  explicit PlaneTransform(const SE2& T_a_b);
+  /// To the bit that of `SE2`.
+  Eigen::Vector2d operator*(const Eigen::Vector2d& p_b) const {
+    return {x_ + cos_ * p_b.x() - sin_ * p_b.y(), y_ + sin_ * p_b.x() + cos_ * p_b.y()};
+  }
+
+ private:
+  double x_, y_;
+  double cos_, sin_;
+};
+
 /// Interpolates from `a` (fraction 0) to `b` (1), and extrapolates beyond: linear in position, the
 /// shorter way in yaw.
 SE2 interpolate(const SE2& a, const SE2& b, double fraction);

@@ -18,11 +18,18 @@ struct LayerBeam {
   std::size_t column = 0;
 };
 
+/// An angle by its cosine and sine.
+struct Direction {
+  explicit Direction(double angle) : cos(std::cos(angle)), sin(std::sin(angle)) {}
+  double cos, sin;
+};
+
 /// Directions of the layers' beams.
 class LayerFan {
  public:
   LayerFan(const LaserScan& scan, const BeamSelection& selection)
       : scan_(scan), selection_(selection), by_elevation_(scan.layers.size()) {
+    for (const ScanLayer& layer : scan.layers) elevations_.emplace_back(layer.elevation);
     const auto elevation = [&](std::size_t layer) { return scan.layers[layer].elevation; };
     std::iota(by_elevation_.begin(), by_elevation_.end(), std::size_t{0});
     std::sort(by_elevation_.begin(), by_elevation_.end(),
@@ -36,21 +43,26 @@ class LayerFan {
   /// Layers, the lowest first.
   [[nodiscard]] const std::vector<std::size_t>& by_elevation() const { return by_elevation_; }
   [[nodiscard]] std::size_t level() const { return level_; }
-  /// The end point in the lidar's frame; nothing without a valid return.
-  [[nodiscard]] std::optional<Eigen::Vector3d> end(const LayerBeam& beam) const {
-    const ScanLayer& layer = scan_.layers[beam.layer];
-    const double range = layer.ranges[beam.column];
+  /// Of a column's beams, in the plane.
+  [[nodiscard]] Direction direction(std::size_t column) const {
+    return Direction(scan_.beam_angle(column));
+  }
+  /// The end point in the lidar's frame; nothing without a valid return. `direction` is that of the
+  /// beam's column.
+  [[nodiscard]] std::optional<Eigen::Vector3d> end(const LayerBeam& beam,
+                                                   const Direction& direction) const {
+    const double range = scan_.layers[beam.layer].ranges[beam.column];
     if (!is_valid_range(scan_, selection_, range)) return std::nullopt;
-    const double angle = scan_.beam_angle(beam.column);
-    const double flat = range * std::cos(layer.elevation);
-    return Eigen::Vector3d(flat * std::cos(angle), flat * std::sin(angle),
-                           range * std::sin(layer.elevation));
+    const Direction& elevation = elevations_[beam.layer];
+    const double flat = range * elevation.cos;
+    return Eigen::Vector3d(flat * direction.cos, flat * direction.sin, range * elevation.sin);
   }
 
  private:
   const LaserScan& scan_;
   const BeamSelection& selection_;
   std::vector<std::size_t> by_elevation_;
+  std::vector<Direction> elevations_;
   std::size_t level_ = 0;
 };
 
@@ -78,8 +90,10 @@ bool is_flat(const Column& column, std::size_t k) {
 /// Returns in one direction, the lowest layer first, in axes parallel to those of base.
 Column column_of(const LayerFan& fan, const Eigen::Matrix3d& R_base_laser, std::size_t column) {
   Column ends;
+  ends.reserve(fan.by_elevation().size());
+  const Direction direction = fan.direction(column);
   for (const std::size_t layer : fan.by_elevation()) {
-    auto end = fan.end({layer, column});
+    auto end = fan.end({layer, column}, direction);
     if (end) *end = R_base_laser * *end;
     ends.push_back(end);
   }
@@ -128,7 +142,7 @@ class Projection {
       const auto T_odom_beam = T_odom_base_.at(scan_.beam_stamp(beam.column));
       if (!T_odom_beam) return false;
       append_beam(points, to_se3(T_reference_odom_ * *T_odom_beam) * scan_.T_base_laser,
-                  *fan.end(beam));
+                  *fan.end(beam, fan.direction(beam.column)));
       points.kinds.push_back(kind);
     }
     return true;

@@ -1,8 +1,6 @@
 /// Conversion of cell coordinates to indices that never overflows.
 #pragma once
 
-#include <cmath>
-
 namespace castaway::localization {
 
 /// Beyond any grid, and small enough that the sum of two fits an int.
@@ -14,7 +12,9 @@ template <typename Real>
 [[nodiscard]] inline int cell_index(Real cells) {
   constexpr auto kFarthest = static_cast<Real>(kFarthestCell);
   const Real below = cells < kFarthest ? cells : kFarthest;  // Also for NaN.
-  return static_cast<int>(std::floor(below > -kFarthest ? below : -kFarthest));
+  const Real limited = below > -kFarthest ? below : -kFarthest;
+  const int towards_zero = static_cast<int>(limited);
+  return static_cast<Real>(towards_zero) > limited ? towards_zero - 1 : towards_zero;
 }
 
 }  // namespace castaway::localization

@@ -22,8 +22,8 @@ class InterpolatedField {
 
   /// Bilinear value at a point in the grid's frame, given in cells (`p_grid / resolution`).
   [[nodiscard]] float at_cells(float x, float y) const {
-    const float u = clamp(x + 1.5F, max_u_);
-    const float v = clamp(y + 1.5F, max_v_);
+    const float u = clamped(x + 1.5F, max_u_);
+    const float v = clamped(y + 1.5F, max_v_);
     const int column = static_cast<int>(u);
     const int row = static_cast<int>(v);
     const float du = u - static_cast<float>(column);
@@ -36,8 +36,8 @@ class InterpolatedField {
 
   /// The values at four points, to the bit those of `at_cells` of each.
   [[nodiscard]] FourFloats at_cells(FourFloats x, FourFloats y) const {
-    const FourFloats u = clamp(x + 1.5F, max_u_);
-    const FourFloats v = clamp(y + 1.5F, max_v_);
+    const FourFloats u = clamped(x + 1.5F, max_u_);
+    const FourFloats v = clamped(y + 1.5F, max_v_);
     const FourInts column = truncated(u);
     const FourInts row = truncated(v);
     const FourFloats du = u - to_floats(column);
@@ -76,16 +76,6 @@ class InterpolatedField {
     return {__builtin_shufflevector(a, b, 0, 2, 4, 6), __builtin_shufflevector(a, b, 1, 3, 5, 7)};
   }
 
-  static FourFloats clamp(FourFloats value, float max) {
-    const FourFloats zero{};
-    const FourFloats most = zero + max;
-    const FourFloats below = value < most ? value : most;  // Also for NaN.
-    return below > zero ? below : zero;
-  }
-  static float clamp(float value, float max) {
-    const float below = value < max ? value : max;  // Also for NaN.
-    return below > 0.0F ? below : 0.0F;
-  }
   GridFrame frame_;
   std::ptrdiff_t stride_;
   float max_u_;

@@ -28,6 +28,7 @@ Atlas::Atlas(ElevationMap ground, double margin) : ground_(std::move(ground)) {
   }
   charts_ = static_cast<int>(charts.size());
   frame_ = ground_.frame;
+  T_grid_atlas_ = localization::grid_from_map(ground_);
   frame_.height = (charts_ - 1) * stride_ + ground_.frame.height;
   surfaces_.assign(frame_.size(), -1);
   own_cells_.assign(ground_.surfaces.size(), kNoCell);
@@ -68,23 +69,30 @@ Eigen::Vector2i Atlas::own_cell(const Eigen::Vector2i& cell) const {
 
 /// A translation by rows of the grid, as one of map. [m]
 Eigen::Vector2d Atlas::along_rows(int rows) const {
+  if (rows == 0) return Eigen::Vector2d::Zero();
   const SE2 turn{0.0, 0.0, frame_.T_map_grid.yaw};
   return turn * Eigen::Vector2d(0.0, rows * frame_.resolution);
 }
 
+Eigen::Vector2i Atlas::cell_of(const SE2& T_atlas_base) const {
+  return frame_.cell_of(T_grid_atlas_ * T_atlas_base.translation());
+}
+
 SE2 Atlas::in_map(const SE2& T_atlas_base) const {
-  const Eigen::Vector2i cell =
-      frame_.cell_of(frame_.T_map_grid.inverse() * T_atlas_base.translation());
+  return in_map(T_atlas_base, cell_of(T_atlas_base));
+}
+
+SE2 Atlas::in_map(const SE2& T_atlas_base, const Eigen::Vector2i& cell) const {
   const int chart = std::clamp(cell.y() / stride_, 0, charts_ - 1);
   const Eigen::Vector2d shift = along_rows(-chart * stride_);
   return {T_atlas_base.x + shift.x(), T_atlas_base.y + shift.y(), T_atlas_base.yaw};
 }
 
 std::optional<GroundPose> Atlas::to_map(const SE2& T_atlas_base) const {
-  const GroundSurface* surface =
-      surface_at(frame_.cell_of(frame_.T_map_grid.inverse() * T_atlas_base.translation()));
+  const Eigen::Vector2i cell = cell_of(T_atlas_base);
+  const GroundSurface* surface = surface_at(cell);
   if (surface == nullptr) return std::nullopt;
-  return GroundPose{in_map(T_atlas_base), surface};
+  return GroundPose{in_map(T_atlas_base, cell), surface};
 }
 
 std::optional<SE2> Atlas::to_atlas(const SE2& T_map_base, double z) const {
@@ -107,8 +115,7 @@ std::optional<SE2> Atlas::to_atlas(const SE2& T_map_base, double z) const {
 }
 
 Eigen::Vector2d Atlas::to_own_chart(const SE2& T_atlas_base) const {
-  const Eigen::Vector2i cell =
-      frame_.cell_of(frame_.T_map_grid.inverse() * T_atlas_base.translation());
+  const Eigen::Vector2i cell = cell_of(T_atlas_base);
   return along_rows(own_cell(cell).y() - cell.y());
 }
 

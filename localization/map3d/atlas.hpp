@@ -55,6 +55,8 @@ class Atlas {
   /// The cell that the surface of a cell belongs to; the cell itself if it has none.
   [[nodiscard]] Eigen::Vector2i own_cell(const Eigen::Vector2i& cell) const;
   [[nodiscard]] const ElevationMap& ground() const { return ground_; }
+  /// `localization::grid_from_map` of the ground.
+  [[nodiscard]] const PlaneTransform& grid_from_map() const { return T_grid_atlas_; }
   [[nodiscard]] int charts() const { return charts_; }
   /// Rows of `frame` from a row of a chart to the same one of the next.
   [[nodiscard]] int stride() const { return stride_; }
@@ -62,9 +64,13 @@ class Atlas {
  private:
   void place(const Chart& chart, int first_row);
   [[nodiscard]] Eigen::Vector2d along_rows(int rows) const;
+  [[nodiscard]] Eigen::Vector2i cell_of(const SE2& T_atlas_base) const;
+  /// For a pose in a cell of `frame_`.
+  [[nodiscard]] SE2 in_map(const SE2& T_atlas_base, const Eigen::Vector2i& cell) const;
 
   ElevationMap ground_;
   GridFrame frame_;
+  PlaneTransform T_grid_atlas_{SE2{}};  ///< The same as from map.
   int charts_ = 0;
   int stride_ = 0;
   std::vector<std::int32_t> surfaces_;  ///< By cell of `frame_`; -1: none.

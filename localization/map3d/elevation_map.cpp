@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace castaway::localization {
@@ -33,25 +32,28 @@ void validate(const ElevationMap& map) {
 }
 
 const GroundSurface* surface_near(const ElevationMap& map, const Eigen::Vector2d& p_map, double z) {
-  const Eigen::Vector2d p_grid = map.frame.T_map_grid.inverse() * p_map;
+  return ground_at(map, grid_from_map(map) * p_map, z).surface;
+}
+
+double ground_height(const ElevationMap& map, const Eigen::Vector2d& p_map, double z) {
+  return ground_at(map, grid_from_map(map) * p_map, z).z;
+}
+
+GroundPoint ground_at(const ElevationMap& map, const Eigen::Vector2d& p_grid, double z) {
+  const Eigen::Vector2i cell = map.frame.cell_of(p_grid);
   const GroundSurface* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const GroundSurface& surface : map.at(map.frame.cell_of(p_grid))) {
+  for (const GroundSurface& surface : map.at(cell)) {
     const double away = std::abs(static_cast<double>(surface.z) - z);
     if (away >= least) continue;
     least = away;
     nearest = &surface;
   }
-  return nearest;
-}
-
-double ground_height(const ElevationMap& map, const Eigen::Vector2d& p_map, double z) {
-  const GroundSurface* surface = surface_near(map, p_map, z);
-  if (surface == nullptr) return std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Vector2d p_grid = map.frame.T_map_grid.inverse() * p_map;
-  const Eigen::Vector2d from_centre = p_grid - map.frame.centre_of(map.frame.cell_of(p_grid));
-  return static_cast<double>(surface->z) + static_cast<double>(surface->slope_x) * from_centre.x() +
-         static_cast<double>(surface->slope_y) * from_centre.y();
+  if (nearest == nullptr) return {};
+  const Eigen::Vector2d from_centre = p_grid - map.frame.centre_of(cell);
+  return {nearest, static_cast<double>(nearest->z) +
+                       static_cast<double>(nearest->slope_x) * from_centre.x() +
+                       static_cast<double>(nearest->slope_y) * from_centre.y()};
 }
 
 }  // namespace castaway::localization

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct ElevationMap {
 /// @throws std::invalid_argument if the parts of the map do not agree with each other.
 void validate(const ElevationMap& map);
 
+/// Transform from map to the grid of an elevation map, prepared for many points.
+[[nodiscard]] inline PlaneTransform grid_from_map(const ElevationMap& map) {
+  return PlaneTransform(map.frame.T_map_grid.inverse());
+}
+
 /// The surface of the cell under `p_map` [m] that is nearest to the height `z` [m]; null if the
 /// cell has none.
 const GroundSurface* surface_near(const ElevationMap& map, const Eigen::Vector2d& p_map, double z);
@@ -45,5 +51,13 @@ const GroundSurface* surface_near(const ElevationMap& map, const Eigen::Vector2d
 /// Height of the ground under `p_map` on the surface nearest to `z`, continued within its cell by
 /// its slope. [m] NaN where there is no surface.
 double ground_height(const ElevationMap& map, const Eigen::Vector2d& p_map, double z);
+
+/// A point of the ground.
+struct GroundPoint {
+  const GroundSurface* surface = nullptr;               ///< Null: none.
+  double z = std::numeric_limits<double>::quiet_NaN();  ///< [m]
+};
+/// `surface_near` and `ground_height` of a point of the map's grid. [m]
+GroundPoint ground_at(const ElevationMap& map, const Eigen::Vector2d& p_grid, double z);
 
 }  // namespace castaway::localization

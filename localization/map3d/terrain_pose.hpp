@@ -22,5 +22,8 @@ struct TerrainPose {
 /// or more than 60 degrees above or below base.
 std::optional<TerrainPose> stand(const ElevationMap& map, const SE2& T_map_base, double z,
                                  const WheelStance& wheels);
+/// The same with the transform of `grid_from_map`.
+std::optional<TerrainPose> stand(const ElevationMap& map, const PlaneTransform& T_grid_map,
+                                 const SE2& T_map_base, double z, const WheelStance& wheels);
 
 }  // namespace castaway::localization

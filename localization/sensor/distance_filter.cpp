@@ -1,7 +1,10 @@
 #include "localization/sensor/distance_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "localization/sensor/pose_in_cells.hpp"
@@ -37,8 +40,11 @@ std::size_t DistanceFilter::misfits(const Volume& volume, const ScanPoints& poin
   const PoseInVolume pose(there->T_map_base);
   const auto off_wall = static_cast<float>(config_.off_wall);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (volume.surfaces().at(pose.end(points, i)) > off_wall) ++count;
+  for (std::size_t i = 0; i < points.size(); i += 4) {
+    const FourPoints p_map = pose * four_points(points, i);
+    const FourInts off = volume.surfaces().at(p_map.x, p_map.y, p_map.z) > off_wall;
+    const int last = static_cast<int>(std::min<std::size_t>(4, points.size() - i));
+    for (int k = 0; k < last; ++k) count += off[k] != 0 ? 1U : 0U;
   }
   return count;
 }
@@ -46,10 +52,11 @@ std::size_t DistanceFilter::misfits(const Volume& volume, const ScanPoints& poin
 ScanPoints DistanceFilter::expected(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty() || fits(points, T_map_base)) return points;
   const RayConsistency rays(world_, T_map_base, {});
+  std::vector<std::size_t> all(points.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> before = rays.ends_before_wall(points, all, config_.before_wall);
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!rays.ends_before_wall(points, i, config_.before_wall)) kept.push_back(i);
-  }
+  std::ranges::set_difference(all, before, std::back_inserter(kept));
   if (kept.size() < static_cast<std::size_t>(config_.least)) return points;
   return points_at(points, kept);
 }

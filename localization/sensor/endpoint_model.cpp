@@ -27,23 +27,28 @@ template <typename Take>
   }
 }
 
-/// The same in space. Places are found some points ahead, so that memory is read meanwhile.
+/// The same in space. Cells are found some points ahead, so that memory is read meanwhile.
 template <typename Take>
 void look_up_surfaces(const SurfaceField& surfaces, const SurfaceField::Table& values,
                       const Eigen::Isometry3d& T_map_base, const ScanPoints& points,
                       const Take& take) {
-  constexpr std::size_t kAhead = 32;
-  std::array<SurfaceField::Place, kAhead> places;
+  constexpr std::size_t kAhead = 8;
+  std::array<SurfaceField::FourCells, kAhead> found;
   const SurfaceField::LatticePose pose = surfaces.lattice_pose(T_map_base);
-  for (std::size_t first = 0; first < points.size(); first += kAhead) {
-    const std::size_t count = std::min(kAhead, points.size() - first);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = first + k;
-      places[k] =
-          surfaces.find(pose.R * Eigen::Vector3f(points.x[i], points.y[i], points.z[i]) + pose.t);
-      __builtin_prefetch(places[k].cell);
+  for (std::size_t first = 0; first < points.size(); first += 4 * kAhead) {
+    const std::size_t count = std::min(4 * kAhead, points.size() - first);
+    for (std::size_t i = 0; i < count; i += 4) {
+      const FourPoints p = transformed(pose.R, pose.t, four_points(points, first + i));
+      found[i / 4] = surfaces.find(p.x, p.y, p.z);
     }
-    for (std::size_t k = 0; k < count; ++k) take(surfaces.value(places[k], values));
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+      const FourInts places = surfaces.table_places(found[i / 4]);
+      for (int k = 0; k < 4; ++k) take(values[static_cast<std::size_t>(places[k])]);
+    }
+    if (i == count) continue;
+    const FourInts places = surfaces.table_places(found[i / 4]);
+    for (int k = 0; i < count; ++i, ++k) take(values[static_cast<std::size_t>(places[k])]);
   }
 }
 

@@ -5,6 +5,18 @@
 #include <numeric>
 
 namespace castaway::localization {
+namespace {
+
+std::vector<std::size_t> likelier_than(double least, const std::vector<double>& beams) {
+  std::vector<std::size_t> indices;
+  indices.reserve(beams.size());
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (beams[i] > least) indices.push_back(i);
+  }
+  return indices;
+}
+
+}  // namespace
 
 EvidenceModel::EvidenceModel(const EvidenceConfig& config, const OccupancyGrid& grid,
                              const DistanceField& distances)
@@ -27,16 +39,13 @@ bool EvidenceModel::is_free(const SE2& T_map_base) const {
 
 Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base) const {
   if (points.empty()) return {};
-  const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
+  std::vector<double> beams = log_likelihoods(points, T_map_base);
+  const double hits = sum_of_likelihoods(beams);
   const RayConsistency rays(world(), T_map_base, config_.rays);
-  const double floor = config_.endpoint.floor;
-  double sum = 0.0;
-  double hits = 0.0;
-  for (std::size_t i = 0; i < beams.size(); ++i) {
-    const double l = beams[i];
-    sum += l > through_wall_ && rays.through_wall(points, i) ? through_wall_ : l;
-    hits += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
+  for (const std::size_t i : rays.through_wall(points, likelier_than(through_wall_, beams))) {
+    beams[i] = through_wall_;
   }
+  const double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
   return {scale_sum(sum, points, T_map_base),
           std::min(1.0, hits / static_cast<double>(beams.size()))};
 }
@@ -44,17 +53,34 @@ Evidence EvidenceModel::evaluate(const ScanPoints& points, const SE2& T_map_base
 double EvidenceModel::log_likelihood_above(double least, const ScanPoints& points,
                                            const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
-  const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
+  const std::vector<double> beams = log_likelihoods(points, T_map_base);
   const RayConsistency rays(world(), T_map_base, config_.rays);
   double sum = std::accumulate(beams.begin(), beams.end(), 0.0);
   double value = scale_sum(sum, points, T_map_base);
-  for (std::size_t i = 0; i < beams.size() && value > least; ++i) {
-    const double l = beams[i];
-    if (l <= through_wall_ || !rays.through_wall(points, i)) continue;
-    sum += through_wall_ - l;
-    value = scale_sum(sum, points, T_map_base);
+  constexpr std::size_t kAtOnce = 8;
+  const std::vector<std::size_t> likely = likelier_than(through_wall_, beams);
+  for (std::size_t first = 0; first < likely.size() && value > least; first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, likely.size() - first);
+    for (const std::size_t i : rays.through_wall(points, std::span(likely).subspan(first, count))) {
+      if (value <= least) break;
+      sum += through_wall_ - beams[i];
+      value = scale_sum(sum, points, T_map_base);
+    }
   }
   return value;
+}
+
+std::vector<double> EvidenceModel::log_likelihoods(const ScanPoints& points,
+                                                   const SE2& T_map_base) const {
+  const std::vector<float> beams = endpoint_.beam_log_likelihoods(points, T_map_base);
+  return {beams.begin(), beams.end()};
+}
+
+double EvidenceModel::sum_of_likelihoods(const std::vector<double>& beams) const {
+  const double floor = config_.endpoint.floor;
+  double sum = 0.0;
+  for (const double l : beams) sum += std::max(0.0, std::exp(l) * (1.0 + floor) - floor);
+  return sum;
 }
 
 /// Share of the independent beams that a scan counts as.

@@ -58,6 +58,11 @@ class EvidenceModel {
   }
 
  private:
+  /// Of each beam, without rays.
+  [[nodiscard]] std::vector<double> log_likelihoods(const ScanPoints& points,
+                                                    const SE2& T_map_base) const;
+  /// Sum of what each beam adds to the quality.
+  [[nodiscard]] double sum_of_likelihoods(const std::vector<double>& beams) const;
   [[nodiscard]] double share(std::size_t beams) const;
   [[nodiscard]] bool is_free(const SE2& T_map_base) const;
   [[nodiscard]] double scale_sum(double sum, const ScanPoints& points, const SE2& T_map_base) const;

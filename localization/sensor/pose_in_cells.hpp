@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "localization/map/occupancy_grid.hpp"
+#include "localization/sensor/four_points.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
@@ -70,6 +71,10 @@ class PoseInVolume {
   /// End of beam `i` in map. [m]
   [[nodiscard]] Eigen::Vector3f end(const ScanPoints& points, std::size_t i) const {
     return R_ * Eigen::Vector3f(points.x[i], points.y[i], points.z[i]) + t_;
+  }
+  /// Four ends in map. [m]
+  [[nodiscard]] FourPoints operator*(const FourPoints& p_base) const {
+    return transformed(R_, t_, p_base);
   }
   /// Where beam `i` begins. [m]
   [[nodiscard]] Eigen::Vector3f origin(const ScanPoints& points, std::size_t i) const {

@@ -1,8 +1,7 @@
 #include "localization/sensor/ray_consistency.hpp"
 
 #include <algorithm>
-
-#include "localization/volume/voxel_rays.hpp"
+#include <iterator>
 
 namespace castaway::localization {
 namespace {
@@ -47,20 +46,54 @@ RayConsistency::View RayConsistency::view_from(const RayWorld& world, const SE2&
   return view;
 }
 
-bool RayConsistency::through_wall(const ScanPoints& points, std::size_t i) const {
-  const double r = points.range[i];
-  const double margin = std::max(config_.margin, config_.margin_share * r);
-  return r > margin && meets_wall(points, i, -margin);
+/// How long before the end of a beam walls are ignored. [m]
+double RayConsistency::margin(double range) const {
+  return std::max(config_.margin, config_.margin_share * range);
 }
 
-bool RayConsistency::ends_before_wall(const ScanPoints& points, std::size_t i,
-                                      double beyond) const {
-  return !meets_wall(points, i, beyond);
+std::vector<std::size_t> RayConsistency::through_wall(const ScanPoints& points,
+                                                      std::span<const std::size_t> beams) const {
+  std::vector<std::size_t> long_enough;
+  std::ranges::copy_if(beams, std::back_inserter(long_enough), [&](std::size_t i) {
+    const double r = points.range[i];
+    return r > margin(r);
+  });
+  const auto less = [&](std::size_t i) { return -margin(points.range[i]); };
+  if (const auto* plane = std::get_if<OnPlane>(&view_)) {
+    std::erase_if(long_enough, [&](std::size_t i) { return !meets(*plane, points, i, less(i)); });
+    return long_enough;
+  }
+  const auto& [volume, pose] = std::get<InVolume>(view_);
+  if (!pose) return {};
+  std::vector<Ray> rays;
+  rays.reserve(long_enough.size());
+  for (const std::size_t i : long_enough) rays.push_back(ray(*pose, points, i, less(i)));
+  // A beam from a right pose may graze the ground, and passes along a wall before it ends there:
+  // only one that leaves what is not ground has passed it.
+  std::vector<std::size_t> through = passing_through(volume->walls(), rays);
+  for (std::size_t& i : through) i = long_enough[i];
+  return through;
 }
 
-/// True if beam `i`, made longer by `longer` [m], meets a wall.
-bool RayConsistency::meets_wall(const ScanPoints& points, std::size_t i, double longer) const {
-  return std::visit([&](const auto& view) { return meets(view, points, i, longer); }, view_);
+std::vector<std::size_t> RayConsistency::ends_before_wall(const ScanPoints& points,
+                                                          std::span<const std::size_t> beams,
+                                                          double beyond) const {
+  std::vector<std::size_t> ends(beams.begin(), beams.end());
+  if (const auto* plane = std::get_if<OnPlane>(&view_)) {
+    std::erase_if(ends, [&](std::size_t i) { return meets(*plane, points, i, beyond); });
+    return ends;
+  }
+  const auto& [volume, pose] = std::get<InVolume>(view_);
+  if (!pose) return ends;
+  std::vector<Ray> rays;
+  rays.reserve(ends.size());
+  for (const std::size_t i : beams) rays.push_back(ray(*pose, points, i, beyond));
+  const std::vector<Encounter> met = encounters(volume->surfaces(), rays);
+  ends.clear();
+  for (std::size_t k = 0; k < beams.size(); ++k) {
+    if (met[k] == Encounter::kNone) ends.push_back(beams[k]);
+  }
+  return ends;
 }
 
 bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::size_t i,
@@ -75,18 +108,13 @@ bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::s
   return ray_meets_wall({from, (to - from) / (r * scale), length}, *view.walls);
 }
 
-/// A beam from a right pose may graze the ground, and passes along a wall before it ends there:
-/// only one that leaves what is not ground has passed it. One that is made longer need not.
-bool RayConsistency::meets(const InVolume& view, const ScanPoints& points, std::size_t i,
-                           double longer) {
-  if (!view.pose) return false;
-  const Eigen::Vector3f from = view.pose->origin(points, i);
-  const Eigen::Vector3f to = view.pose->end(points, i);
+/// Beam `i`, made longer by `longer` [m].
+Ray RayConsistency::ray(const PoseInVolume& pose, const ScanPoints& points, std::size_t i,
+                        double longer) {
+  const Eigen::Vector3f from = pose.origin(points, i);
+  const Eigen::Vector3f to = pose.end(points, i);
   const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
-  const Volume& volume = *view.volume;
-  const Eigen::Vector3f end = from + stretch * (to - from);
-  if (longer > 0.0) return encounter(volume.surfaces(), from, end) != Encounter::kNone;
-  return passes_through(volume.walls(), from, end);
+  return {from, from + stretch * (to - from)};
 }
 
 }  // namespace castaway::localization

@@ -3,12 +3,15 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include "localization/map/wall_clearance.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
 #include "localization/volume/volume.hpp"
+#include "localization/volume/voxel_rays.hpp"
 
 namespace castaway::localization {
 
@@ -21,18 +24,21 @@ struct RayConsistencyConfig {
 /// What may be in the way of rays: the walls of a planar map, or the surfaces of a 3-D one.
 using RayWorld = std::variant<const WallClearance*, const Volume*>;
 
-/// Checks single beams from one pose by stepping through the clearances of a map, which must
+/// Checks beams from one pose by stepping through the clearances of a map, which must
 /// outlive it. In a 3-D map poses are in its atlas; where it has no ground, nothing is met.
 class RayConsistency {
  public:
   RayConsistency(const RayWorld& world, const SE2& T_map_base, const RayConsistencyConfig& config);
 
-  /// True if beam `i` passes through a mapped wall before its end point. An object in which the
-  /// beam starts (base is inside of it on the map) does not count.
-  [[nodiscard]] bool through_wall(const ScanPoints& points, std::size_t i) const;
-  /// True if beam `i`, made longer by `beyond` [m], meets no mapped wall: it ended on something
-  /// that is not on the map.
-  [[nodiscard]] bool ends_before_wall(const ScanPoints& points, std::size_t i, double beyond) const;
+  /// Those of the beams that pass through a mapped wall before their end points. An object in
+  /// which a beam starts (base is inside of it on the map) does not count.
+  [[nodiscard]] std::vector<std::size_t> through_wall(const ScanPoints& points,
+                                                      std::span<const std::size_t> beams) const;
+  /// Those of the beams that meet no mapped wall, made longer by `beyond` [m]: they ended on
+  /// something that is not on the map.
+  [[nodiscard]] std::vector<std::size_t> ends_before_wall(const ScanPoints& points,
+                                                          std::span<const std::size_t> beams,
+                                                          double beyond) const;
 
  private:
   struct OnPlane {
@@ -46,9 +52,11 @@ class RayConsistency {
   using View = std::variant<OnPlane, InVolume>;
 
   static View view_from(const RayWorld& world, const SE2& T_map_base);
-  [[nodiscard]] bool meets_wall(const ScanPoints& points, std::size_t i, double longer) const;
-  static bool meets(const OnPlane& view, const ScanPoints& points, std::size_t i, double longer);
-  static bool meets(const InVolume& view, const ScanPoints& points, std::size_t i, double longer);
+  [[nodiscard]] double margin(double range) const;
+  [[nodiscard]] static bool meets(const OnPlane& view, const ScanPoints& points, std::size_t i,
+                                  double longer);
+  [[nodiscard]] static Ray ray(const PoseInVolume& pose, const ScanPoints& points, std::size_t i,
+                               double longer);
 
   View view_;
   RayConsistencyConfig config_;

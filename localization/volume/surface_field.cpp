@@ -40,7 +40,7 @@ SurfaceField::SurfaceField(const VoxelMap& map, double max_distance)
       steps_(255.0F / reach_) {
   validate_reach(map, max_distance);
   blocks_ = VoxelBlocks(map, static_cast<int>(std::ceil(reach_)));
-  cells_.resize(blocks_.size());
+  cells_.resize((blocks_.size() + 1) * VoxelBlocks::kVoxels);
   const SurfacePoints points(map, blocks_);
   const std::vector<SurfacePatch> patches = surface_patches(map);
   blocks_.for_each([&](const Eigen::Vector3i& block, std::uint32_t number) {
@@ -50,7 +50,7 @@ SurfaceField::SurfaceField(const VoxelMap& map, double max_distance)
       const std::uint32_t i = nearest.points[voxel];
       const Eigen::Vector3f from =
           corner_from(map, i, blocks_.corner(block)) + corner_in_block(voxel);
-      cells_[number][voxel] = cell_at(patches[i], from, reach_);
+      cells_[number * VoxelBlocks::kVoxels + voxel] = cell_at(patches[i], from, reach_);
     }
   });
 }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "localization/geometry/four_floats.hpp"
 #include "localization/volume/surface_patches.hpp"
 #include "localization/volume/voxel_blocks.hpp"
 
@@ -28,11 +30,6 @@ class SurfaceField {
     std::int8_t y = 0;
     std::int8_t z = 0;
   };
-  /// The voxel of a point, and where in it the point is: from its corner, in its edges.
-  struct Place {
-    const Cell* cell;
-    Eigen::Vector3f within;
-  };
   /// Values of a function at 256 distances from 0 to the largest.
   using Table = std::array<float, 256>;
 
@@ -42,11 +39,37 @@ class SurfaceField {
 
   /// Distance from a point to the nearest surface. [m]
   [[nodiscard]] float at(const Eigen::Vector3f& p_map) const {
-    return resolution_ * std::min(distance(find(to_lattice(p_map))), reach_);
+    const PlaceOfPoint place = blocks_.find(to_lattice(p_map));
+    const Cell& cell = cells_[place.index];
+    const auto d = distance(Sample<float>{
+        static_cast<float>(cell.distance),
+        {static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(cell.z)},
+        {place.within.x(), place.within.y(), place.within.z()}});
+    return resolution_ * std::min(d, reach_);
+  }
+  /// The same for four points, to the bit.
+  [[nodiscard]] FourFloats at(FourFloats x, FourFloats y, FourFloats z) const {
+    const Eigen::Vector3f& first = blocks_.origin();
+    const FourFloats most = FourFloats{} + reach_;
+    const FourFloats d =
+        distance(find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z()));
+    return resolution_ * (d < most ? d : most);
   }
   /// Distance from the centre of the voxel that a point is in. [m]
   [[nodiscard]] float at_point(const Eigen::Vector3f& p_map) const {
-    return resolution_ * unit_ * static_cast<float>(find(to_lattice(p_map)).cell->distance);
+    const Cell& cell = cells_[blocks_.find(to_lattice(p_map)).index];
+    return resolution_ * unit_ * static_cast<float>(cell.distance);
+  }
+  /// The same for four points, to the bit.
+  [[nodiscard]] FourFloats at_points(FourFloats x, FourFloats y, FourFloats z) const {
+    const Eigen::Vector3f& first = blocks_.origin();
+    const FourPlaces places =
+        blocks_.find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z());
+    FourInts units;
+    for (int k = 0; k < 4; ++k) {
+      units[k] = cells_[blocks_.index(places.block[k], places.voxel[k])].distance;
+    }
+    return resolution_ * unit_ * to_floats(units);
   }
   template <typename Function>
   [[nodiscard]] Table tabulate(const Function& f) const {
@@ -68,24 +91,41 @@ class SurfaceField {
     return {per_m_ * T_map_base.linear().cast<float>(),
             to_lattice(T_map_base.translation().cast<float>())};
   }
-  [[nodiscard]] Place find(const Eigen::Vector3f& p_lattice) const {
-    static constexpr Cell kFar{};
-    const auto place = blocks_.find(p_lattice);
-    if (!place) return {&kFar, Eigen::Vector3f::Zero()};
-    return {&cells_[place->voxel.block][place->voxel.voxel], place->within};
+  /// Four points as they are looked up: first their cells, then the values there.
+  struct FourCells {
+    FourFloats x, y, z;  ///< `PlaceOfPoint::within`
+    std::array<const Cell*, 4> cells;
+  };
+  /// Coordinates are in the lattice. The cells are fetched into the cache, but not read.
+  [[nodiscard]] FourCells find(FourFloats x, FourFloats y, FourFloats z) const {
+    const FourPlaces places = blocks_.find(x, y, z);
+    FourCells found{places.x, places.y, places.z, {}};
+    for (int k = 0; k < 4; ++k) {
+      const Cell* cell = &cells_[blocks_.index(places.block[k], places.voxel[k])];
+      __builtin_prefetch(cell);
+      found.cells[static_cast<std::size_t>(k)] = cell;
+    }
+    return found;
   }
-  /// The value of a function at a place's distance from the nearest surface.
-  [[nodiscard]] float value(const Place& place, const Table& values) const {
-    return values[static_cast<std::size_t>(std::min(steps_ * distance(place) + 0.5F, 255.0F))];
+  /// Places in a table for the points' distances from the nearest surface.
+  [[nodiscard]] FourInts table_places(const FourCells& found) const {
+    const FourFloats d = distance(found);
+    const FourFloats place = steps_ * d + 0.5F;
+    const FourFloats last = FourFloats{} + 255.0F;
+    return truncated(place < last ? place : last);
   }
 
   [[nodiscard]] double resolution() const { return static_cast<double>(resolution_); }
-  [[nodiscard]] std::size_t bytes() const {
-    return blocks_.bytes() + cells_.size() * sizeof(cells_[0]);
-  }
+  [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + cells_.size() * sizeof(Cell); }
 
  private:
-  using Block = std::array<Cell, VoxelBlocks::kVoxels>;
+  /// A cell, and a point in it. `Number`: float or FourFloats.
+  template <typename Number>
+  struct Sample {
+    Number distance;
+    std::array<Number, 3> rise;
+    std::array<Number, 3> within;
+  };
 
   /// For a centre at `p` from a patch's mean surface point, in edges of a voxel.
   static Cell cell_at(const SurfacePatch& patch, const Eigen::Vector3f& p, float reach);
@@ -93,13 +133,27 @@ class SurfaceField {
     return per_m_ * p_map - blocks_.origin();
   }
   /// In edges of a voxel.
-  [[nodiscard]] float distance(const Place& place) const {
+  template <typename Number>
+  [[nodiscard]] Number distance(const Sample<Number>& at) const {
     constexpr float kUnit = 1.0F / 127.0F;
-    const Cell& cell = *place.cell;
-    const float rise = (place.within.x() - 0.5F) * static_cast<float>(cell.x) +
-                       (place.within.y() - 0.5F) * static_cast<float>(cell.y) +
-                       (place.within.z() - 0.5F) * static_cast<float>(cell.z);
-    return std::abs(unit_ * static_cast<float>(cell.distance) + kUnit * rise);
+    const Number rise = (at.within[0] - 0.5F) * at.rise[0] + (at.within[1] - 0.5F) * at.rise[1] +
+                        (at.within[2] - 0.5F) * at.rise[2];
+    const Number d = unit_ * at.distance + kUnit * rise;
+    return d < 0.0F ? -d : d;
+  }
+  [[nodiscard]] FourFloats distance(const FourCells& found) const {
+    const FourInts cells = load_cells(found.cells);
+    return distance(Sample<FourFloats>{
+        to_floats((cells << 24) >> 24),
+        {to_floats((cells << 16) >> 24), to_floats((cells << 8) >> 24), to_floats(cells >> 24)},
+        {found.x, found.y, found.z}});
+  }
+  /// Each cell as one number: the distance in the lowest byte, z in the highest.
+  [[nodiscard]] static FourInts load_cells(const std::array<const Cell*, 4>& cells) {
+    static_assert(std::endian::native == std::endian::little);
+    std::array<std::int32_t, 4> bytes{};
+    for (std::size_t k = 0; k < 4; ++k) std::memcpy(&bytes[k], cells[k], sizeof(Cell));
+    return FourInts{bytes[0], bytes[1], bytes[2], bytes[3]};
   }
 
   float resolution_;  ///< [m]
@@ -108,7 +162,7 @@ class SurfaceField {
   float unit_;        ///< [voxels] Of a stored distance.
   float steps_;       ///< [1/voxel] Of a table.
   VoxelBlocks blocks_;
-  std::vector<Block> cells_;
+  std::vector<Cell> cells_;  ///< By block and voxel; a block more, which is far from all surfaces.
 };
 
 }  // namespace castaway::localization

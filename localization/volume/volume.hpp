@@ -39,8 +39,8 @@ class Volume {
   [[nodiscard]] std::optional<TerrainPose> lift(const SE2& T_atlas_base) const {
     const auto there = atlas_.to_map(T_atlas_base);
     if (!there) return std::nullopt;
-    return stand(atlas_.ground(), there->T_map_base, static_cast<double>(there->surface->z),
-                 wheels_);
+    return stand(atlas_.ground(), atlas_.grid_from_map(), there->T_map_base,
+                 static_cast<double>(there->surface->z), wheels_);
   }
   /// Those that can be seen from the ground.
   [[nodiscard]] const VoxelMap& voxels() const { return voxels_; }

@@ -20,9 +20,11 @@ VoxelBlocks::VoxelBlocks(const VoxelMap& map, int reach) {
     high = high.cwiseMax(voxel_index(key));
   }
   first_ = low.array() - margin;
+  origin_ = first_.cast<float>();
   const Eigen::Vector3i extent = (high - first_).array() + margin;
   size_ = (extent / kEdge + Eigen::Vector3i::Ones()).cast<unsigned>();
   extent_ = unsigned{kEdge} * size_;
+  most_ = extent_.cast<float>().array() - 0.5F;
   const std::int64_t blocks = size_.cast<std::int64_t>().prod();
   if (blocks > kMostBlocks) {
     throw std::invalid_argument("a 3-D map is too large for its resolution: use larger voxels");

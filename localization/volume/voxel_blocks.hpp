@@ -2,7 +2,9 @@
 /// no memory.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "localization/geometry/four_floats.hpp"
 #include "localization/map3d/voxel_map.hpp"
 
 namespace castaway::localization {
@@ -20,10 +23,17 @@ struct VoxelPlace {
   std::uint32_t voxel = 0;
 };
 
-/// The voxel of a point.
+/// The voxel of a point: its place among the voxels of all blocks, and where in it the point is.
 struct PlaceOfPoint {
-  VoxelPlace voxel;
+  std::size_t index = 0;   ///< `VoxelBlocks::kVoxels` times the block's number, plus the voxel.
   Eigen::Vector3f within;  ///< From the voxel's lower corner, in its edges.
+};
+
+/// Four points, before their blocks are read.
+struct FourPlaces {
+  FourInts block;      ///< Place of the block in the table.
+  FourInts voxel;      ///< Place in the block.
+  FourFloats x, y, z;  ///< `PlaceOfPoint::within`
 };
 
 /// The blocks of 4 x 4 x 4 voxels near surfaces, numbered. Frame lattice: map, moved to the corner
@@ -47,22 +57,42 @@ class VoxelBlocks {
     if (local.x() >= extent_.x() || local.y() >= extent_.y() || local.z() >= extent_.z()) {
       return std::nullopt;
     }
-    return find_local(local.x(), local.y(), local.z());
+    const Eigen::Vector3i v = local.cast<int>();
+    const std::int32_t block = table_[static_cast<std::size_t>(table_place(v.x(), v.y(), v.z()))];
+    if (block < 0) return std::nullopt;
+    return VoxelPlace{static_cast<std::uint32_t>(block),
+                      static_cast<std::uint32_t>(place_in_block(v.x(), v.y(), v.z()))};
   }
-  /// The voxel of a point of the lattice, and where in it the point is; nothing far from surfaces,
-  /// and for NaN.
-  [[nodiscard]] std::optional<PlaceOfPoint> find(const Eigen::Vector3f& p_lattice) const {
-    const Eigen::Vector3i voxel = p_lattice.cast<int>();
-    const auto x = static_cast<unsigned>(voxel.x());  // Large if it is below 0, or NaN.
-    const auto y = static_cast<unsigned>(voxel.y());
-    const auto z = static_cast<unsigned>(voxel.z());
-    if (x >= extent_.x() || y >= extent_.y() || z >= extent_.z()) return std::nullopt;
-    const auto place = find_local(x, y, z);
-    if (!place) return std::nullopt;
-    return PlaceOfPoint{*place, p_lattice - voxel.cast<float>()};
+  /// The place of a point of the lattice. Far from surfaces, and for NaN, its block is one more
+  /// than there are: `size()`.
+  [[nodiscard]] PlaceOfPoint find(const Eigen::Vector3f& p_lattice) const {
+    const Eigen::Vector3f p(clamped(p_lattice.x(), most_.x()), clamped(p_lattice.y(), most_.y()),
+                            clamped(p_lattice.z(), most_.z()));
+    const Eigen::Vector3i voxel = p.cast<int>();
+    return {index(table_place(voxel.x(), voxel.y(), voxel.z()),
+                  place_in_block(voxel.x(), voxel.y(), voxel.z())),
+            p - voxel.cast<float>()};
+  }
+  /// The same in two steps for four points, to the bit: the second is `index`.
+  [[nodiscard]] FourPlaces find(FourFloats px, FourFloats py, FourFloats pz) const {
+    const FourFloats x = clamped(px, most_.x());
+    const FourFloats y = clamped(py, most_.y());
+    const FourFloats z = clamped(pz, most_.z());
+    const FourInts column = truncated(x);
+    const FourInts row = truncated(y);
+    const FourInts layer = truncated(z);
+    return {table_place(column, row, layer), place_in_block(column, row, layer),
+            x - to_floats(column), y - to_floats(row), z - to_floats(layer)};
+  }
+  /// `PlaceOfPoint::index` of a block of the table and a voxel in it.
+  [[nodiscard]] std::size_t index(int block, int voxel) const {
+    // -1 becomes large.
+    const auto number = static_cast<unsigned>(table_[static_cast<std::size_t>(block)]);
+    return std::min(number, static_cast<unsigned>(count_)) * kVoxels +
+           static_cast<std::size_t>(voxel);
   }
   /// Where the frame lattice begins: at the corner of the first block, in edges of a voxel.
-  [[nodiscard]] Eigen::Vector3f origin() const { return first_.cast<float>(); }
+  [[nodiscard]] const Eigen::Vector3f& origin() const { return origin_; }
   [[nodiscard]] std::size_t bytes() const { return table_.size() * sizeof(table_[0]); }
 
   /// Calls `f(index, number)` with each block's index along the axes and its number.
@@ -99,22 +129,25 @@ class VoxelBlocks {
     const Eigen::Matrix<std::size_t, 3, 1> b = block.cast<std::size_t>();
     return (b.z() * size_.y() + b.y()) * size_.x() + b.x();
   }
-  /// For a voxel of the extent, counted from the first one.
-  [[nodiscard]] std::optional<VoxelPlace> find_local(unsigned x, unsigned y, unsigned z) const {
-    constexpr unsigned kBlock = kEdge;
-    const std::size_t at =
-        (std::size_t{z / kBlock} * size_.y() + y / kBlock) * size_.x() + x / kBlock;
-    const std::int32_t block = table_[at];
-    if (block < 0) return std::nullopt;
-    return VoxelPlace{static_cast<std::uint32_t>(block),
-                      ((z & 3U) << 4U) | ((y & 3U) << 2U) | (x & 3U)};
+  /// `Number`: int or FourInts; a voxel of the extent, counted from the first one.
+  template <typename Number>
+  [[nodiscard]] Number table_place(Number x, Number y, Number z) const {
+    const auto columns = static_cast<int>(size_.x());
+    const auto rows = static_cast<int>(size_.y());
+    return ((z >> 2) * rows + (y >> 2)) * columns + (x >> 2);
+  }
+  template <typename Number>
+  [[nodiscard]] static Number place_in_block(Number x, Number y, Number z) {
+    return ((z & 3) << 4) | ((y & 3) << 2) | (x & 3);
   }
   void mark(const VoxelMap& map, int reach);
 
-  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();  ///< Voxel at the corner of the first block.
-  Eigen::Matrix<unsigned, 3, 1> size_ = Eigen::Matrix<unsigned, 3, 1>::Zero();    ///< [blocks]
-  Eigen::Matrix<unsigned, 3, 1> extent_ = Eigen::Matrix<unsigned, 3, 1>::Zero();  ///< [voxels]
-  std::vector<std::int32_t> table_;  ///< Number of each block; -1: none.
+  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();   ///< Voxel at the corner of the first block.
+  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();  ///< `first_`
+  Eigen::Matrix<unsigned, 3, 1> size_{1, 1, 1};       ///< [blocks]
+  Eigen::Matrix<unsigned, 3, 1> extent_{kEdge, kEdge, kEdge};       ///< [voxels]
+  Eigen::Vector3f most_ = Eigen::Vector3f::Constant(kEdge - 0.5F);  ///< In the last voxel.
+  std::vector<std::int32_t> table_{-1};  ///< Number of each block; -1: none.
   std::int32_t count_ = 0;
 };
 

@@ -27,12 +27,13 @@ VoxelDistances::VoxelDistances(const VoxelMap& map, double max_distance)
   validate_reach(map, max_distance);
   const double radius = max_distance / resolution_;
   blocks_ = VoxelBlocks(map, static_cast<int>(std::ceil(radius)));
-  distances_.resize(blocks_.size());
+  distances_.assign((blocks_.size() + 1) * VoxelBlocks::kVoxels, kBeyond);
   const SurfacePoints points(map, blocks_);
   const float units = static_cast<float>(resolution_) / scale_;
   blocks_.for_each([&](const Eigen::Vector3i& block, std::uint32_t number) {
     const NearestPoints nearest = points.nearest(block, static_cast<float>(radius));
-    std::transform(nearest.squares.begin(), nearest.squares.end(), distances_[number].begin(),
+    std::transform(nearest.squares.begin(), nearest.squares.end(),
+                   distances_.begin() + static_cast<std::ptrdiff_t>(number * VoxelBlocks::kVoxels),
                    [units](float square) {
                      return static_cast<std::uint8_t>(units * std::sqrt(square) + 0.5F);
                    });
@@ -41,14 +42,8 @@ VoxelDistances::VoxelDistances(const VoxelMap& map, double max_distance)
 
 float VoxelDistances::at_centre(const Eigen::Vector3i& voxel) const {
   const auto place = blocks_.find(voxel);
-  const std::uint8_t units = place ? distances_[place->block][place->voxel] : kBeyond;
-  return scale_ * static_cast<float>(units);
-}
-
-float VoxelDistances::at_point(const Eigen::Vector3f& p_map) const {
-  const Eigen::Vector3f lattice = p_map / static_cast<float>(resolution_) - blocks_.origin();
-  const auto place = blocks_.find(lattice);
-  const std::uint8_t units = place ? distances_[place->voxel.block][place->voxel.voxel] : kBeyond;
+  const std::uint8_t units =
+      place ? distances_[place->block * VoxelBlocks::kVoxels + place->voxel] : kBeyond;
   return scale_ * static_cast<float>(units);
 }
 

@@ -1,63 +1,141 @@
 #include "localization/volume/voxel_rays.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "localization/geometry/four_floats.hpp"
 
 namespace castaway::localization {
 
 namespace {
 
+/// Three coordinates of four points or directions.
+struct FourVectors {
+  FourFloats x, y, z;
+
+  void set(int k, const Eigen::Vector3f& vector) {
+    x[k] = vector.x();
+    y[k] = vector.y();
+    z[k] = vector.z();
+  }
+};
+
+/// Four rays that are traced in step. Masks: -1 is true.
+struct FourRays {
+  FourVectors from{};
+  FourVectors direction{};  ///< Unit vectors.
+  FourFloats length{};      ///< [m]
+  FourFloats t{};           ///< [m] How far they are.
+  FourInts on_way{};        ///< Not yet at their ends.
+  FourInts beginning{};     ///< Still at the surface where they began.
+  FourInts reached{};       ///< At another surface.
+  FourInts passed{};        ///< Beyond it.
+
+  /// Puts a ray into place `k`.
+  void start(int k, const Ray& ray) {
+    const Eigen::Vector3f way = ray.to - ray.from;
+    length[k] = way.norm();
+    on_way[k] = length[k] > 0.0F ? -1 : 0;
+    from.set(k, ray.from);
+    direction.set(k, on_way[k] != 0 ? Eigen::Vector3f(way / length[k]) : way);
+    t[k] = 0.0F;
+    beginning[k] = -1;
+    reached[k] = 0;
+    passed[k] = 0;
+  }
+  [[nodiscard]] Encounter met(int k) const {
+    if (passed[k] != 0) return Encounter::kPassed;
+    return reached[k] != 0 ? Encounter::kReached : Encounter::kNone;
+  }
+  [[nodiscard]] bool all_on_way() const {
+    return (on_way[0] & on_way[1] & on_way[2] & on_way[3]) != 0;
+  }
+};
+
+/// Moves the rays that are on their way by a step.
 template <typename Distances>
-Encounter trace(const Distances& distances, const Eigen::Vector3f& from,
-                const Eigen::Vector3f& to) {
-  const auto voxel = static_cast<float>(distances.resolution());
-  const float length = (to - from).norm();
-  if (!(length > 0.0F)) return Encounter::kNone;
-  const Eigen::Vector3f direction = (to - from) / length;
+void step(const Distances& distances, float voxel, FourRays& rays) {
   // A point of the voxel's centre that is read may lie half a diagonal away, and the surface point
   // of a voxel as far from the surface.
   const float slack = 0.87F * voxel;
-  bool beginning = true;
-  bool reached = false;
-  for (float t = 0.0F; t < length;) {
-    const Eigen::Vector3f p = from + t * direction;
-    const float distance = distances.at_point(p);
-    const bool touches = distance < 0.75F * voxel;
-    if (reached && !touches) return Encounter::kPassed;
-    reached = touches && !beginning;
-    beginning = beginning && touches;
-    t += std::max(distance - slack, 0.5F * voxel);
+  const FourFloats shortest = FourFloats{} + 0.5F * voxel;
+  const FourFloats distance = distances.at_points(rays.from.x + rays.t * rays.direction.x,
+                                                  rays.from.y + rays.t * rays.direction.y,
+                                                  rays.from.z + rays.t * rays.direction.z);
+  const FourInts touches = distance < 0.75F * voxel;
+  rays.passed |= rays.on_way & rays.reached & ~touches;
+  rays.reached = (rays.on_way & touches & ~rays.beginning) | (~rays.on_way & rays.reached);
+  rays.beginning &= touches;
+  const FourFloats safe = distance - slack;
+  rays.t += safe > shortest ? safe : shortest;
+  rays.on_way &= ~rays.passed & (rays.t < rays.length);
+}
+
+/// Traces rays four at a time: a new one takes the place of one that is done.
+template <typename Distances>
+std::vector<Encounter> traced(const Distances& distances, std::span<const Ray> rays) {
+  const auto voxel = static_cast<float>(distances.resolution());
+  std::vector<Encounter> met(rays.size(), Encounter::kNone);
+  FourRays four;
+  std::array<std::size_t, 4> number;
+  number.fill(rays.size());  // None.
+  std::size_t next = 0;
+  for (bool busy = true; busy;) {
+    busy = false;
+    for (int k = 0; k < 4; ++k) {
+      std::size_t& ray = number[static_cast<std::size_t>(k)];
+      if (four.on_way[k] == 0) {
+        if (ray < rays.size()) met[ray] = four.met(k);
+        ray = next < rays.size() ? next++ : rays.size();
+        if (ray < rays.size()) four.start(k, rays[ray]);
+      }
+      busy = busy || ray < rays.size();
+    }
+    if (busy) step(distances, voxel, four);
+    while (four.all_on_way()) step(distances, voxel, four);
   }
-  return reached ? Encounter::kReached : Encounter::kNone;
+  return met;
+}
+
+/// Appends the rays beside a ray.
+void append_sides(const Ray& ray, float away, std::vector<Ray>& sides) {
+  const Eigen::Vector3f direction = (ray.to - ray.from).normalized();
+  const Eigen::Vector3f left = away * direction.unitOrthogonal();
+  const Eigen::Vector3f up = direction.cross(left);
+  for (const Eigen::Vector3f& side : {left, Eigen::Vector3f(-left), up, Eigen::Vector3f(-up)}) {
+    sides.push_back({ray.from + side, ray.to + side});
+  }
 }
 
 }  // namespace
 
-Encounter encounter(const VoxelDistances& distances, const Eigen::Vector3f& from,
-                    const Eigen::Vector3f& to) {
-  return trace(distances, from, to);
+std::vector<Encounter> encounters(const VoxelDistances& distances, std::span<const Ray> rays) {
+  return traced(distances, rays);
 }
 
-Encounter encounter(const SurfaceField& surfaces, const Eigen::Vector3f& from,
-                    const Eigen::Vector3f& to) {
-  return trace(surfaces, from, to);
+std::vector<Encounter> encounters(const SurfaceField& surfaces, std::span<const Ray> rays) {
+  return traced(surfaces, rays);
 }
 
-bool passes_through(const VoxelDistances& distances, const Eigen::Vector3f& from,
-                    const Eigen::Vector3f& to) {
-  const auto passes = [&](const Eigen::Vector3f& beside) {
-    return encounter(distances, from + beside, to + beside) == Encounter::kPassed;
-  };
-  if (!passes(Eigen::Vector3f::Zero())) return false;
-  const Eigen::Vector3f direction = (to - from).normalized();
-  const auto voxel = static_cast<float>(distances.resolution());
-  const Eigen::Vector3f left = voxel * direction.unitOrthogonal();
-  const Eigen::Vector3f up = direction.cross(left);
-  int missed = 0;
-  const int allowed = distances.rough() ? 1 : 0;
-  for (const Eigen::Vector3f& side : {left, Eigen::Vector3f(-left), up, Eigen::Vector3f(-up)}) {
-    if (!passes(side) && ++missed > allowed) return false;
+std::vector<std::size_t> passing_through(const VoxelDistances& distances,
+                                         std::span<const Ray> rays) {
+  constexpr std::ptrdiff_t kSides = 4;
+  const std::vector<Encounter> met = encounters(distances, rays);
+  std::vector<std::size_t> candidates;
+  std::vector<Ray> sides;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (met[i] != Encounter::kPassed) continue;
+    candidates.push_back(i);
+    append_sides(rays[i], static_cast<float>(distances.resolution()), sides);
   }
-  return true;
+  const std::vector<Encounter> beside = encounters(distances, sides);
+  const std::ptrdiff_t wanted = distances.rough() ? kSides - 1 : kSides;
+  std::vector<std::size_t> passing;
+  for (auto first = beside.begin(); const std::size_t i : candidates) {
+    if (std::count(first, first + kSides, Encounter::kPassed) >= wanted) passing.push_back(i);
+    first += kSides;
+  }
+  return passing;
 }
 
 }  // namespace castaway::localization

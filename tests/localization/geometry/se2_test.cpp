@@ -54,5 +54,14 @@ TEST(SE2, LiftsToThreeDimensions) {
   EXPECT_DOUBLE_EQ(p.z(), 0.2);
 }
 
+TEST(PlaneTransformTest, MovesPointsAsThePoseDoes) {
+  for (double yaw = -4.0; yaw < 4.0; yaw += 0.37) {
+    const SE2 T_a_b{3.0, -2.0, yaw};
+    const Eigen::Vector2d p_b(1.5, 0.7 * yaw);
+    EXPECT_EQ(PlaneTransform(T_a_b) * p_b, T_a_b * p_b);
+    EXPECT_TRUE((T_a_b.inverse() * (PlaneTransform(T_a_b) * p_b)).isApprox(p_b, 1e-12));
+  }
+}
+
 }  // namespace
 }  // namespace castaway::localization

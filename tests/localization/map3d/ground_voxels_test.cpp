@@ -7,10 +7,12 @@
 #include "localization/map3d/survey_ground.hpp"
 #include "localization/map3d/voxel_builder.hpp"
 #include "localization/volume/voxel_distances.hpp"
-#include "localization/volume/voxel_rays.hpp"
+#include "tests/localization/volume/single_rays.hpp"
 
 namespace castaway::localization {
 namespace {
+
+using test::encounter;
 
 /// Rolling ground of 12 m x 4 m with a wall across it at x = 9, 2 m high.
 VoxelMap rolling_ground() {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/localization/map3d/building.hpp"
 #include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 
@@ -38,6 +39,31 @@ TEST(EndpointModel, TurnsPointsByTheYaw) {
   const EndpointModel model(config, DistanceField(one_wall(), 5.0));
   const SE2 facing_back{0.65, 0.05, 3.141592653589793};
   EXPECT_NEAR(model.log_likelihood(test::forward_beams({0.3F}), facing_back), 0.0, 1e-4);
+}
+
+TEST(EndpointModel, OnSurfacesLooksUpEachPoint) {
+  Rng world = substream(1, "endpoint_building");
+  const test::Building building(world);
+  const Volume& volume = building.volume();
+  const EndpointConfig config{0.1, 0.05, 10.0};
+  const EndpointModel model(config, volume);
+  const SE2 on_ramp = *volume.atlas().to_atlas({-4.0, 7.0, 0.3}, 1.0);
+  const SE2 beside{on_ramp.x + 0.1, on_ramp.y - 0.05, on_ramp.yaw + 0.02};
+  const ScanPoints scan = building.scan(on_ramp, 100, {-0.1, 0.0});
+  const PoseInVolume pose(volume.lift(beside)->T_map_base);
+  for (const int count : {1, 2, 3, 4, 5, 31, 32, 33, 36, 127}) {
+    const ScanPoints points = thin(scan, count);
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(count));
+    const std::vector<float> beams = model.beam_log_likelihoods(points, beside);
+    ASSERT_EQ(beams.size(), points.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const double distance = volume.surfaces().at(pose.end(points, i));
+      EXPECT_NEAR(beams[i], endpoint_log_likelihood(config, distance), 0.03) << distance;
+      sum += beams[i];
+    }
+    EXPECT_NEAR(model.log_likelihood(points, beside), 10.0 * sum / count, 1e-4);
+  }
 }
 
 TEST(EndpointConfig, RefusesFiguresOutOfRange) {

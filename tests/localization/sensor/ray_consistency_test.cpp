@@ -15,7 +15,7 @@ ScanPoints beam_forward(float range) {
 
 bool through(const OccupancyGrid& grid, const SE2& pose, float range) {
   const WallClearance walls(DistanceField(grid, 5.0));
-  return RayConsistency(&walls, pose, {}).through_wall(beam_forward(range), 0);
+  return !RayConsistency(&walls, pose, {}).through_wall(beam_forward(range), {{0}}).empty();
 }
 
 // Walls at x = 2.0..2.1 and x = 5.0..5.1.

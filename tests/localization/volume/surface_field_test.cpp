@@ -75,8 +75,39 @@ TEST(SurfaceFieldTest, ValuesComeFromATable) {
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   T_map_base.translation() = Eigen::Vector3d(1.0, 1.0, 0.1);
   const auto pose = field.lattice_pose(T_map_base);
-  const Eigen::Vector3f p_base(0.1F, -0.2F, 0.05F);
-  EXPECT_NEAR(field.value(field.find(pose.R * p_base + pose.t), squares), 0.12F * 0.12F, 0.001F);
+  const Eigen::Vector3f p = pose.R * Eigen::Vector3f(0.1F, -0.2F, 0.05F) + pose.t;
+  const FourFloats far{p.z(), p.z() + 1.0F, p.z() + 1e6F, std::numeric_limits<float>::quiet_NaN()};
+  const FourFloats zero{};
+  const FourInts places = field.table_places(field.find(zero + p.x(), zero + p.y(), far));
+  const auto value = [&](int k) { return squares[static_cast<std::size_t>(places[k])]; };
+  EXPECT_NEAR(value(0), 0.12F * 0.12F, 0.001F);
+  EXPECT_NEAR(value(1), (0.12F + kSmallVoxel) * (0.12F + kSmallVoxel), 0.002F);
+  EXPECT_EQ(value(2), squares.back());
+  EXPECT_EQ(value(3), squares.back());
+}
+
+TEST(SurfaceFieldTest, DistancesOfFourPointsAreThoseOfEach) {
+  Rng rng(13);
+  const SurfaceField field(test::scattered(rng, 60), kReach);
+  int near = 0;
+  for (int i = 0; i < 4000; ++i) {
+    FourFloats x{};
+    FourFloats y{};
+    FourFloats z{};
+    for (int k = 0; k < 4; ++k) {
+      x[k] = static_cast<float>(test::draw(rng, -4.0, 4.0));
+      y[k] = static_cast<float>(test::draw(rng, -3.0, 3.0));
+      z[k] = static_cast<float>(test::draw(rng, -2.0, 2.0));
+    }
+    const FourFloats four = field.at(x, y, z);
+    const FourFloats centres = field.at_points(x, y, z);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(four[k], field.at({x[k], y[k], z[k]}));
+      EXPECT_EQ(centres[k], field.at_point({x[k], y[k], z[k]}));
+      near += four[k] < 0.2F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(near, 50);
 }
 
 TEST(SurfaceFieldTest, FarAwayItReadsTheLargestDistance) {

@@ -49,6 +49,25 @@ TEST(VoxelDistancesTest, FarAwayTheyReadTheLargestDistance) {
   EXPECT_FLOAT_EQ(VoxelDistances(nothing, kMax).at_point({0.0F, 0.0F, 0.0F}), far);
 }
 
+TEST(VoxelDistancesTest, OfFourPointsAreThoseOfEach) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  Rng rng(9);
+  const VoxelDistances distances(test::scattered(rng, 60), kMax);
+  const FourFloats special{kNan, 1e30F, -1e30F, -0.0F};
+  for (int i = 0; i < 2000; ++i) {
+    FourFloats x{};
+    FourFloats y{};
+    FourFloats z{};
+    for (int k = 0; k < 4; ++k) {
+      x[k] = static_cast<float>(test::draw(rng, -4.0, 4.0));
+      y[k] = static_cast<float>(test::draw(rng, -3.0, 3.0));
+      z[k] = i % 10 == 0 ? special[k] : static_cast<float>(test::draw(rng, -2.0, 2.0));
+    }
+    const FourFloats four = distances.at_points(x, y, z);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(four[k], distances.at_point({x[k], y[k], z[k]}));
+  }
+}
+
 TEST(VoxelDistancesTest, TakeMemoryNearSurfacesOnly) {
   VoxelBuilder builder(kSmallVoxel);
   builder.add({0.0, 0.0, 0.0});

@@ -1,13 +1,22 @@
 #include "localization/volume/voxel_rays.hpp"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "localization/geometry/random.hpp"
 #include "localization/map3d/voxel_builder.hpp"
+#include "tests/localization/volume/single_rays.hpp"
+#include "tests/localization/volume/voxel_maps.hpp"
 
 namespace castaway::localization {
 namespace {
+
+using test::encounter;
+using test::passes_through;
 
 /// Walls x = 2 and x = 5 of 6 m x 3 m, and the floor z = 0.
 VoxelDistances two_walls() {
@@ -92,6 +101,62 @@ TEST(EncounterTest, ARayThatGrazesTheFloorBeforeItEndsThereDoesNotPassIt) {
     EXPECT_EQ(encounter(distances, {0.5F, 0.0F, z + 0.1F}, {4.8F, 0.5F, 0.2F}), Encounter::kPassed)
         << z;
   }
+}
+
+/// One ray, step by step.
+template <typename Distances>
+Encounter slowly_traced(const Distances& distances, const Ray& ray) {
+  const auto voxel = static_cast<float>(distances.resolution());
+  const float length = (ray.to - ray.from).norm();
+  if (length == 0.0F) return Encounter::kNone;
+  const Eigen::Vector3f direction = (ray.to - ray.from) / length;
+  bool left_start = false;
+  bool reached = false;
+  for (float t = 0.0F; t < length;) {
+    const float distance = distances.at_point(ray.from + t * direction);
+    const bool touches = distance < 0.75F * voxel;
+    if (reached && !touches) return Encounter::kPassed;
+    reached = touches && left_start;
+    left_start = left_start || !touches;
+    t += std::max(distance - 0.87F * voxel, 0.5F * voxel);
+  }
+  return reached ? Encounter::kReached : Encounter::kNone;
+}
+
+TEST(EncountersTest, AreThoseOfEachRayAlone) {
+  Rng rng(8);
+  const VoxelMap map = test::scattered(rng, 400);
+  const VoxelDistances distances(map, 0.4);
+  const SurfaceField surfaces(map, 0.4);
+  const auto draw = [&] {
+    return Eigen::Vector3d(test::draw(rng, -2.0, 2.0), test::draw(rng, -1.5, 1.5),
+                           test::draw(rng, -1.0, 1.0));
+  };
+  std::array<int, 3> seen{};
+  for (std::size_t count = 0; count < 200; ++count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+      rays.push_back({draw().cast<float>(), draw().cast<float>()});
+      if (i % 7 == 3) rays.back().to = rays.back().from;
+    }
+    const std::vector<Encounter> met = encounters(distances, rays);
+    const std::vector<Encounter> met_by_surfaces = encounters(surfaces, rays);
+    ASSERT_EQ(met.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(met[i], slowly_traced(distances, rays[i]));
+      EXPECT_EQ(met_by_surfaces[i], slowly_traced(surfaces, rays[i]));
+      ++seen[static_cast<std::size_t>(met[i])];
+    }
+  }
+  for (const int count : seen) EXPECT_GT(count, 100);
+}
+
+TEST(PassingThroughTest, NamesTheRaysThatDo) {
+  const VoxelDistances distances = two_walls();
+  const Ray through{{0.5F, 0.0F, 1.0F}, {4.5F, 0.5F, 1.2F}};
+  const Ray free{{2.5F, 0.0F, 1.0F}, {4.5F, 0.5F, 1.2F}};
+  const std::array rays{free, through, Ray{}, free, through, through};
+  EXPECT_EQ(passing_through(distances, rays), (std::vector<std::size_t>{1, 4, 5}));
 }
 
 TEST(PassesThroughTest, NotARayThatGrazesAnEdge) {
