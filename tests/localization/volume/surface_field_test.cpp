@@ -91,14 +91,7 @@ TEST(SurfaceFieldTest, DistancesOfFourPointsAreThoseOfEach) {
   const SurfaceField field(test::scattered(rng, 60), kReach);
   int near = 0;
   for (int i = 0; i < 4000; ++i) {
-    FourFloats x{};
-    FourFloats y{};
-    FourFloats z{};
-    for (int k = 0; k < 4; ++k) {
-      x[k] = static_cast<float>(test::draw(rng, -4.0, 4.0));
-      y[k] = static_cast<float>(test::draw(rng, -3.0, 3.0));
-      z[k] = static_cast<float>(test::draw(rng, -2.0, 2.0));
-    }
+    const auto [x, y, z] = test::draw_four(rng);
     const FourFloats four = field.at(x, y, z);
     const FourFloats centres = field.at_points(x, y, z);
     for (int k = 0; k < 4; ++k) {

@@ -55,14 +55,8 @@ TEST(VoxelDistancesTest, OfFourPointsAreThoseOfEach) {
   const VoxelDistances distances(test::scattered(rng, 60), kMax);
   const FourFloats special{kNan, 1e30F, -1e30F, -0.0F};
   for (int i = 0; i < 2000; ++i) {
-    FourFloats x{};
-    FourFloats y{};
-    FourFloats z{};
-    for (int k = 0; k < 4; ++k) {
-      x[k] = static_cast<float>(test::draw(rng, -4.0, 4.0));
-      y[k] = static_cast<float>(test::draw(rng, -3.0, 3.0));
-      z[k] = i % 10 == 0 ? special[k] : static_cast<float>(test::draw(rng, -2.0, 2.0));
-    }
+    auto [x, y, z] = test::draw_four(rng);
+    if (i % 10 == 0) z = special;
     const FourFloats four = distances.at_points(x, y, z);
     for (int k = 0; k < 4; ++k) EXPECT_EQ(four[k], distances.at_point({x[k], y[k], z[k]}));
   }

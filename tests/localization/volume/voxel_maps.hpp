@@ -3,6 +3,7 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "localization/geometry/four_floats.hpp"
 #include "localization/geometry/random.hpp"
 #include "localization/map3d/voxel_builder.hpp"
 
@@ -13,6 +14,22 @@ inline constexpr double kSmallVoxel = 0.1;
 
 inline double draw(localization::Rng& rng, double low, double high) {
   return boost::random::uniform_real_distribution<double>(low, high)(rng);
+}
+
+/// Coordinates of four points. [m]
+struct FourCoordinates {
+  localization::FourFloats x{}, y{}, z{};
+};
+
+/// Drawn from 8 x 6 x 4 m about the origin.
+inline FourCoordinates draw_four(localization::Rng& rng) {
+  FourCoordinates four;
+  for (int k = 0; k < 4; ++k) {
+    four.x[k] = static_cast<float>(draw(rng, -4.0, 4.0));
+    four.y[k] = static_cast<float>(draw(rng, -3.0, 3.0));
+    four.z[k] = static_cast<float>(draw(rng, -2.0, 2.0));
+  }
+  return four;
 }
 
 /// Points drawn from 4 x 2 x 1 m about the origin.
