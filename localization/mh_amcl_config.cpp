@@ -39,6 +39,9 @@ void validate(const MhAmclConfig& config) {
   if (!(config.blind_half_life >= 0.0)) {
     throw std::invalid_argument("blind_half_life must not be negative");
   }
+  if (config.track_by != TrackingError::kDistance && config.belief != BeliefKind::kParticles) {
+    throw std::invalid_argument("track_by weighs particles: it needs the belief particles");
+  }
   if (config.history < 1) throw std::invalid_argument("history must be at least 1");
   validate(config.motion);
   validate(config.tracking);

@@ -34,6 +34,12 @@ enum class RefineMethod {
   kNdtDistributions,  ///< The same with the scan as distributions, too.
 };
 
+/// The error of a beam by which particles are weighed.
+enum class TrackingError {
+  kDistance,   ///< Distance of its end point from the nearest surface (`EndpointModel`).
+  kAlongBeam,  ///< The same along the beam, as in the paper; on 3-D maps (`AlongBeamModel`).
+};
+
 /// All settings of MH-AMCL.
 struct MhAmclConfig {
   SensorInputConfig input;
@@ -64,6 +70,7 @@ struct MhAmclConfig {
   BeliefKind belief = BeliefKind::kParticles;
   MixtureConfig mixture;
   RefineMethod refine_by = RefineMethod::kClimb;
+  TrackingError track_by = TrackingError::kDistance;
   NdtConfig ndt;
   double select_margin = 2.0;  ///< [nats] The output is kept while it is less behind.
   /// Number of scans by which a new hypothesis is weighted. More than a second: a look-alike place

@@ -1,5 +1,6 @@
 #include "localization/mh_amcl_models.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "localization/map/hollow.hpp"
@@ -45,10 +46,23 @@ std::optional<NdtRefinement> refinement(const MhAmclConfig& config,
                        *registration(config, config.evidence.endpoint, map, volume)};
 }
 
+/// Weighs particles, if distances to surfaces do not.
+std::optional<AlongBeamModel> along_beams(const MhAmclConfig& config, const Volume& volume) {
+  if (config.track_by == TrackingError::kDistance) return std::nullopt;
+  return AlongBeamModel(config.tracking, volume);
+}
+
+/// @throws std::invalid_argument for a setting that needs a 3-D map.
+const MhAmclConfig& validated_on_plane(const MhAmclConfig& config) {
+  validate(config);
+  if (config.track_by == TrackingError::kDistance) return config;
+  throw std::invalid_argument("particles are weighed along beams on 3-D maps only");
+}
+
 }  // namespace
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
-    : config((validate(mh_amcl), mh_amcl)),
+    : config(validated_on_plane(mh_amcl)),
       planar(planar_map(config, std::move(grid))),
       ndt_map(ndt_map_of(config, planar->grid)),
       ndt(refinement(config, ndt_map, nullptr)),
@@ -73,7 +87,8 @@ MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl,
       distance_filter(config.distance_filter, evidence.world()),
       matcher(std::make_unique<StackMatcher>(config.matcher, *volume)),
       filter({config.tracking, *volume}, config.reseed, config.refine, config.mixture,
-             registration(config, config.tracking, ndt_map, volume.get())),
+             registration(config, config.tracking, ndt_map, volume.get()),
+             along_beams(config, *volume)),
       rescue(config.rescue, *matcher),
       context{config.create, config.merge, config.posterior, config.motion,
               endpoint,      evidence,     volume.get(),     ndt ? &*ndt : nullptr} {}

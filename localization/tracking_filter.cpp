@@ -15,7 +15,11 @@ void TrackingFilter::correct(Hypothesis& hypothesis, const ScanPoints& points) c
 
 void TrackingFilter::correct_particles(Hypothesis& hypothesis, const ScanPoints& points) const {
   const PoseMoments predicted = moments(hypothesis.particles);
-  localization::correct(hypothesis.particles, model_, points);
+  if (along_beams_) {
+    localization::correct(hypothesis.particles, *along_beams_, points);
+  } else {
+    localization::correct(hypothesis.particles, model_, points);
+  }
   const std::vector<double> weights = normalized_weights(hypothesis.particles);
   const auto count = static_cast<double>(weights.size());
   if (effective_size(weights) < reseed_.effective_share * count) {

@@ -7,16 +7,24 @@
 #include "localization/filter/reseed.hpp"
 #include "localization/hypotheses/hypothesis.hpp"
 #include "localization/matching/pose_climber.hpp"
+#include "localization/sensor/along_beam_model.hpp"
 
 namespace castaway::localization {
 
 /// Tracks populations. Conditioned once, applied to all of them.
 class TrackingFilter {
  public:
-  /// Winners climb by registration with `ndt`, if it is given.
+  /// Winners climb by registration with `ndt`, if it is given. Particles are weighed by
+  /// `along_beams`, if it is given, in place of `model`.
   TrackingFilter(const EndpointModel& model, const ReseedConfig& reseed, const RefineConfig& refine,
-                 const MixtureConfig& mixture = {}, const std::optional<NdtRegistration>& ndt = {})
-      : model_(model), reseed_(reseed), refine_(refine), mixture_(mixture), ndt_(ndt) {}
+                 const MixtureConfig& mixture = {}, const std::optional<NdtRegistration>& ndt = {},
+                 const std::optional<AlongBeamModel>& along_beams = {})
+      : model_(model),
+        reseed_(reseed),
+        refine_(refine),
+        mixture_(mixture),
+        ndt_(ndt),
+        along_beams_(along_beams) {}
 
   /// Corrects a population by a scan. Particles: weighs them; if the effective sample size becomes
   /// too small, reseeds around the refined winner.
@@ -38,6 +46,7 @@ class TrackingFilter {
   RefineConfig refine_;
   MixtureConfig mixture_;
   std::optional<NdtRegistration> ndt_;
+  std::optional<AlongBeamModel> along_beams_;
 };
 
 }  // namespace castaway::localization

@@ -12,6 +12,11 @@ namespace castaway::localization {
 using FourFloats = float __attribute__((vector_size(4 * sizeof(float))));
 using FourInts = int __attribute__((vector_size(4 * sizeof(int))));
 
+/// Coordinates of four points, or components of four vectors.
+struct FourPoints {
+  FourFloats x, y, z;
+};
+
 /// The four numbers from `first` on.
 inline FourFloats load_four(const float* first) {
   FourFloats four;
@@ -30,6 +35,9 @@ inline FourFloats load_some(const float* first, std::size_t count) {
 }
 
 inline FourFloats to_floats(FourInts values) { return __builtin_convertvector(values, FourFloats); }
+
+/// True if one of four masks is.
+inline bool any(FourInts mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
 /// `value` within 0 and `most`; `most` for NaN.
 inline FourFloats clamped(FourFloats value, float most) {

@@ -41,7 +41,7 @@ std::size_t DistanceFilter::misfits(const Volume& volume, const ScanPoints& poin
   const auto off_wall = static_cast<float>(config_.off_wall);
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); i += 4) {
-    const FourPoints p_map = pose * four_points(points, i);
+    const FourPoints p_map = pose * four_ends(points, i);
     const FourInts off = volume.surfaces().at(p_map.x, p_map.y, p_map.z) > off_wall;
     const int last = static_cast<int>(std::min<std::size_t>(4, points.size() - i));
     for (int k = 0; k < last; ++k) count += off[k] != 0 ? 1U : 0U;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -10,19 +11,22 @@
 
 namespace castaway::localization {
 
-/// Coordinates of four points.
-struct FourPoints {
-  FourFloats x, y, z;
-};
+/// The points with these coordinates from the `first` on; zeros behind the last one.
+[[gnu::always_inline]] inline FourPoints four_points(const std::vector<float>& x,
+                                                     const std::vector<float>& y,
+                                                     const std::vector<float>& z,
+                                                     std::size_t first) {
+  const std::size_t count = x.size() - first;
+  if (count >= 4) return {load_four(&x[first]), load_four(&y[first]), load_four(&z[first])};
+  return {load_some(&x[first], count), load_some(&y[first], count), load_some(&z[first], count)};
+}
 
-/// End points of a scan from the `first` on; zeros behind the last one.
-[[gnu::always_inline]] inline FourPoints four_points(const ScanPoints& points, std::size_t first) {
-  const std::size_t count = points.size() - first;
-  if (count >= 4) {
-    return {load_four(&points.x[first]), load_four(&points.y[first]), load_four(&points.z[first])};
-  }
-  return {load_some(&points.x[first], count), load_some(&points.y[first], count),
-          load_some(&points.z[first], count)};
+/// End points of a scan, and where its beams begin.
+[[gnu::always_inline]] inline FourPoints four_ends(const ScanPoints& points, std::size_t first) {
+  return four_points(points.x, points.y, points.z, first);
+}
+[[gnu::always_inline]] inline FourPoints four_origins(const ScanPoints& points, std::size_t first) {
+  return four_points(points.origin_x, points.origin_y, points.origin_z, first);
 }
 
 /// `R p + t`; each to the bit that of one point.

@@ -49,11 +49,20 @@ class SurfaceField {
   }
   /// The same for four points, to the bit.
   [[nodiscard]] FourFloats at(FourFloats x, FourFloats y, FourFloats z) const {
-    const Eigen::Vector3f& first = blocks_.origin();
-    const FourFloats most = FourFloats{} + reach_;
-    const FourFloats d =
-        distance(find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z()));
-    return resolution_ * (d < most ? d : most);
+    return resolution_ * up_to_reach(distance(sample(find_in_map(x, y, z))));
+  }
+  /// Distances of four points from the nearest surface, and how fast they grow along four
+  /// directions.
+  struct FourRates {
+    FourFloats distance;  ///< [m]
+    FourFloats rate;      ///< [m/m] For unit vectors; 0 far from all surfaces.
+  };
+  [[nodiscard]] FourRates rates(const FourPoints& p_map, const FourPoints& direction) const {
+    const Sample<FourFloats> at = sample(find_in_map(p_map.x, p_map.y, p_map.z));
+    const FourFloats d = signed_distance(at);
+    const FourFloats rise =
+        kUnit * (at.rise[0] * direction.x + at.rise[1] * direction.y + at.rise[2] * direction.z);
+    return {resolution_ * up_to_reach(d < 0.0F ? -d : d), d < 0.0F ? -rise : rise};
   }
   /// Distance from the centre of the voxel that a point is in. [m]
   [[nodiscard]] float at_point(const Eigen::Vector3f& p_map) const {
@@ -65,11 +74,12 @@ class SurfaceField {
     const Eigen::Vector3f& first = blocks_.origin();
     const FourPlaces places =
         blocks_.find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z());
-    FourInts units;
+    FourFloats units;
     for (int k = 0; k < 4; ++k) {
-      units[k] = cells_[blocks_.index(places.block[k], places.voxel[k])].distance;
+      const Cell& cell = cells_[blocks_.index(places.block[k], places.voxel[k])];
+      units[k] = static_cast<float>(cell.distance);
     }
-    return resolution_ * unit_ * to_floats(units);
+    return resolution_ * unit_ * units;
   }
   template <typename Function>
   [[nodiscard]] Table tabulate(const Function& f) const {
@@ -109,7 +119,7 @@ class SurfaceField {
   }
   /// Places in a table for the points' distances from the nearest surface.
   [[nodiscard]] FourInts table_places(const FourCells& found) const {
-    const FourFloats d = distance(found);
+    const FourFloats d = distance(sample(found));
     const FourFloats place = steps_ * d + 0.5F;
     const FourFloats last = FourFloats{} + 255.0F;
     return truncated(place < last ? place : last);
@@ -132,21 +142,33 @@ class SurfaceField {
   [[nodiscard]] Eigen::Vector3f to_lattice(const Eigen::Vector3f& p_map) const {
     return per_m_ * p_map - blocks_.origin();
   }
-  /// In edges of a voxel.
+  static constexpr float kUnit = 1.0F / 127.0F;
+
+  /// In edges of a voxel; negative behind the plane of the surface.
   template <typename Number>
-  [[nodiscard]] Number distance(const Sample<Number>& at) const {
-    constexpr float kUnit = 1.0F / 127.0F;
+  [[nodiscard]] Number signed_distance(const Sample<Number>& at) const {
     const Number rise = (at.within[0] - 0.5F) * at.rise[0] + (at.within[1] - 0.5F) * at.rise[1] +
                         (at.within[2] - 0.5F) * at.rise[2];
-    const Number d = unit_ * at.distance + kUnit * rise;
+    return unit_ * at.distance + kUnit * rise;
+  }
+  template <typename Number>
+  [[nodiscard]] Number distance(const Sample<Number>& at) const {
+    const Number d = signed_distance(at);
     return d < 0.0F ? -d : d;
   }
-  [[nodiscard]] FourFloats distance(const FourCells& found) const {
+  [[nodiscard]] FourFloats up_to_reach(FourFloats distance) const {
+    const FourFloats most = FourFloats{} + reach_;
+    return distance < most ? distance : most;
+  }
+  [[nodiscard]] FourCells find_in_map(FourFloats x, FourFloats y, FourFloats z) const {
+    const Eigen::Vector3f& first = blocks_.origin();
+    return find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z());
+  }
+  [[nodiscard]] static Sample<FourFloats> sample(const FourCells& found) {
     const FourInts cells = load_cells(found.cells);
-    return distance(Sample<FourFloats>{
-        to_floats((cells << 24) >> 24),
-        {to_floats((cells << 16) >> 24), to_floats((cells << 8) >> 24), to_floats(cells >> 24)},
-        {found.x, found.y, found.z}});
+    return {to_floats((cells << 24) >> 24),
+            {to_floats((cells << 16) >> 24), to_floats((cells << 8) >> 24), to_floats(cells >> 24)},
+            {found.x, found.y, found.z}};
   }
   /// Each cell as one number: the distance in the lowest byte, z in the highest.
   [[nodiscard]] static FourInts load_cells(const std::array<const Cell*, 4>& cells) {

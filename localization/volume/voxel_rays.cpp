@@ -9,35 +9,30 @@ namespace castaway::localization {
 
 namespace {
 
-/// Three coordinates of four points or directions.
-struct FourVectors {
-  FourFloats x, y, z;
-
-  void set(int k, const Eigen::Vector3f& vector) {
-    x[k] = vector.x();
-    y[k] = vector.y();
-    z[k] = vector.z();
-  }
-};
+void set(FourPoints& four, int k, const Eigen::Vector3f& vector) {
+  four.x[k] = vector.x();
+  four.y[k] = vector.y();
+  four.z[k] = vector.z();
+}
 
 /// Four rays that are traced in step. Masks: -1 is true.
 struct FourRays {
-  FourVectors from{};
-  FourVectors direction{};  ///< Unit vectors.
-  FourFloats length{};      ///< [m]
-  FourFloats t{};           ///< [m] How far they are.
-  FourInts on_way{};        ///< Not yet at their ends.
-  FourInts beginning{};     ///< Still at the surface where they began.
-  FourInts reached{};       ///< At another surface.
-  FourInts passed{};        ///< Beyond it.
+  FourPoints from{};
+  FourPoints direction{};  ///< Unit vectors.
+  FourFloats length{};     ///< [m]
+  FourFloats t{};          ///< [m] How far they are.
+  FourInts on_way{};       ///< Not yet at their ends.
+  FourInts beginning{};    ///< Still at the surface where they began.
+  FourInts reached{};      ///< At another surface.
+  FourInts passed{};       ///< Beyond it.
 
   /// Puts a ray into place `k`.
   void start(int k, const Ray& ray) {
     const Eigen::Vector3f way = ray.to - ray.from;
     length[k] = way.norm();
     on_way[k] = length[k] > 0.0F ? -1 : 0;
-    from.set(k, ray.from);
-    direction.set(k, on_way[k] != 0 ? Eigen::Vector3f(way / length[k]) : way);
+    set(from, k, ray.from);
+    set(direction, k, on_way[k] != 0 ? Eigen::Vector3f(way / length[k]) : way);
     t[k] = 0.0F;
     beginning[k] = -1;
     reached[k] = 0;

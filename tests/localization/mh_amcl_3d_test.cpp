@@ -1,6 +1,7 @@
 /// MH-AMCL on a 3-D map: over floors and ramps.
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -91,21 +92,24 @@ bool is_right(const Localizer& localizer, const BuildingDrive& drive) {
          estimate->footing->level == drive.pose().level;
 }
 
-class MhAmcl3dBeliefs : public testing::TestWithParam<bool> {
+class MhAmcl3dBeliefs : public testing::TestWithParam<const char*> {
  protected:
-  /// The defaults, or normal distributions that are refined on cells.
+  /// The defaults, normal distributions that are refined on cells, or particles that are weighed
+  /// along beams.
   static MhAmclConfig config() {
+    const std::string kind = GetParam();
     MhAmclConfig config;
-    if (!GetParam()) return config;
+    if (kind == "AlongBeams") config.track_by = TrackingError::kAlongBeam;
+    if (kind != "Gaussians") return config;
     config.belief = BeliefKind::kGaussians;
     config.refine_by = RefineMethod::kNdtPoints;
     return config;
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Both, MhAmcl3dBeliefs, testing::Bool(), [](const auto& tested) {
-  return tested.param ? "Gaussians" : "Particles";
-});
+INSTANTIATE_TEST_SUITE_P(All, MhAmcl3dBeliefs,
+                         testing::Values("Particles", "Gaussians", "AlongBeams"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 TEST_P(MhAmcl3dBeliefs, TracksFromFloorToFloor) {
   Rng rng = substream(1, "mh_amcl_3d");

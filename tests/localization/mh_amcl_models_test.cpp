@@ -33,6 +33,15 @@ TEST(MhAmclModels, UseTheSettingsAndTheMapTheyHold) {
             filter.belief_at(pose, points).covariance);
 }
 
+TEST(MhAmclModels, WeighAlongBeamsOn3dMapsAndParticlesOnly) {
+  MhAmclConfig config;
+  config.track_by = TrackingError::kAlongBeam;
+  EXPECT_NO_THROW(validate(config));
+  EXPECT_THROW(MhAmclModels(config, test::office()), std::invalid_argument);
+  config.belief = BeliefKind::kGaussians;
+  EXPECT_THROW(validate(config), std::invalid_argument);
+}
+
 TEST(MhAmclModels, MeasureDistancesToTheSurfacesOfSolidObstacles) {
   OccupancyGrid grid = test::office();
   test::fill(grid, 2.0, 2.0, 4.0, 4.0, CellState::kOccupied);

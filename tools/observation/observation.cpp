@@ -10,6 +10,7 @@
 #include "localization/input/sensor_input.hpp"
 #include "localization/map/hollow.hpp"
 #include "localization/mh_amcl_config.hpp"
+#include "localization/sensor/along_beam_model.hpp"
 #include "tools/map3d/run_volume.hpp"
 #include "tools/scene/visible_scene.hpp"
 #include "tools/sources/build_simulation.hpp"
@@ -101,8 +102,19 @@ void judge_on_plane(const SeenScan& seen, const Eigen::Isometry3d& T_footprint_b
                observation.T_map_base.cast<float>());
 }
 
+/// Log-likelihoods of beams by what weighs particles on a 3-D map.
+std::vector<float> judged(const ScanPoints& points, const SE2& T_atlas_base,
+                          const MhAmclConfig& config, const Volume& volume) {
+  if (config.track_by == localization::TrackingError::kAlongBeam) {
+    const localization::AlongBeamModel model(config.tracking, volume);
+    return model.beam_log_likelihoods(points, T_atlas_base);
+  }
+  return EndpointModel(config.tracking, volume).beam_log_likelihoods(points, T_atlas_base);
+}
+
 /// On a 3-D map: base stands on the ground of the map.
-void judge_in_space(const SeenScan& seen, double height, Observation& observation) {
+void judge_in_space(const SeenScan& seen, double height, const MhAmclConfig& config,
+                    Observation& observation) {
   const Volume& volume = *observation.volume;
   const auto T_atlas_base = volume.atlas().to_atlas(seen.T_map_base, height);
   const auto base = T_atlas_base ? volume.lift(*T_atlas_base) : std::nullopt;
@@ -110,9 +122,8 @@ void judge_in_space(const SeenScan& seen, double height, Observation& observatio
     throw std::runtime_error(fmt::format("the robot at ({:.2f}, {:.2f}) is not on drivable ground",
                                          seen.T_map_base.x, seen.T_map_base.y));
   }
-  const EndpointModel model(observation.model, volume);
   observation.T_map_base = base->T_map_base;
-  observation.beams = beams_of(seen.points, model.beam_log_likelihoods(seen.points, *T_atlas_base),
+  observation.beams = beams_of(seen.points, judged(seen.points, *T_atlas_base, config, volume),
                                base->T_map_base.cast<float>());
 }
 
@@ -139,7 +150,7 @@ Observation observe(const Scenario& scenario, const std::filesystem::path& base,
   const SeenScan scan = scan_after(*source, after, config.mh_amcl, seen.volume != nullptr);
   const Eigen::Isometry3d T_footprint_base = source->T_footprint_base();
   if (seen.volume) {
-    judge_in_space(scan, T_footprint_base.translation().z(), seen);
+    judge_in_space(scan, T_footprint_base.translation().z(), config.mh_amcl, seen);
   } else {
     judge_on_plane(scan, T_footprint_base, seen);
   }

@@ -203,6 +203,17 @@ TEST_F(ScenarioFileTest, ReadsMhAmclOn3dMaps) {
   expect_contains(error_of("{localizers: [{mh_amcl: {voxel: 0.1}}]}"), "voxel");
 }
 
+TEST_F(ScenarioFileTest, MhAmclWeighsAlongBeamsOn3dMaps) {
+  const LocalizerSpec spec =
+      load("{localizers: [{mh_amcl: {mode: 3d, track_by: along_beam}}]}").scenario.localizers[0];
+  EXPECT_EQ(std::get<localization::MhAmcl3dConfig>(spec.config).mh_amcl.track_by,
+            localization::TrackingError::kAlongBeam);
+  expect_contains(error_of("{localizers: [{mh_amcl: {track_by: along_beam}}]}"), "track_by");
+  expect_contains(
+      error_of("{localizers: [{mh_amcl: {mode: 3d, track_by: along_beam, belief: gaussians}}]}"),
+      "track_by weighs particles");
+}
+
 TEST_F(ScenarioFileTest, ReadsTheModesOfMhAmclWithTheirDefects) {
   const auto config = [this](const std::string& settings) {
     return load("localizers: [mh_amcl: {" + settings + "}]").scenario.localizers[0].config;

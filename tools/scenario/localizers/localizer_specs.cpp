@@ -89,8 +89,8 @@ void describe_localizers(std::vector<SettingText>& texts) {
   improved.form({"mode", "", "improved, 3d, paper, published."}, "improved");
   localization::MhAmclConfig mh_amcl;
   fields(improved, mh_amcl);
-  Settings(under("mh_amcl (mode 3d, besides those above)"))
-      .form({"voxel", "m", "Edge of a voxel of the 3-D map."}, "0.1");
+  localization::MhAmcl3dConfig on_3d_map;
+  map3d_fields(under("mh_amcl (mode 3d, besides those above)"), on_3d_map);
   localization::PublishedMhAmclConfig paper;
   fields(under("mh_amcl (modes paper and published)"), paper);
   Settings nav2 = under("amcl");

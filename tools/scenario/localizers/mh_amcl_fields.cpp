@@ -163,8 +163,18 @@ void fields(Settings settings, MhAmclConfig& config) {
   fields(settings.group("lost_and_found"), config.lost_and_found);
 }
 
-void fields(Settings settings, localization::MhAmcl3dConfig& config) {
+void map3d_fields(Settings settings, localization::MhAmcl3dConfig& config) {
   settings.field({"voxel", "m", "Edge of a voxel of the 3-D map.", {0.02, 1.0}}, config.voxel);
+  settings.choice({"track_by", "",
+                   "By what particles are weighed: the distance of a beam's end from the nearest "
+                   "surface, or the same along the beam, as in the paper."},
+                  config.mh_amcl.track_by,
+                  {{"distance", localization::TrackingError::kDistance},
+                   {"along_beam", localization::TrackingError::kAlongBeam}});
+}
+
+void fields(Settings settings, localization::MhAmcl3dConfig& config) {
+  map3d_fields(settings, config);
   fields(settings, config.mh_amcl);
 }
 

@@ -9,7 +9,9 @@ namespace castaway::testbed {
 
 void fields(Settings settings, localization::MhAmclConfig& config);
 
-/// Settings of `mh_amcl: {mode: 3d}`.
+/// Settings that only `mh_amcl: {mode: 3d}` has.
+void map3d_fields(Settings settings, localization::MhAmcl3dConfig& config);
+/// All of its settings.
 void fields(Settings settings, localization::MhAmcl3dConfig& config);
 
 /// Settings of `mh_amcl: {mode: paper}`.
