@@ -53,7 +53,7 @@ std::optional<AlongBeamModel> along_beams(const MhAmclConfig& config, const Volu
 }
 
 /// @throws std::invalid_argument for a setting that needs a 3-D map.
-const MhAmclConfig& validated_on_plane(const MhAmclConfig& config) {
+const MhAmclConfig& validate_on_plane(const MhAmclConfig& config) {
   validate(config);
   if (config.track_by == TrackingError::kDistance) return config;
   throw std::invalid_argument("particles are weighed along beams on 3-D maps only");
@@ -62,7 +62,7 @@ const MhAmclConfig& validated_on_plane(const MhAmclConfig& config) {
 }  // namespace
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
-    : config(validated_on_plane(mh_amcl)),
+    : config(validate_on_plane(mh_amcl)),
       planar(planar_map(config, std::move(grid))),
       ndt_map(ndt_map_of(config, planar->grid)),
       ndt(refinement(config, ndt_map, nullptr)),

@@ -25,7 +25,7 @@ inline FourFloats load_four(const float* first) {
 }
 
 /// As ints, rounded towards zero.
-inline FourInts truncated(FourFloats values) { return __builtin_convertvector(values, FourInts); }
+inline FourInts truncate(FourFloats values) { return __builtin_convertvector(values, FourInts); }
 
 /// The first `count` of four numbers from `first` on, then zeros.
 inline FourFloats load_some(const float* first, std::size_t count) {
@@ -40,13 +40,13 @@ inline FourFloats to_floats(FourInts values) { return __builtin_convertvector(va
 inline bool any(FourInts mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
 /// `value` within 0 and `most`; `most` for NaN.
-inline FourFloats clamped(FourFloats value, float most) {
+inline FourFloats clamp(FourFloats value, float most) {
   const FourFloats zero{};
   const FourFloats top = zero + most;
   const FourFloats below = value < top ? value : top;  // Also for NaN.
   return below > zero ? below : zero;
 }
-inline float clamped(float value, float most) {
+inline float clamp(float value, float most) {
   const float below = value < most ? value : most;  // Also for NaN.
   return below > 0.0F ? below : 0.0F;
 }

@@ -22,8 +22,8 @@ class InterpolatedField {
 
   /// Bilinear value at a point in the grid's frame, given in cells (`p_grid / resolution`).
   [[nodiscard]] float at_cells(float x, float y) const {
-    const float u = clamped(x + 1.5F, max_u_);
-    const float v = clamped(y + 1.5F, max_v_);
+    const float u = clamp(x + 1.5F, max_u_);
+    const float v = clamp(y + 1.5F, max_v_);
     const int column = static_cast<int>(u);
     const int row = static_cast<int>(v);
     const float du = u - static_cast<float>(column);
@@ -36,10 +36,10 @@ class InterpolatedField {
 
   /// The values at four points, to the bit those of `at_cells` of each.
   [[nodiscard]] FourFloats at_cells(FourFloats x, FourFloats y) const {
-    const FourFloats u = clamped(x + 1.5F, max_u_);
-    const FourFloats v = clamped(y + 1.5F, max_v_);
-    const FourInts column = truncated(u);
-    const FourInts row = truncated(v);
+    const FourFloats u = clamp(x + 1.5F, max_u_);
+    const FourFloats v = clamp(y + 1.5F, max_v_);
+    const FourInts column = truncate(u);
+    const FourInts row = truncate(v);
     const FourFloats du = u - to_floats(column);
     const FourFloats dv = v - to_floats(row);
     const float* p[4];

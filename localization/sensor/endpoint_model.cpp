@@ -38,7 +38,7 @@ void look_up_surfaces(const SurfaceField& surfaces, const SurfaceField::Table& v
   for (std::size_t first = 0; first < points.size(); first += 4 * kAhead) {
     const std::size_t count = std::min(4 * kAhead, points.size() - first);
     for (std::size_t i = 0; i < count; i += 4) {
-      const FourPoints p = transformed(pose.R, pose.t, four_ends(points, first + i));
+      const FourPoints p = transform(pose.R, pose.t, four_ends(points, first + i));
       found[i / 4] = surfaces.find(p.x, p.y, p.z);
     }
     std::size_t i = 0;

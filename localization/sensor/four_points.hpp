@@ -30,9 +30,8 @@ namespace castaway::localization {
 }
 
 /// `R p + t`; each to the bit that of one point.
-[[gnu::always_inline]] inline FourPoints transformed(const Eigen::Matrix3f& R,
-                                                     const Eigen::Vector3f& t,
-                                                     const FourPoints& p) {
+[[gnu::always_inline]] inline FourPoints transform(const Eigen::Matrix3f& R,
+                                                   const Eigen::Vector3f& t, const FourPoints& p) {
   const auto row = [&](int i) { return R(i, 0) * p.x + (R(i, 1) * p.y + R(i, 2) * p.z) + t(i); };
   return {row(0), row(1), row(2)};
 }

@@ -74,7 +74,7 @@ class PoseInVolume {
   }
   /// Four ends in map. [m]
   [[nodiscard]] FourPoints operator*(const FourPoints& p_base) const {
-    return transformed(R_, t_, p_base);
+    return transform(R_, t_, p_base);
   }
   /// Where beam `i` begins. [m]
   [[nodiscard]] Eigen::Vector3f origin(const ScanPoints& points, std::size_t i) const {

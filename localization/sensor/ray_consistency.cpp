@@ -30,6 +30,21 @@ bool ray_meets_wall(const CellRay& ray, const WallClearance& walls) {
   return false;
 }
 
+/// The beams in a volume, beam `i` made longer by `longer(i)` [m].
+template <typename Longer>
+std::vector<Ray> rays_in_volume(const PoseInVolume& pose, const ScanPoints& points,
+                                std::span<const std::size_t> beams, const Longer& longer) {
+  std::vector<Ray> rays;
+  rays.reserve(beams.size());
+  for (const std::size_t i : beams) {
+    const Eigen::Vector3f from = pose.origin(points, i);
+    const Eigen::Vector3f to = pose.end(points, i);
+    const float stretch = 1.0F + static_cast<float>(longer(i)) / points.range[i];
+    rays.push_back({from, from + stretch * (to - from)});
+  }
+  return rays;
+}
+
 }  // namespace
 
 RayConsistency::RayConsistency(const RayWorld& world, const SE2& T_map_base,
@@ -51,13 +66,20 @@ double RayConsistency::margin(double range) const {
   return std::max(config_.margin, config_.margin_share * range);
 }
 
-std::vector<std::size_t> RayConsistency::through_wall(const ScanPoints& points,
-                                                      std::span<const std::size_t> beams) const {
-  std::vector<std::size_t> long_enough;
-  std::ranges::copy_if(beams, std::back_inserter(long_enough), [&](std::size_t i) {
+/// Those beams whose margins are shorter than they.
+std::vector<std::size_t> RayConsistency::beyond_margin(const ScanPoints& points,
+                                                       std::span<const std::size_t> beams) const {
+  std::vector<std::size_t> beyond;
+  std::ranges::copy_if(beams, std::back_inserter(beyond), [&](std::size_t i) {
     const double r = points.range[i];
     return r > margin(r);
   });
+  return beyond;
+}
+
+std::vector<std::size_t> RayConsistency::through_wall(const ScanPoints& points,
+                                                      std::span<const std::size_t> beams) const {
+  std::vector<std::size_t> long_enough = beyond_margin(points, beams);
   const auto less = [&](std::size_t i) { return -margin(points.range[i]); };
   if (const auto* plane = std::get_if<OnPlane>(&view_)) {
     std::erase_if(long_enough, [&](std::size_t i) { return !meets(*plane, points, i, less(i)); });
@@ -65,9 +87,7 @@ std::vector<std::size_t> RayConsistency::through_wall(const ScanPoints& points,
   }
   const auto& [volume, pose] = std::get<InVolume>(view_);
   if (!pose) return {};
-  std::vector<Ray> rays;
-  rays.reserve(long_enough.size());
-  for (const std::size_t i : long_enough) rays.push_back(ray(*pose, points, i, less(i)));
+  const std::vector<Ray> rays = rays_in_volume(*pose, points, long_enough, less);
   // A beam from a right pose may graze the ground, and passes along a wall before it ends there:
   // only one that leaves what is not ground has passed it.
   std::vector<std::size_t> through = passing_through(volume->walls(), rays);
@@ -85,9 +105,8 @@ std::vector<std::size_t> RayConsistency::ends_before_wall(const ScanPoints& poin
   }
   const auto& [volume, pose] = std::get<InVolume>(view_);
   if (!pose) return ends;
-  std::vector<Ray> rays;
-  rays.reserve(ends.size());
-  for (const std::size_t i : beams) rays.push_back(ray(*pose, points, i, beyond));
+  const std::vector<Ray> rays =
+      rays_in_volume(*pose, points, beams, [&](std::size_t) { return beyond; });
   const std::vector<Encounter> met = encounters(volume->surfaces(), rays);
   ends.clear();
   for (std::size_t k = 0; k < beams.size(); ++k) {
@@ -106,15 +125,6 @@ bool RayConsistency::meets(const OnPlane& view, const ScanPoints& points, std::s
   const Eigen::Vector2f to(pose.x(points.x[i], points.y[i]), pose.y(points.x[i], points.y[i]));
   const float length = (r + static_cast<float>(longer)) * scale;
   return ray_meets_wall({from, (to - from) / (r * scale), length}, *view.walls);
-}
-
-/// Beam `i`, made longer by `longer` [m].
-Ray RayConsistency::ray(const PoseInVolume& pose, const ScanPoints& points, std::size_t i,
-                        double longer) {
-  const Eigen::Vector3f from = pose.origin(points, i);
-  const Eigen::Vector3f to = pose.end(points, i);
-  const float stretch = 1.0F + static_cast<float>(longer) / points.range[i];
-  return {from, from + stretch * (to - from)};
 }
 
 }  // namespace castaway::localization

@@ -53,10 +53,10 @@ class RayConsistency {
 
   static View view_from(const RayWorld& world, const SE2& T_map_base);
   [[nodiscard]] double margin(double range) const;
+  [[nodiscard]] std::vector<std::size_t> beyond_margin(const ScanPoints& points,
+                                                       std::span<const std::size_t> beams) const;
   [[nodiscard]] static bool meets(const OnPlane& view, const ScanPoints& points, std::size_t i,
                                   double longer);
-  [[nodiscard]] static Ray ray(const PoseInVolume& pose, const ScanPoints& points, std::size_t i,
-                               double longer);
 
   View view_;
   RayConsistencyConfig config_;

@@ -3,7 +3,7 @@
 namespace castaway::localization {
 namespace {
 
-FourPoints moved(const FourPoints& points, const FourPoints& direction, FourFloats by) {
+FourPoints advance(const FourPoints& points, const FourPoints& direction, FourFloats by) {
   return {points.x + by * direction.x, points.y + by * direction.y, points.z + by * direction.z};
 }
 
@@ -16,7 +16,7 @@ FourFloats surface_ahead(const SurfaceField& surfaces, const FourPoints& from,
   FourFloats found = most;
   FourFloats t{};
   for (FourInts on_way = t < most; any(on_way);) {
-    const auto [distance, rate] = surfaces.rates(moved(from, direction, t), direction);
+    const auto [distance, rate] = surfaces.rates(advance(from, direction, t), direction);
     const FourFloats there = t + distance / -rate;  // On the plane of the surface.
     const FourInts hit = on_way & (distance < near) & (rate < 0.0F) & (there < most);
     found = hit ? there : found;

@@ -71,9 +71,8 @@ class SurfaceField {
   }
   /// The same for four points, to the bit.
   [[nodiscard]] FourFloats at_points(FourFloats x, FourFloats y, FourFloats z) const {
-    const Eigen::Vector3f& first = blocks_.origin();
-    const FourPlaces places =
-        blocks_.find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z());
+    const FourPoints p = to_lattice(x, y, z);
+    const FourPlaces places = blocks_.find(p.x, p.y, p.z);
     FourFloats units;
     for (int k = 0; k < 4; ++k) {
       const Cell& cell = cells_[blocks_.index(places.block[k], places.voxel[k])];
@@ -122,7 +121,7 @@ class SurfaceField {
     const FourFloats d = distance(sample(found));
     const FourFloats place = steps_ * d + 0.5F;
     const FourFloats last = FourFloats{} + 255.0F;
-    return truncated(place < last ? place : last);
+    return truncate(place < last ? place : last);
   }
 
   [[nodiscard]] double resolution() const { return static_cast<double>(resolution_); }
@@ -141,6 +140,10 @@ class SurfaceField {
   static Cell cell_at(const SurfacePatch& patch, const Eigen::Vector3f& p, float reach);
   [[nodiscard]] Eigen::Vector3f to_lattice(const Eigen::Vector3f& p_map) const {
     return per_m_ * p_map - blocks_.origin();
+  }
+  [[nodiscard]] FourPoints to_lattice(FourFloats x, FourFloats y, FourFloats z) const {
+    const Eigen::Vector3f& first = blocks_.origin();
+    return {per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z()};
   }
   static constexpr float kUnit = 1.0F / 127.0F;
 
@@ -161,8 +164,8 @@ class SurfaceField {
     return distance < most ? distance : most;
   }
   [[nodiscard]] FourCells find_in_map(FourFloats x, FourFloats y, FourFloats z) const {
-    const Eigen::Vector3f& first = blocks_.origin();
-    return find(per_m_ * x - first.x(), per_m_ * y - first.y(), per_m_ * z - first.z());
+    const FourPoints p = to_lattice(x, y, z);
+    return find(p.x, p.y, p.z);
   }
   [[nodiscard]] static Sample<FourFloats> sample(const FourCells& found) {
     const FourInts cells = load_cells(found.cells);

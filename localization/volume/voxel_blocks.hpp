@@ -66,8 +66,8 @@ class VoxelBlocks {
   /// The place of a point of the lattice. Far from surfaces, and for NaN, its block is one more
   /// than there are: `size()`.
   [[nodiscard]] PlaceOfPoint find(const Eigen::Vector3f& p_lattice) const {
-    const Eigen::Vector3f p(clamped(p_lattice.x(), most_.x()), clamped(p_lattice.y(), most_.y()),
-                            clamped(p_lattice.z(), most_.z()));
+    const Eigen::Vector3f p(clamp(p_lattice.x(), most_.x()), clamp(p_lattice.y(), most_.y()),
+                            clamp(p_lattice.z(), most_.z()));
     const Eigen::Vector3i voxel = p.cast<int>();
     return {index(table_place(voxel.x(), voxel.y(), voxel.z()),
                   place_in_block(voxel.x(), voxel.y(), voxel.z())),
@@ -75,12 +75,12 @@ class VoxelBlocks {
   }
   /// The same in two steps for four points, to the bit: the second is `index`.
   [[nodiscard]] FourPlaces find(FourFloats px, FourFloats py, FourFloats pz) const {
-    const FourFloats x = clamped(px, most_.x());
-    const FourFloats y = clamped(py, most_.y());
-    const FourFloats z = clamped(pz, most_.z());
-    const FourInts column = truncated(x);
-    const FourInts row = truncated(y);
-    const FourInts layer = truncated(z);
+    const FourFloats x = clamp(px, most_.x());
+    const FourFloats y = clamp(py, most_.y());
+    const FourFloats z = clamp(pz, most_.z());
+    const FourInts column = truncate(x);
+    const FourInts row = truncate(y);
+    const FourInts layer = truncate(z);
     return {table_place(column, row, layer), place_in_block(column, row, layer),
             x - to_floats(column), y - to_floats(row), z - to_floats(layer)};
   }

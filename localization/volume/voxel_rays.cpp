@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "localization/geometry/four_floats.hpp"
 
@@ -66,30 +67,47 @@ void step(const Distances& distances, float voxel, FourRays& rays) {
   rays.on_way &= ~rays.passed & (rays.t < rays.length);
 }
 
-/// Traces rays four at a time: a new one takes the place of one that is done.
-template <typename Distances>
-std::vector<Encounter> traced(const Distances& distances, std::span<const Ray> rays) {
-  const auto voxel = static_cast<float>(distances.resolution());
-  std::vector<Encounter> met(rays.size(), Encounter::kNone);
-  FourRays four;
-  std::array<std::size_t, 4> number;
-  number.fill(rays.size());  // None.
-  std::size_t next = 0;
-  for (bool busy = true; busy;) {
-    busy = false;
-    for (int k = 0; k < 4; ++k) {
-      std::size_t& ray = number[static_cast<std::size_t>(k)];
-      if (four.on_way[k] == 0) {
-        if (ray < rays.size()) met[ray] = four.met(k);
-        ray = next < rays.size() ? next++ : rays.size();
-        if (ray < rays.size()) four.start(k, rays[ray]);
-      }
-      busy = busy || ray < rays.size();
-    }
-    if (busy) step(distances, voxel, four);
-    while (four.all_on_way()) step(distances, voxel, four);
+/// Rays that wait for one of four places, and what those before them have met.
+class RayQueue {
+ public:
+  explicit RayQueue(std::span<const Ray> rays)
+      : rays_(rays), encounters_(rays.size(), Encounter::kNone) {
+    in_place_.fill(rays.size());
   }
-  return met;
+  /// Puts the next rays into the places of those that are done. False if none are left.
+  bool refill(FourRays& four) {
+    bool busy = false;
+    for (int k = 0; k < 4; ++k) {
+      std::size_t& ray = in_place_[static_cast<std::size_t>(k)];
+      if (four.on_way[k] == 0) {
+        if (ray < rays_.size()) encounters_[ray] = four.met(k);
+        ray = next_ < rays_.size() ? next_++ : rays_.size();
+        if (ray < rays_.size()) four.start(k, rays_[ray]);
+      }
+      busy = busy || ray < rays_.size();
+    }
+    return busy;
+  }
+  [[nodiscard]] std::vector<Encounter> take_encounters() { return std::move(encounters_); }
+
+ private:
+  std::span<const Ray> rays_;
+  std::vector<Encounter> encounters_;
+  std::array<std::size_t, 4> in_place_{};  ///< Numbers of rays; the number of all rays: none.
+  std::size_t next_ = 0;
+};
+
+/// Traces rays four at a time.
+template <typename Distances>
+std::vector<Encounter> trace(const Distances& distances, std::span<const Ray> rays) {
+  const auto voxel = static_cast<float>(distances.resolution());
+  RayQueue queue(rays);
+  for (FourRays four; queue.refill(four);) {
+    do {
+      step(distances, voxel, four);
+    } while (four.all_on_way());
+  }
+  return queue.take_encounters();
 }
 
 /// Appends the rays beside a ray.
@@ -105,11 +123,11 @@ void append_sides(const Ray& ray, float away, std::vector<Ray>& sides) {
 }  // namespace
 
 std::vector<Encounter> encounters(const VoxelDistances& distances, std::span<const Ray> rays) {
-  return traced(distances, rays);
+  return trace(distances, rays);
 }
 
 std::vector<Encounter> encounters(const SurfaceField& surfaces, std::span<const Ray> rays) {
-  return traced(surfaces, rays);
+  return trace(surfaces, rays);
 }
 
 std::vector<std::size_t> passing_through(const VoxelDistances& distances,

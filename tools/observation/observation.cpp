@@ -103,8 +103,8 @@ void judge_on_plane(const SeenScan& seen, const Eigen::Isometry3d& T_footprint_b
 }
 
 /// Log-likelihoods of beams by what weighs particles on a 3-D map.
-std::vector<float> judged(const ScanPoints& points, const SE2& T_atlas_base,
-                          const MhAmclConfig& config, const Volume& volume) {
+std::vector<float> weigh_beams(const ScanPoints& points, const SE2& T_atlas_base,
+                               const MhAmclConfig& config, const Volume& volume) {
   if (config.track_by == localization::TrackingError::kAlongBeam) {
     const localization::AlongBeamModel model(config.tracking, volume);
     return model.beam_log_likelihoods(points, T_atlas_base);
@@ -123,7 +123,7 @@ void judge_in_space(const SeenScan& seen, double height, const MhAmclConfig& con
                                          seen.T_map_base.x, seen.T_map_base.y));
   }
   observation.T_map_base = base->T_map_base;
-  observation.beams = beams_of(seen.points, judged(seen.points, *T_atlas_base, config, volume),
+  observation.beams = beams_of(seen.points, weigh_beams(seen.points, *T_atlas_base, config, volume),
                                base->T_map_base.cast<float>());
 }
 
