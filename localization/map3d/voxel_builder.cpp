@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace castaway::localization {
@@ -39,7 +40,9 @@ void VoxelBuilder::add(const Eigen::Vector3d& p_map, bool faces_up) {
 
 /// Sorts, and joins the sums of each voxel.
 void VoxelBuilder::compact() {
-  std::ranges::stable_sort(sums_, {}, &Sum::key);
+  const auto as_they_came = sums_.begin() + static_cast<std::ptrdiff_t>(compacted_);
+  std::ranges::stable_sort(as_they_came, sums_.end(), {}, &Sum::key);
+  std::ranges::inplace_merge(sums_, as_they_came, {}, &Sum::key);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     if (kept > 0 && sums_[kept - 1].key == sums_[i].key) {

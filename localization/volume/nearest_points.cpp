@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+
+#include "localization/geometry/four_floats.hpp"
 
 namespace castaway::localization {
 namespace {
@@ -17,24 +20,37 @@ float square_to_row(float position) {
   return square_of(std::max({-position, position - (kRow - 1.0F), 0.0F}));
 }
 
-/// Takes a point that is nearer; the centre of the block's first voxel is 0. `worst`: none of the
-/// squares is larger.
-void take(const Eigen::Vector3f& p, std::uint32_t index, float worst, NearestPoints& nearest) {
+/// Nearest points so far. Of points that are equally near, the one with the lowest rank is taken.
+struct RankedPoints {
+  std::array<FourFloats, kRow * kRow> squares;  ///< Of rows of voxels along x.
+  std::array<FourInts, kRow * kRow> ranks;
+
+  [[nodiscard]] float worst() const {
+    FourFloats most = squares[0];
+    for (const FourFloats& row : squares) most = row > most ? row : most;
+    return std::max({most[0], most[1], most[2], most[3]});
+  }
+};
+
+/// Takes a point where it is nearer; the centre of the block's first voxel is 0. `worst`: none of
+/// the squares is larger.
+void take(const Eigen::Vector3f& p, int rank, float worst, RankedPoints& nearest) {
   const float x_to_row = square_to_row(p.x());
-  if (x_to_row + square_to_row(p.y()) + square_to_row(p.z()) >= worst) return;
-  std::array<float, kRow> along{};
-  for (std::size_t x = 0; x < kRow; ++x) along[x] = square_of(static_cast<float>(x) - p.x());
+  if (x_to_row + square_to_row(p.y()) + square_to_row(p.z()) > worst) return;
+  const FourFloats x = FourFloats{0.0F, 1.0F, 2.0F, 3.0F} - p.x();
+  const FourFloats along = x * x;
   for (int z = 0; z < kRow; ++z) {
     const float up = square_of(static_cast<float>(z) - p.z());
     for (int y = 0; y < kRow; ++y) {
       const float away = up + square_of(static_cast<float>(y) - p.y());
-      if (away + x_to_row >= worst) continue;
-      const auto row = static_cast<std::size_t>((z * kRow + y) * kRow);
-      for (std::size_t x = 0; x < kRow; ++x) {
-        const bool nearer = away + along[x] < nearest.squares[row + x];
-        nearest.squares[row + x] = nearer ? away + along[x] : nearest.squares[row + x];
-        nearest.points[row + x] = nearer ? index : nearest.points[row + x];
-      }
+      if (away + x_to_row > worst) continue;
+      const auto row = static_cast<std::size_t>(z * kRow + y);
+      const FourFloats square = away + along;
+      FourFloats& least = nearest.squares[row];
+      FourInts& first = nearest.ranks[row];
+      const FourInts nearer = (square < least) | ((square == least) & (rank < first));
+      least = nearer ? square : least;
+      first = nearer ? rank : first;
     }
   }
 }
@@ -59,8 +75,12 @@ Eigen::Vector3f point_in_voxel(const VoxelMap& map, std::size_t i) {
   return Eigen::Vector3f(offset[0] + 0.5F, offset[1] + 0.5F, offset[2] + 0.5F) / 256.0F;
 }
 
-SurfacePoints::SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks)
-    : blocks_(blocks), first_(blocks.size() + 1, 0), points_(map.size()) {
+SurfacePoints::SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks, float radius)
+    : blocks_(blocks),
+      radius_(radius),
+      neighbours_(neighbours_within(radius)),
+      first_(blocks.size() + 1, 0),
+      points_(map.size()) {
   const auto block_of = [&](std::size_t i) {
     return std::size_t{blocks.find(voxel_index(map.keys[i]))->block};
   };
@@ -74,25 +94,47 @@ SurfacePoints::SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks)
   }
 }
 
-NearestPoints SurfacePoints::nearest(const Eigen::Vector3i& block, float radius) const {
-  NearestPoints nearest;
-  nearest.squares.fill(square_of(radius));
-  nearest.points.fill(0);
-  float worst = square_of(radius);
-  const auto take_points = [&](const Eigen::Vector3i& other, std::uint32_t number) {
-    if (square_between(other - block) >= worst) return;
-    const Eigen::Vector3f shift =
-        (VoxelBlocks::kEdge * (other - block)).cast<float>().array() - 0.5F;
-    for (std::uint32_t i = first_[number]; i < first_[number + 1]; ++i) {
-      take(points_[i].p + shift, points_[i].index, worst, nearest);
-    }
-    worst = *std::max_element(nearest.squares.begin(), nearest.squares.end());
-  };
-  blocks_.for_each_around(block, 0, take_points);  // The nearest first, so that few others count.
+std::vector<SurfacePoints::Neighbour> SurfacePoints::neighbours_within(float radius) {
   const int around = static_cast<int>(std::ceil(radius)) / VoxelBlocks::kEdge + 1;
-  blocks_.for_each_around(block, around, [&](const Eigen::Vector3i& other, std::uint32_t number) {
-    if (other != block) take_points(other, number);
-  });
+  std::vector<Neighbour> neighbours;
+  for (int z = -around; z <= around; ++z) {
+    for (int y = -around; y <= around; ++y) {
+      for (int x = -around; x <= around; ++x) {
+        const Eigen::Vector3i offset(x, y, z);
+        const float square = offset.isZero() ? -1.0F : square_between(offset);
+        if (square < square_of(radius)) neighbours.push_back({offset, square});
+      }
+    }
+  }
+  std::ranges::stable_sort(neighbours, {}, &Neighbour::square);
+  return neighbours;
+}
+
+NearestPoints SurfacePoints::nearest(const Eigen::Vector3i& block) const {
+  constexpr int kFirst =
+      std::numeric_limits<int>::min();  // Ranks of the block itself are negative.
+  RankedPoints ranked;
+  ranked.squares.fill(FourFloats{} + square_of(radius_));
+  ranked.ranks.fill(FourInts{} + kFirst);
+  float worst = square_of(radius_);
+  for (const auto& [offset, square] : neighbours_) {
+    if (square > worst) break;
+    const Eigen::Vector3f shift = (VoxelBlocks::kEdge * offset).cast<float>().array() - 0.5F;
+    const int rank = offset.isZero() ? kFirst : 0;
+    blocks_.for_each_around(block + offset, 0, [&](const Eigen::Vector3i&, std::uint32_t number) {
+      for (std::uint32_t i = first_[number]; i < first_[number + 1]; ++i) {
+        take(points_[i].p + shift, rank + static_cast<int>(i), worst, ranked);
+      }
+      worst = ranked.worst();
+    });
+  }
+  NearestPoints nearest{};
+  for (std::size_t voxel = 0; voxel < VoxelBlocks::kVoxels; ++voxel) {
+    const std::size_t row = voxel / kRow;
+    nearest.squares[voxel] = ranked.squares[row][voxel % kRow];
+    const auto i = static_cast<std::size_t>(ranked.ranks[row][voxel % kRow] & ~kFirst);
+    nearest.points[voxel] = i < points_.size() ? points_[i].index : 0;
+  }
   return nearest;
 }
 

@@ -26,20 +26,30 @@ struct NearestPoints {
 /// Surface points sorted by blocks.
 class SurfacePoints {
  public:
-  /// `blocks` must outlive it, and have a block for each voxel of `map`.
-  SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks);
+  /// Farther points than `radius`, in edges of a voxel, are left out. `blocks` must outlive it, and
+  /// have a block for each voxel of `map`.
+  SurfacePoints(const VoxelMap& map, const VoxelBlocks& blocks, float radius);
 
-  /// Nearest points of the voxels of a block (index along the axes); farther ones than `radius`,
-  /// in edges of a voxel, are left out.
-  [[nodiscard]] NearestPoints nearest(const Eigen::Vector3i& block, float radius) const;
+  /// Nearest points of the voxels of a block (index along the axes). Of points that are equally
+  /// near, those of the block itself come first, then those of blocks in their order.
+  [[nodiscard]] NearestPoints nearest(const Eigen::Vector3i& block) const;
 
  private:
   struct Point {
     Eigen::Vector3f p;        ///< In edges of a voxel, from the corner of its block.
     std::uint32_t index = 0;  ///< In the map.
   };
+  /// A block near another one.
+  struct Neighbour {
+    Eigen::Vector3i offset;  ///< [blocks]
+    float square;            ///< Least, from the voxels' centres to its points.
+  };
+  static std::vector<Neighbour> neighbours_within(float radius);
+
   const VoxelBlocks& blocks_;
-  std::vector<std::uint32_t> first_;  ///< Of each block; one more at the end.
+  float radius_;
+  std::vector<Neighbour> neighbours_;  ///< The nearest first, beginning with the block itself.
+  std::vector<std::uint32_t> first_;   ///< Of each block; one more at the end.
   std::vector<Point> points_;
 };
 

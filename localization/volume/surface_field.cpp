@@ -41,10 +41,10 @@ SurfaceField::SurfaceField(const VoxelMap& map, double max_distance)
   validate_reach(map, max_distance);
   blocks_ = VoxelBlocks(map, static_cast<int>(std::ceil(reach_)));
   cells_.resize((blocks_.size() + 1) * VoxelBlocks::kVoxels);
-  const SurfacePoints points(map, blocks_);
+  const SurfacePoints points(map, blocks_, reach_);
   const std::vector<SurfacePatch> patches = surface_patches(map);
   blocks_.for_each([&](const Eigen::Vector3i& block, std::uint32_t number) {
-    const NearestPoints nearest = points.nearest(block, reach_);
+    const NearestPoints nearest = points.nearest(block);
     for (std::uint32_t voxel = 0; voxel < VoxelBlocks::kVoxels; ++voxel) {
       if (!(nearest.squares[voxel] < reach_ * reach_)) continue;
       const std::uint32_t i = nearest.points[voxel];

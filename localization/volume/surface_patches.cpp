@@ -1,5 +1,6 @@
 #include "localization/volume/surface_patches.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -95,9 +96,10 @@ SurfacePatch patch_of(std::span<const Eigen::Vector3f> points) {
   if (!(all.variances[2] > kSpread)) return {};
   if (!(all.variances[1] > kSpread)) return {all.directions.col(2), PatchShape::kLine};
   const Eigen::Vector3f normal = all.directions.col(0);
-  const Axes near = axes_of(points, [&](const Eigen::Vector3f& p) {
+  const auto on_plane = [&](const Eigen::Vector3f& p) {
     return p.isZero() || std::abs(normal.dot(p - all.mean)) <= kOffPlane;
-  });
+  };
+  const Axes near = std::ranges::all_of(points, on_plane) ? all : axes_of(points, on_plane);
   const bool planar = near.variances[1] > kSpread;
   return {planar ? near.directions.col(0).eval() : normal, PatchShape::kPlane};
 }

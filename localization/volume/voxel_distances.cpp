@@ -28,10 +28,10 @@ VoxelDistances::VoxelDistances(const VoxelMap& map, double max_distance)
   const double radius = max_distance / resolution_;
   blocks_ = VoxelBlocks(map, static_cast<int>(std::ceil(radius)));
   distances_.assign((blocks_.size() + 1) * VoxelBlocks::kVoxels, kBeyond);
-  const SurfacePoints points(map, blocks_);
+  const SurfacePoints points(map, blocks_, static_cast<float>(radius));
   const float units = static_cast<float>(resolution_) / scale_;
   blocks_.for_each([&](const Eigen::Vector3i& block, std::uint32_t number) {
-    const NearestPoints nearest = points.nearest(block, static_cast<float>(radius));
+    const NearestPoints nearest = points.nearest(block);
     std::transform(nearest.squares.begin(), nearest.squares.end(),
                    distances_.begin() + static_cast<std::ptrdiff_t>(number * VoxelBlocks::kVoxels),
                    [units](float square) {
