@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace castaway::localization {
 namespace {
@@ -68,24 +69,37 @@ std::vector<std::uint8_t> pool(const ByteField& field, const PooledLayout& layou
   return sort_by_phase(plane, layout);
 }
 
-/// The bits of the free nodes of every tile.
-std::vector<std::uint16_t> find_free_nodes(const GridFrame& frame,
-                                           const std::vector<bool>& free_cells,
-                                           const PooledLayout& layout) {
-  std::vector<std::uint16_t> free(layout.tile_index(0, layout.tile_rows), 0);
+/// The bits of the nodes of every tile that cover free cells.
+class FreeNodes {
+ public:
+  explicit FreeNodes(const PooledLayout& layout)
+      : layout_(layout), tiles_(layout.tile_index(0, layout.tile_rows), 0) {}
+
+  void add(const Eigen::Vector2i& free_cell) {
+    const int X = free_cell.x() >> layout_.level;
+    const int Y = free_cell.y() >> layout_.level;
+    std::uint16_t& tile =
+        tiles_[layout_.tile_index(X / PooledLayout::kTileColumns, Y / PooledLayout::kTileRows)];
+    const int node =
+        Y % PooledLayout::kTileRows * PooledLayout::kTileColumns + X % PooledLayout::kTileColumns;
+    tile = static_cast<std::uint16_t>(tile | 1U << static_cast<unsigned>(node));
+  }
+  [[nodiscard]] std::vector<std::uint16_t> take() { return std::move(tiles_); }
+
+ private:
+  const PooledLayout& layout_;
+  std::vector<std::uint16_t> tiles_;
+};
+
+std::vector<std::uint16_t> find_free_nodes(const ByteField& field, const PooledLayout& layout) {
+  FreeNodes nodes(layout);
+  const GridFrame& frame = field.frame();
   for (int row = 0; row < frame.height; ++row) {
     for (int column = 0; column < frame.width; ++column) {
-      if (!free_cells[frame.index({column, row})]) continue;
-      const int X = column / layout.edge;
-      const int Y = row / layout.edge;
-      std::uint16_t& tile =
-          free[layout.tile_index(X / PooledLayout::kTileColumns, Y / PooledLayout::kTileRows)];
-      const int node =
-          Y % PooledLayout::kTileRows * PooledLayout::kTileColumns + X % PooledLayout::kTileColumns;
-      tile = static_cast<std::uint16_t>(tile | 1U << static_cast<unsigned>(node));
+      if (field.free()[frame.index({column, row})]) nodes.add({column, row});
     }
   }
-  return free;
+  return nodes.take();
 }
 
 }  // namespace
@@ -94,11 +108,13 @@ PooledField::PooledField(const ByteField& field, int level)
     : layout_(field.frame().width, field.frame().height, field.padding(), level),
       deficits_(std::make_shared<const std::vector<std::uint8_t>>(pool(field, layout_, step()))),
       first_deficit_(deficits_->data()),
-      free_(find_free_nodes(field.frame(), field.free(), layout_)) {}
+      free_(find_free_nodes(field, layout_)) {}
 
-PooledField PooledField::with_free(const GridFrame& frame, const std::vector<bool>& free) const {
+PooledField PooledField::with_free(std::span<const Eigen::Vector2i> cells) const {
   PooledField other = *this;
-  other.free_ = find_free_nodes(frame, free, layout_);
+  FreeNodes nodes(layout_);
+  for (const Eigen::Vector2i& cell : cells) nodes.add(cell);
+  other.free_ = nodes.take();
   return other;
 }
 

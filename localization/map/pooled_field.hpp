@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "localization/map/byte_field.hpp"
@@ -29,8 +30,9 @@ class PooledField {
 
   /// `level` >= 0: nodes have an edge of 2^level cells. Level 0 is the field itself.
   PooledField(const ByteField& field, int level);
-  /// The same values with other free cells, row by row; both share the memory of the values.
-  [[nodiscard]] PooledField with_free(const GridFrame& frame, const std::vector<bool>& free) const;
+  /// The same values with these free cells (within the field) instead; both share the memory of
+  /// the values.
+  [[nodiscard]] PooledField with_free(std::span<const Eigen::Vector2i> cells) const;
 
   [[nodiscard]] const PooledLayout& layout() const { return layout_; }
   /// Value of a deficit of 1: 1 at level 0, `kCoarseStep` at the others.

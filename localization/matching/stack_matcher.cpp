@@ -40,9 +40,9 @@ std::vector<Pyramid> make_pyramids(const ByteField& field, const StackedGround& 
   const Pyramid all = make_pyramid(field, levels);
   std::vector<Pyramid> pyramids;
   for (std::size_t slope = 0; slope < ground.slopes().size(); ++slope) {
-    const std::vector<bool> free = ground.free(static_cast<std::uint16_t>(slope));
+    const auto free = ground.cells_of_slope(static_cast<std::uint16_t>(slope));
     Pyramid& pyramid = pyramids.emplace_back();
-    for (const PooledField& level : all) pyramid.push_back(level.with_free(field.frame(), free));
+    for (const PooledField& level : all) pyramid.push_back(level.with_free(free));
   }
   return pyramids;
 }

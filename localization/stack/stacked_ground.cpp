@@ -41,20 +41,24 @@ StackedGround::Place StackedGround::place_of(const Eigen::Vector2i& atlas_cell) 
           std::abs(off.x()) + std::abs(off.y())};
 }
 
-std::vector<bool> StackedGround::free(std::uint16_t slope) const {
-  std::vector<bool> free(stack_.grid().size(), false);
+Eigen::Vector2i StackedGround::stack_cell(const Place& place) const {
+  const int width = stack_.plane.width;
+  const auto cell = static_cast<int>(place.cell);
+  return {cell % width, cell / width};
+}
+
+std::vector<Eigen::Vector2i> StackedGround::cells_of_slope(std::uint16_t slope) const {
+  std::vector<Eigen::Vector2i> cells;
   for (const Place& place : places_) {
-    if (place.slope == slope) free[place.cell] = true;
+    if (place.slope == slope) cells.push_back(stack_cell(place));
   }
-  return free;
+  return cells;
 }
 
 std::optional<GroundCell> StackedGround::cell_of(const Eigen::Vector2i& atlas_cell) const {
   if (atlas_.surface_at(atlas_cell) == nullptr) return std::nullopt;
   const Place place = place_of(atlas_cell);
-  const int width = stack_.plane.width;
-  const auto cell = static_cast<int>(place.cell);
-  return GroundCell{{cell % width, cell / width}, place.slope};
+  return GroundCell{stack_cell(place), place.slope};
 }
 
 SE2 StackedGround::pose_at(const Eigen::Vector2i& cell, double yaw_grid) const {

@@ -24,8 +24,8 @@ class StackedGround {
 
   /// Slopes of the classes of ground. Never empty; level ground first.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& slopes() const { return classes_.slopes; }
-  /// For each cell of the stack, row by row: it has ground of a class.
-  [[nodiscard]] std::vector<bool> free(std::uint16_t slope) const;
+  /// The cells of the stack with ground of a class, row by row.
+  [[nodiscard]] std::vector<Eigen::Vector2i> cells_of_slope(std::uint16_t slope) const;
   /// Number of cells with ground.
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
@@ -45,6 +45,7 @@ class StackedGround {
 
   void find_places();
   [[nodiscard]] Place place_of(const Eigen::Vector2i& atlas_cell) const;
+  [[nodiscard]] Eigen::Vector2i stack_cell(const Place& place) const;
 
   const Atlas& atlas_;
   StackFrame stack_;

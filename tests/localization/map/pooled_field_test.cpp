@@ -59,5 +59,17 @@ TEST(PooledField, KnowsWhichNodesCoverFreeCells) {
   EXPECT_EQ(coarse.free_nodes(0, 0), 1U << 2U | 1U << 12U);
 }
 
+TEST(PooledField, TakesOtherFreeCells) {
+  const OccupancyGrid grid = test::string_map({"#########.", "##########", "####.#####"}, 0.2);
+  const ByteField field(grid, DistanceField(grid, 5.0), {0.2, 0.15, 1.0});
+  const PooledField cells(field, 0);
+  const std::vector<Eigen::Vector2i> free{{1, 0}, {9, 2}};
+  const PooledField other = cells.with_free(free);
+  EXPECT_EQ(other.free_nodes(0, 0), 1U << 1U);
+  EXPECT_EQ(other.free_nodes(1, 1), 1U << 1U);
+  EXPECT_EQ(other.tile(0, 0), cells.tile(0, 0));
+  EXPECT_EQ(PooledField(field, 1).with_free(free).free_nodes(0, 0), 1U << 0U | 1U << 12U);
+}
+
 }  // namespace
 }  // namespace castaway::localization

@@ -17,12 +17,9 @@ constexpr std::int64_t kAll = 1'000'000'000;
 /// All cells of a stack with ground.
 std::vector<GroundCell> cells_of(const StackMatcher& matcher) {
   std::vector<GroundCell> cells;
-  const int width = matcher.field().frame().width;
   for (std::uint16_t slope = 0; slope < matcher.ground().slopes().size(); ++slope) {
-    const std::vector<bool> free = matcher.ground().free(slope);
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const int cell = static_cast<int>(i);
-      if (free[i]) cells.push_back({{cell % width, cell / width}, slope});
+    for (const Eigen::Vector2i& cell : matcher.ground().cells_of_slope(slope)) {
+      cells.push_back({cell, slope});
     }
   }
   return cells;

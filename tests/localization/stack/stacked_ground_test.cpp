@@ -21,8 +21,9 @@ class StackedGroundTest : public testing::Test {
 TEST_F(StackedGroundTest, EachCellWithGroundIsFreeForOneSlope) {
   std::vector<int> classes(stack_.grid().size(), 0);
   for (std::uint16_t slope = 0; slope < ground_.slopes().size(); ++slope) {
-    const std::vector<bool> free = ground_.free(slope);
-    for (std::size_t i = 0; i < free.size(); ++i) classes[i] += free[i] ? 1 : 0;
+    for (const Eigen::Vector2i& cell : ground_.cells_of_slope(slope)) {
+      ++classes[stack_.grid().index(cell)];
+    }
   }
   std::size_t free = 0;
   for (const int count : classes) {
