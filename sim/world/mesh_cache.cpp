@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/mesh_file.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -37,10 +39,13 @@ bool stands_alone(const std::string& extension) {
   return extension == ".stl" || extension == ".dae" || extension == ".ply";
 }
 
-/// Key of a file's content; nothing if the file cannot be read, which the reader reports.
+/// Key of a file's content; nothing if the file cannot be read or is too large, which the reader
+/// reports.
 std::optional<std::string> key_of(const fs::path& path) {
   std::error_code none;
-  if (!fs::is_regular_file(path, none)) return std::nullopt;
+  if (!fs::is_regular_file(path, none) || fs::file_size(path, none) > kMaxMeshBytes) {
+    return std::nullopt;
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
   const auto hash = hash_of(stream);

@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxMeshBytes = 128U << 20U;
 constexpr std::size_t kMaxTriangles = 1000000;
 
 /// Opens regular files only: a pipe or device named by a material would never end.

@@ -1,11 +1,15 @@
 /// Reads mesh files in this process.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "sim/scene/scene.hpp"
 
 namespace castaway::sim {
+
+/// Size of the largest mesh file that is read. [bytes]
+inline constexpr std::uintmax_t kMaxMeshBytes = std::uintmax_t{128} << 20U;
 
 /// Reads a mesh file in any format of assimp, and merges its nodes. The unit of a Collada file is
 /// applied; its up direction is not, as in ROS. Colours are the diffuse colours of materials.

@@ -147,6 +147,10 @@ Observation observe(const Scenario& scenario, const std::filesystem::path& base,
   const auto source = build_source(scenario, std::move(prepared.config));
   if (time_s == 0.0) source->set_command(sim::Twist2{});
   const Stamp after = localization::from_seconds(std::max(time_s, kSettle));
+  if (after > source->duration()) {
+    throw std::runtime_error(fmt::format("there is no scan at {} s: the run ends at {} s", time_s,
+                                         seconds(source->duration())));
+  }
   const SeenScan scan = scan_after(*source, after, config.mh_amcl, seen.volume != nullptr);
   const Eigen::Isometry3d T_footprint_base = source->T_footprint_base();
   if (seen.volume) {

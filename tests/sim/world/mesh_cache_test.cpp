@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/world/mesh_file.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -81,6 +83,14 @@ TEST_F(MeshCacheTest, ForgetsOverItsLimit) {
   for (int i = 0; i < 20; ++i) (void)get(file("a.stl", std::to_string(i)));
   (void)get(file("a.stl", "0"));
   EXPECT_EQ(reads_, 21);
+}
+
+TEST_F(MeshCacheTest, ReadsNothingOfAHugeFile) {
+  const std::string path = file("huge.stl", "x");
+  fs::resize_file(path, kMaxMeshBytes + 1);
+  (void)get(path);
+  (void)get(path);
+  EXPECT_EQ(reads_, 2);  // Its content would be its key.
 }
 
 TEST_F(MeshCacheTest, LeavesWhatIsNoFileToTheReader) {
