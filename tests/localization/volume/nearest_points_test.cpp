@@ -51,8 +51,8 @@ void expect_those_of_all_points(float radius, int count) {
 }
 
 TEST(NearestPointsTest, AreThoseOfAllPoints) {
-  expect_those_of_all_points(2.5F, 3000);
-  expect_those_of_all_points(4.0F, 300);
+  expect_those_of_all_points(2.5F, 600);
+  expect_those_of_all_points(4.0F, 150);
   expect_those_of_all_points(6.3F, 40);
 }
 
