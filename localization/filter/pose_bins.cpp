@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "localization/map/cell_index.hpp"
@@ -11,8 +12,19 @@ namespace {
 
 using BinMembers = std::map<PoseBin, std::vector<std::size_t>>;
 
-/// Removes the bins connected to `seed` from `bins`, and returns their particles.
-std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Number of bins in a full turn; all have the same size.
+int yaw_bins(const KldConfig& config) {
+  return std::max(static_cast<int>(std::lround(kTurn / config.bin_rad)), 1);
+}
+
+/// The yaw index `index` within the turn: in [0, turn).
+int wrap_index(int index, int turn) { return (index % turn + turn) % turn; }
+
+/// Removes the bins connected to `seed` from `bins`, and returns their particles. The last yaw bin
+/// of the `turn` touches the first one.
+std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed, int turn) {
   std::vector<std::size_t> members;
   std::vector<PoseBin> open = {seed};
   while (!open.empty()) {
@@ -23,7 +35,8 @@ std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
     members.insert(members.end(), found->second.begin(), found->second.end());
     bins.erase(found);
     for (int k = 0; k < 27; ++k) {
-      open.push_back({bin[0] + k % 3 - 1, bin[1] + k / 3 % 3 - 1, bin[2] + k / 9 - 1});
+      open.push_back(
+          {bin[0] + k % 3 - 1, bin[1] + k / 3 % 3 - 1, wrap_index(bin[2] + k / 9 - 1, turn)});
     }
   }
   return members;
@@ -32,8 +45,9 @@ std::vector<std::size_t> take_connected(BinMembers& bins, const PoseBin& seed) {
 }  // namespace
 
 PoseBin bin_of(const KldConfig& config, const SE2& pose) {
+  const int turn = yaw_bins(config);
   return {cell_index(pose.x / config.bin_m), cell_index(pose.y / config.bin_m),
-          cell_index(pose.yaw / config.bin_rad)};
+          wrap_index(cell_index(pose.yaw * turn / kTurn), turn)};
 }
 
 int kld_limit(const KldConfig& config, std::size_t bins) {
@@ -52,10 +66,11 @@ Cluster heaviest_cluster(const KldConfig& config, const ParticleSet& particles) 
     bins[bin_of(config, particles.poses[i])].push_back(i);
   }
   const std::vector<double> weights = normalized_weights(particles);
+  const int turn = yaw_bins(config);
   Cluster best;
   while (!bins.empty()) {
     Cluster cluster;
-    cluster.particles = take_connected(bins, bins.begin()->first);
+    cluster.particles = take_connected(bins, bins.begin()->first, turn);
     for (const std::size_t i : cluster.particles) cluster.weight += weights[i];
     if (cluster.weight > best.weight) best = std::move(cluster);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace castaway::localization {
@@ -42,12 +43,14 @@ enum class Comparison { kAgrees, kLookedThrough, kUnknown };
 
 Comparison compare(const ScanAgreementConfig& config, const std::vector<Beam>& before,
                    const Beam& beam) {
+  if (before.empty()) return Comparison::kUnknown;
   const auto after = std::lower_bound(before.begin(), before.end(), beam.angle,
                                       [](const Beam& b, double angle) { return b.angle < angle; });
-  if (after == before.begin() || after == before.end()) return Comparison::kUnknown;
-  const Beam& right = *std::prev(after);
-  const Beam& left = *after;
-  if (left.angle - right.angle > config.widest_gap) return Comparison::kUnknown;
+  const bool at_seam = after == before.begin() || after == before.end();
+  const Beam& right = at_seam ? before.back() : *std::prev(after);
+  const Beam& left = at_seam ? before.front() : *after;
+  const double turn = at_seam ? 2.0 * std::numbers::pi : 0.0;
+  if (left.angle + turn - right.angle > config.widest_gap) return Comparison::kUnknown;
   const double slack = config.tolerance + config.tolerance_share * beam.range;
   if (beam.range > std::max(left.range, right.range) + slack) return Comparison::kUnknown;
   const bool nearer = beam.range < std::min(left.range, right.range) - slack;

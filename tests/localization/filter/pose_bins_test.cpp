@@ -1,6 +1,7 @@
 #include "localization/filter/pose_bins.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,14 @@ namespace castaway::localization {
 namespace {
 
 TEST(BinOf, FloorsEveryAxis) { EXPECT_EQ(bin_of({}, {0.6, -0.1, 0.2}), (PoseBin{1, -1, 1})); }
+
+TEST(BinOf, CountsBinsOfATurnOnce) {
+  KldConfig config;
+  config.bin_rad = std::numbers::pi / 18.0;
+  EXPECT_EQ(bin_of(config, {0.0, 0.0, -0.01})[2], 35);
+  EXPECT_EQ(bin_of(config, {0.0, 0.0, 3.14}),
+            bin_of(config, {0.0, 0.0, 3.14 - 4.0 * std::numbers::pi}));
+}
 
 TEST(KldLimit, FollowsFoxEquation7) {
   KldConfig config;
@@ -35,6 +44,33 @@ TEST(HeaviestCluster, JoinsBinsThatTouchAndWeighsThem) {
   EXPECT_EQ(cluster.particles.size(), 2U);
   EXPECT_NEAR(cluster.weight, 0.6, 1e-12);
   EXPECT_NEAR(cluster.mean.x, 0.5, 1e-12);
+}
+
+/// A cloud of ten particles that spans three bins in yaw, and a lighter one beside it.
+ParticleSet clouds_around(double yaw) {
+  ParticleSet particles;
+  for (int k = 0; k < 10; ++k) {
+    particles.poses.push_back({1.0, 2.0, wrap_angle(yaw + 0.04 * (k - 4.5))});
+    particles.log_weights.push_back(0.0);
+  }
+  for (int k = 0; k < 6; ++k) {
+    particles.poses.push_back({1.0, 2.0, wrap_angle(yaw + 1.5)});
+    particles.log_weights.push_back(0.0);
+  }
+  return particles;
+}
+
+TEST(HeaviestCluster, IsTheSameAtEveryHeading) {
+  for (const double bin : {0.1745, std::numbers::pi / 18.0, 0.5}) {
+    KldConfig config;
+    config.bin_rad = bin;
+    for (int degree = -180; degree <= 180; degree += 5) {
+      const double yaw = degree * std::numbers::pi / 180.0;
+      const Cluster cluster = heaviest_cluster(config, clouds_around(yaw));
+      EXPECT_EQ(cluster.particles.size(), 10U) << degree;
+      EXPECT_NEAR(wrap_angle(cluster.mean.yaw - yaw), 0.0, 1e-9) << degree;
+    }
+  }
 }
 
 }  // namespace

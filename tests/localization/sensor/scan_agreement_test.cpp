@@ -1,5 +1,8 @@
 #include "localization/sensor/scan_agreement.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/grid_world.hpp"
@@ -51,6 +54,31 @@ TEST_F(ScanAgreementTest, SaysNothingOfScansWithoutACommonView) {
   for (auto* v : {&few.x, &few.y, &few.z, &few.origin_x, &few.origin_y, &few.origin_z, &few.range})
     v->resize(5);
   EXPECT_FALSE(scan_agreement({}, few, few, {}));
+}
+
+/// Adds a point in direction `angle` of base.
+void add_beam(ScanPoints& points, double angle, double range) {
+  points.x.push_back(static_cast<float>(range * std::cos(angle)));
+  points.y.push_back(static_cast<float>(range * std::sin(angle)));
+  points.range.push_back(static_cast<float>(range));
+  for (auto* v : {&points.z, &points.origin_x, &points.origin_y, &points.origin_z}) v->push_back(0);
+}
+
+TEST(ScanAgreement, IsTheSameInEveryDirection) {
+  for (int degree = -180; degree <= 180; degree += 1) {
+    const double yaw = degree * std::numbers::pi / 180.0;
+    ScanPoints before;
+    ScanPoints after;
+    // A sector of 21 beams; between them 20 beams of which the two in the middle are shorter.
+    for (int k = -10; k <= 10; ++k) add_beam(before, yaw + 0.1 * k, 2.0);
+    for (int k = -10; k < 10; ++k) {
+      add_beam(after, yaw + 0.1 * k + 0.05, k == -1 || k == 0 ? 1.0 : 2.0);
+    }
+    // 18 of 20 agree with what `before` saw. Of its beams 19 lie between those of `after`; the
+    // short ones hide one of them.
+    EXPECT_NEAR(scan_agreement({}, before, after, {}).value(), (18.0 + 18.0) / (20.0 + 18.0), 1e-12)
+        << degree;
+  }
 }
 
 }  // namespace
