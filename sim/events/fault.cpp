@@ -34,6 +34,8 @@ void validate(const FaultSpec& fault) {
           "give -360 to 360 degrees");
   require(std::abs(fault.to_deg) <= 360.0, fault, "to_deg", fault.to_deg,
           "give -360 to 360 degrees");
+  require(fault.kind != FaultKind::kLidarBlocked || fault.from_deg != fault.to_deg, fault, "to_deg",
+          fault.to_deg, "give another direction than from_deg; -180 to 180 covers all");
   require(fault.distance > 0.0, fault, "distance", fault.distance, "give more than 0 metres");
   require(fault.delay_s > 0.0 && fault.delay_s <= 10.0, fault, "delay_s", fault.delay_s,
           "give 0 to 10 seconds");

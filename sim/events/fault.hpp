@@ -46,12 +46,13 @@ struct FaultSpec {
   std::string lidar{};  ///< Name of the lidar; empty: all lidars.
 
   double from_deg = -30.0;  ///< [deg] Start of the blocked sector, about the laser's z from its x.
-  double to_deg = 30.0;     ///< [deg] End of the sector, counter-clockwise from its start.
-  double distance = 0.2;    ///< [m] From the lidar to the cover.
-  Pose2 mount_error{};      ///< Reported mount = this * the true mount, in base.
-  double delay_s = 0.1;     ///< [s] From the last beam of a scan to its delivery.
-  double offset_s = 0.1;    ///< [s] Of the lidar's clock; positive: it is fast.
-  double scale = 1.1;       ///< Factor of the encoders' counts.
+  double to_deg = 30.0;   ///< [deg] End of the sector, counter-clockwise from its start; ends that
+                          ///< are a turn apart (-180, 180) cover all directions.
+  double distance = 0.2;  ///< [m] From the lidar to the cover.
+  Pose2 mount_error{};    ///< Reported mount = this * the true mount, in base.
+  double delay_s = 0.1;   ///< [s] From the last beam of a scan to its delivery.
+  double offset_s = 0.1;  ///< [s] Of the lidar's clock; positive: it is fast.
+  double scale = 1.1;     ///< Factor of the encoders' counts.
   bool reverse_right = true;  ///< Reverses the right wheel; false: the left one.
 };
 

@@ -20,6 +20,12 @@ double degrees_from(double from, double angle) {
   return way < 0.0 ? way + 360.0 : way;
 }
 
+/// Width of the sector that a cover blocks; a full turn if its ends are one apart or more. [deg]
+double sector_of(const FaultSpec& fault) {
+  const bool full = std::abs(fault.to_deg - fault.from_deg) >= 360.0;
+  return full ? 360.0 : degrees_from(fault.from_deg, fault.to_deg);
+}
+
 }  // namespace
 
 LidarFaults::LidarFaults(const std::vector<FaultSpec>& faults, const LidarConfig& lidar, bool open)
@@ -35,7 +41,7 @@ void LidarFaults::add(const FaultSpec& fault) {
 void LidarFaults::block(const FaultSpec& fault, LidarReading& reading) const {
   const bool near = fault.distance < lidar_.range_min;
   if (fault.distance > lidar_.range_max) return;
-  const double sector = degrees_from(fault.from_deg, fault.to_deg);
+  const double sector = sector_of(fault);
   for (std::size_t i = 0; i < reading.ranges.size(); ++i) {
     const auto beam = static_cast<double>(i % static_cast<std::size_t>(lidar_.beams));
     const double angle = kDegrees * (lidar_.angle_min + beam * lidar_.angle_increment);

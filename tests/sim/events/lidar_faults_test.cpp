@@ -1,7 +1,9 @@
 #include "sim/events/lidar_faults.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,39 @@ TEST(LidarFaults, AFreezeRepeatsTheLastScanWithNewStamps) {
   EXPECT_EQ(frozen->reading.stamp, milliseconds(1500));
   EXPECT_EQ(frozen->reading.ranges, std::vector<float>(8, 2.0F));
   EXPECT_EQ(faults.deliver(sweep(2000, 4.0F))->reading.ranges[0], 4.0F);
+}
+
+/// Number of beams, one every degree, that end on a cover.
+int beams_on_the_cloth(double from_deg, double to_deg) {
+  LidarConfig lidar;
+  lidar.beams = 360;
+  lidar.angle_increment = std::numbers::pi / 180.0;
+  FaultSpec spec = fault(FaultKind::kLidarBlocked);
+  spec.from_deg = from_deg;
+  spec.to_deg = to_deg;
+  spec.distance = 0.25;
+  Sweep full = sweep(1500, 2.0F);
+  full.reading.ranges.assign(360, 2.0F);
+  full.reading.hit_object.assign(360, 0);
+  const auto blocked = LidarFaults({spec}, lidar).deliver(std::move(full));
+  return static_cast<int>(
+      std::count(blocked->reading.ranges.begin(), blocked->reading.ranges.end(), 0.25F));
+}
+
+TEST(LidarFaults, ACoverOfAFullTurnBlocksEveryBeam) {
+  EXPECT_EQ(beams_on_the_cloth(-180.0, 180.0), 360);
+  EXPECT_EQ(beams_on_the_cloth(0.0, 360.0), 360);
+  EXPECT_EQ(beams_on_the_cloth(180.0, -180.0), 360);
+  EXPECT_EQ(beams_on_the_cloth(-360.0, 360.0), 360);
+}
+
+TEST(LidarFaults, ACoverReachesAcrossTheBack) {
+  EXPECT_EQ(beams_on_the_cloth(0.0, 180.0), 181);
+  EXPECT_EQ(beams_on_the_cloth(90.0, -90.0), 181);
+  EXPECT_EQ(beams_on_the_cloth(170.0, 190.0), 21);
+  EXPECT_EQ(beams_on_the_cloth(170.0, -170.0), 21);
+  EXPECT_EQ(beams_on_the_cloth(-10.0, 10.0), 21);
+  EXPECT_EQ(beams_on_the_cloth(10.0, -10.0), 341);
 }
 
 TEST(LidarFaults, ACoverBlocksItsSectorAndNothingElse) {
