@@ -1,4 +1,5 @@
-# Tests with sanitizers take longer to start than to run: there, a program's tests share some processes.
+# Tests with sanitizers take longer to start than to run: there, a program's tests share some processes. Their labels third-0,
+# third-1 and third-2 divide them, for `tools/check dev`, which runs one third for each commit.
 set(CASTAWAY_TEST_SHARDS 0 CACHE STRING "Processes that run the tests of a program; 0: one for each test")
 mark_as_advanced(CASTAWAY_TEST_SHARDS)
 
@@ -24,7 +25,8 @@ function(castaway_tests name)
   math(EXPR last "${CASTAWAY_TEST_SHARDS} - 1")
   foreach(shard RANGE ${last})
     add_test(NAME ${name}_${shard} COMMAND ${name} "--gtest_filter=${test_FILTER}")
-    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 3000 ENVIRONMENT
+    math(EXPR third "${shard} % 3")
+    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 3000 LABELS third-${third} ENVIRONMENT
       "GTEST_TOTAL_SHARDS=${CASTAWAY_TEST_SHARDS};GTEST_SHARD_INDEX=${shard};${test_ENVIRONMENT}")
   endforeach()
 endfunction()
