@@ -13,17 +13,10 @@ endforeach()
 install(DIRECTORY ${CASTAWAY_DATA_FOLDERS} DESTINATION ${CASTAWAY_DATA_DIR} COMPONENT program)
 install(TARGETS castaway RUNTIME COMPONENT program)
 
-# The program writes its own manual page and completion.
+# The program writes them whenever it is built (tools/CMakeLists.txt).
 set(CASTAWAY_MAN ${PROJECT_BINARY_DIR}/castaway.1)
 set(CASTAWAY_BASH ${PROJECT_BINARY_DIR}/castaway.bash)
 set(CASTAWAY_ZSH ${PROJECT_BINARY_DIR}/_castaway)
-add_custom_command(OUTPUT ${CASTAWAY_MAN}.gz ${CASTAWAY_BASH} ${CASTAWAY_ZSH}
-  COMMAND castaway man > ${CASTAWAY_MAN}
-  COMMAND gzip -9nf ${CASTAWAY_MAN}
-  COMMAND castaway completion bash > ${CASTAWAY_BASH}
-  COMMAND castaway completion zsh > ${CASTAWAY_ZSH}
-  DEPENDS castaway COMMENT "Writing the manual page and the completions" VERBATIM)
-add_custom_target(castaway_manual ALL DEPENDS ${CASTAWAY_MAN}.gz ${CASTAWAY_BASH} ${CASTAWAY_ZSH})
 install(FILES ${CASTAWAY_MAN}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${CASTAWAY_BASH} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME castaway COMPONENT program)
 install(FILES ${CASTAWAY_ZSH} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
@@ -42,6 +35,9 @@ function(castaway_install_component component)
   install(DIRECTORY ${component} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/castaway COMPONENT development
     FILES_MATCHING PATTERN "*.hpp")
 endfunction()
+install(TARGETS elementary elementary_functions EXPORT castaway-elementary ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  COMPONENT development)
+install(EXPORT castaway-elementary NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
 castaway_install_component(localization localization)
 castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render)
 

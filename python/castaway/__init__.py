@@ -8,6 +8,7 @@
 Units are m, rad, s (stamps: ns) and frames those of REP-103 and REP-105: a pose is (x, y, yaw).
 """
 
+from . import _load  # noqa: F401  Before all others.
 from ._castaway import (
     Error,
     Estimate,

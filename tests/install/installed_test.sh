@@ -9,6 +9,11 @@ unset CASTAWAY_DATA
 
 fail() { echo "installed_test: $1" >&2; exit 1; }
 
+# tools/quickstart builds the target castaway alone; what is installed must belong to it.
+for file in castaway.1.gz castaway.bash _castaway; do
+  ninja -C "$build" -t commands castaway | grep -qF "${file%.gz}" || fail "the target castaway does not make $file"
+done
+
 cmake --install "$build" --prefix "$work/usr" >"$work/install.log"
 
 cd "$work"

@@ -1,6 +1,9 @@
 """The package writes the bytes of the program, and Python computes what C++ does."""
 
 import json
+import os
+import subprocess
+import sys
 
 import pytest
 from conftest import ROOT, DeadReckoning, WrappedMhAmcl
@@ -73,3 +76,18 @@ def test_the_robot_drives_by_a_localizer_of_python_as_by_castaways_own(program, 
     own = castaway.run("lab/kidnap", set=changes, localizers=[WrappedMhAmcl])
     program("run", *sets(changes), "--localizer", "mh_amcl", "--out", tmp_path / "run")
     assert (own.folder / "truth.tum").read_bytes() == (tmp_path / "run/truth.tum").read_bytes()
+
+
+def test_the_bytes_are_the_same_without_fma(tmp_path):
+    """glibc takes other variants of sin, exp, ... for CPUs without FMA; castaway does not use them."""
+    code = (
+        "import castaway, sys; castaway.run('lab/kidnap', out=sys.argv[1], "
+        "set={'duration_s': 60, 'outputs.snapshots': False})"
+    )
+    masked = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA"}
+    runs = []
+    for name, extra in {"plain": {}, "masked": masked}.items():
+        out = tmp_path / name
+        subprocess.run([sys.executable, "-c", code, out], check=True, env={**os.environ, **extra})
+        runs.append([(out / f).read_bytes() for f in ("truth.tum", "mh_amcl.tum", "errors.csv")])
+    assert runs[0] == runs[1]
