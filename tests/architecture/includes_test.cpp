@@ -166,7 +166,7 @@ const Layers kToolsLayers = {
     {"tools/files", "tools/live/lines", "tools/metrics/statistics", "tools/report/html",
      "tools/ros2/dds", "tools/run"},
     {"tools/formats/images", "tools/formats/points", "tools/ros/mcap", "tools/scenario/yaml"},
-    {"tools/formats"},
+    {"tools/formats", "tools/ros/storage"},
     {"tools/formats/volume"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
     {"tools/campaign", "tools/cluster", "tools/foreign/child", "tools/records", "tools/ros/clouds",

@@ -169,7 +169,7 @@ TEST(Bag, RefusesWhatItCannotDoInOneLine) {
     expect_contains(outcome.err, why);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
-  refused("replay a.db3", "ros2 bag convert -i a.db3");
+  refused("replay a.db3", "a.db3: is no bag of ROS 2");
   refused("replay b.mcap", "b.mcap: is not an MCAP file");
   refused("replay gone.mcap", "gone.mcap: cannot be read");
   refused("replay b.mcap --use even", "--use takes CARMEN logs, not bags");

@@ -67,7 +67,7 @@ void print_words(const BagInventory& bag) {
 void print_messages(const std::vector<std::filesystem::path>& files) {
   using Json = nlohmann::ordered_json;
   for (const auto& file : files) {
-    McapReader reader(file);
+    BagFile reader(file);
     while (const auto message = reader.next()) {
       const McapSchema* schema = reader.schema_of(*message->channel);
       const std::string type = schema != nullptr ? schema->name : "";
@@ -103,9 +103,10 @@ int describe_bag(const BagArguments& arguments) {
 
 void add_bag_command(Command& app) {
   auto a = std::make_shared<BagArguments>();
-  Command command =
-      app.add_command("bag", "Show the topics, types and message counts of a ROS 2 bag (MCAP)");
-  command.add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap file")
+  Command command = app.add_command(
+      "bag", "Show the topics, types and message counts of a ROS 2 bag (MCAP or sqlite3)");
+  command
+      .add_option("bag", a->bag, "A bag's folder, a run folder with one, or an .mcap or .db3 file")
       .required();
   command.add_flag("--json", a->json, "Print JSON");
   command.add_flag("--messages", a->messages, "Print every message as a line of JSON");

@@ -50,6 +50,9 @@ void check_settings(const ReplaySession& session) {
   if (bag && session.scans_used != Scans::kAll) {
     throw std::invalid_argument("--use takes CARMEN logs, not bags");
   }
+  if (!bag && session.topics.clock_offset != 0.0) {
+    throw std::invalid_argument("--clock-offset takes bags: a CARMEN log has one clock");
+  }
   if (!bag && !session.map3d.empty()) stated_lidar_height(session.base_height);
   if (session.base_height && session.map3d.empty()) {
     throw std::invalid_argument("--base-height is for 3-D maps: name one by --map3d");

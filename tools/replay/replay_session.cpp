@@ -30,6 +30,7 @@ BagTopicOptions read_topics(YamlReader& root) {
   topics.clouds =
       root.get_optional<std::vector<std::string>>("points_topics").value_or(topics.clouds);
   topics.imu = root.get_optional<std::string>("imu_topic").value_or("");
+  topics.clock_offset = root.get_optional<double>("clock_offset").value_or(0.0);
   return topics;
 }
 

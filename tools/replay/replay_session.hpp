@@ -30,6 +30,7 @@ namespace castaway::testbed {
 ///     truth_topic: ""
 ///     points_topics: [/points]      # PointCloud2; left out: with a 3-D map by type, else none
 ///     imu_topic: /imu               # left out: with a 3-D map the only one, else none
+///     clock_offset: 0.5             # [s] of a bag's scans ahead of its odometry; left out: 0
 ///     base_height: 0.1              # [m] of base above the ground; left out: of a bag by its tree
 ///     truth_in_map: [1.5, 2, 0.1]   # x, y [m], yaw [rad] of the truth's frame; left out: map
 ///     seed: 1

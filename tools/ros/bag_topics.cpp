@@ -16,7 +16,7 @@ using Names = std::vector<std::string>;
 
 void add_file(BagInventory& bag, const std::filesystem::path& file,
               std::map<std::string, BagTopicInfo>& topics) {
-  McapReader reader(file);
+  BagFile reader(file);
   while (const auto message = reader.next()) {
     const McapChannel& channel = *message->channel;
     BagTopicInfo& topic = topics[channel.topic];
@@ -31,9 +31,9 @@ void add_file(BagInventory& bag, const std::filesystem::path& file,
     ++bag.messages;
   }
   for (const auto& [name, texts] : reader.metadata()) bag.metadata[name] = texts;
-  bag.attachments.insert(bag.attachments.end(), reader.attachments().begin(),
-                         reader.attachments().end());
-  if (reader.warning()) bag.warnings.push_back(*reader.warning());
+  const std::vector<McapAttachmentInfo> attachments = reader.attachments();
+  bag.attachments.insert(bag.attachments.end(), attachments.begin(), attachments.end());
+  if (const auto warning = reader.warning()) bag.warnings.push_back(*warning);
 }
 
 bool is_truth(const std::string& topic) { return topic.starts_with("/ground_truth/"); }
@@ -159,6 +159,18 @@ std::string choose_imu(const BagInventory& bag, const BagTopicOptions& options) 
   return only_one(bag, names, plain ? "/imu" : "/imu/data", "--imu-topic");
 }
 
+/// `mcap convert` keeps the messages of a ROS 1 bag as they are.
+void refuse_ros1(const BagInventory& bag) {
+  const bool any = std::ranges::any_of(
+      bag.topics, [](const BagTopicInfo& topic) { return topic.encoding == "ros1"; });
+  if (!any) return;
+  throw std::runtime_error(
+      fmt::format("{}: its messages are those of ROS 1; convert the bag to ROS 2 first, e.g. by "
+                  "rosbags-convert "
+                  "of the Python package rosbags",
+                  bag.name));
+}
+
 std::string there_or_empty(const BagInventory& bag, const std::string& name, const char* type) {
   const Names names = topics_of_type(bag, type);
   return std::find(names.begin(), names.end(), name) != names.end() ? name : "";
@@ -188,7 +200,9 @@ BagInventory take_inventory(const std::string& name, std::vector<std::filesystem
 }
 
 BagTopicChoice choose_topics(const BagInventory& bag, const BagTopicOptions& options) {
+  refuse_ros1(bag);
   BagTopicChoice choice;
+  choice.clock_offset = options.clock_offset;
   choice.clouds = choose_clouds(bag, options);
   const bool clouds_alone = options.scans.empty() && replace_scans(bag, choice.clouds);
   if (!clouds_alone) choice.scans = choose_scans(bag, options);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/ros/mcap/mcap_reader.hpp"
+#include "tools/ros/storage/bag_file.hpp"
 
 namespace castaway::testbed {
 
@@ -35,11 +35,12 @@ struct BagInventory {
   std::int64_t end_ns = 0;    ///< Log time of the last message.
 };
 
-/// Reads the whole bag once. Throws std::runtime_error as `McapReader` does.
+/// Reads the whole bag once. Throws std::runtime_error as `BagFile` does.
 BagInventory take_inventory(const std::string& name, std::vector<std::filesystem::path> files);
 
-/// Names of topics that override the search by type.
+/// Names of topics that override the search by type, and the clock of the scans.
 struct BagTopicOptions {
+  double clock_offset = 0.0;  ///< [s] By which scans are stamped ahead of odometry.
   std::vector<std::string> scans;
   std::string odometry;
   std::string truth;
@@ -52,6 +53,7 @@ struct BagTopicOptions {
 
 /// The topics that a run uses.
 struct BagTopicChoice {
+  double clock_offset = 0.0;        ///< [s] As in `BagTopicOptions`.
   std::vector<std::string> scans;   ///< LaserScan; may be empty if there are clouds.
   std::vector<std::string> clouds;  ///< PointCloud2.
   std::string odometry;             ///< Odometry; empty: use /tf.

@@ -23,6 +23,7 @@ std::string RecordingArguments::first_given() const {
       {"--truth-topic", !topics.truth.empty()},
       {"--points-topic", !topics.clouds.empty()},
       {"--imu-topic", !topics.imu.empty()},
+      {"--clock-offset", topics.clock_offset != 0.0},
       {"--base-height", base_height.has_value()},
       {"--truth-in-map", !truth_in_map.empty()}};
   for (const auto& [option, given] : options) {
@@ -54,6 +55,11 @@ void add_recording_options(Command& command, RecordingArguments& arguments) {
   command.add_option("--imu-topic", arguments.topics.imu,
                      "Imu topic of a bag, or none (default: with --map3d by type, else none)");
   command
+      .add_option("--clock-offset", arguments.topics.clock_offset,
+                  "By how much the scans of a bag are stamped ahead of its odometry [s]; it is "
+                  "subtracted from their stamps")
+      .range(-60.0, 60.0);
+  command
       .add_option(
           "--base-height", arguments.base_height,
           "With --map3d: height of the odometry's frame above the ground, in CARMEN logs that of "
@@ -76,6 +82,9 @@ void put_topics(const RecordingArguments& arguments, YamlNode& session) {
   put_key(session, "truth_topic", write_yaml(topics.truth));
   if (!topics.clouds.empty()) put_key(session, "points_topics", write_yaml(topics.clouds));
   if (!topics.imu.empty()) put_key(session, "imu_topic", write_yaml(topics.imu));
+  if (topics.clock_offset != 0.0) {
+    put_key(session, "clock_offset", write_yaml(topics.clock_offset));
+  }
   if (arguments.base_height) {
     put_key(session, "base_height", write_yaml(*arguments.base_height));
   }

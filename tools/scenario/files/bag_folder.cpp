@@ -13,24 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse_sqlite(const fs::path& path) {
-  throw std::runtime_error(fmt::format(
-      "{}: is a sqlite3 bag; MCAP is read. Convert it where ROS 2 is installed: printf "
-      "'output_bags: [{{uri: bag_mcap, storage_id: mcap, all: true}}]' > out.yaml && ros2 bag "
-      "convert -i {} -o out.yaml",
-      path.string(), path.string()));
-}
-
 [[noreturn]] void refuse_ros1(const fs::path& path) {
   throw std::runtime_error(
-      fmt::format("{}: is a bag of ROS 1; convert it to a ROS 2 bag of MCAP first, e.g. by "
+      fmt::format("{}: is a bag of ROS 1; convert it to a ROS 2 bag first, e.g. by "
                   "rosbags-convert of the Python package rosbags",
                   path.string()));
 }
 
-/// Returns a readable MCAP file; throws for other formats.
-fs::path require_mcap(const fs::path& file) {
-  if (file.extension() == ".db3") refuse_sqlite(file);
+/// Returns a readable file of a bag; throws for other formats.
+fs::path require_bag_file(const fs::path& file) {
   if (file.extension() == ".bag") refuse_ros1(file);
   if (file.extension() == ".zstd" || file.extension() == ".zst") {
     throw std::runtime_error(
@@ -48,10 +39,9 @@ std::vector<fs::path> files_of_metadata(const fs::path& folder) {
   YamlDocument document = YamlDocument::load(folder / "metadata.yaml");
   YamlReader root = document.root();
   YamlReader bag = root.child("rosbag2_bagfile_information");
-  if (bag.get("storage_identifier", "mcap") == "sqlite3") refuse_sqlite(folder);
   std::vector<fs::path> files;
   for (const auto& name : bag.require<std::vector<std::string>>("relative_file_paths")) {
-    files.push_back(require_mcap(folder / name));
+    files.push_back(require_bag_file(folder / name));
   }
   return files;
 }
@@ -59,8 +49,8 @@ std::vector<fs::path> files_of_metadata(const fs::path& folder) {
 std::vector<fs::path> files_by_name(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".db3") refuse_sqlite(folder);
-    if (entry.path().extension() == ".mcap") files.push_back(entry.path());
+    const fs::path extension = entry.path().extension();
+    if (extension == ".mcap" || extension == ".db3") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -75,15 +65,15 @@ bool is_bag(const fs::path& path) {
 }
 
 std::vector<fs::path> bag_files(const fs::path& path) {
-  if (!fs::is_directory(path)) return {require_mcap(path)};
+  if (!fs::is_directory(path)) return {require_bag_file(path)};
   // A run folder holds its bag in a subfolder.
   const bool run = !fs::exists(path / "metadata.yaml") && fs::is_directory(path / "bag");
   const fs::path folder = run ? path / "bag" : path;
   const bool described = fs::exists(folder / "metadata.yaml");
   const std::vector<fs::path> files = described ? files_of_metadata(folder) : files_by_name(folder);
   if (files.empty()) {
-    throw std::runtime_error(
-        fmt::format("{}: holds no .mcap file; name a bag's folder or its file", folder.string()));
+    throw std::runtime_error(fmt::format(
+        "{}: holds no .mcap or .db3 file; name a bag's folder or its file", folder.string()));
   }
   return files;
 }

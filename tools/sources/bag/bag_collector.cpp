@@ -1,6 +1,7 @@
 #include "tools/sources/bag/bag_collector.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "tools/ros/clouds/ring_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/ros_conversion.hpp"
+#include "tools/sources/bag/bag_clocks.hpp"
 #include "tools/sources/bag/bag_times.hpp"
 
 namespace castaway::testbed {
@@ -88,7 +90,7 @@ void BagCollector::take_scan(const McapMessage& message) {
   const auto scan = CdrReader::decode<ros::LaserScan>(message.data);
   if (scan.ranges.empty()) return;
   ScanFrame frame;
-  frame.scan = from_ros_scan(scan, message.channel->metadata);
+  frame.scan = headers_.take(scan, from_ros_scan(scan, message.channel->metadata));
   frame.scan.stamp = stamp_of(scan.header, message.log_time_ns);
   frame.truth.frame = scan.header.frame_id;
   frame.truth.intensities = scan.intensities;
@@ -266,6 +268,25 @@ void BagCollector::add_truth() {
   }
 }
 
+void BagCollector::add_warnings(std::vector<std::string> warnings) {
+  std::ranges::move(warnings, std::back_inserter(recording_.warnings));
+}
+
+/// The clocks of castaway's own bags are those of the run, errors that a scenario gave them
+/// included.
+void BagCollector::set_clocks() {
+  Frames& frames = recording_.frames;
+  const std::optional<Stamp> time_0 = time_0_of(bag_);
+  if (!time_0) {
+    std::ranges::stable_sort(frames, {},
+                             &Frame::stamp);  // Files need not be in order of log times.
+    add_warnings(remove_repeated_times(bag_.name, frames));
+    add_warnings(warn_of_clocks(bag_.name, frames));
+  }
+  set_times(time_0, frames);
+  if (!time_0) await_odometry(frames);
+}
+
 BagRecording BagCollector::finish() {
   if (topics_.odometry.empty()) mounts_.set_base_frame(tf_odometry_.base_frame(bag_.name));
   add_layers();
@@ -274,8 +295,10 @@ BagRecording BagCollector::finish() {
   lift_mounts();
   tf_odometry_.insert_into(recording_.frames);
   require_scans_and_odometry();
+  add_warnings(headers_.complete(bag_.name, recording_.frames));
+  shift_scans(topics_.clock_offset, recording_.frames);
   add_truth();
-  set_times(time_0_of(bag_), recording_.frames);
+  set_clocks();
   return std::move(recording_);
 }
 

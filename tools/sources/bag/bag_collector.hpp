@@ -10,6 +10,7 @@
 #include "tools/sources/bag/bag_imu.hpp"
 #include "tools/sources/bag/bag_mounts.hpp"
 #include "tools/sources/bag/bag_reading.hpp"
+#include "tools/sources/bag/bag_scan_headers.hpp"
 #include "tools/sources/bag/bag_truth.hpp"
 #include "tools/sources/bag/tf_odometry.hpp"
 
@@ -41,6 +42,8 @@ class BagCollector {
   void lift_mounts();
   void require_scans_and_odometry() const;
   void add_truth();
+  void set_clocks();
+  void add_warnings(std::vector<std::string> warnings);
 
   const BagInventory& bag_;
   BagTopicChoice topics_;
@@ -52,6 +55,7 @@ class BagCollector {
   std::map<std::pair<std::string, Stamp>, Layers> layers_;  ///< By lidar and stamp of their scan.
   BagImu imu_;
   BagTruth truth_;
+  BagScanHeaders headers_;
   std::vector<std::pair<std::size_t, std::string>> unmounted_;  ///< Index of each scan without a
                                                                 ///< mount, and its frame.
 };

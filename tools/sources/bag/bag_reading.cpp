@@ -12,7 +12,7 @@ BagRecording read_bag(const BagInventory& bag, const BagTopicChoice& topics,
                       const BagGround& ground) {
   BagCollector collector(bag, topics, ground);
   for (const auto& file : bag.files) {
-    McapReader reader(file);
+    BagFile reader(file);
     while (const auto message = reader.next()) {
       const McapSchema* schema = reader.schema_of(*message->channel);
       try {
