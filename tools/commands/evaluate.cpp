@@ -14,6 +14,7 @@
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/play/progress.hpp"
+#include "tools/play/terminal.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
@@ -94,9 +95,11 @@ int evaluate_logs(EvaluateArguments arguments) {
   PlaceMaps maps = maps_for(specs, arguments.map3d);
   if (!arguments.truth_in_map.empty()) maps.T_map_truth = pose_of(arguments.truth_in_map);
   auto rows = nlohmann::ordered_json::array();
-  if (!arguments.json) print_evaluation_header();
   for (const std::string& folder : arguments.folders) {
     const RecordedPlace place = load_recorded_place(folder, maps);
+    for (const std::string& warning : place.warnings) print_warning(warning);
+    require_truth(place.name, place.frames);
+    if (!arguments.json && rows.empty()) print_evaluation_header();
     for (const LocalizerSpec& spec : specs) {
       const EvaluationConfig& config = arguments.config;
       TrialCount count(config.starts + config.kidnaps + (config.tracking ? 1 : 0));

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <variant>
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/evaluate/rows_sink.hpp"
@@ -110,6 +111,7 @@ void add_alarms(const LocalizerMetrics& metrics, EvaluationRow& row) {
 
 void add_trial(const LocalizerMetrics& metrics, TrialSummary& summary) {
   for (const RecoveryWindow& window : metrics.windows) {
+    if (!window.scored) continue;
     ++summary.trials;
     if (!window.recovered) continue;
     ++summary.recovered;
@@ -257,6 +259,18 @@ void validate(const EvaluationConfig& config) {
   validate(config.stress);
 }
 
+void require_truth(const std::string& log, const Frames& frames) {
+  const bool known = std::any_of(frames.begin(), frames.end(), [](const Frame& frame) {
+    const auto* scan = std::get_if<ScanFrame>(&frame.data);
+    return scan != nullptr && scan->T_map_base_true;
+  });
+  if (known) return;
+  throw std::invalid_argument(
+      log +
+      ": its log holds no true poses, so that nothing can be scored; `castaway replay` shows what "
+      "localizers state themselves");
+}
+
 std::size_t scan_of_trial(std::size_t scans, int k, int count) {
   const std::size_t usable = scans > kTail ? scans - kTail : 1;
   return usable * static_cast<std::size_t>(k) / static_cast<std::size_t>(count);
@@ -267,6 +281,7 @@ std::vector<std::vector<EvaluationRow>> evaluate_trials(
     const LocalizerSpec& localizer, const EvaluationConfig& config,
     const std::function<void()>& on_trial) {
   validate(config);
+  for (const Frames* frames : recordings) require_truth(place.name, *frames);
   const Evaluator evaluator(place, localizer, config);
   const auto count = static_cast<int>(recordings.size());
   const auto run_trial = [&](int index) {

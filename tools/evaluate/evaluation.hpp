@@ -38,12 +38,15 @@ void validate(const EvaluationConfig& config);
 /// Returns for each recording the starts, the kidnaps, then tracking, a row each. Trials begin at
 /// evenly spaced scans; kidnaps lead to these scans. `on_trial` is called after each trial. The
 /// results, except for CPU times, do not depend on the number of workers. Throws std::runtime_error
-/// if a worker fails, std::invalid_argument if the place has no map for the localizer, or the
-/// stress changes a map that the localizer does not use.
+/// if a worker fails, std::invalid_argument if a recording has no true poses, the place has no map
+/// for the localizer, or the stress changes a map that the localizer does not use.
 std::vector<std::vector<EvaluationRow>> evaluate_trials(
     const RecordedPlace& place, const std::vector<const Frames*>& recordings,
     const LocalizerSpec& localizer, const EvaluationConfig& config,
     const std::function<void()>& on_trial = [] {});
+
+/// Throws std::invalid_argument naming the log if no scan of it has a true pose.
+void require_truth(const std::string& log, const Frames& frames);
 
 /// The index of the scan at which trial `k` of `count` begins, in a recording of `scans` scans.
 std::size_t scan_of_trial(std::size_t scans, int k, int count);

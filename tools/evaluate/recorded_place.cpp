@@ -80,6 +80,7 @@ localization::WheelStance take_bag(const fs::path& path, const PlaceMaps& maps,
   const BagGround ground{topics.in_space, maps.map3d ? maps.map3d->base_height : std::nullopt};
   BagRecording recording = read_bag(bag, choose_topics(bag, topics), ground);
   place.frames = std::move(recording.frames);
+  place.warnings = std::move(recording.warnings);
   if (place.map.cells.empty() && recording.map) place.map = std::move(*recording.map);
   return std::move(recording.wheels);
 }

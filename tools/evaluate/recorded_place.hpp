@@ -18,8 +18,9 @@ namespace castaway::testbed {
 struct RecordedPlace {
   std::string name;
   Frames frames;
-  RosMap map;                 ///< Without cells: there is none.
-  std::string map_file = {};  ///< Its YAML file; empty: the map is the bag's.
+  RosMap map;                              ///< Without cells: there is none.
+  std::vector<std::string> warnings = {};  ///< Of the bag.
+  std::string map_file = {};               ///< Its YAML file; empty: the map is the bag's.
   /// As `LocalizerPlace::volume`; empty: there is no 3-D map.
   std::function<std::shared_ptr<const localization::Volume>(double voxel)> volume = {};
 };

@@ -159,6 +159,7 @@ void measure_false_alarms(const std::vector<MetricRow>& rows, Stamp end,
 LocalizerMetrics measure(const std::vector<MetricRow>& all, const std::vector<RunEvent>& events,
                          bool known_start, Stamp end, const RecoveryConfig& config) {
   LocalizerMetrics metrics;
+  metrics.has_truth = truth_share(all).value_or(0.0) > 0.0;
   const std::vector<RunEvent> kidnaps = kidnaps_of(events);
   const std::vector<MetricRow> rows = mark_torn_rows(all, kidnaps);
   metrics.windows = recovery_windows(rows, breaks_of(events), known_start, end, config);

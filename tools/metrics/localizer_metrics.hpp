@@ -24,6 +24,7 @@ inline constexpr int kMetricsVersion = 2;
 
 /// Metrics of one localizer. A value is missing if there was nothing to measure.
 struct LocalizerMetrics {
+  bool has_truth = false;  ///< Whether any true pose is known; nothing is scored without.
   /// Over all rows with truth and estimate. Intervals are by bootstrap over blocks of 5 s.
   std::optional<Statistics> position_error_m;
   std::optional<Statistics> yaw_error_rad;

@@ -6,6 +6,7 @@
 
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/people_metrics.hpp"
+#include "tools/metrics/stated_metrics.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -31,7 +32,10 @@ void add_figures(const Json& json, const std::string& path, MetricTable& table) 
 
 /// A summary with every key of a run, apart from its localizers.
 Json empty_run() {
-  Json run{{"duration_s", nullptr}, {"distance_m", nullptr}, {"collisions", nullptr}};
+  Json run{{"duration_s", nullptr},
+           {"distance_m", nullptr},
+           {"truth_share", nullptr},
+           {"collisions", nullptr}};
   for (const char* what : {"recoveries", "wait", "re-plan", "back up", "spin", "emergency stop"}) {
     run["driving"][what] = nullptr;
   }
@@ -82,7 +86,13 @@ MetricTable metric_table(const Json& summary, const Json& timing) {
 std::vector<std::string> known_metrics(const std::vector<std::string>& localizers) {
   Json run = empty_run();
   run["localizers"] = Json::object();
-  for (const std::string& name : localizers) run["localizers"][name] = to_json(LocalizerMetrics{});
+  for (const std::string& name : localizers) {
+    Json& figures = run["localizers"][name] = to_json(LocalizerMetrics{});
+    figures["stated"] = to_json(StatedMetrics{});
+    for (const std::string& other : localizers) {
+      if (other != name) figures["stated"]["agreement"][other] = nullptr;
+    }
+  }
   std::vector<std::string> names;
   for (const auto& [name, value] : metric_table(run, empty_timing(localizers))) {
     if (!name.ends_with("_interval")) names.push_back(name);

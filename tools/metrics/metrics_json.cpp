@@ -1,6 +1,7 @@
 #include "tools/metrics/metrics_json.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 Json figure(double value) { return json_figure(value); }
 
-Json figure(const std::optional<double>& value) { return value ? figure(*value) : Json(); }
+Json figure(const std::optional<double>& value) { return json_figure(value); }
 
 Json interval(const std::optional<Interval>& ends) {
   return ends ? Json{figure(ends->low), figure(ends->high)} : Json();
@@ -38,9 +39,9 @@ Json rate_interval(int successes, int trials) {
   return {figure(ends.low), figure(ends.high)};
 }
 
-Json jump_figures(const OutputJumps& jumps) {
+Json jump_figures(const OutputJumps& jumps, bool has_truth) {
   return {{"count", jumps.count},
-          {"while_tracking", jumps.while_tracking},
+          {"while_tracking", has_truth ? Json(jumps.while_tracking) : Json()},
           {"largest_m", figure(jumps.largest_m)}};
 }
 
@@ -67,14 +68,14 @@ Json event_figures(const std::optional<Statistics>& s) {
 
 /// Figures of the outputs that state a probability in [from, to].
 Json bin_figures(const CalibrationBin& bin, double from, double to) {
-  const RateInterval interval = bin.interval();
+  const RateInterval rate = bin.interval();
   return {{"from", figure(from)},
           {"to", figure(to)},
           {"scans", bin.scans},
           {"right", bin.right},
           {"stated", figure(bin.stated())},
           {"observed", figure(bin.observed())},
-          {"interval", {figure(interval.low), figure(interval.high)}}};
+          {"interval", bin.scans > 0 ? Json{figure(rate.low), figure(rate.high)} : Json()}};
 }
 
 Json window_figures(const RecoveryWindow& window) {
@@ -91,13 +92,19 @@ Json window_figures(const RecoveryWindow& window) {
 
 Json each_window(const std::vector<RecoveryWindow>& windows) {
   Json list = Json::array();
-  for (const RecoveryWindow& window : windows) list.push_back(window_figures(window));
+  for (const RecoveryWindow& window : windows) {
+    if (window.has_truth) list.push_back(window_figures(window));
+  }
   return list;
 }
 
 }  // namespace
 
 Json json_figure(double value) { return std::round(value * 1e9) / 1e9; }
+
+Json json_figure(const std::optional<double>& value) {
+  return value ? json_figure(*value) : Json();
+}
 
 Json to_json(const Calibration& calibration) {
   Json json = {{"brier", figure(calibration.brier())},
@@ -120,6 +127,7 @@ Json to_json(const FaultMetrics& metrics) {
 
 Json to_json(const LocalizerMetrics& metrics) {
   const auto& delay = metrics.detection_delay_s;
+  const auto scored = [&](Json value) { return metrics.has_truth ? std::move(value) : Json(); };
   return {{"position_error_m", error_figures(metrics.position_error_m)},
           {"yaw_error_rad", error_figures(metrics.yaw_error_rad)},
           {"tracking_error_m", error_figures(metrics.tracking_error_m)},
@@ -133,16 +141,16 @@ Json to_json(const LocalizerMetrics& metrics) {
             {"each", each_window(metrics.windows)}}},
           {"wrong_lock_share", figure(metrics.wrong_lock_share)},
           {"wrong_lock_s",
-           {{"total", figure(metrics.wrong_lock_s)},
-            {"longest", figure(metrics.longest_wrong_lock_s)}}},
+           {{"total", scored(figure(metrics.wrong_lock_s))},
+            {"longest", scored(figure(metrics.longest_wrong_lock_s))}}},
           {"availability", figure(metrics.availability)},
-          {"jumps", jump_figures(metrics.jumps)},
+          {"jumps", jump_figures(metrics.jumps, metrics.has_truth)},
           {"ape_m", ape_figures(metrics.ape)},
           {"alarm",
            {{"detection_delay_s",
              {{"mean", delay ? figure(delay->mean) : Json()},
               {"max", delay ? figure(delay->max) : Json()}}},
-            {"undetected", metrics.undetected},
+            {"undetected", scored(metrics.undetected)},
             {"false_per_h", figure(metrics.false_alarms_per_h)}}},
           {"discrimination", roc_figures(metrics.discrimination)},
           {"calibration", to_json(metrics.calibration)}};

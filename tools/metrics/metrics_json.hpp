@@ -1,6 +1,8 @@
 /// Metrics as JSON, for summary.json.
 #pragma once
 
+#include <optional>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include "tools/metrics/fault_metrics.hpp"
@@ -11,6 +13,8 @@ namespace castaway::testbed {
 /// Rounds a number to nine decimal places, which is far finer than any measurement and gives the
 /// same text on every platform.
 nlohmann::ordered_json json_figure(double value);
+/// Likewise; null for nothing.
+nlohmann::ordered_json json_figure(const std::optional<double>& value);
 
 /// Brier score and reliability diagram.
 nlohmann::ordered_json to_json(const Calibration& calibration);

@@ -63,6 +63,12 @@ double wrong_lock_s(const std::vector<MetricRow>& rows, const RecoveryWindow& wi
   return time.total_s();
 }
 
+bool has_truth(const std::vector<MetricRow>& rows, RowRange range) {
+  return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(range.first),
+                     rows.begin() + static_cast<std::ptrdiff_t>(range.last),
+                     [](const MetricRow& row) { return row.T_map_base_true && !row.torn; });
+}
+
 void score(const std::vector<MetricRow>& rows, const std::vector<double>& driven, RowRange range,
            const RecoveryConfig& config, RecoveryWindow& window) {
   const auto right = first_lasting_right(rows, range, config);
@@ -110,9 +116,11 @@ std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const bool is_last = i + 1 == windows.size();
     windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].taken;
-    windows[i].scored =
-        windows[i].kind != kOperatorKind && windows[i].end - windows[i].begin >= config.min_left;
-    score(rows, driven, rows_in(rows, windows[i], is_last), config, windows[i]);
+    const RowRange range = rows_in(rows, windows[i], is_last);
+    windows[i].has_truth = has_truth(rows, range);
+    windows[i].scored = windows[i].kind != kOperatorKind && windows[i].has_truth &&
+                        windows[i].end - windows[i].begin >= config.min_left;
+    score(rows, driven, range, config, windows[i]);
   }
   return windows;
 }

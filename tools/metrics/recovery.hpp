@@ -33,8 +33,9 @@ struct RecoveryWindow {
   std::string kind{};  ///< Kind of the kidnap, as `RunEvent::detail`; "start" for an unknown start.
   bool unknown_start = false;        ///< False: a kidnap. True also after an operator's order, of
                                      ///< the kind "operator", which is never scored.
-  bool scored = true;                ///< False if the window is shorter than `min_left`, so that no
-                                     ///< recovery was possible.
+  bool has_truth = true;             ///< False if no true pose is known in the window.
+  bool scored = true;                ///< False without truth, or if the window is shorter than
+                                     ///< `min_left`, so that no recovery was possible.
   std::optional<Stamp> recovered{};  ///< Answer of the first row from which on all rows up to `end`
                                      ///< are right.
   std::optional<Stamp> noticed{};    ///< First answer that raises the alarm or is right.

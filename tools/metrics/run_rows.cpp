@@ -73,6 +73,14 @@ std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
   return rows;
 }
 
+std::optional<double> truth_share(const std::vector<MetricRow>& rows) {
+  if (rows.empty()) return std::nullopt;
+  const auto known = std::count_if(rows.begin(), rows.end(), [](const MetricRow& row) {
+    return row.T_map_base_true.has_value();
+  });
+  return static_cast<double>(known) / static_cast<double>(rows.size());
+}
+
 std::vector<double> driven_distance(const std::vector<MetricRow>& rows,
                                     const std::vector<RunEvent>& kidnaps) {
   std::vector<double> driven(rows.size(), 0.0);

@@ -52,6 +52,9 @@ std::vector<RunEvent> events_for(const std::string& localizer, const std::vector
 std::vector<MetricRow> mark_torn_rows(std::vector<MetricRow> rows,
                                       const std::vector<RunEvent>& kidnaps);
 
+/// Share of the rows whose true pose is known; nothing without rows.
+std::optional<double> truth_share(const std::vector<MetricRow>& rows);
+
 /// Distance driven [m] up to each row, 0 at the first: along the true path, or along odometry if
 /// the truth is not known. Neither the jump of a kidnap nor the path while the robot is carried
 /// counts.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/json_file.hpp"
+#include "tools/metrics/recovery.hpp"
 
 namespace castaway::testbed {
 
@@ -45,6 +46,29 @@ std::optional<std::string> void_sentence(const Json& summary) {
 
 std::optional<std::string> void_sentence_of(const std::filesystem::path& run_folder) {
   return void_sentence(read_json(run_folder / "summary.json"));
+}
+
+bool is_without_truth(const nlohmann::ordered_json& summary) {
+  const auto share = summary.find("truth_share");
+  return share != summary.end() && share->is_number() && share->get<double>() == 0.0;
+}
+
+std::string unscored_sentence(const nlohmann::ordered_json& recovery) {
+  const auto each = recovery.find("each");
+  if (each == recovery.end() || !each->is_array()) return "";
+  int count = 0;
+  const char* noun = "kidnap";
+  for (const auto& event : *each) {
+    if (!event.is_object() || event.value("scored", true)) continue;
+    if (event.value("kind", "") == kOperatorKind) continue;
+    ++count;
+    if (event.value("kind", "") == "start") noun = "event";
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "{} {}{} not scored: less than {:.0f} s before the next one, an operator's order, or the "
+      "end of the run",
+      count, noun, count == 1 ? " is" : "s are", seconds(RecoveryConfig{}.min_left));
 }
 
 }  // namespace castaway::testbed

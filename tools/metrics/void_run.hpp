@@ -38,4 +38,13 @@ std::optional<std::string> void_sentence(const nlohmann::ordered_json& summary);
 /// Reads the sentence from a run folder's summary.json. Throws std::runtime_error if there is none.
 std::optional<std::string> void_sentence_of(const std::filesystem::path& run_folder);
 
+/// The sentence on a page about events in a localizer's `recovery` in `summary.json` that are not
+/// scored because the next kidnap, an order of an operator or the end of the run followed too soon:
+/// "1 kidnap is not scored:
+/// ...". Empty if all are scored.
+std::string unscored_sentence(const nlohmann::ordered_json& recovery);
+
+/// True for a summary of a run of which no true pose is known. Nothing in it is scored.
+bool is_without_truth(const nlohmann::ordered_json& summary);
+
 }  // namespace castaway::testbed

@@ -7,7 +7,6 @@
 #include "tools/formats/figure_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
-#include "tools/metrics/unscored.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/records/failed_localizers.hpp"
@@ -41,6 +40,50 @@ std::string localizer_line(const std::string& name, const Json& metrics, const J
       figure_text(metrics.at("calibration").at("brier"), "{:.3f}"),
       figure_text(part(update, "mean"), "{:.2f} ms"),
       figure_text(part(update, "max"), "{:.2f} ms"));
+}
+
+/// A share of 1 in percent; "-" if there is none.
+std::string percent(const Json& share) {
+  return figure_text(share.is_number() ? Json(100.0 * share.get<double>()) : Json(), "{:.1f} %");
+}
+
+std::string stated_line(const std::string& name, const Json& metrics) {
+  const Json& stated = metrics.at("stated");
+  std::string line = fmt::format(
+      "  {:<16} {:>9}   {:>8} {:>8}   {:>8} {:>6} {:>9}   {:>8}", name,
+      percent(stated.at("answered_share")), figure_text(stated.at("probability_mean"), "{:.3f}"),
+      percent(stated.at("sure_share")), percent(stated.at("alarm_share")),
+      integer<int>(stated.at("alarms")), figure_text(stated.at("longest_alarm_s"), "{:.1f} s"),
+      percent(stated.at("steady_share")));
+  if (stated.contains("agreement")) {
+    for (const auto& [other, share] : stated.at("agreement").items()) {
+      line += fmt::format("   {} {}", other, percent(share));
+    }
+  }
+  return line + "\n";
+}
+
+/// What localizers state themselves, for runs without true poses.
+std::string stated_table(const Json& summary) {
+  std::string text = fmt::format(
+      "No true poses: nothing is scored. What the localizers state themselves:\n\n"
+      "  {:<16} {:>9}   {:^17}   {:^25}   {:>8}   {}\n",
+      "", "answered", "stated p, sure", "alarm, times, longest", "steady",
+      summary.at("localizers").size() > 1 ? "agrees with" : "");
+  for (const auto& [name, metrics] : summary.at("localizers").items()) {
+    text += stated_line(name, metrics);
+  }
+  return text;
+}
+
+std::string scored_table(const Json& summary, const Json& timing) {
+  std::string text =
+      fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
+                  "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");
+  for (const auto& [name, metrics] : summary.at("localizers").items()) {
+    text += localizer_line(name, metrics, timing.at("localizers"));
+  }
+  return text;
 }
 
 /// The closest approach of people; empty if there were none.
@@ -138,12 +181,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   text += difference_line(summary);
   text += people_line(summary);
   text += driving_line(summary);
-  text +=
-      fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
-                  "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");
-  for (const auto& [name, metrics] : summary.at("localizers").items()) {
-    text += localizer_line(name, metrics, timing.at("localizers"));
-  }
+  text += is_without_truth(summary) ? stated_table(summary) : scored_table(summary, timing);
   for (const std::string& sentence : failure_sentences(summary)) text += "\n" + sentence + ".\n";
   text += answer_lines(summary);
   text += unscored_line(summary);

@@ -32,6 +32,11 @@ std::string lead_text(const RunFolder& run) {
   for (const std::string& sentence : failure_sentences(run.summary)) {
     html += fmt::format("<p class=\"void\">{}.</p>\n", escape_html(sentence));
   }
+  if (is_without_truth(run.summary)) {
+    html +=
+        "<p>The log holds no true poses, so that nothing is scored. This is what the localizers "
+        "state themselves.</p>\n";
+  }
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
     html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));
   }
@@ -39,6 +44,7 @@ std::string lead_text(const RunFolder& run) {
 }
 
 std::string calibration_section(const RunFolder& run) {
+  if (is_without_truth(run.summary)) return "";
   const std::string html = calibration_html(run);
   return html.empty() ? "" : html_section("Stated probability", html);
 }

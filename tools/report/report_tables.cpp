@@ -2,10 +2,12 @@
 
 #include <array>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/metrics/void_run.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/report_words.hpp"
 
@@ -13,6 +15,7 @@ namespace castaway::testbed {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using nlohmann::json_literals::operator""_json_pointer;
 
 constexpr double kToDegrees = 180.0 / std::numbers::pi;
 
@@ -57,6 +60,20 @@ constexpr std::array<MetricLine, 24> kMetricLines{{
     {"Brier score of the stated probability", "/calibration/brier"},
 }};
 
+/// What localizers state themselves, for runs without true poses.
+constexpr std::array<MetricLine, 10> kStatedLines{{
+    {"scans answered", "/stated/answered_share", "%", 100.0},
+    {"Stated probability"},
+    {"mean", "/stated/probability_mean"},
+    {"at least 0.99 in", "/stated/sure_share", "%", 100.0},
+    {"Alarm"},
+    {.label = "raised", .pointer = "/stated/alarms", .is_count = true},
+    {"share of the scans", "/stated/alarm_share", "%", 100.0},
+    {"longest", "/stated/longest_alarm_s", "s"},
+    {"Output from scan to scan"},
+    {"as odometry moves it, to 0.2 m and 0.2 rad", "/stated/steady_share", "%", 100.0},
+}};
+
 std::string table(const std::string& head, const std::string& body) {
   return fmt::format(
       "<div class=\"wide\"><table><thead><tr>{}</tr></thead><tbody>{}</tbody></table></div>\n",
@@ -89,23 +106,44 @@ std::string metric(const Json& figures, const MetricLine& line) {
   return readable(value, line.unit);
 }
 
+std::string metric_row(const Json& localizers, const MetricLine& line) {
+  if (line.pointer[0] == '\0') {
+    return fmt::format("<tr class=\"group\"><th colspan=\"{}\">{}</th></tr>", localizers.size() + 1,
+                       line.label);
+  }
+  std::string row = "<tr>" + cell(line.label);
+  for (const auto& [name, figures] : localizers.items()) row += cell(metric(figures, line));
+  return row + "</tr>";
+}
+
+/// How often localizers answer as another one does.
+std::string agreement_rows(const Json& localizers) {
+  if (localizers.size() < 2) return "";
+  std::string rows = metric_row(localizers, {"Same answer, to 0.5 m and 0.35 rad, as"});
+  for (const auto& [other, ignored] : localizers.items()) {
+    rows += "<tr>" + cell(escape_html(other));
+    for (const auto& [name, figures] : localizers.items()) {
+      const Json agreement = figures.value("/stated/agreement"_json_pointer, Json::object());
+      auto share = agreement.contains(other) && agreement.at(other).is_number()
+                       ? std::optional(100.0 * agreement.at(other).get<double>())
+                       : std::nullopt;
+      rows += cell(name == other ? "" : readable(share, "%"));
+    }
+    rows += "</tr>";
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string metric_table(const RunFolder& run) {
   const Json& localizers = run.summary["localizers"];
+  const bool scored = !is_without_truth(run.summary);
   std::string body;
-  for (const MetricLine& line : kMetricLines) {
-    if (line.pointer[0] == '\0') {
-      body += fmt::format("<tr class=\"group\"><th colspan=\"{}\">{}</th></tr>",
-                          localizers.size() + 1, line.label);
-      continue;
-    }
-    body += "<tr>" + cell(line.label);
-    for (const auto& [name, figures] : localizers.items()) {
-      body += cell(metric(figures, line));
-    }
-    body += "</tr>";
+  for (const MetricLine& line : scored ? std::span<const MetricLine>(kMetricLines) : kStatedLines) {
+    body += metric_row(localizers, line);
   }
+  if (!scored) body += agreement_rows(localizers);
   return table(localizer_headings(localizers), body);
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/formats/json_number.hpp"
-#include "tools/metrics/unscored.hpp"
+#include "tools/metrics/void_run.hpp"
 #include "tools/report/html/html.hpp"
 
 namespace castaway::testbed {
@@ -75,6 +75,28 @@ std::string lock_words(const Json& figures) {
                      readable(100.0 * *share, "%"));
 }
 
+std::string percent_at(const Json& figures, const char* pointer) {
+  auto share = figure_at(figures, pointer);
+  if (share) *share *= 100.0;
+  return readable(share, "%");
+}
+
+/// What a localizer states itself, for runs without true poses.
+std::string stated_words(const Json& figures) {
+  std::string words = fmt::format(
+      "answered {} of the scans, and stated a probability of {} in the mean, at least 0.99 in {}",
+      percent_at(figures, "/stated/answered_share"),
+      readable(figure_at(figures, "/stated/probability_mean")),
+      percent_at(figures, "/stated/sure_share"));
+  const int alarms = whole_at(figures, "/stated/alarms");
+  words += alarms == 0 ? "; it never raised the alarm"
+                       : fmt::format("; it raised the alarm {}, for {} at the longest",
+                                     plural(alarms, "time"),
+                                     readable(figure_at(figures, "/stated/longest_alarm_s"), "s"));
+  const int jumps = whole_at(figures, "/jumps/count");
+  return words + fmt::format(". Its output jumped {} against odometry", plural(jumps, "time"));
+}
+
 }  // namespace
 
 std::optional<double> figure_at(const Json& json, const std::string& pointer) {
@@ -85,6 +107,9 @@ std::optional<double> figure_at(const Json& json, const std::string& pointer) {
 
 std::string describe_localizer(const RunFolder& run, const std::string& name) {
   const Json& figures = run.summary["localizers"][name];
+  if (is_without_truth(run.summary)) {
+    return fmt::format("<strong>{}</strong> {}.", escape_html(name), stated_words(figures));
+  }
   return fmt::format("<strong>{}</strong> {}.{}{}{}", escape_html(name),
                      recovery_words(run, figures), unscored_words(figures), error_words(figures),
                      lock_words(figures));

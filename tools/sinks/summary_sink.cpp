@@ -8,6 +8,7 @@
 #include "tools/formats/csv.hpp"
 #include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/metrics_json.hpp"
+#include "tools/metrics/stated_metrics.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/records/event_log.hpp"
 #include "tools/records/failed_localizers.hpp"
@@ -87,6 +88,23 @@ Json faults_json(const RunHistory& history, Stamp end) {
   return list;
 }
 
+/// What localizer `index` states itself, and how often the others agree with it.
+Json stated_json(const RunHistory& history, std::size_t index, Stamp end) {
+  Json stated = to_json(measure_stated(history.rows[index], end));
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    if (i == index) continue;
+    const auto share = agreement_of(history.rows[index], history.rows[i]);
+    stated["agreement"][history.info.localizers[i]] = share ? json_figure(*share) : Json();
+  }
+  return stated;
+}
+
+/// Share of the scans whose true pose is known; null without scans.
+Json truth_share_of(const RunHistory& history) {
+  const auto share = truth_share(history.rows.empty() ? history.path : history.rows.front());
+  return share ? Json(json_figure(*share)) : Json();
+}
+
 Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& metrics,
              const std::optional<PeopleMetrics>& people, Stamp end, const RunTiming& timing) {
   const RunInfo& info = history.info;
@@ -100,6 +118,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
             {"world", info.world},
             {"robot", info.robot},
             {"known_start", info.known_start},
+            {"truth_share", truth_share_of(history)},
             {"void", void_json(void_run(history.events))},
             {"collisions", collisions(history)},
             {"driving", driving_figures(history)}};
@@ -114,6 +133,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     root["localizers"][info.localizers[i]] = to_json(metrics[i]);
+    root["localizers"][info.localizers[i]]["stated"] = stated_json(history, i, end);
   }
   for (const auto& [name, use] : timing.outside) {
     if (!use.counts.empty()) root["localizers"][name]["answers"] = use.counts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -75,7 +76,7 @@ TEST(Evaluation, CountsAnswersThatAreWrong) {
   EXPECT_LE(row.longest_wrong_s, 8.0);
 }
 
-TEST(Evaluation, WithoutTruthScoresNothing) {
+TEST(Evaluation, OfALogWithoutTruthIsRefused) {
   RecordedPlace place = recorded_office(60);
   for (Frame& frame : place.frames) {
     if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->T_map_base_true.reset();
@@ -83,13 +84,22 @@ TEST(Evaluation, WithoutTruthScoresNothing) {
   EvaluationConfig config = few();
   config.starts = 1;
   config.kidnaps = 0;
+  const std::string error = error_of([&] { evaluate(place, parse_localizer("mh_amcl"), config); });
+  EXPECT_TRUE(contains(error, "office: its log holds no true poses")) << error;
+}
+
+TEST(Evaluation, CountsTrialsWithTruthAlone) {
+  RecordedPlace place = recorded_office(60);
+  bool first = true;
+  for (Frame& frame : place.frames) {
+    auto* scan = std::get_if<ScanFrame>(&frame.data);
+    if (scan != nullptr && !std::exchange(first, false)) scan->T_map_base_true.reset();
+  }
+  EvaluationConfig config = few();
+  config.starts = 2;
+  config.kidnaps = 0;
   const EvaluationRow row = evaluate(place, parse_localizer("mh_amcl"), config);
-  EXPECT_EQ(row.scans, 0);
-  EXPECT_EQ(row.wrong_scans, 0);
-  EXPECT_FALSE(row.calibration.brier());
-  EXPECT_FALSE(false_alarms_per_h(row));
-  EXPECT_EQ(row.starts.recovered, 0);
-  EXPECT_FALSE(row.tracking_m);
+  EXPECT_EQ(row.starts.trials, 1);
 }
 
 TEST(Evaluation, OfTheSameSeedIsTheSame) {

@@ -48,5 +48,35 @@ TEST(VoidRun, IsReadFromASummary) {
   EXPECT_EQ(void_sentence_of(folder.path()), void_sentence(summary));
 }
 
+std::string sentence_of(const std::string& each) {
+  return unscored_sentence(nlohmann::ordered_json::parse("{\"each\": " + each + "}"));
+}
+
+TEST(UnscoredSentence, CountsTheEventsThatAreNotScored) {
+  EXPECT_EQ(sentence_of(R"([{"scored": false, "kind": "teleport"}, {"scored": true}])"),
+            "1 kidnap is not scored: less than 5 s before the next one, an operator's order, or "
+            "the end of the run");
+  EXPECT_TRUE(sentence_of(R"([{"scored": false}, {"scored": false}])")
+                  .starts_with("2 kidnaps are not scored: "));
+  EXPECT_TRUE(
+      sentence_of(R"([{"scored": false, "kind": "start"}])").starts_with("1 event is not scored"));
+}
+
+TEST(UnscoredSentence, LeavesTheOrdersOfOperatorsOut) {
+  EXPECT_EQ(sentence_of(R"([{"scored": false, "kind": "operator"}])"), "");
+}
+
+TEST(UnscoredSentence, IsEmptyIfAllAre) {
+  EXPECT_EQ(sentence_of(R"([{"scored": true}, {"kind": "of an older run"}])"), "");
+  EXPECT_EQ(unscored_sentence(nlohmann::ordered_json::object()), "");
+}
+
+TEST(WithoutTruth, IsARunWhoseScansHaveNoTruePose) {
+  EXPECT_TRUE(is_without_truth({{"truth_share", 0.0}}));
+  EXPECT_FALSE(is_without_truth({{"truth_share", 0.01}}));
+  EXPECT_FALSE(is_without_truth({{"truth_share", nullptr}}));
+  EXPECT_FALSE(is_without_truth(nlohmann::ordered_json::object()));  // Of an older run.
+}
+
 }  // namespace
 }  // namespace castaway::testbed

@@ -210,7 +210,11 @@ TEST(Report, DoesWithoutTruth) {
   for (ScanRecord& record : all) record.T_map_base_true.reset();
   const std::string html = report_of(all);
   expect_sound(html);
-  EXPECT_TRUE(contains(html, row("largest", "–", "–")));
+  EXPECT_TRUE(contains(html, "The log holds no true poses, so that nothing is scored."));
+  EXPECT_TRUE(contains(html, row("scans answered", "100 %", "100 %")));
+  for (const char* scored : {"recovered", "tracking", "kidnaps not noticed", "Brier"}) {
+    EXPECT_EQ(html.find(scored), std::string::npos) << scored;
+  }
 }
 
 TEST(Report, DoesWithoutEstimates) {
