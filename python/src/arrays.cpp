@@ -1,5 +1,7 @@
 #include "python/src/arrays.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace castaway::python {
@@ -7,7 +9,8 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The numbers of a sequence or array. @throws std::invalid_argument unless there are `count`.
+/// The numbers of a sequence or array. @throws std::invalid_argument unless there are `count` and
+/// all are finite.
 Numbers numbers_of(const py::handle& value, py::ssize_t count, const char* what,
                    const char* expected) {
   Numbers numbers = Numbers::ensure(value);
@@ -15,6 +18,11 @@ Numbers numbers_of(const py::handle& value, py::ssize_t count, const char* what,
   if (!numbers || numbers.size() != count) {
     throw std::invalid_argument(std::string(what) + " must be " + expected + ", not " +
                                 py::repr(value).cast<std::string>());
+  }
+  if (!std::all_of(numbers.data(), numbers.data() + count,
+                   [](double x) { return std::isfinite(x); })) {
+    throw std::invalid_argument(std::string(what) +
+                                " is not finite: " + py::repr(value).cast<std::string>());
   }
   return numbers;
 }

@@ -6,6 +6,7 @@
 #include "python/src/python_localizer.hpp"
 #include "python/src/signals.hpp"
 #include "tools/evaluate/evaluation.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::python {
@@ -21,7 +22,7 @@ std::string evaluate(const RecordedPlace& place, const testbed::LocalizerSpec& s
   const py::gil_scoped_release no_gil;
   EvaluationConfig watched = config;
   watched.on_scan = &check_signals;
-  return to_json(testbed::evaluate(place, spec, watched)).dump();
+  return testbed::json_text(to_json(testbed::evaluate(place, spec, watched)));
 }
 
 testbed::LocalizerSpec python_spec(const std::string& name, const py::object& localizer) {

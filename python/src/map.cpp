@@ -1,5 +1,6 @@
 #include "python/src/map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -15,10 +16,30 @@ namespace {
 
 using testbed::RosMap;
 
-using Cells = py::array_t<std::int8_t, py::array::c_style | py::array::forcecast>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-SharedMap make_map(const Cells& cells, double resolution, const py::object& origin,
+/// The cells of an array of any type. @throws std::invalid_argument if one is no whole number from
+/// -1 to 100: a probability or a grey value would be cut.
+std::vector<std::int8_t> to_cells(const Numbers& numbers) {
+  std::vector<std::int8_t> cells;
+  cells.reserve(static_cast<std::size_t>(numbers.size()));
+  for (const double* value = numbers.data(); value != numbers.data() + numbers.size(); ++value) {
+    if (*value < -1.0 || *value > 100.0 || std::trunc(*value) != *value) {
+      throw std::invalid_argument("cells must be whole numbers from -1 to 100, not " +
+                                  py::str(py::float_(*value)).cast<std::string>() +
+                                  ": -1 unknown, 0 free ... 100 occupied");
+    }
+    cells.push_back(static_cast<std::int8_t>(*value));
+  }
+  return cells;
+}
+
+bool all_finite(const Numbers& numbers) {
+  return std::all_of(numbers.data(), numbers.data() + numbers.size(),
+                     [](double x) { return std::isfinite(x); });
+}
+
+SharedMap make_map(const Numbers& cells, double resolution, const py::object& origin,
                    std::string name) {
   if (cells.ndim() != 2) throw std::invalid_argument("cells must be an array of height x width");
   const SE2 corner = to_pose(origin, "origin");
@@ -29,7 +50,7 @@ SharedMap make_map(const Cells& cells, double resolution, const py::object& orig
              corner.x,
              corner.y,
              corner.yaw,
-             {cells.data(), cells.data() + cells.size()}};
+             to_cells(cells)};
   auto made = std::make_shared<Map>(std::move(map));
   validate(made->grid);
   return made;
@@ -89,6 +110,9 @@ py::array_t<float> cast(const Map& map, const Numbers& poses, const std::optiona
     throw std::invalid_argument("pose must be (x, y, yaw), or an array of n x 3");
   }
   if (!(range_max > 0.0)) throw std::invalid_argument("range_max must be above 0");
+  if (!all_finite(poses) || (angles && !all_finite(*angles))) {
+    throw std::invalid_argument("poses and angles must be finite");
+  }
   constexpr py::ssize_t kBeams = 360;
   const Numbers beams = angles ? *angles : all_around(kBeams);
   std::vector<py::ssize_t> shape{beams.size()};

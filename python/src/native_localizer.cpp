@@ -8,6 +8,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/estimate.hpp"
 #include "python/src/map.hpp"
+#include "python/src/one_thread.hpp"
 #include "python/src/scan.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/sources/build_localizers.hpp"
@@ -38,24 +39,29 @@ class NativeLocalizer {
   }
 
   void initialize(const py::object& pose, const py::object& covariance) {
+    const OneThread::Use use(thread_);
     localizer_->initialize(to_start(pose, covariance));
   }
   void on_odometry(std::int64_t stamp_ns, const py::object& pose) {
+    const OneThread::Use use(thread_);
     localizer_->on_odometry({localization::Stamp(stamp_ns), to_pose(pose, "pose")});
   }
   /// Nothing if there is no estimate at the scan's stamp.
   std::optional<StatedEstimate> on_scan(const SharedScan& scan) {
+    const OneThread::Use use(thread_);
     const py::gil_scoped_release no_gil;
     localizer_->on_scan(*scan);
     const auto estimate = localizer_->estimate();
     if (!estimate || estimate->stamp != scan->stamp) return std::nullopt;
     return to_stated(*estimate, localizer_->diagnostics());
   }
-  [[nodiscard]] std::vector<PopulationView> populations() const {
+  [[nodiscard]] std::vector<PopulationView> populations() {
+    const OneThread::Use use(thread_);
     return localizer_->diagnostics().populations;
   }
 
  private:
+  OneThread thread_;
   std::unique_ptr<localization::Localizer> localizer_;
 };
 
@@ -82,7 +88,7 @@ void bind_native_localizer(py::module_& module) {
            py::arg("yaml"), py::arg("map"), py::arg("seed"), py::arg("who"))
       .def("initialize", &NativeLocalizer::initialize, py::arg("pose"), py::arg("covariance"))
       .def("on_odometry", &NativeLocalizer::on_odometry, py::arg("stamp_ns"), py::arg("pose"))
-      .def("on_scan", &NativeLocalizer::on_scan, py::arg("scan"))
+      .def("on_scan", &NativeLocalizer::on_scan, py::arg("scan").none(false))
       .def_property_readonly("populations", &NativeLocalizer::populations);
   module.def("localizer_seed", &testbed::localizer_seed, py::arg("run_seed"), py::arg("name"),
              "Root of the random numbers of a localizer in a run.");

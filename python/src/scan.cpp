@@ -1,5 +1,7 @@
 #include "python/src/scan.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "python/src/arrays.hpp"
@@ -22,6 +24,10 @@ Eigen::Isometry3d to_isometry(const py::object& value) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
     throw std::invalid_argument("T_base_laser must be a 4 x 4 matrix");
   }
+  if (!std::all_of(matrix.data(), matrix.data() + matrix.size(),
+                   [](double x) { return std::isfinite(x); })) {
+    throw std::invalid_argument("T_base_laser must be finite");
+  }
   transform.matrix() =
       Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix.data());
   return transform;
@@ -30,6 +36,11 @@ Eigen::Isometry3d to_isometry(const py::object& value) {
 SharedScan make_scan(const Ranges& ranges, std::int64_t stamp_ns, double angle_min,
                      double angle_increment, double range_min, double range_max,
                      double time_increment_s, const py::object& T_base_laser, std::string lidar) {
+  for (const double number : {angle_min, angle_increment, range_min, range_max, time_increment_s}) {
+    if (std::isfinite(number)) continue;
+    throw std::invalid_argument(
+        "angle_min, angle_increment, range_min, range_max and time_increment_s must be finite");
+  }
   auto scan = std::make_shared<LaserScan>();
   scan->stamp = localization::Stamp(stamp_ns);
   scan->time_increment = localization::from_seconds(time_increment_s);

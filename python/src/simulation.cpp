@@ -1,6 +1,8 @@
 #include "python/src/simulation.hpp"
 
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <pybind11/stl.h>
@@ -8,6 +10,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/frames.hpp"
 #include "python/src/map.hpp"
+#include "python/src/one_thread.hpp"
 #include "python/src/scan.hpp"
 #include "python/src/scenario.hpp"
 #include "sim/casting/surfaces.hpp"
@@ -36,6 +39,7 @@ class Simulation {
   }
 
   py::object next() {
+    const OneThread::Use use(thread_);
     std::optional<testbed::Frame> frame;
     {
       const py::gil_scoped_release no_gil;
@@ -44,27 +48,45 @@ class Simulation {
     if (!frame) throw py::stop_iteration();
     return to_python(std::move(*frame));
   }
-  void command(double v, double w) { source_->set_command(sim::Twist2{v, w}); }
-  void follow_route() { source_->set_command(std::nullopt); }
-  void kidnap(const py::object& pose) { source_->kidnap(to_pose(pose, "pose")); }
+  void command(double v, double w) {
+    if (!std::isfinite(v) || !std::isfinite(w)) {
+      throw std::invalid_argument("v and w must be finite numbers");
+    }
+    const OneThread::Use use(thread_);
+    source_->set_command(sim::Twist2{v, w});
+  }
+  void follow_route() {
+    const OneThread::Use use(thread_);
+    source_->set_command(std::nullopt);
+  }
+  void kidnap(const py::object& pose) {
+    const OneThread::Use use(thread_);
+    source_->kidnap(to_pose(pose, "pose"));
+  }
   void set_estimate(const py::object& pose) {
+    const OneThread::Use use(thread_);
     const std::optional<SE2> T_map_base = to_optional_pose(pose, "pose");
     source_->set_drive_pose(T_map_base);
     source_->set_watched_pose(T_map_base, 0.0);
   }
-  [[nodiscard]] py::object start_pose() const { return python::to_python(source_->start_pose()); }
+  [[nodiscard]] py::object start_pose() {
+    const OneThread::Use use(thread_);
+    return python::to_python(source_->start_pose());
+  }
   [[nodiscard]] double duration_s() const { return localization::seconds(source_->duration()); }
   [[nodiscard]] std::string label_name(int label) const { return sim::hit_name(world_, label); }
   [[nodiscard]] const SharedMap& map() const { return map_; }
   [[nodiscard]] const std::vector<testbed::LidarFacts>& lidars() const { return lidars_; }
   [[nodiscard]] const std::string& scenario() const { return effective_; }
-  [[nodiscard]] std::vector<std::string> warnings() const {
+  [[nodiscard]] std::vector<std::string> warnings() {
+    const OneThread::Use use(thread_);
     std::vector<std::string> all = warnings_;
     for (std::string& warning : source_->warnings()) all.push_back(std::move(warning));
     return all;
   }
 
  private:
+  OneThread thread_;
   std::string effective_;
   std::vector<std::string> warnings_;
   sim::WorldSpec world_;

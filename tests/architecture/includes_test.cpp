@@ -163,9 +163,9 @@ const Layers kSimLayers = {
 };
 
 const Layers kToolsLayers = {
-    {"tools/files", "tools/live/lines", "tools/metrics/statistics", "tools/report/html",
-     "tools/ros2/dds", "tools/run"},
-    {"tools/formats/images", "tools/formats/points", "tools/ros/mcap", "tools/scenario/yaml"},
+    {"tools/files", "tools/metrics/statistics", "tools/ros2/dds"},
+    {"tools/formats/images", "tools/formats/points", "tools/live/lines", "tools/report/html",
+     "tools/ros/mcap", "tools/run", "tools/scenario/yaml"},
     {"tools/formats", "tools/ros/storage"},
     {"tools/formats/volume"},
     {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
@@ -299,6 +299,16 @@ TEST(Determinism, NothingDrawsFromForbiddenSources) {
   EXPECT_EQ(lines_with(std::regex(
                 R"(std::(normal|uniform_real|uniform_int|bernoulli|poisson)_distribution)")),
             Names{});
+}
+
+/// A name that is not UTF-8 makes `dump` throw, after hours of work.
+TEST(Json, IsWrittenByOneFunctionThatThrowsForNoName) {
+  Names found = lines_with(std::regex(R"((\.|->)dump\()"));
+  std::erase_if(found, [](const std::string& line) { return starts_with(line, "tests/"); });
+  EXPECT_EQ(found.size(), 2U) << found.back();
+  for (const std::string& line : found) {
+    EXPECT_NE(line.find("error_handler_t::replace"), std::string::npos) << line;
+  }
 }
 
 TEST(Determinism, NothingIteratesOverUnorderedContainers) {

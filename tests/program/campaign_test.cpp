@@ -115,8 +115,9 @@ scenario:
   duration_s: 2
   physics: kinematic
   events: []
-  localizers: [{name: mine, program: [sh, mine.sh]}]
+  localizers: [{name: mine, program: [sh, mine.sh]}, amcl]
 seeds: 2
+keep: failures
 )");
   std::ofstream(folder / "mine.sh") << "exit 7\n";
   const Outcome refused = castaway(folder, "campaign s.yaml --out c");
@@ -130,8 +131,13 @@ seeds: 2
   EXPECT_EQ(lines_of(folder / "c/rows.jsonl"), 2);
   ASSERT_EQ(castaway(folder, "campaign s.yaml --out c --allow-programs").exit_code, 1);
   EXPECT_EQ(lines_of(folder / "c/rows.jsonl"), 2);
+  const fs::path cell = fs::directory_iterator(folder / "c/cells")->path();
+  std::ofstream(cell / "notes.txt") << "mine";
+  const std::string errors = text_of(cell / "errors.csv");
   ASSERT_EQ(castaway(folder, "campaign s.yaml --out c --allow-programs --retry-failed").exit_code,
             1);
+  EXPECT_EQ(text_of(cell / "notes.txt"), "mine");
+  EXPECT_EQ(text_of(cell / "errors.csv"), errors);
   EXPECT_EQ(lines_of(folder / "c/rows.jsonl"), 4);
   EXPECT_EQ(lines_of(folder / "c/results.csv"), 3);
 }

@@ -175,6 +175,31 @@ TEST(ForeignLocalizer, AnExceptionOfALibraryEndsItsRunOnly) {
   EXPECT_GT(summary_of(folder).at("failed").at("bad").at("at_s"), 0.2);
 }
 
+/// A gate must not take it for a run that met its expectations.
+TEST(ForeignLocalizer, ALibraryThatEndsTheProgramFailsTheRun) {
+  const fs::path folder = fresh_folder();
+  for (const char* how : {"exit", "now"}) {
+    const Outcome outcome =
+        castaway(folder, kBrief +
+                             std::string("--set 'localizers=[amcl, {name: bad, library: "
+                                         "'" CASTAWAY_BAD_PLUGIN "', params: {leave: ") +
+                             how + "}}]'");
+    EXPECT_EQ(outcome.exit_code, 1) << how;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    expect_contains(outcome.err, "a library that it loaded ended the program");
+  }
+}
+
+TEST(ForeignLocalizer, ALibraryThatIsCutOffIsRefused) {
+  const fs::path folder = fresh_folder();
+  const std::string whole = text_of(CASTAWAY_BAD_PLUGIN);
+  for (const std::size_t part : {2U, 4U, 8U}) {
+    write(folder / "libcut.so", whole.substr(0, whole.size() / part));
+    expect_refused(castaway(folder, kBrief + std::string("--localizer library:libcut.so")),
+                   {"localizer 'cut'"});
+  }
+}
+
 TEST(ForeignLocalizer, EndsWithARunThatIsKilled) {
   const fs::path folder = fresh_folder();
   write(folder / "mine.sh",

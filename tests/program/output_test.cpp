@@ -54,6 +54,53 @@ TEST(Output, AReplayNeverRemovesItsBag) {
   EXPECT_EQ(after, before);
 }
 
+/// A repository that ships a folder `runs` must not reach the user's files.
+TEST(Output, AHiddenListNeverRemovesAFileOfTheUser) {
+  const fs::path folder = fresh_folder();
+  put(folder / "docs/thesis.tex", "mine");
+  put(folder / "runs/lab-kidnap/seed-1/.castaway.json",
+      R"({"castaway":"0.1.0","files":{"../../../docs/thesis.tex":null}})");
+  const std::string run = "run --duration 1 --set 'events=[]' --set outputs.snapshots=false";
+  EXPECT_EQ(castaway(folder, run).exit_code, 0);  // Writes to another folder.
+  expect_refused(castaway(folder, run + " --force --out runs/lab-kidnap/seed-1"),
+                 {"runs/lab-kidnap/seed-1/.castaway.json", "is not castaway's list"});
+  EXPECT_EQ(text_of(folder / "docs/thesis.tex"), "mine");
+}
+
+/// Names of files need not be UTF-8; everything is written nevertheless.
+TEST(Output, ANameThatIsNotUtf8LosesNothing) {
+  const fs::path folder = folder_with_spec();
+  const std::string scenario =
+      "{world: room.yaml, duration_s: 1, physics: kinematic, events: [], outputs: {snapshots: "
+      "false}, localizers: [amcl]}";
+  put(folder / "caf\xe9.yaml", scenario);
+  const Outcome outcome = castaway(folder, "run 'caf\xe9.yaml' --out 'r\xe9' --junit 'j\xe9.xml'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_contains(text_of(folder / "r\xe9/summary.json"), "\"scenario\": \"caf_\"");
+  EXPECT_TRUE(fs::exists(folder / "r\xe9/report.html"));
+  EXPECT_TRUE(fs::exists(folder / "j\xe9.xml"));
+  put(folder / "s.yaml", "name: caf\xe9\n");
+  expect_refused(castaway(folder, "run s.yaml --out n"), {"s.yaml:1", "UTF-8"});
+  EXPECT_FALSE(fs::exists(folder / "n"));
+}
+
+TEST(Output, ARunWithoutAScanIsDescribed) {
+  const fs::path folder = fresh_folder();
+  const Outcome outcome =
+      castaway(folder, "run --set stop_after_m=1e-6 --set outputs.snapshots=false --out run");
+  EXPECT_EQ(outcome.err.find("json"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST(Output, AFullDiskFailsTheCommandInOneLine) {
+  const fs::path folder = fresh_folder();
+  for (const char* command : {"lidars", "settings"}) {
+    const Outcome outcome =
+        castaway(folder, std::string(command) + " >/dev/full 2>err.txt; echo $?");
+    EXPECT_EQ(outcome.out, "1\n") << command << text_of(folder / "err.txt");
+  }
+}
+
 TEST(Output, ARunKeepsFilesOfOthers) {
   const fs::path folder = fresh_folder();
   for (const char* file : {"bag/mine.mcap", "snapshots/mine.png", "recording.gz", "notes.txt"}) {

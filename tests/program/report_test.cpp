@@ -58,6 +58,14 @@ TEST(Report, NamesADamagedRecording) {
   expect_contains(outcome.err, "recording.gz: ");
 }
 
+TEST(Report, NamesADamagedSummary) {
+  const fs::path folder = fresh_folder();
+  ASSERT_EQ(castaway(folder, kReported + "--out run").exit_code, 0);
+  std::ofstream(folder / "run/summary.json") << R"({"seed": "x", "scenario": 7, "localizers": {}})";
+  expect_refused(castaway(folder, "report run"), {"run/summary.json: damaged"});
+  expect_refused(castaway(folder, "compare run run"), {"run/summary.json: damaged"});
+}
+
 TEST(Film, IsMadeOfARun) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is missing";
   const fs::path folder = fresh_folder();

@@ -115,3 +115,9 @@ def test_an_estimate_that_cannot_be_is_refused_where_it_is_made():
         castaway.Estimate((0.0, 0.0))
     with pytest.raises(ValueError, match="3 x 3"):
         castaway.Estimate((0.0, 0.0, 0.0), covariance=[1.0])
+
+
+def test_no_scan_is_no_scan(short):
+    simulation = castaway.Simulation("lab/kidnap", set=short)
+    with pytest.raises(TypeError):
+        castaway.MhAmcl(simulation.map).on_scan(None)

@@ -73,3 +73,11 @@ def test_wrong_arguments_are_value_errors(room):
         castaway.Map(np.zeros((2, 2)), 0.0)
     with pytest.raises(castaway.Error, match="nowhere.yaml"):
         castaway.Map.load("nowhere.yaml")
+
+
+def test_cells_that_would_be_cut_are_refused():
+    for cells in (np.full((2, 2), 0.7), np.full((2, 2), 300), np.full((2, 2), 255, np.uint8)):
+        with pytest.raises(ValueError, match="whole numbers from -1 to 100"):
+            castaway.Map(cells, 0.5)
+    assert castaway.Map(np.full((2, 2), 100.0), 0.5).cells[0, 0] == 100
+    assert castaway.Map([[0, -1], [100, 50]], 0.5).cells.tolist() == [[0, -1], [100, 50]]

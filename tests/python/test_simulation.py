@@ -1,6 +1,7 @@
 """castaway.Simulation."""
 
 import math
+import threading
 
 import numpy as np
 import pytest
@@ -101,3 +102,32 @@ def test_it_knows_its_surroundings():
     assert sum(1 for _ in simulation) > 50
     with pytest.raises(StopIteration):
         next(simulation)
+
+
+def test_a_command_that_is_no_number_is_refused():
+    simulation = Simulation("lab/kidnap", set={"duration_s": 2, "events": []})
+    for v, w in ((math.nan, 0.0), (0.0, math.inf)):
+        with pytest.raises(ValueError, match="finite"):
+            simulation.command(v, w)
+    with pytest.raises(ValueError, match="finite"):
+        simulation.kidnap((math.nan, 0.0, 0.0))
+
+
+def test_a_second_thread_is_refused():
+    simulation = Simulation("lab/kidnap", set={"duration_s": 5, "events": []})
+    refused = []
+
+    def play():
+        try:
+            for _ in simulation:
+                pass
+        except castaway.Error as error:
+            refused.append(str(error))
+
+    threads = [threading.Thread(target=play) for _ in range(16)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(refused) >= 1
+    assert all("two threads" in text for text in refused)

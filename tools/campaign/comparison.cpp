@@ -73,7 +73,7 @@ ComparedRun compared_run(const fs::path& folder, const Json& summary) {
 /// The scenario key by key, without the keys in which compared runs may differ.
 std::map<std::string, std::string> conditions(const fs::path& run_folder) {
   const fs::path file = run_folder / "scenario.yaml";
-  const YamlNode root = parse_yaml(read_file(file), file.string());
+  const YamlNode root = parse_yaml(read_file(file, kLargestSettings), file.string());
   std::map<std::string, std::string> result;
   const std::set<std::string> free{"localizers", "outputs", "expect", "seed"};
   for (const YamlEntry& entry : root.entries) {
@@ -228,7 +228,9 @@ std::vector<ComparedRun> find_runs(const fs::path& folder) {
   std::vector<ComparedRun> runs;
   for (const fs::path& candidate : folders) {
     const Json summary = run_summary(candidate);
-    if (summary.is_object()) runs.push_back(compared_run(candidate, summary));
+    if (!summary.is_object()) continue;
+    read_fields(candidate / "summary.json",
+                [&] { runs.push_back(compared_run(candidate, summary)); });
   }
   if (runs.empty()) {
     throw std::runtime_error(fmt::format(

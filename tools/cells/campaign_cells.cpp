@@ -11,6 +11,8 @@
 #include "tools/cells/rows/rows_file.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/workers/worker_pool.hpp"
 
@@ -47,9 +49,8 @@ std::string work_on_cell(const CampaignSpec& spec, const fs::path& folder, const
 }
 
 void report_failure(const CampaignRequest& request, const CellRow& row) {
-  fmt::print(stderr,
-             "castaway: cell {} failed: {}; castaway campaign {} --only {} --out again plays it\n",
-             row.index, row.reason, request.spec.string(), row.index);
+  say(fmt::format("cell {} failed: {}; castaway campaign {} --only {} --out again plays it",
+                  row.index, row.reason, request.spec.string(), row.index));
 }
 
 /// Recoveries so far, for the progress line.
@@ -75,6 +76,7 @@ class Tally {
 
 void make_cells(const CampaignRequest& request, const CampaignSpec& spec,
                 const std::vector<int>& cells) {
+  require_no_link(request.out, "cells");
   const std::string name = rows_name(request.shard, request.shards);
   const RowsFile rows(request.out / name);
   const fs::path drafts = request.out / (".work-" + name);

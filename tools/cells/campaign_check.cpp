@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> with_image(const fs::path& file) {
   std::vector<fs::path> files{file};
   if (file.extension() != ".yaml") return files;
-  const YamlNode root = parse_yaml(read_file(file), file.string());
+  const YamlNode root = parse_yaml(read_file(file, kLargestSettings), file.string());
   const YamlNode* image = root.find("image");
   if (image != nullptr) files.push_back(file.parent_path() / image->scalar);
   return files;

@@ -1,5 +1,6 @@
 #include "tools/cells/campaign_folder.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -7,8 +8,11 @@
 
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/make_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -47,6 +51,7 @@ std::string difference_of(const Json& there, const Json& here) {
 
 void check_campaign(const fs::path& folder, const CampaignIdentity& identity) {
   std::error_code none;
+  for (const char* name : {kMarker, kTables, "campaign.yaml"}) require_no_link(folder, name);
   if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
     refuse_folder(folder, "is no folder");
   }
@@ -68,7 +73,11 @@ void check_campaign(const fs::path& folder, const CampaignIdentity& identity) {
 Json table_hashes(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder / kTables, none)) return Json::object();
-  return read_json(folder / kTables);
+  Json hashes = read_json(folder / kTables);
+  const auto is_text = [](const Json& hash) { return hash.is_string(); };
+  if (hashes.is_object() && std::all_of(hashes.begin(), hashes.end(), is_text)) return hashes;
+  throw std::runtime_error((folder / kTables).string() +
+                           ": is not castaway's list of the campaign's tables; remove it");
 }
 
 }  // namespace
@@ -76,15 +85,10 @@ Json table_hashes(const fs::path& folder) {
 CampaignFolder::CampaignFolder(fs::path folder, const CampaignIdentity& identity)
     : folder_(std::move(folder)) {
   check_campaign(folder_, identity);
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) {
-    throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
-                                folder_.string(), error.message()));
-  }
+  make_folder(folder_);
   if (fs::exists(folder_ / kMarker)) return;
   // The marker comes first: whatever follows is the campaign's.
-  write_file(folder_ / kMarker, identity_json(identity).dump(1) + "\n");
+  write_file(folder_ / kMarker, json_text(identity_json(identity), 1) + "\n");
   write_file(folder_ / "campaign.yaml", identity.spec);
 }
 
@@ -98,6 +102,15 @@ fs::path CampaignFolder::draft_of(const std::string& name) const {
   return folder_ / ("." + name + ".part");
 }
 
+void CampaignFolder::clear_draft(const std::string& name) const {
+  std::error_code error;
+  fs::remove(draft_of(name), error);
+  if (error) {
+    throw FileError(
+        fmt::format("{}: cannot be removed ({})", draft_of(name).string(), error.message()));
+  }
+}
+
 void CampaignFolder::commit(const std::string& name) const {
   const fs::path target = folder_ / name;
   Json hashes = table_hashes(folder_);
@@ -107,7 +120,7 @@ void CampaignFolder::commit(const std::string& name) const {
                              ": castaway did not write it, or it was changed since; move it away");
   }
   hashes[name] = sha256_of_file(draft_of(name));
-  write_file(folder_ / kTables, hashes.dump(1) + "\n");
+  write_file(folder_ / kTables, json_text(hashes, 1) + "\n");
   fs::rename(draft_of(name), target);
 }
 

@@ -36,12 +36,15 @@ class CampaignFolder {
   /// would replace a file that castaway did not write or that was changed since.
   template <typename Write>
   void put(const std::string& name, Write write) {
+    clear_draft(name);
     write(draft_of(name));
     commit(name);
   }
 
  private:
   [[nodiscard]] std::filesystem::path draft_of(const std::string& name) const;
+  /// Removes what a killed process left, or a link that would be written through.
+  void clear_draft(const std::string& name) const;
   void commit(const std::string& name) const;
 
   std::filesystem::path folder_;

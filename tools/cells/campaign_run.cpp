@@ -17,8 +17,12 @@
 #include "tools/cells/campaign_tables.hpp"
 #include "tools/cells/campaign_verdict.hpp"
 #include "tools/cells/stopping_rule.hpp"
+#include "tools/files/attempts.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/output/interruption.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
 
@@ -116,37 +120,49 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
   const std::vector<int> missing = missing_cells(spec, rows, kMostNamed + 1);
   if (!missing.empty()) {
     const bool more = missing.size() > kMostNamed;
-    fmt::print(stderr, "castaway: {}: cells are missing: {}{}; run their shards again\n",
-               folder.path().string(), fmt::join(missing, ", "), more ? " and more" : "");
+    say(fmt::format("{}: cells are missing: {}{}; run their shards again", folder.path().string(),
+                    fmt::join(missing, ", "), more ? " and more" : ""));
     return kRunFailed;
   }
-  folder.put("results.csv", [&](const fs::path& file) { write_results(spec, rows, file); });
-  folder.put("kidnaps.csv", [&](const fs::path& file) { write_kidnaps(spec, rows, file); });
-  folder.put("results.h5", [&](const fs::path& file) { write_hdf5(spec, rows, file); });
-  folder.put("costs.csv", [&](const fs::path& file) { write_costs(rows, file); });
+  Attempts outputs;
+  const auto put = [&](const char* name, const auto& write) {
+    outputs.make([&] { folder.put(name, write); });
+  };
+  put("results.csv", [&](const fs::path& file) { write_results(spec, rows, file); });
+  put("kidnaps.csv", [&](const fs::path& file) { write_kidnaps(spec, rows, file); });
+  put("results.h5", [&](const fs::path& file) { write_hdf5(spec, rows, file); });
+  put("costs.csv", [&](const fs::path& file) { write_costs(rows, file); });
   const Json summary = campaign_summary(spec, rows);
-  const std::string text = summary.dump(1) + "\n";
-  folder.put("summary.json", [&](const fs::path& file) { write_file(file, text); });
+  const std::string text = json_text(summary, 1) + "\n";
+  put("summary.json", [&](const fs::path& file) { write_file(file, text); });
   const std::vector<MetricRank> ranks = rank_campaign(request, spec, rows);
   if (request.rank) {
-    folder.put("ranks.csv", [&](const fs::path& file) { write_ranks(ranks, file); });
+    put("ranks.csv", [&](const fs::path& file) { write_ranks(ranks, file); });
   }
   const std::vector<Check> checks = judge_cells(campaign, rows);
-  put_pages(request, campaign, checks, rows, folder);
+  outputs.make([&] { put_pages(request, campaign, checks, rows, folder); });
   fmt::print("{}", request.json ? text : campaign_text(summary));
   for (const MetricRank& rank : ranks) {
     fmt::print(request.json ? stderr : stdout, "{}", rank_text(rank));
   }
   if (!request.json) fmt::print("Folder: {}\n", folder.path().string());
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
+  outputs.rethrow();
   return failed_cells(summary) > 0 ? kRunFailed : exit_code_of(checks);
+}
+
+std::string kept_cells(const CampaignRequest& request) {
+  return "finished cells are kept in " + request.out.string() + "; the same command goes on";
 }
 
 }  // namespace
 
 int make_campaign(const CampaignRequest& request) {
+  std::optional<KeptWork> kept;
+  if (fs::exists(request.out / "rows.jsonl")) kept.emplace(kept_cells(request));
   const CheckedCampaign campaign = check_campaign(request);
   CampaignFolder folder(request.out, identity_of(campaign));
+  if (!kept) kept.emplace(kept_cells(request));
   const std::size_t made = make_all_cells(request, campaign.spec);
   if (request.shards == 1) return finish_campaign(request, campaign, folder);
   fmt::print(
@@ -157,6 +173,7 @@ int make_campaign(const CampaignRequest& request) {
 }
 
 int collect_campaign(const CampaignRequest& request) {
+  const KeptWork kept(kept_cells(request));
   const CheckedCampaign campaign = check_campaign(request);
   static_cast<void>(CampaignFolder(request.out));
   CampaignFolder folder(request.out, identity_of(campaign));

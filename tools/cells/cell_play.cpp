@@ -9,6 +9,8 @@
 #include "tools/formats/csv.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/output_folder.hpp"
 #include "tools/play/play.hpp"
 #include "tools/run/cpu_clock.hpp"
 
@@ -87,17 +89,20 @@ bool has_failed(const CellRow& row) {
                      [](const CellKidnap& each) { return each.scored && !each.recovered; });
 }
 
+constexpr const char* kMadeByCampaign = "campaign";
+
+/// Keeps what is asked for of a draft. What castaway did not write in `kept` stays.
 void keep(KeepOfCell what, const CellRow& row, const fs::path& draft, const fs::path& kept) {
-  fs::remove_all(kept);  // Of an attempt whose row was lost.
+  require_no_link(kept.parent_path(), kept.filename());
   const bool whole =
       what == KeepOfCell::kFolder || (what == KeepOfCell::kFailures && has_failed(row));
-  if (whole) {
-    fs::create_directories(kept.parent_path());
-    fs::rename(draft, kept);
-  } else if (what == KeepOfCell::kErrors) {
-    fs::create_directories(kept);
-    for (const char* name : {"errors.csv", "events.csv"}) fs::rename(draft / name, kept / name);
+  if (whole) return replace_output(draft, kept);
+  if (what != KeepOfCell::kErrors) return remove_output(kept);  // Of an earlier attempt.
+  OutputFolder output({kept, kMadeByCampaign, {}, {}, true});
+  for (const char* name : {"errors.csv", "events.csv"}) {
+    fs::rename(draft / name, output.folder() / name);
   }
+  output.commit();
 }
 
 CellRow begun_row(const CampaignCell& cell) {
@@ -132,7 +137,6 @@ CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::
   PlayOptions options;
   options.base = spec.base;
   options.out = draft;
-  options.keep_list = false;
   options.quiet = true;
   options.timing = spec.keep == KeepOfCell::kFolder;
   options.worlds = &parts.worlds;

@@ -18,8 +18,11 @@
 #include "tools/cells/campaign_run.hpp"
 #include "tools/cells/stopping_rule.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -45,15 +48,19 @@ void save_jobs(const SubmittedJobs& jobs, CampaignFolder& folder) {
                   {"collect", jobs.collect},
                   {"tasks", jobs.tasks},
                   {"tries", jobs.tries}};
-  folder.put(kJobs, [&](const fs::path& file) { write_file(file, json.dump(1) + "\n"); });
+  folder.put(kJobs, [&](const fs::path& file) { write_file(file, json_text(json, 1) + "\n"); });
 }
 
 std::optional<SubmittedJobs> load_jobs(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder / kJobs, none)) return std::nullopt;
   const Json json = read_json(folder / kJobs);
-  return SubmittedJobs{json.at("array").get<std::string>(), json.at("collect").get<std::string>(),
-                       json.at("tasks").get<int>(), json.at("tries").get<int>()};
+  SubmittedJobs jobs;
+  read_fields(folder / kJobs, [&] {
+    jobs = {json.at("array").get<std::string>(), json.at("collect").get<std::string>(),
+            json.at("tasks").get<int>(), json.at("tries").get<int>()};
+  });
+  return jobs;
 }
 
 CampaignCommand command_of(const CampaignRequest& request, const std::string& name) {
@@ -145,8 +152,8 @@ void follow(const CampaignRequest& request, const CheckedCampaign& campaign, Cam
   while (jobs.tries < kMostTries) {
     const std::set<int> shards = unfinished_shards(request, spec, jobs.tasks);
     if (shards.empty()) break;
-    fmt::print(stderr, "castaway: shards {} of {} ended with cells missing; submitted again\n",
-               fmt::join(shards, ", "), jobs.tasks);
+    say(fmt::format("shards {} of {} ended with cells missing; submitted again",
+                    fmt::join(shards, ", "), jobs.tasks));
     submit(folder.path(), fmt::format("{}", fmt::join(shards, ",")), jobs);
     ++jobs.tries;
     save_jobs(jobs, folder);
@@ -176,6 +183,7 @@ int make_on_slurm(const CampaignRequest& request, const SlurmOptions& options) {
   refuse_running(request);
   CampaignFolder folder(request.out, identity_of(campaign));
   const CampaignCommand command = command_of(request, campaign.spec.name);
+  require_no_link(folder.path(), "slurm");
   fs::create_directories(folder.path() / "slurm");
   folder.put(kArrayScript,
              [&](const fs::path& file) { write_file(file, array_script(command, options)); });
@@ -185,8 +193,8 @@ int make_on_slurm(const CampaignRequest& request, const SlurmOptions& options) {
   jobs.tasks = options.tasks;
   submit(folder.path(), fmt::format("1-{}", options.tasks), jobs);
   save_jobs(jobs, folder);
-  fmt::print(stderr, "castaway: job {} with {} tasks, and job {} for the tables; logs in {}\n",
-             jobs.array, jobs.tasks, jobs.collect, (request.out / "slurm").string());
+  say(fmt::format("job {} with {} tasks, and job {} for the tables; logs in {}", jobs.array,
+                  jobs.tasks, jobs.collect, (request.out / "slurm").string()));
   return follow_to_the_end(request, campaign, folder, jobs);
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/ros/bag_json.hpp"
 #include "tools/ros/bag_topics.hpp"
@@ -75,7 +76,7 @@ void print_messages(const std::vector<std::filesystem::path>& files) {
       if (message->channel->encoding == "cdr") {
         if (auto fields = message_json(type, message->data)) json["message"] = std::move(*fields);
       }
-      fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+      fmt::print("{}\n", json_text(json));
     }
   }
 }
@@ -91,8 +92,7 @@ int describe_bag(const BagArguments& arguments) {
     print_warning(warning);
   }
   if (arguments.json) {
-    fmt::print("{}\n",
-               to_json(bag).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", json_text(to_json(bag), 1));
   } else {
     print_words(bag);
   }

@@ -7,6 +7,7 @@
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/prediction/calibration_lines.hpp"
 #include "tools/prediction/calibration_page.hpp"
@@ -59,7 +60,7 @@ int calibrate(const CalibrateArguments& arguments) {
   write_file(out.folder() / "calibration.html", render_calibration(twin, place.map));
   out.commit();
   if (arguments.json) {
-    fmt::print("{}\n", to_json(twin).dump(1));
+    fmt::print("{}\n", json_text(to_json(twin), 1));
   } else {
     print_twin(twin);
     fmt::print("Plots: {0}/calibration.html\nTwin: {0}\nPlay it: castaway run {0}/scenario.yaml\n",

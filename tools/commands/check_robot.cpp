@@ -7,6 +7,7 @@
 #include "sim/render/renderer.hpp"
 #include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/inspect/robot_report.hpp"
 #include "tools/inspect/robot_scene.hpp"
 #include "tools/output/file_name.hpp"
@@ -69,7 +70,7 @@ int check_robot(CheckArguments arguments) {
   if (arguments.json) {
     auto json = robot_json(robot);
     json["picture"] = picture;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     fmt::print("{}picture: {}\n", robot_text(robot), picture);
   }

@@ -8,6 +8,7 @@
 #include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/inspect/world_report.hpp"
 #include "tools/inspect/world_scene.hpp"
 #include "tools/output/file_name.hpp"
@@ -86,7 +87,7 @@ int check_world(CheckWorldArguments arguments) {
   if (arguments.json) {
     auto json = world_json(world, facts);
     json["pictures"] = pictures;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     fmt::print("{}pictures: {}\n", world_text(world, facts), pictures);
   }

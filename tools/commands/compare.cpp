@@ -7,6 +7,7 @@
 #include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/report/comparison_page.hpp"
@@ -55,11 +56,11 @@ int compare_folders(const CompareArguments& arguments) {
                as_text(comparison_table(comparison)));
   }
   OutputFolder output(request);
-  write_file(output.folder() / "comparison.json", json.dump(2) + "\n");
+  write_file(output.folder() / "comparison.json", json_text(json, 2) + "\n");
   write_file(output.folder() / "comparison.html", render_comparison(comparisons));
   output.commit();
   if (arguments.json) {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json, 2));
   } else {
     fmt::print("Page: {}\n", (request.target / "comparison.html").string());
   }

@@ -9,6 +9,8 @@
 #include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_manifest.hpp"
 #include "tools/dataset/dataset_only.hpp"
+#include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -29,13 +31,12 @@ int verify(const std::string& folder, bool json) {
   if (json) {
     const nlohmann::ordered_json root{
         {"kind", "dataset-verify"}, {"folder", folder}, {"troubles", troubles}};
-    fmt::print("{}\n", root.dump(2));
+    fmt::print("{}\n", json_text(root, 2));
     return troubles.empty() ? kDone : kRunFailed;
   }
   for (const std::string& trouble : troubles) fmt::print("{}\n", trouble);
   if (!troubles.empty()) {
-    fmt::print(stderr, "castaway: {}: {} of its files differ from its manifest.json\n", folder,
-               troubles.size());
+    say(fmt::format("{}: {} of its files differ from its manifest.json", folder, troubles.size()));
     return kRunFailed;
   }
   fmt::print("{}: every file matches its manifest.json\n", folder);

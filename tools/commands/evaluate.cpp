@@ -9,6 +9,7 @@
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/evaluate/evaluation.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
@@ -108,7 +109,7 @@ int evaluate_logs(EvaluateArguments arguments) {
       rows.push_back(to_json(row));
     }
   }
-  if (arguments.json) fmt::print("{}\n", rows.dump(1));
+  if (arguments.json) fmt::print("{}\n", json_text(rows, 1));
   return kDone;
 }
 

@@ -7,7 +7,9 @@
 #include "tools/campaign/experiment_summary.hpp"
 #include "tools/campaign/experiment_table.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/files/attempts.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/formats/json_file.hpp"
@@ -16,6 +18,7 @@
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/play_runs.hpp"
 #include "tools/play/verdict_output.hpp"
@@ -121,7 +124,7 @@ PlayedRuns outcomes_of(const std::vector<ExperimentRun>& runs, const std::vector
              reason ? std::optional("void: " + *reason) : std::nullopt);
     if (reason) {
       ++played.voids;
-      fmt::print(stderr, "castaway: {}: void, and left out: {}\n", folder.string(), *reason);
+      say(fmt::format("{}: void, and left out: {}", folder.string(), *reason));
     } else {
       played.outcomes.push_back(std::move(outcome));
     }
@@ -159,7 +162,7 @@ void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::files
       csv.number(number("/position_error_m/mean")).number(number("/position_error_m/median"));
       csv.count(integer<std::int64_t>(figures.at("/recovery/recovered"_json_pointer)));
       csv.number(number("/recovery/time_s/mean"));
-      csv.number(outcome.summary.at("distance_m").get<double>());
+      csv.number(number("/distance_m"));
       csv.count(integer<std::int64_t>(outcome.summary.at("collisions"))).text(outcome.run.folder);
       csv.end_row();
     }
@@ -196,7 +199,7 @@ int run_experiment(const ExperimentArguments& arguments) {
   const std::vector<ExperimentOutcome>& outcomes = played.outcomes;
   if (outcomes.empty()) {
     write_junit(arguments, {}, played.cases);
-    fmt::print(stderr, "castaway: no run of the experiment counts: see {}\n", out.string());
+    say(fmt::format("no run of the experiment counts: see {}", out.string()));
     return kRunFailed;
   }
   ExperimentPage page;
@@ -207,15 +210,18 @@ int run_experiment(const ExperimentArguments& arguments) {
   page.table = experiment_table(experiment, page.summary, timing);
   page.example = example_run(outcomes);
   page.command = command_of(arguments);
-  folder.put("summary.json", page.summary.dump(2) + "\n");
-  folder.put("timing.json", timing.dump(2) + "\n");
-  folder.put_by("runs.csv", [&](const auto& file) { write_runs(outcomes, file); });
-  folder.put("report.html", render_experiment(page));
-  folder.finish();
+  Attempts outputs;
+  outputs.make([&] { folder.put("summary.json", json_text(page.summary, 2) + "\n"); });
+  outputs.make([&] { folder.put("timing.json", json_text(timing, 2) + "\n"); });
+  outputs.make(
+      [&] { folder.put_by("runs.csv", [&](const auto& file) { write_runs(outcomes, file); }); });
+  outputs.make([&] { folder.put("report.html", render_experiment(page)); });
+  if (!outputs.failed()) folder.finish();
   const std::vector<Check> checks = judge_parts(experiment, outcomes);
-  write_junit(arguments, checks, played.cases);
+  outputs.make([&] { write_junit(arguments, checks, played.cases); });
+  outputs.rethrow();
   if (arguments.json) {
-    fmt::print("{}\n", page.summary.dump(2));
+    fmt::print("{}\n", json_text(page.summary, 2));
   } else {
     fmt::print(
         "Experiment {}, {}: {} runs, {} failed, {} void, {:.0f} s\n\n{}\nFolder: {}\nReport: {}\n",

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
 
 namespace castaway::testbed {
@@ -58,7 +59,7 @@ int list_lidars(bool json) {
     }
   }
   if (json) {
-    fmt::print("{}\n", list.dump(1));
+    fmt::print("{}\n", json_text(list, 1));
   } else {
     fmt::print(
         "mm, + %: deviation of ranges, constant and with range; dark: metres to which a surface of "

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
@@ -40,7 +41,7 @@ int print(const std::vector<Listed>& list, bool json) {
     array.push_back({{"name", one.name}, {"file", one.file.string()}});
     if (!json) fmt::print("{:<28} {}\n", one.name, one.file.string());
   }
-  if (json) fmt::print("{}\n", array.dump(1));
+  if (json) fmt::print("{}\n", json_text(array, 1));
   return kDone;
 }
 

@@ -25,6 +25,7 @@
 #include "tools/output/exit_code.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/bridge.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/terminal.hpp"
@@ -73,7 +74,7 @@ bool is_log(const std::filesystem::path& path) {
 bool is_session(const std::filesystem::path& path) {
   const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
   if (!is_yaml || !std::filesystem::is_regular_file(path)) return false;
-  return parse_yaml(read_file(path), path.string()).find("log") != nullptr;
+  return parse_yaml(read_file(path, kLargestSettings), path.string()).find("log") != nullptr;
 }
 
 /// Options of recorded logs are refused for everything else. `why` follows the option's name.
@@ -188,10 +189,9 @@ int serve(LiveServerOptions options, int line) {
   LiveServer server(std::move(options), line);
   fmt::print("{}\n", server.url());
   std::fflush(stdout);
-  const bool ended =
-      server.serve([](const std::string& text) { fmt::print(stderr, "castaway: {}\n", text); });
+  const bool ended = server.serve([](const std::string& text) { say(text); });
   if (!ended) return kDone;
-  fmt::print(stderr, "castaway: the run ended\n");
+  say("the run ended");
   return kRunFailed;
 }
 

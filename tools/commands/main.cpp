@@ -1,10 +1,14 @@
 // The program.
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/early_end.hpp"
+#include "tools/files/file_error.hpp"
+#include "tools/files/utf8.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/localizer_failure.hpp"
@@ -14,7 +18,7 @@ namespace castaway::testbed {
 namespace {
 
 void print_error(const std::string& text) {
-  fmt::print(stderr, "{} {}\n", paint("castaway:", Color::kRed, stderr), text);
+  fmt::print(stderr, "{} {}\n", paint("castaway:", Color::kRed, stderr), printable(text));
 }
 
 void add_commands(Command app) {
@@ -46,15 +50,11 @@ void add_commands(Command app) {
 int run_program(CommandLine& line, int argc, char** argv) {
   const CommandLine::Parsed parsed = line.parse(argc, argv);
   if (parsed.act) return parsed.act();
-  if (!parsed.trouble.empty()) fmt::print(stderr, "{}\n", parsed.trouble);
+  if (!parsed.trouble.empty()) fmt::print(stderr, "{}\n", printable(parsed.trouble));
   return parsed.exit_code;
 }
 
-}  // namespace
-}  // namespace castaway::testbed
-
-int main(int argc, char** argv) {
-  using namespace castaway::testbed;
+int run_main(int argc, char** argv) {
   CommandLine line(
       "castaway drops a simulated robot somewhere it does not expect and measures how a localizer "
       "finds it again.",
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   line.require_whole_seeds();
   watch_for_interruption();
   if (const auto trouble = line.unknown_command({argv + 1, argv + argc})) {
-    fmt::print(stderr, "{}\n", *trouble);
+    fmt::print(stderr, "{}\n", printable(*trouble));
     return kBadInput;
   }
   isolate_meshes();
@@ -75,8 +75,33 @@ int main(int argc, char** argv) {
   } catch (const LocalizerFailure& failure) {
     print_error(failure.what());
     return kRunFailed;
+  } catch (const FileError& error) {
+    print_error(error.what());
+    return kRunFailed;
+  } catch (const std::system_error& error) {  // Also std::filesystem's: the disk, not the input.
+    print_error(error.what());
+    return kRunFailed;
   } catch (const std::exception& error) {
     print_error(error.what());
     return kBadInput;
   }
+}
+
+}  // namespace
+}  // namespace castaway::testbed
+
+/// Also called by libraries that the program loads.
+extern "C" void _exit(int status) { castaway::testbed::leave(status); }
+extern "C" void _Exit(int status) noexcept { castaway::testbed::leave(status); }
+
+int main(int argc, char** argv) {
+  using namespace castaway::testbed;
+  watch_for_early_end();
+  int exit_code = run_main(argc, argv);
+  if (exit_code == kDone && std::fflush(stdout) != 0) {
+    print_error("standard output cannot be written; check that the disk is not full");
+    exit_code = kRunFailed;
+  }
+  note_end();
+  return exit_code;
 }

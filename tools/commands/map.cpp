@@ -14,6 +14,7 @@
 #include "tools/map3d/survey_world.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/play/terminal.hpp"
 #include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_world.hpp"
 #include "tools/sources/sim_conversion.hpp"
@@ -41,7 +42,7 @@ LoadedWorld load_world(const MapArguments& arguments, double height) {
   options.strict = arguments.strict;
   LoadedWorld loaded = build_world({arguments.world, arguments.search_paths}, ".", options);
   for (const std::string& warning : loaded.warnings) {
-    fmt::print(stderr, "castaway: warning: {}\n", warning);
+    print_warning(warning);
   }
   return loaded;
 }

@@ -6,6 +6,7 @@
 
 #include "tools/campaign/comparison.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/runs_page.hpp"
@@ -25,7 +26,7 @@ struct ReportArguments {
 void remake_report(const fs::path& run) {
   const fs::path page = run / "report.html";
   require_own_file(page);
-  put_own_file(page, [&] { write_report(run, {}); });
+  put_own_file(page, [&] { read_fields(run / "summary.json", [&] { write_report(run, {}); }); });
 }
 
 /// The run folders among the arguments: those given, and those inside folders of runs (`run

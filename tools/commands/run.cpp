@@ -9,6 +9,7 @@
 #include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/files/attempts.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
@@ -86,14 +87,16 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
   }
   const JudgedRun run = load_judged_run(folder);
   const std::vector<Check> checks = judge(expectations, {run});
+  Attempts outputs;
   if (!arguments.junit.empty()) {
     std::vector<JunitCase> cases = junit_cases(scenario.name, checks);
     std::optional<std::string> error = void_sentence_of(folder);
     if (error) error = "void: " + *error;
     cases.push_back(run_case(scenario.name, run.seed, run.wall_s, std::move(error)));
-    write_own_file(arguments.junit, junit_xml(scenario.name, cases));
+    outputs.make([&] { write_own_file(arguments.junit, junit_xml(scenario.name, cases)); });
   }
   fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));
+  outputs.rethrow();
   return exit_code_of(checks);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/utf8.hpp"
 #include "tools/foreign/protocol/message.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
@@ -34,7 +35,8 @@ class Served {
     } else if (const auto* scan = std::get_if<LaserScan>(&message)) {
       localizer_.localizer->on_scan(*scan);
       if (localizer_.news) {
-        for (const auto& sentence : localizer_.news()) fmt::print(stderr, "{}\n", sentence);
+        for (const auto& sentence : localizer_.news())
+          fmt::print(stderr, "{}\n", printable(sentence));
       }
       auto estimate = localizer_.localizer->estimate();
       if (estimate && estimate->stamp != scan->stamp) estimate.reset();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -63,7 +64,7 @@ void print_json(const std::vector<SettingText>& settings) {
                    {"unit", s.unit},
                    {"what", s.what}});
   }
-  fmt::print("{}\n", all.dump(1));
+  fmt::print("{}\n", json_text(all, 1));
 }
 
 int list_settings(const SettingsArguments& arguments) {

@@ -9,6 +9,7 @@
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/prediction/predict_logs.hpp"
@@ -59,7 +60,7 @@ int compare_twins(TwinArguments a) {
   std::vector<PredictionRow> rows;
   for (const LogPrediction& log : logs) rows.insert(rows.end(), log.rows.begin(), log.rows.end());
   const std::vector<DifferingPlace> places = worst_places(logs);
-  const std::string json = to_json(rows, places).dump(1) + "\n";
+  const std::string json = json_text(to_json(rows, places), 1) + "\n";
   write_file(out.folder() / "twin.json", json);
   write_file(out.folder() / "twin.html", render_prediction(rows, places));
   out.commit();

@@ -8,6 +8,7 @@
 #include "tools/dataset/coverage_picture.hpp"
 #include "tools/dataset/dataset_plots.hpp"
 #include "tools/dataset/sequence_statistics.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/output/file_name.hpp"
 
@@ -40,7 +41,7 @@ const std::vector<std::pair<const char*, const char*>> kColumns{
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
-  return value.dump();
+  return json_text(value);
 }
 
 Coverage coverage_of(const DatasetContents& contents, const std::string& world) {

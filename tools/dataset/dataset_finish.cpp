@@ -8,6 +8,7 @@
 #include "tools/dataset/dataset_card.hpp"
 #include "tools/dataset/dataset_figures.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/output/file_name.hpp"
@@ -69,8 +70,11 @@ void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents
   append_files(dataset_plots(contents), files);
   std::vector<ManifestFile> listed = contents.files;
   for (const auto& [path, bytes] : files) {
-    folder.put(path, bytes);
-    if (path == kPlotsPage) continue;
+    if (path == kPlotsPage) {
+      folder.put(path, bytes);
+      continue;
+    }
+    folder.put_new(path, bytes);
     listed.push_back({path, bytes.size(), sha256(bytes)});
   }
   for (const char* path : {"dataset.json", "dataset.yaml"}) {
@@ -79,8 +83,8 @@ void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents
   }
   std::sort(listed.begin(), listed.end(),
             [](const auto& a, const auto& b) { return a.path < b.path; });
-  folder.put("SHA256SUMS", sums_text(listed));
-  folder.put("manifest.json", manifest_text(listed));
+  folder.put_new("SHA256SUMS", sums_text(listed));
+  folder.put_new("manifest.json", manifest_text(listed));
   folder.clear_work();
 }
 
@@ -120,7 +124,7 @@ std::string dataset_json(const DatasetFolder& folder, const DatasetContents& con
                     {"workers", invocation.workers},
                     {"cpu_s", invocation.cpu_s},
                     {"largest_mb", invocation.largest_mb}}}};
-  return root.dump(2) + "\n";
+  return json_text(root, 2) + "\n";
 }
 
 }  // namespace castaway::testbed

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,10 +14,14 @@
 #include "tools/files/durable.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/output/file_record.hpp"
+#include "tools/output/listed_files.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/make_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -27,7 +32,7 @@ using Json = nlohmann::ordered_json;
 std::string identity_text(const DatasetIdentity& identity) {
   const Json root{
       {"castaway", identity.version}, {"seed", identity.seed}, {"sequences", identity.sequences}};
-  return root.dump(1) + "\n";
+  return json_text(root, 1) + "\n";
 }
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
@@ -61,7 +66,10 @@ constexpr double kLockTimeout = 10.0;  // [s]
 void check_unused(const fs::path& folder) {
   const std::optional<FileRecord> record = load_record(folder);
   std::set<std::string> own{kRecordName};
-  if (record && record->made_by == kMadeBy) own.insert({".work", "sequences", "dataset.yaml"});
+  if (record && record->made_by == kMadeBy) {
+    own.insert({".work", "sequences"});
+    if (is_replaceable(folder, "dataset.yaml", record)) own.insert("dataset.yaml");
+  }
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
@@ -70,14 +78,41 @@ void check_unused(const fs::path& folder) {
   }
 }
 
-/// Called before a finished data set grows: its card and tables will be overwritten, so they must
-/// still be ours.
-void require_unchanged(const fs::path& folder) {
-  if (!fs::exists(folder / "manifest.json")) return;
-  for (const ManifestFile& file : read_manifest(folder / "manifest.json")) {
+/// The card and the tables of a finished data set that are there. Throws std::runtime_error unless
+/// they are still ours.
+std::vector<std::string> unchanged_tables(const fs::path& folder) {
+  const std::vector<ManifestFile> listed = read_manifest(folder / "manifest.json");
+  const fs::path sums = folder / "SHA256SUMS";
+  if (fs::exists(sums) && read_file(sums) != sums_text(listed)) {
+    refuse(folder, "'SHA256SUMS' was changed since castaway wrote it");
+  }
+  std::vector<std::string> tables{"SHA256SUMS"};
+  for (const ManifestFile& file : listed) {
     if (file.path.starts_with("sequences/") || !fs::exists(folder / file.path)) continue;
-    if (sha256_of_file(folder / file.path) == file.sha256) continue;
-    refuse(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
+    require_no_link(folder, file.path);
+    if (sha256_of_file(folder / file.path) != file.sha256) {
+      refuse(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
+    }
+    tables.push_back(file.path);
+  }
+  return tables;
+}
+
+/// Removes what a finished data set has beside its sequences before it grows, the manifest last.
+void clear_tables(const fs::path& folder) {
+  if (!fs::exists(folder / "manifest.json")) return;
+  std::vector<std::string> tables = unchanged_tables(folder);
+  std::erase_if(tables, [](const std::string& path) { return path.starts_with("dataset."); });
+  tables.emplace_back("manifest.json");
+  std::error_code none;
+  for (const std::string& path : tables) fs::remove(folder / path, none);
+}
+
+/// Throws std::runtime_error if a place of the folder is a link.
+void require_own_places(const fs::path& folder) {
+  for (const char* place :
+       {"dataset.json", "dataset.yaml", "manifest.json", "SHA256SUMS", "sequences"}) {
+    require_no_link(folder, place);
   }
 }
 
@@ -111,27 +146,25 @@ void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
 DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
     : folder_(std::move(folder)) {
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
+  require_own_places(folder_);
   check_identity(folder_, identity);
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) {
-    throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
-                                folder_.string(), error.message()));
-  }
+  make_folder(folder_);
   lock_.emplace(folder_, kLockTimeout);
   const bool begun = fs::exists(folder_ / "dataset.json");
-  if (!begun) save_record(folder_, {kMadeBy, {}, false, {}, {}});
-  clear_leftovers(folder_, std::nullopt);
+  if (!begun) {
+    save_record(folder_, {kMadeBy, {}, false, {}, {{"dataset.yaml", sha256(identity.spec)}}});
+  }
+  clear_leftovers(folder_);
   clear_work();
   fs::create_directories(folder_ / "sequences");
   const std::string text = identity_text(identity);
   if (!begun || read_file(folder_ / "dataset.json") != text) {
-    require_unchanged(folder_);
-    fs::remove(folder_ / "manifest.json", error);
+    clear_tables(folder_);
     put("dataset.yaml", identity.spec);
     put("dataset.json", text);
   }
-  fs::remove(folder_ / kRecordName, error);  // From here on, dataset.json says whose folder it is.
+  std::error_code none;  // From here on, dataset.json says whose folder it is.
+  fs::remove(folder_ / kRecordName, none);
 }
 
 bool DatasetFolder::is_finished() const { return fs::exists(folder_ / "manifest.json"); }
@@ -151,7 +184,17 @@ void DatasetFolder::commit_sequence(const std::string& name) const {
 }
 
 void DatasetFolder::put(const std::string& path, std::string_view bytes) const {
+  require_no_link(folder_, path);
   write_durable(folder_ / ".work/file", folder_ / path, bytes);
+}
+
+void DatasetFolder::put_new(const std::string& path, std::string_view bytes) const {
+  if (fs::exists(folder_ / path) && read_file(folder_ / path) != bytes) {
+    throw std::runtime_error(
+        (folder_ / path).string() +
+        ": castaway did not write what is there; move it away and repeat the command");
+  }
+  put(path, bytes);
 }
 
 void DatasetFolder::clear_work() const {

@@ -50,6 +50,8 @@ class DatasetFolder {
   void commit_sequence(const std::string& name) const;
   /// Writes a file; `path` is relative to the folder.
   void put(const std::string& path, std::string_view bytes) const;
+  /// As `put`. Throws std::runtime_error if a file with other content is there.
+  void put_new(const std::string& path, std::string_view bytes) const;
   /// Removes .work. Nothing may be written afterwards.
   void clear_work() const;
 

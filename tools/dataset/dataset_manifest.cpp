@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/output/file_record.hpp"
+#include "tools/output/listed_path.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -37,6 +39,7 @@ std::vector<std::string> paths_in(const fs::path& folder) {
 std::string error_in(const fs::path& folder, const ManifestFile& file) {
   const fs::path path = folder / file.path;
   std::error_code error;
+  if (find_link(folder, file.path)) return fmt::format("{}: is reached by a link", file.path);
   if (!fs::is_regular_file(path, error)) return fmt::format("{}: missing", file.path);
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (bytes != file.bytes) {
@@ -46,16 +49,6 @@ std::string error_in(const fs::path& folder, const ManifestFile& file) {
   if (sum == file.sha256) return "";
   return fmt::format("{}: changed: SHA-256 {}... instead of {}...", file.path, sum.substr(0, 12),
                      file.sha256.substr(0, 12));
-}
-
-/// Rejects paths that lead outside the data set's folder.
-std::string checked_path(const std::string& path) {
-  const fs::path parsed = path;
-  const bool outside = std::find(parsed.begin(), parsed.end(), "..") != parsed.end();
-  if (path.empty() || parsed.is_absolute() || outside) {
-    throw std::runtime_error("'" + path + "' is not a path within the data set");
-  }
-  return path;
 }
 
 }  // namespace
@@ -76,7 +69,7 @@ std::string manifest_text(const std::vector<ManifestFile>& files) {
     bytes += file.bytes;
   }
   const Json root{{"castaway", CASTAWAY_VERSION}, {"bytes", bytes}, {"files", std::move(list)}};
-  return root.dump(1) + "\n";
+  return json_text(root, 1) + "\n";
 }
 
 std::string sums_text(const std::vector<ManifestFile>& files) {
@@ -91,9 +84,10 @@ std::vector<ManifestFile> read_manifest(const fs::path& file) {
     const std::string text = read_file(file);
     const Json root = nests_too_deep(text) ? Json() : Json::parse(text);
     for (const Json& entry : root.at("files")) {
-      files.push_back({checked_path(entry.at("path").get<std::string>()),
-                       entry.at("bytes").get<std::uintmax_t>(),
-                       entry.at("sha256").get<std::string>()});
+      const auto path = entry.at("path").get<std::string>();
+      require_listed_path(file, path);
+      files.push_back(
+          {path, entry.at("bytes").get<std::uintmax_t>(), entry.at("sha256").get<std::string>()});
     }
     return files;
   } catch (const Json::exception& error) {

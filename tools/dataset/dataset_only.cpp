@@ -5,6 +5,7 @@
 #include "tools/dataset/dataset_sequence.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/output/output_folder.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 
@@ -26,7 +27,7 @@ int make_only(const DatasetRequest& request, int index) {
     output.commit();
   } catch (const std::exception& error) {
     throw_if_interrupted();
-    fmt::print(stderr, "castaway: {}\n", error.what());
+    say(error.what());
     return kRunFailed;
   }
   fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());

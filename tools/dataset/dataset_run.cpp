@@ -15,6 +15,8 @@
 #include "tools/dataset/dataset_sequence.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/output/interruption.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/workers/worker_pool.hpp"
@@ -75,7 +77,7 @@ void count_in(const std::string& answer, Pass& pass) {
   ++(answer.empty() ? pass.made : pass.failed);
   if (answer.empty()) return;
   if (answer.front() == kFailed) {
-    fmt::print(stderr, "castaway: {}\n", answer.substr(1));
+    say(answer.substr(1));
   } else if (pass.disk_error.empty()) {
     pass.disk_error = answer.substr(1);
   }
@@ -104,11 +106,9 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
 int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
-  fmt::print(
-      stderr,
-      "castaway: {}: {} of {} sequences are finished; the same command resumes with the rest\n",
-      pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
-      static_cast<std::size_t>(request.sequences) - missing, request.sequences);
+  say(fmt::format("{}: {} of {} sequences are finished; the same command resumes with the rest",
+                  pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
+                  static_cast<std::size_t>(request.sequences) - missing, request.sequences));
   return kRunFailed;
 }
 
@@ -171,6 +171,11 @@ int make_dataset(const DatasetRequest& request) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity{CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
   check_identity(request.out, identity);
+  std::optional<KeptWork> kept;
+  if (std::filesystem::exists(request.out / "dataset.json")) {
+    kept.emplace("finished sequences are kept in " + request.out.string() +
+                 "; the same command resumes");
+  }
   DatasetWorlds worlds(spec.base);
   check_all(spec, request.sequences, worlds);
   try {
@@ -192,7 +197,7 @@ int make_dataset(const DatasetRequest& request) {
     fmt::print("{}", dataset_json(folder, contents, {}));
     return kDone;
   } catch (const FileError& error) {
-    fmt::print(stderr, "castaway: {}\n", error.what());
+    say(error.what());
     return kRunFailed;
   }
 }

@@ -9,6 +9,7 @@
 #include "tools/dataset/sequence_statistics.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/play/play.hpp"
 
@@ -79,7 +80,7 @@ void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
     const MapScores& scores = worlds.scores(sequence.loaded.scenario);
     Json root = play_sequence(spec, scores, sequence, draft, shared);
     root["files"] = files_json(draft);
-    write_file(draft / "sequence.json", root.dump() + "\n");
+    write_file(draft / "sequence.json", json_text(root) + "\n");
   } catch (const FileError&) {
     throw;
   } catch (const std::exception& error) {

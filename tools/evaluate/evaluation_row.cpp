@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/trials/packed_values.hpp"
@@ -88,7 +89,7 @@ std::string pack_row(const EvaluationRow& row) {
                      row.updates,
                      packed(row.cpu_max_ms),
                      packed(row.tracking_no_alarm_m)};
-  return json.dump();
+  return json_text(json);
 }
 
 EvaluationRow unpack_row(const std::string& text) try {

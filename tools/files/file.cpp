@@ -1,11 +1,14 @@
 #include "tools/files/file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "tools/files/file_error.hpp"
 
@@ -22,23 +25,55 @@ void require_regular_file(const std::filesystem::path& path) {
       fmt::format("{}: cannot be read: it is {}; name a file", path.string(), kind));
 }
 
-std::string read_file(const std::filesystem::path& path) {
+std::string read_file(const std::filesystem::path& path, std::uintmax_t most) {
   require_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read; check the path and its permissions", path.string()));
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (!none && size > most) {
+    throw std::runtime_error(fmt::format("{}: is longer than {} MiB, the most that is read of it",
+                                         path.string(), most >> 20U));
+  }
+  std::string bytes(none ? 0 : static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream)
+    bytes.append(std::istreambuf_iterator<char>(stream), {});  // The system states no size.
+  return bytes;
 }
+
+namespace {
+
+/// Creates an empty file `<path>.part-<digits>` that was not there before, so that nothing is
+/// written through a link; empty if that cannot be done.
+std::filesystem::path create_beside(const std::filesystem::path& path) {
+  constexpr int kMostTries = 100;
+  for (int i = 0; i < kMostTries; ++i) {
+    std::filesystem::path file = path;
+    file += i == 0 ? fmt::format(".part-{}", ::getpid()) : fmt::format(".part-{}{}", ::getpid(), i);
+    const int handle =
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (handle >= 0) {
+      ::close(handle);
+      return file;
+    }
+    if (errno != EEXIST) break;
+  }
+  return {};
+}
+
+}  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
   if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
-  temporary_ = path_;
-  temporary_ += fmt::format(".part-{}", ::getpid());
-  stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if (!stream_) fail();
+  temporary_ = create_beside(path_);
+  if (!temporary_.empty()) stream_.open(temporary_, std::ios::binary);
+  if (!stream_.is_open()) fail();
 }
 
 AtomicFile::~AtomicFile() {

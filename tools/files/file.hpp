@@ -1,6 +1,7 @@
 /// Reads whole files, and writes files that are never visible half-written.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,8 +13,14 @@ namespace castaway::testbed {
 /// or a device could block for ever.
 void require_regular_file(const std::filesystem::path& path);
 
-/// Reads a regular file. Throws std::runtime_error naming it if it cannot be read.
-std::string read_file(const std::filesystem::path& path);
+/// Largest file that is read as a whole. [B]
+inline constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30U;
+/// Largest file of settings: its tree takes a hundred times as much memory. [B]
+inline constexpr std::uintmax_t kLargestSettings = std::uintmax_t{8} << 20U;
+
+/// Reads a regular file. Throws std::runtime_error naming it if it cannot be read, or before it is
+/// read if it is longer than `most`.
+std::string read_file(const std::filesystem::path& path, std::uintmax_t most = kLargestFile);
 
 /// A file that appears only when it is complete: it is written under a temporary name in the same
 /// folder, then renamed.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tools/foreign/odometry_twist.hpp"
+#include "tools/foreign/whole_library.hpp"
 #include "tools/run/localizer_failure.hpp"
 
 namespace castaway::testbed {
@@ -122,6 +123,7 @@ void LibraryLocalizer::Close::operator()(void* library) const { dlclose(library)
 
 LibraryLocalizer::LibraryLocalizer(const LibraryConfig& config, const Greeting& greeting) {
   const std::string file = library_path(config);
+  require_whole_library(file);
   library_.reset(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!library_) throw std::runtime_error("cannot load the library: " + line_of(dlerror()));
   functions_ = &functions_of(library_.get(), file);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/utf8.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -46,12 +48,13 @@ void CsvWriter::add(std::string_view cell) {
 }
 
 CsvWriter& CsvWriter::text(std::string_view value) {
-  if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
-    add(value);
+  const std::string valid = valid_utf8(std::string(value));
+  if (valid.find_first_of(",\"\r\n") == std::string::npos) {
+    add(valid);
     return *this;
   }
   std::string quoted = "\"";
-  for (const char c : value) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  for (const char c : valid) quoted += c == '"' ? "\"\"" : std::string(1, c);
   add(quoted + '"');
   return *this;
 }

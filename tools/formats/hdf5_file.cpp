@@ -101,7 +101,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path) : state_(std::make_unique<
   state_->name = path.string();
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE));
   H5Pset_obj_track_times(creation.get(), false);
-  state_->file = Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), H5P_DEFAULT));
+  state_->file = Hdf5Handle(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), H5P_DEFAULT));
   state_->check(state_->file.valid());
 }
 

@@ -25,7 +25,7 @@ struct Hdf5Table {
 /// chunked by rows and deflated.
 class Hdf5File {
  public:
-  /// Throws FileError naming the file if it cannot be created.
+  /// Throws FileError naming the file if it exists or cannot be created.
   explicit Hdf5File(const std::filesystem::path& path);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 
 /// Reads an integer. Throws Json::out_of_range if it has a fraction or does not fit into T, for
@@ -29,7 +31,7 @@ T integer(const Json& value) {
     const auto number = value.template get<std::int64_t>();
     if (std::in_range<T>(number)) return static_cast<T>(number);
   }
-  throw Json::out_of_range::create(406, value.dump() + " is not an integer or does not fit",
+  throw Json::out_of_range::create(406, json_text(value) + " is not an integer or does not fit",
                                    &value);
 }
 

@@ -4,13 +4,15 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/utf8.hpp"
+
 namespace castaway::testbed {
 namespace {
 
 /// Escapes text for XML content and attributes. XML 1.0 cannot represent control characters.
 std::string escape_xml(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     if (c == '&')
       result += "&amp;";
     else if (c == '<')

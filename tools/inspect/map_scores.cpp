@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/inspect/world_likeness.hpp"
 
@@ -44,7 +45,7 @@ std::string scores_text(const MapScores& scores) {
   const Json root{{"mean", ambiguity.mean},      {"p90", ambiguity.p90},
                   {"twins", ambiguity.twins},    {"count", ambiguity.places},
                   {"places", std::move(places)}, {"scores", scores.places.scores}};
-  return root.dump();
+  return json_text(root);
 }
 
 MapScores parse_scores(const std::string& text) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/sections/event_list.hpp"
 
 namespace castaway::testbed {
@@ -44,7 +45,7 @@ LiveEvent read_live_event(const std::string& json, localization::Stamp at, std::
   event.front()["at_s"] = localization::seconds(at);
   const Json list = {{"events", Json::array({std::move(event)})}};
   // JSON is YAML.
-  YamlDocument document = YamlDocument::parse(list.dump(), "hand");
+  YamlDocument document = YamlDocument::parse(json_text(list), "hand");
   YamlReader root = document.root();
   LiveEvent result;
   result.specs = read_events(root);

@@ -7,6 +7,7 @@
 #include "localization/geometry/stamp.hpp"
 #include "sim/world/door.hpp"
 #include "sim/world/footprint.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/records/recording.hpp"
 #include "tools/records/recording_blocks.hpp"
 #include "tools/records/recording_header.hpp"
@@ -178,7 +179,7 @@ std::string LiveFeed::take_frame(const LivePoses& poses) {
   if (FeedJson lift = lift_json(poses.T_footprint_base); !lift.is_null()) {
     frame["lift"] = std::move(lift);
   }
-  const std::string text = frame.dump();
+  const std::string text = json_text(frame);
   std::string bytes = length_bytes(text.size()) + text;
   for (const std::string& block : std::exchange(blocks_, {})) bytes += block;
   return bytes;

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/live/checkpoints.hpp"
 #include "tools/live/lines/live_line.hpp"
 #include "tools/live/live_building.hpp"
@@ -56,9 +57,8 @@ std::string to_line(const GoTo& goal) {
   for (const Done& done : goal.events) {
     if (done.at <= goal.time) events.push_back({done.step, done.at.count(), done.event});
   }
-  return PlayerJson{
-      {"time_ns", goal.time.count()}, {"speed", goal.speed}, {"events", std::move(events)}}
-      .dump();
+  return json_text(PlayerJson{
+      {"time_ns", goal.time.count()}, {"speed", goal.speed}, {"events", std::move(events)}});
 }
 
 GoTo goal_of(const std::string& line) {
@@ -214,7 +214,7 @@ class LivePlayer {
       const double speed = std::clamp(command.at("value").get<double>(), kSlowest, kFastest);
       clock_.set_speed(speed, wall_time(), run_->now());
     } else if (what == "event") {
-      const Stamp at = do_event(command.at("event").dump());
+      const Stamp at = do_event(json_text(command.at("event")));
       line_.say(
           {{"said", "done"}, {"event", command.at("event")}, {"at_s", localization::seconds(at)}});
     } else if (what == "back") {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
 
@@ -26,7 +27,7 @@ void serve_nodes(const YamlNode& settings, std::vector<LocalizerSpec>& localizer
     if (node == nullptr) continue;
     const YamlNode& item = *std::next(list->items.begin(), static_cast<std::ptrdiff_t>(i));
     ProgramConfig program;
-    program.command = {"/proc/self/exe", "serve", yaml_json(item).dump()};
+    program.command = {"/proc/self/exe", "serve", json_text(yaml_json(item))};
     program.start_timeout_s = 2.0 * node->start_timeout_s;
     program.timeout_s = node->start_timeout_s + node->timeout_s + 10.0;  // The first scan repeats.
     localizers[i].config = std::move(program);

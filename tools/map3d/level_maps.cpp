@@ -11,7 +11,7 @@ namespace castaway::testbed {
 namespace {
 
 constexpr std::int8_t kUnknown = -1;
-constexpr std::int8_t kRim = 100;
+constexpr std::int8_t kRimCell = 100;
 constexpr double kDarkest = 50.0;
 constexpr double kPerSlope = 150.0;  // Darkness of a slope of 1.
 
@@ -28,7 +28,7 @@ std::size_t index(const RosMap& map, int column, int row) {
 bool is_ground(const RosMap& map, int column, int row) {
   if (column < 0 || row < 0 || column >= map.width || row >= map.height) return false;
   const std::int8_t cell = map.at(column, row);
-  return cell != kUnknown && cell != kRim;
+  return cell != kUnknown && cell != kRimCell;
 }
 
 bool is_beside_ground(const RosMap& map, int column, int row) {
@@ -45,7 +45,7 @@ void draw_rims(RosMap& map) {
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       std::int8_t& cell = map.cells[index(map, column, row)];
-      if (cell == kUnknown && is_beside_ground(map, column, row)) cell = kRim;
+      if (cell == kUnknown && is_beside_ground(map, column, row)) cell = kRimCell;
     }
   }
 }

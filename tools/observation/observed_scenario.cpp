@@ -31,7 +31,7 @@ ObservedScenario in_world(const std::string& text, const std::vector<std::string
       YamlDocument::parse(has_levels(file) ? "{robot: mule, lidar: {profile: vlp-16}}"
                                            : "{robot: waffle, lidar: {rate_hz: 10, range_max: 12}}",
                           text);
-  document.set("world=" + text);
+  document.set_text("world", text);
   for (const std::string& assignment : overrides) document.set(assignment);
   return {read_scenario(std::move(document), ".", fs::path(text).stem().string()), "."};
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/output/say.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -40,8 +42,8 @@ fs::path with_suffix(const OutputRequest& request) {
 
 fs::path report_choice(const OutputRequest& request, const fs::path& folder) {
   if (folder != request.target) {
-    fmt::print(stderr, "castaway: {} holds something else; writing to {}\n",
-               request.target.string(), folder.string());
+    say(fmt::format("{} holds something else; writing to {}", request.target.string(),
+                    folder.string()));
   }
   return folder;
 }

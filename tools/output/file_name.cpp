@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/files/utf8.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -21,6 +23,7 @@ std::string file_name_error(std::string_view name) {
     return std::string("must not begin with '") + name.front() + "'";
   }
   if (name.front() == ' ' || name.back() == ' ') return "must not begin or end with a blank";
+  if (find_invalid_utf8(name)) return "must be UTF-8";
   for (const char c : name) {
     if (is_allowed(c)) continue;
     const bool visible = c == '/' || c == '\\';
@@ -43,6 +46,7 @@ std::string file_path_error(std::string_view path) {
 
 std::string file_name_of(std::string_view text) {
   std::string name(text.substr(0, kMaxBytes));
+  while (const auto invalid = find_invalid_utf8(name)) name[*invalid] = '_';
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !is_allowed(c); }, '_');
   if (name.empty()) return "unnamed";

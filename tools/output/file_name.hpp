@@ -7,8 +7,8 @@
 namespace castaway::testbed {
 
 /// Why a text cannot name a file or a folder, as the end of a sentence ("must not hold '/'"). Empty
-/// if it can: 1 to 100 bytes, no slash, backslash or control character, no leading '.' or '-', no
-/// blank at either end.
+/// if it can: 1 to 100 bytes of UTF-8, no slash, backslash or control character, no leading '.' or
+/// '-', no blank at either end.
 std::string file_name_error(std::string_view name);
 
 /// Why a text cannot name a file in a folder or, with slashes, in folders of it: every part must be

@@ -15,7 +15,7 @@ inline constexpr const char* kStagingName = ".castaway-unfinished";  ///< Folder
                                                                      ///< run.
 
 /// SHA-256 by path, relative to the folder, with slashes. The hash is empty for files that hold
-/// clock readings; their content is not compared, so that the list is the same in every repetition.
+/// clock readings, so that the list is the same in every repetition; `is_clock_file` stands in.
 using FileHashes = std::map<std::string, std::string>;
 
 /// The list of a folder. Equal settings give equal bytes.
@@ -26,11 +26,13 @@ struct FileRecord {
   std::string program;              ///< Hash of the program; only while unfinished.
   FileHashes files;                 ///< Files that the next run replaces and removes together.
   FileHashes single_files{};        ///< Files written one at a time (`--junit`, `castaway map`).
+  FileHashes coming{};              ///< Files on their way into the folder; only while unfinished.
   std::vector<std::string> runs{};  ///< Subfolders that were made together with it.
 };
 
 /// Loads the list of a folder; nothing if it has none. Throws std::runtime_error naming the file if
-/// it is malformed.
+/// it is malformed or a link, or if a path leads out of the folder: whoever gave the user the
+/// folder may have written the list.
 std::optional<FileRecord> load_record(const std::filesystem::path& folder);
 
 /// Writes the list atomically.
@@ -42,25 +44,5 @@ FileHashes hash_files(const std::filesystem::path& folder);
 
 /// Hash of one file under `folder`, as stored in a list.
 std::string hash_file(const std::filesystem::path& folder, const std::string& path);
-
-/// A file that differs from the list of its folder.
-struct ForeignFile {
-  std::string path;      ///< Relative to the folder.
-  bool changed = false;  ///< True if castaway wrote the file but its content has changed since.
-};
-
-/// The first file, by name, that castaway did not write or that was changed since. Folders with
-/// their own list and empty folders are ignored; links are not.
-std::optional<ForeignFile> find_foreign(const std::filesystem::path& folder,
-                                        const std::optional<FileRecord>& record);
-
-/// Removes temporary files that a killed process left for files of the list and for the list
-/// itself.
-void clear_leftovers(const std::filesystem::path& folder, const std::optional<FileRecord>& record);
-
-/// True if `path` may be replaced: nothing is there, or it is a file that `record` lists and is
-/// unchanged. No folder on the path may be a link.
-bool is_replaceable(const std::filesystem::path& folder, const std::string& path,
-                    const std::optional<FileRecord>& record);
 
 }  // namespace castaway::testbed

@@ -2,11 +2,15 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "tools/files/utf8.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -14,6 +18,14 @@ namespace {
 std::atomic<int> pending{0};
 std::atomic<int> guards{0};
 std::atomic<bool> silent{false};
+std::array<char, 1000> kept_text{};  // The signal handler reads it.
+std::atomic<std::size_t> kept_size{0};
+
+std::string_view kept_work() {
+  const std::size_t size = kept_size;
+  return size == 0 ? std::string_view("nothing was written")
+                   : std::string_view(kept_text.data(), size);
+}
 
 void write_stderr(std::string_view text) {
   if (silent) return;
@@ -26,7 +38,9 @@ extern "C" void interrupt(int signal) {
   if (pending != 0) _exit(128 + signal);
   pending = signal;
   if (guards > 0) return;
-  write_stderr("castaway: interrupted; nothing was written\n");
+  write_stderr("castaway: interrupted; ");
+  write_stderr(kept_work());
+  write_stderr("\n");
   _exit(128 + signal);
 }
 
@@ -44,13 +58,21 @@ void watch_for_interruption() {
   }
 }
 
+KeptWork::KeptWork(const std::string& sentence) {
+  const std::string line = printable(sentence).substr(0, kept_text.size());
+  std::copy(line.begin(), line.end(), kept_text.begin());
+  kept_size = line.size();
+}
+
+KeptWork::~KeptWork() { kept_size = 0; }
+
 Interruptible::Interruptible() { ++guards; }
 Interruptible::~Interruptible() { --guards; }
 
 int interruption() { return pending; }
 
 void throw_if_interrupted() {
-  if (pending != 0) throw Interrupted{pending, "nothing was written"};
+  if (pending != 0) throw Interrupted{pending, std::string(kept_work())};
 }
 
 void begin_as_worker() {

@@ -26,6 +26,17 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 };
 
+/// While it exists, an interruption tells what earlier work is kept, in place of "nothing was
+/// written".
+class KeptWork {
+ public:
+  /// `sentence`: e.g. "finished cells are kept in c; the same command goes on".
+  explicit KeptWork(const std::string& sentence);
+  ~KeptWork();
+  KeptWork(const KeptWork&) = delete;
+  KeptWork& operator=(const KeptWork&) = delete;
+};
+
 /// The signal that was received; 0 if none.
 int interruption();
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file_error.hpp"
+#include "tools/files/durable.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/make_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -40,18 +42,9 @@ fs::path topmost_missing(const fs::path& target) {
 /// The record of an earlier run; nothing if that run was killed before it wrote anything.
 std::optional<FileRecord> earlier_record(const fs::path& target) {
   std::optional<FileRecord> record = load_record(target);
+  if (record) record = settle(target, std::move(*record));
   const bool empty = record && record->files.empty() && record->single_files.empty();
   return empty && !record->finished ? std::nullopt : record;
-}
-
-/// Merges two lists. A file whose hashes differ gets an empty hash, so that either content counts
-/// as castaway's.
-FileHashes unite(FileHashes one, const FileHashes& other) {
-  for (const auto& [path, hash] : other) {
-    const auto [place, is_new] = one.emplace(path, hash);
-    if (!is_new && place->second != hash) place->second.clear();
-  }
-  return one;
 }
 
 void remove_empty_folders(fs::path from, const fs::path& to) {
@@ -98,8 +91,9 @@ void check_output(const OutputRequest& request) {
 }
 
 void remove_output(const fs::path& folder) {
-  const std::optional<FileRecord> record = load_record(folder);
+  std::optional<FileRecord> record = load_record(folder);
   if (!record) return;
+  record = settle(folder, std::move(*record));
   remove_listed(folder, *record);
   std::error_code none;
   fs::remove_all(folder / kStagingName, none);
@@ -115,22 +109,14 @@ OutputFolder::OutputFolder(OutputRequest request) : request_(std::move(request))
   check_output(request_);
   made_ = topmost_missing(target);
   staging_ = target / kStagingName;
-  std::error_code error;
-  fs::create_directories(target, error);
-  if (error) {
-    throw FileError(
-        fmt::format("{}: cannot be made ({}); {}", target.string(), error.message(), kElsewhere));
-  }
+  make_folder(target);
   lock_.emplace(target);
   record_ = earlier_record(target);
-  clear_leftovers(target, record_);
+  clear_leftovers(target);
   if (!record_) save_record(target, {request_.made_by, request_.settings, false, {}, {}});
-  fs::remove_all(staging_, error);
-  fs::create_directories(staging_, error);
-  if (error) {
-    throw FileError(
-        fmt::format("{}: cannot be made ({}); {}", staging_.string(), error.message(), kElsewhere));
-  }
+  std::error_code none;
+  fs::remove_all(staging_, none);
+  make_folder(staging_);
 }
 
 OutputFolder::~OutputFolder() {
@@ -144,7 +130,7 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::require_replaceable(const FileHashes& files) const {
   for (const auto& [path, hash] : files) {
     if (is_replaceable(request_.target, path, record_)) continue;
-    throw FileError(fmt::format(
+    throw std::runtime_error(fmt::format(
         "{}: castaway did not write what is there; move it away or choose another --out",
         (request_.target / path).string()));
   }
@@ -158,20 +144,40 @@ void OutputFolder::move(const FileHashes& files) const {
   }
 }
 
-void OutputFolder::commit() {
+void OutputFolder::commit(bool complete) {
   const FileHashes files = hash_files(staging_);
   require_replaceable(files);
-  FileRecord record{request_.made_by, request_.settings, false, {}, files};
-  if (record_) record.single_files = record_->single_files;
-  FileRecord both = record;
-  if (record_) both.files = unite(files, record_->files);
-  save_record(request_.target, both);
+  FileRecord record{request_.made_by, request_.settings, false, {}, {}};
+  if (record_) {
+    record.files = record_->files;
+    record.single_files = record_->single_files;
+  }
+  record.coming = files;
+  save_record(request_.target, record);
   if (record_) remove_listed(request_.target, *record_);
   move(files);
-  record.finished = true;
+  record.files = std::move(record.coming);
+  record.coming.clear();
+  record.finished = complete;
   save_record(request_.target, record);
   record_ = record;
+  committed_ = true;
   if (!request_.keep_list) fs::remove(request_.target / kRecordName);
+}
+
+void replace_output(const fs::path& draft, const fs::path& target) {
+  require_no_link(folder_of(target), target.filename());
+  if (!fs::exists(target)) {
+    fs::create_directories(folder_of(target));
+    return fs::rename(draft, target);
+  }
+  const FileRecord record = load_record(draft).value_or(FileRecord{});
+  OutputFolder output({target, record.made_by, record.settings, {}, true});
+  for (const auto& entry : fs::directory_iterator(draft)) {
+    const fs::path name = entry.path().filename();
+    if (name != kRecordName) fs::rename(entry.path(), output.folder() / name);
+  }
+  output.commit();
 }
 
 }  // namespace castaway::testbed

@@ -9,6 +9,7 @@
 #include "tools/output/file_record.hpp"
 #include "tools/output/folder_lock.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/output/listed_files.hpp"
 
 namespace castaway::testbed {
 
@@ -30,12 +31,17 @@ void check_output(const OutputRequest& request);
 /// becomes empty.
 void remove_output(const std::filesystem::path& folder);
 
+/// Moves the finished output folder `draft` to `target` on the same file system, where it replaces
+/// only what castaway wrote before. Throws as OutputFolder does, and std::runtime_error if `target`
+/// is a link.
+void replace_output(const std::filesystem::path& draft, const std::filesystem::path& target);
+
 /// A folder that is being made. Everything is written into a hidden folder inside the target and
 /// moved by `commit`, which removes the files of an earlier run. Files that castaway did not write
 /// are always kept. The remains of a killed run are removed.
 class OutputFolder {
  public:
-  /// Throws as `check_output` and FolderLock do, and FileError if the folder cannot be created.
+  /// Throws as `check_output`, `make_folder` and FolderLock do.
   explicit OutputFolder(OutputRequest request);
   /// Removes everything that was written unless `commit` was called.
   ~OutputFolder();
@@ -44,9 +50,10 @@ class OutputFolder {
 
   /// The folder to write into.
   [[nodiscard]] const std::filesystem::path& folder() const { return staging_; }
-  /// Moves all files into the target. Throws FileError, before any change, if a file would replace
-  /// one that castaway did not write.
-  void commit();
+  /// Moves all files into the target. Throws std::runtime_error, before any change, if a file would
+  /// replace one that castaway did not write. `complete`: false if some files could not be made.
+  void commit(bool complete = true);
+  [[nodiscard]] bool is_committed() const { return committed_; }
 
  private:
   void require_replaceable(const FileHashes& files) const;
@@ -58,6 +65,7 @@ class OutputFolder {
   std::filesystem::path staging_;
   std::optional<FolderLock> lock_;
   std::optional<FileRecord> record_;
+  bool committed_ = false;
 };
 
 }  // namespace castaway::testbed

@@ -6,6 +6,7 @@
 #include "tools/files/file.hpp"
 #include "tools/output/file_record.hpp"
 #include "tools/output/folder_lock.hpp"
+#include "tools/output/listed_files.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,6 +7,8 @@
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/files/sha256.hpp"
+#include "tools/output/listed_path.hpp"
+#include "tools/output/make_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -15,8 +17,13 @@ namespace fs = std::filesystem;
 
 void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
   check_output(request);
+  const std::optional<FileRecord> record = load_record(request.target);
+  for (const std::string& run : record.value_or(FileRecord{}).runs) {
+    if (is_folder_below(request.target, run)) static_cast<void>(load_record(request.target / run));
+  }
   OutputRequest one = request;
   for (const PlannedRun& run : runs) {
+    require_no_link(request.target, run.folder);
     one.target = request.target / run.folder;
     check_output(one);
   }
@@ -35,15 +42,12 @@ std::string program_hash() { return sha256_of_file("/proc/self/exe"); }
 RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
     : request_(std::move(request)), runs_(std::move(runs)) {
   check_all(request_, runs_);
-  std::error_code error;
-  fs::create_directories(request_.target, error);
-  if (error) {
-    throw FileError(fmt::format("{}: cannot be made ({}); choose another folder with --out",
-                                request_.target.string(), error.message()));
-  }
+  make_folder(request_.target);
   lock_.emplace(request_.target);
-  earlier_ = load_record(request_.target).value_or(FileRecord{});
-  clear_leftovers(request_.target, earlier_);
+  earlier_ = settle(request_.target, load_record(request_.target).value_or(FileRecord{}));
+  clear_leftovers(request_.target);
+  std::error_code none;
+  fs::remove_all(drafts(), none);
   record_ = earlier_;
   record_.made_by = request_.made_by;
   record_.settings = request_.settings;
@@ -58,6 +62,13 @@ RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
     }
   }
   save_record(request_.target, record_);
+  kept_.emplace("finished runs are kept in " + request_.target.string() +
+                "; the same command resumes");
+}
+
+RunsFolder::~RunsFolder() {
+  std::error_code none;
+  if (lock_) fs::remove_all(drafts(), none);
 }
 
 bool RunsFolder::has_run(std::size_t index) const {
@@ -74,13 +85,22 @@ void RunsFolder::put(const std::string& name, std::string_view bytes) {
 void RunsFolder::put_by(const std::string& name,
                         const std::function<void(const fs::path& file)>& write) {
   if (!is_replaceable(request_.target, name, record_)) {
-    throw FileError((request_.target / name).string() +
-                    ": castaway did not write what is there; move it away or choose another --out");
+    throw std::runtime_error(
+        (request_.target / name).string() +
+        ": castaway did not write what is there; move it away or choose another --out");
   }
-  record_.files[name].clear();  // Its content is unknown while it is written.
+  write(drafts() / name);
+  const std::string hash = hash_file(drafts(), name);
+  record_.coming[name] = hash;
   save_record(request_.target, record_);
-  write(request_.target / name);
-  record_.files[name] = hash_file(request_.target, name);
+  std::error_code error;
+  fs::rename(drafts() / name, request_.target / name, error);
+  if (error) {
+    throw FileError(fmt::format("{}: cannot be written ({})", (request_.target / name).string(),
+                                error.message()));
+  }
+  record_.coming.clear();
+  record_.files[name] = hash;
   earlier_.files.erase(name);
 }
 
@@ -94,13 +114,16 @@ void RunsFolder::finish() {
   const std::vector<std::string> made = folders_of(runs_);
   for (const std::string& run : record_.runs) {
     if (std::find(made.begin(), made.end(), run) != made.end()) continue;
-    remove_output(request_.target / run);
+    if (is_folder_below(request_.target, run)) remove_output(request_.target / run);
   }
+  fs::remove_all(drafts());
   record_.runs = made;
   record_.program.clear();
   record_.finished = true;
   save_record(request_.target, record_);
   lock_.reset();
+  kept_.reset();
+  kept_.emplace("all runs are finished, in " + request_.target.string());
 }
 
 }  // namespace castaway::testbed

@@ -23,6 +23,10 @@ class RunsFolder {
  public:
   /// Throws as `check_output` (also for the folders of the runs) and FolderLock do, and FileError.
   RunsFolder(OutputRequest request, std::vector<PlannedRun> runs);
+  /// Removes the drafts.
+  ~RunsFolder();
+  RunsFolder(const RunsFolder&) = delete;
+  RunsFolder& operator=(const RunsFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return request_.target; }
   /// The planned runs.
@@ -32,7 +36,7 @@ class RunsFolder {
   [[nodiscard]] bool has_run(std::size_t index) const;
   /// Writes a common file.
   void put(const std::string& name, std::string_view bytes);
-  /// As `put`; `write` is called with the path of the file.
+  /// As `put`; `write` is called with the path of a draft.
   void put_by(const std::string& name,
               const std::function<void(const std::filesystem::path& file)>& write);
   /// Call it when all is done. Removes the files and runs of an earlier call that this one did not
@@ -40,6 +44,8 @@ class RunsFolder {
   void finish();
 
  private:
+  [[nodiscard]] std::filesystem::path drafts() const { return request_.target / kStagingName; }
+
   Interruptible interruptible_;
   OutputRequest request_;
   std::vector<PlannedRun> runs_;
@@ -47,6 +53,7 @@ class RunsFolder {
   FileRecord earlier_;
   FileRecord record_;
   bool goes_on_ = false;
+  std::optional<KeptWork> kept_;
 };
 
 /// Hash of the running program, so that the work of two builds is never mixed.

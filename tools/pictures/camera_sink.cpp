@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -176,7 +177,7 @@ void CameraSink::write_camera() const {
                   {"optical_frame", "z ahead, x to the right, y down (REP-103)"},
                   {"depth", "uint16, mm along z, 0: nothing"},
                   {"instances", "uint16, instances.json says what; 0: nothing"}};
-  write_file(folder_ / "camera.json", json.dump(2) + "\n");
+  write_file(folder_ / "camera.json", json_text(json, 2) + "\n");
 }
 
 void CameraSink::finish(Stamp, const RunTiming&) {
@@ -188,7 +189,7 @@ void CameraSink::finish(Stamp, const RunTiming&) {
     instances.push_back(
         {{"id", instance}, {"name", name_of(instance, names_)}, {"class", class_of(instance)}});
   }
-  write_file(folder_ / "instances.json", instances.dump(1) + "\n");
+  write_file(folder_ / "instances.json", json_text(instances, 1) + "\n");
   write_file(folder_ / "coco.json", coco_.text());
 }
 

@@ -7,6 +7,8 @@
 
 #include "sim/scene/scene.hpp"
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -89,6 +91,6 @@ void CocoFile::add(const std::string& file_name, double stamp_s,
   }
 }
 
-std::string CocoFile::text() const { return root_.dump() + "\n"; }
+std::string CocoFile::text() const { return json_text(root_) + "\n"; }
 
 }  // namespace castaway::testbed

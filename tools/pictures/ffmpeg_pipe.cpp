@@ -90,6 +90,8 @@ FfmpegPipe::FfmpegPipe(FilmFormat format) : format_(std::move(format)), partial_
   partial_.replace_filename(".castaway-unfinished-" + format_.file.filename().string());
   const std::filesystem::path folder = format_.file.parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
+  std::error_code none;
+  std::filesystem::remove(partial_, none);  // ffmpeg would write through a link.
   words_ = std::tmpfile();
   if (words_ == nullptr)
     throw std::runtime_error("cannot create a temporary file for ffmpeg's messages");

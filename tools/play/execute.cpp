@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/attempts.hpp"
 #include "tools/files/file.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/run_summary.hpp"
 
@@ -14,10 +16,13 @@ namespace castaway::testbed {
 std::vector<LostLocalizer> execute(Run& run, OutputFolder& output, bool quiet) {
   run.sinks.push_back(std::make_unique<ProgressSink>(run.source->duration(), quiet));
   Loop loop(run.loop, run.localizers, run.sinks);
-  loop.run(*run.source);
+  Attempts played;
+  played.make([&] { loop.run(*run.source); });
+  if (!loop.is_finished()) played.rethrow();
   run.sinks.clear();  // Closes their files.
   throw_if_interrupted();
-  output.commit();
+  output.commit(!played.failed());
+  played.rethrow();
   return loop.lost();
 }
 
@@ -29,11 +34,12 @@ int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::pat
   } catch (const std::exception& error) {
     run.sinks.clear();       // Removes the progress line.
     throw_if_interrupted();  // A signal also interrupts ffmpeg, and is then the cause of the error.
-    fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
+    say(fmt::format("the run failed: {}{}", error.what(),
+                    output.is_committed() ? "; its other files are in " + target.string() : ""));
     return kRunFailed;
   }
   for (const LostLocalizer& each : lost) {
-    fmt::print(stderr, "castaway: {}; the run went on without it\n", describe(each));
+    say(fmt::format("{}; the run went on without it", describe(each)));
   }
   const int exit_code = lost.empty() ? kDone : kRunFailed;
   if (printing.silent || printing.quiet) return exit_code;

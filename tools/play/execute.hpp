@@ -19,7 +19,8 @@ struct Printing {
 };
 
 /// Plays the run to its end and commits its folder. Returns the localizers that were left out on
-/// the way. Throws std::exception if it fails and Interrupted after a signal.
+/// the way. Throws std::exception if it fails and Interrupted after a signal. If only some files
+/// fail at the end, the folder is committed with the others first.
 std::vector<LostLocalizer> execute(Run& run, OutputFolder& output, bool quiet);
 
 /// Does the same for a command: shows progress on a terminal and prints the result from `target`,

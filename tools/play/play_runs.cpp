@@ -6,6 +6,7 @@
 
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/exit_code.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/seeds_summary.hpp"
 #include "tools/play/verdict_output.hpp"
@@ -31,7 +32,7 @@ std::vector<int> play_runs(const RunsFolder& folder, int workers, const PlayRun&
     progress.next(tally.text());
   };
   outcomes.on_failure = [&](int index, const std::string& reason) {
-    fmt::print(stderr, "castaway: {}: {}\n", name(index), reason);
+    say(fmt::format("{}: {}", name(index), reason));
     progress.next(tally.text());
   };
   SharedWorlds worlds;  // Each worker fills its own.

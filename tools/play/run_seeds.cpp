@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/campaign/aggregate.hpp"
+#include "tools/files/attempts.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/metrics/localizer_metrics.hpp"
@@ -188,13 +190,15 @@ int run_seeds(SeedsRequest request) {
   const Outcomes outcomes = play_all(request, folder);
   const std::vector<JudgedRun> runs = done_of(outcomes);
   const Json summary = summary_of(request, scenario.name, outcomes);
-  folder.put("summary.json", summary.dump(2) + "\n");
-  folder.put("timing.json", timing_of(runs).dump(2) + "\n");
-  put_index(request, scenario, outcomes, folder);
-  folder.finish();
+  Attempts outputs;
+  outputs.make([&] { folder.put("summary.json", json_text(summary, 2) + "\n"); });
+  outputs.make([&] { folder.put("timing.json", json_text(timing_of(runs), 2) + "\n"); });
+  outputs.make([&] { put_index(request, scenario, outcomes, folder); });
+  if (!outputs.failed()) folder.finish();
   const std::vector<Check> checks = judge(expectations, runs);
-  write_junit(request, scenario.name, outcomes, checks);
-  fmt::print("{}", request.json ? summary.dump(2) + "\n" : describe_seeds(request.out));
+  outputs.make([&] { write_junit(request, scenario.name, outcomes, checks); });
+  outputs.rethrow();
+  fmt::print("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
   return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
 }

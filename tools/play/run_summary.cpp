@@ -168,9 +168,9 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   const Json summary = read_json(run_folder / "summary.json");
   const Json timing = read_json(run_folder / "timing.json");
   std::string text = fmt::format(
-      "{}, seed {}: {:.1f} s, {:.1f} m driven, {} collisions\n\n",
+      "{}, seed {}: {:.1f} s, {} driven, {} collisions\n\n",
       summary.at("scenario").get<std::string>(), integer<std::uint64_t>(summary.at("seed")),
-      summary.at("duration_s").get<double>(), summary.at("distance_m").get<double>(),
+      summary.at("duration_s").get<double>(), figure_text(summary.at("distance_m"), "{:.1f} m"),
       integer<int>(summary.at("collisions")));
   if (const auto sentence = void_sentence(summary)) {
     text += fmt::format("VOID: {}. The figures below say nothing about localizers.\n\n", *sentence);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/utf8.hpp"
+
 namespace castaway::testbed {
 
 std::string paint(const std::string& text, Color color, std::FILE* stream) {
@@ -17,7 +19,8 @@ std::string paint(const std::string& text, Color color, std::FILE* stream) {
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "castaway: {} {}\n", paint("warning:", Color::kYellow, stderr), text);
+  fmt::print(stderr, "castaway: {} {}\n", paint("warning:", Color::kYellow, stderr),
+             printable(text));
 }
 
 }  // namespace castaway::testbed

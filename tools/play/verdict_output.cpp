@@ -27,8 +27,12 @@ std::string case_name(const Check& check) {
 JudgedRun load_judged_run(const std::filesystem::path& run_folder) {
   const Json summary = read_json(run_folder / "summary.json");
   const Json timing = read_json(run_folder / "timing.json");
-  return {integer<std::uint64_t>(summary.at("seed")), run_folder, metric_table(summary, timing),
-          timing.at("wall_s").get<double>()};
+  JudgedRun run;
+  read_fields(run_folder / "summary.json", [&] {
+    run = {integer<std::uint64_t>(summary.at("seed")), run_folder, metric_table(summary, timing),
+           timing.at("wall_s").get<double>()};
+  });
+  return run;
 }
 
 std::vector<JunitCase> junit_cases(const std::string& scenario, const std::vector<Check>& checks) {

@@ -5,6 +5,8 @@
 
 #include "tools/prediction/log_prediction.hpp"
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -44,7 +46,7 @@ std::string pack_prediction(const LogPrediction& prediction) {
   for (const PredictionRow& row : prediction.rows) rows.push_back(packed(row));
   PackedJson places = PackedJson::array();
   for (const DifferingPlace& place : prediction.places) places.push_back(packed(place));
-  return PackedJson{std::move(rows), std::move(places)}.dump();
+  return json_text(PackedJson{std::move(rows), std::move(places)});
 }
 
 LogPrediction unpack_prediction(const std::string& text) try {

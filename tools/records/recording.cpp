@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/gzip.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/formats/varint.hpp"
@@ -44,8 +45,7 @@ std::string pack_recording(Json header, const std::vector<RecordingSection>& sec
     header["sections"].push_back({{"name", section.name}, {"bytes", section.bytes.size()}});
     body += section.bytes;
   }
-  const auto replace = Json::error_handler_t::replace;  // A name need not be valid UTF-8.
-  return gzip(std::string(kFirstLine) + header.dump(-1, ' ', false, replace) + "\n" + body);
+  return gzip(std::string(kFirstLine) + json_text(header) + "\n" + body);
 }
 
 Recording unpack_recording(std::string_view file) {
@@ -54,7 +54,7 @@ Recording unpack_recording(std::string_view file) {
   Recording recording{parse_header(bytes, at), {}};
   for (const Json& section : recording.header["sections"]) {
     const auto size = integer<std::size_t>(section.at("bytes"));
-    if (size > bytes.size() - at) refuse("it ends within section " + section.at("name").dump());
+    if (size > bytes.size() - at) refuse("it ends within section " + json_text(section.at("name")));
     recording.sections[section.at("name").get<std::string>()] = bytes.substr(at, size);
     at += size;
   }

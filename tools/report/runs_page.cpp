@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/file.hpp"
+#include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/void_run.hpp"
 #include "tools/report/html/html.hpp"
@@ -62,7 +63,9 @@ std::string render_runs_page(const std::vector<fs::path>& folders, const fs::pat
       "error, "
       "median</th><th>95 % below</th><th>slowest recovery</th></tr></thead><tbody>\n",
       title);
-  for (const fs::path& folder : folders) body += rows_of(folder, page);
+  for (const fs::path& folder : folders) {
+    read_fields(folder / "summary.json", [&] { body += rows_of(folder, page); });
+  }
   return html_page({.title = title,
                     .body = body + "</tbody></table></div>",
                     .style = "td.words { white-space: normal; text-align: left; "

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_file.hpp"
 
 namespace castaway::testbed {
@@ -37,7 +38,7 @@ std::string event_json(const RunEvent& event) {
   if (event.T_map_from) json["from"] = pose_json(*event.T_map_from);
   if (event.T_map_to) json["to"] = pose_json(*event.T_map_to);
   if (event.heights) json["heights"] = {event.heights->x(), event.heights->y()};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 std::optional<RunEvent> event_of_json(const std::string& text) {

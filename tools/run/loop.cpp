@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/files/attempts.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -154,7 +155,12 @@ void Loop::finish(const SensorSource& source) {
   }
   timing.cpu_s["localizers"] = localization::seconds(localizers_cpu_);
   timing.cpu_s["sinks"] = localization::seconds(sinks_cpu_);
-  for (auto& sink : sinks_) sink->finish(std::max(now_, source.duration()), timing);
+  Attempts outputs;
+  for (auto& sink : sinks_) {
+    outputs.make([&] { sink->finish(std::max(now_, source.duration()), timing); });
+  }
+  is_finished_ = true;
+  outputs.rethrow();
 }
 
 /// Those of the start are told after the first frame, which has the first known stamp.

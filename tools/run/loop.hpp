@@ -67,6 +67,7 @@ class Loop {
   void run(SensorSource& source);
 
   /// The same in parts: `begin` once, `step` for each frame until it returns false, then `finish`.
+  /// `finish` throws what the first sink throws that fails, once the others are finished, too.
   void begin();
   bool step(SensorSource& source);
   void finish(const SensorSource& source);
@@ -79,6 +80,8 @@ class Loop {
   [[nodiscard]] std::vector<std::optional<SE2>> estimates() const;
   /// Stamp of the last frame.
   [[nodiscard]] Stamp now() const { return now_; }
+  /// True once all sinks had their turn to finish, also if one of them failed.
+  [[nodiscard]] bool is_finished() const { return is_finished_; }
   /// The localizers that were left out.
   [[nodiscard]] const std::vector<LostLocalizer>& lost() const { return lost_; }
 
@@ -126,6 +129,7 @@ class Loop {
   std::size_t next_order_ = 0;
   std::chrono::nanoseconds begin_{};  ///< Wall time.
   std::vector<LostLocalizer> lost_;
+  bool is_finished_ = false;
   std::vector<RunEvent> untold_;  ///< Events of the loop's own that sinks do not know yet.
   std::chrono::nanoseconds localizers_cpu_{};
   std::chrono::nanoseconds sinks_cpu_{};

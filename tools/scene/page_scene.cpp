@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/scene/merged_mesh.hpp"
 #include "tools/scene/person_model.hpp"
 
@@ -71,7 +72,7 @@ std::string page_scene_json(const PageScene& scene, std::size_t most_bytes) {
       {"person", person_json(scene.people)},
       {"thinned_m", meshes.cell}};
   if (!scene.changing.empty()) json["changing"] = changing_json(scene.changing, meshes.cell);
-  return json.dump();
+  return json_text(json);
 }
 
 }  // namespace castaway::testbed

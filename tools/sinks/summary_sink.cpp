@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/formats/csv.hpp"
 #include "tools/metrics/fault_metrics.hpp"
 #include "tools/metrics/metrics_json.hpp"
@@ -175,7 +176,7 @@ void SummarySink::finish(Stamp end, const RunTiming& timing) {
   }
   write_events(log_events(history_, metrics), history_.info.heights, run_folder_ / "events.csv");
   write_file(run_folder_ / "summary.json",
-             summary(history_, metrics, people_.metrics(), end, timing).dump(2) + "\n");
+             json_text(summary(history_, metrics, people_.metrics(), end, timing), 2) + "\n");
 }
 
 }  // namespace castaway::testbed

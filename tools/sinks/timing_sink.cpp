@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/run/cpu_clock.hpp"
 
@@ -77,7 +78,7 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
     root["localizers"][name]["outside"] = {{"cpu_s", localization::seconds(use.cpu)},
                                            {"peak_memory_mb", use.peak_memory_mb}};
   }
-  write_file(run_folder_ / "timing.json", root.dump(2) + "\n");
+  write_file(run_folder_ / "timing.json", json_text(root, 2) + "\n");
 }
 
 }  // namespace castaway::testbed

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/trials/packed_values.hpp"
 
 namespace castaway::testbed {
@@ -89,7 +90,7 @@ std::string pack_report(const KidnapReport& report) {
                {"outcomes", std::move(outcomes)}};
   if (report.void_run) json["void"] = {report.void_run->reason, report.void_run->at_s};
   if (report.distinguishable) json["distinguishable_ns"] = report.distinguishable->count();
-  return json.dump();
+  return json_text(json);
 }
 
 KidnapReport unpack_report(const std::string& text) try {

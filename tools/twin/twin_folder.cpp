@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tools/files/file.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/twin/fits/wall_fit.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
@@ -53,7 +54,7 @@ Twin build_twin(const RecordedPlace& place, AlignBy by, const std::filesystem::p
   AlignedLog aligned = align_log(twin.run, AlignBy::kTruth, correction);
   if (!looks_around(aligned)) move_back(aligned);
   twin.likeness = compare_logs(twin.fitted.log, aligned);
-  write_file(folder / "calibration.json", to_json(twin).dump(1) + "\n");
+  write_file(folder / "calibration.json", json_text(to_json(twin), 1) + "\n");
   return twin;
 }
 

@@ -39,8 +39,7 @@ RecordedPlace run_twin(const std::filesystem::path& folder, const std::string& s
                        std::uint64_t seed) {
   YamlDocument document = YamlDocument::parse(scenario, (folder / "scenario.yaml").string());
   const auto set_file = [&](const std::string& key, const char* name) {
-    const std::string path = std::filesystem::absolute(folder / name).string();
-    document.set(key + "=" + nlohmann::json(path).dump());  // Quoted, as YAML reads it, too.
+    document.set_text(key, std::filesystem::absolute(folder / name).string());
   };
   set_file("world.name", "world.yaml");
   set_file("world.map", "map.yaml");

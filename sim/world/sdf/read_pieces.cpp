@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kAtATime = 50;
-constexpr std::size_t kMostLinked = 500;  // Takes about 1.5 GB in libsdformat.
+constexpr std::size_t kMostPieces = 10'000;  // libsdformat takes 1 to 2 ms for each.
+constexpr std::size_t kMostLinked = 500;     // Takes about 1.5 GB in libsdformat.
 
 /// Suppresses std::cerr, to which libsdformat prints what it also returns as errors.
 class Silence {
@@ -137,6 +138,12 @@ void read_pieces(const WorldPieces& world, const std::string& path, const Resour
         fmt::format("{}: {} models that are placed relative to each other: at most {} are read; "
                     "give them poses in the world's frame",
                     path, count, kMostLinked));
+  }
+  if (count > kMostPieces) {
+    throw std::runtime_error(
+        fmt::format("{}: {} models: at most {} are read; join those that stand still, as links of "
+                    "one static model",
+                    path, count, kMostPieces));
   }
   const std::size_t step = world.linked ? kMostLinked : kAtATime;
   Reader reader(world, path, finder, policy, bodies);

@@ -5,6 +5,7 @@
 #include "tests/tools/support/temporary.hpp"
 #include "tools/dataset/dataset_manifest.hpp"
 #include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 #include "tools/output/file_record.hpp"
 
 namespace castaway::testbed {
@@ -88,10 +89,61 @@ TEST(DatasetFolder, TouchesNoFolderOfOthers) {
   EXPECT_TRUE(contains(refusal(temporary.path() / "file", identity()), "is no folder"));
 }
 
+TEST(DatasetFolder, TakesNoFileOfOthersForItsOwn) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "set";
+  temporary.put("set/dataset.yaml", "mine");
+  save_record(path, {"dataset", {}, false, {}, {}});
+  EXPECT_TRUE(contains(refusal(path, identity()), "holds 'dataset.yaml' and no data set"));
+  fs::remove_all(path);
+  const DatasetFolder folder(path, identity());
+  temporary.put("set/README.md", "mine");
+  EXPECT_TRUE(contains(error_of([&] { folder.put_new("README.md", "card"); }), "did not write"));
+  EXPECT_NO_THROW(folder.put_new("README.md", "mine"));
+  EXPECT_EQ(read_file(path / "README.md"), "mine");
+}
+
+TEST(DatasetFolder, WritesThroughNoLink) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "set";
+  { const DatasetFolder folder(path, identity()); }
+  fs::create_directories(temporary.path() / "mine");
+  fs::create_directory_symlink("../mine", path / "maps");
+  {
+    const DatasetFolder folder(path, identity());
+    EXPECT_TRUE(contains(error_of([&] { folder.put("maps/a.pgm", "x"); }), "is a link"));
+  }
+  fs::remove_all(path / "sequences");
+  fs::create_directory_symlink("../mine", path / "sequences");
+  EXPECT_TRUE(contains(refusal(path, identity()), "sequences: is a link"));
+  EXPECT_TRUE(fs::is_empty(temporary.path() / "mine"));
+}
+
+TEST(DatasetFolder, RemovesItsTablesBeforeItGrows) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "set";
+  const std::vector<ManifestFile> listed{{"README.md", 4, sha256("card")}};
+  {
+    const DatasetFolder folder(path, identity());
+    folder.put("README.md", "card");
+    folder.put("SHA256SUMS", sums_text(listed));
+    folder.put("manifest.json", manifest_text(listed));
+  }
+  temporary.put("set/notes.txt", "mine");
+  DatasetIdentity more = identity();
+  more.sequences = 5;
+  const DatasetFolder folder(path, more);
+  EXPECT_FALSE(fs::exists(path / "README.md"));
+  EXPECT_FALSE(fs::exists(path / "SHA256SUMS"));
+  EXPECT_EQ(read_file(path / "notes.txt"), "mine");
+}
+
 TEST(DatasetFolder, ABeginningThatWasKilledIsGoneOnWith) {
   const TemporaryFolder temporary;
-  temporary.put("set/dataset.yaml", "half");
-  save_record(temporary.path() / "set", {"dataset", {}, false, {}, {}});
+  temporary.put("set/dataset.yaml", "of another specification");
+  FileRecord record{"dataset", {}, false, {}, {}};
+  record.files["dataset.yaml"] = hash_file(temporary.path() / "set", "dataset.yaml");
+  save_record(temporary.path() / "set", record);
   temporary.put("set/.work/file.part-1", "x");
   const DatasetFolder folder(temporary.path() / "set", identity());
   EXPECT_EQ(read_file(folder.path() / "dataset.yaml"), identity().spec);

@@ -73,7 +73,16 @@ TEST(DatasetManifest, RefusesWhatIsNone) {
   EXPECT_TRUE(contains(error_of(verify), "manifest.json: no manifest of a data set"));
   folder.put("manifest.json",
              "{\"files\": [{\"path\": \"../x\", \"bytes\": 1, \"sha256\": \"\"}]}");
-  EXPECT_TRUE(contains(error_of(verify), "'../x' is not a path within the data set"));
+  EXPECT_TRUE(contains(error_of(verify), "lists the path '../x', which leads out"));
+}
+
+TEST(DatasetManifest, FollowsNoLink) {
+  const TemporaryFolder folder;
+  folder.put("b/c.txt", "abc");
+  seal(folder);
+  std::filesystem::rename(folder.path() / "b", folder.path() / "d");
+  std::filesystem::create_directory_symlink("d", folder.path() / "b");
+  EXPECT_EQ(verify_dataset(folder.path()).front(), "b/c.txt: is reached by a link");
 }
 
 // Its script depends on the build.

@@ -19,6 +19,16 @@ TEST(File, IsReadAsItWasWritten) {
   EXPECT_EQ(read_file(path), std::string("a\0\r\n", 4));
 }
 
+TEST(File, IsNotReadIfItIsTooLong) {
+  const TemporaryFolder folder;
+  const auto path = folder.put("file", "12345678");
+  EXPECT_EQ(read_file(path, 8), "12345678");
+  EXPECT_TRUE(contains(error_of([&] { read_file(path, 7); }), "is longer than 0 MiB"));
+  std::filesystem::resize_file(path, std::uintmax_t{3} << 30U);  // Takes no room.
+  EXPECT_TRUE(contains(error_of([&] { read_file(path); }), "is longer than 1024 MiB"));
+  EXPECT_FALSE(read_file("/proc/self/stat").empty());  // States no size.
+}
+
 TEST(File, IsNotThereBeforeItIsComplete) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "file";
@@ -38,6 +48,18 @@ TEST(File, KeepsTheOldOneUntilTheNewOneIsComplete) {
   EXPECT_EQ(read_file(path), "old");
   file.commit();
   EXPECT_EQ(read_file(path), "new");
+}
+
+TEST(File, IsWrittenThroughNoLink) {
+  const TemporaryFolder folder;
+  folder.put("mine", "mine");
+  const auto path = folder.path() / "file";
+  std::filesystem::create_symlink("mine", path);
+  std::filesystem::create_symlink("mine", path.string() + ".part-" + std::to_string(::getpid()));
+  write_file(path, "new");
+  EXPECT_EQ(read_file(folder.path() / "mine"), "mine");
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
 }
 
 TEST(File, IsNoDevicePipeOrFolder) {

@@ -82,21 +82,42 @@ TEST(ChildProcess, LimitsItsLog) {
 }
 
 /// Even those that left the program's session and process group.
+/// The number that a program writes first.
+pid_t first_number(const ChildProcess& program) {
+  std::string line;
+  for (int i = 0; i < 100 && line.empty(); ++i) {
+    std::this_thread::sleep_for(milliseconds(20));
+    std::string text(100, '\0');
+    const ssize_t size = ::read(program.output(), text.data(), text.size());
+    if (size > 0) line = text.substr(0, static_cast<std::size_t>(size));
+  }
+  return std::stoi(line);
+}
+
 TEST(ChildProcess, EndsAllDescendants) {
   pid_t descendant = 0;
   {
     ChildProcess program(shell("setsid sh -c 'sleep 100 & echo $!; wait' & wait"), {});
-    LineChannel channel(program);
-    std::string line;
-    for (int i = 0; i < 100 && line.empty(); ++i) {
-      std::this_thread::sleep_for(milliseconds(20));
-      std::string text(100, '\0');
-      const ssize_t size = ::read(program.output(), text.data(), text.size());
-      if (size > 0) line = text.substr(0, static_cast<std::size_t>(size));
-    }
-    descendant = std::stoi(line);
+    descendant = first_number(program);
     EXPECT_TRUE(is_running(descendant));
   }
+  EXPECT_FALSE(is_running(descendant));
+}
+
+TEST(ChildProcess, EndsAProgramThatStopsItsParent) {
+  ChildProcess program(shell("kill -STOP $PPID; echo $$; sleep 100"), {});
+  const pid_t process = first_number(program);
+  const auto begin = std::chrono::steady_clock::now();
+  program.end();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(5));
+  EXPECT_FALSE(is_running(process));
+}
+
+TEST(ChildProcess, EndsTheDescendantsOfAProgramThatKillsItsParent) {
+  ChildProcess program(shell("setsid sleep 100 & echo $!; kill -9 $PPID; sleep 100"), {});
+  const pid_t descendant = first_number(program);
+  EXPECT_EQ(program.how_it_ended(seconds(10)), "was killed by signal 9 (Killed)");
+  program.end();
   EXPECT_FALSE(is_running(descendant));
 }
 

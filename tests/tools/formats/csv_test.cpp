@@ -16,6 +16,14 @@ TEST(Csv, HasFixedNumbersAndQuotedTexts) {
             "a,b,c,d,e\n0.333333,0.000000,-7,\"x, \"\"y\"\"\",\n");
 }
 
+TEST(Csv, IsUtf8WhateverTheNamesAre) {
+  const TemporaryFolder folder;
+  CsvWriter csv(folder.path() / "t.csv", {"caf\xe9"});
+  csv.text("a,\xff").end_row();
+  csv.commit();
+  EXPECT_EQ(read_file(folder.path() / "t.csv"), "caf\xef\xbf\xbd\n\"a,\xef\xbf\xbd\"\n");
+}
+
 TEST(Csv, IsReadAsItWasWritten) {
   const TemporaryFolder folder;
   CsvWriter csv(folder.path() / "t.csv", {"name", "x", "y", "yaw"});

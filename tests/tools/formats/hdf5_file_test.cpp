@@ -51,6 +51,11 @@ TEST(Hdf5File, EqualTablesMakeEqualBytes) {
 TEST(Hdf5File, WhatCannotBeWrittenIsTroubleWithTheDisk) {
   const TemporaryFolder folder;
   EXPECT_THROW(Hdf5File(folder.path() / "none/a.h5"), FileError);
+  folder.put("mine", "mine");
+  std::filesystem::create_symlink("mine", folder.path() / "link.h5");
+  EXPECT_THROW(Hdf5File(folder.path() / "link.h5"), FileError);
+  EXPECT_THROW(Hdf5File(folder.path() / "mine"), FileError);
+  EXPECT_EQ(read_file(folder.path() / "mine"), "mine");
 }
 
 }  // namespace

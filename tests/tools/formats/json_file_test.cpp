@@ -35,6 +35,14 @@ TEST(JsonFile, ThatIsNestedTooDeepIsRefused) {
   }
 }
 
+TEST(JsonFile, WithOtherFieldsThanCastawaysIsNamed) {
+  const nlohmann::ordered_json json{{"seed", "x"}};
+  EXPECT_EQ(error_of([&] { read_fields("run/s.json", [&] { json.at("seed").get<int>(); }); }),
+            "run/s.json: damaged, or not castaway's: type must be number, but is string; run it "
+            "again");
+  EXPECT_NO_THROW(read_fields("run/s.json", [&] { json.at("seed").get<std::string>(); }));
+}
+
 TEST(JsonText, NestsInBracketsOutsideOfTexts) {
   EXPECT_FALSE(nests_too_deep("[\"" + std::string(1000, '[') + "\"]"));
   EXPECT_TRUE(nests_too_deep("[\"\\\"\"," + std::string(1000, '{')));

@@ -79,6 +79,10 @@ TEST(Junit, EscapesAndLeavesOutWhatXmlCannotSay) {
   EXPECT_STREQ(second.FirstChildElement("failure")->Attribute("message"), "is 6 > 5 see  there");
 }
 
+TEST(Junit, IsUtf8WhateverTheNamesAre) {
+  EXPECT_TRUE(contains(junit_xml("caf\xe9", {}), "caf\xef\xbf\xbd\""));
+}
+
 TEST(Junit, OfNoCasesIsAnEmptySuite) {
   TiXmlDocument document;
   parse(junit_xml("s", {}), document);

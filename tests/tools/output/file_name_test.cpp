@@ -17,7 +17,8 @@ TEST(FileName, RefusesPathsAndOddNames) {
        {std::string(), std::string("../up"), std::string("/etc"), std::string("a/b"),
         std::string("a\\b"), std::string("."), std::string(".."), std::string(".hidden"),
         std::string("-rf"), std::string(" a"), std::string("a "), std::string("a\nb"),
-        std::string("a\0b", 3), std::string("\x7f"), std::string(101, 'a')}) {
+        std::string("a\0b", 3), std::string("\x7f"), std::string("caf\xe9"),
+        std::string(101, 'a')}) {
     EXPECT_NE(file_name_error(name), "") << name;
     EXPECT_EQ(file_name_error(file_name_of(name)), "") << name;
   }

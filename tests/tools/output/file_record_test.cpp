@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
+#include "tools/files/sha256.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -24,7 +24,8 @@ TEST(FileRecord, ReadsBackAsItWasSaved) {
   FileRecord record = write_two(folder);
   record.finished = false;
   record.program = "abc";
-  record.single_files["kidnap.mp4"] = "12";
+  record.single_files["kidnap.mp4"] = sha256("film");
+  record.coming["a.csv"] = sha256("3,4\n");
   record.runs = {"seed-1", "seed-2"};
   save_record(folder.path(), record);
   const FileRecord again = load_record(folder.path()).value();
@@ -34,6 +35,7 @@ TEST(FileRecord, ReadsBackAsItWasSaved) {
   EXPECT_EQ(again.program, "abc");
   EXPECT_EQ(again.files, record.files);
   EXPECT_EQ(again.single_files, record.single_files);
+  EXPECT_EQ(again.coming, record.coming);
   EXPECT_EQ(again.runs, record.runs);
 }
 
@@ -59,91 +61,42 @@ TEST(FileRecord, RefusesAFileThatIsNoList) {
   }
 }
 
-TEST(FindForeign, FindsNothingInWhatCastawayWrote) {
+/// Whoever ships a folder may have written its list.
+TEST(FileRecord, RefusesPathsThatLeadOutOfItsFolder) {
   const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  fs::create_directories(folder.path() / "empty");
-  EXPECT_FALSE(find_foreign(folder.path(), record));
+  const std::string hash = sha256("x");
+  for (const char* path : {"../a", "/a", "a/../../b", "", ".", "a//b"}) {
+    for (const char* key : {"files", "single_files", "coming"}) {
+      folder.put(kRecordName, R"({"castaway": "1", ")" + std::string(key) + R"(": {")" + path +
+                                  R"(": ")" + hash + R"("}})");
+      EXPECT_TRUE(contains(error_of([&] { static_cast<void>(load_record(folder.path())); }),
+                           "lists the path '" + std::string(path) + "'"));
+    }
+    folder.put(kRecordName, R"({"castaway": "1", "runs": [")" + std::string(path) + R"("]})");
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(load_record(folder.path())); }),
+                         "lists the path '" + std::string(path) + "'"));
+  }
 }
 
-TEST(FindForeign, FindsFilesOfOthers) {
+TEST(FileRecord, RefusesFilesWithoutAHashThatHoldNoClockReadings) {
   const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  folder.put("bag/mine.txt", "mine");
-  const ForeignFile foreign = find_foreign(folder.path(), record).value();
-  EXPECT_EQ(foreign.path, "bag/mine.txt");
-  EXPECT_FALSE(foreign.changed);
+  for (const char* entry :
+       {R"("thesis.tex": null)", R"("a/report.html": null)", R"("a": "12")", R"("a": 7)"}) {
+    folder.put(kRecordName, R"({"castaway": "1", "files": {)" + std::string(entry) + "}}");
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(load_record(folder.path())); }),
+                         "is not castaway's list"))
+        << entry;
+  }
+  folder.put(kRecordName, R"({"castaway": "1", "files": {"report.html": null}})");
+  EXPECT_EQ(load_record(folder.path()).value().files.size(), 1U);
 }
 
-TEST(FindForeign, FindsFilesThatWereChanged) {
+TEST(FileRecord, RefusesALink) {
   const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  folder.put("a.csv", "1,3\n");
-  const ForeignFile foreign = find_foreign(folder.path(), record).value();
-  EXPECT_EQ(foreign.path, "a.csv");
-  EXPECT_TRUE(foreign.changed);
-}
-
-TEST(FindForeign, TakesALinkForAFileOfOthers) {
-  const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  fs::create_directory_symlink("/", folder.path() / "root");
-  EXPECT_EQ(find_foreign(folder.path(), record).value().path, "root");
-}
-
-TEST(FindForeign, LeavesFoldersWithAListOfTheirOwnAside) {
-  const TemporaryFolder folder;
-  folder.put("seed-1/errors.csv", "");
-  EXPECT_TRUE(find_foreign(folder.path(), std::nullopt));
-  save_record(folder.path() / "seed-1", {});
-  EXPECT_FALSE(find_foreign(folder.path(), std::nullopt));
-}
-
-/// A run of many seeds was killed when it began to write the list of a seed's folder.
-TEST(FindForeign, TakesAHalfWrittenListInAFolderForOurs) {
-  const TemporaryFolder folder;
-  fs::create_directories(folder.path() / "seed-4");
-  folder.put("seed-4/" + std::string(kRecordName) + ".part-28556", "{");
-  EXPECT_FALSE(find_foreign(folder.path(), FileRecord{}));
-  folder.put("seed-4/mine.part-28556", "mine");
-  EXPECT_EQ(find_foreign(folder.path(), FileRecord{}).value().path, "seed-4/mine.part-28556");
-}
-
-TEST(ClearLeftovers, RemovesHalfWrittenFilesOfTheListOnly) {
-  const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  folder.put("a.csv.part-12", "1,");
-  folder.put(std::string(kRecordName) + ".part-7", "{");
-  folder.put("mine.part-12", "mine");
-  folder.put("a.csv.part-x", "mine");
-  EXPECT_EQ(find_foreign(folder.path(), record).value().path, "a.csv.part-x");
-  clear_leftovers(folder.path(), record);
-  EXPECT_FALSE(fs::exists(folder.path() / "a.csv.part-12"));
-  EXPECT_FALSE(fs::exists(folder.path() / (std::string(kRecordName) + ".part-7")));
-  EXPECT_TRUE(fs::exists(folder.path() / "mine.part-12"));
-  EXPECT_TRUE(fs::exists(folder.path() / "a.csv.part-x"));
-}
-
-TEST(IsReplaceable, HoldsForFreePlacesAndUnchangedFiles) {
-  const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  EXPECT_TRUE(is_replaceable(folder.path(), "a.csv", record));
-  EXPECT_TRUE(is_replaceable(folder.path(), "bag/b.mcap", record));
-  EXPECT_TRUE(is_replaceable(folder.path(), "bag/new.mcap", record));
-  EXPECT_TRUE(is_replaceable(folder.path(), "new/new.mcap", record));
-}
-
-TEST(IsReplaceable, DoesNotHoldForWhatOthersWrote) {
-  const TemporaryFolder folder;
-  const FileRecord record = write_two(folder);
-  folder.put("mine", "mine");
-  folder.put("a.csv", "changed");
-  fs::create_directory_symlink("/tmp", folder.path() / "link");
-  EXPECT_FALSE(is_replaceable(folder.path(), "mine", record));
-  EXPECT_FALSE(is_replaceable(folder.path(), "mine/b", record));
-  EXPECT_FALSE(is_replaceable(folder.path(), "a.csv", record));
-  EXPECT_FALSE(is_replaceable(folder.path(), "link/new", record));
-  EXPECT_FALSE(is_replaceable(folder.path(), "bag/b.mcap", std::nullopt));
+  folder.put("list", R"({"castaway": "1"})");
+  std::filesystem::create_symlink("list", folder.path() / kRecordName);
+  EXPECT_TRUE(
+      contains(error_of([&] { static_cast<void>(load_record(folder.path())); }), "is a link"));
 }
 
 }  // namespace

@@ -40,6 +40,17 @@ TEST(OutputFolder, AppearsWhenItIsComplete) {
   EXPECT_TRUE(load_record(target).value().finished);
 }
 
+TEST(OutputFolder, SaysThatItIsIncomplete) {
+  const TemporaryFolder folder;
+  OutputFolder output(request_for(folder.path() / "run"));
+  write_file(output.folder() / "errors.csv", "e");
+  EXPECT_FALSE(output.is_committed());
+  output.commit(false);
+  EXPECT_TRUE(output.is_committed());
+  EXPECT_FALSE(load_record(folder.path() / "run").value().finished);
+  EXPECT_EQ(read_file(folder.path() / "run/errors.csv"), "e");
+}
+
 TEST(OutputFolder, LeavesNothingUnlessItIsComplete) {
   const TemporaryFolder folder;
   { const OutputFolder output(request_for(folder.path() / "a/b/run")); }
@@ -209,6 +220,101 @@ TEST(OutputFolder, LeavesNoListInAPartOfALargerFolder) {
   }
   EXPECT_FALSE(fs::exists(folder.path() / "run" / kRecordName));
   EXPECT_TRUE(fs::exists(folder.path() / "run/errors.csv"));
+}
+
+/// A repository that ships a folder `runs` must not reach the user's files.
+TEST(OutputFolder, RemovesNothingForAListFromOutside) {
+  const TemporaryFolder folder;
+  const fs::path thesis = folder.put("docs/thesis.tex", "mine");
+  folder.put("run/notes.txt", "mine");
+  const std::string hash = "\": \"" + hash_file(folder.path(), "docs/thesis.tex") + "\"";
+  const std::string none = "\": null";
+  for (const std::string& entry :
+       {"../docs/thesis.tex" + none, "../docs/thesis.tex" + hash, thesis.string() + none,
+        thesis.string() + hash, "a/../../docs/thesis.tex" + hash, "notes.txt" + none}) {
+    folder.put("run/" + std::string(kRecordName),
+               R"({"castaway": "1", "files": {")" + entry + "}}");
+    OutputRequest request = request_for(folder.path() / "run");
+    EXPECT_NE(refusal(request), "") << entry;
+    request.force = true;
+    EXPECT_NE(refusal(request), "") << entry;
+    EXPECT_NE(error_of([&] { remove_output(folder.path() / "run"); }), "") << entry;
+    EXPECT_EQ(read_file(thesis), "mine");
+    EXPECT_EQ(read_file(folder.path() / "run/notes.txt"), "mine");
+  }
+}
+
+TEST(OutputFolder, RemovesNothingThroughALinkByForce) {
+  const TemporaryFolder folder;
+  const fs::path thesis = folder.put("docs/thesis.tex", "mine");
+  fs::create_directories(folder.path() / "run");
+  fs::create_directory_symlink("../docs", folder.path() / "run/link");
+  FileRecord record{"run", "5e77", true, {}, {}};
+  record.files["link/thesis.tex"] = hash_file(folder.path(), "docs/thesis.tex");
+  save_record(folder.path() / "run", record);
+  OutputRequest request = request_for(folder.path() / "run");
+  request.force = true;
+  {
+    OutputFolder output(request);
+    write_file(output.folder() / "errors.csv", "new");
+    output.commit();
+  }
+  EXPECT_EQ(read_file(thesis), "mine");
+}
+
+TEST(OutputFolder, ReplacesWhatAKilledRunMovedHalfWay) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv", "old.csv"});
+  FileRecord record = load_record(folder.path() / "run").value();
+  record.finished = false;
+  folder.put("run/errors.csv", "half-way");
+  folder.put("run/new.csv", "new");
+  for (const char* name : {"errors.csv", "new.csv"}) {
+    record.coming[name] = hash_file(folder.path() / "run", name);
+  }
+  record.coming["later.csv"] = record.files.at("old.csv");
+  save_record(folder.path() / "run", record);
+  write_run(folder.path() / "run", {"errors.csv"});
+  EXPECT_EQ(read_file(folder.path() / "run/errors.csv"), "errors.csv");
+  EXPECT_FALSE(fs::exists(folder.path() / "run/new.csv"));
+  EXPECT_FALSE(fs::exists(folder.path() / "run/old.csv"));
+}
+
+TEST(ReplaceOutput, MovesADraftToAFreePlace) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "draft", {"errors.csv", "tables/a.csv"});
+  replace_output(folder.path() / "draft", folder.path() / "cells/1");
+  EXPECT_EQ(read_file(folder.path() / "cells/1/tables/a.csv"), "tables/a.csv");
+  EXPECT_FALSE(fs::exists(folder.path() / "draft"));
+}
+
+TEST(ReplaceOutput, KeepsFilesOfOthers) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "run", {"errors.csv", "old.csv", "tables/a.csv"});
+  folder.put("run/notes.txt", "mine");
+  folder.put("run/tables/mine.csv", "mine");
+  write_run(folder.path() / "draft", {"errors.csv", "tables/a.csv", "tables/b.csv"});
+  replace_output(folder.path() / "draft", folder.path() / "run");
+  EXPECT_EQ(read_file(folder.path() / "run/notes.txt"), "mine");
+  EXPECT_EQ(read_file(folder.path() / "run/tables/mine.csv"), "mine");
+  EXPECT_EQ(read_file(folder.path() / "run/tables/b.csv"), "tables/b.csv");
+  EXPECT_FALSE(fs::exists(folder.path() / "run/old.csv"));
+  folder.put("run/errors.csv", "mine");
+  write_run(folder.path() / "again", {"errors.csv"});
+  EXPECT_TRUE(
+      contains(error_of([&] { replace_output(folder.path() / "again", folder.path() / "run"); }),
+               "castaway did not write what is there"));
+  EXPECT_EQ(read_file(folder.path() / "run/errors.csv"), "mine");
+}
+
+TEST(ReplaceOutput, FollowsNoLink) {
+  const TemporaryFolder folder;
+  write_run(folder.path() / "mine", {"errors.csv"});
+  write_run(folder.path() / "draft", {"errors.csv"});
+  fs::create_directory_symlink("mine", folder.path() / "link");
+  EXPECT_TRUE(
+      contains(error_of([&] { replace_output(folder.path() / "draft", folder.path() / "link"); }),
+               "is a link"));
 }
 
 }  // namespace

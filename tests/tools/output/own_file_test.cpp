@@ -46,7 +46,7 @@ TEST(OwnFile, NeedsAName) {
 
 TEST(OwnFile, MayReplaceAFileOfARun) {
   const TemporaryFolder folder;
-  folder.put("report.html", "old");
+  folder.put("report.html", "<title>castaway: old</title>");
   FileRecord record{"run", "5e77", true, {}, {{"report.html", ""}}};
   save_record(folder.path(), record);
   write_own_file(folder.path() / "report.html", "new");

@@ -113,6 +113,53 @@ TEST(RunsFolder, RefusesFilesOfOthersInItAndInItsRuns) {
   }
 }
 
+/// A repository that ships a folder `runs` must not reach the user's runs.
+TEST(RunsFolder, RemovesNoRunOutsideItsFolder) {
+  const TemporaryFolder temporary;
+  write_run_of_many(temporary.path(), {"good", "s"});
+  const fs::path all = temporary.path() / "all";
+  fs::create_directories(all);
+  fs::create_directory_symlink("../good", all / "link");
+  for (const std::string& run : {std::string("../good"), (temporary.path() / "good").string()}) {
+    temporary.put("all/" + std::string(kRecordName),
+                  R"({"castaway": "1", "runs": [")" + run + R"("]})");
+    EXPECT_TRUE(
+        contains(error_of([&] { RunsFolder(runs_request(all), seeds(1)); }), "lists the path"));
+  }
+  FileRecord record;
+  record.runs = {"link"};
+  save_record(all, record);
+  OutputRequest forced = runs_request(all);
+  forced.force = true;
+  RunsFolder(forced, seeds(1)).finish();
+  EXPECT_TRUE(fs::exists(temporary.path() / "good/errors.csv"));
+}
+
+TEST(RunsFolder, WritesNoRunThroughALink) {
+  const TemporaryFolder temporary;
+  fs::create_directories(temporary.path() / "elsewhere");
+  fs::create_directories(temporary.path() / "all");
+  fs::create_directory_symlink("../elsewhere", temporary.path() / "all/seed-1");
+  OutputRequest request = runs_request(temporary.path() / "all");
+  request.force = true;
+  EXPECT_TRUE(contains(error_of([&] { RunsFolder(request, seeds(1)); }), "seed-1: is a link"));
+}
+
+TEST(RunsFolder, KnowsAFileThatAKilledCallHadMoved) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "all";
+  temporary.put("all/summary.json", "one");
+  FileRecord record{"run --seeds", "all", false, {}, {}};
+  record.coming["summary.json"] = hash_file(path, "summary.json");
+  save_record(path, record);
+  RunsFolder folder(runs_request(path), seeds(1));
+  folder.put("summary.json", "two");
+  folder.finish();
+  EXPECT_EQ(read_file(path / "summary.json"), "two");
+  EXPECT_FALSE(fs::exists(path / kStagingName));
+  EXPECT_TRUE(load_record(path).value().coming.empty());
+}
+
 TEST(RunsFolder, NeverReplacesAFileOfOthers) {
   const TemporaryFolder temporary;
   temporary.put("all/summary.json", "mine");

@@ -96,6 +96,19 @@ TEST_F(LoopTest, TellsSinksEverythingInOrder) {
                                                     "odometry", "finish 1000"}));
 }
 
+/// Writes nothing, and says so.
+struct FailingSink : ListSink {
+  void finish(Stamp, const RunTiming&) override { throw std::runtime_error("disk full"); }
+};
+
+TEST_F(LoopTest, ASinkThatFailsToFinishLeavesTheOthers) {
+  sinks_.insert(sinks_.begin(), std::make_unique<FailingSink>());
+  Loop loop(config_, localizers_, sinks_);
+  EXPECT_THROW(loop.run(source_), std::runtime_error);
+  EXPECT_TRUE(loop.is_finished());
+  EXPECT_EQ(sink_->calls.back(), "finish 1000");
+}
+
 TEST_F(LoopTest, DrivesByALocalizersCommandsAtEveryOdometry) {
   localizers_.front().velocity = [] { return BaseVelocity{0.3, 0.1}; };
   config_.orders = {{Stamp(12), localizers_.front().name, LocalizerOrder::What::kOff, {}}};

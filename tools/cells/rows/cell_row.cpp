@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -111,7 +113,7 @@ std::string row_text(const CellRow& row) {
                   {"cpu_s", row.cpu_s},
                   {"wall_s", row.wall_s},
                   {"memory_mb", row.memory_mb}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 CellRow parse_row(const std::string& line) {

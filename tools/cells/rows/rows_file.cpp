@@ -11,7 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/durable.hpp"
+#include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/output/listed_path.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -40,7 +43,9 @@ off_t whole_lines(const fs::path& file) {
 }  // namespace
 
 RowsFile::RowsFile(fs::path file) : file_(std::move(file)) {
-  handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  require_no_link(folder_of(file_), file_.filename());
+  require_regular_file(file_);
+  handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (handle_ < 0) fail_rows(file_);
   // Another error: the file system does not support locks.
   if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -71,7 +76,10 @@ RowIndex::RowIndex(const fs::path& folder, int cells) : places_(static_cast<std:
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("rows") && name.ends_with(".jsonl")) files_.push_back(entry.path());
+    if (!name.starts_with("rows") || !name.ends_with(".jsonl")) continue;
+    require_no_link(folder, name);
+    require_regular_file(entry.path());
+    files_.push_back(entry.path());
   }
   std::sort(files_.begin(), files_.end());
   for (std::size_t i = 0; i < files_.size(); ++i) {

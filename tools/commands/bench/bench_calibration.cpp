@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
 #include "tools/twin/calibration_trials.hpp"
 #include "tools/workers/worker_pool.hpp"
@@ -42,7 +43,7 @@ Json run_calibrations(const CalibrationArguments& arguments) {
     for (const FoundSetting& setting : try_calibration(arguments.config, trial)) {
       settings.push_back(to_json(setting, trial));
     }
-    return settings.dump();
+    return json_text(settings);
   };
   JobOutcomes outcomes;
   outcomes.on_result = [&](int trial, const std::string& settings) {
@@ -92,7 +93,7 @@ void print_settings(const Json& all) {
 int bench_calibration(const CalibrationArguments& arguments) {
   const Json all = run_calibrations(arguments);
   if (arguments.json) {
-    fmt::print("{}\n", all.dump(1));
+    fmt::print("{}\n", json_text(all, 1));
   } else {
     print_settings(all);
   }

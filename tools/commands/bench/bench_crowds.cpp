@@ -10,6 +10,7 @@
 #include "localization/geometry/stamp.hpp"
 #include "tools/bench/crowd_hours.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -36,7 +37,7 @@ int bench_crowds(CrowdArguments arguments) {
         {"through_walls", seen.through}, {"inside_walls", seen.inside},
         {"walked_km", seen.walked_km},   {"closest_pair_m", seen.closest_pair_m},
         {"robot_hits", seen.robot_hits}, {"cpu_s", cpu_s}};
-    fmt::print("{}\n", json.dump(1));
+    fmt::print("{}\n", json_text(json, 1));
     return kDone;
   }
   fmt::print(

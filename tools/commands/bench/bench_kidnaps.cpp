@@ -9,6 +9,7 @@
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
@@ -205,7 +206,7 @@ int bench_kidnaps(KidnapArguments arguments) {
     batches.push_back(to_json(batch));
     voids += batch.voids;
   }
-  if (arguments.json) fmt::print("{}\n", batches.dump(1));
+  if (arguments.json) fmt::print("{}\n", json_text(batches, 1));
   return voids > 0 ? kRunFailed : kDone;
 }
 

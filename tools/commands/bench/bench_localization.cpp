@@ -7,6 +7,7 @@
 
 #include "tools/bench/localization_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -86,7 +87,7 @@ int bench_localization(const LocalizationArguments& arguments) {
     take(time_match(80.0, 60.0, effort));
     take(time_fine_match(40.0, 30.0, effort));
   }
-  if (arguments.json) fmt::print("{}\n", json.dump(1));
+  if (arguments.json) fmt::print("{}\n", json_text(json, 1));
   return kDone;
 }
 

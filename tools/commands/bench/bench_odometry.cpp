@@ -8,6 +8,7 @@
 #include "sim/sensor/odometry_profiles.hpp"
 #include "tools/bench/odometry_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {
@@ -71,7 +72,7 @@ int bench_odometry(const OdometryArguments& arguments) {
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     (void)add_row(arguments.logs[i], recorded[i], words, json);
   }
-  if (!words) fmt::print("{}\n", json.dump(1));
+  if (!words) fmt::print("{}\n", json_text(json, 1));
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tools/bench/physics_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
@@ -30,7 +31,7 @@ int bench_physics(const PhysicsArguments& arguments) {
                       {"expected", check.expected},
                       {"measured", check.measured}});
     }
-    fmt::print("{}\n", list.dump(1));
+    fmt::print("{}\n", json_text(list, 1));
     return kDone;
   }
   fmt::print("{:<38} {:>10} {:>12} {:>12}\n", arguments.robot, "expected", "measured", "error");

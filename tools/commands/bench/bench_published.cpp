@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/play/progress.hpp"
@@ -75,7 +76,7 @@ int bench_published(const PublishedArguments& arguments) {
   }
   auto rows = nlohmann::ordered_json::array();
   for (const VariantScore& score : scores) rows.push_back(to_json(score));
-  fmt::print("{}\n", rows.dump(1));
+  fmt::print("{}\n", json_text(rows, 1));
   return kDone;
 }
 

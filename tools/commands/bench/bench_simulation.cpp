@@ -7,6 +7,7 @@
 
 #include "tools/bench/simulation_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
+#include "tools/files/json_text.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -91,7 +92,7 @@ int bench_simulation(const SimulationArguments& arguments) {
     json["casts"].push_back(to_json(speed));
     if (words) print_casts(speed);
   }
-  if (arguments.json) fmt::print("{}\n", json.dump(1));
+  if (arguments.json) fmt::print("{}\n", json_text(json, 1));
   return kDone;
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
@@ -38,7 +39,7 @@ void close_file(int& file) {
 
 int open_log(const std::filesystem::path& log) {
   if (log.empty()) return -1;
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (file >= 0) return file;
   throw std::runtime_error(fmt::format("{}: {}", log.string(), std::strerror(errno)));
 }
@@ -52,6 +53,10 @@ ChildProcess::ChildProcess(std::vector<std::string> command, const std::filesyst
   const std::optional<GuardNote> note = read_note(-1);
   if (note && note->kind == GuardNote::Kind::kStarted) {
     program_ = note->value;
+    return;
+  }
+  if (note && note->kind == GuardNote::Kind::kEnded) {  // It killed its guard at once.
+    note_end(*note);
     return;
   }
   const int error = note ? note->value : EAGAIN;
@@ -127,12 +132,28 @@ std::chrono::nanoseconds ChildProcess::end() {
   close_file(control_);
   close_file(input_);
   close_file(output_);
-  while (const auto note = notes_ >= 0 ? read_note(-1) : std::nullopt) note_end(*note);
+  if (notes_ >= 0 && !read_last_notes()) kill(guard_, SIGKILL);
   close_file(notes_);
   while (guard_ > 0 && waitpid(guard_, nullptr, 0) < 0 && errno == EINTR) {
   }
   guard_ = -1;
   return cpu_;
+}
+
+/// Reads the guard's notes to their end. A program may have stopped the guard. Returns false if it
+/// does not end.
+bool ChildProcess::read_last_notes() {
+  constexpr int kEvery = 50;  // [ms]
+  constexpr int kMost = 200;
+  for (int i = 0; i < kMost; ++i) {
+    kill(guard_, SIGCONT);
+    pollfd waiting{notes_, POLLIN, 0};
+    if (poll(&waiting, 1, kEvery) <= 0) continue;
+    const auto note = read_note(0);
+    if (!note) return true;
+    note_end(*note);
+  }
+  return false;
 }
 
 ChildProcess::~ChildProcess() { end(); }

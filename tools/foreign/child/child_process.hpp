@@ -42,6 +42,7 @@ class ChildProcess {
   /// The next report of the guard; nothing if none comes in time.
   std::optional<GuardNote> read_note(int patience_ms) const;
   void note_end(const GuardNote& note);
+  bool read_last_notes();
 
   pid_t guard_ = -1;
   pid_t program_ = -1;

@@ -159,7 +159,7 @@ void kill_all(const Guard& guard) {
     kill_children();
     int status = 0;
     const pid_t ended = waitpid(-1, &status, 0);
-    if (ended == guard.program) send(guard, {GuardNote::Kind::kEnded, status});
+    if (ended > 0 && ended == guard.program) send(guard, {GuardNote::Kind::kEnded, status});
     if (ended < 0 && errno != EINTR) return;
   }
 }
@@ -193,6 +193,37 @@ std::int64_t cpu_of_children() {
   return seconds * 1'000'000'000 + (used.ru_utime.tv_usec + used.ru_stime.tv_usec) * 1'000;
 }
 
+/// Starts the program and guards it until castaway wants its end.
+[[noreturn]] void be_guard(Guard& guard, const std::vector<char*>& arguments) {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  if (start(guard, arguments)) {
+    watch(guard);
+    kill_all(guard);
+    drain(guard);
+    send(guard, {GuardNote::Kind::kAllEnded, 0, cpu_of_children()});
+  }
+  _exit(0);
+}
+
+/// Waits for the guard, which a program may stop. Returns false if the program killed it, or if it
+/// does not end soon after it was asked to.
+bool stand_behind(const Guard& guard, pid_t process) {
+  constexpr int kEvery = 20;  // [ms]
+  constexpr int kEveryLast = 2;
+  constexpr int kMostLast = 1000;
+  int last = 0;
+  while (last < kMostLast) {
+    pollfd waiting{guard.files.control, POLLIN, 0};
+    poll(&waiting, last > 0 ? 0 : 1, last > 0 ? kEveryLast : kEvery);
+    if (last > 0 || waiting.revents != 0) ++last;
+    int status = 0;
+    if (waitpid(process, &status, WNOHANG | WUNTRACED) != process) continue;
+    if (!WIFSTOPPED(status)) return WIFEXITED(status);
+    kill(process, SIGCONT);
+  }
+  return false;
+}
+
 }  // namespace
 
 void guard_program(const GuardFiles& files, const std::vector<char*>& arguments) {
@@ -202,10 +233,14 @@ void guard_program(const GuardFiles& files, const std::vector<char*>& arguments)
   std::signal(SIGCHLD, SIG_DFL);
   Guard guard{files};
   close_others(guard.files);
-  if (start(guard, arguments)) {
-    watch(guard);
+  const pid_t process = fork();
+  if (process <= 0) be_guard(guard, arguments);
+  for (const int file : {guard.files.program_in, guard.files.program_out, guard.files.log}) {
+    if (file >= 0) ::close(file);
+  }
+  if (!stand_behind(guard, process)) {
     kill_all(guard);
-    drain(guard);
+    send(guard, {GuardNote::Kind::kEnded, SIGKILL});
     send(guard, {GuardNote::Kind::kAllEnded, 0, cpu_of_children()});
   }
   _exit(0);

@@ -1,5 +1,6 @@
-/// The process between castaway and a program of the user's: nothing that the program started
-/// outlives the run, even if castaway is killed.
+/// The processes between castaway and a program of the user's: nothing that the program started
+/// outlives the run, even if castaway is killed. The program's parent is the guard; behind it
+/// stands another process that starts a stopped guard again and takes over from a killed one.
 #pragma once
 
 #include <cstdint>

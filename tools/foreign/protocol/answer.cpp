@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
 
@@ -37,21 +38,21 @@ Json parse(const std::string& line, const std::string& type) {
   if (!message.is_object() || found == message.end()) {
     fail("answered without a 'type': " + quoted(line));
   }
-  if (*found != type) fail(fmt::format("answered {} instead of \"{}\"", found->dump(), type));
+  if (*found != type) fail(fmt::format("answered {} instead of \"{}\"", json_text(*found), type));
   return message;
 }
 
 void require_known(const Json& object, std::initializer_list<const char*> keys) {
   for (const auto& [key, value] : object.items()) {
     const bool known =
-        std::any_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; });
+        std::any_of(keys.begin(), keys.end(), [&name = key](const char* k) { return name == k; });
     if (!known) fail(fmt::format("answered with an unknown key {}", quoted(key)));
   }
 }
 
 double number(const Json& value, const std::string& key) {
   if (!value.is_number())
-    fail(fmt::format("'{}' must be of numbers, not {}", key, quoted(value.dump())));
+    fail(fmt::format("'{}' must be of numbers, not {}", key, quoted(json_text(value))));
   return value.get<double>();
 }
 
@@ -179,8 +180,8 @@ Answer read_estimate(const std::string& line, localization::Stamp stamp) {
   if (!message.contains("stamp_ns")) fail("answered without 'stamp_ns'");
   const auto answered = message.at("stamp_ns");
   if (answered != stamp.count()) {
-    fail(
-        fmt::format("answered for stamp {} instead of {}", quoted(answered.dump()), stamp.count()));
+    fail(fmt::format("answered for stamp {} instead of {}", quoted(json_text(answered)),
+                     stamp.count()));
   }
   Answer answer;
   answer.populations = hypotheses(message);

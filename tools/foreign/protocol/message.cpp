@@ -8,6 +8,8 @@
 #include <openssl/evp.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -142,7 +144,7 @@ Message MessageReader::read(const std::string& line) {
 }
 
 std::string ready_text() {
-  return Json{{"type", "ready"}, {"protocol", kProtocolVersion}}.dump() + "\n";
+  return json_text(Json{{"type", "ready"}, {"protocol", kProtocolVersion}}) + "\n";
 }
 
 std::string estimate_text(Stamp stamp, const std::optional<localization::Estimate>& estimate) {
@@ -162,7 +164,7 @@ std::string estimate_text(Stamp stamp, const std::optional<localization::Estimat
                                     {"probability", std::clamp(other.share, 0.0, 1.0)}});
     }
   }
-  return json.dump() + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace castaway::testbed

@@ -7,6 +7,8 @@
 #include <openssl/evp.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -67,7 +69,7 @@ Json lidar_json(const LidarFacts& lidar) {
 
 /// Text of other origin may hold bytes that are not UTF-8.
 void append_line(const Json& message, std::string& text) {
-  text += message.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text += json_text(message);
   text += '\n';
 }
 
@@ -120,7 +122,7 @@ void append_odometry(const Odometry& odometry, const Eigen::Vector3d& twist, std
 void append_scan(const LaserScan& scan, std::string& text) {
   text += R"({"type":"scan","stamp_ns":)";
   fmt::format_to(std::back_inserter(text), "{}", scan.stamp.count());
-  text += R"(,"lidar":)" + Json(scan.lidar).dump(-1, ' ', false, Json::error_handler_t::replace);
+  text += R"(,"lidar":)" + json_text(Json(scan.lidar));
   fmt::format_to(std::back_inserter(text), R"(,"time_increment_s":{},"ranges":[)",
                  localization::seconds(scan.time_increment));
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {

@@ -16,7 +16,9 @@ using localization::GroundSurface;
 using localization::VoxelMap;
 
 constexpr std::size_t kMostPerCell = 255;
-constexpr std::uint64_t kMost = std::uint64_t{4} << 30U;  // [bytes] Unpacked.
+constexpr std::uint64_t kMost = std::uint64_t{512} << 20U;  // [bytes] Unpacked.
+constexpr std::uint64_t kMostVoxels = 30'000'000;
+constexpr std::uint64_t kMostCells = 50'000'000;  // Of the ground: 350 m x 350 m at 0.05 m.
 
 void put_voxels(std::string& bytes, const VoxelMap& map) {
   std::string keys;
@@ -42,6 +44,8 @@ VoxelMap take_voxels(ByteReader& reader) {
   if (count > reader.rest() / 5) {  // A key takes a byte at least, its point and flag four.
     throw std::runtime_error("states more voxels than it holds");
   }
+  if (count > kMostVoxels) throw std::runtime_error("has more than 30 million voxels");
+  map.keys.reserve(count);
   VarintReader keys(reader.take(reader.number<std::uint64_t>()));
   localization::VoxelKey last = 0;
   for (std::size_t i = 0; i < count; ++i) map.keys.push_back(last += keys.next());
@@ -85,6 +89,9 @@ localization::GridFrame take_frame(ByteReader& reader) {
   if (std::uint64_t{width} * height > reader.rest()) {
     throw std::runtime_error("states more cells than it holds");
   }
+  if (std::uint64_t{width} * height > kMostCells) {
+    throw std::runtime_error("its ground has more than 50 million cells");
+  }
   frame.width = static_cast<int>(width);
   frame.height = static_cast<int>(height);
   for (double* value :
@@ -97,6 +104,7 @@ localization::GridFrame take_frame(ByteReader& reader) {
 ElevationMap take_ground(ByteReader& reader) {
   ElevationMap map;
   map.frame = take_frame(reader);
+  map.first.reserve(map.frame.size() + 1);
   map.first.assign(1, 0);
   for (std::size_t i = 0; i < map.frame.size(); ++i) {
     map.first.push_back(map.first.back() + reader.number<std::uint8_t>());

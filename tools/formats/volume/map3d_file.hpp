@@ -22,7 +22,7 @@ inline constexpr std::string_view kMap3dHead = "castaway-map3d 1\n";
 std::string encode_map3d(const Map3d& map);
 
 /// Reads a file. `name` is used in errors. Throws std::runtime_error of one line for what is no
-/// such file, is damaged, or holds more than 4 GiB.
+/// such file, is damaged, or holds more than 512 MiB.
 Map3d decode_map3d(std::string_view bytes, const std::string& name);
 
 }  // namespace castaway::testbed

@@ -16,7 +16,7 @@ using localization::VoxelBuilder;
 using localization::VoxelMap;
 
 constexpr int kFarthest = 1 << 15;  // [voxels] An OctoMap's keys have 16 bits.
-constexpr std::size_t kMostVoxels = 30'000'000;
+constexpr double kMostOccupied = 1e7;
 
 /// liboctomap prints when it reads or writes whole files, so that heads are read and written here.
 std::string head_text(const octomap::OcTree& tree, OctomapKind kind) {
@@ -51,6 +51,20 @@ void add_leaf(const octomap::OcTree::leaf_iterator& leaf, double resolution,
       for (int x = 0; x < across; ++x) {
         builder.add(low + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) * resolution);
       }
+    }
+  }
+}
+
+/// Throws std::invalid_argument, before they take memory: a node of a few bytes may be a large
+/// cube.
+void require_few_voxels(const octomap::OcTree& tree) {
+  double count = 0.0;
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    if (!tree.isNodeOccupied(*leaf)) continue;
+    const double across = leaf.getSize() / tree.getResolution();
+    count += across * across * across;
+    if (count > kMostOccupied) {
+      throw std::invalid_argument("has more than 10 million occupied voxels; use larger voxels");
     }
   }
 }
@@ -90,14 +104,10 @@ VoxelMap decode_octomap(std::string_view bytes, const std::string& name) {
   octomap::OcTree tree(resolution);
   read_nodes(bytes, head, name, tree);
   try {
+    require_few_voxels(tree);
     VoxelBuilder builder(resolution);
-    std::size_t count = 0;
     for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
-      if (!tree.isNodeOccupied(*leaf)) continue;
-      const double across = leaf.getSize() / resolution;
-      count += static_cast<std::size_t>(across * across * across);
-      if (count > kMostVoxels) throw std::invalid_argument("has more than 30 million voxels");
-      add_leaf(leaf, resolution, builder);
+      if (tree.isNodeOccupied(*leaf)) add_leaf(leaf, resolution, builder);
     }
     return builder.build();
   } catch (const std::invalid_argument& error) {

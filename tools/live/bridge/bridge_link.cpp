@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/live/lines/pipes.hpp"
 #include "tools/live/lines/wire.hpp"
 
@@ -60,7 +61,7 @@ std::uint16_t BridgeLink::add(const BagTopic& topic, const char*,
                      {"name", topic.name},
                      {"type", topic.type},
                      {"latched", topic.durability == Durability::kTransientLocal}};
-  (void)write_whole(socket_, to_wire(WireKind::kSaid, said.dump()));
+  (void)write_whole(socket_, to_wire(WireKind::kSaid, json_text(said)));
   return next_++;
 }
 

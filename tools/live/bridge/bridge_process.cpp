@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "tools/live/lines/pipes.hpp"
+#include "tools/output/say.hpp"
 #include "tools/ros2/build_ros2.hpp"
 #include "tools/workers/worker_process.hpp"
 
@@ -33,7 +34,7 @@ void be_bridge(const BridgeConfig& config, int socket) {
   try {
     publish_link(socket, *wire);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "castaway: --ros2: {}\n", error.what());
+    say(fmt::format("--ros2: {}", error.what()));
   }
 }
 

@@ -7,12 +7,11 @@
 #include <array>
 #include <cerrno>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 
-void LiveLine::say(const nlohmann::ordered_json& json) {
-  using Json = nlohmann::ordered_json;
-  send(WireKind::kSaid, json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+void LiveLine::say(const nlohmann::ordered_json& json) { send(WireKind::kSaid, json_text(json)); }
 
 void LiveLine::show(const std::string& frame) { send(WireKind::kFrame, frame); }
 

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -28,7 +30,7 @@ void LiveHistory::add(std::string_view frame) {
   for (const nlohmann::ordered_json& scan : head.at("scans")) {
     const double time_s = scan.at(0).get<double>();
     cut(time_s - 2 * kSameTime);
-    scans_.push_back({time_s, scan.dump()});
+    scans_.push_back({time_s, json_text(scan)});
     if (scans_.size() > most_) scans_.pop_front();
   }
 }

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -92,8 +94,8 @@ bool LivePages::use_hands(const std::shared_ptr<LivePage>& page, Clock::time_poi
 void LivePages::tell_hands() const {
   const auto holder = holder_.lock();
   for (const auto& page : pages_) {
-    page->say(
-        shared(PagesJson{{"said", "hands"}, {"yours", page == holder}, {"free", !holder}}.dump()));
+    page->say(shared(
+        json_text(PagesJson{{"said", "hands"}, {"yours", page == holder}, {"free", !holder}})));
   }
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <chrono>
 #include <deque>
+#include <list>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include <boost/beast.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/live/lines/wire.hpp"
 #include "tools/live/server/live_http.hpp"
 #include "tools/live/server/live_pages.hpp"
@@ -28,7 +31,9 @@ using asio::ip::tcp;
 using RunSocket = asio::local::stream_protocol::socket;
 using Steady = std::chrono::steady_clock;
 
-constexpr std::size_t kMostConnections = 64;
+constexpr std::size_t kMostConnections = 64;  // That had a request with the token.
+constexpr std::size_t kMostStrangers = 64;    // That had none yet.
+constexpr std::chrono::seconds kStrangerPatience(1);
 constexpr std::chrono::seconds kPatience(10);       // For a whole request.
 constexpr std::chrono::seconds kFilePatience(120);  // For one that brings a file.
 constexpr std::size_t kLongestHeader = 8192;
@@ -104,9 +109,10 @@ class LiveServer::Impl {
   Awaitable accept() {
     while (true) {
       tcp::socket socket = co_await acceptor_.async_accept(use_awaitable);
-      if (connections_ >= kMostConnections) {
-        log_("refused: more than 64 connections");
-        continue;  // The socket closes.
+      if (strangers_.size() >= kMostStrangers) {
+        log_("refused: the oldest of 64 connections without a request");
+        strangers_.front()->close();
+        strangers_.pop_front();
       }
       spawn(converse(std::move(socket)));
     }
@@ -121,34 +127,62 @@ class LiveServer::Impl {
     std::size_t& count_;
   };
 
+  /// Lists a connection until it had a request with the token.
+  struct Stranger {
+    Stranger(std::list<beast::tcp_stream*>& list, beast::tcp_stream& stream)
+        : list_(list), stream_(&stream) {
+      list_.push_back(stream_);
+    }
+    ~Stranger() { list_.remove(stream_); }
+    Stranger(const Stranger&) = delete;
+    Stranger& operator=(const Stranger&) = delete;
+    std::list<beast::tcp_stream*>& list_;
+    beast::tcp_stream* stream_;
+  };
+
   void refuse(const std::string& what) const { log_("refused: " + what); }
 
+  /// Reads the header of a request that may be answered; nothing if there is none.
+  asio::awaitable<bool> read_header(beast::tcp_stream& stream, beast::flat_buffer& buffer,
+                                    http::request_parser<http::string_body>& parser) {
+    parser.header_limit(kLongestHeader);
+    parser.body_limit(kLargestUpload);  // Checked with the header.
+    boost::system::error_code error;
+    co_await http::async_read_header(stream, buffer, parser,
+                                     asio::redirect_error(use_awaitable, error));
+    if (error && !parser.got_some()) co_return false;  // Browsers open lines for later.
+    if (error) {
+      refuse("no request (" + error.message() + ")");
+      co_return false;
+    }
+    const char* wrong = http_.refusal_of(parser.get(), port());
+    if (wrong == nullptr) co_return true;
+    refuse(fmt::format("{} ({})", path_of(to_view(parser.get().target())).substr(0, 80), wrong));
+    co_await http::async_write(
+        stream, LiveHttp::answer(parser.get(), http::status::forbidden, std::string(wrong) + "\n"),
+        use_awaitable);
+    co_return false;
+  }
+
   Awaitable converse(tcp::socket socket) {
-    const Counted counted(connections_);
     beast::tcp_stream stream(std::move(socket));
+    std::optional<Stranger> stranger(std::in_place, strangers_, stream);
+    std::optional<Counted> counted;
     beast::flat_buffer buffer;
     while (true) {
-      stream.expires_after(kPatience);
+      stream.expires_after(counted ? kPatience : kStrangerPatience);
       http::request_parser<http::string_body> parser;
-      parser.header_limit(kLongestHeader);
-      parser.body_limit(kLargestUpload);  // Checked with the header.
-      boost::system::error_code error;
-      co_await http::async_read_header(stream, buffer, parser,
-                                       asio::redirect_error(use_awaitable, error));
-      if (error && !parser.got_some()) co_return;  // Browsers open lines for later.
-      if (error) co_return refuse("no request (" + error.message() + ")");
-      if (const char* wrong = http_.refusal_of(parser.get(), port())) {
-        refuse(
-            fmt::format("{} ({})", path_of(to_view(parser.get().target())).substr(0, 80), wrong));
-        co_await http::async_write(
-            stream,
-            LiveHttp::answer(parser.get(), http::status::forbidden, std::string(wrong) + "\n"),
-            use_awaitable);
-        co_return;
+      if (!co_await read_header(stream, buffer, parser)) co_return;
+      if (!counted && connections_ >= kMostConnections) {
+        co_return refuse("more than 64 connections");
       }
+      if (!counted) counted.emplace(connections_);
+      stranger.reset();
+      stream.expires_after(kPatience);
       const std::uint64_t limit = LiveHttp::body_limit(parser.get());
       if (parser.content_length().value_or(0) > limit) co_return refuse("a body that is too long");
       parser.body_limit(limit);
+      boost::system::error_code error;
       if (limit > 0) stream.expires_after(kFilePatience);
       co_await http::async_read(stream, buffer, parser, asio::redirect_error(use_awaitable, error));
       if (error) co_return refuse("no request (" + error.message() + ")");
@@ -231,7 +265,7 @@ class LiveServer::Impl {
 
   static void complain(const std::shared_ptr<LivePage>& page, const char* text) {
     const nlohmann::json error = {{"said", "error"}, {"text", text}};
-    page->say(std::make_shared<const std::string>(error.dump()));
+    page->say(std::make_shared<const std::string>(json_text(error)));
   }
 
   /// Passes a command on to the run.
@@ -286,6 +320,7 @@ class LiveServer::Impl {
   LivePages pages_;
   std::deque<std::string> to_run_;
   std::size_t connections_ = 0;
+  std::list<beast::tcp_stream*> strangers_;  ///< The oldest first.
   bool run_ended_ = false;
   std::function<void(const std::string&)> log_;
 };

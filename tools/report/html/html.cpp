@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/files/utf8.hpp"
+
 namespace castaway::testbed {
 
 std::string base64(std::string_view bytes) {
@@ -49,7 +51,7 @@ std::string escape_html(std::string_view text) {
         escaped += c;
     }
   }
-  return escaped;
+  return valid_utf8(std::move(escaped));
 }
 
 std::string png_data_uri(std::string_view png) { return "data:image/png;base64," + base64(png); }

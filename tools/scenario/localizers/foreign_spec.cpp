@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/files/json_text.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
@@ -61,7 +62,7 @@ std::string read_params(YamlReader& body) {
   const auto params = body.find("params");
   if (!params) return "{}";
   if (!params->is_map()) params->fail("must be a map, e.g. {particles: 500}");
-  return yaml_json(params->raw()).dump();
+  return json_text(yaml_json(params->raw()));
 }
 
 void read_name(YamlReader& body, const std::string& fallback, LocalizerSpec& spec) {
@@ -125,11 +126,10 @@ std::optional<LocalizerSpec> parse_foreign(const std::string& text) {
 
 std::string foreign_yaml(const LocalizerSpec& spec) {
   if (const auto* program = std::get_if<ProgramConfig>(&spec.config)) {
-    return nlohmann::json{{"name", spec.name}, {"program", program->command}}.dump();
+    return json_text(nlohmann::json{{"name", spec.name}, {"program", program->command}});
   }
-  return nlohmann::json{{"name", spec.name},
-                        {"library", std::get<LibraryConfig>(spec.config).library}}
-      .dump();
+  return json_text(nlohmann::json{{"name", spec.name},
+                                  {"library", std::get<LibraryConfig>(spec.config).library}});
 }
 
 void describe_foreign(std::vector<SettingText>& texts) {

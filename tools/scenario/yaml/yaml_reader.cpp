@@ -158,7 +158,7 @@ void YamlReader::fill(const std::string& key, YamlNode value) {
 }
 
 YamlDocument YamlDocument::load(const std::filesystem::path& file) {
-  return parse(read_file(file), file.string());
+  return parse(read_file(file, kLargestSettings), file.string());
 }
 
 YamlDocument YamlDocument::parse(const std::string& text, const std::string& name) {

@@ -144,6 +144,10 @@ class YamlDocument {
 
   /// Applies `key=value` (see `apply_override`); call it before reading.
   void set(const std::string& assignment) { apply_override(*root_, assignment); }
+  /// Sets `key` to a text as it is; call it before reading.
+  void set_text(const std::string& key, std::string text) {
+    put_value(*root_, key, yaml_scalar(std::move(text)), "--set " + key);
+  }
   /// Expands a key's short form (see `castaway::testbed::expand_short_form`); call it before
   /// reading.
   void expand_short_form(const std::string& key, const std::string& long_key) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
+
+#include "tools/files/utf8.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -58,6 +61,22 @@ class Converter {
   std::size_t count_ = 0;
 };
 
+/// Throws std::runtime_error if the text is not UTF-8. A byte order mark of UTF-16 or UTF-32 is
+/// left to the parser.
+void require_utf8(const std::string& text, const std::string& name) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+      text.starts_with(std::string_view("\0\0\xfe\xff", 4))) {
+    return;
+  }
+  const auto at = find_invalid_utf8(text);
+  if (!at) return;
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
+  throw std::runtime_error(
+      fmt::format("{}:{}: byte 0x{:02x} is no text in UTF-8; save the file as UTF-8", name, line,
+                  static_cast<unsigned char>(text[*at])));
+}
+
 }  // namespace
 
 YamlNode* YamlNode::find(const std::string& key) {
@@ -78,6 +97,7 @@ YamlNode yaml_scalar(std::string text) {
 }
 
 YamlNode parse_yaml(const std::string& text, const std::string& name) {
+  require_utf8(text, name);
   try {
     return Converter(name, text.size()).convert(YAML::Load(text));
   } catch (const YAML::Exception& error) {

@@ -268,6 +268,19 @@ TEST_F(SdfFiles, ReadsHundredsOfModels) {
 
 /// Like 3k_shapes of gz-sim: models spread over 1.5 km. Reading the models would give another
 /// error.
+TEST_F(SdfFiles, RefusesTensOfThousandsOfModelsBeforeTheyAreRead) {
+  std::string models;
+  for (int i = 0; i <= 10'000; ++i) {
+    models += "<model name='m" + std::to_string(i) + "'>" + link(kBox) + "</model>";
+  }
+  try {
+    load(models);
+    ADD_FAILURE() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("10001 models: at most 10000 are read"));
+  }
+}
+
 TEST_F(SdfFiles, RefusesAWorldOfKilometresBeforeItsModelsAreRead) {
   const std::string model = "<model name='a'><pose>-750 0 0 0 0 0</pose>" + link(kBox) +
                             "</model><model name='hollow'></model>";

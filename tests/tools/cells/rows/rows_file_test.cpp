@@ -34,6 +34,15 @@ TEST(RowsFile, OfAFolderThatIsNotThereHasNoRow) {
   EXPECT_TRUE(RowIndex("/nowhere/at/all", 2).cells().empty());
 }
 
+TEST(RowsFile, IsNoLink) {
+  const TemporaryFolder folder;
+  folder.put("mine", "my notes");
+  std::filesystem::create_symlink("mine", folder.path() / "rows.jsonl");
+  EXPECT_TRUE(contains(error_of([&] { RowsFile(folder.path() / "rows.jsonl"); }), "is a link"));
+  EXPECT_TRUE(contains(error_of([&] { RowIndex(folder.path(), 2); }), "is a link"));
+  EXPECT_EQ(read_file(folder.path() / "mine"), "my notes");
+}
+
 TEST(RowsFile, DropsALineThatWasHalfWritten) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "rows.jsonl";

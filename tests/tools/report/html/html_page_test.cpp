@@ -25,6 +25,7 @@ TEST(HtmlPage, RunsItsScriptAfterTheBody) {
 
 TEST(HtmlSection, EscapesItsTitle) {
   EXPECT_EQ(html_section("a & b", "<p>c</p>"), "<section><h2>a &amp; b</h2>\n<p>c</p></section>\n");
+  EXPECT_EQ(html_section("caf\xe9", ""), "<section><h2>caf\xef\xbf\xbd</h2>\n</section>\n");
 }
 
 }  // namespace

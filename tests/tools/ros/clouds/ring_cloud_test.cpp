@@ -36,19 +36,19 @@ TEST(RingCloud, OfASpinningLidarHasLayersOfBeams) {
 TEST(RingCloud, KnowsWhenEachBeamWasTaken) {
   const LaserScan scan = scan_of_cloud(vlp_cloud({}), milliseconds(5000));
   EXPECT_LT(scan.angle_increment, 0.0);  // It turns clockwise.
-  EXPECT_NEAR(seconds(scan.time_increment), 0.1 / 1800, 1e-8);
+  EXPECT_NEAR(localization::seconds(scan.time_increment), 0.1 / 1800, 1e-8);
   // The first point of the cloud is the third beam.
   EXPECT_NEAR(scan.beam_angle(2), 2.0, 1e-5);
-  EXPECT_NEAR(seconds(scan.beam_stamp(2)), 5.0, 1e-6);
-  EXPECT_NEAR(seconds(scan.beam_stamp(1001)), 5.0 + 0.1 * 999 / 1800, 1e-5);
+  EXPECT_NEAR(localization::seconds(scan.beam_stamp(2)), 5.0, 1e-6);
+  EXPECT_NEAR(localization::seconds(scan.beam_stamp(1001)), 5.0 + 0.1 * 999 / 1800, 1e-5);
 }
 
 TEST(RingCloud, OfAnotherClockBeginsAtItsStamp) {
   VlpCloud how;
   how.first_time = 1000.0;
   const LaserScan scan = scan_of_cloud(vlp_cloud(how), milliseconds(5000));
-  EXPECT_NEAR(seconds(scan.beam_stamp(2)), 5.0, 1e-3);
-  EXPECT_NEAR(seconds(scan.time_increment), 0.1 / 1800, 1e-6);
+  EXPECT_NEAR(localization::seconds(scan.beam_stamp(2)), 5.0, 1e-3);
+  EXPECT_NEAR(localization::seconds(scan.time_increment), 0.1 / 1800, 1e-6);
   how.first_time = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(scan_of_cloud(vlp_cloud(how), {}).ranges.empty());
 }

@@ -82,5 +82,17 @@ TEST(YamlOverride, TellsWhatDoesNotFit) {
   EXPECT_TRUE(contains(error_of([&] { apply_override(root, "a=[1"); }), "--set a=[1"));
 }
 
+TEST(YamlTree, NamesTheLineThatIsNotUtf8) {
+  EXPECT_TRUE(contains(error_of([] { parse_yaml("a: 1\nname: caf\xe9\n", "f.yaml"); }),
+                       "f.yaml:2: byte 0xe9 is no text in UTF-8; save the file as UTF-8"));
+  EXPECT_EQ(parse_yaml("name: caf\xc3\xa9\n", "f.yaml").find("name")->scalar, "caf\xc3\xa9");
+  const std::string utf16(
+      "\xff\xfe"
+      "a\0:\0 \0"
+      "1\0",
+      10);
+  EXPECT_EQ(parse_yaml(utf16, "f.yaml").find("a")->scalar, "1");
+}
+
 }  // namespace
 }  // namespace castaway::testbed
