@@ -1,10 +1,10 @@
 // The program.
 #include <cstdio>
-#include <exception>
 
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/localizer_failure.hpp"
@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   } catch (const LocalizerFailure& failure) {
     print_error(failure.what());
     return kRunFailed;
-  } catch (const std::exception& error) {
-    print_error(error.what());
+  } catch (...) {
+    print_error(current_error_text());
     return kBadInput;
   }
 }

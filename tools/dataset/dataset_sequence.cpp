@@ -10,6 +10,7 @@
 #include "tools/files/file.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/play/play.hpp"
 
 namespace castaway::testbed {
@@ -82,8 +83,8 @@ void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
     write_file(draft / "sequence.json", root.dump() + "\n");
   } catch (const FileError&) {
     throw;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(sequence_error(spec, sequence, error.what()));
+  } catch (...) {
+    throw std::runtime_error(sequence_error(spec, sequence, current_error_text()));
   }
 }
 

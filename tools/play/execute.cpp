@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "tools/files/file.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/run_summary.hpp"
@@ -26,10 +27,10 @@ int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::pat
   std::vector<LostLocalizer> lost;
   try {
     lost = execute(run, output, printing.quiet);
-  } catch (const std::exception& error) {
+  } catch (...) {
     run.sinks.clear();       // Removes the progress line.
     throw_if_interrupted();  // A signal also interrupts ffmpeg, and is then the cause of the error.
-    fmt::print(stderr, "castaway: the run failed: {}\n", error.what());
+    fmt::print(stderr, "castaway: the run failed: {}\n", current_error_text());
     return kRunFailed;
   }
   for (const LostLocalizer& each : lost) {
