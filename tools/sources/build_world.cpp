@@ -123,7 +123,10 @@ double map_resolution(LoadedWorld& world) {
 LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search,
                       const SurveyOptions& options) {
   LoadedWorld world;
-  sim::SdfWorld loaded = sim::load_sdf(path.string(), {search, options.inside, options.strict});
+  // Of no seed: a building is the same in every run.
+  const auto streams = [](const std::string& name) { return localization::substream(0, name); };
+  sim::SdfWorld loaded =
+      sim::load_sdf(path.string(), {search, options.inside, options.strict, streams});
   world.file.spec = std::move(loaded.spec);
   world.file.spec.inside = options.inside;
   world.warnings = std::move(loaded.warnings);
