@@ -10,6 +10,11 @@
 #include "tools/files/file_error.hpp"
 
 namespace castaway::testbed {
+namespace {
+
+constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/";
+
+}  // namespace
 
 void require_regular_file(const std::filesystem::path& path) {
   std::error_code none;
@@ -29,7 +34,12 @@ std::string read_file(const std::filesystem::path& path) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read; check the path and its permissions", path.string()));
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.starts_with(kGitLfsPointer)) {
+    throw std::runtime_error(
+        fmt::format("{}: only a Git LFS pointer: git lfs pull fetches the file", path.string()));
+  }
+  return bytes;
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {

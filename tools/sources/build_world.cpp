@@ -16,6 +16,7 @@
 #include "sim/world/floor.hpp"
 #include "sim/world/sdf/load_sdf.hpp"
 #include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/files/foreign_world.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
@@ -168,6 +169,7 @@ LoadedWorld load_undisturbed(const WorldChoice& choice, const std::filesystem::p
                              const SurveyOptions& options) {
   const std::filesystem::path path = find_world(choice.file, base);
   refuse_picture(path);
+  refuse_foreign_world(path);
   if (!is_sdf(path) && is_ros_map(path)) return world_of_map(load_ros_map(path), options);
   LoadedWorld world =
       is_sdf(path) ? sdf_world(path, resolve_search_paths(choice.search_paths, base), options)

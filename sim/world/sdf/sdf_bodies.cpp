@@ -8,6 +8,7 @@
 
 #include "sim/world/footprint.hpp"
 #include "sim/world/mesh.hpp"
+#include "sim/world/sdf/flat_names.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -88,7 +89,7 @@ void SdfBodies::add(const sdf::World& world) {
 
 void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_parent,
                     const std::string& prefix) {
-  const std::string name = prefix + model.Name();
+  const std::string name = prefix + unscoped_name(model.Name());
   if (state_.deletions.contains(name)) return;
   if (!model.Static() && prefix.empty()) {
     policy_.notes->add("not static, but treated as static", name);
@@ -114,7 +115,7 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
   WorldObject object;
   object.piece = name;
   object.color = color_of(link);
-  const std::string path = name + "/" + link.Name();
+  const std::string path = name + "/" + unscoped_name(link.Name());
   if (link.CollisionCount() == 0 && link.VisualCount() > 0) {
     policy_.notes->count_unread("links with visuals only", path);
   }
