@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/common/git_lfs.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -24,6 +26,7 @@ class Guard {
   Guard(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
   void check() {
+    if (is_git_lfs_pointer(text_)) refuse(std::string(kGitLfsPointer));
     if (text_.find('\0') != std::string::npos) refuse("holds a zero byte: not a text file");
     while ((at_ = text_.find('<', at_)) != std::string::npos) {
       if (skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>")) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -17,7 +18,51 @@ namespace {
 
 // [m] Radius of the robot for which the parts of the free space are determined.
 constexpr double kRobot = 0.2;
-constexpr double kSliver = 1e-6;  // [cells] A solid that only touches a cell's edge is not in it.
+// [cells] Rounding: a solid that only touches a cell's edge is not in the cell, and a surface that
+// lies on an edge is in the cell above it, or in the last one.
+constexpr double kSliver = 1e-6;
+constexpr double kThin = 4.0 * kSliver;  // [cells] A thinner solid is a surface.
+
+/// Least width of an outline. [cells]
+double thickness(const ConvexOutline& outline) {
+  const auto& points = outline.points;
+  double least = points.size() < 3 ? 0.0 : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d edge = points[(i + 1) % points.size()] - points[i];
+    if (!(edge.norm() > 0.0)) continue;
+    double most = 0.0;
+    for (const Eigen::Vector2d& p : points) {
+      const Eigen::Vector2d to = p - points[i];
+      most = std::max(most, std::abs(edge.x() * to.y() - edge.y() * to.x()) / edge.norm());
+    }
+    least = std::min(least, most);
+  }
+  return least;
+}
+
+double thickness(const Disc& disc) { return 2.0 * disc.radius; }
+
+double thickness(const Segment& /*segment*/) { return 0.0; }
+
+/// Cells along an axis: each holds the solids that reach into it, and the surfaces from its lower
+/// edge up to the next one, so that every surface is in a cell.
+class Cells {
+ public:
+  Cells(int count, bool surface) : last_(count - 1), lower_(surface ? -kSliver : kSliver) {}
+
+  [[nodiscard]] int at(double x) const {
+    return static_cast<int>(std::clamp(std::floor(x), 0.0, last_ + 0.0));
+  }
+  [[nodiscard]] double lower(int cell) const { return cell + lower_; }
+  [[nodiscard]] double upper(int cell) const {
+    const bool closed = cell == last_ && lower_ < 0.0;
+    return cell + 1.0 + (closed ? kSliver : -kSliver);
+  }
+
+ private:
+  int last_;
+  double lower_;
+};
 
 /// Paints figures into a grid, in cell coordinates.
 class Painter {
@@ -28,12 +73,12 @@ class Painter {
     for (const ConvexOutline& o : slice.outlines) {
       ConvexOutline in_cells;
       for (const Eigen::Vector2d& p : o.points) in_cells.points.push_back(to_cells(p));
-      fill(in_cells, kSliver);
+      fill(in_cells);
     }
-    for (const Disc& d : slice.discs)
-      fill(Disc{to_cells(d.center), d.radius / grid_.resolution}, kSliver);
-    // A surface without thickness that lies on an edge belongs to the cell above.
-    for (const Segment& s : slice.segments) fill(Segment{to_cells(s.a), to_cells(s.b)}, 0.0);
+    for (const Disc& d : slice.discs) {
+      fill(Disc{to_cells(d.center), d.radius / grid_.resolution});
+    }
+    for (const Segment& s : slice.segments) fill(Segment{to_cells(s.a), to_cells(s.b)});
   }
 
  private:
@@ -43,19 +88,17 @@ class Painter {
   }
 
   template <typename Figure>
-  void fill(const Figure& figure, double lower_margin) {
+  void fill(const Figure& figure) {
     const Eigen::AlignedBox2d box = bounds(figure);
-    const auto clamped = [](double x, int n) {
-      return static_cast<int>(std::clamp(std::floor(x), -1.0, n + 0.0));
-    };
-    const int last_row = std::min(clamped(box.max().y(), grid_.height), grid_.height - 1);
-    const int last_column = std::min(clamped(box.max().x(), grid_.width), grid_.width - 1);
-    for (int row = std::max(clamped(box.min().y(), grid_.height), 0); row <= last_row; ++row) {
-      for (int column = std::max(clamped(box.min().x(), grid_.width), 0); column <= last_column;
-           ++column) {
-        const Eigen::Vector2d corner(column, row);
-        const Eigen::AlignedBox2d cell(corner + Eigen::Vector2d::Constant(lower_margin),
-                                       corner + Eigen::Vector2d::Constant(1.0 - kSliver));
+    const bool surface = thickness(figure) < kThin;
+    const Cells columns(grid_.width, surface);
+    const Cells rows(grid_.height, surface);
+    const int last_row = rows.at(box.max().y() + kSliver);
+    const int last_column = columns.at(box.max().x() + kSliver);
+    for (int row = rows.at(box.min().y()); row <= last_row; ++row) {
+      for (int column = columns.at(box.min().x()); column <= last_column; ++column) {
+        const Eigen::AlignedBox2d cell(Eigen::Vector2d(columns.lower(column), rows.lower(row)),
+                                       Eigen::Vector2d(columns.upper(column), rows.upper(row)));
         if (touches(figure, cell)) grid_.cells[flat_index(grid_, {column, row})] = Cell::kOccupied;
       }
     }

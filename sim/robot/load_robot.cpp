@@ -65,10 +65,11 @@ class RobotLoader {
     lock_joints();
     find_casters(robot_, swivels());
     balance(robot_);
-    robot_.lidars = find_lidars(file_, frames_);
+    robot_.lidars = find_lidars(file_, frames_, robot_.warnings);
     if (!robot_.lidars.empty()) robot_.lidar = robot_.lidars.front();
     measure_extent();
     if (robot_.wheels.size() > 2) steer_by_skidding(robot_);
+    note_drive();
     robot_.frames = frames_;
     drop_repetitions(robot_.warnings);
     return std::move(robot_);
@@ -76,6 +77,7 @@ class RobotLoader {
 
  private:
   void name_drive();
+  void note_drive();
   void compare_separation();
   void lock_joints();
   void put_base_on_floor();
@@ -95,10 +97,21 @@ class RobotLoader {
 
 /// Sets how the robot moves if not as simulated.
 void RobotLoader::name_drive() {
-  const auto drive = other_drive(file_, frames_, robot_.wheels);
+  const auto drive = other_drive(file_, frames_, robot_.wheels, tags_.controllers);
   if (!drive) return;
-  robot_.other_drive = *drive;
-  robot_.warnings.push_back(other_drive_warning(*drive, robot_.wheels.size()));
+  robot_.other_drive = describe(*drive);
+  robot_.drive_note = other_drive_warning(*drive, robot_.wheels.size());
+  robot_.warnings.push_back(robot_.drive_note);
+  robot_.drive_note = "the robot " + robot_.drive_note;
+}
+
+/// Says how a skid steer turns; what replaces another drive has been said.
+void RobotLoader::note_drive() {
+  if (robot_.wheels.size() <= 2 || !robot_.drive_note.empty()) return;
+  robot_.drive_note = fmt::format(
+      "the robot is a skid steer: its wheels slide as on dry, even ground, so that it turns like a "
+      "differential drive of track {:.3f} m, though they are {:.3f} m apart",
+      robot_.track, robot_.wheel_separation);
 }
 
 void RobotLoader::compare_separation() {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -12,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <assimp/Importer.hpp>
+
+#include "sim/common/git_lfs.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -72,6 +75,11 @@ void refuse_file(const std::string& path) {
   std::error_code none;
   if (fs::exists(path, none) && !fs::is_regular_file(path, none)) {
     throw std::runtime_error(path + ": cannot read this mesh (it is not a regular file)");
+  }
+  std::string head(64, '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), 64);
+  if (is_git_lfs_pointer(head)) {
+    throw std::runtime_error(fmt::format("{}: cannot read this mesh ({})", path, kGitLfsPointer));
   }
   const std::uintmax_t size = fs::file_size(path, none);
   if (none || size <= kMaxMeshBytes) return;

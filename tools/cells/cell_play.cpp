@@ -9,6 +9,7 @@
 #include "tools/formats/csv.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/listed_path.hpp"
 #include "tools/output/output_folder.hpp"
 #include "tools/play/play.hpp"
@@ -155,8 +156,8 @@ CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::
     throw;
   } catch (const fs::filesystem_error& error) {
     throw FileError(error.what());
-  } catch (const std::exception& error) {
-    row = failed_row(cell, error.what());
+  } catch (...) {
+    row = failed_row(cell, current_error_text());
   }
   row.cpu_s = seconds(thread_cpu_time() - cpu_begin);
   row.wall_s = seconds(wall_time() - begin);

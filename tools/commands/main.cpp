@@ -1,6 +1,5 @@
 // The program.
 #include <cstdio>
-#include <exception>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "tools/commands/early_end.hpp"
 #include "tools/files/file_error.hpp"
 #include "tools/files/utf8.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/localizer_failure.hpp"
@@ -81,8 +81,8 @@ int run_main(int argc, char** argv) {
   } catch (const std::system_error& error) {  // Also std::filesystem's: the disk, not the input.
     print_error(error.what());
     return kRunFailed;
-  } catch (const std::exception& error) {
-    print_error(error.what());
+  } catch (...) {
+    print_error(current_error_text());
     return kBadInput;
   }
 }

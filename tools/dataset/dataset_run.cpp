@@ -14,6 +14,7 @@
 #include "tools/dataset/dataset_folder.hpp"
 #include "tools/dataset/dataset_sequence.hpp"
 #include "tools/files/file_error.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/output/say.hpp"
@@ -34,8 +35,8 @@ void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
     const SampledSequence sequence = sample_sequence(spec, i);
     try {
       worlds.check(sequence.loaded.scenario);
-    } catch (const std::exception& error) {
-      throw std::runtime_error(sequence_error(spec, sequence, error.what()));
+    } catch (...) {
+      throw std::runtime_error(sequence_error(spec, sequence, current_error_text()));
     }
   }
 }
@@ -59,9 +60,9 @@ std::string make_one(const DatasetSpec& spec, const DatasetWorlds& worlds,
   } catch (const FileError& error) {
     throw_if_interrupted();
     return kDiskError + std::string(error.what());
-  } catch (const std::exception& error) {
+  } catch (...) {
     throw_if_interrupted();
-    return kFailed + std::string(error.what());
+    return kFailed + current_error_text();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "tools/files/file_error.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/play/play.hpp"
 
 namespace castaway::testbed {
@@ -83,8 +84,8 @@ void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
     write_file(draft / "sequence.json", json_text(root) + "\n");
   } catch (const FileError&) {
     throw;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(sequence_error(spec, sequence, error.what()));
+  } catch (...) {
+    throw std::runtime_error(sequence_error(spec, sequence, current_error_text()));
   }
 }
 

@@ -13,6 +13,11 @@
 #include "tools/files/file_error.hpp"
 
 namespace castaway::testbed {
+namespace {
+
+constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/";
+
+}  // namespace
 
 void require_regular_file(const std::filesystem::path& path) {
   std::error_code none;
@@ -43,6 +48,10 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t most) {
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
   if (stream)
     bytes.append(std::istreambuf_iterator<char>(stream), {});  // The system states no size.
+  if (bytes.starts_with(kGitLfsPointer)) {
+    throw std::runtime_error(
+        fmt::format("{}: only a Git LFS pointer: git lfs pull fetches the file", path.string()));
+  }
   return bytes;
 }
 

@@ -53,9 +53,26 @@ CarmenLogReader::CarmenLogReader(const std::filesystem::path& path)
   if (stream_->file == nullptr) {
     throw std::runtime_error(name_ + ": cannot be read; check the path and its permissions");
   }
+  (void)stream_->refill();
+  refuse_other_formats();
 }
 
 CarmenLogReader::~CarmenLogReader() = default;
+
+void CarmenLogReader::refuse_other_formats() const {
+  const std::string_view head(stream_->buffer.data(), stream_->end);
+  if (head.starts_with("version https://git-lfs.github.com/spec/")) {
+    throw std::runtime_error(name_ + ": only a Git LFS pointer: git lfs pull fetches the file");
+  }
+  // MRPT writes objects by the names of their classes, with the length before.
+  const std::string_view first = head.substr(0, 64);
+  for (const std::string_view name : {"CObservation", "CActionCollection", "CSensoryFrame"}) {
+    if (first.find(name) == std::string_view::npos) continue;
+    throw std::runtime_error(name_ +
+                             ": a rawlog of MRPT, which is not read: convert it to a CARMEN "
+                             "log or a bag");
+  }
+}
 
 std::string CarmenLogReader::place() const { return fmt::format("{}:{}", name_, line_number_); }
 

@@ -68,6 +68,8 @@ class CarmenLogReader {
 
  private:
   bool read_line();
+  /// Refuses, by its first bytes, a file that is no log of CARMEN but one of another kind.
+  void refuse_other_formats() const;
 
   struct Stream;
   std::unique_ptr<Stream> stream_;

@@ -163,7 +163,10 @@ std::string robot_text(const sim::RobotModel& robot) {
     text += fmt::format("lidar: none found; runs use one free of the body at {}\n",
                         point(sim::lidar_of(robot).T_base_laser.translation()));
   }
-  if (robot.lidars.size() > 1) text += "  the first of these lidars is the one that runs use\n";
+  if (robot.lidars.size() > 1) {
+    text += fmt::format("  runs use all {} lidars; `lidars` in a scenario chooses among them\n",
+                        robot.lidars.size());
+  }
   for (const std::string& warning : robot.warnings) text += "warning: " + warning + "\n";
   return text;
 }

@@ -21,6 +21,7 @@
 #include "tools/live/live_loading.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_trial.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
@@ -195,8 +196,10 @@ class LivePlayer {
       obey(command.at("do").get<std::string>(), command);
     } catch (const PlayerJson::exception&) {
       line_.say({{"said", "error"}, {"text", "not a command"}});
-    } catch (const std::exception& error) {
-      line_.say({{"said", "error"}, {"text", error.what()}});
+    } catch (const LineCut&) {
+      throw;
+    } catch (...) {
+      line_.say({{"said", "error"}, {"text", current_error_text()}});
     }
   }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tools/live/lines/pipes.hpp"
+#include "tools/output/any_error.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -17,8 +18,8 @@ const std::string kReported = "\n";
   try {
     work();
     write_whole(verdict, kReported);
-  } catch (const std::exception& error) {
-    write_whole(verdict, error.what());
+  } catch (...) {
+    write_whole(verdict, current_error_text());
   }
   _exit(0);
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tools/live/lines/pipes.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -44,8 +45,8 @@ void run_trial(const std::function<void()>& work, std::size_t memory, int verdic
   if (kLimitsMemory) setrlimit(RLIMIT_AS, &limited);
   try {
     work();
-  } catch (const std::exception& error) {
-    const std::string words = error.what();
+  } catch (...) {
+    const std::string words = current_error_text();
     write_whole(verdict, words.empty() ? "it failed" : words);
     _exit(0);
   }

@@ -6,6 +6,7 @@
 
 #include "tools/files/attempts.hpp"
 #include "tools/files/file.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/exit_code.hpp"
 #include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
@@ -31,10 +32,10 @@ int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::pat
   std::vector<LostLocalizer> lost;
   try {
     lost = execute(run, output, printing.quiet);
-  } catch (const std::exception& error) {
+  } catch (...) {
     run.sinks.clear();       // Removes the progress line.
     throw_if_interrupted();  // A signal also interrupts ffmpeg, and is then the cause of the error.
-    say(fmt::format("the run failed: {}{}", error.what(),
+    say(fmt::format("the run failed: {}{}", current_error_text(),
                     output.is_committed() ? "; its other files are in " + target.string() : ""));
     return kRunFailed;
   }

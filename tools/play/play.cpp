@@ -118,7 +118,8 @@ RunInfo info_of(const Scenario& scenario, const PreparedSimulation& prepared) {
           scenario.start.initializes(),
           names_of(scenario.localizers),
           prepared.difference,
-          prepared.config.levels != nullptr};
+          prepared.config.levels != nullptr,
+          prepared.notes};
 }
 
 /// Lets pictures and bags read the state of the simulator, which must outlive the sinks.

@@ -112,6 +112,15 @@ std::string difference_line(const Json& summary) {
       integer<int>(difference.at("opened")), integer<int>(difference.at("closed")));
 }
 
+/// How the run is otherwise than what it simulates; empty if it is not.
+std::string note_lines(const Json& summary) {
+  std::string text;
+  for (const Json& note : summary.value("notes", Json::array())) {
+    text += fmt::format("Note: {}.\n\n", note.get<std::string>());
+  }
+  return text;
+}
+
 /// What stopped the robot; empty if nothing did.
 std::string driving_line(const Json& summary) {
   if (!summary.contains("driving")) return "";
@@ -178,6 +187,7 @@ std::string describe_run(const std::filesystem::path& run_folder) {
   if (const auto every = summary.find("scored_every"); every != summary.end()) {
     text += fmt::format("A long run: one scan in {} is scored.\n\n", integer<int>(*every));
   }
+  text += note_lines(summary);
   text += difference_line(summary);
   text += people_line(summary);
   text += driving_line(summary);

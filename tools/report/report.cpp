@@ -40,7 +40,11 @@ std::string lead_text(const RunFolder& run) {
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
     html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));
   }
-  return html + fmt::format("</div>\n<p class=\"soft\">{}</p>\n", describe_run(run));
+  html += fmt::format("</div>\n<p class=\"soft\">{}</p>\n", describe_run(run));
+  for (const auto& note : run.summary.value("notes", nlohmann::ordered_json::array())) {
+    html += fmt::format("<p class=\"soft\">Note: {}.</p>\n", escape_html(note.get<std::string>()));
+  }
+  return html;
 }
 
 std::string calibration_section(const RunFolder& run) {

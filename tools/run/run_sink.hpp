@@ -82,6 +82,8 @@ struct RunInfo {
   std::vector<std::string> localizers;           ///< In order of `ScanRecord::localizers`.
   std::optional<MapDifference> difference = {};  ///< Nothing: no known difference.
   bool heights = false;                          ///< It is on several floors.
+  /// Sentences about how the run is otherwise than what it simulates, for summary and report.
+  std::vector<std::string> notes{};
 };
 
 /// A consumer of a run. Calls come in order: `on_event` and `on_scan` by time, then `finish` once.

@@ -126,6 +126,7 @@ Json summary(const RunHistory& history, const std::vector<LocalizerMetrics>& met
   if (Json failed = failed_json(history.events); !failed.empty()) {
     root["failed"] = std::move(failed);
   }
+  if (!info.notes.empty()) root["notes"] = info.notes;
   if (history.stride > 1) root["scored_every"] = history.stride;
   if (info.difference) root["difference"] = to_json(*info.difference);
   if (people) root["people"] = to_json(*people, history);

@@ -154,6 +154,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   put_on_ground(scenario.start, config);
   prepared.world_name = world.file.spec.name;
   prepared.warnings = config.robot.warnings;
+  if (!config.robot.drive_note.empty()) prepared.notes.push_back(config.robot.drive_note);
   warn_of_slow_wheels(config, prepared.warnings);
   warn_of_default_lidar(config, prepared.warnings);
   prepared.warnings.insert(prepared.warnings.end(), world.warnings.begin(), world.warnings.end());

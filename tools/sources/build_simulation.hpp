@@ -21,6 +21,7 @@ struct PreparedSimulation {
   std::shared_ptr<const Map3d> survey{};  ///< Of a world with floors, if it was surveyed now.
   std::string world_name;
   std::vector<std::string> warnings;        ///< About the robot's description and the world.
+  std::vector<std::string> notes;           ///< For summary and report; see `RunInfo`.
   std::optional<MapDifference> difference;  ///< Nothing if the map shows the world as it is.
 };
 

@@ -16,6 +16,7 @@
 #include "sim/world/floor.hpp"
 #include "sim/world/sdf/load_sdf.hpp"
 #include "tools/scenario/files/data_paths.hpp"
+#include "tools/scenario/files/foreign_world.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
@@ -123,7 +124,10 @@ double map_resolution(LoadedWorld& world) {
 LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search,
                       const SurveyOptions& options) {
   LoadedWorld world;
-  sim::SdfWorld loaded = sim::load_sdf(path.string(), {search, options.inside, options.strict});
+  // Of no seed: a building is the same in every run.
+  const auto streams = [](const std::string& name) { return localization::substream(0, name); };
+  sim::SdfWorld loaded =
+      sim::load_sdf(path.string(), {search, options.inside, options.strict, streams});
   world.file.spec = std::move(loaded.spec);
   world.file.spec.inside = options.inside;
   world.warnings = std::move(loaded.warnings);
@@ -165,6 +169,7 @@ LoadedWorld load_undisturbed(const WorldChoice& choice, const std::filesystem::p
                              const SurveyOptions& options) {
   const std::filesystem::path path = find_world(choice.file, base);
   refuse_picture(path);
+  refuse_foreign_world(path);
   if (!is_sdf(path) && is_ros_map(path)) return world_of_map(load_ros_map(path), options);
   LoadedWorld world =
       is_sdf(path) ? sdf_world(path, resolve_search_paths(choice.search_paths, base), options)

@@ -13,7 +13,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +20,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/mesh_file.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/workers/mesh_bytes.hpp"
 
 namespace castaway::testbed {
@@ -72,8 +72,8 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
     return MeshFailure{error.what(), true};
   } catch (const std::bad_alloc&) {
     return MeshFailure{path + ": cannot read this mesh (it needs too much memory)"};
-  } catch (const std::exception& error) {
-    return MeshFailure{error.what()};
+  } catch (...) {
+    return MeshFailure{current_error_text()};
   }
 }
 

@@ -11,11 +11,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "tools/output/any_error.hpp"
 #include "tools/output/interruption.hpp"
 
 namespace castaway::testbed {
@@ -62,9 +62,9 @@ void serve_jobs(int file, const Work& work) {
     std::string text;
     try {
       text = work(job);
-    } catch (const std::exception& error) {
+    } catch (...) {
       throw_if_interrupted();
-      text = error.what();
+      text = current_error_text();
       head.failed = 1;
     }
     head.size = static_cast<std::uint32_t>(text.size());

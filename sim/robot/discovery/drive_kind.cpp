@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 
 #include <fmt/format.h>
+
+#include "sim/common/xml_pose.hpp"
+#include "sim/common/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -13,7 +18,8 @@ constexpr double kUpright = 0.9;      // Cosine of the angle to an axis.
 constexpr double kSameHeight = 0.5;   // Share of a wheel's radius.
 constexpr double kBesideAxis = 0.05;  // [m]
 
-const char* const kSteered = "steered wheels";
+constexpr double kSlides = 0.05;  // Less friction is none.
+constexpr double kOblique = 0.3;  // Least component of the axis of a mecanum wheel's roller.
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -108,29 +114,97 @@ bool any_steered(const UrdfFile& file, const LinkFrames& frames,
   return named >= 2 || (left && right);
 }
 
+/// True if a surface has no friction in one direction and an oblique one in the other, as rollers
+/// at 45 degrees have. The axis may be given in any frame, so that any two components will do.
+bool has_oblique_friction(const TiXmlElement& surface) {
+  bool oblique = false;
+  bool slides = false;
+  const std::function<void(const TiXmlElement&)> look = [&](const TiXmlElement& from) {
+    const Eigen::Vector3d axis = child_vector(from, "fdir1").normalized();
+    oblique = oblique || (axis.cwiseAbs().array() > kOblique).count() >= 2;
+    for (const char* key : {"mu", "mu1", "mu2"}) {
+      const bool given = from.FirstChildElement(key) != nullptr;
+      slides = slides || (given && child_vector(from, key).x() < kSlides);
+    }
+    for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) look(*e);
+  };
+  look(surface);
+  return oblique && slides;
+}
+
+/// True if the friction of a driven wheel models rollers.
+bool has_rollers(const UrdfFile& file, const std::vector<DriveWheel>& wheels) {
+  const TiXmlElement& root = *file.xml->RootElement();
+  for (auto* g = root.FirstChildElement("gazebo"); g != nullptr;
+       g = g->NextSiblingElement("gazebo")) {
+    const std::string of = attribute(*g, "reference");
+    const bool wheel = std::any_of(wheels.begin(), wheels.end(), [&of](const DriveWheel& w) {
+      return of == w.link || of == w.joint;
+    });
+    if (wheel && has_oblique_friction(*g)) return true;
+  }
+  return false;
+}
+
+/// Types of controllers in lower case, separated by blanks; empty if one is of a differential
+/// drive.
+std::string drive_controllers(const std::vector<std::string>& types) {
+  std::string names;
+  for (const std::string& type : types) names += lower(type) + " ";
+  return holds(names, "diff_drive") ? "" : names;
+}
+
+bool holds_steering(const std::string& controllers) {
+  for (const char* word : {"steering", "ackermann", "tricycle", "bicycle", "swerve"}) {
+    if (holds(controllers, word)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-std::optional<std::string> other_drive(const UrdfFile& file, const LinkFrames& frames,
-                                       const std::vector<DriveWheel>& wheels) {
+std::optional<OtherDrive> other_drive(const UrdfFile& file, const LinkFrames& frames,
+                                      const std::vector<DriveWheel>& wheels,
+                                      const std::vector<std::string>& controllers) {
   const std::string plugins = plugin_names(*file.xml->RootElement());
-  std::string names;
+  const std::string types = drive_controllers(controllers);
+  std::string names = types + plugins;
   for (const DriveWheel& wheel : wheels) names += wheel_names(file, wheel) + " ";
-  if (holds(names, "mecanum") || holds(plugins, "mecanum")) return "mecanum wheels";
-  if (holds(names, "omni")) return "omni wheels";
-  if (any_steered(file, frames, wheels)) return kSteered;
-  if (holds(plugins, "planar_move")) return "a planar_move plug-in";
+  if (holds(names, "mecanum") || has_rollers(file, wheels)) return OtherDrive::kMecanum;
+  if (holds(names, "omni")) return OtherDrive::kOmni;
+  if (any_steered(file, frames, wheels) || holds_steering(types)) return OtherDrive::kSteered;
+  if (holds(plugins, "planar_move")) return OtherDrive::kPlanarMove;
+  const std::string stem = std::filesystem::path(file.path).stem().string();
+  const std::string robot = lower(file.model->getName() + " " + stem);
+  if (holds(robot, "mecanum")) return OtherDrive::kMecanum;
+  if (holds(robot, "omni")) return OtherDrive::kOmni;
   return std::nullopt;
 }
 
-std::string other_drive_warning(const std::string& drive, std::size_t wheels) {
+std::string describe(OtherDrive drive) {
+  switch (drive) {
+    case OtherDrive::kMecanum:
+      return "mecanum wheels";
+    case OtherDrive::kOmni:
+      return "omni wheels";
+    case OtherDrive::kPlanarMove:
+      return "a planar_move plug-in";
+    case OtherDrive::kSteered:
+      break;
+  }
+  return "steered wheels";
+}
+
+std::string other_drive_warning(OtherDrive drive, std::size_t wheels) {
   const char* here = wheels > 2 ? "skid steer" : "differential drive";
-  if (drive == kSteered) {
+  if (drive == OtherDrive::kSteered) {
     return fmt::format(
         "moves by steered wheels: simulated as {} with the steering locked straight, which turns "
         "on the spot as the robot cannot",
         here);
   }
-  return fmt::format("moves by {}: simulated as {}, which never moves sideways", drive, here);
+  return fmt::format("moves by {}: simulated as {}, which never moves sideways", describe(drive),
+                     here);
 }
 
 }  // namespace castaway::sim

@@ -58,4 +58,14 @@ void add_drive_parameters(const Value& parameters, DriveTags& tags) {
   set_number(find_key(*drive, "wheel_radius"), tags.radius);
 }
 
+void add_controller_types(const Value& parameters, DriveTags& tags) {
+  const auto* dict = std::get_if<Dict>(&parameters.data);
+  if (dict == nullptr) return;
+  for (const auto& entry : *dict) {
+    const bool type = entry.key == "type" && std::holds_alternative<std::string>(entry.value.data);
+    if (type) tags.controllers.push_back(to_text(entry.value));
+    add_controller_types(entry.value, tags);
+  }
+}
+
 }  // namespace castaway::sim

@@ -10,4 +10,7 @@ namespace castaway::sim {
 /// already has are kept.
 void add_drive_parameters(const xacro::Value& parameters, DriveTags& tags);
 
+/// Adds the types of all controllers in a parameter file.
+void add_controller_types(const xacro::Value& parameters, DriveTags& tags);
+
 }  // namespace castaway::sim

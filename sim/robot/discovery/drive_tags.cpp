@@ -111,17 +111,21 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
   return joints;
 }
 
-/// Adds parameters of a differential drive from the plug-ins' parameter files.
+/// Adds what the plug-ins' parameter files tell: controllers and, unless a plug-in names the
+/// joints, the parameters of a differential drive.
 void add_parameters(const UrdfFile& file, const PackageFinder& packages,
                     const RobotOptions& options, DriveTags& tags) {
   if (!options.read_yaml) return;
+  const bool named = !tags.left.empty();
   for_each(*file.xml->RootElement(), "parameters", [&](const TiXmlElement& e) {
     std::filesystem::path path = trim(e.GetText());
     if (path.is_relative()) path = std::filesystem::path(file.path).parent_path() / path;
     std::error_code none;
     if (!packages.may_read(path) || !std::filesystem::is_regular_file(path, none)) return;
     try {
-      add_drive_parameters(options.read_yaml(path.string()), tags);
+      const xacro::Value parameters = options.read_yaml(path.string());
+      add_controller_types(parameters, tags);
+      if (!named) add_drive_parameters(parameters, tags);
     } catch (const std::runtime_error&) {
       return;  // No error: the drive is known without it.
     }
@@ -137,7 +141,10 @@ DriveTags find_drive_tags(const UrdfFile& file, const PackageFinder& packages,
   for_each(root, "plugin", [&](const TiXmlElement& plugin) {
     if (tags.dialect.empty()) tags = of_plugin(plugin);
   });
-  if (!tags.dialect.empty()) return tags;
+  if (!tags.dialect.empty()) {
+    add_parameters(file, packages, options, tags);
+    return tags;
+  }
   tags = {};
   tags.driven = velocity_joints(root);
   if (!tags.driven.empty()) tags.dialect = "ros2_control";

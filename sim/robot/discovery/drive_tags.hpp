@@ -23,6 +23,9 @@ struct DriveTags {
   std::vector<std::string> driven;   ///< Joints on an unknown side.
   std::optional<double> separation;  ///< [m] Between left and right wheels.
   std::optional<double> radius;      ///< [m] Of the wheels.
+  /// Types of the controllers in the plug-ins' parameter files, such as
+  /// "mecanum_drive_controller/MecanumDriveController".
+  std::vector<std::string> controllers;
 };
 
 /// Returns the first drive that the tags of a robot describe.

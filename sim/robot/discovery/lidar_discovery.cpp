@@ -1,18 +1,26 @@
 #include "sim/robot/discovery/lidar_discovery.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
-#include <sstream>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/common/xml_pose.hpp"
+#include "sim/common/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {
 
 constexpr int kMinBeams = 20;
-constexpr double kMinView = 0.3;  // [rad]
+constexpr double kMinView = 0.3;     // [rad]
+constexpr double kOneDevice = 0.15;  // [m]
 
 /// The element at the end of a path of names; nullptr if there is none.
 const TiXmlElement* descend(const TiXmlElement* from, std::initializer_list<const char*> names) {
@@ -58,20 +66,6 @@ LidarSpecs read_specs(const TiXmlElement& sensor) {
   return specs;
 }
 
-/// `<pose>x y z roll pitch yaw</pose>` of a sensor in its link.
-Eigen::Isometry3d read_pose(const TiXmlElement& sensor) {
-  const TiXmlElement* pose = sensor.FirstChildElement("pose");
-  std::array<double, 6> v{};
-  std::istringstream text(pose != nullptr && pose->GetText() != nullptr ? pose->GetText() : "");
-  for (double& x : v) {
-    if (!(text >> x) || !std::isfinite(x)) x = 0.0;
-  }
-  return Eigen::Translation3d(v[0], v[1], v[2]) *
-         Eigen::AngleAxisd(v[5], Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(v[4], Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX());
-}
-
 /// The link that a gazebo tag refers to: by its own name, or as the child of the named joint.
 std::string referred_link(const TiXmlElement& gazebo, const UrdfFile& file) {
   const char* name = gazebo.Attribute("reference");
@@ -80,23 +74,55 @@ std::string referred_link(const TiXmlElement& gazebo, const UrdfFile& file) {
   return joint == file.model->joints_.end() ? name : joint->second->child_link_name;
 }
 
+/// Turns a scan that is described from its last angle to its first one, as Gazebo does.
+void order_angles(const std::string& name, LidarSpecs& specs, std::vector<std::string>& warnings) {
+  if (specs.angle_min <= specs.angle_max) return;
+  warnings.push_back(
+      fmt::format("sensor {}: its min_angle {:.5g} is above its max_angle {:.5g}: it sees from the "
+                  "lower to the upper one",
+                  name, specs.angle_min, specs.angle_max));
+  std::swap(specs.angle_min, specs.angle_max);
+}
+
 bool sees_widely(const LidarSpecs& specs) {
   return specs.samples >= kMinBeams && specs.angle_max - specs.angle_min >= kMinView;
 }
 
-std::vector<LidarMount> by_sensor_tag(const UrdfFile& file, const LinkFrames& frames) {
+/// The lidar that a sensor describes; nothing, with a warning, for a range finder.
+std::optional<LidarMount> described_lidar(const TiXmlElement& sensor, const std::string& link,
+                                          const LinkFrames& frames,
+                                          std::vector<std::string>& warnings) {
+  const std::string given = attribute(sensor, "name");
+  const std::string name = given.empty() ? "sensor" : given;
+  if (!frames.contains(link)) {
+    warnings.push_back(
+        fmt::format("sensor {}: left out, since no link is called '{}'", name, link));
+    return std::nullopt;
+  }
+  LidarSpecs specs = read_specs(sensor);
+  order_angles(name, specs, warnings);
+  if (!sees_widely(specs)) {
+    warnings.push_back(
+        fmt::format("sensor {}: left out, since {} beams over {:.2f} rad are a range finder: a "
+                    "lidar has at least {} over {} rad",
+                    name, specs.samples, specs.angle_max - specs.angle_min, kMinBeams, kMinView));
+    return std::nullopt;
+  }
+  return LidarMount{link, frames.at(link) * child_pose(sensor), specs, name};
+}
+
+std::vector<LidarMount> by_sensor_tag(const UrdfFile& file, const LinkFrames& frames,
+                                      std::vector<std::string>& warnings) {
   std::vector<LidarMount> lidars;
   const TiXmlElement& root = *file.xml->RootElement();
   for (auto* g = root.FirstChildElement("gazebo"); g != nullptr;
        g = g->NextSiblingElement("gazebo")) {
     const std::string link = referred_link(*g, file);
-    if (!frames.contains(link)) continue;
     for (auto* s = g->FirstChildElement("sensor"); s != nullptr;
          s = s->NextSiblingElement("sensor")) {
-      if (!is_lidar(*s) || !sees_widely(read_specs(*s))) continue;
-      const char* name = s->Attribute("name");
-      lidars.push_back({link, frames.at(link) * read_pose(*s), read_specs(*s),
-                        name == nullptr || *name == 0 ? "sensor" : name});
+      if (!is_lidar(*s)) continue;
+      const auto lidar = described_lidar(*s, link, frames, warnings);
+      if (lidar) lidars.push_back(*lidar);
     }
   }
   std::stable_partition(lidars.begin(), lidars.end(),
@@ -111,35 +137,68 @@ bool holds_word(std::string link, const std::vector<const char*>& words) {
                      [&link](const char* word) { return link.find(word) != std::string::npos; });
 }
 
-int distance_from_root(const urdf::ModelInterface& model, const std::string& name) {
-  int distance = 0;
-  for (auto link = model.getLink(name); link->parent_joint; ++distance) {
-    link = model.getLink(link->parent_joint->parent_link_name);
-  }
-  return distance;
+bool is_called_lidar(const std::string& link) {
+  return holds_word(link, {"scan", "laser", "lidar", "lds", "hokuyo", "sick", "velodyne"}) &&
+         !holds_word(link, {"mount", "plate", "bracket", "cable", "support", "shield"});
 }
 
-std::vector<LidarMount> by_name(const UrdfFile& file, const LinkFrames& frames) {
-  std::vector<LidarMount> lidars;
-  int farthest = -1;
+/// The links from the parent of a link to the root.
+std::vector<std::string> ancestors(const urdf::ModelInterface& model, const std::string& name) {
+  std::vector<std::string> names;
+  for (auto link = model.getLink(name); link->parent_joint; names.push_back(link->name)) {
+    link = model.getLink(link->parent_joint->parent_link_name);
+  }
+  return names;
+}
+
+/// Links that are called like lidars and hold no other one, the farthest from the root first.
+std::vector<std::string> links_of_lidars(const UrdfFile& file, const LinkFrames& frames) {
+  std::set<std::string> holders;
+  std::vector<std::pair<std::size_t, std::string>> links;
   for (const auto& [link, T_base_link] : frames) {
-    if (!holds_word(link, {"scan", "laser", "lidar", "lds", "hokuyo", "sick", "velodyne"})) {
-      continue;
-    }
-    if (holds_word(link, {"mount", "plate", "bracket", "cable", "support", "shield"})) continue;
-    const int distance = distance_from_root(*file.model, link);
-    if (distance <= farthest) continue;
-    farthest = distance;
-    lidars = {{link, T_base_link, std::nullopt, ""}};
+    if (!is_called_lidar(link)) continue;
+    const std::vector<std::string> above = ancestors(*file.model, link);
+    links.emplace_back(above.size(), link);
+    holders.insert(above.begin(), above.end());
+  }
+  std::stable_sort(links.begin(), links.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> names;
+  for (const auto& [distance, link] : links) {
+    if (!holders.contains(link)) names.push_back(link);
+  }
+  return names;
+}
+
+/// All lidars that are known by their links' names; links nearby are parts of one device.
+std::vector<LidarMount> by_name(const UrdfFile& file, const LinkFrames& frames,
+                                std::vector<std::string>& warnings) {
+  std::vector<LidarMount> lidars;
+  std::vector<std::string> names;
+  for (const std::string& link : links_of_lidars(file, frames)) {
+    const Eigen::Isometry3d& T_base_link = frames.at(link);
+    const bool known = std::any_of(lidars.begin(), lidars.end(), [&](const LidarMount& lidar) {
+      const Eigen::Vector3d to = lidar.T_base_laser.translation() - T_base_link.translation();
+      return to.norm() < kOneDevice;
+    });
+    if (known) continue;
+    lidars.push_back({link, T_base_link, std::nullopt, ""});
+    names.push_back(link);
+  }
+  if (lidars.size() > 1) {
+    warnings.push_back(fmt::format(
+        "no <sensor> describes a lidar: {} links are taken for lidars by their names: {}",
+        lidars.size(), fmt::join(names, ", ")));
   }
   return lidars;
 }
 
 }  // namespace
 
-std::vector<LidarMount> find_lidars(const UrdfFile& file, const LinkFrames& frames) {
-  std::vector<LidarMount> lidars = by_sensor_tag(file, frames);
-  return lidars.empty() ? by_name(file, frames) : lidars;
+std::vector<LidarMount> find_lidars(const UrdfFile& file, const LinkFrames& frames,
+                                    std::vector<std::string>& warnings) {
+  std::vector<LidarMount> lidars = by_sensor_tag(file, frames, warnings);
+  return lidars.empty() ? by_name(file, frames, warnings) : lidars;
 }
 
 }  // namespace castaway::sim

@@ -166,7 +166,44 @@ std::vector<Pair> named_pairs(const Gatherer& gatherer, const DriveTags& tags) {
   return on_floor(pairs_of(gatherer.driving_among(names)));
 }
 
+/// The joint between a wheel and the root that keeps it from being a drive wheel.
+const urdf::Joint& turning_base(const urdf::ModelInterface& model, const std::string& wheel) {
+  auto joint = model.joints_.at(wheel);
+  for (auto link = model.getLink(joint->parent_link_name); link->parent_joint;
+       link = model.getLink(link->parent_joint->parent_link_name)) {
+    joint = link->parent_joint;
+    if (!allows(Hang::kSuspension, *joint)) break;
+  }
+  return *joint;
+}
+
+const char* type_name(const urdf::Joint& joint) {
+  switch (joint.type) {
+    case urdf::Joint::CONTINUOUS:
+      return "continuous";
+    case urdf::Joint::FLOATING:
+      return "floating";
+    case urdf::Joint::PLANAR:
+      return "planar";
+    default:
+      return "movable";
+  }
+}
+
+/// Refuses wheels that hang below something that moves freely.
+void refuse_turning_base(const UrdfFile& file, const Gatherer& gatherer) {
+  const std::vector<Pair> pairs = on_floor(pairs_of(gatherer.hanging(Hang::kAny)));
+  if (pairs.empty()) return;
+  const Pair& pair = pairs.front();
+  const urdf::Joint& base = turning_base(*file.model, pair.left.joint);
+  throw std::runtime_error(fmt::format(
+      "{}: the wheels of {} and {} hang below joint '{}' of type {}, which moves freely: drive "
+      "wheels are on the chassis or on a suspension; make this joint fixed",
+      file.path, pair.left.joint, pair.right.joint, base.name, type_name(base)));
+}
+
 [[noreturn]] void no_wheels(const UrdfFile& file, const Gatherer& gatherer) {
+  refuse_turning_base(file, gatherer);
   std::vector<std::string> found;
   for (const WheelCandidate& c : gatherer.hanging(Hang::kAny)) found.push_back(c.joint);
   throw std::runtime_error(fmt::format(

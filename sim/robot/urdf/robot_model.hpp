@@ -90,6 +90,9 @@ struct RobotModel {
   Eigen::Vector2d p_base_axle{0.0, 0.0};  ///< [m] Centre of the drive axle; see `axle_twist`.
   std::string wheels_found_by;            ///< "kinematics", or the dialect of the plug-in tags.
   std::string other_drive;  ///< How the robot moves if not as simulated; see drive_kind.hpp.
+  /// How it drives otherwise than its wheels would, as a sentence without its point; empty: it does
+  /// not.
+  std::string drive_note;
   std::optional<LidarMount> lidar;                  ///< The first of `lidars`.
   std::vector<LidarMount> lidars;                   ///< All lidars.
   double footprint_radius = 0.2;                    ///< [m] Disc about base's origin.

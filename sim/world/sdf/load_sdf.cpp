@@ -75,9 +75,10 @@ SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
   const ResourceFinder finder(path, options.search_paths);
   Notes notes;
   const PiecePolicy policy{options.strict, &notes};
-  const WorldPieces pieces = cut_world(path, text_of(path, options), finder, policy);
+  const WorldPieces pieces =
+      cut_world(path, text_of(path, options), finder, policy, options.streams);
   refuse_vast(pieces.size, path);
-  SdfBodies bodies(finder, path, policy);
+  SdfBodies bodies(finder, path, policy, pieces.state);
   read_pieces(pieces, path, finder, policy, bodies);
   SdfWorld result;
   result.spec.name = name_of(pieces, path);

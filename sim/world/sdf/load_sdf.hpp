@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/common/random.hpp"
 #include "sim/world/floor.hpp"
 #include "sim/world/world_spec.hpp"
 
@@ -17,7 +18,8 @@ struct SdfOptions {
   /// Folders of models and meshes, in addition to those of `ResourceFinder`.
   std::vector<std::string> search_paths{};
   std::optional<Eigen::Vector2d> start{};  ///< [m] Where the robot starts; nothing: unknown.
-  bool strict = false;  ///< A piece that cannot be read is an error instead of a warning.
+  bool strict = false;     ///< A piece that cannot be read is an error instead of a warning.
+  NamedStreams streams{};  ///< Draw the places of populations ("population/NAME").
 };
 
 /// A world, and warnings about what was left out.
@@ -31,7 +33,8 @@ struct SdfWorld {
 /// Loads the collision geometry of an SDF file's first world (or of its only model): boxes,
 /// cylinders, spheres and meshes; capsules as circumscribed cylinders and ellipsoids as
 /// circumscribed boxes; of planes only the ground. Each link has the colour of its first visual.
-/// Models that could move are static. Other geometry, and what cannot be read, is left out, with
+/// Models that could move are static. The first `<state>` and the populations of Gazebo classic are
+/// applied. Other geometry, and what cannot be read, is left out, with
 /// one warning per kind; lights, plugins, sensors, joints and physics are ignored. The world is
 /// lowered so that its floor (see `floor_height`) is at z = 0; objects that end below 1 cm are part
 /// of the floor. The extent is that of the objects on it. A file that ends in `.xacro` is expanded

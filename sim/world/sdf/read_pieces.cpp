@@ -108,7 +108,20 @@ class Reader {
     }
   }
 
+  /// Reads a world. libsdformat throws types that are no std::exception; here they become one.
   std::unique_ptr<sdf::Root> parse(const std::string& text) const {
+    try {
+      return parse_unguarded(text);
+    } catch (const std::exception&) {
+      throw;
+    } catch (const sdf::Exception& error) {
+      throw std::runtime_error(one_line("libsdformat fails on it: " + error.GetErrorStr()));
+    } catch (...) {
+      throw std::runtime_error("libsdformat fails on it");
+    }
+  }
+
+  std::unique_ptr<sdf::Root> parse_unguarded(const std::string& text) const {
     const sdf::SDFPtr tree = empty_sdf();
     sdf::Errors errors;
     const bool read = sdf::readString(text, config_, tree, errors);

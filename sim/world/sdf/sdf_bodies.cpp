@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/world/footprint.hpp"
 #include "sim/world/mesh.hpp"
+#include "sim/world/sdf/flat_names.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -61,6 +63,11 @@ Eigen::Isometry3d resolve_pose(const sdf::SemanticPose& pose) {
 
 }  // namespace
 
+const ClassicPlace* SdfBodies::place_of(const std::string& path) const {
+  const auto place = state_.places.find(path);
+  return place == state_.places.end() ? nullptr : &place->second;
+}
+
 void SdfBodies::leave_out(const std::string& name, const std::runtime_error& error) {
   if (policy_.strict) {
     throw std::runtime_error(fmt::format("{}: {}: {}", path_, name, error.what()));
@@ -82,13 +89,16 @@ void SdfBodies::add(const sdf::World& world) {
 
 void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_parent,
                     const std::string& prefix) {
-  const std::string name = prefix + model.Name();
+  const std::string name = prefix + unscoped_name(model.Name());
+  if (state_.deletions.contains(name)) return;
   if (!model.Static() && prefix.empty()) {
     policy_.notes->add("not static, but treated as static", name);
   }
   Eigen::Isometry3d T_map_model;
   try {
-    T_map_model = T_map_parent * resolve_pose(model.SemanticPose());
+    const ClassicPlace* place = place_of(name);
+    T_map_model =
+        place != nullptr ? place->T_world_body : T_map_parent * resolve_pose(model.SemanticPose());
   } catch (const std::runtime_error& error) {
     return leave_out(name, error);
   }
@@ -105,11 +115,18 @@ void SdfBodies::add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model,
   WorldObject object;
   object.piece = name;
   object.color = color_of(link);
+  const std::string path = name + "/" + unscoped_name(link.Name());
+  if (link.CollisionCount() == 0 && link.VisualCount() > 0) {
+    policy_.notes->count_unread("links with visuals only", path);
+  }
+  const ClassicPlace* place = place_of(path);
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
     const sdf::Collision& collision = *link.CollisionByIndex(i);
-    object.name = fmt::format("{}/{}/{}", name, link.Name(), collision.Name());
+    object.name = fmt::format("{}/{}", path, collision.Name());
     try {
-      add(collision, T_map_model * resolve_pose(link.SemanticPose()), object);
+      add(collision,
+          place != nullptr ? place->T_world_body : T_map_model * resolve_pose(link.SemanticPose()),
+          object);
     } catch (const std::runtime_error& error) {
       leave_out(object.name, error);
     }
@@ -126,6 +143,10 @@ void SdfBodies::add(const sdf::Collision& collision, const Eigen::Isometry3d& T_
   const auto shape = shape_of(*collision.Geom(), object.name, object.T_map_object);
   if (!shape) return;
   object.shape = *shape;
+  if (const ClassicPlace* place = place_of(object.piece)) {
+    object.shape = scale_classic(object.shape, place->scale);
+    (void)length(bounds(object).sizes().maxCoeff());
+  }
   object.name = unique(object.name);
   objects_.push_back(std::move(object));
 }

@@ -23,8 +23,10 @@ namespace castaway::sim {
 class SdfBodies {
  public:
   /// `path`: of the world, for errors. `finder` must outlive this.
-  SdfBodies(const ResourceFinder& finder, std::string path, const PiecePolicy& policy)
-      : finder_(finder), path_(std::move(path)), policy_(policy) {}
+  /// `state`: where Gazebo classic puts models and links; it must outlive this, too.
+  SdfBodies(const ResourceFinder& finder, std::string path, const PiecePolicy& policy,
+            const ClassicState& state)
+      : finder_(finder), path_(std::move(path)), policy_(policy), state_(state) {}
 
   /// Adds all models of a world. @throws std::runtime_error naming file and element if there are
   /// too many, or if the policy is strict and one cannot be read.
@@ -50,11 +52,14 @@ class SdfBodies {
   void leave_out(const std::string& name, const std::runtime_error& error);
   std::string unique(const std::string& name);
 
+  [[nodiscard]] const ClassicPlace* place_of(const std::string& path) const;
+
   const ResourceFinder& finder_;
   std::string path_;
   std::vector<WorldObject> objects_;
   std::set<std::string> names_;
   PiecePolicy policy_;
+  const ClassicState& state_;
   std::optional<Ground> ground_;
   /// By path: why a mesh cannot be read; empty if it can.
   std::map<std::string, std::string> meshes_;

@@ -1,25 +1,21 @@
 #include "sim/world/sdf/world_pieces.hpp"
 
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "sim/common/xml_pose.hpp"
 #include "sim/common/xml_text.hpp"
+#include "sim/world/sdf/flat_names.hpp"
 #include "sim/world/sdf/include_check.hpp"
 #include "sim/world/sdf/model_spread.hpp"
+#include "sim/world/sdf/population.hpp"
 #include "sim/world/sdf/scenery.hpp"
 
 namespace castaway::sim {
 namespace {
 
 constexpr double kGroundPlane = 100.0;  // [m] Edge of the model `ground_plane`.
-
-std::string child_text(const TiXmlElement& element, const char* name) {
-  const TiXmlElement* child = element.FirstChildElement(name);
-  const char* text = child == nullptr ? nullptr : child->GetText();
-  return text == nullptr ? "" : text;
-}
 
 std::string text_of(const TiXmlElement& element) {
   TiXmlDocument document;
@@ -42,10 +38,11 @@ void remove_unneeded(TiXmlElement& parent) {
 }
 
 /// Height and extent of an included ground plane.
-Ground ground_of(const TiXmlElement& include) {
-  std::istringstream pose(child_text(include, "pose"));
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  pose >> p.x() >> p.y() >> p.z();
+Ground ground_of(const TiXmlElement& include, const ClassicState& state) {
+  Eigen::Vector3d p = child_pose(include).translation();
+  const std::string name = child_text(include, "name");
+  const auto place = state.places.find(name.empty() ? "ground_plane" : unscoped_name(name));
+  if (place != state.places.end()) p = place->second.T_world_body.translation();
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * kGroundPlane);
   return {p.z(), Eigen::AlignedBox2d(p.head<2>() - half, p.head<2>() + half)};
 }
@@ -56,11 +53,27 @@ std::string name_of(const TiXmlElement& element) {
   return name.empty() ? child_text(element, "uri") : name;
 }
 
+/// Gives a model of a population its name and its place.
+TiXmlElement clone_model(const TiXmlElement& model, int number, const Eigen::Vector3d& p) {
+  TiXmlElement clone(model);
+  const std::string name = fmt::format("{}_clone_{}", attribute(model, "name"), number);
+  clone.SetAttribute("name", name.c_str());
+  for (auto* pose = clone.FirstChildElement("pose"); pose != nullptr;
+       pose = clone.FirstChildElement("pose")) {
+    clone.RemoveChild(pose);
+  }
+  TiXmlElement pose("pose");
+  pose.InsertEndChild(TiXmlText(fmt::format("{} {} {} 0 0 0", p.x(), p.y(), p.z())));
+  clone.InsertEndChild(pose);
+  return clone;
+}
+
 /// Sorts the children of a world element.
 class Cutter {
  public:
-  Cutter(const std::string& path, const ResourceFinder& finder, const PiecePolicy& policy)
-      : path_(path), policy_(policy), check_(path, finder) {}
+  Cutter(const std::string& path, const ResourceFinder& finder, const PiecePolicy& policy,
+         const NamedStreams& streams)
+      : path_(path), policy_(policy), streams_(streams), check_(path, finder) {}
 
   /// Lower bound for the size of the models added so far. [m]
   [[nodiscard]] Eigen::Vector2d size() const { return spread_.size(); }
@@ -73,19 +86,60 @@ class Cutter {
       world.linked = true;
     }
     if (kind == "model" || kind == "include") add_model(element, world);
+    if (kind == "population") populate(element, world);
+    if (kind == "actor" || kind == "road") {
+      policy_.notes->count_unread(kind + "s", attribute(element, "name"));
+    }
   }
 
  private:
   void add_model(TiXmlElement& element, WorldPieces& world) {
     const bool included = element.ValueStr() == "include";
     const std::string uri = included ? child_text(element, "uri") : "";
-    if (is_ground_plane(uri) && !world.ground) world.ground = ground_of(element);
+    if (is_ground_plane(uri) && !world.ground) world.ground = ground_of(element, world.state);
     if (is_scenery(uri)) return;
     remove_unneeded(element);
+    unscope_names(element);
     const TiXmlElement* pose = element.FirstChildElement("pose");
     if (pose != nullptr && !attribute(*pose, "relative_to").empty()) world.linked = true;
-    if (!included) spread_.add(element);
+    const bool moved = world.state.places.contains(name_of(element));
+    if (!included && !moved) spread_.add(element);
     if (can_be_read(element)) world.pieces.push_back({name_of(element), text_of(element)});
+  }
+
+  /// Adds the models of a population. All are the same, so that only one is checked.
+  void populate(TiXmlElement& population, WorldPieces& world) {
+    const std::string name = attribute(population, "name");
+    TiXmlElement* model = population.FirstChildElement("model");
+    if (model == nullptr)
+      return leave_out(name, std::runtime_error("its population has no <model>"));
+    remove_unneeded(*model);
+    unscope_names(*model);
+    if (!can_be_read(*model)) return;
+    Rng rng = streams_ ? streams_("population/" + name) : Rng();
+    PopulationPlaces places;
+    try {
+      places = place_population(population, rng);
+    } catch (const std::runtime_error& error) {
+      return leave_out(name, error);
+    }
+    if (places.drawn) {
+      policy_.notes->add(
+          "Gazebo draws the places of these populations anew at each start, here they "
+          "are the same in every run",
+          name);
+    }
+    for (std::size_t i = 0; i < places.p_world.size(); ++i) {
+      const TiXmlElement clone = clone_model(*model, static_cast<int>(i), places.p_world[i]);
+      world.pieces.push_back({name_of(clone), text_of(clone)});
+    }
+  }
+
+  void leave_out(const std::string& name, const std::runtime_error& error) const {
+    if (policy_.strict) {
+      throw std::runtime_error(fmt::format("{}: {}: {}", path_, name, error.what()));
+    }
+    policy_.notes->leave_out(name, error);
   }
 
   bool can_be_read(const TiXmlElement& element) {
@@ -93,16 +147,14 @@ class Cutter {
       check_.follow(element);
       return true;
     } catch (const std::runtime_error& error) {
-      if (policy_.strict) {
-        throw std::runtime_error(fmt::format("{}: {}: {}", path_, name_of(element), error.what()));
-      }
-      policy_.notes->leave_out(name_of(element), error);
+      leave_out(name_of(element), error);
       return false;
     }
   }
 
   const std::string& path_;
   const PiecePolicy& policy_;
+  const NamedStreams& streams_;
   IncludeCheck check_;
   ModelSpread spread_;
 };
@@ -110,7 +162,8 @@ class Cutter {
 }  // namespace
 
 WorldPieces cut_world(const std::string& path, const std::string& text,
-                      const ResourceFinder& finder, const PiecePolicy& policy) {
+                      const ResourceFinder& finder, const PiecePolicy& policy,
+                      const NamedStreams& streams) {
   const auto document = parse_xml(path, text);
   TiXmlElement* root = document->RootElement();
   if (root == nullptr || root->ValueStr() != "sdf") {
@@ -123,15 +176,20 @@ WorldPieces cut_world(const std::string& path, const std::string& text,
   if (inside == nullptr && root->FirstChildElement("model") == nullptr) {
     throw std::runtime_error(path + ": holds neither a world nor a model");
   }
-  Cutter cutter(path, finder, policy);
+  Cutter cutter(path, finder, policy, streams);
   if (inside == nullptr) {
     cutter.add(*root->FirstChildElement("model"), world);
     return world;
   }
   world.name = attribute(*inside, "name");
-  for (TiXmlElement* element = inside->FirstChildElement(); element != nullptr;
-       element = element->NextSiblingElement()) {
-    cutter.add(*element, world);
+  TiXmlElement* state = inside->FirstChildElement("state");  // Gazebo classic applies the first.
+  if (state != nullptr) world.state = read_classic_state(*state);
+  TiXmlElement* insertions = state == nullptr ? nullptr : state->FirstChildElement("insertions");
+  for (TiXmlElement* from : {inside, insertions}) {
+    for (TiXmlElement* element = from == nullptr ? nullptr : from->FirstChildElement();
+         element != nullptr; element = element->NextSiblingElement()) {
+      cutter.add(*element, world);
+    }
   }
   world.size = cutter.size();
   return world;

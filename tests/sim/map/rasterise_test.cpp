@@ -1,5 +1,6 @@
 #include "sim/map/rasterise.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -83,6 +84,57 @@ TEST(Rasterise, OutlinesAMesh) {
                                       ".###.",  //
                                       ".#?#.",  //
                                       ".###."}));
+}
+
+int occupied(const Grid& grid) {
+  return static_cast<int>(std::count(grid.cells.begin(), grid.cells.end(), Cell::kOccupied));
+}
+
+/// A cube of four cells, in a mesh, has faces on five columns and rows. The quotients of these
+/// round numbers lie on both sides of whole ones.
+TEST(Rasterise, ShowsASurfaceOnAnEdgeInTheCellAbove) {
+  WorldObject cube;
+  cube.shape = MeshShape{CASTAWAY_TEST_DATA "/meshes/cube.obj", {0.2, 0.2, 1.0}};
+  for (int i = 0; i < 60; ++i) {
+    cube.T_map_object = Eigen::Translation3d(-3.0 + 0.05 * i, -2.0 + 0.05 * i, 0.5);
+    WorldSpec world = world_with(cube);
+    world.min_corner = {-4.05, -3.05};
+    const Grid grid = cut_world(world, 0.3, 0.05);
+    EXPECT_EQ(occupied(grid), 16) << i;
+    EXPECT_EQ(cell_at(grid, {-3.0 + 0.05 * i + 0.125, -2.0 + 0.05 * i + 0.125}), Cell::kOccupied)
+        << i;
+  }
+}
+
+TEST(Rasterise, ShowsASurfaceOnTheMapsEdgeInTheLastCell) {
+  WorldObject cube;
+  cube.shape = MeshShape{CASTAWAY_TEST_DATA "/meshes/cube.obj", {2.0, 2.0, 1.0}};
+  cube.T_map_object = Eigen::Translation3d(4.0, 3.0, 0.5);
+  EXPECT_EQ(art_of(cut_world(world_with(cube), 0.3, 1.0)),
+            (std::vector<std::string>{"...##",  //
+                                      "...##",  //
+                                      ".....",  //
+                                      "....."}));
+}
+
+TEST(Rasterise, ShowsSolidsThatAreThinnerThanRounding) {
+  WorldSpec world = world_with(box_on_floor("sheet", {2.0, 1e-9, 0.5}, {2.5, 1.0}));
+  EXPECT_EQ(occupied(cut_world(world, 0.2, 1.0)), 3);
+  world.objects[0].shape = BoxShape{{1e-9, 2.0, 0.5}};
+  world.objects[0].T_map_object.translation() = Eigen::Vector3d(3.0 - 1e-7, 1.5, 0.25);
+  EXPECT_EQ(occupied(cut_world(world, 0.2, 1.0)), 3);
+  world.objects[0].shape = CylinderShape{1e-9, 0.5};
+  EXPECT_EQ(occupied(cut_world(world, 0.2, 1.0)), 1);
+}
+
+/// A face of a box is on the edge of the next cell, which stays free.
+TEST(Rasterise, LeavesCellsFreeThatASolidOnlyTouches) {
+  for (int i = 0; i < 60; ++i) {
+    WorldSpec world =
+        world_with(box_on_floor("box", {0.2, 0.1, 0.5}, {-3.0 + 0.05 * i, -2.0 + 0.05 * i}));
+    world.min_corner = {-4.05, -3.05};
+    EXPECT_EQ(occupied(cut_world(world, 0.3, 0.05)), 8) << i;
+  }
 }
 
 TEST(Slices, AreThoseOfEachHeight) {

@@ -75,6 +75,13 @@ TEST(File, IsNoDevicePipeOrFolder) {
   }
 }
 
+TEST(File, IsNotReadWhereItIsOnlyAPointerOfGitLfs) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "map.png",
+             "version https://git-lfs.github.com/spec/v1\noid sha256:a\nsize 9\n");
+  EXPECT_THROW((void)read_file(folder.path() / "map.png"), std::runtime_error);
+}
+
 TEST(File, NamesWhatCannotBeReadOrWritten) {
   EXPECT_TRUE(
       contains(error_of([] { read_file("/no/such/file"); }), "/no/such/file: cannot be read"));

@@ -118,6 +118,26 @@ TEST(CarmenLog, NoticesAGzipThatIsCutShort) {
   EXPECT_TRUE(contains(error, "short.log.gz:"));
 }
 
+TEST(CarmenLog, SaysWhatARawlogAndAPointerAre) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& bytes) {
+    write_file(folder.path() / "x.rawlog", bytes);
+    try {
+      (void)CarmenLogReader(folder.path() / "x.rawlog");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal("\x8D"
+                    "CSensoryFrame\x02")
+                .find("a rawlog of MRPT"),
+            std::string::npos);
+  EXPECT_NE(refusal("version https://git-lfs.github.com/spec/v1\noid sha256:a\nsize 9\n")
+                .find("Git LFS pointer: git lfs pull"),
+            std::string::npos);
+}
+
 TEST(CarmenLog, NamesAMissingFile) {
   EXPECT_TRUE(contains(error_of([] { CarmenLogReader("/no/such.log"); }), "/no/such.log: cannot"));
 }

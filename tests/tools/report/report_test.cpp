@@ -178,6 +178,12 @@ TEST(Report, ShowsTheFiguresOfTheSummary) {
   EXPECT_TRUE(contains(html, "1.90 m driven in 20.0 s, 1 kidnap, no collision."));
 }
 
+TEST(Report, SaysHowTheRunIsOtherwiseThanWhatItSimulates) {
+  RunInfo info = run_of(kReported);
+  info.notes = {"its wheels are <round>"};
+  EXPECT_TRUE(contains(report_of(records(20), info), "Note: its wheels are &lt;round&gt;."));
+}
+
 TEST(Report, SaysWhichKidnapsAreNotScored) {
   const std::string late = report_of(records(20), run_of(kReported), 1.0, reported_map(), 9.0);
   EXPECT_TRUE(contains(late,

@@ -80,6 +80,16 @@ TEST(SummarySink, SaysHowTheWorldDiffersFromItsMap) {
                                             {"added", 4}}));
 }
 
+TEST(SummarySink, SaysHowTheRunIsOtherwiseThanWhatItSimulates) {
+  const TemporaryFolder folder;
+  RunInfo info = run_of({"a"});
+  info.notes = {"the robot moves by mecanum wheels"};
+  SummarySink sink(folder.path(), info);
+  play(sink);
+  const Json summary = Json::parse(read_file(folder.path() / "summary.json"));
+  EXPECT_EQ(summary.at("notes"), Json::array({"the robot moves by mecanum wheels"}));
+}
+
 TEST(SummarySink, WritesEventsByTheTimeOfTheirAnswers) {
   const TemporaryFolder folder;
   SummarySink sink(folder.path(), run_of({"a"}));

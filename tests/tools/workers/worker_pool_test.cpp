@@ -52,6 +52,18 @@ TEST(WorkerPool, PassLongResults) {
   EXPECT_EQ(worked.results.at(2), std::string(3000000, 'c'));
 }
 
+/// Like libsdformat's assertions, which are no std::exception.
+TEST(WorkerPool, AJobThatThrowsAnyTypeFailsAlone) {
+  struct Assertion {};
+  const Worked worked = work_on(2, 1, [](int job) {
+    if (job == 0) throw Assertion();
+    return std::string("done");
+  });
+  ASSERT_EQ(worked.failures.size(), 1U);
+  EXPECT_NE(worked.failures.at(0).find("Assertion"), std::string::npos);
+  EXPECT_EQ(worked.results, (std::map<int, std::string>{{1, "done"}}));
+}
+
 TEST(WorkerPool, AJobThatThrowsFailsAlone) {
   const Worked worked = work_on(4, 1, [](int job) {
     if (job == 1) throw std::runtime_error("no luck");

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "tools/live/lines/pipes.hpp"
+#include "tools/output/any_error.hpp"
 #include "tools/output/say.hpp"
 #include "tools/ros2/build_ros2.hpp"
 #include "tools/workers/worker_process.hpp"
@@ -26,15 +27,15 @@ void be_bridge(const BridgeConfig& config, int socket) {
   std::shared_ptr<TopicWriter> wire;
   try {
     wire = build_wire(config);
-  } catch (const std::exception& error) {
-    write_whole(socket, std::string(error.what()) + "\n");
+  } catch (...) {
+    write_whole(socket, current_error_text() + "\n");
     return;
   }
   write_whole(socket, kReady + "\n");
   try {
     publish_link(socket, *wire);
-  } catch (const std::exception& error) {
-    say(fmt::format("--ros2: {}", error.what()));
+  } catch (...) {
+    say(fmt::format("--ros2: {}", current_error_text()));
   }
 }
 

@@ -39,6 +39,13 @@ TEST_F(DriveKind, IsNotMentionedWhereItIsWhatIsSimulated) {
   EXPECT_EQ(load(four_wheels("wheel")).other_drive, "");
 }
 
+TEST_F(DriveKind, IsNotedForTheSummaryOfARun) {
+  EXPECT_EQ(load(wheel_urdf("l", 0.0, 0.12) + wheel_urdf("r", 0.0, -0.12)).drive_note, "");
+  EXPECT_THAT(load(four_wheels("wheel")).drive_note, HasSubstr("the robot is a skid steer: its"));
+  EXPECT_THAT(load(four_wheels("omni")).drive_note,
+              HasSubstr("the robot moves by omni wheels: simulated as skid steer"));
+}
+
 TEST_F(DriveKind, OfMecanumAndOmniWheelsIsSaid) {
   const RobotModel mecanum = load(four_wheels("mecanum_wheel"));
   EXPECT_EQ(mecanum.other_drive, "mecanum wheels");
@@ -52,6 +59,55 @@ TEST_F(DriveKind, OfPluginsThatMoveSidewaysIsSaid) {
                           "</gazebo>")
                 .other_drive,
             "a planar_move plug-in");
+}
+
+/// The type is in the parameter file of the robot's controllers.
+TEST_F(DriveKind, OfAMecanumControllerIsSaid) {
+  const auto with_controller = [&](const std::string& type) {
+    RobotOptions options;
+    options.read_yaml = [type](const std::string&) {
+      const xacro::Dict base{{"type", xacro::Value{type}}};
+      return xacro::Value{xacro::Dict{
+          {"controller_manager", xacro::Value{xacro::Dict{{"base", xacro::Value{base}}}}}}};
+    };
+    (void)write("c.yaml", "");
+    return load_robot(write("a.urdf", robot_urdf(chassis_urdf() + four_wheels("wheel") +
+                                                 "<gazebo><plugin name=\"p\" filename=\"gz\">"
+                                                 "<parameters>c.yaml</parameters></plugin>"
+                                                 "</gazebo>")),
+                      options)
+        .other_drive;
+  };
+  EXPECT_EQ(with_controller("mecanum_drive_controller/MecanumDriveController"), "mecanum wheels");
+  EXPECT_EQ(with_controller("omni_wheel_drive_controller/OmniWheelDriveController"), "omni wheels");
+  EXPECT_EQ(with_controller("ackermann_steering_controller/AckermannSteeringController"),
+            "steered wheels");
+  EXPECT_EQ(with_controller("diff_drive_controller/DiffDriveController"), "");
+}
+
+TEST_F(DriveKind, OfRollersThatFrictionModelsIsSaid) {
+  const auto with_friction = [&](const std::string& friction) {
+    return load(four_wheels("wheel") + "<gazebo reference=\"wheel_fl\">" + friction + "</gazebo>")
+        .other_drive;
+  };
+  EXPECT_EQ(with_friction("<mu1>1</mu1><mu2>0</mu2><fdir1>1 -1 0</fdir1>"), "mecanum wheels");
+  EXPECT_EQ(with_friction("<collision><surface><friction><ode><mu>1</mu><mu2>0.0</mu2>"
+                          "<fdir1 expressed_in=\"base\">1 1 0</fdir1></ode></friction></surface>"
+                          "</collision>"),
+            "mecanum wheels");
+  EXPECT_EQ(with_friction("<mu1>1</mu1><mu2>0</mu2><fdir1>1 0 0</fdir1>"), "");
+  EXPECT_EQ(with_friction("<mu1>1</mu1><mu2>1</mu2><fdir1>1 1 0</fdir1>"), "");
+}
+
+TEST_F(DriveKind, OfRobotsThatAreCalledSoIsSaid) {
+  const auto called = [&](const std::string& name) {
+    std::string urdf = robot_urdf(chassis_urdf() + four_wheels("wheel"));
+    const std::size_t quote = urdf.find("name=\"") + 6;
+    urdf.replace(quote, urdf.find('"', quote) - quote, name);
+    return load_robot(write("a.urdf", urdf)).other_drive;
+  };
+  EXPECT_EQ(called("my_mecanum_bot"), "mecanum wheels");
+  EXPECT_EQ(called("OmniBot"), "omni wheels");
 }
 
 TEST_F(DriveKind, OfACarIsSaid) {

@@ -1,4 +1,5 @@
 // Discovery of lidars, through `load_robot`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/robot/load_robot.hpp"
@@ -56,6 +57,41 @@ TEST_F(LidarDiscovery, AllOfThemThePlanarOnesFirst) {
   EXPECT_EQ(robot.lidars[2].specs->layers, 16);
   EXPECT_DOUBLE_EQ(robot.lidars[2].specs->layer_max, 0.2);
   EXPECT_EQ(robot.lidar->sensor, "front");
+}
+
+TEST_F(LidarDiscovery, SeesAsFarRoundWithAnglesInReverseOrder) {
+  std::string tags = sensor("ray", "scanner", 180, 1);
+  tags.replace(tags.find("<min_angle>-1.5"), 15, "<min_angle>3.14");
+  tags.replace(tags.find("<max_angle>1.5"), 14, "<max_angle>-3.14");
+  const RobotModel robot = load(tags);
+  ASSERT_TRUE(robot.lidar && robot.lidar->specs);
+  EXPECT_EQ(robot.lidar->specs->angle_min, -3.14);
+  EXPECT_EQ(robot.lidar->specs->angle_max, 3.14);
+  EXPECT_EQ(robot.lidar->specs->range_max, 8.0);
+  EXPECT_THAT(robot.warnings, testing::Contains(testing::HasSubstr("sensor scanner: its min_")));
+}
+
+TEST_F(LidarDiscovery, AllThatAreCalledSoWithoutSensors) {
+  const RobotModel robot =
+      load(frame("rear_lidar", "base_link", 0.0) + frame("front_lidar_mount", "base_link", 1.0) +
+           frame("front_lidar", "front_lidar_mount", 0.0) + frame("lidar_optical", "laser", 0.01));
+  ASSERT_EQ(robot.lidars.size(), 3U);
+  EXPECT_EQ(robot.lidars[0].link, "lidar_optical");  // In `laser`.
+  EXPECT_EQ(robot.lidars[1].link, "front_lidar");
+  EXPECT_EQ(robot.lidars[2].link, "rear_lidar");
+  EXPECT_THAT(robot.warnings,
+              testing::Contains(testing::HasSubstr("3 links are taken for lidars")));
+}
+
+TEST_F(LidarDiscovery, OnceForTwoLinksOfOneDevice) {
+  EXPECT_EQ(load(frame("laser_window", "laser_mount", 0.15)).lidars.size(), 1U);
+}
+
+TEST_F(LidarDiscovery, SaysWhichSensorsItLeavesOut) {
+  const RobotModel robot = load(sensor("ray", "cliff", 3, 1) + sensor("ray", "lost", 90, 1, "no"));
+  EXPECT_THAT(robot.warnings,
+              testing::IsSupersetOf({testing::HasSubstr("sensor cliff: left out, since 3 beams"),
+                                     testing::HasSubstr("no link is called 'no'")}));
 }
 
 TEST_F(LidarDiscovery, TakesRangeFindersForWhatTheyAre) {

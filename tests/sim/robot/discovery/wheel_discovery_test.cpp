@@ -144,6 +144,17 @@ TEST_F(WheelDiscovery, FindsWheelsBehindASuspension) {
   EXPECT_DOUBLE_EQ(robot.track, 0.24);
 }
 
+TEST_F(WheelDiscovery, SaysThatWheelsHangBelowATurningBase) {
+  const std::string turret =
+      "<link name=\"turret\"/><joint name=\"turn\" type=\"continuous\"><parent "
+      "link=\"base_link\"/><child link=\"turret\"/><axis xyz=\"0 0 1\"/></joint>";
+  const std::string urdf =
+      robot_urdf(chassis_urdf() + turret + wheel_urdf("l", 0.0, 0.12, 0.05, "turret") +
+                 wheel_urdf("r", 0.0, -0.12, 0.05, "turret"));
+  EXPECT_THAT(error_text([&] { (void)load_robot(write("a.urdf", urdf)); }),
+              testing::HasSubstr("hang below joint 'turn' of type continuous, which moves freely"));
+}
+
 TEST_F(WheelDiscovery, MeasuresTheTrackBetweenTheMiddlesOfWheels) {
   std::string left = wheel_urdf("l", 0.0, 0.12);
   std::string right = wheel_urdf("r", 0.0, -0.12);

@@ -10,51 +10,10 @@
 
 #include "sim/map/rasterise.hpp"
 #include "sim/world/footprint.hpp"
+#include "tests/sim/world/sdf/sdf_files.hpp"
 
 namespace castaway::sim {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of worlds and models.
-class SdfFiles : public testing::Test {
- protected:
-  SdfFiles() {
-    folder_ = fs::path(testing::TempDir()) / "castaway-sdf" /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-  }
-  ~SdfFiles() override { fs::remove_all(folder_); }
-
-  std::string put(const std::string& name, const std::string& text) {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-  SdfWorld load(const std::string& inside) {
-    return load_sdf(put("worlds/w.world",
-                        "<?xml version='1.0'?>\n<sdf version='1.6'>\n"
-                        "<world name='small'>\n" +
-                            inside + "</world>\n</sdf>\n"),
-                    {});
-  }
-
-  fs::path folder_;
-};
-
-std::string link(const std::string& geometry, const std::string& pose = "0 0 0 0 0 0") {
-  return "<link name='l'><pose>" + pose + "</pose><collision name='c'><geometry>" + geometry +
-         "</geometry></collision></link>";
-}
-
-const WorldObject& named(const SdfWorld& world, const std::string& name) {
-  const auto found = std::find_if(world.spec.objects.begin(), world.spec.objects.end(),
-                                  [&](const auto& object) { return object.name == name; });
-  if (found == world.spec.objects.end()) throw std::runtime_error("no object " + name);
-  return *found;
-}
-
-const char* const kBox = "<box><size>2 1 0.5</size></box>";
 
 TEST_F(SdfFiles, ChainsTheFramesOfModelLinkAndCollision) {
   const SdfWorld world = load(
