@@ -29,6 +29,12 @@ function(castaway_target name)
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CASTAWAY_UNITY}>>:-Wshadow=local>  # ...they may hide those.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 raises it falsely on concatenated strings (GCC bug 105651)...
     $<$<CONFIG:Debug>:-Wno-maybe-uninitialized>)  # ...and this one on std::regex with sanitizers.
+  # What users run: canaries, checked copies, and tables of the linker that nothing overwrites. Sanitizers check more.
+  if(NOT CASTAWAY_FUZZ AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    target_compile_options(${name} PRIVATE
+      "$<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-fstack-protector-strong;-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
+    target_link_options(${name} PRIVATE $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-Wl,-z,relro,-z,now>)
+  endif()
   if(CASTAWAY_UNITY)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${CASTAWAY_UNITY_FILES})
   endif()

@@ -22,7 +22,7 @@ class Node {
       : file_(folder / ("node" + std::to_string(domain) + ".json")) {
     const std::string command = "exec '" CASTAWAY_ROS2_PEER "' --domain " + std::to_string(domain) +
                                 " " + arguments + " >'" + file_.string() + "' 2>&1";
-    thread_ = std::thread([command] { (void)std::system(command.c_str()); });
+    thread_ = std::thread([command] { (void)!std::system(command.c_str()); });
   }
   ~Node() {
     if (thread_.joinable()) thread_.join();

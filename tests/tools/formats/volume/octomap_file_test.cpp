@@ -86,6 +86,16 @@ TEST(OctomapFile, ATreeWithoutEndIsRefused) {
   EXPECT_EQ(octomap_refusal(head + "\xff"), "cave.bt: the tree is cut off; copy the file again");
 }
 
+/// 256 x 256 x 256 voxels in a leaf of 16 bytes: they would take 0.8 GB.
+TEST(OctomapFile, ALargeCubeIsRefusedBeforeItTakesMemory) {
+  std::string nodes;
+  for (int depth = 0; depth < 7; ++depth) nodes += std::string("\x03\0", 2);
+  nodes += std::string("\x06\0", 2);  // One leaf is occupied, one is free.
+  const std::string head = "# Octomap OcTree binary file\nid OcTree\nsize 10\nres 0.1\ndata\n";
+  EXPECT_EQ(octomap_refusal(head + nodes),
+            "cave.bt: has more than 10 million occupied voxels; use larger voxels");
+}
+
 TEST(OctomapFile, DamageIsNoCrash) {
   Rng rng(11);
   for (const OctomapKind kind : {OctomapKind::kBinary, OctomapKind::kFull}) {
