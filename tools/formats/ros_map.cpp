@@ -11,6 +11,9 @@
 namespace castaway::testbed {
 namespace {
 
+constexpr double kKnownMargin = 1.0;  // [m]
+constexpr double kMostOfSide = 0.8;   // Of a side that is known; more is shown as it is.
+
 constexpr double kOccupiedThresh = 0.65;
 constexpr double kFreeThresh = 0.196;
 constexpr int kUnknownGray = 205;
@@ -112,6 +115,40 @@ GrayImage map_image(const RosMap& map) {
     std::transform(row - width, row, std::back_inserter(image.pixels), gray_of);
   }
   return image;
+}
+
+RosMap part_of(const RosMap& map, const Eigen::Vector2i& from, const Eigen::Vector2i& size) {
+  RosMap part = map;
+  part.width = size.x();
+  part.height = size.y();
+  const Eigen::Vector2d corner = map.to_map(from.cast<double>());
+  part.origin_x = corner.x();
+  part.origin_y = corner.y();
+  part.cells.clear();
+  for (int row = from.y(); row < from.y() + size.y(); ++row) {
+    const auto first = map.cells.begin() + static_cast<std::ptrdiff_t>(row) * map.width + from.x();
+    part.cells.insert(part.cells.end(), first, first + size.x());
+  }
+  return part;
+}
+
+RosMap known_part(const RosMap& map) {
+  Eigen::Vector2i low(map.width, map.height);
+  Eigen::Vector2i high(0, 0);
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      if (map.at(column, row) < 0) continue;
+      low = low.cwiseMin(Eigen::Vector2i(column, row));
+      high = high.cwiseMax(Eigen::Vector2i(column + 1, row + 1));
+    }
+  }
+  const int margin = static_cast<int>(std::ceil(kKnownMargin / map.resolution));
+  low = (low.array() - margin).cwiseMax(0);
+  high = (high.array() + margin).cwiseMin(Eigen::Array2i(map.width, map.height));
+  const Eigen::Vector2i size = high - low;
+  const Eigen::Vector2d all(map.width, map.height);
+  const bool less = (size.cast<double>().array() < kMostOfSide * all.array()).any();
+  return size.minCoeff() > 0 && less ? part_of(map, low, size) : map;
 }
 
 std::string ros_map_yaml(const RosMap& map, const std::string& image) {

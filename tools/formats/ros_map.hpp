@@ -60,6 +60,13 @@ RosMap make_ros_map(const GrayImage& image, const RosMapHeader& header, std::str
 /// otherwise.
 GrayImage map_image(const RosMap& map);
 
+/// The part of a map from a cell on, [cells]; it lies where it lay.
+RosMap part_of(const RosMap& map, const Eigen::Vector2i& from, const Eigen::Vector2i& size);
+
+/// What pictures and pages show of a map: what is known and 1 m around it, if that is less than
+/// four fifths of a side; otherwise all.
+RosMap known_part(const RosMap& map);
+
 /// Text of the YAML file of a map; `image` is a path relative to that file.
 std::string ros_map_yaml(const RosMap& map, const std::string& image);
 

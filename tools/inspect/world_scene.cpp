@@ -78,11 +78,15 @@ sim::Scene world_scene(const LoadedWorld& world) {
 
 sim::Scene world_map_scene(const LoadedWorld& world) {
   sim::Scene scene;
-  scene.items.push_back(map_item(world.map));
+  const RosMap shown = known_part(world.map);
+  scene.items.push_back(map_item(shown));
   add_marks(world, scene);
-  const sim::WorldSpec& spec = world.file.spec;
-  const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
-  scene.camera.target = sim::raise_point(0.5 * (spec.min_corner + spec.max_corner), 0.0F);
+  Eigen::AlignedBox2d box;
+  for (const int column : {0, shown.width}) {
+    for (const int row : {0, shown.height}) box.extend(shown.to_map(Eigen::Vector2d(column, row)));
+  }
+  const Eigen::Vector2f size = box.sizes().cast<float>();
+  scene.camera.target = sim::raise_point(box.center(), 0.0F);
   scene.camera.eye = scene.camera.target + Vector3f(0.0F, 0.0F, 50.0F);
   scene.camera.up = Vector3f::UnitY();
   scene.camera.ortho_height = 1.04F * std::max(size.y(), size.x() * 0.75F);

@@ -81,7 +81,7 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   world.min_corner = prepared.config.world.min_corner;
   world.max_corner = prepared.config.world.max_corner;
   world.robot_radius = prepared.config.robot.footprint_radius;
-  world.map = prepared.map;
+  world.map = known_part(prepared.map);
   if (prepared.config.levels) world.lowest_ground = lowest_ground_of(prepared.config.levels);
   return world;
 }

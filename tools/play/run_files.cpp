@@ -56,6 +56,7 @@ RecordingConfig recording_config(const RunFiles& files, Stamp duration) {
 RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, const RosMap& map,
                      Stamp duration, RunFiles files) {
   RunSinks built;
+  const RosMap shown = known_part(map);
   Sinks& sinks = built.sinks;
   add_tables(files, folder, info, sinks);
   for (auto& sink : export_sinks(folder, info, map, files.exports)) {
@@ -63,7 +64,7 @@ RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, c
   }
   if (files.report && files.player) {
     sinks.push_back(
-        std::make_unique<RecordingSink>(folder, info, map, recording_config(files, duration)));
+        std::make_unique<RecordingSink>(folder, info, shown, recording_config(files, duration)));
   }
   if (files.camera) {
     sinks.push_back(
@@ -76,7 +77,7 @@ RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, c
     if (pictures->missing()) built.warnings.push_back("no pictures: " + *pictures->missing());
     sinks.push_back(std::move(pictures));
   }
-  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, map, files.levels));
+  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, shown, files.levels));
   return built;
 }
 

@@ -63,19 +63,9 @@ RosMap cut_out(const RosMap& map, const Eigen::Vector2d& p_map, double reach) {
   };
   const int left = clamp(centre.x() - cells, map.width - 1);
   const int low = clamp(centre.y() - cells, map.height - 1);
-  RosMap part = map;
-  part.width = std::max(clamp(centre.x() + cells, map.width) - left, 1);
-  part.height = std::max(clamp(centre.y() + cells, map.height) - low, 1);
-  const Eigen::Vector2d origin =
-      Eigen::Rotation2Dd(map.origin_yaw) * (map.resolution * Eigen::Vector2d(left, low));
-  part.origin_x += origin.x();
-  part.origin_y += origin.y();
-  part.cells.clear();
-  for (int row = low; row < low + part.height; ++row) {
-    const auto first = map.cells.begin() + static_cast<std::ptrdiff_t>(row) * map.width + left;
-    part.cells.insert(part.cells.end(), first, first + part.width);
-  }
-  return part;
+  return part_of(map, {left, low},
+                 {std::max(clamp(centre.x() + cells, map.width) - left, 1),
+                  std::max(clamp(centre.y() + cells, map.height) - low, 1)});
 }
 
 }  // namespace castaway::testbed

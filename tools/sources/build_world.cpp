@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/random.hpp"
+#include "sim/map/building.hpp"
 #include "sim/map/extrude.hpp"
 #include "sim/map/free_choice.hpp"
 #include "sim/map/grid_tools.hpp"
@@ -29,6 +30,7 @@ constexpr double kMapResolution = 0.05;   // [m]
 constexpr double kMostCells = 28e6;       // Of a survey; a run with people needs 70 bytes per cell.
 constexpr double kNoRoom = 1.0;           // [m^2] Less free space counts as none.
 constexpr double kReportedFloor = 0.001;  // [m] Greater floor heights are reported.
+constexpr double kRobotHeight = 0.6;      // [m] What robots meet is not higher.
 constexpr double kPlatform = 0.3;         // [m] At the start, higher objects are obstacles.
 
 bool is_ros_map(const std::filesystem::path& path) {
@@ -121,6 +123,52 @@ double map_resolution(LoadedWorld& world) {
   return resolution;
 }
 
+/// Gives a world the extent of its free space, if that is much smaller.
+void fit_extent(LoadedWorld& world) {
+  const int before = world.grid.width * world.grid.height;
+  world.grid = sim::crop_to_free(world.grid);
+  const sim::Grid& grid = world.grid;
+  if (grid.width * grid.height == before) return;
+  world.file.spec.min_corner = grid.origin;
+  world.file.spec.max_corner =
+      grid.origin + grid.resolution * Eigen::Vector2d(grid.width, grid.height);
+}
+
+/// Cuts off what is so far away that a robot meets nothing of it.
+void leave_out_specks(const SurveyOptions& options, LoadedWorld& world) {
+  sim::WorldSpec& spec = world.file.spec;
+  const auto box = sim::met_extent(spec, options.lidar_height, kRobotHeight);
+  if (!box || (options.inside && !box->contains(*options.inside))) return;
+  const Eigen::Vector2d before = spec.max_corner - spec.min_corner;
+  spec.min_corner = box->min();
+  spec.max_corner = box->max();
+  world.warnings.push_back(fmt::format(
+      "the extent is {:.0f} m x {:.0f} m instead of {:.0f} m x {:.0f} m: a robot meets nothing, or "
+      "only specks, in the rest",
+      box->sizes().x(), box->sizes().y(), before.x(), before.y()));
+}
+
+/// Keeps robots to a building whose doors lead outside, or to where models stand. On open ground
+/// without either, they stay in sight of an object.
+void keep_to_building(const SurveyOptions& options, const std::optional<sim::Ground>& ground,
+                      LoadedWorld& world) {
+  std::string where = "within 5 m of the objects";
+  auto building = sim::enclosed_building(world.grid, options.robot_radius);
+  if (!building && !ground) return;
+  if (!building) {
+    (void)sim::extend_over(*ground, world.file.spec);
+    world.grid = sim::near_obstacles(
+        sim::cut_world(world.file.spec, options.lidar_height, survey_resolution(world.file.spec)));
+    building = sim::between_obstacles(world.grid, options.robot_radius);
+  }
+  if (building) {
+    where = building->where;
+    world.grid = std::move(building->grid);
+  }
+  world.warnings.push_back(fmt::format(
+      "the ground goes on outside: robots keep {}; set `start` to begin elsewhere", where));
+}
+
 LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::string>& search,
                       const SurveyOptions& options) {
   LoadedWorld world;
@@ -132,21 +180,26 @@ LoadedWorld sdf_world(const std::filesystem::path& path, const std::vector<std::
   world.file.spec.inside = options.inside;
   world.warnings = std::move(loaded.warnings);
   world.has_start = false;
+  leave_out_specks(options, world);
   const auto cut = [&] {
     return sim::cut_world(world.file.spec, options.lidar_height,
                           survey_resolution(world.file.spec));
   };
   world.grid = cut();
   const sim::FreeChoice room = sim::choose_free(world.grid, options.robot_radius, options.inside);
-  if (loaded.ground && (room.at_edge || room.area < kNoRoom)) {
+  const bool open = room.at_edge || room.area < kNoRoom;
+  if (open && !options.inside) {
+    keep_to_building(options, loaded.ground, world);
+  } else if (open && loaded.ground) {
     const auto line = sim::extend_over(*loaded.ground, world.file.spec);
     if (line) world.warnings.push_back(*line);
-    world.grid = options.inside ? cut() : sim::near_obstacles(cut());
+    world.grid = cut();
   }
   (void)map_resolution(world);
   choose_space(options.inside, options.robot_radius, world);
   world.grid = options.inside ? sim::component_at(world.grid, *options.inside)
                               : sim::largest_component(world.grid);
+  if (!options.inside) fit_extent(world);
   return world;
 }
 

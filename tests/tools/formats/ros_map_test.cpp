@@ -92,6 +92,32 @@ TEST(RosMap, DoesNotCareAboutTheLargestValue) {
   EXPECT_EQ(cells_of({0, 65535}, {}, 65535), (Cells{100, 0}));
 }
 
+TEST(RosMap, ShowsWhatIsKnown) {
+  RosMap map{"m", 100, 60, 0.5, -3.0, 2.0, 0.0, std::vector<std::int8_t>(6000, -1)};
+  map.cells[20 * 100 + 40] = 0;
+  map.cells[25 * 100 + 50] = 100;
+  const RosMap part = known_part(map);
+  EXPECT_EQ(part.width, 11 + 4);
+  EXPECT_EQ(part.height, 6 + 4);
+  EXPECT_EQ(part.at(2, 2), 0);
+  EXPECT_EQ(part.at(12, 7), 100);
+  EXPECT_TRUE(part.to_map({2.0, 2.0}).isApprox(map.to_map({40.0, 20.0})));
+}
+
+/// Turned by a right angle, the known part lies where it lay.
+TEST(RosMap, ShowsWhatIsKnownOfATurnedMap) {
+  RosMap map{"m", 100, 60, 0.5, 0.0, 0.0, 1.5707963267948966, std::vector<std::int8_t>(6000, -1)};
+  map.cells[20 * 100 + 40] = 0;
+  const RosMap part = known_part(map);
+  EXPECT_TRUE(part.to_map({2.0, 2.0}).isApprox(Eigen::Vector2d(-10.0, 20.0)));
+}
+
+TEST(RosMap, ShowsAllWhereMostIsKnown) {
+  RosMap map{"m", 10, 10, 0.5, 0.0, 0.0, 0.0, std::vector<std::int8_t>(100, -1)};
+  map.cells[11] = map.cells[88] = 0;
+  EXPECT_EQ(known_part(map).width, 10);
+}
+
 TEST(RosMap, TurnsAboutItsOrigin) {
   RosMap map;
   map.resolution = 0.5;

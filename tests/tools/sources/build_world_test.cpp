@@ -134,8 +134,53 @@ TEST(BuildWorld, GoesOnWhereTheGroundDoes) {
   };
   EXPECT_TRUE(size_of("none.sdf").isApprox(Eigen::Vector2d(1.0, 4.0), 1e-9));
   EXPECT_TRUE(size_of("small.sdf").isApprox(Eigen::Vector2d(12.0, 14.0), 1e-9));
-  EXPECT_TRUE(size_of("large.sdf").isApprox(Eigen::Vector2d(100.0, 100.0), 1e-9));
-  EXPECT_TRUE(size_of("endless.sdf").isApprox(Eigen::Vector2d(31.0, 34.0), 1e-9));
+  // 5 m around the wall, in which the robot stays, and 1 m more.
+  EXPECT_TRUE(size_of("large.sdf").isApprox(Eigen::Vector2d(13.0, 16.0), 0.02));
+  EXPECT_TRUE(size_of("endless.sdf").isApprox(Eigen::Vector2d(13.0, 16.0), 0.02));
+}
+
+/// A house with a doorway of 1 m in its southern wall, on a plane, and a tree outside.
+TEST(BuildWorld, KeepsTheRobotInTheHouseUnlessToldOtherwise) {
+  const TemporaryFolder folder;
+  std::string house =
+      "<model name='g'><static>1</static><link name='l'><collision name='c'><geometry><plane>"
+      "<normal>0 0 1</normal><size>100 100</size></plane></geometry></collision></link></model>";
+  const auto box = [&](const std::string& name, const std::string& pose, const std::string& size) {
+    house += "<model name='" + name + "'><static>1</static><pose>" + pose +
+             " 0.5 0 0 0</pose><link name='l'><collision name='c'><geometry><box><size>" + size +
+             " 1</size></box></geometry></collision></link></model>";
+  };
+  box("north", "0 3", "8 0.1");
+  box("west", "-4 0", "0.1 6");
+  box("east", "4 0", "0.1 6");
+  box("south-west", "-2.25 -3", "3.5 0.1");
+  box("south-east", "2.25 -3", "3.5 0.1");
+  box("tree", "0 -20", "0.3 0.3");
+  folder.put("w.sdf", "<sdf version='1.6'><world name='w'>" + house + "</world></sdf>");
+  const LoadedWorld world = build_world({"w.sdf", {}, {}}, folder.path(), {});
+  EXPECT_EQ(sim::cell_at(world.grid, {0.02, 0.02}), sim::Cell::kFree);
+  EXPECT_EQ(sim::cell_at(world.grid, {0.02, -5.02}), sim::Cell::kUnknown);
+  EXPECT_LT((world.file.spec.max_corner - world.file.spec.min_corner).maxCoeff(), 11.0);
+  EXPECT_LT(world.map.height * world.map.resolution, 10.0);
+  ASSERT_EQ(world.warnings.size(), 1U);
+  EXPECT_TRUE(contains(world.warnings.front(), "robots keep to what walls enclose"));
+  SurveyOptions outside;
+  outside.inside = Eigen::Vector2d(0.0, -10.0);
+  const LoadedWorld told = build_world({"w.sdf", {}, {}}, folder.path(), outside);
+  EXPECT_EQ(sim::cell_at(told.grid, {0.02, -10.02}), sim::Cell::kFree);
+}
+
+TEST(BuildWorld, IsNotBlownUpBySpecks) {
+  const TemporaryFolder folder;
+  const auto speck = [](const std::string& name, const std::string& x) {
+    return "<model name='" + name + "'><static>1</static><pose>" + x +
+           " 0 0.2 0 0 0</pose><link name='l'><collision name='c'><geometry><box><size>0.01 0.01 "
+           "0.4</size></box></geometry></collision></link></model>";
+  };
+  folder.put("w.sdf", wall_and(speck("a", "-400") + speck("b", "401")));
+  const LoadedWorld world = build_world({"w.sdf", {}, {}}, folder.path(), {});
+  EXPECT_LT((world.file.spec.max_corner - world.file.spec.min_corner).maxCoeff(), 10.0);
+  EXPECT_EQ(world.grid.resolution, 0.05);
 }
 
 TEST(BuildWorld, KeepsTheRobotInSightOfSomethingOnAPlain) {
