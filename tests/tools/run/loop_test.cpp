@@ -39,7 +39,7 @@ class ListSource final : public SensorSource {
 };
 
 /// Records the order of calls.
-class ListSink final : public RunSink {
+class ListSink : public RunSink {
  public:
   void on_event(const RunEvent& event) override {
     calls.push_back("event " + event_name(event.kind));

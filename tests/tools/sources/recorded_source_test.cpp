@@ -7,6 +7,7 @@
 
 #include "tests/tools/support/recorded_frames.hpp"
 #include "tests/tools/support/temporary.hpp"
+#include "tools/sources/recorded/spliced_source.hpp"
 
 namespace castaway::testbed {
 namespace {
