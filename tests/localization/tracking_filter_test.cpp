@@ -68,7 +68,7 @@ TEST_F(TrackingFilterTest, BelievesWhatTheScanTellsAndThirtyCentimetresWhereItTe
 }
 
 /// A straight corridor, 60 m long; its ends are out of sight from the middle.
-OccupancyGrid corridor() {
+OccupancyGrid long_corridor() {
   OccupancyGrid grid;
   grid.frame = {1200, 60, 0.05, {}};
   grid.cells.assign(grid.frame.size(), CellState::kFree);
@@ -103,7 +103,7 @@ ScanPoints with_noise(ScanPoints points, Rng& rng) {
 /// Root mean square of how far populations wander along a corridor in 40 scans of a robot that
 /// turns on the spot, and may have slid. [m]
 double wandering(int ridge_steps) {
-  const OccupancyGrid grid = corridor();
+  const OccupancyGrid grid = long_corridor();
   const DistanceField distances(rough(grid), 5.0);
   const TrackingFilter filter({{0.04, 0.05, 30.0}, distances}, {.ridge_steps = ridge_steps},
                               {0.04, 0.02, 3});

@@ -162,7 +162,8 @@ void write_runs(const std::vector<ExperimentOutcome>& outcomes, const std::files
       csv.number(number("/position_error_m/mean")).number(number("/position_error_m/median"));
       csv.count(integer<std::int64_t>(figures.at("/recovery/recovered"_json_pointer)));
       csv.number(number("/recovery/time_s/mean"));
-      csv.number(number("/distance_m"));
+      const Json& distance = outcome.summary.at("distance_m");
+      csv.number(distance.is_number() ? std::optional(distance.get<double>()) : std::nullopt);
       csv.count(integer<std::int64_t>(outcome.summary.at("collisions"))).text(outcome.run.folder);
       csv.end_row();
     }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "localization/geometry/exact_atan2.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -46,25 +48,9 @@ void require_numbers(std::initializer_list<double> values, const char* what) {
   }
 }
 
-/// The angle of (z, w) to the last bit, so that each yaw is that of some quaternion. std::atan2 may
-/// be off by a bit; one step of Newton's method with the series of sine and cosine, whose
-/// arithmetic is the same on every CPU, corrects it.
-double exact_atan2(double z, double w) {
-  const long double angle = std::atan2(z, w);
-  long double sine = 0.0L;
-  long double cosine = 0.0L;
-  long double term = 1.0L;  // angle^n / n!, of the sign in the series.
-  for (int n = 0; n < 40; ++n) {
-    (n % 2 == 0 ? cosine : sine) += n % 4 < 2 ? term : -term;
-    term *= angle / static_cast<long double>(n + 1);
-  }
-  const long double norm = w * cosine + z * sine;
-  return static_cast<double>(norm > 0.0L ? angle + (z * cosine - w * sine) / norm : angle);
-}
-
 double yaw_of(const ros::Quaternion& q) {
   if (q.x == 0.0 && q.y == 0.0) {
-    const double yaw = 2.0 * exact_atan2(q.z, q.w);
+    const double yaw = 2.0 * localization::exact_atan2(q.z, q.w);
     return std::abs(yaw) <= std::numbers::pi ? yaw : localization::wrap_angle(yaw);
   }
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <thread>
 
+#include "localization/geometry/exact_atan2.hpp"
+
 namespace castaway::peer {
 namespace {
 
@@ -25,7 +27,7 @@ Time time_of(std::int64_t ns) {
 SE2 planar(const Vector3& p, const Quaternion& q) {
   return {p.x, p.y,
           q.x == 0.0 && q.y == 0.0
-              ? 2.0 * std::atan2(q.z, q.w)
+              ? 2.0 * localization::exact_atan2(q.z, q.w)
               : std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
 }
 

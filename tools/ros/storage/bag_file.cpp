@@ -14,7 +14,7 @@ constexpr std::string_view kZstdMagic{"\x28\xB5\x2F\xFD", 4};
 constexpr std::uint64_t kLargestMessage = std::uint64_t{256} << 20U;
 
 std::variant<McapReader, SqliteBag> open_storage(const std::filesystem::path& path) {
-  if (is_sqlite(path)) return SqliteBag(path);
+  if (path.extension() == ".db3" || is_sqlite(path)) return SqliteBag(path);
   return McapReader(path);
 }
 
