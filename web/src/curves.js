@@ -1,15 +1,16 @@
 // Curves over time by uPlot: one zoom and one cursor for all, marks of events, the player's time.
 import uPlot from 'uplot';
 import {element} from './dom.js';
+import {hasTruth} from './measures.js';
 import {addPlot, widthIn} from './plot.js';
 import {drawAlarms, drawMarks} from './plot_marks.js';
 
 const kHeight = 190;  // [px]
 
-/** What is plotted; `of`: (localizer, errors) -> values over the scans. */
+/** What is plotted; `of`: (localizer, errors) -> values over the scans. Where it is `scored`, it takes the truth. */
 export const kCurves = [
-  {title: 'Position error', unit: 'm', log: [0.001, 100], limit: 'rightM', of: (_, e) => e.position},
-  {title: 'Yaw error', unit: '°', log: [0.01, 180], limit: 'rightDeg',
+  {title: 'Position error', unit: 'm', log: [0.001, 100], limit: 'rightM', scored: true, of: (_, e) => e.position},
+  {title: 'Yaw error', unit: '°', log: [0.01, 180], limit: 'rightDeg', scored: true,
     of: (_, e) => e.yaw.map((v) => (v === null ? null : (v * 180) / Math.PI))},
   {title: 'Quality: how well the scan fits the map', unit: '0 to 1', range: [0, 1],
     of: (l) => answered(l, l.quality)},
@@ -35,7 +36,9 @@ export class Curves {
     this.seek = seek;
     this.plots = [];
     this.sync = uPlot.sync('castaway');
-    kCurves.forEach((curve, i) => this.add(i === 0 ? firstPlace : place, curve));
+    const truth = hasTruth(run.recording);
+    kCurves.filter(({scored}) => truth || !scored)
+      .forEach((curve, i) => this.add(i === 0 ? firstPlace : place, curve));
     new ResizeObserver(() => this.resize()).observe(place);
   }
 

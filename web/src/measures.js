@@ -16,6 +16,11 @@ export function wrapped(angle) {
   return angle - 2 * Math.PI * turns;
 }
 
+/** Whether any true pose is known; without, nothing is scored. True before the first scan. */
+export function hasTruth({truth: {known}}) {
+  return known.length === 0 || Array.from(known).some(Boolean);
+}
+
 /** Position and yaw error over the scans; null where there is none. [m], [rad] */
 export function errorsOf(recording, localizer) {
   const {truth, torn} = recording;

@@ -1,9 +1,10 @@
 // What the localizers say at the time that is shown.
 import {element, readable} from './dom.js';
-import {kStateWords, kUnknown, kWrong, kRight} from './measures.js';
+import {hasTruth, kStateWords, kUnknown, kWrong, kRight} from './measures.js';
 import {kDashes, outline, pick} from './palette.js';
 
-const kRows = ['error', 'yaw error', 'stated probability', 'quality', 'uncertainty', 'hypotheses'];
+const kScoredRows = ['error', 'yaw error'];
+const kStatedRows = ['stated probability', 'quality', 'uncertainty', 'hypotheses'];
 
 /** A dash where there is no answer, or where it does not state the share, which is negative then. */
 const shareText = (known, share) => (known && share >= 0 ? share.toFixed(2) : '–');
@@ -35,13 +36,15 @@ function paint(canvas, k, colors) {
 export class Panel {
   constructor(place, run) {
     this.run = run;
+    this.truth = hasTruth(run.recording);
+    const rows = [...(this.truth ? kScoredRows : []), ...kStatedRows];
     this.cards = run.recording.names.map((name) => {
-      const values = kRows.map(() => element('dd', {}));
+      const values = rows.map(() => element('dd', {}));
       const state = element('span', {class: 'state'});
       const picture = swatch();
       place.append(element('div', {class: 'card'},
         element('h2', {}, picture, element('span', {class: 'name'}, name), state),
-        element('dl', {}, ...kRows.flatMap((row, i) => [element('dt', {}, row), values[i]]))));
+        element('dl', {}, ...rows.flatMap((row, i) => [element('dt', {}, row), values[i]]))));
       return {values, state, picture};
     });
   }
@@ -64,9 +67,12 @@ export class Panel {
       const localizer = recording.localizers[k];
       const known = localizer.known[scan];
       const yaw = errors[k].yaw[scan] ?? null;
-      const texts = [
+      const scored = [
         readable(errors[k].position[scan] ?? null, 'm'),
         readable(yaw === null ? null : (yaw * 180) / Math.PI, '°'),
+      ];
+      const texts = [
+        ...(this.truth ? scored : []),
         shareText(known, localizer.probability[scan]),
         shareText(known, localizer.quality[scan]),
         known ? `± ${readable(localizer.sigma[scan], 'm')}` : '–',

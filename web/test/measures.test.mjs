@@ -16,6 +16,12 @@ test('errors are those of the poses, none of a torn scan', () => {
   assert.ok(near([position[0], yaw[0]], [0.2, 0.1]));
 });
 
+test('truth is known, or it is not', () => {
+  assert.equal(measures.hasTruth({truth: {known: [0, 1, 0]}}), true);
+  assert.equal(measures.hasTruth({truth: {known: new Uint8Array(3)}}), false);
+  assert.equal(measures.hasTruth({truth: {known: []}}), true);  // Of a live run that begins.
+});
+
 test('states tell right from wrong and from lost', () => {
   const localizer = {lost: [0, 0, 1, 1, 0, 0, 1]};
   const errors = {position: [0.1, 0.6, 0.6, 0.1, 0.1, null, null], yaw: [0, 0, 0, 0, 1, null, null]};
