@@ -42,7 +42,7 @@ TEST(Usage, FindsScenariosByWorldAndName) {
   expect_refused(folder, "run lab/kidnp",
                  {"lab/kidnp: no such scenario; did you mean 'lab/kidnap'?"});
   expect_refused(folder, "run nowhere.yaml",
-                 {"nowhere.yaml: no such scenario; give a file's path"});
+                 {"nowhere.yaml: no such file in the current folder"});
   fs::create_directories(folder / "office");
   expect_refused(folder, "run office", {"office: is a folder; give a scenario's file"});
   EXPECT_EQ(castaway(folder, "check-world --scenario lab/moved --no-picture").exit_code, 0);
