@@ -41,8 +41,7 @@ TEST(Usage, FindsScenariosByWorldAndName) {
   EXPECT_EQ(castaway(folder, "run office/kidnap --out a" + fast).exit_code, 0);
   expect_refused(folder, "run lab/kidnp",
                  {"lab/kidnp: no such scenario; did you mean 'lab/kidnap'?"});
-  expect_refused(folder, "run nowhere.yaml",
-                 {"nowhere.yaml: no such file in the current folder"});
+  expect_refused(folder, "run nowhere.yaml", {"nowhere.yaml: no such file in the current folder"});
   fs::create_directories(folder / "office");
   expect_refused(folder, "run office", {"office: is a folder; give a scenario's file"});
   EXPECT_EQ(castaway(folder, "check-world --scenario lab/moved --no-picture").exit_code, 0);
@@ -65,6 +64,21 @@ TEST(Usage, ListsWhatComesAlong) {
   expect_contains(castaway(folder, "robots").out, "\nmule ");
   expect_contains(castaway(folder, "scenarios").out, "\noffice/look-alikes ");
   expect_contains(castaway(folder, "scenarios --json").out, "\"name\": \"lab/kidnap\"");
+}
+
+TEST(Usage, DescribesWhatComesAlong) {
+  const fs::path folder = fresh_folder();
+  const std::string all = castaway(folder, "list").out;
+  expect_contains(all, "worlds:\n");
+  expect_contains(all, "  office     An office floor of 40 x 30 m");
+  expect_contains(all, "\nrobots:\n");
+  expect_contains(all, "A four-wheeled skid steer\n");
+  expect_contains(all, "SICK LMS111-10100\n");
+  expect_contains(all, "  lab/kidnap ");
+  const std::string robots = castaway(folder, "list robots").out;
+  EXPECT_EQ(std::count(robots.begin(), robots.end(), '\n'), 5) << robots;
+  expect_contains(castaway(folder, "list worlds --json").out, "\"description\": \"A robotics ");
+  expect_refused(folder, "list rooms", {"rooms", "worlds"});
 }
 
 /// Completions that bash offers at the end of a line.
