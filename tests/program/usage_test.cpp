@@ -81,6 +81,35 @@ TEST(Usage, DescribesWhatComesAlong) {
   expect_refused(folder, "list rooms", {"rooms", "worlds"});
 }
 
+TEST(Usage, RefusesOptionsThatWouldBeIgnored) {
+  const fs::path folder = fresh_folder();
+  expect_refused(folder, "run -j 4", {"-j, --jobs", "--seeds"});
+  expect_refused(folder, "run --world lab --search-path .", {"--search-path", "SDF --world"});
+  expect_refused(folder, "run --search-path .", {"--search-path", "--robot"});
+  expect_refused(folder, "run --world '' --duration 1", {"--world"});
+}
+
+// The box lies in a folder that only --search-path names.
+TEST(Usage, SearchesTheModelsOfAnSdfWorld) {
+  const fs::path folder = fresh_folder();
+  const fs::path model = folder / "far/crate";
+  fs::create_directories(model);
+  std::ofstream(model / "model.config") << "<model><sdf version='1.6'>model.sdf</sdf></model>";
+  std::ofstream(model / "model.sdf")
+      << "<sdf version='1.6'><model name='crate'><static>1</static><link name='l'><collision "
+         "name='c'><pose>0 0 0.5 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry>"
+         "</collision></link></model></sdf>";
+  std::ofstream(folder / "hall.sdf")
+      << "<sdf version='1.6'><world name='hall'><include><uri>model://crate</uri><pose>3 0 0 0 0 "
+         "0</pose></include><include><uri>model://crate</uri><name>other</name><pose>-3 0 0 0 0 0"
+         "</pose></include></world></sdf>";
+  const std::string run =
+      "run --duration 1 --strict --set events=[] --set outputs.snapshots=false --world hall.sdf";
+  EXPECT_EQ(castaway(folder, run + " --out without").exit_code, 2);
+  const Outcome outcome = castaway(folder, run + " --search-path far --out found");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 /// Completions that bash offers at the end of a line.
 std::string offered(const fs::path& folder, const std::string& words) {
   std::ofstream(folder / "try.sh") << "source completion.sh\nCOMP_WORDS=(" << words
