@@ -81,6 +81,28 @@ TEST(Usage, DescribesWhatComesAlong) {
   expect_refused(folder, "list rooms", {"rooms", "worlds"});
 }
 
+TEST(Usage, TakesHelpAndVersionAsCommands) {
+  const fs::path folder = fresh_folder();
+  EXPECT_EQ(castaway(folder, "version").out, castaway(folder, "--version").out);
+  EXPECT_EQ(castaway(folder, "version").exit_code, 0);
+  EXPECT_EQ(castaway(folder, "help").out, castaway(folder, "--help").out);
+  const Outcome help = castaway(folder, "help bench kidnaps");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.out, castaway(folder, "bench kidnaps --help").out);
+  expect_contains(help.out, "--obstacles");
+  expect_refused(folder, "help rnu", {"no command 'rnu'", "did you mean 'run'?"});
+}
+
+TEST(Usage, NamesTheNearestOptionBeforeWhatIsMissing) {
+  const fs::path folder = fresh_folder();
+  for (const char* command : {"", "run ", "replay ", "bench ", "bench kidnaps "}) {
+    expect_refused(folder, std::string(command) + "--hlep",
+                   {"no option '--hlep'; did you mean '--help'?"});
+  }
+  expect_refused(folder, "--vresion", {"did you mean '--version'?"});
+  expect_refused(folder, "run --set lidar.range_mxa=3", {"did you mean 'range_max'?"});
+}
+
 TEST(Usage, RefusesOptionsThatWouldBeIgnored) {
   const fs::path folder = fresh_folder();
   expect_refused(folder, "run -j 4", {"-j, --jobs", "--seeds"});
