@@ -9,7 +9,9 @@
 
 namespace castaway::sim {
 
-/// Levenshtein distance: insertions, deletions and substitutions of one character.
+/// Distance of F. J. Damerau ("A technique for computer detection and correction of spelling
+/// errors", CACM 7, 1964): insertions, deletions and substitutions of one character, and swaps of
+/// two neighbours, between which nothing else is edited.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The element of `known` with the smallest edit distance to `name`, the first one of a tie;

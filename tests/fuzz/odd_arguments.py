@@ -36,6 +36,7 @@ COMMANDS = {
     "check-robot": ["good.urdf", "--out", "o"],
     "check-world": ["w.yaml", "--out", "o"],
     "lidars": [], "worlds": [], "robots": [], "scenarios": [], "completion": ["bash"], "man": [],
+    "list": ["worlds"], "help": ["run"], "version": [],
     "bench kidnaps": ["--kidnaps", "1", "--window", "1", "--lead", "1"],
     "bench localization": [], "bench odometry": ["--seeds", "1", "--duration", "1", "--length", "0.1"],
     "bench physics": [], "bench published": ["--seeds", "1"], "bench simulation": [], "bench crowds": [],

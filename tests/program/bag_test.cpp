@@ -121,7 +121,10 @@ TEST(Bag, IsDescribed) {
   const Outcome words = castaway(folder, "bag run");
   EXPECT_EQ(words.exit_code, 0);
   expect_contains(words.out, "sensor_msgs/msg/LaserScan");
-  expect_contains(words.out, "run.world: lab");
+  expect_contains(words.out, "Metadata:  run: castaway ");
+  expect_contains(words.out, ", world lab");
+  EXPECT_EQ(words.out.find("outer-wall"), std::string::npos);  // Labels of all objects.
+  EXPECT_LT(std::count(words.out.begin(), words.out.end(), '\n'), 30);
   const Outcome json = castaway(folder, "bag run/bag --json");
   const Json bag = Json::parse(json.out);
   std::uint64_t messages = 0;

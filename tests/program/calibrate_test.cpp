@@ -45,6 +45,15 @@ TEST(Calibrate, WritesATwinThatRuns) {
   EXPECT_NEAR(Json::parse(text_of(folder / "run/summary.json")).at("distance_m"), 10.0, 0.1);
 }
 
+TEST(Calibrate, SaysBeforeThePlayThatOdometryIsIdeal) {
+  const fs::path folder = folder_with_office(60);
+  const Outcome outcome = castaway(folder, std::string("calibrate ") + kOffice + " --out twin");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("Play it: "), std::string::npos);
+  expect_contains(outcome.out,
+                  "\nIts odometry is ideal, not the log's: the robot drove too little");
+}
+
 TEST(Calibrate, GivesTheSameBytesAgain) {
   const fs::path folder = folder_with_office(100);
   const std::string line = std::string("calibrate ") + kOffice + " --json --out ";

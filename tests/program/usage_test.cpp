@@ -41,8 +41,7 @@ TEST(Usage, FindsScenariosByWorldAndName) {
   EXPECT_EQ(castaway(folder, "run office/kidnap --out a" + fast).exit_code, 0);
   expect_refused(folder, "run lab/kidnp",
                  {"lab/kidnp: no such scenario; did you mean 'lab/kidnap'?"});
-  expect_refused(folder, "run nowhere.yaml",
-                 {"nowhere.yaml: no such scenario; give a file's path"});
+  expect_refused(folder, "run nowhere.yaml", {"nowhere.yaml: no such file in the current folder"});
   fs::create_directories(folder / "office");
   expect_refused(folder, "run office", {"office: is a folder; give a scenario's file"});
   EXPECT_EQ(castaway(folder, "check-world --scenario lab/moved --no-picture").exit_code, 0);
@@ -65,6 +64,72 @@ TEST(Usage, ListsWhatComesAlong) {
   expect_contains(castaway(folder, "robots").out, "\nmule ");
   expect_contains(castaway(folder, "scenarios").out, "\noffice/look-alikes ");
   expect_contains(castaway(folder, "scenarios --json").out, "\"name\": \"lab/kidnap\"");
+}
+
+TEST(Usage, DescribesWhatComesAlong) {
+  const fs::path folder = fresh_folder();
+  const std::string all = castaway(folder, "list").out;
+  expect_contains(all, "worlds:\n");
+  expect_contains(all, "  office     An office floor of 40 x 30 m");
+  expect_contains(all, "\nrobots:\n");
+  expect_contains(all, "A four-wheeled skid steer\n");
+  expect_contains(all, "SICK LMS111-10100\n");
+  expect_contains(all, "  lab/kidnap ");
+  const std::string robots = castaway(folder, "list robots").out;
+  EXPECT_EQ(std::count(robots.begin(), robots.end(), '\n'), 5) << robots;
+  expect_contains(castaway(folder, "list worlds --json").out, "\"description\": \"A robotics ");
+  expect_refused(folder, "list rooms", {"rooms", "worlds"});
+}
+
+TEST(Usage, TakesHelpAndVersionAsCommands) {
+  const fs::path folder = fresh_folder();
+  EXPECT_EQ(castaway(folder, "version").out, castaway(folder, "--version").out);
+  EXPECT_EQ(castaway(folder, "version").exit_code, 0);
+  EXPECT_EQ(castaway(folder, "help").out, castaway(folder, "--help").out);
+  const Outcome help = castaway(folder, "help bench kidnaps");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.out, castaway(folder, "bench kidnaps --help").out);
+  expect_contains(help.out, "--obstacles");
+  expect_refused(folder, "help rnu", {"no command 'rnu'", "did you mean 'run'?"});
+}
+
+TEST(Usage, NamesTheNearestOptionBeforeWhatIsMissing) {
+  const fs::path folder = fresh_folder();
+  for (const char* command : {"", "run ", "replay ", "bench ", "bench kidnaps "}) {
+    expect_refused(folder, std::string(command) + "--hlep",
+                   {"no option '--hlep'; did you mean '--help'?"});
+  }
+  expect_refused(folder, "--vresion", {"did you mean '--version'?"});
+  expect_refused(folder, "run --set lidar.range_mxa=3", {"did you mean 'range_max'?"});
+}
+
+TEST(Usage, RefusesOptionsThatWouldBeIgnored) {
+  const fs::path folder = fresh_folder();
+  expect_refused(folder, "run -j 4", {"-j, --jobs", "--seeds"});
+  expect_refused(folder, "run --world lab --search-path .", {"--search-path", "SDF --world"});
+  expect_refused(folder, "run --search-path .", {"--search-path", "--robot"});
+  expect_refused(folder, "run --world '' --duration 1", {"--world"});
+}
+
+// The box lies in a folder that only --search-path names.
+TEST(Usage, SearchesTheModelsOfAnSdfWorld) {
+  const fs::path folder = fresh_folder();
+  const fs::path model = folder / "far/crate";
+  fs::create_directories(model);
+  std::ofstream(model / "model.config") << "<model><sdf version='1.6'>model.sdf</sdf></model>";
+  std::ofstream(model / "model.sdf")
+      << "<sdf version='1.6'><model name='crate'><static>1</static><link name='l'><collision "
+         "name='c'><pose>0 0 0.5 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry>"
+         "</collision></link></model></sdf>";
+  std::ofstream(folder / "hall.sdf")
+      << "<sdf version='1.6'><world name='hall'><include><uri>model://crate</uri><pose>3 0 0 0 0 "
+         "0</pose></include><include><uri>model://crate</uri><name>other</name><pose>-3 0 0 0 0 0"
+         "</pose></include></world></sdf>";
+  const std::string run =
+      "run --duration 1 --strict --set events=[] --set outputs.snapshots=false --world hall.sdf";
+  EXPECT_EQ(castaway(folder, run + " --out without").exit_code, 2);
+  const Outcome outcome = castaway(folder, run + " --search-path far --out found");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 /// Completions that bash offers at the end of a line.

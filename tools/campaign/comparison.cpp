@@ -171,6 +171,21 @@ void correct_for_number(std::vector<MetricComparison>& rows) {
   }
 }
 
+/// Says of each metric whether it could be significant: its smallest p-value is that of
+/// differences which all have one sign.
+void judge_pairs(std::vector<MetricComparison>& rows) {
+  std::vector<double> smallest;
+  for (const MetricComparison& row : rows) {
+    if (row.p_value) smallest.push_back(smallest_sign_flip_p_value(row.pairs));
+  }
+  const std::size_t needed = pairs_for_significance(smallest.size());
+  const std::vector<double> corrected = holm(smallest);
+  auto next = corrected.begin();
+  for (MetricComparison& row : rows) {
+    if (row.p_value && *next++ >= kSignificance) row.pairs_needed = needed;
+  }
+}
+
 /// The metrics to compare, clocks last.
 std::vector<MetricComparison> rows_for(const std::vector<std::string>& localizers) {
   std::vector<MetricComparison> rows;
@@ -212,8 +227,7 @@ std::size_t drop_voids(const fs::path& folder, std::vector<ComparedRun>& runs) {
 }  // namespace
 
 int MetricComparison::verdict() const {
-  constexpr double kLevel = 0.05;
-  if (!p_value || *p_value >= kLevel) return 0;
+  if (!p_value || *p_value >= kSignificance) return 0;
   return (difference > 0.0) == more_is_better ? 1 : -1;
 }
 
@@ -258,6 +272,7 @@ Comparison compare_runs(const fs::path& baseline, const fs::path& other) {
   }
   for (MetricComparison& row : rows_for(localizers)) add_metric(pairs, std::move(row), comparison);
   correct_for_number(comparison.metrics);
+  judge_pairs(comparison.metrics);
   return comparison;
 }
 
@@ -277,7 +292,8 @@ Json to_json(const Comparison& comparison) {
                {"difference", json_figure(row.difference)},
                {"interval", nullptr},
                {"p_value", row.p_value ? json_figure(*row.p_value) : Json()},
-               {"verdict", row.clock ? Json() : Json(row.verdict())}};
+               {"verdict", row.clock ? Json() : Json(row.verdict())},
+               {"pairs_needed", row.pairs_needed ? Json(*row.pairs_needed) : Json()}};
     if (row.interval) {
       figures["interval"] = {json_figure(row.interval->low), json_figure(row.interval->high)};
     }

@@ -43,6 +43,8 @@ struct MetricComparison {
   /// p-value of the difference under the null hypothesis, corrected for the number of metrics
   /// compared. Nothing for a clock.
   std::optional<double> p_value{};
+  /// Set if no outcome of so few pairs could be significant: the number of pairs that it takes.
+  std::optional<std::size_t> pairs_needed{};
 
   /// 1: better; -1: worse; 0: not significant at a level of 0.05 over all metrics together.
   [[nodiscard]] int verdict() const;

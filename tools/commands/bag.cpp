@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/commands/commands.hpp"
@@ -45,6 +46,33 @@ nlohmann::ordered_json to_json(const BagInventory& bag) {
   return json;
 }
 
+/// "castaway 0.1.0, robot waffle": the short texts of a metadata record; of one with many, such as
+/// the names of all objects, their number.
+std::string summarise(const std::map<std::string, std::string>& texts) {
+  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kLongest = 40;
+  if (texts.size() > kMost) return fmt::format("{} entries (see --json)", texts.size());
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : texts) {
+    if (value.size() > kLongest || value.find('\n') != std::string::npos) continue;
+    parts.push_back(key + " " + value);
+  }
+  if (parts.size() < texts.size()) parts.emplace_back("... (see --json)");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_metadata(const BagInventory& bag) {
+  constexpr std::size_t kMostRecords = 4;
+  std::size_t shown = 0;
+  for (const auto& [name, texts] : bag.metadata) {
+    if (shown++ == kMostRecords) {
+      fmt::print("Metadata:  {} more records (see --json)\n", bag.metadata.size() - kMostRecords);
+      break;
+    }
+    fmt::print("Metadata:  {}: {}\n", name, summarise(texts));
+  }
+}
+
 void print_words(const BagInventory& bag) {
   fmt::print("Bag:       {}\n", bag.name);
   fmt::print("Duration:  {:.3f} s from {:.9f} s on\n", seconds_of(bag.end_ns - bag.start_ns),
@@ -56,12 +84,7 @@ void print_words(const BagInventory& bag) {
   for (const McapAttachmentInfo& attachment : bag.attachments) {
     fmt::print("Attached:  {} ({} bytes)\n", attachment.name, attachment.size);
   }
-  for (const auto& [name, texts] : bag.metadata) {
-    for (const auto& [key, value] : texts) {
-      const std::string line = value.substr(0, value.find('\n'));
-      fmt::print("{}.{}: {}{}\n", name, key, line, line.size() < value.size() ? " ..." : "");
-    }
-  }
+  print_metadata(bag);
 }
 
 /// Prints each message as one line of JSON, without fields if its type is unknown.

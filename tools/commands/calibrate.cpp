@@ -47,6 +47,16 @@ void print_twin(const Twin& twin) {
   print_likeness(twin);
 }
 
+/// How to play the twin, and what to know of it before.
+std::string play_sentence(const LogFit& fit, const std::string& folder) {
+  const std::string play = fmt::format("castaway run {}/scenario.yaml\n", folder);
+  if (fit.odometry) return "Play it: " + play;
+  return fmt::format(
+      "Its odometry is ideal, not the log's: the robot drove too little to fit it. To play it "
+      "nevertheless: {}",
+      play);
+}
+
 int calibrate(const CalibrateArguments& arguments) {
   const bool is_folder = arguments.map.empty() && std::filesystem::is_directory(arguments.log);
   OutputFolder out({.target = arguments.out,
@@ -63,8 +73,8 @@ int calibrate(const CalibrateArguments& arguments) {
     fmt::print("{}\n", json_text(to_json(twin), 1));
   } else {
     print_twin(twin);
-    fmt::print("Plots: {0}/calibration.html\nTwin: {0}\nPlay it: castaway run {0}/scenario.yaml\n",
-               arguments.out);
+    fmt::print("Plots: {0}/calibration.html\nTwin: {0}\n{1}", arguments.out,
+               play_sentence(twin.fitted.fit, arguments.out));
   }
   return kDone;
 }

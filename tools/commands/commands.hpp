@@ -29,5 +29,6 @@ void add_settings_command(Command& app);
 void add_list_commands(Command& app);
 void add_completion_command(Command& app);
 void add_bench_command(Command& app);
+void add_help_commands(Command& app);
 
 }  // namespace castaway::testbed

@@ -1,4 +1,5 @@
 // The program.
+#include <algorithm>
 #include <cstdio>
 #include <system_error>
 
@@ -44,17 +45,18 @@ void add_commands(Command app) {
   add_list_commands(app);
   add_bench_command(app);
   add_completion_command(app);
+  add_help_commands(app);
 }
 
 /// Parses the arguments and runs the command; returns the exit code.
-int run_program(CommandLine& line, int argc, char** argv) {
-  const CommandLine::Parsed parsed = line.parse(argc, argv);
+int run_program(CommandLine& line, const std::vector<std::string>& words) {
+  const CommandLine::Parsed parsed = line.parse(words);
   if (parsed.act) return parsed.act();
   if (!parsed.trouble.empty()) fmt::print(stderr, "{}\n", printable(parsed.trouble));
   return parsed.exit_code;
 }
 
-int run_main(int argc, char** argv) {
+int run_main(const std::vector<std::string>& words) {
   CommandLine line(
       "castaway drops a simulated robot somewhere it does not expect and measures how a localizer "
       "finds it again.",
@@ -62,13 +64,13 @@ int run_main(int argc, char** argv) {
   add_commands(line.root());
   line.require_whole_seeds();
   watch_for_interruption();
-  if (const auto trouble = line.unknown_command({argv + 1, argv + argc})) {
+  if (const auto trouble = line.unknown_command(words)) {
     fmt::print(stderr, "{}\n", printable(*trouble));
     return kBadInput;
   }
   isolate_meshes();
   try {
-    return run_program(line, argc, argv);
+    return run_program(line, words);
   } catch (const Interrupted& interrupted) {
     print_error(describe(interrupted));
     return exit_code_of(interrupted);
@@ -97,7 +99,7 @@ extern "C" void _Exit(int status) noexcept { castaway::testbed::leave(status); }
 int main(int argc, char** argv) {
   using namespace castaway::testbed;
   watch_for_early_end();
-  int exit_code = run_main(argc, argv);
+  int exit_code = run_main(replace_help_words({argv + std::min(argc, 1), argv + argc}));
   if (exit_code == kDone && std::fflush(stdout) != 0) {
     print_error("standard output cannot be written; check that the disk is not full");
     exit_code = kRunFailed;

@@ -30,6 +30,7 @@ struct RunArguments {
   std::vector<std::string> sets;        ///< --set key=value
   std::vector<std::string> localizers;  ///< Replace the scenario's.
   std::string robot;                    ///< Empty: the scenario's.
+  std::string world;                    ///< Empty: the scenario's.
   RobotArguments robot_options;
   std::vector<std::string> expects;  ///< --expect "metric condition"
   std::string seeds;
@@ -57,7 +58,8 @@ std::filesystem::path file_of(const RunArguments& arguments) {
 std::vector<std::string> overrides_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.shortcuts;
   for (auto& text : localizer_override(arguments.localizers)) overrides.push_back(std::move(text));
-  for (auto& text : robot_overrides(arguments.robot, arguments.robot_options)) {
+  for (auto& text :
+       robot_and_world_overrides(arguments.robot, arguments.world, arguments.robot_options)) {
     overrides.push_back(std::move(text));
   }
   overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
@@ -186,7 +188,10 @@ void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& argumen
   shortcut("--duration", "duration_s", "Simulated time [s]")
       .value_name("FLOAT")
       .check(seconds_trouble);
-  shortcut("--world", "world", "A world's name or path, or a ROS map's .yaml");
+  command.add_option("--world", arguments->world, "A world's name or path, or a ROS map's .yaml")
+      .check([](const std::string& text) {
+        return text.empty() ? std::string("needs a world's name or path") : std::string();
+      });
   command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
   add_robot_options(command, arguments->robot_options);
 }
@@ -213,9 +218,10 @@ void add_run_command(Command& app) {
   command.add_option("--seeds", arguments->seeds,
                      "So many seeds from the scenario's on, or A..B: a folder for each and "
                      "what they amount to");
-  command.add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
-      .range(1, 1024)
-      .show_default();
+  const Option jobs =
+      command.add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
+          .range(1, 1024)
+          .show_default();
   command.add_option("--out", arguments->out,
                      "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
                      "above it)");
@@ -240,8 +246,13 @@ void add_run_command(Command& app) {
       "  castaway run my.yaml --seeds 20 -j 4 --expect \"mh_amcl.recovery.success >= 1\"\n"
       "  castaway run --video kidnap.mp4 --set outputs.video.view=overview\n"
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
-  command.action([arguments] {
-    return arguments->seeds.empty() ? run_once(*arguments) : run_many(*arguments);
+  command.action([arguments, jobs] {
+    if (!arguments->seeds.empty()) return run_many(*arguments);
+    if (jobs.given()) {
+      throw std::invalid_argument(
+          "-j, --jobs: runs several seeds at a time; say which with --seeds, or leave it away");
+    }
+    return run_once(*arguments);
   });
 }
 

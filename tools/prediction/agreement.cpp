@@ -96,6 +96,7 @@ std::optional<BootstrapFigure> rank_agreement(const std::vector<PredictionRow>& 
   const auto tau = kendall_tau(all.measured, all.predicted);
   if (!tau) return std::nullopt;
   const RowsByLog logs = group(rows);
+  if (logs.size() < 2) return BootstrapFigure{*tau};
   localization::Rng rng = localization::substream(1, "rank_agreement");
   std::vector<double> drawn;
   for (int k = 0; k < kResamples; ++k) {
@@ -104,7 +105,7 @@ std::optional<BootstrapFigure> rank_agreement(const std::vector<PredictionRow>& 
   }
   std::sort(drawn.begin(), drawn.end());
   if (drawn.empty()) return std::nullopt;
-  return BootstrapFigure{*tau, {percentile(drawn, 0.025), percentile(drawn, 0.975)}};
+  return BootstrapFigure{*tau, Interval{percentile(drawn, 0.025), percentile(drawn, 0.975)}};
 }
 
 }  // namespace castaway::testbed

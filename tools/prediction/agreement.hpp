@@ -23,15 +23,15 @@ struct LocalizerAgreement {
 /// In the order of the localizers. `rows`: all localizers of each log.
 std::vector<LocalizerAgreement> by_localizer(const std::vector<PredictionRow>& rows);
 
-/// A figure with its 95 % interval.
+/// A figure with its 95 % interval, where the sample allows one.
 struct BootstrapFigure {
   double value = 0.0;
-  Interval interval;
+  std::optional<Interval> interval{};
 };
 
 /// Kendall's tau between the rankings of the localizers by mean success, measured and predicted.
-/// The interval is a bootstrap over logs and the trials of each; where there is one log, over its
-/// trials. Nothing if all localizers are equal in one of them.
+/// The interval is a bootstrap over logs and the trials of each; one log has none, since it does
+/// not tell how far logs differ. Nothing if all localizers are equal in one of them.
 std::optional<BootstrapFigure> rank_agreement(const std::vector<PredictionRow>& rows);
 
 }  // namespace castaway::testbed

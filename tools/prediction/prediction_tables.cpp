@@ -79,18 +79,22 @@ TextTable agreement_table(const std::vector<PredictionRow>& rows) {
 std::string agreement_sentence(const std::vector<PredictionRow>& rows) {
   const auto tau = rank_agreement(rows);
   if (!tau) return "No ranking: the localizers do not differ in success";
+  const auto& interval = tau->interval;
   return fmt::format(
-      "Ranking of the localizers by success, twins against logs: Kendall's tau {:.2f} ({:.2f} to "
-      "{:.2f})",
-      tau->value, tau->interval.low, tau->interval.high);
+      "Ranking of the localizers by success, twins against logs: Kendall's tau {:.2f} ({})",
+      tau->value,
+      interval ? fmt::format("{:.2f} to {:.2f}", interval->low, interval->high)
+               : "of one log: no interval");
 }
 
 Json to_json(const std::vector<PredictionRow>& rows, const std::vector<DifferingPlace>& places) {
   Json json;
   json["kendall_tau"] = nullptr;
   if (const auto tau = rank_agreement(rows)) {
-    json["kendall_tau"] = {{"value", tau->value},
-                           {"interval", {tau->interval.low, tau->interval.high}}};
+    json["kendall_tau"] = {{"value", tau->value}, {"interval", nullptr}};
+    if (tau->interval) {
+      json["kendall_tau"]["interval"] = {tau->interval->low, tau->interval->high};
+    }
   }
   json["localizers"] = Json::array();
   for (const LocalizerAgreement& a : by_localizer(rows)) json["localizers"].push_back(to_json(a));

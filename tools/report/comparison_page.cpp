@@ -21,7 +21,7 @@ constexpr double kMostChange = 100.0;  // [%] Larger differences are clipped at 
 
 std::string verdict_of(const MetricComparison& row) {
   if (row.clock) return "clock, not judged";
-  if (!row.interval) return "one pair";
+  if (row.pairs_needed) return fmt::format("too few pairs: takes {}", *row.pairs_needed);
   const int verdict = row.verdict();
   if (verdict == 0) return "no difference seen";
   return verdict > 0 ? "better" : "worse";
@@ -99,7 +99,8 @@ std::string render_comparison(const std::vector<Comparison>& comparisons) {
         "seed, "
         "{} runs without a counterpart left out. Intervals: bootstrap over the pairs, 95 % each. "
         "p: sign-flip test of the mean difference, corrected for the number of metrics (Holm): "
-        "below 0.05 it is called better or worse.</p>\n",
+        "below 0.05 it is called better or worse. Too few pairs: even if all differed in the same "
+        "direction, p would be no less than 0.05.</p>\n",
         escape_html(comparison.other.string()), escape_html(comparison.baseline.string()),
         comparison.pairs, comparison.unpaired);
     body += html_table(comparison_table(comparison));

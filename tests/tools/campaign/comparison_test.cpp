@@ -1,5 +1,6 @@
 #include "tools/campaign/comparison.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -98,6 +99,25 @@ Comparison of_pairs(const fs::path& folder, int count) {
 TEST(Comparison, CallsBetterWhatIsSoInEnoughPairs) {
   const TemporaryFolder folder;
   const MetricComparison error = metric(of_pairs(folder.path(), 10), "a.position_error_m.mean");
+  EXPECT_EQ(error.verdict(), 1);
+}
+
+// With all differences of one sign, p is 2 / 2^pairs, and Holm's correction multiplies the smallest
+// one by the number of metrics.
+TEST(Comparison, SaysHowManyPairsItTakes) {
+  const TemporaryFolder folder;
+  const Comparison few = of_pairs(folder.path() / "few", 2);
+  const auto judged = static_cast<double>(few.metrics.size());
+  const auto needed = static_cast<int>(std::floor(std::log2(2.0 * judged / 0.05))) + 1;
+  for (const MetricComparison& row : few.metrics) {
+    EXPECT_EQ(row.pairs_needed, static_cast<std::size_t>(needed)) << row.metric;
+  }
+  EXPECT_EQ(to_json(few)["metrics"]["collisions"]["pairs_needed"], needed);
+  const Comparison short_of = of_pairs(folder.path() / "short", needed - 1);
+  EXPECT_TRUE(metric(short_of, "a.position_error_m.mean").pairs_needed);
+  const Comparison enough = of_pairs(folder.path() / "enough", needed);
+  const MetricComparison error = metric(enough, "a.position_error_m.mean");
+  EXPECT_FALSE(error.pairs_needed);
   EXPECT_EQ(error.verdict(), 1);
 }
 

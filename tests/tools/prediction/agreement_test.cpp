@@ -13,8 +13,19 @@ void expect_figure(const std::vector<PredictionRow>& rows, double value, double 
   const auto tau = rank_agreement(rows);
   ASSERT_TRUE(tau);
   EXPECT_DOUBLE_EQ(tau->value, value);
-  EXPECT_DOUBLE_EQ(tau->interval.low, low);
-  EXPECT_DOUBLE_EQ(tau->interval.high, high);
+  ASSERT_TRUE(tau->interval);
+  EXPECT_DOUBLE_EQ(tau->interval->low, low);
+  EXPECT_DOUBLE_EQ(tau->interval->high, high);
+}
+
+/// The rows, and the same of another log.
+std::vector<PredictionRow> of_two_logs(std::vector<PredictionRow> rows) {
+  std::vector<PredictionRow> both = rows;
+  for (PredictionRow& row : rows) {
+    row.log.log = row.twin.log = "other";
+    both.push_back(row);
+  }
+  return both;
 }
 
 TEST(ByLocalizer, IsTheMeanOverLogsThatCountTheSame) {
@@ -55,10 +66,20 @@ TEST(ByLocalizer, CountsLogsWhoseTrackingErrorIsWithinAQuarter) {
 TEST(ByLocalizer, HasNothingOfNoRows) { EXPECT_TRUE(by_localizer({}).empty()); }
 
 TEST(RankAgreement, IsOneForTheSameOrderAndMinusOneForTheReverse) {
-  expect_figure({equal_trials("l", "a", true, 0.6), equal_trials("l", "b", false, 0.5)}, 1.0, 1.0,
-                1.0);
-  expect_figure({equal_trials("l", "a", true, 0.5), equal_trials("l", "b", false, 0.6)}, -1.0, -1.0,
-                -1.0);
+  expect_figure(
+      of_two_logs({equal_trials("l", "a", true, 0.6), equal_trials("l", "b", false, 0.5)}), 1.0,
+      1.0, 1.0);
+  expect_figure(
+      of_two_logs({equal_trials("l", "a", true, 0.5), equal_trials("l", "b", false, 0.6)}), -1.0,
+      -1.0, -1.0);
+}
+
+TEST(RankAgreement, OfOneLogHasNoInterval) {
+  const auto tau =
+      rank_agreement({equal_trials("l", "a", true, 0.6), equal_trials("l", "b", false, 0.5)});
+  ASSERT_TRUE(tau);
+  EXPECT_DOUBLE_EQ(tau->value, 1.0);
+  EXPECT_FALSE(tau->interval);
 }
 
 TEST(RankAgreement, CountsTies) {
@@ -88,7 +109,7 @@ TEST(RankAgreement, IsUncertainWhereTrialsDecide) {
   const std::vector<double> four(10, 0.4);
   const PredictionRow a = prediction_row("l", "a", {1, 1, 1, 1, 1, 0, 0, 0, 0, 0}, six);
   const PredictionRow b = prediction_row("l", "b", {0, 0, 0, 0, 0, 0, 1, 1, 1, 1}, four);
-  expect_figure({a, b}, 1.0, -1.0, 1.0);
+  expect_figure(of_two_logs({a, b}), 1.0, -1.0, 1.0);
 }
 
 TEST(RankAgreement, DrawsTheSameTrialsForAllLocalizers) {
@@ -97,7 +118,7 @@ TEST(RankAgreement, DrawsTheSameTrialsForAllLocalizers) {
   const std::vector<double> four(10, 0.4);
   const PredictionRow a = prediction_row("l", "a", {1, 1, 1, 1, 1, 0, 0, 0, 0, 0}, six);
   const PredictionRow b = prediction_row("l", "b", {1, 1, 1, 1, 0, 0, 0, 0, 0, 0}, four);
-  expect_figure({a, b}, 1.0, 1.0, 1.0);
+  expect_figure(of_two_logs({a, b}), 1.0, 1.0, 1.0);
 }
 
 TEST(RankAgreement, IsUncertainWhereLogsDisagree) {

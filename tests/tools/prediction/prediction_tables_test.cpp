@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/prediction/prediction_rows.hpp"
+#include "tests/tools/support/temporary.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -49,8 +50,9 @@ TEST(AgreementTable, HasARowForEachLocalizer) {
 TEST(AgreementSentence, StatesTauOrThatThereIsNone) {
   EXPECT_EQ(agreement_sentence({equal_trials("l", "a", true, 0.6),  //
                                 equal_trials("l", "b", false, 0.5)}),
-            "Ranking of the localizers by success, twins against logs: Kendall's tau 1.00 (1.00 to "
-            "1.00)");
+            "Ranking of the localizers by success, twins against logs: Kendall's tau 1.00 (of one "
+            "log: no interval)");
+  EXPECT_TRUE(contains(agreement_sentence(rows_of_two_logs()), "tau 1.00 (1.00 to 1.00)"));
   EXPECT_EQ(agreement_sentence({equal_trials("l", "a", true, 0.6)}),
             "No ranking: the localizers do not differ in success");
 }
@@ -75,6 +77,12 @@ TEST(PredictionJson, HoldsRowsAndAgreement) {
   EXPECT_EQ(json.at("rows")[0].at("on_log"), to_json(rows[0].log));
   EXPECT_EQ(json.at("rows")[0].at("in_twin"), to_json(rows[0].twin));
   EXPECT_TRUE(json.at("places").empty());
+}
+
+TEST(PredictionJson, HoldsNoIntervalOfOneLog) {
+  const nlohmann::ordered_json json =
+      to_json({equal_trials("l", "a", true, 0.6), equal_trials("l", "b", false, 0.5)}, {});
+  EXPECT_EQ(json.at("kendall_tau").dump(), R"({"value":1.0,"interval":null})");
 }
 
 TEST(PredictionJson, HoldsPlacesWithoutTheirPictures) {

@@ -11,7 +11,7 @@ Comparison made_up() {
   Comparison comparison{"before", "after", 20, 1, 0, {}};
   comparison.metrics = {{"a.error", 20, 0.2, 0.1, -0.1, Interval{-0.12, -0.08}, false, false, 0.01},
                         {"a.success", 20, 0.9, 0.8, -0.1, Interval{-0.2, -0.01}, true, false, 0.04},
-                        {"a.<odd>", 1, 2.0, 3.0, 1.0, std::nullopt, false, false, 1.0},
+                        {"a.<odd>", 1, 2.0, 3.0, 1.0, std::nullopt, false, false, 1.0, 8},
                         {"collisions", 20, 0.0, 0.0, 0.0, Interval{0.0, 0.0}, false, false, 1.0},
                         {"timing", 20, 1.0, 2.0, 1.0, Interval{0.9, 1.1}, false, true}};
   return comparison;
@@ -22,7 +22,7 @@ TEST(ComparisonTable, SaysWhatIsBetterAndWorse) {
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"a.error", "20", "0.2", "0.1", "-0.1",
                                                      "[-0.12, -0.08]", "0.010", "better"}));
   EXPECT_EQ(table.rows[1].back(), "worse");
-  EXPECT_EQ(table.rows[2].back(), "one pair");
+  EXPECT_EQ(table.rows[2].back(), "too few pairs: takes 8");
   EXPECT_EQ(table.rows[3].back(), "no difference seen");
   EXPECT_EQ(table.rows[4].back(), "clock, not judged");
 }

@@ -52,14 +52,23 @@ std::string not_expected(const CLI::App& command, const std::string& word) {
                      near ? fmt::format("; did you mean '{}'?", *near) : "");
 }
 
+/// The error in words that no command takes; empty: none. Other errors can be their consequence:
+/// with `--hlep`, "log is required".
+std::string extras_trouble(const CLI::App& app, const CLI::App& command, bool any_word) {
+  for (const CLI::App* level : {&command, &app}) {
+    for (const std::string& word : level->remaining()) {
+      if (any_word || word.starts_with("-")) return not_expected(*level, word);
+    }
+  }
+  return "";
+}
+
 std::string describe_usage(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = nullptr;
   const std::string path = path_of(app, command);
-  std::string what = error.what();
-  const std::vector<std::string> extras = command->remaining();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extras.empty()) {
-    what = not_expected(*command, extras.front());
-  }
+  const bool extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  std::string what = extras_trouble(app, *command, extras);
+  if (what.empty()) what = error.what();
   std::replace(what.begin(), what.end(), '\n', ' ');
   return fmt::format("{}: {}; `{} --help` says what it takes", path, what, path);
 }
@@ -202,6 +211,13 @@ std::vector<OptionText> Command::options() const {
   return texts;
 }
 
+std::vector<std::string> replace_help_words(const std::vector<std::string>& words) {
+  if (words.empty() || words.front() != "help") return words;
+  std::vector<std::string> replaced(words.begin() + 1, words.end());
+  replaced.emplace_back("--help");
+  return replaced;
+}
+
 CommandLine::CommandLine(const std::string& what, const std::string& version)
     : app_(std::make_unique<CLI::App>(what)) {
   app_->set_version_flag("--version", version);
@@ -237,9 +253,10 @@ std::optional<std::string> CommandLine::unknown_command(const std::vector<std::s
   }
 }
 
-CommandLine::Parsed CommandLine::parse(int argc, const char* const* argv) {
+CommandLine::Parsed CommandLine::parse(const std::vector<std::string>& words) {
   try {
-    app_->parse(argc, argv);
+    app_->name("castaway");
+    app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
     return {chosen_, kDone, {}};
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return {{}, app_->exit(error), {}};  // --help, --version

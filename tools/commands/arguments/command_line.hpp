@@ -92,6 +92,9 @@ class Command {
   std::function<int()>* chosen_;
 };
 
+/// The words of a command line with `help run` as `run --help`.
+std::vector<std::string> replace_help_words(const std::vector<std::string>& words);
+
 /// The whole command line.
 class CommandLine {
  public:
@@ -114,7 +117,8 @@ class CommandLine {
     int exit_code = 0;         ///< 0 after --help and --version, which it has printed.
     std::string trouble;       ///< Error in one line; empty: none.
   };
-  Parsed parse(int argc, const char* const* argv);
+  /// `words`: the command line without the program's name.
+  Parsed parse(const std::vector<std::string>& words);
 
  private:
   std::unique_ptr<CLI::App> app_;

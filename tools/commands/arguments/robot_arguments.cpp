@@ -1,5 +1,6 @@
 #include "tools/commands/arguments/robot_arguments.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -12,6 +13,18 @@ std::string quote_yaml(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
+}
+
+/// "[a, b]" in YAML.
+std::string list_of(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + quote_yaml(text);
+  return "[" + list + "]";
+}
+
+bool is_sdf(std::filesystem::path file) {
+  if (file.extension() == ".xacro") file = file.stem();
+  return file.extension() == ".sdf" || file.extension() == ".world";
 }
 
 }  // namespace
@@ -51,12 +64,29 @@ std::vector<std::string> robot_overrides(const std::string& file, const RobotArg
     const auto [name, value] = parse_assignment(text);
     args += (args.empty() ? "" : ", ") + quote_yaml(name) + ": " + quote_yaml(value);
   }
-  std::string paths;
-  for (const std::string& path : arguments.search_paths) {
-    paths += (paths.empty() ? "" : ", ") + quote_yaml(path);
+  overrides.push_back(fmt::format("robot={{file: {}, args: {{{}}}, search_paths: {}}}",
+                                  quote_yaml(file), args, list_of(arguments.search_paths)));
+  return overrides;
+}
+
+std::vector<std::string> robot_and_world_overrides(const std::string& robot,
+                                                   const std::string& world,
+                                                   const RobotArguments& arguments) {
+  RobotArguments of_robot = arguments;
+  std::vector<std::string> overrides;
+  if (!world.empty() && is_sdf(world) && !arguments.search_paths.empty()) {
+    overrides.push_back(fmt::format("world={{name: {}, search_paths: {}}}", quote_yaml(world),
+                                    list_of(arguments.search_paths)));
+    if (robot.empty()) of_robot.search_paths.clear();
+  } else if (!world.empty()) {
+    overrides.push_back("world=" + world);
   }
-  overrides.push_back(fmt::format("robot={{file: {}, args: {{{}}}, search_paths: [{}]}}",
-                                  quote_yaml(file), args, paths));
+  if (robot.empty() && !of_robot.search_paths.empty()) {
+    throw std::invalid_argument(
+        "--search-path: searches the packages of a --robot and the models of an SDF --world "
+        "(.sdf, .world); name one, or leave the option away");
+  }
+  for (std::string& text : robot_overrides(robot, of_robot)) overrides.push_back(std::move(text));
   return overrides;
 }
 

@@ -26,4 +26,11 @@ std::pair<std::string, std::string> parse_assignment(const std::string& text);
 /// empty, the scenario's robot is used.
 std::vector<std::string> robot_overrides(const std::string& file, const RobotArguments& arguments);
 
+/// As `robot_overrides`, with --world: an SDF world's models are searched in --search-path, too.
+/// Without --robot, the option is for the world alone. Throws std::invalid_argument if neither
+/// takes it.
+std::vector<std::string> robot_and_world_overrides(const std::string& robot,
+                                                   const std::string& world,
+                                                   const RobotArguments& arguments);
+
 }  // namespace castaway::testbed

@@ -59,6 +59,20 @@ double sign_flip_p_value(const std::vector<double>& differences, const std::stri
   return sample_p_value(differences, localization::substream(kFlipSeed, "sign-flips/" + stream));
 }
 
+double smallest_sign_flip_p_value(std::size_t pairs) {
+  if (pairs == 0) return 1.0;
+  const double exact = std::ldexp(2.0, -static_cast<int>(std::min<std::size_t>(pairs, 1000)));
+  return pairs <= kMostExact ? exact : std::max(exact, 1.0 / (kFlips + 1));
+}
+
+std::size_t pairs_for_significance(std::size_t tests) {
+  std::size_t pairs = 1;
+  while (static_cast<double>(tests) * std::ldexp(2.0, -static_cast<int>(pairs)) >= kSignificance) {
+    ++pairs;
+  }
+  return pairs;
+}
+
 std::vector<double> holm(const std::vector<double>& p_values) {
   std::vector<std::size_t> order(p_values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

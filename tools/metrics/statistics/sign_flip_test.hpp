@@ -6,6 +6,7 @@
 /// tests at once.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,16 @@ namespace castaway::testbed {
 /// drawn from the substream `stream`; the observed signs count as one of them, so the result is
 /// never 0. 1 if there are no pairs.
 double sign_flip_p_value(const std::vector<double>& differences, const std::string& stream);
+
+/// p-values below it are significant.
+inline constexpr double kSignificance = 0.05;
+
+/// The smallest p-value that `pairs` pairs can have: the one of differences with the same sign.
+double smallest_sign_flip_p_value(std::size_t pairs);
+
+/// The number of pairs from which on one of `tests` tests can be significant after Holm's
+/// correction.
+std::size_t pairs_for_significance(std::size_t tests);
 
 /// Holm's correction, in the given order. It bounds the probability of any false positive:
 /// rejecting the null hypotheses with a corrected p-value below 0.05 makes that probability at most

@@ -42,6 +42,52 @@ fs::path& shipped_data() {
   return folder;
 }
 
+/// True for a path rather than a shipped name, such as "lab" or "lab/kidnap".
+bool is_path(const std::string& text) {
+  const fs::path path(text);
+  return path.is_absolute() || text.starts_with(".") || text.ends_with("/") || path.has_extension();
+}
+
+/// `path` leads to nothing, nor does it in `base`.
+std::string missing_file_trouble(const fs::path& path, const fs::path& base) {
+  const fs::path folder = path.parent_path();
+  std::error_code none;
+  const bool from_base = path.is_relative() && base != "." && !base.empty();
+  const std::string also = from_base ? fmt::format(", nor in '{}'", base.string()) : "";
+  if (!folder.empty() && !fs::is_directory(folder, none)) {
+    return fmt::format("no such file: there is no folder '{}'{}", folder.string(), also);
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const auto near = close_name(path.filename().string(), names);
+  if (near) return fmt::format("no such file; did you mean '{}'?", (folder / *near).string());
+  return fmt::format("no such file in {}{}",
+                     folder.empty() ? "the current folder" : "'" + folder.string() + "'", also);
+}
+
+/// What is wrong with a path that leads to none of `files`; empty: nothing is there, and `text` is
+/// no path. Without `files`, names may have a slash, as those of scenarios.
+std::string path_trouble(const std::string& text, const fs::path& base,
+                         const std::vector<std::string>& files) {
+  fs::path path(text);
+  std::error_code none;
+  const auto is_there = [&](const fs::path& at) {
+    return fs::exists(fs::symlink_status(at, none));
+  };
+  if (!is_there(path) && is_there(base / path)) path = base / path;
+  const bool given = is_path(text) || (!files.empty() && text.find('/') != std::string::npos);
+  if (text.empty() || (!given && !is_there(path))) return "";
+  if (fs::is_directory(path, none)) {
+    return fmt::format("is a folder without {}; give the file itself", fmt::join(files, ", "));
+  }
+  if (fs::exists(path, none)) return "is no regular file";
+  if (fs::is_symlink(path, none)) return "is a link to a file that does not exist";
+  return missing_file_trouble(path, base);
+}
+
 /// Finds `<data>/<kind>s/<text>/<one of files>`.
 fs::path find(const std::string& kind, const std::string& text, const fs::path& base,
               const std::vector<std::string>& files) {
@@ -53,8 +99,15 @@ fs::path find(const std::string& kind, const std::string& text, const fs::path& 
       if (fs::is_regular_file(candidate / file)) return candidate / file;
     }
   }
-  throw std::runtime_error(fmt::format("{} '{}' not found: give a path, or one of: {}", kind, text,
-                                       fmt::join(folders_in(shipped), ", ")));
+  const std::string trouble = path_trouble(text, base, files);
+  if (!trouble.empty()) {
+    throw std::runtime_error(fmt::format("{} '{}': {}", kind, text, trouble));
+  }
+  const std::vector<std::string> known = folders_in(shipped);
+  const auto near = close_name(text, known);
+  throw std::runtime_error(fmt::format(
+      "{} '{}' not found: {}give a path, or one of: {}", kind, text,
+      near ? fmt::format("did you mean '{}'? Or ", *near) : "", fmt::join(known, ", ")));
 }
 
 fs::path shipped_scenarios(const fs::path& world) {
@@ -91,6 +144,8 @@ fs::path find_scenario(const std::string& text, const fs::path& base) {
     }
     if (fs::exists(candidate, none) && !fs::is_directory(candidate, none)) return candidate;
   }
+  const std::string trouble = path_trouble(text, base, {});
+  if (!trouble.empty()) throw std::runtime_error(fmt::format("{}: {}", text, trouble));
   const auto near = close_name(text, scenario_names());
   throw std::runtime_error(fmt::format(
       "{}: no such scenario; {}", text,

@@ -14,6 +14,7 @@ TEST(CloseName, IsAtMostThreeEditsAway) {
 
 TEST(Nearest, SuggestsOrLists) {
   EXPECT_EQ(suggestion("lidr", {"seed", "lidar"}), "did you mean 'lidar'?");
+  EXPECT_EQ(suggestion("range_mxa", {"range_min", "range_max"}), "did you mean 'range_max'?");
   EXPECT_EQ(suggestion("colour", {"seed", "lidar"}), "nearest is 'lidar'; known are: seed, lidar");
   EXPECT_EQ(suggestion("x", {}), "no name is known here");
 }
