@@ -95,6 +95,7 @@ class WorkerPool {
 
   /// Takes leave of a process, and starts another one if it died at a job and there are more.
   void replace(std::size_t i, const std::string& reason) {
+    if (interruption() != 0) stop_all();
     const std::optional<int> job = workers_[i].job;
     const std::string death = workers_[i].process.end();
     std::swap(workers_[i], workers_.back());

@@ -134,6 +134,7 @@ std::optional<WorkAnswer> WorkerProcess::take() const {
 void WorkerProcess::signal(int number) const { kill(process_, number); }
 
 std::string WorkerProcess::end() {
+  shutdown(file_, SHUT_RDWR);  // Workers that were forked later hold this end, too.
   close(file_);
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {

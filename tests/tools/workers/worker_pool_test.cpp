@@ -134,5 +134,14 @@ TEST(WorkerPool, PassesOnWhatTheCallerThrows) {
                std::runtime_error);
 }
 
+/// The later one was forked with a copy of the end of the first one's socket.
+TEST(WorkerProcess, EndsThoughALaterOneHoldsItsSocket) {
+  const Work echo = [](int job) { return std::to_string(job); };
+  WorkerProcess first(echo);
+  WorkerProcess second(echo);
+  EXPECT_EQ(first.end(), "its process ended with 0");
+  EXPECT_EQ(second.end(), "its process ended with 0");
+}
+
 }  // namespace
 }  // namespace castaway::testbed
