@@ -17,8 +17,19 @@ using localization::VoxelMap;
 
 constexpr std::size_t kMostPerCell = 255;
 constexpr std::uint64_t kMost = std::uint64_t{512} << 20U;  // [bytes] Unpacked.
-constexpr std::uint64_t kMostVoxels = 30'000'000;
-constexpr std::uint64_t kMostCells = 50'000'000;  // Of the ground: 350 m x 350 m at 0.05 m.
+constexpr std::uint64_t kMostVoxels = 10'000'000;           // A localizer takes 140 bytes for each.
+constexpr std::uint64_t kMostSurfaces = 10'000'000;         // Of the ground.
+constexpr std::uint64_t kMostCells = 25'000'000;  // Of the ground: 500 m x 500 m at 0.1 m.
+
+/// Throws std::runtime_error if a map of this size would take more than 2 GiB or 20 s to prepare.
+void require_size(std::uint64_t voxels, std::uint64_t cells, std::uint64_t surfaces) {
+  const auto refuse = [](const std::string& what) {
+    throw std::runtime_error(what + "; use larger voxels, or a part of the map");
+  };
+  if (voxels > kMostVoxels) refuse("has more than 10 million voxels");
+  if (cells > kMostCells) refuse("its ground has more than 25 million cells");
+  if (surfaces > kMostSurfaces) refuse("its ground has more than 10 million surfaces");
+}
 
 void put_voxels(std::string& bytes, const VoxelMap& map) {
   std::string keys;
@@ -41,10 +52,10 @@ VoxelMap take_voxels(ByteReader& reader) {
   VoxelMap map;
   map.resolution = reader.number<double>();
   const auto count = reader.number<std::uint64_t>();
+  require_size(count, 0, 0);
   if (count > reader.rest() / 5) {  // A key takes a byte at least, its point and flag four.
     throw std::runtime_error("states more voxels than it holds");
   }
-  if (count > kMostVoxels) throw std::runtime_error("has more than 30 million voxels");
   map.keys.reserve(count);
   VarintReader keys(reader.take(reader.number<std::uint64_t>()));
   localization::VoxelKey last = 0;
@@ -86,11 +97,9 @@ localization::GridFrame take_frame(ByteReader& reader) {
   localization::GridFrame frame;
   const auto width = reader.number<std::uint32_t>();
   const auto height = reader.number<std::uint32_t>();
+  require_size(0, std::uint64_t{width} * height, 0);
   if (std::uint64_t{width} * height > reader.rest()) {
     throw std::runtime_error("states more cells than it holds");
-  }
-  if (std::uint64_t{width} * height > kMostCells) {
-    throw std::runtime_error("its ground has more than 50 million cells");
   }
   frame.width = static_cast<int>(width);
   frame.height = static_cast<int>(height);
@@ -109,6 +118,7 @@ ElevationMap take_ground(ByteReader& reader) {
   for (std::size_t i = 0; i < map.frame.size(); ++i) {
     map.first.push_back(map.first.back() + reader.number<std::uint8_t>());
   }
+  require_size(0, 0, map.first.back());
   if (std::uint64_t{18} * map.first.back() > reader.rest()) {
     throw std::runtime_error("states more surfaces than it holds");
   }
@@ -128,6 +138,7 @@ ElevationMap take_ground(ByteReader& reader) {
 }  // namespace
 
 std::string encode_map3d(const Map3d& map) {
+  require_size(map.voxels.size(), map.ground.frame.size(), map.ground.surfaces.size());
   std::string inner;
   put_voxels(inner, map.voxels);
   put_ground(inner, map.ground);

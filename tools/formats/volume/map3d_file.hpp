@@ -18,6 +18,9 @@ struct Map3d {
 /// First line of the file.
 inline constexpr std::string_view kMap3dHead = "castaway-map3d 1\n";
 
+/// Throws std::runtime_error if the map is larger than `decode_map3d` takes: 10 million voxels or
+/// surfaces of the ground, 25 million cells of the ground.
+///
 /// The file: a line of text, then zstd. The same map gives the same bytes for a version of zstd.
 std::string encode_map3d(const Map3d& map);
 

@@ -50,6 +50,31 @@ std::string map3d_refusal(const std::string& bytes) {
   return "read";
 }
 
+// A few kilobytes of zstd hold a map that takes gigabytes to prepare.
+TEST(Map3dFile, AMapTooLargeToPrepareIsRefusedBeforeItTakesMemory) {
+  const auto number = [](auto value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const auto packed = [](const std::string& inner) {
+    return std::string(kMap3dHead) + pack_chunk(inner, McapCompression::kZstd);
+  };
+  const std::uint64_t voxels = 10'000'001;
+  const std::string many = number(0.1) + number(voxels) + number(voxels);
+  EXPECT_EQ(map3d_refusal(packed(many)),
+            "a.map3d: has more than 10 million voxels; use larger voxels, or a part of the map");
+  const std::string none = number(0.1) + number(std::uint64_t{0}) + number(std::uint64_t{0});
+  const std::string frame = number(0.1) + number(0.0) + number(0.0) + number(0.0);
+  const std::string wide = none + number(std::uint32_t{5001}) + number(std::uint32_t{5000}) + frame;
+  EXPECT_EQ(map3d_refusal(packed(wide)),
+            "a.map3d: its ground has more than 25 million cells; use larger voxels, or a part of "
+            "the map");
+  const std::string deep = none + number(std::uint32_t{1000}) + number(std::uint32_t{100}) + frame;
+  EXPECT_EQ(
+      map3d_refusal(packed(deep + std::string(100'000, 101))),
+      "a.map3d: its ground has more than 10 million surfaces; use larger voxels, or a part of "
+      "the map");
+}
+
 TEST(Map3dFile, WhatIsNoneIsNamed) {
   EXPECT_EQ(map3d_refusal("castaway"),
             "a.map3d: is no 3-D map of this castaway: it does not begin with 'castaway-map3d 1'");
