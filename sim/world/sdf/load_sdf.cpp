@@ -69,6 +69,15 @@ std::optional<Ground> below_something(const std::optional<Ground>& ground, const
   return std::nullopt;
 }
 
+/// Notes what the state places and the world does not have: most likely a name that was changed.
+void note_unknown_places(const WorldPieces& world, const SdfBodies& bodies, Notes& notes) {
+  for (const auto& [name, place] : world.state.places) {
+    if (name.find('/') != std::string::npos) continue;
+    if (bodies.models().contains(name) || world.left_out.contains(name)) continue;
+    notes.add("its <state> places models that the world does not have", name);
+  }
+}
+
 }  // namespace
 
 SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
@@ -80,6 +89,7 @@ SdfWorld load_sdf(const std::string& path, const SdfOptions& options) {
   refuse_vast(pieces.size, path);
   SdfBodies bodies(finder, path, policy, pieces.state);
   read_pieces(pieces, path, finder, policy, bodies);
+  note_unknown_places(pieces, bodies, notes);
   SdfWorld result;
   result.spec.name = name_of(pieces, path);
   result.spec.objects = bodies.take();

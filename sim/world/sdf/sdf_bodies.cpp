@@ -90,6 +90,7 @@ void SdfBodies::add(const sdf::World& world) {
 void SdfBodies::add(const sdf::Model& model, const Eigen::Isometry3d& T_map_parent,
                     const std::string& prefix) {
   const std::string name = prefix + unscoped_name(model.Name());
+  if (prefix.empty()) models_.insert(name);
   if (state_.deletions.contains(name)) return;
   if (!model.Static() && prefix.empty()) {
     policy_.notes->add("not static, but treated as static", name);

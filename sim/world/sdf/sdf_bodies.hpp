@@ -38,6 +38,8 @@ class SdfBodies {
   /// The lowest level plane that faces up.
   [[nodiscard]] const std::optional<Ground>& ground() const { return ground_; }
   [[nodiscard]] std::vector<WorldObject> take() { return std::move(objects_); }
+  /// Names of the world's own models that were met so far.
+  [[nodiscard]] const std::set<std::string>& models() const { return models_; }
 
  private:
   void add(const sdf::Link& link, const Eigen::Isometry3d& T_map_model, const std::string& name);
@@ -58,6 +60,7 @@ class SdfBodies {
   std::string path_;
   std::vector<WorldObject> objects_;
   std::set<std::string> names_;
+  std::set<std::string> models_;
   PiecePolicy policy_;
   const ClassicState& state_;
   std::optional<Ground> ground_;

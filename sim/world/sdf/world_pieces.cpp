@@ -97,14 +97,21 @@ class Cutter {
     const bool included = element.ValueStr() == "include";
     const std::string uri = included ? child_text(element, "uri") : "";
     if (is_ground_plane(uri) && !world.ground) world.ground = ground_of(element, world.state);
-    if (is_scenery(uri)) return;
+    if (is_scenery(uri)) {
+      world.left_out.insert({name_of(element), uri.substr(uri.rfind('/') + 1)});
+      return;
+    }
     remove_unneeded(element);
     unscope_names(element);
     const TiXmlElement* pose = element.FirstChildElement("pose");
     if (pose != nullptr && !attribute(*pose, "relative_to").empty()) world.linked = true;
     const bool moved = world.state.places.contains(name_of(element));
     if (!included && !moved) spread_.add(element);
-    if (can_be_read(element)) world.pieces.push_back({name_of(element), text_of(element)});
+    if (can_be_read(element)) {
+      world.pieces.push_back({name_of(element), text_of(element)});
+    } else {
+      world.left_out.insert({name_of(element), uri.substr(uri.rfind('/') + 1)});
+    }
   }
 
   /// Adds the models of a population. All are the same, so that only one is checked.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct WorldPieces {
   std::string frames;              ///< Elements that all pieces may refer to.
   std::vector<WorldPiece> pieces;  ///< In the file's order.
   ClassicState state;              ///< Where Gazebo classic puts them.
+  std::set<std::string> left_out;  ///< Names of models that are no pieces: ground, sun, unreadable.
   bool linked = false;             ///< Pieces may refer to each other.
   std::optional<Ground> ground;    ///< Of an included ground plane.
   Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< [m] Lower bound for the world's size.

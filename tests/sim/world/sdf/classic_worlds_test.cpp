@@ -69,6 +69,17 @@ TEST_F(ClassicWorlds, AreAsTheFirstStateSays) {
   EXPECT_TRUE(pair.linear().col(0).isApprox(-Eigen::Vector3d::UnitX(), 1e-9));
 }
 
+TEST_F(ClassicWorlds, NameWhatTheirStatePlacesAndTheyDoNotHave) {
+  const SdfWorld world =
+      load_with("<include><uri>model://sun</uri></include>" + model("box", "2 1 0.25 0 0 0") +
+                "<state world_name='w'><model name='box'><pose>1 1 0.25 0 0 0</pose>"
+                "<link name='l'><pose>1 1 0.25 0 0 0</pose></link></model>"
+                "<model name='sun'><pose>0 0 9 0 0 0</pose></model>"
+                "<model name='bxo'><pose>0 0 0 0 0 0</pose><link name='l'/></model></state>");
+  EXPECT_THAT(world.warnings,
+              ElementsAre("its <state> places models that the world does not have: bxo"));
+}
+
 TEST_F(ClassicWorlds, ScaleModels) {
   const auto scaled = [](const std::string& name) {
     return "<model name='" + name + "'><pose>0 0 1 0 0 0</pose><scale>2 3 4</scale></model>";
