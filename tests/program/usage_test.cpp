@@ -173,5 +173,20 @@ TEST(Usage, PrintsNoColoursIntoAPipe) {
   EXPECT_EQ(castaway(folder, "run nowhere.yaml").err.find('\x1b'), std::string::npos);
 }
 
+// A name in a file must not reach the terminal as a command.
+TEST(Usage, NamesFromOutsideArePrintedWithoutControlCharacters) {
+  const fs::path folder = fresh_folder();
+  std::ofstream(folder / "a.sdf")
+      << "<sdf version='1.6'><world name='a\x1b[31mb'><model name='m'><static>true</static><link "
+         "name='l'><collision name='c'><geometry><box><size>3 3 3</size></box></geometry>"
+         "</collision></link></model></world></sdf>";
+  std::ofstream(folder / "a.urdf") << "<robot name='a&#27;[31mb'><link name='base_link'/></robot>";
+  for (const char* command : {"check-world a.sdf --no-picture", "check-robot a.urdf"}) {
+    const Outcome outcome = castaway(folder, command);
+    EXPECT_NE(outcome.out + outcome.err, "") << command;
+    EXPECT_EQ((outcome.out + outcome.err).find('\x1b'), std::string::npos) << command;
+  }
+}
+
 }  // namespace
 }  // namespace castaway::test

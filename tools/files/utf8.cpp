@@ -37,6 +37,15 @@ std::size_t character_size(std::string_view text) {
   return 0;
 }
 
+/// Bytes of the line break, the tab or the colour with which a text begins; 0 if with none.
+std::size_t length_of_layout(std::string_view text) {
+  if (text.front() == '\n' || text.front() == '\t') return 1;
+  for (const char* color : {"\x1b[1;31m", "\x1b[1;32m", "\x1b[1;33m", "\x1b[0m"}) {
+    if (text.starts_with(color)) return std::string_view(color).size();
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
@@ -70,6 +79,26 @@ std::string printable(std::string text) {
   }
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return valid_utf8(std::move(text));
+}
+
+std::string printable_lines(const std::string& text) {
+  std::string result;
+  std::size_t begin = 0;  // Of what is not copied yet.
+  const auto copy_to = [&](std::size_t end) {
+    const std::string piece = text.substr(begin, end - begin);
+    const std::size_t blanks = piece.size() - (piece.find_last_not_of(' ') + 1);
+    result += printable(piece) + std::string(blanks, ' ');
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t kept = length_of_layout(std::string_view(text).substr(i));
+    if (kept == 0) continue;
+    copy_to(i);
+    result += text.substr(i, kept);
+    begin = i + kept;
+    i += kept - 1;
+  }
+  copy_to(text.size());
+  return result;
 }
 
 }  // namespace castaway::testbed

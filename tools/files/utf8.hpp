@@ -18,4 +18,7 @@ std::string valid_utf8(std::string text);
 /// characters U+FFFD, so that no name and no message of a library moves the cursor or sets a title.
 std::string printable(std::string text);
 
+/// The same for text of several lines: line breaks, tabs and the colours of `paint` stay.
+std::string printable_lines(const std::string& text);
+
 }  // namespace castaway::testbed

@@ -2,12 +2,12 @@
 
 #include <cstdio>
 
-#include <fmt/format.h>
-
 #include "tools/files/utf8.hpp"
 
 namespace castaway::testbed {
 
 void say(const std::string& text) { fmt::print(stderr, "castaway: {}\n", printable(text)); }
+
+void print_text(const std::string& text) { fmt::print("{}", printable_lines(text)); }
 
 }  // namespace castaway::testbed

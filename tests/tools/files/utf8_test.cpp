@@ -32,6 +32,17 @@ TEST(Utf8, IsReplacedByteByByte) {
             "caf\xef\xbf\xbd \xc3\xa9 \xef\xbf\xbd\xef\xbf\xbd");
 }
 
+TEST(PrintableLines, KeepLayoutAndColoursAndNoOtherControlCharacters) {
+  EXPECT_EQ(printable_lines("  a \tb  \n\nc\n"), "  a \tb  \n\nc\n");
+  EXPECT_EQ(printable_lines("\x1b[1;32m3 of 3\x1b[0m  \n"), "\x1b[1;32m3 of 3\x1b[0m  \n");
+  EXPECT_EQ(printable_lines("\x1b[31mx\x07\ry"), "\xef\xbf\xbd[31mx\xef\xbf\xbd y");
+  EXPECT_EQ(printable_lines("\xc2\x9b"
+                            "31m\xc3\xbc"),
+            "\xef\xbf\xbd"
+            "31m\xc3\xbc");
+  EXPECT_EQ(printable_lines(""), "");
+}
+
 TEST(Printable, IsOneLineWithoutControlCharacters) {
   EXPECT_EQ(printable("a\r\n\tb\n"), "a   b");
   const std::string replacement = "\xef\xbf\xbd";
