@@ -22,7 +22,8 @@ std::string without_comment(std::string line) {
 
 /// Commands in the code blocks of a page.
 std::vector<Shown> commands_in(const fs::path& page) {
-  static const std::regex kCommand(R"(^\s*(?:- run: )?(?:build/release/)?castaway (.*))");
+  static const std::regex kCommand(
+      R"(^\s*(?:(?:- )?run: )?(?:castaway/)?(?:build/release/)?castaway (.*))");
   std::istringstream text(std::regex_replace(text_of(page), std::regex(R"(\\\n)"), " "));
   std::vector<Shown> commands;
   bool block = false;
