@@ -72,6 +72,15 @@ TEST(Evaluate, RefusesAFolderThatHasNotWhatItNeeds) {
   expect_refused(castaway(folder, "evaluate mapless --json"), {"mapless", "no map"});
 }
 
+TEST(Evaluate, TakesBagsOfSqlite) {
+  const fs::path folder = fresh_folder();
+  fs::create_directories(folder / "log");
+  std::ofstream(folder / "log/humble_0.db3") << "SQLite format 3";
+  const Outcome outcome = castaway(folder, "evaluate log");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_contains(outcome.err, "log/humble_0.db3: is no bag of ROS 2");
+}
+
 TEST(Evaluate, TakesRunFoldersOfItsOwn) {
   const fs::path folder = fresh_folder();
   const std::string run = "run --duration 12 --set events=[] --set outputs.snapshots=false ";

@@ -143,7 +143,7 @@ TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
   ASSERT_EQ(second.exit_code, 0);
   expect_contains(second.err,
                   "runs/lab-kidnap/seed-1 holds something else; writing to "
-                  "runs/lab-kidnap/seed-1-");
+                  "runs/lab-kidnap/seed-1-duration_s-2,outputs.snapshots-false,lidar.range_max-6");
   EXPECT_EQ(text_of(folder / "runs/lab-kidnap/seed-1/scenario.yaml"), first);
   const auto folders = [&] {
     return std::distance(fs::directory_iterator(folder / "runs/lab-kidnap"), {});
@@ -152,6 +152,24 @@ TEST(Output, RunsWithOtherSettingsStandBesideEachOther) {
   ASSERT_EQ(castaway(folder, kTwoSeconds).exit_code, 0);
   ASSERT_EQ(castaway(folder, kTwoSeconds + " --set lidar.range_max=6").exit_code, 0);
   EXPECT_EQ(folders(), 2);
+}
+
+TEST(Output, ARunIsNamedByItsRobotAndWorld) {
+  const fs::path folder = fresh_folder();
+  fs::create_directories(folder / "site");
+  ASSERT_EQ(castaway(folder, kTwoSeconds + " --set outputs.map=true --out made").exit_code, 0);
+  fs::copy(folder / "made/map", folder / "site");
+  const Outcome named =
+      castaway(folder, kTwoSeconds + " --set events=[] --world site/map.yaml --robot butler");
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  expect_contains(named.out, "butler-on-map-kidnap, seed 1");
+  EXPECT_TRUE(fs::exists(folder / "runs/butler-on-map-kidnap/seed-1/report.html"));
+  const Outcome chosen = castaway(folder, kTwoSeconds + " --world office --name \"Hall 3\"");
+  ASSERT_EQ(chosen.exit_code, 0) << chosen.err;
+  EXPECT_TRUE(fs::exists(folder / "runs/Hall 3/seed-1/summary.json"));
+  const Outcome refused = castaway(folder, "run --name a/b");
+  EXPECT_EQ(refused.exit_code, 2);
+  expect_contains(refused.err, "--name: must not hold '/'");
 }
 
 TEST(Output, ASavedScenarioIsPlayedIntoAnotherFolder) {

@@ -148,24 +148,4 @@ TextTable experiment_table(const Experiment& experiment, const Json& summary, co
   return builder.take();
 }
 
-std::string as_text(const TextTable& table) {
-  std::vector<std::size_t> widths(table.head.size(), 0);
-  const auto widen = [&](const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
-  };
-  widen(table.head);
-  for (const auto& row : table.rows) widen(row);
-  std::string text;
-  const auto line = [&](const std::vector<std::string>& cells) {
-    std::string padded = fmt::format("  {:<{}}", cells.at(0), widths[0]);
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-      padded += fmt::format("   {:>{}}", cells[i], widths[i]);
-    }
-    text += padded + "\n";
-  };
-  line(table.head);
-  for (const auto& row : table.rows) line(row);
-  return text;
-}
-
 }  // namespace castaway::testbed

@@ -141,11 +141,11 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
   }
   const std::vector<Check> checks = judge_cells(campaign, rows);
   outputs.make([&] { put_pages(request, campaign, checks, rows, folder); });
-  fmt::print("{}", request.json ? text : campaign_text(summary));
+  print_out("{}", request.json ? text : campaign_text(summary));
   for (const MetricRank& rank : ranks) {
     fmt::print(request.json ? stderr : stdout, "{}", rank_text(rank));
   }
-  if (!request.json) fmt::print("Folder: {}\n", folder.path().string());
+  if (!request.json) print_out("Folder: {}\n", folder.path().string());
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
   outputs.rethrow();
   return failed_cells(summary) > 0 ? kRunFailed : exit_code_of(checks);
@@ -165,7 +165,7 @@ int make_campaign(const CampaignRequest& request) {
   if (!kept) kept.emplace(kept_cells(request));
   const std::size_t made = make_all_cells(request, campaign.spec);
   if (request.shards == 1) return finish_campaign(request, campaign, folder);
-  fmt::print(
+  print_out(
       "Shard {} of {}: {} cells made; castaway campaign {} --collect --out {} makes the "
       "tables when all are done\n",
       request.shard, request.shards, made, request.spec.string(), request.out.string());

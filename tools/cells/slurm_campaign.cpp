@@ -22,6 +22,7 @@
 #include "tools/formats/json_file.hpp"
 #include "tools/output/interruption.hpp"
 #include "tools/output/listed_path.hpp"
+#include "tools/output/progress_line.hpp"
 #include "tools/output/say.hpp"
 
 namespace castaway::testbed {
@@ -108,16 +109,15 @@ class QueueLine {
  public:
   QueueLine() : terminal_(isatty(fileno(stderr)) != 0) {}
   ~QueueLine() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
+    if (terminal_) show_progress("");
   }
   QueueLine(const QueueLine&) = delete;
   QueueLine& operator=(const QueueLine&) = delete;
 
   [[nodiscard]] bool is_shown() const { return terminal_; }
   void show(std::size_t done, int all, const JobTasks& tasks) const {
-    fmt::print(stderr, "\r\033[K{} / {} cells; {} tasks run, {} wait", done, all, tasks.running,
-               tasks.waiting);
-    std::fflush(stderr);
+    show_progress(fmt::format("{} / {} cells; {} tasks run, {} wait", done, all, tasks.running,
+                              tasks.waiting));
   }
 
  private:

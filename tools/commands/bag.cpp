@@ -7,6 +7,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/ros/bag_json.hpp"
 #include "tools/ros/bag_topics.hpp"
@@ -66,23 +67,23 @@ void print_metadata(const BagInventory& bag) {
   std::size_t shown = 0;
   for (const auto& [name, texts] : bag.metadata) {
     if (shown++ == kMostRecords) {
-      fmt::print("Metadata:  {} more records (see --json)\n", bag.metadata.size() - kMostRecords);
+      print_out("Metadata:  {} more records (see --json)\n", bag.metadata.size() - kMostRecords);
       break;
     }
-    fmt::print("Metadata:  {}: {}\n", name, summarise(texts));
+    print_out("Metadata:  {}: {}\n", name, summarise(texts));
   }
 }
 
 void print_words(const BagInventory& bag) {
-  fmt::print("Bag:       {}\n", bag.name);
-  fmt::print("Duration:  {:.3f} s from {:.9f} s on\n", seconds_of(bag.end_ns - bag.start_ns),
-             seconds_of(bag.start_ns));
-  fmt::print("Messages:  {}\n", bag.messages);
+  print_out("Bag:       {}\n", bag.name);
+  print_out("Duration:  {:.3f} s from {:.9f} s on\n", seconds_of(bag.end_ns - bag.start_ns),
+            seconds_of(bag.start_ns));
+  print_out("Messages:  {}\n", bag.messages);
   for (const BagTopicInfo& topic : bag.topics) {
-    fmt::print("  {:>8}  {:<32} {}\n", topic.messages, topic.name, topic.type);
+    print_out("  {:>8}  {:<32} {}\n", topic.messages, topic.name, topic.type);
   }
   for (const McapAttachmentInfo& attachment : bag.attachments) {
-    fmt::print("Attached:  {} ({} bytes)\n", attachment.name, attachment.size);
+    print_out("Attached:  {} ({} bytes)\n", attachment.name, attachment.size);
   }
   print_metadata(bag);
 }
@@ -99,7 +100,7 @@ void print_messages(const std::vector<std::filesystem::path>& files) {
       if (message->channel->encoding == "cdr") {
         if (auto fields = message_json(type, message->data)) json["message"] = std::move(*fields);
       }
-      fmt::print("{}\n", json_text(json));
+      print_out("{}\n", json_text(json));
     }
   }
 }
@@ -115,7 +116,7 @@ int describe_bag(const BagArguments& arguments) {
     print_warning(warning);
   }
   if (arguments.json) {
-    fmt::print("{}\n", json_text(to_json(bag), 1));
+    print_out("{}\n", json_text(to_json(bag), 1));
   } else {
     print_words(bag);
   }

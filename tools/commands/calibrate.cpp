@@ -9,6 +9,7 @@
 #include "tools/files/file.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/output/output_folder.hpp"
+#include "tools/output/say.hpp"
 #include "tools/prediction/calibration_lines.hpp"
 #include "tools/prediction/calibration_page.hpp"
 
@@ -26,23 +27,23 @@ struct CalibrateArguments {
 };
 
 void print_group(const CalibrationGroup& group) {
-  fmt::print("{}:\n", group.heading);
+  print_out("{}:\n", group.heading);
   for (const CalibrationLine& line : group.lines) {
-    fmt::print("  {:<28} {:<24} {}\n", line.name, line.value, line.interval);
+    print_out("  {:<28} {:<24} {}\n", line.name, line.value, line.interval);
   }
 }
 
 void print_likeness(const Twin& twin) {
-  fmt::print("Twin against log:               median, 90 %: log       twin        Wasserstein\n");
+  print_out("Twin against log:               median, 90 %: log       twin        Wasserstein\n");
   for (const LikeSamples& s : twin.likeness.samples) {
-    fmt::print("  {:<28} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>10.3g} {}\n", s.name,
-               percentile(s.log, 0.5), percentile(s.log, 0.9), percentile(s.twin, 0.5),
-               percentile(s.twin, 0.9), wasserstein_distance(s.log, s.twin), s.unit);
+    print_out("  {:<28} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g} {:>10.3g} {}\n", s.name,
+              percentile(s.log, 0.5), percentile(s.log, 0.9), percentile(s.twin, 0.5),
+              percentile(s.twin, 0.9), wasserstein_distance(s.log, s.twin), s.unit);
   }
 }
 
 void print_twin(const Twin& twin) {
-  fmt::print("{}: {}\n", twin.fitted.log.name, alignment_sentence(twin.fitted.log));
+  print_out("{}: {}\n", twin.fitted.log.name, alignment_sentence(twin.fitted.log));
   for (const CalibrationGroup& group : calibration_groups(twin)) print_group(group);
   print_likeness(twin);
 }
@@ -70,11 +71,11 @@ int calibrate(const CalibrateArguments& arguments) {
   write_file(out.folder() / "calibration.html", render_calibration(twin, place.map));
   out.commit();
   if (arguments.json) {
-    fmt::print("{}\n", json_text(to_json(twin), 1));
+    print_out("{}\n", json_text(to_json(twin), 1));
   } else {
     print_twin(twin);
-    fmt::print("Plots: {0}/calibration.html\nTwin: {0}\n{1}", arguments.out,
-               play_sentence(twin.fitted.fit, arguments.out));
+    print_out("Plots: {0}/calibration.html\nTwin: {0}\n{1}", arguments.out,
+              play_sentence(twin.fitted.fit, arguments.out));
   }
   return kDone;
 }

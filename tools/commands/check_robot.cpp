@@ -12,6 +12,7 @@
 #include "tools/inspect/robot_scene.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
@@ -50,7 +51,7 @@ std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
 int print_expanded(const RobotSpec& spec) {
   const sim::ExpandedRobot expansion =
       sim::expand_robot(find_robot(spec.file, ".").string(), robot_options(spec, "."));
-  fmt::print("{}", expansion.urdf);
+  print_out("{}", expansion.urdf);
   for (const std::string& warning : expansion.warnings) {
     print_warning(warning);
   }
@@ -70,9 +71,9 @@ int check_robot(CheckArguments arguments) {
   if (arguments.json) {
     auto json = robot_json(robot);
     json["picture"] = picture;
-    fmt::print("{}\n", json_text(json, 2));
+    print_out("{}\n", json_text(json, 2));
   } else {
-    fmt::print("{}picture: {}\n", robot_text(robot), picture);
+    print_out("{}picture: {}\n", robot_text(robot), picture);
   }
   return kDone;
 }

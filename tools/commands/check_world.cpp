@@ -13,6 +13,7 @@
 #include "tools/inspect/world_scene.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/say.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/sources/build_robot.hpp"
@@ -87,9 +88,9 @@ int check_world(CheckWorldArguments arguments) {
   if (arguments.json) {
     auto json = world_json(world, facts);
     json["pictures"] = pictures;
-    fmt::print("{}\n", json_text(json, 2));
+    print_out("{}\n", json_text(json, 2));
   } else {
-    fmt::print("{}pictures: {}\n", world_text(world, facts), pictures);
+    print_out("{}pictures: {}\n", world_text(world, facts), pictures);
   }
   return kDone;
 }

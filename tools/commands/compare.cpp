@@ -10,6 +10,8 @@
 #include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
 #include "tools/output/default_folder.hpp"
+#include "tools/output/progress_line.hpp"
+#include "tools/output/say.hpp"
 #include "tools/report/comparison_page.hpp"
 
 namespace castaway::testbed {
@@ -49,20 +51,20 @@ int compare_folders(const CompareArguments& arguments) {
   for (const Comparison& comparison : comparisons) {
     json.push_back(to_json(comparison));
     if (arguments.json) continue;
-    fmt::print("{} against {}: {} pairs, {} runs without a counterpart{}\n\n{}\n",
-               comparison.other.string(), comparison.baseline.string(), comparison.pairs,
-               comparison.unpaired,
-               comparison.voids > 0 ? fmt::format(", {} void runs left out", comparison.voids) : "",
-               as_text(comparison_table(comparison)));
+    print_out("{} against {}: {} pairs, {} runs without a counterpart{}\n\n{}\n",
+              comparison.other.string(), comparison.baseline.string(), comparison.pairs,
+              comparison.unpaired,
+              comparison.voids > 0 ? fmt::format(", {} void runs left out", comparison.voids) : "",
+              as_text(comparison_table(comparison), columns_of(stdout)));
   }
   OutputFolder output(request);
   write_file(output.folder() / "comparison.json", json_text(json, 2) + "\n");
   write_file(output.folder() / "comparison.html", render_comparison(comparisons));
   output.commit();
   if (arguments.json) {
-    fmt::print("{}\n", json_text(json, 2));
+    print_out("{}\n", json_text(json, 2));
   } else {
-    fmt::print("Page: {}\n", (request.target / "comparison.html").string());
+    print_out("Page: {}\n", (request.target / "comparison.html").string());
   }
   return kDone;
 }

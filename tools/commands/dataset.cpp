@@ -31,15 +31,15 @@ int verify(const std::string& folder, bool json) {
   if (json) {
     const nlohmann::ordered_json root{
         {"kind", "dataset-verify"}, {"folder", folder}, {"troubles", troubles}};
-    fmt::print("{}\n", json_text(root, 2));
+    print_out("{}\n", json_text(root, 2));
     return troubles.empty() ? kDone : kRunFailed;
   }
-  for (const std::string& trouble : troubles) fmt::print("{}\n", trouble);
+  for (const std::string& trouble : troubles) print_out("{}\n", trouble);
   if (!troubles.empty()) {
     say(fmt::format("{}: {} of its files differ from its manifest.json", folder, troubles.size()));
     return kRunFailed;
   }
-  fmt::print("{}: every file matches its manifest.json\n", folder);
+  print_out("{}: every file matches its manifest.json\n", folder);
   return kDone;
 }
 

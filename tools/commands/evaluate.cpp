@@ -11,9 +11,12 @@
 #include "tools/evaluate/evaluation.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/formats/figure_text.hpp"
+#include "tools/formats/text_table.hpp"
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
+#include "tools/output/progress_line.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/scenario/scenario_file.hpp"
@@ -44,23 +47,47 @@ std::string quantile(const std::vector<double>& ascending, double q, const char*
   return ascending.empty() ? "-" : fmt::format("{:.1f} {}", percentile(ascending, q), unit);
 }
 
+using Cells = std::array<std::string, 17>;
+
+constexpr std::array<int, 17> kWidths = {16, 14, 18, 8, 8, 8, 19, 8, 8, 8, 17, 12, 8, 8, 7, 7, 18};
+const Cells kHead = {"log",      "localizer",    "unknown start", "median", "p90",
+                     "way p90",  "kidnap",       "median",        "p90",    "way p90",
+                     "tracking", "noticed mean", "false/h",       "wrong",  "longest",
+                     "Brier",    "CPU mean, max"};
+
+constexpr std::size_t kStart = 2;  // Columns that begin a group.
+constexpr std::size_t kKidnap = 6;
+constexpr std::size_t kTracking = 10;
+
+/// True on terminals that are narrower than the table.
+bool is_narrow() {
+  std::size_t width = kWidths.size() - 1;
+  for (const int one : kWidths) width += static_cast<std::size_t>(one);
+  return width > columns_of(stdout);
+}
+
 /// Prints a row of the table; all cells but the first two are right-aligned.
-void print_line(const std::array<std::string, 17>& cells) {
-  constexpr std::array<int, 17> kWidths = {16, 14, 18, 8, 8, 8, 19, 8, 8,
-                                           8,  17, 12, 8, 8, 7, 7,  18};
+void print_line(const Cells& cells) {
   std::string line = fmt::format("{:<{}} {:<{}}", cells[0], kWidths[0], cells[1], kWidths[1]);
   for (std::size_t i = 2; i < cells.size(); ++i) {
     line += fmt::format(" {:>{}}", cells[i], kWidths[i]);
   }
-  fmt::print("{}\n", line);
+  print_out("{}\n", line);
   std::fflush(stdout);
 }
 
-void print_evaluation_header() {
-  print_line({"log", "localizer", "unknown start", "median", "p90", "way p90", "kidnap", "median",
-              "p90", "way p90", "tracking", "noticed mean", "false/h", "wrong", "longest", "Brier",
-              "CPU mean, max"});
+/// The same as a line for each cell.
+void print_block(const Cells& cells) {
+  TextTable table{{kHead.begin(), kHead.end()}, {{cells.begin(), cells.end()}}};
+  for (std::size_t i = kStart + 1; i < kKidnap; ++i) table.head[i] = kHead[kStart] + " " + kHead[i];
+  for (std::size_t i = kKidnap + 1; i < kTracking; ++i) {
+    table.head[i] = kHead[kKidnap] + " " + kHead[i];
+  }
+  print_out("{}", as_text(table, 0));
+  std::fflush(stdout);
 }
+
+void print_cells(const Cells& cells) { is_narrow() ? print_block(cells) : print_line(cells); }
 
 void print_row(const EvaluationRow& row) {
   const std::string tracking = row.tracking_m
@@ -71,15 +98,15 @@ void print_row(const EvaluationRow& row) {
       row.scans > 0 ? 100.0 * static_cast<double>(row.wrong_scans) / static_cast<double>(row.scans)
                     : 0.0;
   const auto noticed = statistics(row.detection_delay_s);
-  print_line({row.log, row.localizer, rate(row.starts), quantile(row.starts.time_s, 0.5, "s"),
-              quantile(row.starts.time_s, 0.9, "s"), quantile(row.starts.distance_m, 0.9, "m"),
-              rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
-              quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"),
-              tracking, noticed ? fmt::format("{:.1f} s", noticed->mean) : "-",
-              figure_text(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
-              fmt::format("{:.1f} s", row.longest_wrong_s),
-              figure_text(row.calibration.brier(), "{:.3f}"),
-              fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms(), row.cpu_max_ms)});
+  print_cells({row.log, row.localizer, rate(row.starts), quantile(row.starts.time_s, 0.5, "s"),
+               quantile(row.starts.time_s, 0.9, "s"), quantile(row.starts.distance_m, 0.9, "m"),
+               rate(row.kidnaps), quantile(row.kidnaps.time_s, 0.5, "s"),
+               quantile(row.kidnaps.time_s, 0.9, "s"), quantile(row.kidnaps.distance_m, 0.9, "m"),
+               tracking, noticed ? fmt::format("{:.1f} s", noticed->mean) : "-",
+               figure_text(false_alarms_per_h(row), "{:.1f}"), fmt::format("{:.2f} %", wrong),
+               fmt::format("{:.1f} s", row.longest_wrong_s),
+               figure_text(row.calibration.brier(), "{:.3f}"),
+               fmt::format("{:.2f}, {:.1f} ms", row.cpu_mean_ms(), row.cpu_max_ms)});
 }
 
 /// A pose of the text X,Y,YAW.
@@ -100,7 +127,7 @@ int evaluate_logs(EvaluateArguments arguments) {
     const RecordedPlace place = load_recorded_place(folder, maps);
     for (const std::string& warning : place.warnings) print_warning(warning);
     require_truth(place.name, place.frames);
-    if (!arguments.json && rows.empty()) print_evaluation_header();
+    if (!arguments.json && rows.empty() && !is_narrow()) print_line(kHead);
     for (const LocalizerSpec& spec : specs) {
       const EvaluationConfig& config = arguments.config;
       TrialCount count(config.starts + config.kidnaps + (config.tracking ? 1 : 0));
@@ -109,7 +136,7 @@ int evaluate_logs(EvaluateArguments arguments) {
       rows.push_back(to_json(row));
     }
   }
-  if (arguments.json) fmt::print("{}\n", json_text(rows, 1));
+  if (arguments.json) print_out("{}\n", json_text(rows, 1));
   return kDone;
 }
 

@@ -17,6 +17,7 @@
 #include "tools/metrics/void_run.hpp"
 #include "tools/output/default_folder.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/progress_line.hpp"
 #include "tools/output/runs_folder.hpp"
 #include "tools/output/say.hpp"
 #include "tools/play/play.hpp"
@@ -222,13 +223,13 @@ int run_experiment(const ExperimentArguments& arguments) {
   outputs.make([&] { write_junit(arguments, checks, played.cases); });
   outputs.rethrow();
   if (arguments.json) {
-    fmt::print("{}\n", json_text(page.summary, 2));
+    print_out("{}\n", json_text(page.summary, 2));
   } else {
-    fmt::print(
+    print_out(
         "Experiment {}, {}: {} runs, {} failed, {} void, {:.0f} s\n\n{}\nFolder: {}\nReport: {}\n",
         experiment.number, experiment.title, runs.size(),
         runs.size() - outcomes.size() - played.voids, played.voids,
-        timing.at("wall_s").get<double>(), as_text(page.table), out.string(),
+        timing.at("wall_s").get<double>(), as_text(page.table, columns_of(stdout)), out.string(),
         (out / "report.html").string());
   }
   fmt::print(arguments.json ? stderr : stdout, "{}", describe_checks(checks));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/commands/commands.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 
@@ -17,7 +18,7 @@ void add_help_commands(Command& app) {
   Command version = app.add_command("version", "Print the version, as --version");
   version.footer("Example:\n  castaway version");
   version.action([] {
-    fmt::print("castaway {}\n", CASTAWAY_VERSION);
+    print_out("castaway {}\n", CASTAWAY_VERSION);
     return kDone;
   });
 }

@@ -8,6 +8,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
 
 namespace castaway::testbed {
@@ -37,17 +38,17 @@ nlohmann::ordered_json to_json(const LidarProfile& profile, const sim::LidarConf
 void print_row(const LidarProfile& profile, const sim::LidarConfig& lidar) {
   const std::string dark =
       lidar.light.dark_range > 0.0 ? fmt::format("{:g}", lidar.light.dark_range) : "-";
-  fmt::print("{:<12} {:<32} {:>5} {:>6} {:>5.0f} {:>5g} {:>5g} {:>5g} {:>5g} {:>6g} {:>5}\n",
-             profile.name, profile.device, lidar.beams, lidar.elevations.size(), fov_deg(lidar),
-             lidar.range_min, lidar.range_max, lidar.rate_hz, 1e3 * lidar.noise.sigma,
-             100.0 * lidar.noise.sigma_relative, dark);
+  print_out("{:<12} {:<32} {:>5} {:>6} {:>5.0f} {:>5g} {:>5g} {:>5g} {:>5g} {:>6g} {:>5}\n",
+            profile.name, profile.device, lidar.beams, lidar.elevations.size(), fov_deg(lidar),
+            lidar.range_min, lidar.range_max, lidar.rate_hz, 1e3 * lidar.noise.sigma,
+            100.0 * lidar.noise.sigma_relative, dark);
 }
 
 int list_lidars(bool json) {
   auto list = nlohmann::ordered_json::array();
   if (!json) {
-    fmt::print("{:<12} {:<32} {:>5} {:>6} {:>5} {:>5} {:>5} {:>5} {:>5} {:>6} {:>5}\n", "profile",
-               "device", "beams", "layers", "deg", "min m", "max m", "Hz", "mm", "+ %", "dark");
+    print_out("{:<12} {:<32} {:>5} {:>6} {:>5} {:>5} {:>5} {:>5} {:>5} {:>6} {:>5}\n", "profile",
+              "device", "beams", "layers", "deg", "min m", "max m", "Hz", "mm", "+ %", "dark");
   }
   for (const std::string& name : lidar_profile_names()) {
     const LidarProfile profile = load_lidar_profile(name);
@@ -59,9 +60,9 @@ int list_lidars(bool json) {
     }
   }
   if (json) {
-    fmt::print("{}\n", json_text(list, 1));
+    print_out("{}\n", json_text(list, 1));
   } else {
-    fmt::print(
+    print_out(
         "mm, + %: deviation of ranges, constant and with range; dark: metres to which a surface of "
         "reflectivity 0.1 is seen. Sources and estimates: in lidars/<profile>.yaml\n");
   }

@@ -9,6 +9,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/files/file_description.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
@@ -67,8 +68,8 @@ void print_described(const ListedKind& kind) {
   std::size_t width = 0;
   for (const Listed& one : list) width = std::max(width, one.name.size());
   for (const Listed& one : list) {
-    fmt::print("  {:<{}}  {}\n", one.name, width,
-               shorten(description_of(kind, one), kLine - width - 4));
+    print_out("  {:<{}}  {}\n", one.name, width,
+              shorten(description_of(kind, one), kLine - width - 4));
   }
 }
 
@@ -78,7 +79,7 @@ int print_kinds(const std::string& what, bool json) {
   for (const ListedKind& kind : kListKinds) {
     if (!what.empty() && what != kind.name) continue;
     if (!json) {
-      fmt::print("{}{}:\n", what.empty() && kind.list != worlds ? "\n" : "", kind.name);
+      print_out("{}{}:\n", what.empty() && kind.list != worlds ? "\n" : "", kind.name);
       print_described(kind);
       continue;
     }
@@ -89,7 +90,7 @@ int print_kinds(const std::string& what, bool json) {
                        {"description", description_of(kind, one)}});
     }
   }
-  if (json) fmt::print("{}\n", json_text(kinds, 1));
+  if (json) print_out("{}\n", json_text(kinds, 1));
   return kDone;
 }
 
@@ -108,9 +109,9 @@ int print(const std::vector<Listed>& list, bool json) {
   auto array = nlohmann::ordered_json::array();
   for (const Listed& one : list) {
     array.push_back({{"name", one.name}, {"file", one.file.string()}});
-    if (!json) fmt::print("{:<28} {}\n", one.name, one.file.string());
+    if (!json) print_out("{:<28} {}\n", one.name, one.file.string());
   }
-  if (json) fmt::print("{}\n", json_text(array, 1));
+  if (json) print_out("{}\n", json_text(array, 1));
   return kDone;
 }
 

@@ -14,6 +14,7 @@
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/recording_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
+#include "tools/commands/arguments/scenario_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/file.hpp"
 #include "tools/live/bridge/bridge_process.hpp"
@@ -30,34 +31,20 @@
 #include "tools/play/play.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/replay/play_replay.hpp"
-#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 struct LiveArguments {
-  std::string scenario;  ///< Or a log, or the folder of a finished run.
+  ScenarioArguments played;  ///< Its scenario may be a log, too, or the folder of a finished run.
   RecordingArguments recording;
   std::string start = "unknown";
-  std::vector<std::string> sets;
-  std::vector<std::string> localizers;
   std::string address = "127.0.0.1";
   int port = 8080;
   bool play = false;
   Ros2Arguments ros2;
 };
-
-std::filesystem::path file_of_live(const LiveArguments& arguments) {
-  if (arguments.scenario.empty()) return data_root() / "worlds/lab/scenarios/kidnap.yaml";
-  return find_scenario(arguments.scenario, ".");
-}
-
-std::vector<std::string> overrides_of_live(const LiveArguments& arguments) {
-  std::vector<std::string> overrides = localizer_override(arguments.localizers);
-  overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
-  return overrides;
-}
 
 /// True for a recorded log: a file, or the folder of a bag.
 bool is_log(const std::filesystem::path& path) {
@@ -66,7 +53,7 @@ bool is_log(const std::filesystem::path& path) {
            std::filesystem::exists(path / "metadata.yaml");
   }
   const std::string name = path.filename().string();
-  return std::ranges::any_of(std::array{".log", ".gz", ".carmen", ".mcap"},
+  return std::ranges::any_of(std::array{".log", ".gz", ".carmen", ".mcap", ".db3"},
                              [&](const char* ending) { return name.ends_with(ending); });
 }
 
@@ -85,15 +72,38 @@ void require_no_recording_option(const LiveArguments& arguments, const std::stri
 
 /// What a log is named by, and what a simulated run has in its place.
 std::string why_no_log(const LiveArguments& arguments) {
-  std::string why = " is of a log: name one (.log, .log.gz, .mcap, a bag's folder)";
+  std::string why = " is of a log: name one (.log, .log.gz, .mcap, .db3, a bag's folder)";
   if (arguments.recording.first_given() != "--map3d") return why;
   return why + "; of a simulated world, --localizer mh_amcl:3d makes its own";
+}
+
+/// Options of simulated runs are refused for logs and finished runs.
+void require_no_simulation_option(const ScenarioArguments& arguments) {
+  const std::pair<const char*, bool> options[] = {
+      {"--name", !arguments.name.empty()},
+      {"--world", !arguments.world.empty()},
+      {"--robot", !arguments.robot.empty()},
+      {"--arg", !arguments.robot_options.assignments.empty()},
+      {"--search-path", !arguments.robot_options.search_paths.empty()}};
+  for (const auto& [option, given] : options) {
+    if (given) {
+      throw std::invalid_argument(std::string(option) + ": is for simulated runs, and " +
+                                  arguments.scenario + " is recorded; leave it away");
+    }
+  }
+}
+
+/// The overrides of a log: localizers and --set.
+std::vector<std::string> overrides_of_log(const ScenarioArguments& arguments) {
+  std::vector<std::string> overrides = localizer_override(arguments.localizers);
+  overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
+  return overrides;
 }
 
 YamlDocument document_of_log(const LiveArguments& arguments) {
   YamlNode root;
   root.kind = YamlNode::Kind::kMap;
-  root.entries.push_back({"log", write_yaml(arguments.scenario)});
+  root.entries.push_back({"log", write_yaml(arguments.played.scenario)});
   put_maps(arguments.recording, root);
   root.entries.push_back({"start", write_yaml(arguments.start)});
   put_topics(arguments.recording, root);
@@ -103,21 +113,22 @@ YamlDocument document_of_log(const LiveArguments& arguments) {
 YamlDocument document_of_session(const LiveArguments& arguments) {
   require_no_recording_option(
       arguments,
-      ": " + arguments.scenario + " states what is played; change it there, or by --set");
-  return YamlDocument::load(arguments.scenario);
+      ": " + arguments.played.scenario + " states what is played; change it there, or by --set");
+  return YamlDocument::load(arguments.played.scenario);
 }
 
 /// The log that is to be played; nothing: a scenario is.
 std::optional<ReplaySession> session_of_live(const LiveArguments& arguments) {
-  const bool has_log = is_log(arguments.scenario);
-  if (!has_log && !is_session(arguments.scenario)) {
+  const bool has_log = is_log(arguments.played.scenario);
+  if (!has_log && !is_session(arguments.played.scenario)) {
     require_no_recording_option(arguments, why_no_log(arguments));
     return std::nullopt;
   }
+  require_no_simulation_option(arguments.played);
   YamlDocument document = has_log ? document_of_log(arguments) : document_of_session(arguments);
-  for (const std::string& text : overrides_of_live(arguments)) document.set(text);
+  for (const std::string& text : overrides_of_log(arguments.played)) document.set(text);
   ReplaySession session = read_session(
-      std::move(document), {std::filesystem::path(arguments.scenario).parent_path(), {}});
+      std::move(document), {std::filesystem::path(arguments.played.scenario).parent_path(), {}});
   check_log(session);
   return session;
 }
@@ -187,7 +198,7 @@ int open_silent_line() {
 
 int serve(LiveServerOptions options, int line) {
   LiveServer server(std::move(options), line);
-  fmt::print("{}\n", server.url());
+  print_out("{}\n", server.url());
   std::fflush(stdout);
   const bool ended = server.serve([](const std::string& text) { say(text); });
   if (!ended) return kDone;
@@ -197,10 +208,12 @@ int serve(LiveServerOptions options, int line) {
 
 /// Shows the report of a finished run.
 int show_run(const LiveArguments& arguments) {
-  require_no_recording_option(arguments, ": " + arguments.scenario +
+  require_no_simulation_option(arguments.played);
+  require_no_recording_option(arguments, ": " + arguments.played.scenario +
                                              " is the folder of a run, whose report is shown; to "
                                              "play its bag, name the folder 'bag' in it");
-  const std::filesystem::path report = std::filesystem::path(arguments.scenario) / "report.html";
+  const std::filesystem::path report =
+      std::filesystem::path(arguments.played.scenario) / "report.html";
   if (!std::filesystem::is_regular_file(report)) {
     throw std::runtime_error("there is no " + report.string() +
                              ": 'castaway report' makes the report of a run's folder");
@@ -212,8 +225,8 @@ int show_run(const LiveArguments& arguments) {
 
 /// The scenario, which of a log is that of the worlds that pages bring.
 LoadedScenario scenario_of_live(const LiveArguments& arguments, bool has_log) {
-  if (!has_log) return load_scenario(file_of_live(arguments), overrides_of_live(arguments));
-  return load_scenario(file_of_live({}), localizer_override(arguments.localizers));
+  if (!has_log) return load_scenario(arguments.played.file(), arguments.played.overrides());
+  return load_scenario(ScenarioArguments{}.file(), localizer_override(arguments.played.localizers));
 }
 
 std::string name_of_live(const LiveSetup& setup) {
@@ -223,11 +236,12 @@ std::string name_of_live(const LiveSetup& setup) {
 }
 
 int run_live(const LiveArguments& arguments) {
-  const bool has_log = is_log(arguments.scenario);
-  if (!has_log && std::filesystem::is_directory(arguments.scenario)) return show_run(arguments);
+  const bool has_log = is_log(arguments.played.scenario);
+  if (!has_log && std::filesystem::is_directory(arguments.played.scenario))
+    return show_run(arguments);
   std::optional<ReplaySession> session = session_of_live(arguments);
   LiveSetup setup{scenario_of_live(arguments, session.has_value()),
-                  session ? "." : file_of_live(arguments).parent_path(), arguments.play};
+                  session ? "." : arguments.played.file().parent_path(), arguments.play};
   setup.session = std::move(session);
   check_nodes(setup.localizers());
   setup.reports = free_live_folder(name_of_live(setup));
@@ -256,20 +270,14 @@ void add_live_command(Command& app) {
   Command command = app.add_command(
       "live", "A run in the browser: kidnap the robot, break sensors, drive, and save it all");
   command.add_option(
-      "scenario", a->scenario,
+      "scenario", a->played.scenario,
       "A scenario's name or file; a recorded log, or what a live run of one saved; or "
       "a finished run's folder (default: lab/kidnap)");
   add_recording_options(command, a->recording);
   command.add_option("--start", a->start, "Of a log: truth or unknown")
       .one_of({"truth", "unknown"})
       .show_default();
-  command.add_option("--set", a->sets, "key=value, as in a scenario; repeat for several")
-      .repeatable();
-  command
-      .add_option("--localizer", a->localizers,
-                  "NAME, NAME:PRESET, program:COMMAND or library:FILE, in place of the scenario's; "
-                  "repeat for several")
-      .repeatable();
+  add_scenario_options(command, a->played);
   command.add_option("--port", a->port, "Port; 0: any free one").range(0, 65535).show_default();
   command.add_option("--address", a->address, "IP address to listen on").show_default();
   add_ros2_options(command, a->ros2);
@@ -279,6 +287,7 @@ void add_live_command(Command& app) {
       "Examples:\n"
       "  castaway live\n"
       "  castaway live office/people --port 9000\n"
+      "  castaway live --world my_map.yaml --robot my_robot.urdf\n"
       "  castaway live runs/lab-kidnap/seed-1\n"
       "  castaway live intel.log.gz --map intel.yaml\n"
       "  castaway live rosbag2_2026_01_31 --map3d building.bt\n"

@@ -14,6 +14,7 @@
 #include "tools/map3d/survey_world.hpp"
 #include "tools/output/file_name.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/sources/build_robot.hpp"
 #include "tools/sources/build_world.hpp"
@@ -76,15 +77,15 @@ int make_map3d(const MapArguments& arguments) {
   if (!arguments.picture.empty()) require_own_file(arguments.picture);
   const Map3d map = map3d_of(arguments);
   write_own_file(out, encode_map3d_file(map, out));
-  fmt::print("{}: {} voxels of {} m, {:.1f} MB in memory\n", out.string(), map.voxels.size(),
-             map.voxels.resolution, static_cast<double>(map.voxels.bytes()) / 1e6);
+  print_out("{}: {} voxels of {} m, {:.1f} MB in memory\n", out.string(), map.voxels.size(),
+            map.voxels.resolution, static_cast<double>(map.voxels.bytes()) / 1e6);
   for (std::size_t level = 0; level < map.ground.levels.size(); ++level) {
-    fmt::print("level {} at {:.2f} m: {:.0f} m2 drivable\n", level, map.ground.levels[level],
-               drivable_area(map.ground, level));
+    print_out("level {} at {:.2f} m: {:.0f} m2 drivable\n", level, map.ground.levels[level],
+              drivable_area(map.ground, level));
   }
   if (arguments.picture.empty()) return kDone;
   write_own_file(arguments.picture, sim::encode_png(level_picture(map.ground)));
-  fmt::print("{}\n", arguments.picture);
+  print_out("{}\n", arguments.picture);
   return kDone;
 }
 
@@ -98,8 +99,8 @@ void write_map(const RosMap& map, const std::string& wanted, double height) {
   require_own_file(out);
   write_own_file(image, encode_pgm(map_image(map)));
   write_own_file(out, ros_map_yaml(map, image.filename().string()));
-  fmt::print("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), map.width, map.height,
-             map.resolution, height);
+  print_out("{}: {} x {} cells of {} m, cut at {:.3f} m\n", out.string(), map.width, map.height,
+            map.resolution, height);
 }
 
 int make_slice(const MapArguments& arguments) {

@@ -10,6 +10,7 @@
 #include "tools/observation/observation_picture.hpp"
 #include "tools/observation/observed_scenario.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/terminal.hpp"
 
 namespace castaway::testbed {
@@ -77,11 +78,11 @@ int make_observation(ObservationArguments arguments) {
   write_own_file(arguments.out, sim::encode_png(observation_picture(observations, arguments.reach,
                                                                     arguments.size)));
   for (std::size_t i = 0; i < observations.size(); ++i) {
-    fmt::print("{}: {} beams on a {} map, mean likelihood {:.2f}\n", arguments.scenarios[i],
-               observations[i].beams.size(), observations[i].volume ? "3-D" : "planar",
-               mean_likelihood(observations[i]));
+    print_out("{}: {} beams on a {} map, mean likelihood {:.2f}\n", arguments.scenarios[i],
+              observations[i].beams.size(), observations[i].volume ? "3-D" : "planar",
+              mean_likelihood(observations[i]));
   }
-  fmt::print("{}\n", arguments.out);
+  print_out("{}\n", arguments.out);
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/output/own_file.hpp"
+#include "tools/output/say.hpp"
 #include "tools/report/report.hpp"
 #include "tools/report/runs_page.hpp"
 
@@ -50,12 +51,12 @@ int make_reports(const ReportArguments& arguments) {
   const std::vector<fs::path> folders = run_folders(arguments);
   for (const fs::path& folder : folders) {
     remake_report(folder);
-    fmt::print("{}\n", (folder / "report.html").string());
+    print_out("{}\n", (folder / "report.html").string());
   }
   if (folders.size() < 2 && arguments.out.empty()) return kDone;
   const fs::path page = arguments.out.empty() ? fs::path("runs.html") : fs::path(arguments.out);
   put_own_file(page, [&] { write_runs_page(folders, page); });
-  fmt::print("{}\n", page.string());
+  print_out("{}\n", page.string());
   return kDone;
 }
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "tools/commands/arguments/localizer_arguments.hpp"
-#include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
+#include "tools/commands/arguments/scenario_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/files/attempts.hpp"
 #include "tools/files/sha256.hpp"
@@ -17,7 +17,6 @@
 #include "tools/play/play.hpp"
 #include "tools/play/run_seeds.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 
 namespace castaway::testbed {
@@ -25,13 +24,7 @@ namespace {
 
 /// Values from the command line.
 struct RunArguments {
-  std::string scenario;
-  std::vector<std::string> shortcuts;   ///< --seed and the like, as key=value.
-  std::vector<std::string> sets;        ///< --set key=value
-  std::vector<std::string> localizers;  ///< Replace the scenario's.
-  std::string robot;                    ///< Empty: the scenario's.
-  std::string world;                    ///< Empty: the scenario's.
-  RobotArguments robot_options;
+  ScenarioArguments scenario;
   std::vector<std::string> expects;  ///< --expect "metric condition"
   std::string seeds;
   int workers = 1;
@@ -44,27 +37,6 @@ struct RunArguments {
   bool allow_programs = false;
   Ros2Arguments ros2;
 };
-
-std::filesystem::path file_of(const RunArguments& arguments) {
-  const std::string& text = arguments.scenario;
-  if (text.empty()) return data_root() / "worlds/lab/scenarios/kidnap.yaml";
-  if (text.find('=') != std::string::npos && !std::filesystem::exists(text)) {
-    throw std::invalid_argument(
-        text + ": is no scenario's file; every key=value takes a --set of its own");
-  }
-  return find_scenario(text, ".");
-}
-
-std::vector<std::string> overrides_of(const RunArguments& arguments) {
-  std::vector<std::string> overrides = arguments.shortcuts;
-  for (auto& text : localizer_override(arguments.localizers)) overrides.push_back(std::move(text));
-  for (auto& text :
-       robot_and_world_overrides(arguments.robot, arguments.world, arguments.robot_options)) {
-    overrides.push_back(std::move(text));
-  }
-  overrides.insert(overrides.end(), arguments.sets.begin(), arguments.sets.end());
-  return overrides;
-}
 
 /// Overrides from the command line.
 std::vector<Expectation> expectations_of(const RunArguments& arguments, const Scenario& scenario) {
@@ -106,6 +78,7 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
 std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScenario& loaded,
                                 const std::vector<std::filesystem::path>& inputs) {
   OutputRequest request{arguments.out, "run", sha256(loaded.effective), inputs, arguments.force};
+  request.label = arguments.scenario.label();
   if (arguments.out.empty()) {
     request.target = default_run_folder(loaded.scenario);
     request.target = announced_free_folder(request);
@@ -118,9 +91,9 @@ std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScena
 }
 
 int run_once(const RunArguments& arguments) {
-  const std::filesystem::path file = file_of(arguments);
+  const std::filesystem::path file = arguments.scenario.file();
   LoadedScenario loaded =
-      load_scenario(file, overrides_of(arguments), file_programs(arguments.allow_programs));
+      load_scenario(file, arguments.scenario.overrides(), file_programs(arguments.allow_programs));
   loaded.scenario.world.strict = arguments.strict;
   const Scenario& scenario = loaded.scenario;
   static_cast<void>(
@@ -147,14 +120,15 @@ int run_many(const RunArguments& arguments) {
     throw std::invalid_argument("--ros2 shows one run; leave --seeds away, or give one --seed");
   }
   SeedsRequest request;
-  request.scenario = file_of(arguments);
-  request.overrides = overrides_of(arguments);
+  request.scenario = arguments.scenario.file();
+  request.overrides = arguments.scenario.overrides();
   const Scenario scenario =
       load_scenario(request.scenario, request.overrides, file_programs(arguments.allow_programs))
           .scenario;
   request.seeds = parse_seeds(arguments.seeds, scenario.seed);
   request.workers = arguments.workers;
   request.out = arguments.out;
+  request.label = arguments.scenario.label();
   request.expectations = expectations_of(arguments, scenario);
   request.junit = arguments.junit;
   request.json = arguments.json;
@@ -180,7 +154,7 @@ void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& argumen
     return command.add_option(
         flag,
         [arguments, key](const std::string& value) {
-          arguments->shortcuts.push_back(key + "=" + value);
+          arguments->scenario.shortcuts.push_back(key + "=" + value);
         },
         text);
   };
@@ -188,12 +162,6 @@ void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& argumen
   shortcut("--duration", "duration_s", "Simulated time [s]")
       .value_name("FLOAT")
       .check(seconds_trouble);
-  command.add_option("--world", arguments->world, "A world's name or path, or a ROS map's .yaml")
-      .check([](const std::string& text) {
-        return text.empty() ? std::string("needs a world's name or path") : std::string();
-      });
-  command.add_option("--robot", arguments->robot, "A robot's name, a .urdf or a .xacro");
-  add_robot_options(command, arguments->robot_options);
 }
 
 }  // namespace
@@ -201,16 +169,10 @@ void add_shortcuts(Command command, const std::shared_ptr<RunArguments>& argumen
 void add_run_command(Command& app) {
   auto arguments = std::make_shared<RunArguments>();
   Command command = app.add_command("run", "Simulate a scenario; without one, the default kidnap");
-  command.add_option("scenario", arguments->scenario,
+  command.add_option("scenario", arguments->scenario.scenario,
                      "Scenario file (YAML), or <world>/<name> of one that comes along");
   add_shortcuts(command, arguments);
-  command.add_option("--set", arguments->sets, "Override a key of the scenario: key=value")
-      .repeatable();
-  command
-      .add_option("--localizer", arguments->localizers,
-                  "NAME, NAME:PRESET, program:COMMAND or library:FILE instead of the scenario's; "
-                  "repeat for several")
-      .repeatable();
+  add_scenario_options(command, arguments->scenario);
   command
       .add_option("--expect", arguments->expects,
                   "Besides the scenario's: METRIC CONDITION, \"mh_amcl.recovery.success >= 1\"")

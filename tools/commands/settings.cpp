@@ -6,6 +6,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {
@@ -27,8 +28,8 @@ std::string bounds_of(const SettingText& setting) {
 void print_words(const std::vector<SettingText>& settings) {
   for (const SettingText& s : settings) {
     const std::string bounds = bounds_of(s);
-    fmt::print("{}: {}\n    {}{}\n", s.path, s.value.empty() ? "-" : s.value, s.what,
-               bounds.empty() ? "" : " [" + bounds + "]");
+    print_out("{}: {}\n    {}{}\n", s.path, s.value.empty() ? "-" : s.value, s.what,
+              bounds.empty() ? "" : " [" + bounds + "]");
   }
 }
 
@@ -45,13 +46,13 @@ void print_markdown(const std::vector<SettingText>& settings) {
     const std::size_t dot = s.path.rfind('.');
     const std::string here = dot == std::string::npos ? "Run" : s.path.substr(0, dot);
     if (here != section) {
-      fmt::print("\n## {}\n\n| key | default | range | meaning |\n|---|---|---|---|\n",
-                 dot == std::string::npos ? here : "`" + here + "`");
+      print_out("\n## {}\n\n| key | default | range | meaning |\n|---|---|---|---|\n",
+                dot == std::string::npos ? here : "`" + here + "`");
       section = here;
     }
-    fmt::print("| `{}` | {} | {} | {} |\n", s.path.substr(dot == std::string::npos ? 0 : dot + 1),
-               s.value.empty() ? "" : "`" + in_table(s.value) + "`", in_table(bounds_of(s)),
-               in_table(s.what));
+    print_out("| `{}` | {} | {} | {} |\n", s.path.substr(dot == std::string::npos ? 0 : dot + 1),
+              s.value.empty() ? "" : "`" + in_table(s.value) + "`", in_table(bounds_of(s)),
+              in_table(s.what));
   }
 }
 
@@ -64,7 +65,7 @@ void print_json(const std::vector<SettingText>& settings) {
                    {"unit", s.unit},
                    {"what", s.what}});
   }
-  fmt::print("{}\n", json_text(all, 1));
+  print_out("{}\n", json_text(all, 1));
 }
 
 int list_settings(const SettingsArguments& arguments) {

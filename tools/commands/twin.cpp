@@ -11,6 +11,8 @@
 #include "tools/files/file.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/output/output_folder.hpp"
+#include "tools/output/progress_line.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/prediction/predict_logs.hpp"
 #include "tools/prediction/prediction_page.hpp"
@@ -65,11 +67,11 @@ int compare_twins(TwinArguments a) {
   write_file(out.folder() / "twin.html", render_prediction(rows, places));
   out.commit();
   if (a.json) {
-    fmt::print("{}", json);
+    print_out("{}", json);
     return kDone;
   }
-  fmt::print("{}\n{}\n{}\nPage: {}/twin.html\n", as_text(results_table(rows)),
-             as_text(agreement_table(rows)), agreement_sentence(rows), a.out);
+  print_out("{}\n{}\n{}\nPage: {}/twin.html\n", as_text(results_table(rows), columns_of(stdout)),
+            as_text(agreement_table(rows), columns_of(stdout)), agreement_sentence(rows), a.out);
   return kDone;
 }
 

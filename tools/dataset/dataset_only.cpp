@@ -30,7 +30,7 @@ int make_only(const DatasetRequest& request, int index) {
     say(error.what());
     return kRunFailed;
   }
-  fmt::print("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
+  print_out("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
   return kDone;
 }
 

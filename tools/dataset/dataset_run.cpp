@@ -161,8 +161,8 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   const DatasetContents contents =
       load_contents(folder, spec, names_of(request.sequences), worlds.maps());
   finish_dataset(folder, contents);
-  fmt::print("{}", request.json ? dataset_json(folder, contents, invocation)
-                                : describe_dataset(folder, contents, invocation));
+  print_out("{}", request.json ? dataset_json(folder, contents, invocation)
+                               : describe_dataset(folder, contents, invocation));
   return kDone;
 }
 
@@ -189,13 +189,13 @@ int make_dataset(const DatasetRequest& request) {
       }
     }
     if (!request.json) {
-      fmt::print("{}: all {} sequences are already finished\n", request.out.string(),
-                 request.sequences);
+      print_out("{}: all {} sequences are already finished\n", request.out.string(),
+                request.sequences);
       return kDone;
     }
     const DatasetContents contents =
         load_contents(folder, spec, names_of(request.sequences), worlds.maps());
-    fmt::print("{}", dataset_json(folder, contents, {}));
+    print_out("{}", dataset_json(folder, contents, {}));
     return kDone;
   } catch (const FileError& error) {
     say(error.what());

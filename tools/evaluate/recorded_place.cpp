@@ -52,8 +52,9 @@ std::optional<fs::path> map_in(const fs::path& folder, const std::vector<fs::pat
 
 /// The bag in a folder: the folder itself, or `bag` of a run folder. Nothing if there is none.
 std::optional<fs::path> bag_in(const fs::path& folder, const std::vector<fs::path>& files) {
-  const bool itself = std::any_of(files.begin(), files.end(),
-                                  [](const fs::path& file) { return file.extension() == ".mcap"; });
+  const bool itself = std::any_of(files.begin(), files.end(), [](const fs::path& file) {
+    return file.extension() == ".mcap" || file.extension() == ".db3";
+  });
   if (itself) return folder;
   return fs::is_directory(folder / "bag") ? std::optional(folder / "bag") : std::nullopt;
 }

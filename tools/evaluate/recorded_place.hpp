@@ -45,10 +45,10 @@ struct PlaceMaps {
 PlaceMaps maps_for(const std::vector<LocalizerSpec>& localizers, const Map3dOfPlace& map3d);
 
 /// Reads a log and its maps from a folder. The log is the first by name of `log`, `*.log`,
-/// `*.carmen` and `*.clf` (each also with `.gz`), or else a bag (`*.mcap`, `bag/`). The planar map
-/// is `map.yaml`, `map/map.yaml`, else the only .yaml file, else the bag's map; the 3-D map is the
-/// only file of those of `is_map3d_source`. castaway's own run folders with `outputs.carmen` or
-/// `outputs.bag` qualify. Throws std::runtime_error naming what is missing.
+/// `*.carmen` and `*.clf` (each also with `.gz`), or else a bag (`*.mcap`, `*.db3`, `bag/`). The
+/// planar map is `map.yaml`, `map/map.yaml`, else the only .yaml file, else the bag's map; the 3-D
+/// map is the only file of those of `is_map3d_source`. castaway's own run folders with
+/// `outputs.carmen` or `outputs.bag` qualify. Throws std::runtime_error naming what is missing.
 RecordedPlace load_recorded_place(const std::string& folder, const PlaceMaps& maps = {});
 
 /// Reads a CARMEN log or a bag, and a ROS map by its YAML file; without one, the map of a bag.

@@ -33,11 +33,23 @@ bool is_allowed(const OutputRequest& request) {
   }
 }
 
-fs::path with_suffix(const OutputRequest& request) {
+OutputRequest with_suffix(OutputRequest request, const std::string& suffix) {
+  request.target += "-" + suffix;
+  return request;
+}
+
+/// The request with its label behind the folder's name or, where that is taken, too, with the
+/// settings' hash.
+template <typename IsFree>
+fs::path beside(const OutputRequest& request, const IsFree& is_free) {
   constexpr std::size_t kDigits = 8;
-  fs::path folder = request.target;
-  folder += "-" + request.settings.substr(0, kDigits);
-  return folder;
+  const OutputRequest labelled = with_suffix(request, request.label);
+  if (!request.label.empty() && is_free(labelled)) return labelled.target;
+  return with_suffix(request, request.settings.substr(0, kDigits)).target;
+}
+
+bool is_usable(const OutputRequest& request) {
+  return is_same_or_free(request.target, request.made_by, request.settings) && is_allowed(request);
 }
 
 fs::path report_choice(const OutputRequest& request, const fs::path& folder) {
@@ -51,8 +63,7 @@ fs::path report_choice(const OutputRequest& request, const fs::path& folder) {
 }  // namespace
 
 fs::path free_folder(const OutputRequest& request) {
-  const bool free = is_same_or_free(request.target, request.made_by, request.settings);
-  return free && is_allowed(request) ? request.target : with_suffix(request);
+  return is_usable(request) ? request.target : beside(request, is_usable);
 }
 
 fs::path announced_free_folder(const OutputRequest& request) {
@@ -61,10 +72,13 @@ fs::path announced_free_folder(const OutputRequest& request) {
 
 fs::path announced_free_runs_folder(const OutputRequest& request,
                                     const std::vector<PlannedRun>& runs) {
-  const bool free = std::all_of(runs.begin(), runs.end(), [&](const PlannedRun& run) {
-    return is_same_or_free(request.target / run.folder, "run", run.settings);
-  });
-  return report_choice(request, free ? free_folder(request) : with_suffix(request));
+  const auto is_free = [&](const OutputRequest& candidate) {
+    return is_usable(candidate) &&
+           std::all_of(runs.begin(), runs.end(), [&](const PlannedRun& run) {
+             return is_same_or_free(candidate.target / run.folder, "run", run.settings);
+           });
+  };
+  return report_choice(request, is_free(request) ? request.target : beside(request, is_free));
 }
 
 }  // namespace castaway::testbed

@@ -21,6 +21,7 @@ struct OutputRequest {
   std::vector<std::filesystem::path> inputs{};  ///< Files that the command reads.
   bool force = false;                           ///< Other files may exist beside castaway's.
   bool keep_list = true;  ///< False for a folder that becomes part of another one.
+  std::string label{};  ///< What tells these settings from the usual ones, as part of a file name.
 };
 
 /// Throws std::runtime_error with one line if the folder holds an input of the command or (unless

@@ -44,9 +44,9 @@ int execute_and_print(Run& run, OutputFolder& output, const std::filesystem::pat
   }
   const int exit_code = lost.empty() ? kDone : kRunFailed;
   if (printing.silent || printing.quiet) return exit_code;
-  fmt::print("{}", printing.json ? read_file(target / "summary.json") : describe_run(target));
+  print_out("{}", printing.json ? read_file(target / "summary.json") : describe_run(target));
   if (!printing.film.empty() && !printing.json) {
-    fmt::print("Film:       {}\n", printing.film.string());
+    print_out("Film:       {}\n", printing.film.string());
   }
   return exit_code;
 }

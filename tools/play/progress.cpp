@@ -10,6 +10,7 @@
 
 #include "localization/geometry/stamp.hpp"
 #include "tools/output/interruption.hpp"
+#include "tools/output/progress_line.hpp"
 #include "tools/run/cpu_clock.hpp"
 #include "tools/workers/progress_text.hpp"
 
@@ -19,7 +20,7 @@ ProgressSink::ProgressSink(Stamp duration, bool quiet)
     : duration_(duration), terminal_(!quiet && isatty(fileno(stderr)) != 0), begin_(wall_time()) {}
 
 ProgressSink::~ProgressSink() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (terminal_) show_progress("");
 }
 
 void ProgressSink::on_scan(const ScanRecord& record) {
@@ -34,10 +35,9 @@ void ProgressSink::show(Stamp reached) {
   shown_ = now;
   const double factor = localization::seconds(reached) / localization::seconds(now - begin_);
   const double left = localization::seconds(duration_ - reached) / std::max(factor, 1e-3);
-  fmt::print(stderr, "\r\033[K{:7.1f} / {:.1f} s   {:.3g} x real time   {} left",
-             localization::seconds(reached), localization::seconds(duration_), factor,
-             minutes_and_seconds(left));
-  std::fflush(stderr);
+  show_progress(fmt::format("{:7.1f} / {:.1f} s   {:.3g} x real time   {} left",
+                            localization::seconds(reached), localization::seconds(duration_),
+                            factor, minutes_and_seconds(left)));
 }
 
 CampaignProgress::CampaignProgress(int all, std::string what)
@@ -47,16 +47,15 @@ CampaignProgress::CampaignProgress(int all, std::string what)
       begin_(wall_time()) {}
 
 CampaignProgress::~CampaignProgress() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (terminal_) show_progress("");
 }
 
 void CampaignProgress::next(const std::string& result) {
   ++done_;
   if (!terminal_) return;
   const double elapsed_s = localization::seconds(wall_time() - begin_);
-  fmt::print(stderr, "\r\033[K{}{}{}", progress_text(done_, all_, what_, elapsed_s),
-             result.empty() ? "" : "; ", result);
-  std::fflush(stderr);
+  show_progress(progress_text(done_, all_, what_, elapsed_s) + (result.empty() ? "" : "; ") +
+                result);
 }
 
 TrialCount::TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) != 0) {}
@@ -64,8 +63,7 @@ TrialCount::TrialCount(int all) : all_(all), terminal_(isatty(fileno(stderr)) !=
 void TrialCount::next() {
   ++done_;
   if (!terminal_) return;
-  fmt::print(stderr, "\r\033[K{} / {} trials{}", done_, all_, done_ == all_ ? "\r\033[K" : "");
-  std::fflush(stderr);
+  show_progress(done_ == all_ ? "" : fmt::format("{} / {} trials", done_, all_));
 }
 
 }  // namespace castaway::testbed

@@ -15,6 +15,7 @@
 #include "tools/output/exit_code.hpp"
 #include "tools/output/own_file.hpp"
 #include "tools/output/runs_folder.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/play_runs.hpp"
 #include "tools/play/seeds_summary.hpp"
@@ -69,6 +70,7 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
       load_scenario(request.scenario, request.overrides, request.programs).effective;
   OutputRequest output{request.out, "run --seeds", sha256(settings),
                        inputs_of(scenario, request.scenario), request.force};
+  output.label = request.label;
   if (request.out.empty()) {
     output.target = default_run_folder(scenario).parent_path();
     output.target = announced_free_runs_folder(output, runs);
@@ -198,7 +200,7 @@ int run_seeds(SeedsRequest request) {
   const std::vector<Check> checks = judge(expectations, runs);
   outputs.make([&] { write_junit(request, scenario.name, outcomes, checks); });
   outputs.rethrow();
-  fmt::print("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));
+  print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
   return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
 }

@@ -18,6 +18,7 @@ struct SeedsRequest {
   SeedRange seeds;
   int workers = 1;
   std::filesystem::path out;              ///< Holds a folder for each seed; empty: the default.
+  std::string label;                      ///< Of a default folder that is taken (OutputRequest).
   bool force = false;                     ///< The folder may hold other files, too.
   std::vector<Expectation> expectations;  ///< Besides those of the scenario.
   std::filesystem::path junit;            ///< Empty: none is written.

@@ -7,7 +7,9 @@
 #include "tools/formats/figure_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
+#include "tools/formats/text_table.hpp"
 #include "tools/metrics/void_run.hpp"
+#include "tools/output/progress_line.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/records/failed_localizers.hpp"
 
@@ -16,30 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string localizer_line(const std::string& name, const Json& metrics, const Json& timing) {
-  const Json& recovery = metrics.at("recovery");
-  const Json& tracking = metrics.at("tracking_error_m");
-  const auto part = [](const Json& object, const char* key) {
-    return object.is_object() ? object.at(key) : Json();
-  };
-  const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
-  const int recovered = integer<int>(recovery.at("recovered"));
-  const int events = integer<int>(recovery.at("events"));
-  const std::string share = fmt::format("{:>4} of {:<4}", recovered, events);
-  return fmt::format(
-      "  {:<16} {} {:>9} {:>9}   {:>9} {:>9}   {:>7}  {:>6}   {:>9} {:>9}\n", name,
-      events == 0 ? share : paint(share, recovered < events ? Color::kRed : Color::kGreen, stdout),
-      figure_text(part(recovery.at("time_s"), "mean"), "{:.2f} s"),
-      figure_text(part(recovery.at("time_s"), "max"), "{:.2f} s"),
-      figure_text(part(tracking, "mean"), "{:.3f} m"),
-      figure_text(part(tracking, "p95"), "{:.3f} m"),
-      figure_text(metrics.at("wrong_lock_share").is_number()
-                      ? Json(100.0 * metrics.at("wrong_lock_share").get<double>())
-                      : Json(),
-                  "{:.1f} %"),
-      figure_text(metrics.at("calibration").at("brier"), "{:.3f}"),
-      figure_text(part(update, "mean"), "{:.2f} ms"),
-      figure_text(part(update, "max"), "{:.2f} ms"));
+/// "0.15 s, 0.17 s": two figures of an object; "-" if it is none.
+std::string two(const Json& object, const char* first, const char* second, const char* format) {
+  if (!object.is_object() || object.at(first).is_null()) return "-";
+  return figure_text(object.at(first), format) + ", " + figure_text(object.at(second), format);
 }
 
 /// A share of 1 in percent; "-" if there is none.
@@ -47,43 +29,66 @@ std::string percent(const Json& share) {
   return figure_text(share.is_number() ? Json(100.0 * share.get<double>()) : Json(), "{:.1f} %");
 }
 
-std::string stated_line(const std::string& name, const Json& metrics) {
-  const Json& stated = metrics.at("stated");
-  std::string line = fmt::format(
-      "  {:<16} {:>9}   {:>8} {:>8}   {:>8} {:>6} {:>9}   {:>8}", name,
-      percent(stated.at("answered_share")), figure_text(stated.at("probability_mean"), "{:.3f}"),
-      percent(stated.at("sure_share")), percent(stated.at("alarm_share")),
-      integer<int>(stated.at("alarms")), figure_text(stated.at("longest_alarm_s"), "{:.1f} s"),
-      percent(stated.at("steady_share")));
-  if (stated.contains("agreement")) {
-    for (const auto& [other, share] : stated.at("agreement").items()) {
-      line += fmt::format("   {} {}", other, percent(share));
-    }
+std::vector<std::string> scored_row(const std::string& name, const Json& metrics,
+                                    const Json& timing) {
+  const Json& recovery = metrics.at("recovery");
+  const int recovered = integer<int>(recovery.at("recovered"));
+  const int events = integer<int>(recovery.at("events"));
+  const std::string share = fmt::format("{} of {}", recovered, events);
+  const Json update = timing.contains(name) ? timing.at(name).at("update_ms") : Json();
+  return {
+      name,
+      events == 0 ? share : paint(share, recovered < events ? Color::kRed : Color::kGreen, stdout),
+      two(recovery.at("time_s"), "mean", "max", "{:.2f} s"),
+      two(metrics.at("tracking_error_m"), "mean", "p95", "{:.3f} m"),
+      percent(metrics.at("wrong_lock_share")),
+      figure_text(metrics.at("calibration").at("brier"), "{:.3f}"),
+      two(update, "mean", "max", "{:.2f} ms")};
+}
+
+/// "mh_amcl 98.2 %, amcl 71.0 %": the share of scans in which the others say the same.
+std::string agreements(const Json& stated) {
+  std::string text;
+  if (!stated.contains("agreement")) return "-";
+  for (const auto& [other, share] : stated.at("agreement").items()) {
+    text += (text.empty() ? "" : ", ") + other + " " + percent(share);
   }
-  return line + "\n";
+  return text;
+}
+
+std::vector<std::string> stated_row(const std::string& name, const Json& metrics) {
+  const Json& stated = metrics.at("stated");
+  return {name,
+          percent(stated.at("answered_share")),
+          figure_text(stated.at("probability_mean"), "{:.3f}"),
+          percent(stated.at("sure_share")),
+          percent(stated.at("alarm_share")),
+          std::to_string(integer<int>(stated.at("alarms"))),
+          figure_text(stated.at("longest_alarm_s"), "{:.1f} s"),
+          percent(stated.at("steady_share")),
+          agreements(stated)};
 }
 
 /// What localizers state themselves, for runs without true poses.
 std::string stated_table(const Json& summary) {
-  std::string text = fmt::format(
-      "No true poses: nothing is scored. What the localizers state themselves:\n\n"
-      "  {:<16} {:>9}   {:^17}   {:^25}   {:>8}   {}\n",
-      "", "answered", "stated p, sure", "alarm, times, longest", "steady",
-      summary.at("localizers").size() > 1 ? "agrees with" : "");
+  TextTable table{{"", "answered", "stated p", "sure", "in alarm", "alarms", "longest", "steady",
+                   "agrees with"},
+                  {}};
   for (const auto& [name, metrics] : summary.at("localizers").items()) {
-    text += stated_line(name, metrics);
+    table.rows.push_back(stated_row(name, metrics));
   }
-  return text;
+  return "No true poses: nothing is scored. What the localizers state themselves:\n\n" +
+         as_text(table, columns_of(stdout));
 }
 
 std::string scored_table(const Json& summary, const Json& timing) {
-  std::string text =
-      fmt::format("  {:<16} {:<12} {:^19}   {:^19}   {:>7}  {:>6}   {:^19}\n", "", "recovered",
-                  "recovery mean, max", "tracking mean, p95", "wrong", "Brier", "update mean, max");
+  TextTable table{{"", "recovered", "recovery mean, max", "tracking mean, p95", "wrong", "Brier",
+                   "update mean, max"},
+                  {}};
   for (const auto& [name, metrics] : summary.at("localizers").items()) {
-    text += localizer_line(name, metrics, timing.at("localizers"));
+    table.rows.push_back(scored_row(name, metrics, timing.at("localizers")));
   }
-  return text;
+  return as_text(table, columns_of(stdout));
 }
 
 /// The closest approach of people; empty if there were none.

@@ -6,6 +6,8 @@
 #include "tools/formats/figure_text.hpp"
 #include "tools/formats/json_file.hpp"
 #include "tools/formats/json_number.hpp"
+#include "tools/formats/text_table.hpp"
+#include "tools/output/progress_line.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -19,17 +21,18 @@ std::string over_seeds(const Json& figures, const std::string& name, const char*
   return figure_text(figure.at("mean"), format) + interval_text(figure.at("mean_interval"), format);
 }
 
-std::string seeds_line(const std::string& name, const Json& recovery, const Json& figures) {
+std::vector<std::string> seeds_row(const std::string& name, const Json& recovery,
+                                   const Json& figures) {
   const Json& time = recovery.at("time_s");
-  return fmt::format(
-      "  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", name,
+  return {
+      name,
       fmt::format("{} of {}{}", integer<int>(recovery.at("recovered")),
                   integer<int>(recovery.at("events")),
                   interval_text(recovery.at("success_interval"), "{:.0f} %", 100.0)),
       figure_text(time.at("mean"), "{:.2f}") + interval_text(time.at("mean_interval"), "{:.2f}"),
       figure_text(time.at("max"), "{:.2f} s"),
       over_seeds(figures, name + ".tracking_error_m.mean", "{:.4f}"),
-      over_seeds(figures, name + ".wrong_lock_share", "{:.3f}"));
+      over_seeds(figures, name + ".wrong_lock_share", "{:.3f}")};
 }
 
 /// ", 2 void (seeds 3, 7) and left out"; empty if none is void.
@@ -51,13 +54,14 @@ std::string describe_seeds(const std::filesystem::path& folder) {
       fmt::format("{}: {} seeds, {} failed{}; means with 95 % intervals\n\n",
                   summary.at("scenario").get<std::string>(), summary.at("seeds").size(),
                   summary.at("failed_seeds").size(), voids_text(summary));
-  text += fmt::format("  {:<18} {:>24} {:>24} {:>9}   {:>26} {:>16}\n", "", "recovered",
-                      "recovery time [s]", "slowest", "tracking error [m]", "wrong, share");
+  TextTable table{
+      {"", "recovered", "recovery time [s]", "slowest", "tracking error [m]", "wrong, share"}, {}};
   for (const auto& [name, localizer] : summary.at("localizers").items()) {
-    text += seeds_line(name, localizer.at("recovery"), figures);
+    table.rows.push_back(seeds_row(name, localizer.at("recovery"), figures));
   }
-  return text + fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n",
-                            folder.string());
+  return text + as_text(table, columns_of(stdout)) +
+         fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n",
+                     folder.string());
 }
 
 void RecoveryTally::add(const MetricTable& run) {

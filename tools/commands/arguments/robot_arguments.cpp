@@ -8,13 +8,6 @@
 namespace castaway::testbed {
 namespace {
 
-/// Quotes a text as a YAML string.
-std::string quote_yaml(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-  return result + "'";
-}
-
 /// "[a, b]" in YAML.
 std::string list_of(const std::vector<std::string>& texts) {
   std::string list;
@@ -28,6 +21,12 @@ bool is_sdf(std::filesystem::path file) {
 }
 
 }  // namespace
+
+std::string quote_yaml(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
 
 void add_robot_options(Command command, RobotArguments& arguments) {
   command

@@ -18,6 +18,9 @@ struct RobotArguments {
 /// Adds the two options. `arguments` must outlive the parsing.
 void add_robot_options(Command command, RobotArguments& arguments);
 
+/// A text as a string of YAML.
+std::string quote_yaml(const std::string& text);
+
 /// Splits `name:=value`, as in ROS, or `name=value`. Throws std::invalid_argument naming the
 /// option.
 std::pair<std::string, std::string> parse_assignment(const std::string& text);

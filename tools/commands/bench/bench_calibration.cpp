@@ -10,6 +10,7 @@
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
+#include "tools/output/say.hpp"
 #include "tools/twin/calibration_trials.hpp"
 #include "tools/workers/worker_pool.hpp"
 
@@ -79,21 +80,21 @@ void print_settings(const Json& all) {
     row.errors.push_back(std::abs(setting["found"].get<double>() - setting["truth"].get<double>()) /
                          std::abs(setting["truth"].get<double>()));
   }
-  fmt::print("{:<24} {:>9} {:>10} {:>14} {:>14}\n", "setting", "near", "in interval",
-             "median error", "largest error");
+  print_out("{:<24} {:>9} {:>10} {:>14} {:>14}\n", "setting", "near", "in interval", "median error",
+            "largest error");
   for (const std::string& name : names) {
     Row& row = rows[name];
     std::sort(row.errors.begin(), row.errors.end());
-    fmt::print("{:<24} {:>9} {:>11} {:>12.1f} % {:>12.1f} %\n", name,
-               fmt::format("{}/{}", row.near, row.count), fmt::format("{}/{}", row.held, row.count),
-               100.0 * percentile(row.errors, 0.5), 100.0 * row.errors.back());
+    print_out("{:<24} {:>9} {:>11} {:>12.1f} % {:>12.1f} %\n", name,
+              fmt::format("{}/{}", row.near, row.count), fmt::format("{}/{}", row.held, row.count),
+              100.0 * percentile(row.errors, 0.5), 100.0 * row.errors.back());
   }
 }
 
 int bench_calibration(const CalibrationArguments& arguments) {
   const Json all = run_calibrations(arguments);
   if (arguments.json) {
-    fmt::print("{}\n", json_text(all, 1));
+    print_out("{}\n", json_text(all, 1));
   } else {
     print_settings(all);
   }

@@ -11,6 +11,7 @@
 #include "tools/bench/crowd_hours.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -37,10 +38,10 @@ int bench_crowds(CrowdArguments arguments) {
         {"through_walls", seen.through}, {"inside_walls", seen.inside},
         {"walked_km", seen.walked_km},   {"closest_pair_m", seen.closest_pair_m},
         {"robot_hits", seen.robot_hits}, {"cpu_s", cpu_s}};
-    fmt::print("{}\n", json_text(json, 1));
+    print_out("{}\n", json_text(json, 1));
     return kDone;
   }
-  fmt::print(
+  print_out(
       "{:.1f} h of {} people ({:.0f} person-hours), {:.0f} km walked: {} steps through walls, {} "
       "into walls\n"
       "closest two centres {:.2f} m, {} hit by a robot that never yields; {:.0f} s of CPU, {:.0f} "

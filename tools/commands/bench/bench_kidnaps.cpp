@@ -13,6 +13,7 @@
 #include "tools/metrics/metrics_json.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/metrics/statistics/statistics.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/trials/kidnap_bench.hpp"
@@ -76,9 +77,9 @@ std::string wrong_text(const WrongScans& scans) {
 
 /// Prints a row of the table; the name is left-aligned.
 void print_cells(const std::array<std::string, 10>& cells) {
-  fmt::print("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}  {:>37}\n",
-             cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6], cells[7],
-             cells[8], cells[9]);
+  print_out("{:>9}  {:<16} {:>24}  {:>20}  {:>12}  {:>12}  {:>12}  {:>18}  {:>15}  {:>37}\n",
+            cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6], cells[7],
+            cells[8], cells[9]);
 }
 
 void print_header() {
@@ -87,7 +88,7 @@ void print_header() {
 }
 
 void print_batch(const KidnapBatch& batch) {
-  fmt::print(
+  print_out(
       "{:>9}  matcher: right place first {}, among the best five {}; {:.0f} % of the beams "
       "blocked; places distinguishable {}\n",
       batch.obstacles, rate(batch.top1, batch.kidnaps), rate(batch.top5, batch.kidnaps),
@@ -102,8 +103,8 @@ void print_batch(const KidnapBatch& batch) {
                  wrong_text(row.since_kidnap), wrong_text(row.since_distinguishable)});
   }
   if (batch.voids > 0) {
-    fmt::print("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
-               batch.voids);
+    print_out("{:>9}  {} trials are void and left out: their robots got nowhere\n", "",
+              batch.voids);
   }
   std::fflush(stdout);
 }
@@ -206,7 +207,7 @@ int bench_kidnaps(KidnapArguments arguments) {
     batches.push_back(to_json(batch));
     voids += batch.voids;
   }
-  if (arguments.json) fmt::print("{}\n", json_text(batches, 1));
+  if (arguments.json) print_out("{}\n", json_text(batches, 1));
   return voids > 0 ? kRunFailed : kDone;
 }
 

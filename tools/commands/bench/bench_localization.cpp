@@ -8,6 +8,7 @@
 #include "tools/bench/localization_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -25,27 +26,27 @@ std::string duration(double s) {
 }
 
 void print_steps(const std::vector<StepTime>& steps) {
-  fmt::print("{:<22} {:>10} {:>12} {:>8}   {}\n", "5 x 200 particles", "CPU", "plain", "ratio",
-             "180 beams");
+  print_out("{:<22} {:>10} {:>12} {:>8}   {}\n", "5 x 200 particles", "CPU", "plain", "ratio",
+            "180 beams");
   for (const StepTime& time : steps) {
-    fmt::print("{:<22} {:>10} {:>12} {:>7.1f}x   {:.3g} M {} a second\n", time.step,
-               duration(time.time_s), duration(time.plain_s), time.plain_s / time.time_s,
-               1e-6 * time.items / time.time_s, time.item);
+    print_out("{:<22} {:>10} {:>12} {:>7.1f}x   {:.3g} M {} a second\n", time.step,
+              duration(time.time_s), duration(time.plain_s), time.plain_s / time.time_s,
+              1e-6 * time.items / time.time_s, time.item);
   }
 }
 
 void print_match_header() {
-  fmt::print("\n{:<30} {:>16} {:>12} {:>12} {:>8}\n", "match", "branch and bound", "exhaustive",
-             "plain", "ratio");
+  print_out("\n{:<30} {:>16} {:>12} {:>12} {:>8}\n", "match", "branch and bound", "exhaustive",
+            "plain", "ratio");
 }
 
 void print_match(const MatchTime& time) {
   const std::string what = fmt::format("{:.0f} x {:.0f} m, {:.2f} m, {} x {}", time.width,
                                        time.height, time.cell, time.yaws, time.points);
   const auto ratio = [&] { return fmt::format("{:.0f}x", *time.plain_s / time.branch_s); };
-  fmt::print("{:<30} {:>16} {:>12} {:>12} {:>8}\n", what, duration(time.branch_s),
-             duration(time.exhaustive_s), time.plain_s ? duration(*time.plain_s) : "-",
-             time.plain_s ? ratio() : "-");
+  print_out("{:<30} {:>16} {:>12} {:>12} {:>8}\n", what, duration(time.branch_s),
+            duration(time.exhaustive_s), time.plain_s ? duration(*time.plain_s) : "-",
+            time.plain_s ? ratio() : "-");
   std::fflush(stdout);
 }
 
@@ -87,7 +88,7 @@ int bench_localization(const LocalizationArguments& arguments) {
     take(time_match(80.0, 60.0, effort));
     take(time_fine_match(40.0, 30.0, effort));
   }
-  if (arguments.json) fmt::print("{}\n", json_text(json, 1));
+  if (arguments.json) print_out("{}\n", json_text(json, 1));
   return kDone;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/bench/odometry_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {
@@ -34,8 +35,8 @@ bool add_row(const std::string& name, const std::vector<DriftSegment>& segments,
   const auto mean = mean_drift(segments);
   if (!mean) return false;
   if (words) {
-    fmt::print("{:<40} {:>8} {:>8.2f} {:>8.3f}\n", name, segments.size(), mean->percent,
-               mean->deg_per_m);
+    print_out("{:<40} {:>8} {:>8.2f} {:>8.3f}\n", name, segments.size(), mean->percent,
+              mean->deg_per_m);
     std::fflush(stdout);
   }
   json.push_back({{"name", name},
@@ -63,8 +64,8 @@ int bench_odometry(const OdometryArguments& arguments) {
   const bool words = !arguments.json;
   auto json = nlohmann::ordered_json::array();
   if (words) {
-    fmt::print("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
-               "segments", "%", "deg/m");
+    print_out("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
+              "segments", "%", "deg/m");
   }
   for (const std::string& profile : sim::odometry_profile_names()) {
     (void)add_row(profile, simulated_drift(profile, arguments.config), words, json);
@@ -72,7 +73,7 @@ int bench_odometry(const OdometryArguments& arguments) {
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     (void)add_row(arguments.logs[i], recorded[i], words, json);
   }
-  if (!words) fmt::print("{}\n", json_text(json, 1));
+  if (!words) print_out("{}\n", json_text(json, 1));
   return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include "tools/bench/physics_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 #include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
@@ -31,13 +32,13 @@ int bench_physics(const PhysicsArguments& arguments) {
                       {"expected", check.expected},
                       {"measured", check.measured}});
     }
-    fmt::print("{}\n", json_text(list, 1));
+    print_out("{}\n", json_text(list, 1));
     return kDone;
   }
-  fmt::print("{:<38} {:>10} {:>12} {:>12}\n", arguments.robot, "expected", "measured", "error");
+  print_out("{:<38} {:>10} {:>12} {:>12}\n", arguments.robot, "expected", "measured", "error");
   for (const PhysicsCheck& check : checks) {
-    fmt::print("{:<38} {:>10.3f} {:>12.6f} {:>12.6f} {}\n", check.what, check.expected,
-               check.measured, check.measured - check.expected, check.unit);
+    print_out("{:<38} {:>10.3f} {:>12.6f} {:>12.6f} {}\n", check.what, check.expected,
+              check.measured, check.measured - check.expected, check.unit);
   }
   return kDone;
 }

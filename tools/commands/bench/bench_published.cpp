@@ -10,6 +10,7 @@
 #include "tools/files/json_text.hpp"
 #include "tools/formats/figure_text.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
+#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
@@ -32,15 +33,15 @@ std::optional<double> mean_of(const std::vector<double>& values) {
 }
 
 void print_table(const std::vector<VariantScore>& scores) {
-  fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", "", "recovered", "recovery mean",
-             "tracking mean", "wrong");
+  print_out("{:<24} {:>10} {:>14} {:>16} {:>8}\n", "", "recovered", "recovery mean",
+            "tracking mean", "wrong");
   for (const VariantScore& score : scores) {
     const std::optional<double> wrong = mean_of(score.wrong);
-    fmt::print("{:<24} {:>10} {:>14} {:>16} {:>8}\n", score.name,
-               fmt::format("{} of {}", score.recovered, score.events),
-               figure_text(mean_of(score.time_s), "{:.2f} s"),
-               figure_text(mean_of(score.tracking_m), "{:.3f} m"),
-               figure_text(wrong ? std::optional(100.0 * *wrong) : wrong, "{:.1f} %"));
+    print_out("{:<24} {:>10} {:>14} {:>16} {:>8}\n", score.name,
+              fmt::format("{} of {}", score.recovered, score.events),
+              figure_text(mean_of(score.time_s), "{:.2f} s"),
+              figure_text(mean_of(score.tracking_m), "{:.3f} m"),
+              figure_text(wrong ? std::optional(100.0 * *wrong) : wrong, "{:.1f} %"));
   }
 }
 
@@ -76,7 +77,7 @@ int bench_published(const PublishedArguments& arguments) {
   }
   auto rows = nlohmann::ordered_json::array();
   for (const VariantScore& score : scores) rows.push_back(to_json(score));
-  fmt::print("{}\n", json_text(rows, 1));
+  print_out("{}\n", json_text(rows, 1));
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "tools/bench/simulation_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/files/json_text.hpp"
+#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -41,16 +42,16 @@ void print_cost(const SimulationCost& cost) {
   std::string where =
       cost.spec.obstacles == 0 ? "lab" : fmt::format("hall, {} boxes", cost.spec.obstacles);
   if (cost.spec.kinematic) where += ", kinematic";
-  fmt::print("{:<18} {:>7} {:>7} {:>10.0f} x {:>11.2f} {:>8.2f} {:>8.2f} {:>8.2f}\n", where,
-             cost.spec.people, cost.spec.beams, cost.realtime_factor, per_s("physics"),
-             per_s("lidar"), per_s("people"), per_s("drive"));
+  print_out("{:<18} {:>7} {:>7} {:>10.0f} x {:>11.2f} {:>8.2f} {:>8.2f} {:>8.2f}\n", where,
+            cost.spec.people, cost.spec.beams, cost.realtime_factor, per_s("physics"),
+            per_s("lidar"), per_s("people"), per_s("drive"));
   std::fflush(stdout);
 }
 
 void print_casts(const CastSpeed& speed) {
-  fmt::print("{:>6} boxes {:>5} people   {:>8.2f} M rays/s   {:>8.3f} M by a loop   {:>7.1f}x\n",
-             speed.boxes, speed.people, 1e-6 * speed.rays_per_s, 1e-6 * speed.plain_rays_per_s,
-             speed.rays_per_s / speed.plain_rays_per_s);
+  print_out("{:>6} boxes {:>5} people   {:>8.2f} M rays/s   {:>8.3f} M by a loop   {:>7.1f}x\n",
+            speed.boxes, speed.people, 1e-6 * speed.rays_per_s, 1e-6 * speed.plain_rays_per_s,
+            speed.rays_per_s / speed.plain_rays_per_s);
   std::fflush(stdout);
 }
 
@@ -77,22 +78,22 @@ int bench_simulation(const SimulationArguments& arguments) {
   const bool words = !arguments.json;
   Json json{{"runs", Json::array()}, {"casts", Json::array()}};
   if (words) {
-    fmt::print("{:<18} {:>7} {:>7} {:>12} {:>11} {:>8} {:>8} {:>8}\n", "CPU ms a second", "people",
-               "beams", "real time", "physics", "lidar", "people", "drive");
+    print_out("{:<18} {:>7} {:>7} {:>12} {:>11} {:>8} {:>8} {:>8}\n", "CPU ms a second", "people",
+              "beams", "real time", "physics", "lidar", "people", "drive");
   }
   for (const SimulationCostSpec& spec : specs(arguments)) {
     const SimulationCost cost = time_simulation(spec);
     json["runs"].push_back(to_json(cost));
     if (words) print_cost(cost);
   }
-  if (words) fmt::print("\n");
+  if (words) print_out("\n");
   const double seconds = arguments.quick ? 0.05 : 2.0;
   for (const auto& [boxes, people] : {std::pair{60, 0}, {60, 20}, {60, 200}, {920, 20}}) {
     const CastSpeed speed = time_casts(boxes, people, seconds);
     json["casts"].push_back(to_json(speed));
     if (words) print_casts(speed);
   }
-  if (arguments.json) fmt::print("{}\n", json_text(json, 1));
+  if (arguments.json) print_out("{}\n", json_text(json, 1));
   return kDone;
 }
 

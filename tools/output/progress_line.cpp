@@ -1,0 +1,35 @@
+#include "tools/output/progress_line.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "tools/files/utf8.hpp"
+
+namespace castaway::testbed {
+
+std::size_t columns_of(std::FILE* stream) {
+  winsize size{};
+  if (ioctl(fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::string::npos;
+  return size.ws_col;
+}
+
+std::string cut_to(const std::string& text, std::size_t columns) {
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool continues = (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80U;
+    if (!continues && shown++ == columns) return text.substr(0, i);
+  }
+  return text;
+}
+
+void show_progress(const std::string& text) {
+  const std::size_t columns = columns_of(stderr);
+  // The last column stays free: some terminals wrap when it is written.
+  const bool known = columns != std::string::npos && columns > 1;
+  fmt::print(stderr, "\r\033[K{}", known ? cut_to(printable(text), columns - 1) : printable(text));
+  std::fflush(stderr);
+}
+
+}  // namespace castaway::testbed
