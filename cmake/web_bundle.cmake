@@ -14,6 +14,7 @@ set(CASTAWAY_WEB_FILES
   src/curves.js
   src/details.js
   src/dom.js
+  src/event_words.js
   src/ground.js
   src/hash_time.js
   src/heat_maps.js
@@ -22,6 +23,7 @@ set(CASTAWAY_WEB_FILES
   src/layers.js
   src/legend.js
   src/live.css
+  src/live_banner.js
   src/live_connection.js
   src/live_curve.js
   src/live_drive.js
@@ -31,6 +33,7 @@ set(CASTAWAY_WEB_FILES
   src/live_log.js
   src/live_main.js
   src/live_recording.js
+  src/live_start.js
   src/live_tools.js
   src/live_view.js
   src/main.js

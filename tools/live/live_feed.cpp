@@ -96,8 +96,12 @@ std::string length_bytes(std::size_t size) {
 
 }  // namespace
 
-LiveFeed::LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m)
-    : header_(recording_header(info, map, robot_radius_m)), cells_(pack_cells(map)) {}
+LiveFeed::LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m) {
+  const RosMap shown = known_part(map);
+  header_ = recording_header(info, shown, robot_radius_m);
+  cells_ = pack_cells(shown);
+  if (!info.notes.empty()) header_["notes"] = info.notes;
+}
 
 void LiveFeed::set_doors(const sim::WorldSpec& world) {
   FeedJson doors = FeedJson::array();
@@ -120,26 +124,37 @@ FeedJson LiveFeed::hello() const {
   return hello;
 }
 
+void LiveFeed::add_event(FeedJson event) {
+  ++event_count_;
+  events_.push_back(std::move(event));
+}
+
 void LiveFeed::on_event(const RunEvent& event) {
-  events_.push_back({{"time", rounded(localization::seconds(event.stamp))},
-                     {"kind", event_name(event.kind)},
-                     {"detail", event.detail},
-                     {"localizer", event.localizer},
-                     {"from", pose_json(event.T_map_from)},
-                     {"to", pose_json(event.T_map_to)}});
+  FeedJson told = {{"time", rounded(localization::seconds(event.stamp))},
+                   {"kind", event_name(event.kind)},
+                   {"detail", event.detail},
+                   {"localizer", event.localizer},
+                   {"from", pose_json(event.T_map_from)},
+                   {"to", pose_json(event.T_map_to)}};
   if (event.heights) {
-    events_.back()["from_z"] = rounded(event.heights->x());
-    events_.back()["to_z"] = rounded(event.heights->y());
+    told["from_z"] = rounded(event.heights->x());
+    told["to_z"] = rounded(event.heights->y());
   }
-  if (!event.object.empty()) events_.back()["change"] = change_entry(event);
+  if (!event.object.empty()) told["change"] = change_entry(event);
+  add_event(std::move(told));
   if (event.kind != EventKind::kKidnap) return;
   if (kidnaps_.size() == kKeptKidnaps) kidnaps_.erase(kidnaps_.begin());
   kidnaps_.push_back(event);
 }
 
-void LiveFeed::forget() {
-  events_ = FeedJson::array();
-  if (!scans_.empty()) scans_ = FeedJson::array({scans_.back()});
+void LiveFeed::on_drive(Stamp at, const FeedJson& command) {
+  add_event({{"time", rounded(localization::seconds(at))},
+             {"kind", "drive"},
+             {"detail", ""},
+             {"localizer", ""},
+             {"from", nullptr},
+             {"to", nullptr},
+             {"drive", command}});
 }
 
 void LiveFeed::on_scan(const ScanRecord& record) {
@@ -173,6 +188,7 @@ std::string LiveFeed::take_frame(const LivePoses& poses) {
   FeedJson frame = {{"now", rounded(localization::seconds(poses.now))},
                     {"truth", pose_json(poses.T_map_base_true)},
                     {"estimates", std::move(estimates)},
+                    {"first", count_ - scans_.size()},
                     {"scans", std::exchange(scans_, FeedJson::array())},
                     {"lidars", header_["lidars"]},
                     {"blocks", std::move(sizes)}};
@@ -185,6 +201,17 @@ std::string LiveFeed::take_frame(const LivePoses& poses) {
   return bytes;
 }
 
-FeedJson LiveFeed::take_events() { return std::exchange(events_, FeedJson::array()); }
+FeedJson LiveFeed::take_scans() {
+  blocks_.clear();
+  return {{"said", "history"},
+          {"first", count_ - scans_.size()},
+          {"scans", std::exchange(scans_, FeedJson::array())}};
+}
+
+FeedJson LiveFeed::take_events() {
+  return {{"said", "events"},
+          {"first", event_count_ - events_.size()},
+          {"events", std::exchange(events_, FeedJson::array())}};
+}
 
 }  // namespace castaway::testbed

@@ -44,8 +44,8 @@ class LiveFeed final : public RunSink {
   /// Tells pages that a log of so many scans is played: `recorded` of the header.
   void set_recorded(std::size_t scans) { header_["recorded"] = {{"scans", scans}}; }
 
-  /// The header of a recording (`recording_header`) with `cells`: the map as `pack_cells`, in
-  /// base64, and `doors`.
+  /// The header of a recording (`recording_header`) with `cells`: what is known of the map
+  /// (`known_part`) as `pack_cells`, in base64, `doors`, and the `notes` of the run.
   [[nodiscard]] nlohmann::ordered_json hello() const;
 
   /// A frame: the length of its JSON in four bytes, lowest first, the JSON, and blocks of bytes.
@@ -53,6 +53,8 @@ class LiveFeed final : public RunSink {
   ///   truth        [x, y, yaw], or null
   ///   lift         [height, roll, pitch] of base; absent while it stands on level floor
   ///   estimates    the same for each localizer, or null
+  ///   first        number of the first of `scans`: those of a run have the numbers 0, 1, 2...;
+  ///                what was told with this number and later ones never happened
   ///   scans        those since the last frame: [t, torn, truth, localizers], of each localizer
   ///                null or [x, y, yaw, lost, quality, probability, sigma, sigma_yaw], and the
   ///                numbers of its populations and particles; on several floors, the truth is
@@ -64,16 +66,22 @@ class LiveFeed final : public RunSink {
 
   /// Scans so far.
   [[nodiscard]] std::size_t scans() const { return count_; }
-  [[nodiscard]] bool has_news() const { return !scans_.empty(); }
-  /// Leaves out what was not told yet, but the newest scan.
-  void forget();
+  /// Scans that were not told yet.
+  [[nodiscard]] std::size_t untold_scans() const { return scans_.size(); }
+  /// They, without anything else: {"said": "history", "first", "scans"}, as in a frame.
+  nlohmann::ordered_json take_scans();
 
-  /// The events since the last call: [{time, kind, detail, localizer, from, to}], with `change`
-  /// (`change_entry`) where the world changed.
+  /// A hand drives from `at` on: {"v", "w"}; empty: the route does again.
+  void on_drive(Stamp at, const nlohmann::ordered_json& command);
+  [[nodiscard]] bool has_events() const { return !events_.empty(); }
+  /// The events since the last call: {"said": "events", "first", "events"}, numbered like scans,
+  /// each {time, kind, detail, localizer, from, to}, with `change` (`change_entry`) where the world
+  /// changed, and `drive` where a hand drives.
   nlohmann::ordered_json take_events();
 
  private:
   void set_blocks(const ScanRecord& record);
+  void add_event(nlohmann::ordered_json event);
 
   nlohmann::ordered_json header_;
   std::string cells_;
@@ -81,7 +89,8 @@ class LiveFeed final : public RunSink {
   nlohmann::ordered_json events_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json scans_ = nlohmann::ordered_json::array();
   std::vector<std::string> blocks_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0;        ///< Scans,
+  std::size_t event_count_ = 0;  ///< and events since the beginning.
 };
 
 }  // namespace castaway::testbed

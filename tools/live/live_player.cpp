@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include "tools/live/live_building.hpp"
 #include "tools/live/live_clock.hpp"
 #include "tools/live/live_feed.hpp"
+#include "tools/live/live_goal.hpp"
 #include "tools/live/live_loading.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_trial.hpp"
@@ -36,41 +38,15 @@ using std::chrono::nanoseconds;
 constexpr nanoseconds kFramePeriod = milliseconds(25);
 constexpr nanoseconds kBurst = milliseconds(10);  // Wall time between two looks at the commands.
 constexpr double kCheckpointEvery = 10.0;         // [s] Of simulated time.
+constexpr double kOpening = 1.0;                  // [s] In which the first scan should come.
+constexpr std::size_t kMostUntold = 1000;         // Scans that are told at once.
 constexpr double kSlowest = 0.1;
 constexpr double kFastest = 100.0;
 
-/// An event of a hand.
-struct Done {
-  std::size_t step = 0;  ///< How many steps the run had taken before it.
-  Stamp at{};            ///< When it takes place.
-  std::string event;     ///< JSON.
+/// Thrown where a copy of the run goes on that was woken: it drops what it was doing.
+struct Woken {
+  LiveGoal goal;
 };
-
-/// A moment to go to: where a woken copy goes on.
-struct GoTo {
-  Stamp time{};
-  double speed = 1.0;
-  std::vector<Done> events{};  ///< To be done again on the way, in order.
-};
-
-std::string to_line(const GoTo& goal) {
-  PlayerJson events = PlayerJson::array();
-  for (const Done& done : goal.events) {
-    if (done.at <= goal.time) events.push_back({done.step, done.at.count(), done.event});
-  }
-  return json_text(PlayerJson{
-      {"time_ns", goal.time.count()}, {"speed", goal.speed}, {"events", std::move(events)}});
-}
-
-GoTo goal_of(const std::string& line) {
-  const PlayerJson order = PlayerJson::parse(line);
-  GoTo goal{Stamp(order.at("time_ns").get<std::int64_t>()), order.at("speed").get<double>(), {}};
-  for (const PlayerJson& done : order.at("events")) {
-    goal.events.push_back({done.at(0).get<std::size_t>(), Stamp(done.at(1).get<std::int64_t>()),
-                           done.at(2).get<std::string>()});
-  }
-  return goal;
-}
 
 /// True if a localizer is a program. It cannot be copied, so that the run begins again to go back.
 bool has_nodes(const LiveSetup& setup) { return std::ranges::any_of(setup.localizers(), is_node); }
@@ -88,12 +64,8 @@ class LivePlayer {
   ~LivePlayer() { end_run(); }
 
   void play() {
-    keep_checkpoint();
-    build();
-    say_hello();
-    if (!undone_) say_scene();
-    if (setup_.playing && !goal_) clock_.play(wall_time(), run_->now());
-    while (true) turn();
+    awake([&] { begin(); });
+    while (true) awake([&] { turn(); });
   }
 
  private:
@@ -106,21 +78,43 @@ class LivePlayer {
     run_ = build_live(setup_, *worlds_, make);
   }
 
-  /// A copy that is woken goes on here, with a goal.
-  void keep_checkpoint() {
-    const Stamp now = run_ ? run_->now() : Stamp{};
-    next_checkpoint_ = now + localization::from_seconds(kCheckpointEvery);
-    while (const auto woken = checkpoints_.keep(now)) {
-      goal_ = goal_of(*woken);
-      undone_ = true;
-      if (has_programs_ && run_) begin_again();
+  /// Does something in which this process may turn out to be a copy that was woken.
+  template <typename Work>
+  void awake(Work work) {
+    try {
+      work();
+    } catch (const Woken& woken) {
+      reach_goal(woken.goal);
     }
   }
 
-  /// The programs of the run start anew.
-  void begin_again() {
-    end_run();
+  void begin() {
+    keep_checkpoint();
     build();
+    open();
+    if (setup_.playing) clock_.play(wall_time(), run_->now());
+  }
+
+  /// Tells of a run at its beginning, with a first scan to look at.
+  void open() {
+    to_first_scan();
+    say_hello();
+    say_scene();
+  }
+
+  void to_first_scan() {
+    const Stamp end = run_->now() + localization::from_seconds(kOpening);
+    while (feed_->scans() == 0 && run_->now() < end && step()) {
+    }
+  }
+
+  /// Throws Woken in a copy that is woken.
+  void keep_checkpoint() {
+    const Stamp now = run_ ? run_->now() : Stamp{};
+    next_checkpoint_ = now + localization::from_seconds(kCheckpointEvery);
+    std::optional<LiveGoal> goal;
+    while (const auto woken = checkpoints_.keep(now)) goal = goal_of(*woken);
+    if (goal) throw Woken{*std::move(goal)};
   }
 
   void end_run() {
@@ -129,46 +123,69 @@ class LivePlayer {
   }
 
   void turn() {
-    if (goal_) return reach_goal();
     listen();
-    if (goal_) return;
     play_on();
     if (wall_time() >= next_frame_) tell();
   }
 
-  /// Plays until now, as fast as it can, without telling.
-  void reach_goal() {
+  /// Plays to the moment to go on from, as fast as it can, and tells anew what happened on the way.
+  void reach_goal(const LiveGoal& goal) {
+    undone_ = true;
+    heard_.assign(goal.commands.begin(), goal.commands.end());
+    if (!run_ || has_programs_) build_anew();
     if (setup_.bridge) setup_.bridge->mute(true);
-    do {
-      do_again();
-    } while (run_->now() < goal_->time && step());
+    play_to(goal);
     if (setup_.bridge) setup_.bridge->mute(false);
-    feed_->forget();
     clock_.pause();
-    clock_.set_speed(goal_->speed, wall_time(), run_->now());
-    goal_.reset();
+    clock_.set_speed(goal.speed, wall_time(), run_->now());
+    if (goal.playing) clock_.play(wall_time(), run_->now());
+    tell_all();
+  }
+
+  /// Its programs start anew.
+  void build_anew() {
+    end_run();
+    build();
+  }
+
+  void play_to(const LiveGoal& goal) {
+    const bool keeps = std::exchange(keeps_, false);
+    do_again(goal.events);
+    while (run_->now() < goal.time && step()) {
+      do_again(goal.events);
+      if (feed_->untold_scans() >= kMostUntold) line_.say(feed_->take_scans());
+    }
+    to_first_scan();
+    keeps_ = keeps;
+  }
+
+  void tell_all() {
     say_hello();
     say_scene();  // Its doors and boxes are those of this moment.
+    line_.say(feed_->take_events());
+    told_ = Stamp{-1};
     tell();
   }
 
   /// Events that were done at this step, but for those that this copy has seen.
-  void do_again() {
-    while (done_.size() < goal_->events.size() && goal_->events[done_.size()].step == steps_) {
-      do_event(goal_->events[done_.size()].event);
+  void do_again(const std::vector<HandEvent>& events) {
+    while (done_.size() < events.size() && events[done_.size()].step == steps_) {
+      do_event(events[done_.size()].event);
     }
   }
 
   Stamp do_event(const std::string& event) {
     const Stamp at = run_->add(event);
     done_.push_back({steps_, at, event});
+    const PlayerJson json = PlayerJson::parse(event);
+    if (json.contains("drive")) feed_->on_drive(at, json.at("drive"));
     return at;
   }
 
   bool step() {
     if (!run_->step()) return false;
     ++steps_;
-    if (!goal_ && !has_programs_ && run_->now() >= next_checkpoint_) keep_checkpoint();
+    if (keeps_ && !has_programs_ && run_->now() >= next_checkpoint_) keep_checkpoint();
     return true;
   }
 
@@ -177,7 +194,6 @@ class LivePlayer {
     const Stamp due = clock_.due(begin, run_->now());
     while (run_->now() < due && wall_time() - begin < kBurst) {
       if (!step()) return clock_.pause();
-      if (goal_) return;  // This is a copy that was woken.
     }
   }
 
@@ -187,7 +203,13 @@ class LivePlayer {
     if (clock_.is_playing()) {
       patience = std::min(patience, clock_.until(run_->now() + Stamp(1), wall_time()));
     }
-    for (const std::string& command : line_.hear(patience)) obey(command);
+    if (!heard_.empty()) patience = nanoseconds(0);
+    for (std::string& command : line_.hear(patience)) heard_.push_back(std::move(command));
+    while (!heard_.empty()) {
+      const std::string command = std::move(heard_.front());
+      heard_.pop_front();
+      obey(command);
+    }
   }
 
   void obey(const std::string& text) {
@@ -197,6 +219,8 @@ class LivePlayer {
     } catch (const PlayerJson::exception&) {
       line_.say({{"said", "error"}, {"text", "not a command"}});
     } catch (const LineCut&) {
+      throw;
+    } catch (const Woken&) {
       throw;
     } catch (...) {
       line_.say({{"said", "error"}, {"text", current_error_text()}});
@@ -236,7 +260,11 @@ class LivePlayer {
 
   /// Hands over to a copy and ends.
   void go_back(Stamp time) {
-    const GoTo goal{std::clamp(time, Stamp{}, run_->now()), clock_.speed(), done_};
+    const LiveGoal goal{std::clamp(time, Stamp{}, run_->now()),
+                        clock_.speed(),
+                        clock_.is_playing(),
+                        done_,
+                        {heard_.begin(), heard_.end()}};
     if (!checkpoints_.wake(goal.time, to_line(goal))) return;
     if (has_programs_) end_run();
     _exit(0);
@@ -302,23 +330,27 @@ class LivePlayer {
     clock_.pause();
     keep_checkpoint();
     line_.say({{"said", "loaded"}, {"file", name}});
-    say_hello();
-    if (!goal_) say_scene();
+    open();
   }
 
   void tell() {
     tell_of_report();
     next_frame_ = wall_time() + kFramePeriod;
-    const PlayerJson events = feed_->take_events();
-    if (!events.empty()) line_.say({{"said", "events"}, {"events", events}});
-    const bool changed = std::ranges::any_of(
-        events, [](const PlayerJson& event) { return event.at("kind") == "world"; });
-    if (changed) say_scene();
-    if (run_->now() == told_ && !feed_->has_news()) return say_status_now_and_then();
+    tell_of_events();
+    if (run_->now() == told_ && feed_->untold_scans() == 0) return say_status_now_and_then();
     told_ = run_->now();
     line_.show(feed_->take_frame(
         {run_->now(), run_->true_pose(), run_->estimates(), run_->T_footprint_base()}));
     say_status_now_and_then();
+  }
+
+  void tell_of_events() {
+    if (!feed_->has_events()) return;
+    const PlayerJson said = feed_->take_events();
+    line_.say(said);
+    const bool changed = std::ranges::any_of(
+        said.at("events"), [](const PlayerJson& event) { return event.at("kind") == "world"; });
+    if (changed) say_scene();
   }
 
   void say_hello() {
@@ -365,9 +397,10 @@ class LivePlayer {
   std::unique_ptr<LivePlay> replaced_;  ///< Until it is known that another one could be built.
   LiveFeed* feed_ = nullptr;
   LiveClock clock_;
-  std::vector<Done> done_;  ///< Events of hands since the beginning,
-  std::size_t steps_ = 0;   ///< and the steps that the run has taken.
-  std::optional<GoTo> goal_;
+  std::vector<HandEvent> done_;    ///< Events of hands since the beginning,
+  std::size_t steps_ = 0;          ///< and the steps that the run has taken.
+  std::deque<std::string> heard_;  ///< Commands to be carried out.
+  bool keeps_ = true;              ///< Leaves copies behind.
   bool undone_ = false;
   Stamp next_checkpoint_{};
   Stamp told_{-1};

@@ -42,7 +42,8 @@ LiveRun::LiveRun(const LoadedScenario& loaded, const std::filesystem::path& base
                      scenario.start.initializes(),
                      names_of(scenario.localizers),
                      prepared.difference,
-                     prepared.config.levels != nullptr};
+                     prepared.config.levels != nullptr,
+                     prepared.notes};
   sinks_.push_back(make_sink(info, prepared.map, prepared.config.robot.footprint_radius));
   if (prepared.config.levels) {
     levels_ = std::make_unique<const LevelMaps>(level_maps(*prepared.config.levels));

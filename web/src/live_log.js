@@ -1,5 +1,6 @@
 // What happened in a live run, the newest first.
 import {clockText, element} from './dom.js';
+import {wordsOf} from './event_words.js';
 
 const kMost = 500;
 
@@ -9,14 +10,6 @@ export function eventOf(event) {
   return {...event, from: place(event.from, event.from_z), to: place(event.to, event.to_z)};
 }
 
-/** A command to drive, which is no event of the run, as one; null for other events of hands. */
-export function drivenEvent({event, at_s: time}) {
-  if (!event.drive) return null;
-  const {v, w} = event.drive;
-  const detail = v === undefined ? 'by the route again' : `${v} m/s, ${w} rad/s`;
-  return {time, kind: 'drive', detail, localizer: '', from: null, to: null};
-}
-
 /** The list, and the events themselves in `events`. */
 export class LiveLog {
   constructor() {
@@ -24,20 +17,22 @@ export class LiveLog {
     this.list = element('ol', {class: 'log', tabindex: 0, 'aria-label': 'What happened'});
   }
 
-  add(event) {
-    this.events.push(event);
-    const words = [event.kind, event.detail && `(${event.detail})`, event.localizer].filter(Boolean).join(' ');
-    this.list.prepend(element('li', {}, element('b', {}, clockText(event.time)), ` ${words}`));
-    if (this.events.length <= kMost) return;
-    this.events.shift();
-    this.list.lastElementChild.remove();
-  }
-
-  /** What is later than `time` never happened. */
-  cut(time) {
-    while (this.events.length > 0 && this.events.at(-1).time > time + 1e-6) {
+  /** Events from the number `first` on, as the run tells them: what was there with these numbers and later ones never happened. */
+  take(first, events) {
+    while (this.events.length > 0 && this.events.at(-1).number >= first) {
       this.events.pop();
       this.list.firstElementChild.remove();
     }
+    const taken = events.map((event, i) => ({...eventOf(event), number: first + i}));
+    for (const event of taken) this.add(event);
+    return taken;
+  }
+
+  add(event) {
+    this.events.push(event);
+    this.list.prepend(element('li', {}, element('b', {}, clockText(event.time)), ` ${wordsOf(event)}`));
+    if (this.events.length <= kMost) return;
+    this.events.shift();
+    this.list.lastElementChild.remove();
   }
 }

@@ -36,6 +36,15 @@ function lastAtMost(values, value) {
   return low - 1;
 }
 
+/** Leaves those of a column out that are not kept, in place. */
+function retain(column, keep) {
+  let kept = 0;
+  keep.forEach((stays, i) => {
+    if (stays) column[kept++] = column[i];
+  });
+  column.length = kept;
+}
+
 export class LiveRecording {
   /** `hello`: what the run says at its beginning. */
   constructor(hello) {
@@ -43,6 +52,8 @@ export class LiveRecording {
     this.names = hello.localizers;
     this.sections = new Map([['map', fromBase64(hello.cells)]]);
     (hello.levels?.cells ?? []).forEach((cells, level) => this.sections.set(`level/${level}`, fromBase64(cells)));
+    this.number = [];  // Of each scan in the run.
+    this.newest = -1;  // The highest of them.
     this.time = [];
     this.torn = [];
     this.truth = emptyTrack(hello.heights && ['z', 'roll', 'pitch']);
@@ -62,21 +73,62 @@ export class LiveRecording {
   columns() {
     const own = this.localizers.flatMap(({name, ...columns}) => Object.values(columns));
     const errors = this.errors.flatMap((columns) => Object.values(columns));
-    return [this.time, this.torn, ...Object.values(this.truth), ...own, ...errors, ...this.states];
+    return [this.number, this.time, this.torn, ...Object.values(this.truth), ...own, ...errors, ...this.states];
   }
 
-  /** Takes a frame (`readFrame`). */
-  add({scans, lidars, blocks}) {
+  /**
+   * Takes a frame (`readFrame`), or a history: scans from the number `first` on. Where they are others than those that are
+   * there, the run went back. What is there after them never happened.
+   */
+  add({first, scans, lidars, blocks = []}) {
     if (lidars) this.header.lidars = lidars;
-    for (const scan of scans) this.addScan(scan);
-    if (blocks.length > 0 && scans.length > 0) {
-      this.details.push({scan: this.scans - 1, blocks});
-      if (this.details.length > kMostDetails) this.details.shift();
-    }
+    const known = this.countKnown(first, scans);
+    this.cutFrom(first + known);
+    scans.slice(known).forEach((scan, i) => this.addScan(first + known + i, scan));
+    if (blocks.length > 0 && scans.length > 0) this.addDetail(blocks);
     if (this.scans > kMostScans) this.forget(kForgotten);
   }
 
-  addScan([time, torn, truth, localizers]) {
+  /** How many of these scans are there already, without a gap. */
+  countKnown(first, scans) {
+    if (first > this.newest) return 0;
+    const places = new Map(this.number.map((number, i) => [number, i]));
+    const count = scans.findIndex((scan, i) => !this.isAt(places.get(first + i), scan));
+    return count < 0 ? scans.length : count;
+  }
+
+  /** True if the scan at a place is this one. */
+  isAt(place, [time, torn, truth, localizers]) {
+    const at = (track, pose) => track.known[place] === (pose ? 1 : 0)
+      && (!pose || [track.x, track.y, track.yaw].every((column, i) => column[place] === pose[i]));
+    return this.time[place] === time && this.torn[place] === torn && at(this.truth, truth)
+      && localizers.every(({answer}, k) => at(this.localizers[k], answer) && this.localizers[k].lost[place] === (answer?.[3] ?? 0));
+  }
+
+  /** Leaves out the scans with this number and later ones. */
+  cutFrom(number) {
+    if (number > this.newest) return;
+    const keep = this.number.map((each) => each < number);
+    let count = 0;
+    const places = keep.map((stays) => (stays ? count++ : -1));
+    for (const column of this.columns()) retain(column, keep);
+    this.details = this.details.map((detail) => ({...detail, scan: places[detail.scan]})).filter(({scan}) => scan >= 0);
+    this.newest = number - 1;
+  }
+
+  /** Beams and particles of the newest scan. */
+  addDetail(blocks) {
+    const scan = this.number.lastIndexOf(this.newest);
+    const detail = {scan, blocks};
+    const at = this.detailAt(scan);
+    if (this.details[at]?.scan === scan) this.details[at] = detail;
+    else this.details.splice(at + 1, 0, detail);
+    if (this.details.length > kMostDetails) this.details.shift();
+  }
+
+  addScan(number, [time, torn, truth, localizers]) {
+    this.number.push(number);
+    this.newest = number;
     this.time.push(time);
     this.torn.push(torn);
     addPose(this.truth, truth, truth?.slice(3));
@@ -92,6 +144,17 @@ export class LiveRecording {
       localizer.particles.push(particles);
       this.judge(k);
     });
+    this.sortNewest();
+  }
+
+  /** Several lidars deliver out of order: the newest scan is put where its time is. */
+  sortNewest() {
+    const last = this.scans - 1;
+    if (last < 1 || this.time[last] >= this.time[last - 1]) return;
+    const time = this.time[last];
+    const place = this.time.findLastIndex((other, i) => i < last && other <= time) + 1;
+    for (const column of this.columns()) column.splice(place, 0, column.pop());
+    for (const detail of this.details) if (detail.scan >= place) ++detail.scan;
   }
 
   /** Error and state of a localizer at the newest scan. */
@@ -112,17 +175,16 @@ export class LiveRecording {
     this.details = this.details.filter(({scan}) => scan >= 0);
   }
 
-  /** Leaves out what comes after `time`: the run went back. */
-  cut(time) {
-    const kept = lastAtMost(this.time, time + 1e-6) + 1;
-    for (const column of this.columns()) column.length = kept;
-    this.details = this.details.filter(({scan}) => scan < kept);
-    this.changes = this.changes.filter((change) => change.time <= time + 1e-6);
-  }
-
-  /** Takes a change of the world (`change_entry`). */
-  addChange(change) {
-    this.changes.push(change);
+  /**
+   * Changes of the world (`change_entry`) of events (`LiveLog`): those of numbers from `first` on take the place of what was
+   * there. True if anything is otherwise then.
+   */
+  takeChanges(first, events) {
+    const kept = this.changes.filter((change) => change.number < first);
+    const added = events.filter(({change}) => change).map(({change, number}) => ({...change, number}));
+    const differs = added.length > 0 || kept.length < this.changes.length;
+    this.changes = [...kept, ...added];
+    return differs;
   }
 
   scanAt(time) {

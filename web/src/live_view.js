@@ -2,12 +2,14 @@
 import {layerChoices, mapButtons} from './controls.js';
 import {clockText, element, reveal} from './dom.js';
 import {ownsKey} from './keys.js';
+import {FaultBanner} from './live_banner.js';
 import {LiveCurve} from './live_curve.js';
 import {LiveDrive} from './live_drive.js';
 import {MapHand} from './live_hands.js';
 import {fileTools} from './live_files.js';
-import {drivenEvent, eventOf, LiveLog} from './live_log.js';
+import {LiveLog} from './live_log.js';
 import {LiveRecording} from './live_recording.js';
+import {StartButton} from './live_start.js';
 import {liveTools} from './live_tools.js';
 import {floorOf} from './levels.js';
 import {mapLegend} from './legend.js';
@@ -29,6 +31,7 @@ const poseOf = (pose) => (pose ? {x: pose[0], y: pose[1], yaw: pose[2]} : null);
 export class LiveView {
   constructor(place, hello, send) {
     this.place = place;
+    place.view = this;  // For who looks at the page from outside: tests.
     this.send = send;
     this.recording = new LiveRecording(hello);
     this.log = new LiveLog();
@@ -64,8 +67,11 @@ export class LiveView {
     const curve = element('div', {class: 'curve'});
     this.tools = liveTools(state, recording.names, event, recording.header.recorded);
     this.tools.showThings(this.things());
-    this.place.replaceChildren(this.transport(), this.note, this.tools.panel,
-      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards,
+    const transport = this.transport();
+    this.faults = new FaultBanner();
+    this.start = new StartButton(() => this.send({do: 'play'}), this.play);
+    this.place.replaceChildren(transport, element('div', {class: 'notes'}, this.note, notesOf(recording.header)), this.tools.panel,
+      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row, this.faults.line, this.start.button), cards,
       time, curve, element('div', {class: 'log-frame'}, element('h2', {}, 'What happened'), this.log.list),
       element('div', {class: 'below'}, layerChoices(state, recording.names, () => this.changed(), recording.header.levels?.z_m), mapLegend()));
     this.timeline = new Timeline(time, recordingRun(recording), [], colors, look);
@@ -83,7 +89,7 @@ export class LiveView {
     this.hands = button('Take the hands', order({do: 'hands'}));
     this.again = button('Go on from here', () => this.goOn());
     this.toNow = button('Back to now', () => this.look(null));
-    this.again.hidden = this.toNow.hidden = true;
+    this.hands.hidden = this.again.hidden = this.toNow.hidden = true;
     const files = fileTools(this.place, this.life.signal, (chosen) => this.send({do: 'load', ...chosen}),
       (...parts) => this.noteParts(parts));
     return element('div', {class: 'transport'}, this.play, button('Step a scan', order({do: 'step'})), this.speed,
@@ -162,11 +168,11 @@ export class LiveView {
   /** What the run says. */
   said(message) {
     const takes = {
-      history: () => this.recording.add({scans: message.scans, blocks: []}),
+      history: () => this.recording.add(message),
       scene: () => this.views.setScene(message.scene),
       status: () => this.status(message),
-      events: () => message.events.forEach((event) => this.happened(event)),
-      done: () => this.done(message),
+      events: () => this.happened(message),
+      done: () => this.noteText(''),
       error: () => this.noteText(message.text),
       scenario: () => this.download(message.yaml),
       report: () => this.offerReport(message),
@@ -181,16 +187,14 @@ export class LiveView {
 
   status({playing, speed, now_s: now, times_real: real}) {
     this.playing = playing;
+    this.start.show(playing, this.recording.scans > 1);
     this.play.textContent = playing ? 'Pause' : 'Play';
     if (document.activeElement !== this.speed) this.speed.value = String(speed);
     this.clock.textContent = `${clockText(now)} · ${playing ? `${real.toFixed(1)} × real time` : 'paused'}`;
   }
 
-  happened(event) {
-    this.log.add(eventOf(event));
-    if (!event.change) return;
-    this.recording.addChange(event.change);
-    this.tools.showThings(this.things());
+  happened({first, events}) {
+    if (this.recording.takeChanges(first, this.log.take(first, events))) this.tools.showThings(this.things());
   }
 
   /** The floor that is seen, where there are several. */
@@ -202,14 +206,7 @@ export class LiveView {
 
   /** What stands in the world now, besides the map. */
   things() {
-    return worldAt(this.recording.header, this.recording.changes, this.now);
-  }
-
-  /** An event of a hand took place. */
-  done(message) {
-    this.noteText('');
-    const driven = drivenEvent(message);
-    if (driven) this.log.add(driven);
+    return worldAt(this.recording.header, this.recording.changes, Infinity);
   }
 
   noteText(text) {
@@ -246,14 +243,10 @@ export class LiveView {
 
   /** Takes a frame. */
   frame(frame) {
-    if (frame.now < this.now - 1e-6) {
-      this.recording.cut(frame.now);
-      this.log.cut(frame.now);
-      this.tools.showThings(this.things());
-    }
     this.recording.add(frame);
     this.now = frame.now;
     this.poses = this.posesOf(frame);
+    if (this.past !== null && this.past >= (this.recording.time.at(-1) ?? 0)) this.look(null);  // It never happened.
     this.changed();
   }
 
@@ -272,6 +265,7 @@ export class LiveView {
     state.live = this.past === null ? this.poses : undefined;
     this.views.draw();
     this.buttons.show(state.follow);
+    this.faults.show(this.log.events, state.time);
     if (recording.scans === 0) return;
     const scan = recording.scanAt(state.time);
     this.panel.show(scan);
@@ -294,6 +288,11 @@ export class LiveView {
     this.timeline.show(this.state.time, scan);
     this.curve.update();
   }
+}
+
+/** What is to be known of the run, a line; nothing where there is nothing. */
+function notesOf({notes = []}) {
+  return element('p', {class: 'run-notes soft', hidden: notes.length === 0}, notes.length ? `Note: ${notes.join('. ')}.` : '');
 }
 
 /** What panel and timeline read of a recording. */

@@ -16,6 +16,7 @@ export class MapView {
     this.state = state;
     this.fingers = new Map();
     this.view = null;
+    this.isWhole = true;  // Nobody has moved it.
     this.onMoved = () => {};
     // A hand: {grab(point, view) -> {move(point), drop(point)} or null, draw(context, scene)}.
     this.hand = null;
@@ -40,7 +41,7 @@ export class MapView {
     this.ratio = window.devicePixelRatio || 1;
     this.canvas.width = Math.round(width * this.ratio);
     this.canvas.height = Math.round(height * this.ratio);
-    this.view = this.view ? resized(this.view, width, height) : this.whole(width, height);
+    this.view = this.isWhole ? this.whole(width, height) : resized(this.view, width, height);
     this.draw();
   }
 
@@ -58,6 +59,7 @@ export class MapView {
     this.view = this.whole(this.view.width, this.view.height);
     this.state.follow = false;
     this.moved();
+    this.isWhole = true;
   }
 
   zoom(factor, px, py) {
@@ -66,6 +68,7 @@ export class MapView {
   }
 
   moved() {
+    this.isWhole = false;
     this.onMoved();
     this.draw();
   }
@@ -131,7 +134,10 @@ export class MapView {
     const scan = recording.scanAt(state.time);
     const track = recording.truth.known[scan] ? recording.truth : recording.localizers[0];
     const pose = state.follow && track ? poseAt(track, recording.time, scan, state.time) : null;
-    if (pose) this.view = {...this.view, x: pose.x, y: pose.y};
+    if (pose) {
+      this.view = {...this.view, x: pose.x, y: pose.y};
+      this.isWhole = false;
+    }
     const floor = floorOf(state, recording, scan);
     return {
       recording, view: this.view, colors: this.colors, time: state.time, scan,

@@ -1,4 +1,5 @@
 // Events of a run as marks on its time axes.
+import {wordsOf} from './event_words.js';
 
 const kSymbols = {kidnap: '▼', fault: '✕', collision: '✹', driving: '◆', operator: '●', recovery: '✓'};
 const kColors = {kidnap: 'mark', fault: 'warn', collision: 'bad', driving: 'soft', operator: 'ink', recovery: 'good'};
@@ -13,9 +14,8 @@ export function sortOf(event) {
 export function marksOf(events) {
   return events.filter(sortOf).map((event) => {
     const sort = sortOf(event);
-    const words = [event.kind, event.detail && `(${event.detail})`, event.localizer].filter(Boolean);
     return {...event, sort, symbol: kSymbols[sort], color: kColors[sort],
-      label: `${words.join(' ')} at ${event.time.toFixed(1)} s`};
+      label: `${wordsOf(event)}, at ${event.time.toFixed(1)} s`};
   }).sort((a, b) => a.time - b.time);
 }
 

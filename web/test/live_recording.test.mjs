@@ -10,7 +10,14 @@ const hello = {localizers: ['a', 'b'], map: {width: 1, height: 1}, robot_radius_
 const scan = (time, answer = [1, 2, 0.5, 0, 0.9, 0.8, 0.01, 0.02]) =>
   [time, 0, [time, 0, 0], [{answer, populations: 1, particles: 9}, {answer: null, populations: 0, particles: 0}]];
 
-const frame = (scans, blocks = []) => ({now: 0, scans, lidars: [{name: 'lidar'}], blocks});
+const frame = (scans, blocks = [], first = 0) => ({now: 0, first, scans, lidars: [{name: 'lidar'}], blocks});
+
+/** A recording of scans at these times, each in a frame of its own with beams. */
+function recordingOf(...times) {
+  const recording = new LiveRecording(hello);
+  times.forEach((time, i) => recording.add(frame([scan(time)], [new Uint8Array([i])], i)));
+  return recording;
+}
 
 test('a frame is JSON and blocks of bytes', () => {
   const text = new TextEncoder().encode(JSON.stringify({now: 2, scans: [], blocks: [2, 1]}));
@@ -47,18 +54,68 @@ test('the newest scan of a frame has details', () => {
   assert.deepEqual(peopleOf(recording, at).map(({x}) => x), [1]);
 });
 
-test('what the run went back over is cut', () => {
-  const recording = new LiveRecording(hello);
-  for (let i = 1; i <= 5; ++i) recording.add(frame([scan(i)], [new Uint8Array([0])]));
-  recording.cut(3);
+test('what the run went back over is left out', () => {
+  const recording = recordingOf(1, 2, 3, 4, 5);
+  recording.add({first: 3, scans: []});
   assert.deepEqual(recording.time, [1, 2, 3]);
   assert.equal(recording.localizers[0].x.length, 3);
   assert.equal(recording.details.length, 3);
+  recording.add(frame([scan(3.5)], [], 3));
+  assert.deepEqual(recording.time, [1, 2, 3, 3.5]);
+});
+
+test('what is told again takes the place of what was there; what is the same keeps its beams', () => {
+  const recording = recordingOf(1, 2, 3, 4, 5);
+  recording.add({first: 1, scans: [scan(2), scan(3)]});
+  assert.deepEqual(recording.time, [1, 2, 3]);
+  assert.deepEqual(recording.details.map((detail) => [detail.scan, ...detail.blocks[0]]), [[0, 0], [1, 1], [2, 2]]);
+  const other = scan(2, [9, 2, 0.5, 0, 0.9, 0.8, 0.01, 0.02]);
+  recording.add({first: 1, scans: [other, scan(3)]});
+  assert.deepEqual(recording.time, [1, 2, 3]);
+  assert.deepEqual(recording.localizers[0].x, [1, 9, 1]);
+  assert.deepEqual(recording.errors[0].position.map(Math.round), [2, 7, 3]);
+  assert.deepEqual(recording.details.map((detail) => detail.scan), [0]);
+});
+
+test('a history that is told twice is there once', () => {
+  const recording = recordingOf(1, 2);
+  const history = {first: 0, scans: [scan(1), scan(2), scan(3)]};
+  recording.add(history);
+  recording.add(history);
+  assert.deepEqual(recording.time, [1, 2, 3]);
+});
+
+test('scans that were missed come later, where a page did not read', () => {
+  const recording = recordingOf(1);
+  recording.add(frame([scan(4)], [], 3));
+  assert.deepEqual(recording.time, [1, 4]);
+  recording.add({first: 0, scans: [scan(1), scan(2), scan(3), scan(4)]});
+  assert.deepEqual(recording.time, [1, 2, 3, 4]);
+});
+
+test('scans of several lidars are in the order of their times', () => {
+  const recording = recordingOf(1, 1.2, 1.1, 1.2, 1.3);
+  assert.deepEqual(recording.time, [1, 1.1, 1.2, 1.2, 1.3]);
+  assert.deepEqual(recording.truth.x, [1, 1.1, 1.2, 1.2, 1.3]);
+  assert.deepEqual(recording.details.map((detail) => [detail.scan, ...detail.blocks[0]]), [[0, 0], [1, 2], [2, 1], [3, 3], [4, 4]]);
+  recording.add({first: 2, scans: []});
+  assert.deepEqual(recording.time, [1, 1.2]);
+  assert.deepEqual(recording.details.map((detail) => detail.scan), [0, 1]);
+});
+
+test('changes of the world go with their events', () => {
+  const recording = new LiveRecording(hello);
+  const event = (number, change) => ({number, change});
+  assert.equal(recording.takeChanges(0, [event(0)]), false);
+  recording.takeChanges(0, [event(0, {time: 1, name: 'box'}), event(1), event(2, {time: 2, name: 'gate'})]);
+  assert.deepEqual(recording.changes.map(({name}) => name), ['box', 'gate']);
+  assert.equal(recording.takeChanges(1, []), true);
+  assert.deepEqual(recording.changes.map(({name}) => name), ['box']);
 });
 
 test('memory is bounded', () => {
   const recording = new LiveRecording(hello);
-  for (let i = 0; i < 40000; ++i) recording.add(frame([scan(i / 10)], [new Uint8Array([0])]));
+  for (let i = 0; i < 40000; ++i) recording.add(frame([scan(i / 10)], [new Uint8Array([0])], i));
   assert.ok(recording.scans <= 18000);
   assert.equal(recording.time.at(-1), 3999.9);
   assert.equal(recording.details.at(-1).scan, recording.scans - 1);

@@ -15,8 +15,8 @@ test('alarms are no marks', () => {
 
 test('marks come by time and say what they are', () => {
   const marks = marksOf(events);
-  assert.deepEqual(marks.map((m) => m.label), ['kidnap (teleport) at 3.0 s',
-    'recovery (from kidnap) a at 5.0 s', 'fault on (blind) at 6.0 s']);
+  assert.deepEqual(marks.map((m) => m.label), ['kidnap: put, at 3.0 s',
+    'a is right again after a kidnap, at 5.0 s', 'fault: blind, at 6.0 s']);
   assert.deepEqual(sortsOf(marks).map((s) => s.sort), ['kidnap', 'fault', 'recovery']);
 });
 

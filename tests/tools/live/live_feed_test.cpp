@@ -45,6 +45,7 @@ TEST(LiveFeed, FramesHoldWhatHappenedSinceTheLastOne) {
   EXPECT_EQ(frame.head.at("truth"), (nlohmann::json{1.0, 2.0, 0.5}));
   EXPECT_EQ(frame.head.at("estimates").at(0), (nlohmann::json{3.0, 4.0, 0.1}));
   EXPECT_TRUE(frame.head.at("estimates").at(1).is_null());
+  EXPECT_EQ(frame.head.at("first"), 0);
   ASSERT_EQ(frame.head.at("scans").size(), 2U);
   const auto& scan = frame.head.at("scans").at(1);
   EXPECT_EQ(scan.at(0), 1.1);
@@ -56,6 +57,7 @@ TEST(LiveFeed, FramesHoldWhatHappenedSinceTheLastOne) {
   EXPECT_EQ(frame.head.at("blocks").size(), 4U);
   EXPECT_EQ(frame.blocks.size(), bytes);
   const ReadFrame next = read_frame(feed.take_frame(poses));
+  EXPECT_EQ(next.head.at("first"), 2);
   EXPECT_TRUE(next.head.at("scans").empty());
   EXPECT_TRUE(next.blocks.empty());
   EXPECT_EQ(next.head.at("lidars").size(), 1U);
@@ -64,12 +66,51 @@ TEST(LiveFeed, FramesHoldWhatHappenedSinceTheLastOne) {
 TEST(LiveFeed, EventsAreToldOnce) {
   LiveFeed feed = feed_of_two();
   feed.on_event(kidnap_to(1.05));
-  const auto events = feed.take_events();
+  EXPECT_TRUE(feed.has_events());
+  const auto said = feed.take_events();
+  EXPECT_EQ(said.at("first"), 0);
+  const auto& events = said.at("events");
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events.at(0).at("kind"), "kidnap");
   EXPECT_EQ(events.at(0).at("time"), 1.05);
   EXPECT_EQ(events.at(0).at("to").size(), 3U);
-  EXPECT_TRUE(feed.take_events().empty());
+  EXPECT_FALSE(feed.has_events());
+  feed.on_drive(localization::from_seconds(2.0), {{"v", 0.2}, {"w", -1.0}});
+  const auto next = feed.take_events();
+  EXPECT_EQ(next.at("first"), 1);
+  EXPECT_EQ(next.at("events").at(0).at("kind"), "drive");
+  EXPECT_EQ(next.at("events").at(0).at("drive").at("w"), -1.0);
+}
+
+TEST(LiveFeed, ScansCanBeToldWithoutAFrame) {
+  LiveFeed feed = feed_of_two();
+  feed.on_scan(record_at(1.0, kTwo));
+  (void)feed.take_frame({});
+  feed.on_scan(record_at(1.1, kTwo));
+  feed.on_scan(record_at(1.2, kTwo));
+  EXPECT_EQ(feed.untold_scans(), 2U);
+  const auto said = feed.take_scans();
+  EXPECT_EQ(said.at("said"), "history");
+  EXPECT_EQ(said.at("first"), 1);
+  EXPECT_EQ(said.at("scans").size(), 2U);
+  const ReadFrame frame = read_frame(feed.take_frame({}));
+  EXPECT_EQ(frame.head.at("first"), 3);
+  EXPECT_TRUE(frame.blocks.empty());
+}
+
+TEST(LiveFeed, HelloShowsWhatIsKnownOfTheMapAndTheNotesOfTheRun) {
+  RosMap map;
+  map.width = 100;
+  map.height = 40;
+  map.resolution = 0.1;
+  map.cells.assign(4000, -1);
+  map.cells[20 * 100 + 20] = 0;
+  RunInfo info = run_of(kTwo);
+  EXPECT_FALSE(LiveFeed(info, map, 0.2).hello().contains("notes"));
+  info.notes = {"skid steer"};
+  const auto hello = LiveFeed(info, map, 0.2).hello();
+  EXPECT_EQ(hello.at("map").at("width"), 21);  // The cell and 1 m to either side.
+  EXPECT_EQ(hello.at("notes"), nlohmann::ordered_json({"skid steer"}));
 }
 
 TEST(LiveFeed, HelloHasTheMap) {

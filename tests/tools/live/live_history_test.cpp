@@ -3,60 +3,87 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace castaway::testbed {
 namespace {
 
-/// A frame with scans at these times.
-std::string frame_at(const std::vector<double>& times) {
-  nlohmann::json head = {{"now", 1.0}, {"scans", nlohmann::json::array()}};
-  for (const double time : times) head["scans"].push_back({time, 0, {1, 2, 3}});
-  const std::string text = head.dump();
-  return std::string{static_cast<char>(text.size()), static_cast<char>(text.size() >> 8U), 0, 0} +
-         text + "blocks of bytes";
+using HistoryTestJson = nlohmann::ordered_json;
+
+/// Scans of these times from a number on.
+HistoryTestJson told_from(std::size_t first, const std::vector<double>& times) {
+  HistoryTestJson told = {{"now", 1.0}, {"first", first}, {"scans", HistoryTestJson::array()}};
+  for (const double time : times) told["scans"].push_back({time, 0, {1, 2, 3}});
+  return told;
 }
 
 std::vector<double> times_of(const LiveHistory& history) {
   std::vector<double> times;
   if (history.message().empty()) return times;
-  const auto message = nlohmann::json::parse(history.message());
+  const auto message = HistoryTestJson::parse(history.message());
   for (const auto& scan : message.at("scans")) times.push_back(scan.at(0));
   return times;
 }
 
+LiveHistory scans_kept(std::size_t most = 100) { return {"history", "scans", most}; }
+
 TEST(LiveHistory, TellsTheScansOfAllFrames) {
-  LiveHistory history;
+  LiveHistory history = scans_kept();
   EXPECT_EQ(history.message(), "");
-  history.add(frame_at({0.1, 0.2}));
-  history.add(frame_at({}));
-  history.add(frame_at({0.3}));
+  history.add(told_from(0, {0.1, 0.2}));
+  history.add(told_from(2, {}));
+  history.add(told_from(2, {0.3}));
   EXPECT_EQ(times_of(history), (std::vector<double>{0.1, 0.2, 0.3}));
-  EXPECT_EQ(nlohmann::json::parse(history.message()).at("scans")[0][2][1], 2);
+  const auto message = HistoryTestJson::parse(history.message());
+  EXPECT_EQ(message.at("said"), "history");
+  EXPECT_EQ(message.at("first"), 0);
+  EXPECT_EQ(message.at("scans")[0][2][1], 2);
 }
 
 TEST(LiveHistory, ForgetsWhatNeverHappened) {
-  LiveHistory history;
-  history.add(frame_at({0.1, 0.2, 0.3, 0.4}));
-  history.cut(0.3);
-  EXPECT_EQ(times_of(history), (std::vector<double>{0.1, 0.2, 0.3}));
-  history.add(frame_at({0.2}));
-  EXPECT_EQ(times_of(history), (std::vector<double>{0.1, 0.2}));
+  LiveHistory history = scans_kept();
+  history.add(told_from(0, {0.1, 0.2, 0.3, 0.4}));
+  history.add(told_from(2, {0.35}));
+  EXPECT_EQ(times_of(history), (std::vector<double>{0.1, 0.2, 0.35}));
+  history.add(told_from(1, {}));
+  EXPECT_EQ(times_of(history), (std::vector<double>{0.1}));
+}
+
+TEST(LiveHistory, KeepsScansOfSeveralLidarsInTheOrderOfTheirDelivery) {
+  LiveHistory history = scans_kept();
+  history.add(told_from(0, {0.1, 0.2}));
+  history.add(told_from(2, {0.05}));
+  EXPECT_EQ(times_of(history), (std::vector<double>{0.1, 0.2, 0.05}));
 }
 
 TEST(LiveHistory, IsBounded) {
-  LiveHistory history(3);
-  for (int i = 1; i <= 10; ++i) history.add(frame_at({0.1 * i}));
-  EXPECT_EQ(history.scans(), 3);
-  EXPECT_DOUBLE_EQ(times_of(history).front(), 0.8);
+  LiveHistory history = scans_kept(3);
+  for (std::size_t i = 0; i < 10; ++i) {
+    history.add(told_from(i, {0.1 * static_cast<double>(i)}));
+  }
+  EXPECT_EQ(history.size(), 3U);
+  EXPECT_DOUBLE_EQ(times_of(history).front(), 0.7);
+  EXPECT_EQ(HistoryTestJson::parse(history.message()).at("first"), 7);
+  history.add(told_from(5, {0.5}));  // Before all that it has kept.
+  EXPECT_EQ(HistoryTestJson::parse(history.message()).at("first"), 5);
+  EXPECT_EQ(history.size(), 1U);
 }
 
-TEST(LiveHistory, TakesNothingFromWhatIsNoFrame) {
-  LiveHistory history;
+TEST(LiveHistory, TellsTheScansOfOneFrame) {
+  const LiveHistory history = scans_kept();
+  EXPECT_EQ(history.message_of(told_from(4, {})), "");
+  EXPECT_EQ(HistoryTestJson::parse(history.message_of(told_from(4, {0.5}))),
+            (HistoryTestJson{
+                {"said", "history"}, {"first", 4}, {"scans", told_from(4, {0.5}).at("scans")}}));
+}
+
+TEST(LiveHistory, WhatIsNoFrameHasNoHead) {
   for (const std::string& bytes : {std::string(), std::string("ab"), std::string(9, '\xFF')}) {
-    history.add(bytes);
+    EXPECT_TRUE(head_of_frame(bytes).is_null());
   }
-  EXPECT_EQ(history.scans(), 0);
+  const std::string text = told_from(7, {0.1}).dump();
+  const std::string frame =
+      std::string{static_cast<char>(text.size()), 0, 0, 0} + text + "blocks of bytes";
+  EXPECT_EQ(head_of_frame(frame).at("first"), 7);
 }
 
 }  // namespace

@@ -10,21 +10,18 @@
 namespace castaway::testbed {
 namespace {
 
-using PagesJson = nlohmann::json;
+using PagesJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTold = 4000;
-constexpr std::chrono::seconds kHandsKept(10);  // After their last use.
+constexpr std::size_t kMostScansWaiting = std::size_t{4} << 20U;  // [bytes]
+constexpr std::chrono::seconds kHandsKept(10);                    // After their last use.
 
 SharedBytes shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// Simulated time of something that belongs to the timeline; nothing for anything else.
-std::optional<double> time_of(const PagesJson& said) {
-  const std::string what = said.value("said", "");
-  if (what == "done") return said.at("at_s").get<double>();
-  if (what == "events") return said.at("events").back().at("time").get<double>();
-  return std::nullopt;
+/// Null for an empty text.
+SharedBytes shared_if_any(std::string text) {
+  return text.empty() ? nullptr : shared(std::move(text));
 }
 
 }  // namespace
@@ -35,9 +32,26 @@ void LivePage::say(SharedBytes text) {
   wake_();
 }
 
-void LivePage::show(SharedBytes frame) {
+void LivePage::show(SharedBytes frame, SharedBytes scans) {
+  if (scans_ && waiting_ < kMostScansWaiting) {
+    say(scans_);
+  } else if (scans_) {
+    misses_ = true;
+  }
   frame_ = std::move(frame);
+  scans_ = std::move(scans);
   wake_();
+}
+
+void LivePage::drop_frame() {
+  frame_ = nullptr;
+  scans_ = nullptr;
+  misses_ = false;
+}
+
+void LivePage::say_scans(SharedBytes text) {
+  misses_ = false;
+  say(std::move(text));
 }
 
 std::optional<PageMessage> LivePage::take() {
@@ -48,6 +62,7 @@ std::optional<PageMessage> LivePage::take() {
     return PageMessage{std::move(text), false};
   }
   if (!frame_) return std::nullopt;
+  scans_ = nullptr;
   return PageMessage{std::exchange(frame_, nullptr), true};
 }
 
@@ -55,12 +70,11 @@ void LivePages::open(const std::shared_ptr<LivePage>& page, Clock::time_point no
   pages_.push_back(page);
   if (hello_) page->say(hello_);
   if (scene_) page->say(scene_);
-  if (std::string history = history_.message(); !history.empty()) {
-    page->say(shared(std::move(history)));
+  for (const LiveHistory* history : {&scans_, &events_}) {
+    if (SharedBytes message = shared_if_any(history->message())) page->say(std::move(message));
   }
-  for (const Told& told : timeline_) page->say(told.text);
   if (status_) page->say(status_);
-  if (frame_) page->show(frame_);
+  if (frame_) page->show(frame_, nullptr);
   if (holder_.expired()) {
     holder_ = page;
     used_ = now;
@@ -99,21 +113,23 @@ void LivePages::tell_hands() const {
   }
 }
 
+void LivePages::begin_run() {
+  scans_.clear();
+  events_.clear();
+  frame_ = nullptr;
+  for (const auto& page : pages_) page->drop_frame();
+}
+
 void LivePages::remember(const PagesJson& said, const SharedBytes& text) {
   const std::string what = said.value("said", "");
-  if (what == "hello") hello_ = text;
+  if (what == "hello") {
+    hello_ = text;
+    if (!said.value("undone", false)) begin_run();
+  }
   if (what == "scene") scene_ = text;
-  if (what == "status") {
-    status_ = text;
-    // After the run went back, what came later never happened.
-    const double now_s = said.at("now_s").get<double>();
-    while (!timeline_.empty() && timeline_.back().time_s > now_s) timeline_.pop_back();
-    history_.cut(now_s);
-  }
-  if (const auto time_s = time_of(said)) {
-    timeline_.push_back({*time_s, text});
-    if (timeline_.size() > kMostTold) timeline_.pop_front();
-  }
+  if (what == "status") status_ = text;
+  if (what == "history") scans_.add(said);
+  if (what == "events") events_.add(said);
 }
 
 void LivePages::say(const std::string& text) {
@@ -124,9 +140,16 @@ void LivePages::say(const std::string& text) {
 }
 
 void LivePages::show(std::string frame) {
-  history_.add(frame);
+  SharedBytes scans;
+  if (const PagesJson head = head_of_frame(frame); head.is_object()) {
+    scans_.add(head);
+    scans = shared_if_any(scans_.message_of(head));
+  }
   frame_ = shared(std::move(frame));
-  for (const auto& page : pages_) page->show(frame_);
+  for (const auto& page : pages_) {
+    if (page->misses_scans()) page->say_scans(shared(scans_.message()));
+    page->show(frame_, scans);
+  }
 }
 
 }  // namespace castaway::testbed

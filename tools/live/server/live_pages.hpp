@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include "tools/live/server/live_history.hpp"
 
@@ -25,14 +25,22 @@ struct PageMessage {
   bool binary = false;
 };
 
-/// A page that is open. What it is told is never lost, frames are: a slow page gets the newest one.
+/// A page that is open. What it is told is never lost, frames are: a slow page gets the newest one,
+/// and of the others their scans alone.
 class LivePage {
  public:
   /// `wake`: called when there is something to send.
   explicit LivePage(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void say(SharedBytes text);
-  void show(SharedBytes frame);
+  /// `scans`: of the frame, as a message, if the frame gives way to a newer one; null: none.
+  void show(SharedBytes frame, SharedBytes scans);
+  /// Its frame is of a run that is over.
+  void drop_frame();
+  /// True if scans were left out since so much waits already. They are to be said again when it
+  /// has been read.
+  [[nodiscard]] bool misses_scans() const { return misses_ && said_.empty(); }
+  void say_scans(SharedBytes text);
   /// The next thing to send; nothing if there is none.
   std::optional<PageMessage> take();
   /// Bytes that wait, without the frame. A page that lets much wait is to be closed.
@@ -43,6 +51,8 @@ class LivePage {
   std::deque<SharedBytes> said_;
   std::size_t waiting_ = 0;
   SharedBytes frame_;
+  SharedBytes scans_;  ///< Of that frame.
+  bool misses_ = false;
 };
 
 /// All open pages. One of them holds the hands.
@@ -65,7 +75,8 @@ class LivePages {
   [[nodiscard]] std::size_t count() const { return pages_.size(); }
 
  private:
-  void remember(const nlohmann::json& said, const SharedBytes& text);
+  void remember(const nlohmann::ordered_json& said, const SharedBytes& text);
+  void begin_run();
   void tell_hands() const;
 
   std::list<std::shared_ptr<LivePage>> pages_;
@@ -74,13 +85,9 @@ class LivePages {
   SharedBytes hello_;
   SharedBytes scene_;
   SharedBytes status_;
-  struct Told {
-    double time_s;
-    SharedBytes text;
-  };
-  std::deque<Told> timeline_;  ///< Events of hands and of the run, the latest few thousand.
   SharedBytes frame_;
-  LiveHistory history_;
+  LiveHistory scans_{"history", "scans", 18000};
+  LiveHistory events_{"events", "events", 4000};
 };
 
 }  // namespace castaway::testbed

@@ -57,11 +57,11 @@ test('the robot is dragged', async () => {
 
 test('kidnaps, faults and orders by buttons', async () => {
   await page.press('Spin the wheels');
-  await page.logged('spin');
+  await page.logged('wheels turn');
   await page.press('Break it');
   await page.logged('lidar');
   await page.press('Global localization');
-  await page.logged('relocalize');
+  await page.logged('global localization');
 });
 
 test('is driven by keys', async () => {
@@ -172,7 +172,7 @@ test('a page that is loaded again knows the past', async () => {
   await browser.until(`${kTime} >= ${before} - 0.2`);
   const end = (name) => `Number(document.querySelector('[aria-label="Time"]').${name})`;
   await browser.until(`${end('max')} > 1.5 && ${end('min')} < 0.3`);
-  await browser.until(`document.querySelector('.log').textContent.includes('spin')`);
+  await browser.until(`document.querySelector('.log').textContent.includes('wheels turn')`);
 });
 
 test('looks at the past, goes back, and on from there', async () => {
@@ -206,7 +206,7 @@ test('boxes and people are put before the robot, and a box is taken away', async
   await browser.drag([await page.onScreen(...free), await page.onScreen(free[0], free[1] + 0.5)]);
   await browser.drag([await page.onScreen(...free), await page.onScreen(...free)]);  // There is one already.
   await page.play();
-  await page.logged('put');
+  await page.logged('placed');
   await shot('box');
   await page.pause();
   await page.press('Door, remove');
@@ -253,7 +253,7 @@ test('a world of one\'s own takes the place of the run, and its door opens', asy
   assert.equal(await browser.evaluate(`document.querySelector('h1').textContent`), 'room');
   await page.press('Open');
   await page.play();
-  await page.logged('gate open by 90 deg');
+  await page.logged('gate opened by 90°');
   await page.pause();
   await page.press('Close');
   await page.play();

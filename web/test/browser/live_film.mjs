@@ -105,8 +105,7 @@ async function play() {
   await film.click([left + 8 + ((taken - 1 - min) / (max - min)) * (width - 16), top]);
   await filmUntil(buttonOf('Go on from here'), 0.6);
   await click(buttonOf('Go on from here'));
-  await filmUntil(`${buttonOf('Play')} && !document.querySelector('.log li')`, 0.2);
-  await click(buttonOf('Play'));
+  await filmUntil(`!document.querySelector('.log li')`, 0.2);
   await film.roll(0.9);
 }
 

@@ -3,6 +3,9 @@ import {toScreen} from '../../src/view.js';
 
 export const kTime = `Number(document.getElementById('castaway-live').dataset.time ?? 0)`;
 
+/** Time of the run, whatever is looked at. */
+export const kNow = `document.getElementById('castaway-live').view.now`;
+
 const kButton = `document.querySelector('#castaway-live .play').textContent`;
 
 export class LivePage {
@@ -37,15 +40,36 @@ export class LivePage {
     await this.pause();
   }
 
-  /** Until the run has gone back to a time [s], and what happened after it is forgotten. */
-  async goBack(time) {
-    await this.browser.evaluate(`(() => {
+  /** Simulated seconds per second. */
+  setSpeed(speed) {
+    return this.browser.evaluate(`(() => {
+      const speed = document.querySelector('#castaway-live [aria-label="Speed"]');
+      speed.value = '${speed}';
+      speed.dispatchEvent(new Event('change'));
+    })()`);
+  }
+
+  /** To the next scan. */
+  async step() {
+    const before = await this.browser.evaluate(kNow);
+    await this.press('Step a scan');
+    await this.browser.until(`${kNow} > ${before}`);
+  }
+
+  /** Looks at a time [s] of the past. */
+  look(time) {
+    return this.browser.evaluate(`(() => {
       const slider = document.querySelector('#castaway-live [aria-label="Time"]');
       slider.value = ${time};
       slider.dispatchEvent(new Event('input'));
     })()`);
+  }
+
+  /** Until the run has gone back to a time [s]. */
+  async goBack(time) {
+    await this.look(time);
     await this.press('Go on from here');
-    await this.browser.until(`${kTime} < ${time + 0.5} && document.querySelector('.log').childElementCount === 0`);
+    await this.browser.until(`${kNow} < ${time + 0.5}`);
   }
 
   /** The point of the window where the map shows a point of the frame map. */
