@@ -105,6 +105,8 @@ fs::path folder_with_inputs() {
                      "outputs.carmen=true --set outputs.map=true --set outputs.bag=true --out made")
                 .exit_code,
             0);
+  // The run of the README's first command, which others name.
+  EXPECT_EQ(castaway(folder, "run --duration 3 --set outputs.snapshots=false").exit_code, 0);
   const fs::path map = folder / "made/map/map.yaml";
   for (const char* place : {"intel", "freiburg-079", "aces", "folder_with_log_and_map"}) {
     fs::create_directories(folder / place);
