@@ -48,9 +48,9 @@ struct Woken {
   LiveGoal goal;
 };
 
-/// True if a localizer is a program. It cannot be copied, so that the run begins again to go back.
 bool has_nodes(const LiveSetup& setup) { return std::ranges::any_of(setup.localizers(), is_node); }
 
+/// True if a localizer is a program. It cannot be copied, so that the run begins again to go back.
 bool has_programs(const LiveSetup& setup) {
   return std::ranges::any_of(setup.localizers(), [](const LocalizerSpec& localizer) {
     return std::holds_alternative<ProgramConfig>(localizer.config) || is_node(localizer);
@@ -102,7 +102,9 @@ class LivePlayer {
     say_scene();
   }
 
+  /// Of a run with a node, which may come late, pages are told at once.
   void to_first_scan() {
+    if (has_nodes(setup_)) return;
     const Stamp end = run_->now() + localization::from_seconds(kOpening);
     while (feed_->scans() == 0 && run_->now() < end && step()) {
     }
