@@ -71,6 +71,7 @@ export function radiiOf(weights) {
 /** The dots of a series with the style `sized`, as large as their `weight`. */
 export function drawSized({ctx, valToPos}, {x, y, weight}, color) {
   ctx.save();
+  ctx.setLineDash([]);
   ctx.fillStyle = `${color}b3`;
   ctx.strokeStyle = color;
   ctx.lineWidth = 1.5 * devicePixelRatio;
@@ -87,6 +88,7 @@ export function drawSized({ctx, valToPos}, {x, y, weight}, color) {
 export function drawIntervals({ctx, valToPos}, {x, low, high}, color) {
   if (!low) return;
   ctx.save();
+  ctx.setLineDash([]);
   ctx.strokeStyle = color;
   ctx.lineWidth = 1.5 * devicePixelRatio;
   ctx.beginPath();
