@@ -88,6 +88,9 @@ TEST(RecoveriesChart, RisesWithEveryRecovery) {
   // 1 s is 25.6 px, 12.5 % are 32 px.
   EXPECT_TRUE(contains(html, "d=\"M64.0 268.0L89.6 268.0L89.6 236.0L115.2 236.0L115.2 204.0"));
   EXPECT_TRUE(contains(html, "d=\"M64.0 268.0L704.0 268.0\""));
+  // The interval of 7 of 8 not yet recovered is 0.387 to 0.981 (Greenwood, log-log).
+  EXPECT_TRUE(contains(html, " 89.6,111.1 "));
+  EXPECT_TRUE(contains(html, " 89.6,263.2 "));
   EXPECT_TRUE(contains(html, "time since the kidnap [s]"));
   EXPECT_EQ(recoveries_chart(RunSet{}), "");
 }
